@@ -1,0 +1,21 @@
+/// \file The one exception of the library: something the user can understand and mend.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace qm {
+
+/// Bad input or an impossible request. The text reads `place: what. remedy`; the tool that catches it puts
+/// its own name and the file in front. Everything else that is thrown is a fault of the program.
+class Error : public std::runtime_error {
+public:
+    /// \param place   where it is wrong: "line 12", "face 7", a JSON pointer; may be empty
+    /// \param what    what is wrong, lower case, without a full stop
+    /// \param remedy  what the user can do about it, a sentence without a full stop; may be empty
+    Error(const std::string &place, const std::string &what, const std::string &remedy = {})
+        : std::runtime_error((place.empty() ? "" : place + ": ") + what +
+                             (remedy.empty() ? "" : ". " + remedy)) {}
+};
+
+} // namespace qm

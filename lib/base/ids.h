@@ -1,0 +1,41 @@
+/// \file Typed indices: an arc cannot be passed where a junction is meant.
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+
+namespace qm {
+
+/// A position in the array of one kind of element. Negative means "none".
+template <class Tag> class Id {
+public:
+    constexpr Id() = default;
+    constexpr explicit Id(std::int64_t index) : value_(static_cast<std::int32_t>(index)) {}
+    constexpr explicit Id(std::size_t index) : value_(static_cast<std::int32_t>(index)) {}
+    constexpr explicit Id(int index) : value_(index) {}
+
+    [[nodiscard]] constexpr bool valid() const { return value_ >= 0; }
+    [[nodiscard]] constexpr int value() const { return value_; }
+    /// The index into the element's array; the id must be valid.
+    [[nodiscard]] constexpr std::size_t idx() const { return static_cast<std::size_t>(value_); }
+
+    constexpr auto operator<=>(const Id &) const = default;
+
+private:
+    std::int32_t value_ = -1;
+};
+
+using SeparatrixId = Id<struct SeparatrixTag>;
+using LineId = Id<struct LineTag>;
+using ArcId = Id<struct ArcTag>;
+using JunctionId = Id<struct JunctionTag>;
+using TrackId = Id<struct TrackTag>;
+using SegmentId = Id<struct SegmentTag>;
+
+} // namespace qm
+
+template <class Tag> struct std::hash<qm::Id<Tag>> {
+    std::size_t operator()(qm::Id<Tag> id) const noexcept { return std::hash<int>{}(id.value()); }
+};

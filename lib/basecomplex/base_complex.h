@@ -1,0 +1,41 @@
+/// \file Separatrices and the base complex (method 1; paper 3.1).
+#pragma once
+
+#include "base/ids.h"
+#include "mesh/quad_mesh.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace qm {
+
+/// A feature seed: two particles leave the halfedge's first vertex, one along the halfedge, one the other way
+/// on the same mesh line. That vertex must be interior and regular. No vertex bears two seeds.
+struct Seed {
+    HalfedgeId direction;
+};
+
+/// The directed path of one particle from its source, an extraordinary vertex or a seed, straight on until it
+/// meets an extraordinary vertex, the boundary, or a seed of the line that it runs on.
+struct Separatrix {
+    std::vector<HalfedgeId> halfedges; ///< consecutive, at least one
+    std::optional<SeparatrixId>
+        opposite;              ///< the same path backwards; none if it ends at a regular boundary vertex
+    bool selfCrossing = false; ///< it visits some vertex twice between its ends
+};
+
+struct BaseComplex {
+    std::vector<VertexId> extraordinaryVertices; ///< ascending
+    /// Ordered by source vertex, then by the second vertex of the path.
+    std::vector<Separatrix> separatrices;
+    /// Regular vertices at which two lines cross; a seed's line counts like any other (n_j).
+    std::size_t ordinaryJunctions = 0;
+};
+
+/// Traces every separatrix, in time linear in the mesh: no edge lies on more than one line.
+/// \param seeds  feature seeds (method 6); a seed on a separatrix splits it
+/// \throw Error  if a seed's vertex is not interior and regular, or bears two seeds
+[[nodiscard]] BaseComplex buildBaseComplex(const QuadMesh &mesh, std::span<const Seed> seeds = {});
+
+} // namespace qm

@@ -1,0 +1,57 @@
+/// \file Cutting the mesh into sub-meshes of bounded complexity (method 4; paper 4.2.1).
+#pragma once
+
+#include "base/control.h"
+#include "basecomplex/base_complex.h"
+#include "mesh/quad_mesh.h"
+
+#include <optional>
+#include <vector>
+
+namespace qm {
+
+/// How source and sink of a two-way cut are chosen.
+enum class Terminals {
+    irregular, ///< centres of the two groups of extraordinary vertices (the paper's)
+    farthest,  ///< the two vertices farthest apart (paper 5, first variant)
+    box        ///< best of three cuts between opposite walls of the bounding box (paper 5, second variant)
+};
+
+struct CutOptions {
+    double chi = 40;                            ///< a sub-mesh is cut while its quasi-complexity reaches this
+    Terminals terminals = Terminals::irregular; ///< of every two-way cut
+    double lambda = 1;                          ///< weight of cutting a mesh edge
+    double highPenalty = 80;                    ///< Wh
+    double lowPenalty = 1;                      ///< Wl
+    double nearLimit = 0.4;                     ///< m1
+    double farLimit = 0.5;                      ///< m2
+    bool avoidFeatures = false;                 ///< cutting along a sharp edge costs more than across it
+};
+
+struct SubMesh {
+    double quasiComplexity = 0; ///< U = sum over its particles of log2(candidate stops)
+    std::size_t ordinaryJunctions =
+        0; ///< n_j among separatrices that start inside, up to the first vertex outside
+    std::optional<VertexId> source; ///< terminals of the cut that made it; none if it was never cut
+    std::optional<VertexId> sink;
+};
+
+struct Cut {
+    CutOptions options;
+    std::vector<int> labels; ///< sub-mesh of every vertex, 0 to subMeshes.size() - 1
+    std::vector<SubMesh> subMeshes;
+};
+
+/// Cuts until every sub-mesh has U < chi or does not get simpler.
+/// \param complex  base complex with the feature seeds
+[[nodiscard]] Cut cutMesh(const QuadMesh &mesh, const BaseComplex &complex,
+                          const std::vector<double> &dihedralAngles, const CutOptions &options,
+                          const Control &control = {});
+
+/// U and n_j of every sub-mesh of a labelling, in one pass over the separatrices; terminals are left empty. A
+/// particle that starts in a sub-mesh has as many candidate stops as its separatrix has arcs, when only
+/// separatrices that start there count and each ends at the first vertex outside (a neighbouring vertex).
+[[nodiscard]] std::vector<SubMesh> measureSubMeshes(const QuadMesh &mesh, const BaseComplex &complex,
+                                                    const std::vector<int> &labels, int count);
+
+} // namespace qm

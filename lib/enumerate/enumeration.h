@@ -1,0 +1,41 @@
+/// \file The graphs of every sub-mesh: the result of a search (method 2 to 5).
+#pragma once
+
+#include "enumerate/motorcycle_graph.h"
+#include "mesh/dihedral.h"
+
+#include <boost/multiprecision/cpp_int.hpp>
+
+#include <optional>
+#include <vector>
+
+namespace qm {
+
+/// Graph counts pass 2^64.
+using BigCount = boost::multiprecision::cpp_int;
+
+enum class Method {
+    optimum,  ///< branch and bound on arcs; best graph and a lower bound
+    naive,    ///< paper 3.3: all coordinate vectors, filtered
+    bounds,   ///< paper 3.3: rules B1 to B4
+    improved, ///< paper 3.3: rules B1 to B3 and B4'
+    plain     ///< the plain motorcycle graph (Eppstein et al. 2008; method 10)
+};
+
+/// The graphs of one sub-mesh, cheapest first.
+struct SubMeshGraphs {
+    std::optional<double> cost;       ///< of the best graph; none if no graph was found
+    std::optional<double> lowerBound; ///< no graph is cheaper; equals cost when proven
+    std::optional<BigCount> count;    ///< number of motorcycle graphs, where it was asked for
+    std::vector<MotorcycleGraph> graphs;
+};
+
+struct Enumeration {
+    CostOptions cost;
+    Method method = Method::optimum;
+    std::optional<BigCount> count; ///< product over the sub-meshes
+    bool complete = true;          ///< no limit ended a search early
+    std::vector<SubMeshGraphs> subMeshes;
+};
+
+} // namespace qm

@@ -1,0 +1,23 @@
+/// \file Tracks and motorcycle graphs as geometry: what the search hands on (method 2).
+#pragma once
+
+#include "mesh/quad_mesh.h"
+
+#include <optional>
+#include <vector>
+
+namespace qm {
+
+/// The path of one particle, from its source to its crash point.
+struct Track {
+    std::vector<HalfedgeId> halfedges; ///< consecutive, at least one
+    double cost = 0;                   ///< F(T): sum of its edges' costs
+};
+
+/// Tracks that together leave only four-sided segments. No edge lies on two of them.
+struct MotorcycleGraph {
+    double cost = 0; ///< G_T, the sum of the tracks' costs
+    std::vector<Track> tracks;
+};
+
+} // namespace qm

@@ -1,0 +1,36 @@
+/// \file Feature curves and their seeds (method 6; paper 4.3).
+#pragma once
+
+#include "basecomplex/base_complex.h"
+#include "mesh/quad_mesh.h"
+
+#include <vector>
+
+namespace qm {
+
+struct FeatureOptions {
+    double rho = 0.45; ///< every edge of a curve is sharper than this, radians
+    int tau = 15;      ///< a curve has at least this many edges
+    int zeta = 30; ///< its ends are more than this many edges from any extraordinary vertex, along the line
+};
+
+/// A run of sharp edges along one mesh line. A closed loop repeats its first vertex at the end.
+struct FeatureCurve {
+    std::vector<HalfedgeId> halfedges;
+    /// Where its two particles start: the middle vertex, or the nearest to it along the curve that is
+    /// interior, regular and no other curve's seed.
+    VertexId seed;
+};
+
+struct Features {
+    std::vector<FeatureCurve> curves;
+};
+
+/// Finds all maximal curves, in time linear in the mesh; ordered by their lowest edge index.
+[[nodiscard]] Features findFeatures(const QuadMesh &mesh, const std::vector<double> &dihedralAngles,
+                                    const FeatureOptions &options);
+
+/// The seeds of the curves, for `buildBaseComplex`, in the curves' order.
+[[nodiscard]] std::vector<Seed> seeds(const QuadMesh &mesh, const Features &features);
+
+} // namespace qm

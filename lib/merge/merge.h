@@ -1,0 +1,32 @@
+/// \file From the graphs of the sub-meshes to one motorcycle graph of the whole mesh (method 5; paper 4.2.3).
+#pragma once
+
+#include "base/control.h"
+#include "enumerate/enumerate.h"
+
+namespace qm {
+
+struct MergeOptions {
+    int maxRounds = 100; ///< passes of the complete generator before free particles are simply extended
+};
+
+struct MergeResult {
+    MotorcycleGraph graph;
+    std::optional<double> lowerBound; ///< for the whole mesh, if one is known
+    std::size_t rounds = 0;           ///< passes of the complete generator
+    std::size_t searches = 0;         ///< sub-mesh searches in both generators
+    std::size_t freeAfterPartial = 0; ///< free particles left by the partial generator
+    std::size_t linked = 0;           ///< linked particles that took part in a search, in all
+    std::size_t extended = 0;         ///< free particles that had to be extended straight on
+};
+
+/// PMG, then CMG until no particle is free. Always ends in a valid motorcycle graph of the whole mesh.
+/// \param enumeration  its first graph of every sub-mesh is the starting point; its cost options are used
+/// \param complexityLimit  chi: a closed set of linked particles at least this complex is reduced
+[[nodiscard]] MergeResult mergeGraphs(const QuadMesh &mesh, const BaseComplex &complex,
+                                      const std::vector<double> &dihedralAngles, const SubMeshes &subMeshes,
+                                      const Enumeration &enumeration, const Constraints &constraints,
+                                      double complexityLimit, const MergeOptions &options,
+                                      const Control &control = {});
+
+} // namespace qm
