@@ -13,7 +13,7 @@ public:
     /// \param place   where it is wrong: "line 12", "face 7", a JSON pointer; may be empty
     /// \param what    what is wrong, lower case, without a full stop
     /// \param remedy  what the user can do about it, a sentence without a full stop; may be empty
-    Error(const std::string &place, const std::string &what, const std::string &remedy = {})
+    Error(const std::string& place, const std::string& what, const std::string& remedy = {})
         : std::runtime_error((place.empty() ? "" : place + ": ") + what +
                              (remedy.empty() ? "" : ". " + remedy)) {}
 };

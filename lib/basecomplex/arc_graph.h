@@ -7,53 +7,64 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace qm {
 
-/// An undirected separatrix. Its arcs are consecutive: firstArc .. firstArc + arcCount - 1, in the direction
-/// of `forward`.
+/// An undirected separatrix, or, where its two particles can never meet because each is stopped by its own
+/// track before, the reach of one of them. Its arcs are consecutive: firstArc .. firstArc + arcCount - 1, in
+/// the direction of `forward`.
 struct Line {
     SeparatrixId forward;                 ///< of the two directions the one with the lower id
     std::optional<SeparatrixId> backward; ///< its opposite; none if only one particle runs on the line
+    std::size_t length = 0;               ///< halfedges
     ArcId firstArc;
     int arcCount = 0;
 };
 
-/// The part of a line between successive junctions.
+/// The part of a line between successive stops.
 struct Arc {
     LineId line;
     int begin = 0; ///< half-open range of halfedges of the line's forward separatrix
     int end = 0;
 };
 
-/// A regular vertex where two lines cross. `arcs[0]` and `arcs[2]` go straight on through each other, and so
-/// do `arcs[1]` and `arcs[3]`. Two opposite arcs are on one line, except at a feature seed, which ends two
-/// lines: then no head-on meeting is possible on that side, and both arcs are in every graph.
+/// Where a particle may stop between the ends of a line: a regular vertex where two lines cross, or, when the
+/// mesh is cut, a vertex beside the cut. `arcs[0]` and `arcs[2]` go straight on through each other, and so do
+/// `arcs[1]` and `arcs[3]`. Where no line crosses, these two are invalid; where a line ends at its own track,
+/// arcs[3] is.
 struct Junction {
     VertexId vertex;
     std::array<ArcId, 4> arcs;
+    /// A feature seed: arcs[0] and arcs[2] start here. Both are in every graph and never meet head-on here.
+    bool seeded = false;
+
+    [[nodiscard]] bool crossed() const { return arcs[1].valid(); }
 };
 
 struct ArcGraph {
     std::vector<Line> lines;
     std::vector<Arc> arcs;
     std::vector<Junction> junctions; ///< ascending by vertex
-    /// The junction that follows an arc on its line, none at the line's end.
+    /// The junction between an arc and the next on its line; invalid for the last arc of a line.
     std::vector<JunctionId> junctionAfter;
 
-    [[nodiscard]] const Line &lineOf(ArcId arc) const { return lines[arcs[arc.idx()].line.idx()]; }
+    [[nodiscard]] const Line& lineOf(ArcId arc) const { return lines[arcs[arc.idx()].line.idx()]; }
 };
 
 /// \param complex  the base complex whose separatrices become lines, in the order of their lower ids
-[[nodiscard]] ArcGraph buildArcGraph(const QuadMesh &mesh, const BaseComplex &complex);
+/// \param labels   sub-mesh of every vertex; both ends of an edge between two sub-meshes become stops. May be
+/// empty.
+[[nodiscard]] ArcGraph buildArcGraph(const QuadMesh& mesh, const BaseComplex& complex,
+                                     const std::vector<int>& labels = {});
 
 /// The halfedges of an arc, in the line's direction.
-[[nodiscard]] std::vector<HalfedgeId> halfedgesOf(const ArcGraph &graph, const BaseComplex &complex,
-                                                  ArcId arc);
+[[nodiscard]] std::span<const HalfedgeId> halfedgesOf(const ArcGraph& graph, const BaseComplex& complex,
+                                                      ArcId arc);
 
 /// Sum of a value per edge over every arc.
-[[nodiscard]] std::vector<double> sumOverArcs(const QuadMesh &mesh, const ArcGraph &graph,
-                                              const BaseComplex &complex, const std::vector<double> &perEdge);
+[[nodiscard]] std::vector<double> sumOverArcs(const QuadMesh& mesh, const ArcGraph& graph,
+                                              const BaseComplex& complex, const std::vector<double>& perEdge);
 
 } // namespace qm

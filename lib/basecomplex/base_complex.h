@@ -20,22 +20,27 @@ struct Seed {
 /// meets an extraordinary vertex, the boundary, or a seed of the line that it runs on.
 struct Separatrix {
     std::vector<HalfedgeId> halfedges; ///< consecutive, at least one
-    std::optional<SeparatrixId>
-        opposite;              ///< the same path backwards; none if it ends at a regular boundary vertex
+    /// The same path backwards; none if it ends at a regular boundary vertex.
+    std::optional<SeparatrixId> opposite;
+    /// Halfedges up to the first vertex that it visits twice: no particle gets past its own track. All of
+    /// them if it does not cross itself.
+    std::size_t reach = 0;
     bool selfCrossing = false; ///< it visits some vertex twice between its ends
 };
 
 struct BaseComplex {
     std::vector<VertexId> extraordinaryVertices; ///< ascending
+    std::vector<Seed> seeds;                     ///< as they were given
     /// Ordered by source vertex, then by the second vertex of the path.
     std::vector<Separatrix> separatrices;
-    /// Regular vertices at which two lines cross; a seed's line counts like any other (n_j).
+    /// Regular vertices where two lines cross within the reach of their particles; a seed's line counts like
+    /// any other (n_j).
     std::size_t ordinaryJunctions = 0;
 };
 
 /// Traces every separatrix, in time linear in the mesh: no edge lies on more than one line.
 /// \param seeds  feature seeds (method 6); a seed on a separatrix splits it
 /// \throw Error  if a seed's vertex is not interior and regular, or bears two seeds
-[[nodiscard]] BaseComplex buildBaseComplex(const QuadMesh &mesh, std::span<const Seed> seeds = {});
+[[nodiscard]] BaseComplex buildBaseComplex(const QuadMesh& mesh, std::span<const Seed> seeds = {});
 
 } // namespace qm

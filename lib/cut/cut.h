@@ -44,14 +44,14 @@ struct Cut {
 
 /// Cuts until every sub-mesh has U < chi or does not get simpler.
 /// \param complex  base complex with the feature seeds
-[[nodiscard]] Cut cutMesh(const QuadMesh &mesh, const BaseComplex &complex,
-                          const std::vector<double> &dihedralAngles, const CutOptions &options,
-                          const Control &control = {});
+[[nodiscard]] Cut cutMesh(const QuadMesh& mesh, const BaseComplex& complex,
+                          const std::vector<double>& dihedralAngles, const CutOptions& options,
+                          const Control& control = {});
 
 /// U and n_j of every sub-mesh of a labelling, in one pass over the separatrices; terminals are left empty. A
 /// particle that starts in a sub-mesh has as many candidate stops as its separatrix has arcs, when only
 /// separatrices that start there count and each ends at the first vertex outside (a neighbouring vertex).
-[[nodiscard]] std::vector<SubMesh> measureSubMeshes(const QuadMesh &mesh, const BaseComplex &complex,
-                                                    const std::vector<int> &labels, int count);
+[[nodiscard]] std::vector<SubMesh> measureSubMeshes(const QuadMesh& mesh, const BaseComplex& complex,
+                                                    const std::vector<int>& labels, int count);
 
 } // namespace qm

@@ -31,16 +31,16 @@ struct SubMeshes {
 /// first vertex outside. Sub-meshes are searched on `control.jobs` threads; the result does not depend on how
 /// many. \param complex  base complex with the feature seeds \throw Error  if a sub-mesh admits no graph
 /// under the constraints
-[[nodiscard]] Enumeration enumerateGraphs(const QuadMesh &mesh, const BaseComplex &complex,
-                                          const std::vector<double> &dihedralAngles,
-                                          const SubMeshes &subMeshes, const EnumerationOptions &options,
-                                          const Control &control = {});
+[[nodiscard]] Enumeration enumerateGraphs(const QuadMesh& mesh, const BaseComplex& complex,
+                                          const std::vector<double>& dihedralAngles,
+                                          const SubMeshes& subMeshes, const EnumerationOptions& options,
+                                          const Control& control = {});
 
 /// Hands every motorcycle graph to `visit` exactly once, sub-mesh by sub-mesh, in bounded memory; the search
 /// ends early when it returns false. \return false if it was ended early
-bool forEachGraph(const QuadMesh &mesh, const BaseComplex &complex, const std::vector<double> &dihedralAngles,
-                  const SubMeshes &subMeshes, const EnumerationOptions &options,
-                  const std::function<bool(int subMesh, const MotorcycleGraph &graph)> &visit,
-                  const Control &control = {});
+bool forEachGraph(const QuadMesh& mesh, const BaseComplex& complex, const std::vector<double>& dihedralAngles,
+                  const SubMeshes& subMeshes, const EnumerationOptions& options,
+                  const std::function<bool(int subMesh, const MotorcycleGraph& graph)>& visit,
+                  const Control& control = {});
 
 } // namespace qm

@@ -27,10 +27,10 @@ struct Features {
 };
 
 /// Finds all maximal curves, in time linear in the mesh; ordered by their lowest edge index.
-[[nodiscard]] Features findFeatures(const QuadMesh &mesh, const std::vector<double> &dihedralAngles,
-                                    const FeatureOptions &options);
+[[nodiscard]] Features findFeatures(const QuadMesh& mesh, const std::vector<double>& dihedralAngles,
+                                    const FeatureOptions& options);
 
 /// The seeds of the curves, for `buildBaseComplex`, in the curves' order.
-[[nodiscard]] std::vector<Seed> seeds(const QuadMesh &mesh, const Features &features);
+[[nodiscard]] std::vector<Seed> seeds(const QuadMesh& mesh, const Features& features);
 
 } // namespace qm

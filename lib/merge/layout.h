@@ -39,12 +39,12 @@ struct Layout {
 /// splits every annulus by the cheapest straight transversal (method 7), adding both to the tracks. Linear in
 /// the mesh. \param edgeCosts  by edge index, for the cost of added tracks \throw Error  if a segment is not
 /// a grid with four corners: the tracks are no motorcycle graph
-[[nodiscard]] Layout buildLayout(const QuadMesh &mesh, std::span<const Track> tracks,
-                                 const std::vector<double> &dihedralAngles,
-                                 const std::vector<double> &edgeCosts);
+[[nodiscard]] Layout buildLayout(const QuadMesh& mesh, std::span<const Track> tracks,
+                                 const std::vector<double>& dihedralAngles,
+                                 const std::vector<double>& edgeCosts);
 
 /// The (a + 1) x (b + 1) vertices of a segment, row by row: vertex (i, j) at j * (a + 1) + i.
-[[nodiscard]] std::vector<VertexId> vertexGrid(const QuadMesh &mesh, const Segment &segment);
+[[nodiscard]] std::vector<VertexId> vertexGrid(const QuadMesh& mesh, const Segment& segment);
 
 /// Figures that say how good a layout is.
 struct LayoutQuality {
@@ -55,7 +55,7 @@ struct LayoutQuality {
     double medianAspect = 0; ///< of the segments' longer to shorter side, in edges
     double maxAspect = 0;
 };
-[[nodiscard]] LayoutQuality measureLayout(const QuadMesh &mesh, const Layout &layout,
-                                          const std::vector<double> &dihedralAngles, double rho);
+[[nodiscard]] LayoutQuality measureLayout(const QuadMesh& mesh, const Layout& layout,
+                                          const std::vector<double>& dihedralAngles, double rho);
 
 } // namespace qm

@@ -23,10 +23,10 @@ struct MergeResult {
 /// PMG, then CMG until no particle is free. Always ends in a valid motorcycle graph of the whole mesh.
 /// \param enumeration  its first graph of every sub-mesh is the starting point; its cost options are used
 /// \param complexityLimit  chi: a closed set of linked particles at least this complex is reduced
-[[nodiscard]] MergeResult mergeGraphs(const QuadMesh &mesh, const BaseComplex &complex,
-                                      const std::vector<double> &dihedralAngles, const SubMeshes &subMeshes,
-                                      const Enumeration &enumeration, const Constraints &constraints,
-                                      double complexityLimit, const MergeOptions &options,
-                                      const Control &control = {});
+[[nodiscard]] MergeResult mergeGraphs(const QuadMesh& mesh, const BaseComplex& complex,
+                                      const std::vector<double>& dihedralAngles, const SubMeshes& subMeshes,
+                                      const Enumeration& enumeration, const Constraints& constraints,
+                                      double complexityLimit, const MergeOptions& options,
+                                      const Control& control = {});
 
 } // namespace qm

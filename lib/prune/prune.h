@@ -21,9 +21,9 @@ struct PruneResult {
 
 /// Greedy: candidates in decreasing order of cost; a track goes if every segment stays a grid with four
 /// corners. The test of one track touches only the segments beside it, and removal renumbers nothing else.
-[[nodiscard]] PruneResult pruneLayout(const QuadMesh &mesh, const Layout &layout,
-                                      const std::vector<double> &dihedralAngles,
-                                      const std::vector<double> &edgeCosts, const PruneOptions &options,
-                                      const Control &control = {});
+[[nodiscard]] PruneResult pruneLayout(const QuadMesh& mesh, const Layout& layout,
+                                      const std::vector<double>& dihedralAngles,
+                                      const std::vector<double>& edgeCosts, const PruneOptions& options,
+                                      const Control& control = {});
 
 } // namespace qm

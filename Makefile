@@ -1,0 +1,292 @@
+# quadmesh: `make help` lists the targets.
+#
+# Everything that is built lies below build/$(config); the release tools are also linked into bin/.
+# Private settings (CXX, CXXFLAGS, jobs, prefix, ...) may stand in config.mk, which is never committed.
+
+MAKEFLAGS += --no-builtin-rules --warn-undefined-variables
+SHELL := bash
+.SHELLFLAGS := -euo pipefail -c
+.DELETE_ON_ERROR:
+.SECONDARY:
+.SUFFIXES:
+
+# -------------------------------------------------------------------------------------------- settings
+
+config  ?= release#     release | debug | sanitize | tsan | coverage | fuzz
+prefix  ?= /usr/local#  where `make install` puts things, below DESTDIR
+DESTDIR ?=
+only    ?=#             regular expression: run only the tests whose name matches
+seconds ?= 60#          how long `make fuzz` runs each fuzzer
+jobs    ?= $(shell nproc)
+
+-include config.mk
+
+O       := build/$(config)
+version := $(shell cat VERSION)
+
+# libFuzzer is clang's. Make has a CXX of its own, which counts as unset.
+ifeq ($(origin CXX),default)
+CXX := $(if $(filter fuzz,$(config)),clang++,g++)
+endif
+
+optimise.release  := -O2 -DNDEBUG
+optimise.debug    := -O0 -g -D_GLIBCXX_ASSERTIONS
+optimise.sanitize := -O1 -g -D_GLIBCXX_ASSERTIONS -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
+optimise.tsan     := -O1 -g -D_GLIBCXX_ASSERTIONS -fno-omit-frame-pointer -fsanitize=thread
+optimise.coverage := -O0 -g --coverage
+optimise.fuzz     := -O1 -g -D_GLIBCXX_ASSERTIONS -fno-omit-frame-pointer -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all
+$(if $(optimise.$(config)),,$(error config=$(config) is unknown. Use release, debug, sanitize, tsan, coverage or fuzz))
+CXXFLAGS ?= $(optimise.$(config))
+LDFLAGS  ?=
+
+# One short line for each thing made; V=1 shows the commands.
+V ?=
+quietly = $(if $(V),,@printf '%9s  %s\n' $(1) $(2) &&)
+
+warnings := -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror
+defines  := -DQM_VERSION='"$(version)"' -DVALIJSON_USE_EXCEPTIONS=1 -DJSON_DIAGNOSTICS=1
+# Boost.Graph warns about deprecated headers of its own.
+defines  += -DBOOST_ALLOW_DEPRECATED_HEADERS
+
+# Headers of libraries are system headers: our warnings are not theirs.
+packages := openmesh eigen3 CLI11 nlohmann_json cbc clp osi-clp libcrypto
+library_paths := $(shell pkg-config --cflags-only-I $(packages) 2>/dev/null | sed 's/-I/-isystem /g') -isystem /usr/include/opencascade
+# --as-needed: a tool depends on a library only if it calls it. OpenCASCADE is for qm-export alone.
+opencascade := TKSTEP TKSTEP209 TKSTEPAttr TKSTEPBase TKIGES TKXSBase TKShHealing TKTopAlgo TKGeomAlgo TKPrim \
+               TKBRep TKGeomBase TKG3d TKG2d TKMath TKernel
+libraries := -Wl,--as-needed $(shell pkg-config --libs $(packages) 2>/dev/null) $(opencascade:%=-l%) -pthread
+
+compile = $(CXX) -std=c++20 $(warnings) $(CXXFLAGS) $(defines) -Ilib -Itests $(library_paths) -pthread
+link    = $(CXX) $(CXXFLAGS) $(LDFLAGS)
+
+# ----------------------------------------------------------------------------------------------- files
+
+sources     := $(wildcard lib/*/*.cpp)
+headers     := $(wildcard lib/*/*.h)
+schemas     := $(wildcard schemas/*.schema.json)
+tool_names  := $(patsubst tools/%.cpp,%,$(wildcard tools/qm-*.cpp))
+library     := $(O)/libquadmesh.a
+# The release tools are what people use, so they lie where they are found.
+bin         := $(if $(filter release,$(config)),bin,$(O)/bin)
+tools       := $(tool_names:%=$(bin)/%)
+support     := $(patsubst %.cpp,$(O)/%.o,$(wildcard tests/support/*.cpp))
+unit_tests  := $(patsubst %.cpp,$(O)/%.o,$(wildcard tests/unit/*_test.cpp))
+properties  := $(patsubst %.cpp,$(O)/%.o,$(wildcard tests/property/*_test.cpp))
+benchmarks  := $(patsubst %.cpp,$(O)/%.o,$(wildcard tests/bench/*.cpp))
+fuzzers     := $(patsubst tests/fuzz/%.cpp,$(O)/fuzz/%,$(wildcard tests/fuzz/*_fuzz.cpp))
+parts       := unit property cli layers headers schemas docs
+
+# ------------------------------------------------------------------------------------------ everything
+
+.PHONY: all
+all: $(tools) ## build the tools
+
+.PHONY: help
+help: ## this list
+	@echo 'make [TARGET] [config=release|debug|sanitize|tsan|coverage|fuzz] [only=REGEX]'
+	@sed -nE 's/^([a-z-]+):[^#]*## (.*)/  \1\t\2/p' Makefile | expand -t 20
+
+.PHONY: deps
+deps: ## install the Debian packages that are missing (as root, or with sudo)
+	@scripts/install-dependencies build check
+
+# `check` and `demo` must work on a machine that has nothing but git and make: the packages come first, and
+# a second make then sees them.
+again = $(MAKE) --no-print-directory $(if $(filter -j%,$(MAKEFLAGS)),,-j$(jobs))
+
+.PHONY: check
+check: ## install what is missing, build, run every test; ends with "N passed, N failed"
+	@scripts/install-dependencies build check
+	@$(again) --keep-going all programs-of-tests || true
+	@scripts/check $(config) '$(only)' $(parts)
+
+.PHONY: demo
+demo: ## install what is missing, build, lay out sample parts, say where to look
+	@scripts/install-dependencies build demo
+	@$(again) all
+	@scripts/demo bin out/demo
+
+# ----------------------------------------------------------------------------------------------- build
+
+$(tools): $(bin)/%: $(O)/tools/%.o $(library)
+	@mkdir -p $(@D)
+	$(call quietly,link,$@) $(link) $^ -o $@ $(libraries)
+
+$(library): $(sources:%.cpp=$(O)/%.o) $(O)/gen/schemas.o
+	@rm -f $@
+	$(call quietly,archive,$@) $(AR) rcs $@ $^
+
+$(O)/%.o: %.cpp $(O)/flags
+	@mkdir -p $(@D)
+	$(call quietly,compile,$<) $(compile) -MMD -MP -c $< -o $@
+
+$(O)/gen/schemas.cpp: $(schemas) scripts/embed
+	@mkdir -p $(@D)
+	$(call quietly,embed,$@) scripts/embed $(schemas) > $@
+
+$(O)/gen/%.o: $(O)/gen/%.cpp $(O)/flags
+	$(call quietly,compile,$<) $(compile) -MMD -MP -c $< -o $@
+
+# A change of the flags rebuilds what was built with others; a list of objects that lost one relinks.
+$(O)/flags: FORCE
+	@mkdir -p $(@D)
+	@echo "$$stamp" | cmp -s - $@ || echo "$$stamp" > $@
+$(O)/flags: export stamp = $(compile)
+$(O)/objects: FORCE
+	@mkdir -p $(@D)
+	@echo "$$stamp" | cmp -s - $@ || echo "$$stamp" > $@
+$(O)/objects: export stamp = $(sources) $(unit_tests) $(properties) $(support)
+$(library): $(O)/objects
+
+-include $(shell find $(O) -name '*.d' 2>/dev/null)
+
+# ----------------------------------------------------------------------------------------------- tests
+
+gtest = -lgtest_main -lgtest
+
+$(O)/tests/unit-tests:     $(unit_tests) $(support) $(library)
+$(O)/tests/property-tests: $(properties) $(support) $(library)
+$(O)/tests/unit-tests $(O)/tests/property-tests:
+	@mkdir -p $(@D)
+	$(call quietly,link,$@) $(link) $^ -o $@ $(gtest) $(libraries)
+
+.PHONY: programs-of-tests
+programs-of-tests: $(O)/tests/unit-tests $(O)/tests/property-tests
+
+.PHONY: check-unit check-property
+check-unit: $(O)/tests/unit-tests ## unit tests; only=REGEX to filter
+check-property: $(O)/tests/property-tests ## property tests; only=REGEX to filter
+check-unit check-property:
+	@scripts/check-gtest $< $(@:check-%=%) $(O)/$@ '$(only)'
+
+.PHONY: check-cli
+check-cli: $(tools) ## tests of the tools; only=REGEX to filter
+	@QM_BIN=$(abspath $(bin)) scripts/check-cli $(O)/$@ '$(only)'
+
+.PHONY: check-layers
+check-layers: ## no module includes what lib/LAYERS does not allow
+	@scripts/check-layers
+
+.PHONY: check-headers
+check-headers: $(headers:%=$(O)/%.ok) ## every header compiles on its own
+	@echo 'headers: $(words $(headers)) passed, 0 failed'
+
+$(O)/%.h.ok: %.h $(O)/flags
+	@mkdir -p $(@D)
+	$(call quietly,header,$<) echo '#include "$(<:lib/%=%)"' | $(compile) -MMD -MP -MF $(@:.ok=.d) -MT $@ -fsyntax-only -x c++ -
+	@touch $@
+
+.PHONY: check-schemas
+check-schemas: $(tools) ## the schemas are valid, and every tool prints the one it writes
+	@QM_BIN=$(abspath $(bin)) scripts/check-schemas
+
+.PHONY: check-docs
+check-docs: $(tools) ## the examples in the documents and in --help run; links and names hold
+	@QM_BIN=$(abspath $(bin)) scripts/check-docs
+
+# One test file alone, the quick way while writing it: `make test-cut` builds and runs tests/unit/cut_test.cpp.
+test-%: $(O)/tests/%_test
+	$< $(if $(only),--gtest_filter='*$(only)*')
+$(O)/tests/%_test: $(O)/tests/unit/%_test.o $(support) $(library)
+	$(call quietly,link,$@) $(link) $^ -o $@ $(gtest) $(libraries)
+$(O)/tests/%_test: $(O)/tests/property/%_test.o $(support) $(library)
+	$(call quietly,link,$@) $(link) $^ -o $@ $(gtest) $(libraries)
+
+# ------------------------------------------------------------------------------------------ more checks
+
+.PHONY: lint
+lint: ## clang-format and clang-tidy
+	@scripts/install-dependencies build check lint
+	@scripts/lint $(O) -- $(filter-out -Werror,$(compile))
+
+.PHONY: check-packages
+check-packages: ## compare what is used with the packages that `make deps` installs
+	@scripts/check-packages $(compile)
+
+.PHONY: format
+format: ## lay out the sources as .clang-format says
+	clang-format -i $(shell find lib tools tests -name '*.h' -o -name '*.cpp')
+
+.PHONY: fuzz
+fuzz: ## run every fuzzer for seconds=60
+	@scripts/install-dependencies build fuzz
+	@$(again) config=fuzz run-fuzzers
+
+.PHONY: run-fuzzers
+run-fuzzers: $(fuzzers)
+	@for fuzzer in $^; do \
+	    corpus=$(O)/corpus/$${fuzzer##*/}; \
+	    mkdir -p $$corpus; \
+	    echo "$$fuzzer"; \
+	    $$fuzzer -max_total_time=$(seconds) -timeout=20 -rss_limit_mb=2048 -verbosity=0 $$corpus tests/data; \
+	done
+
+$(O)/fuzz/%: $(O)/tests/fuzz/%.o $(library)
+	@mkdir -p $(@D)
+	$(call quietly,link,$@) $(link) -fsanitize=fuzzer $^ -o $@ $(libraries)
+
+.PHONY: coverage
+coverage: ## run the tests with config=coverage and print the lines that they reach, file by file
+	@$(again) config=coverage check-unit check-property check-cli
+	@scripts/coverage build/coverage
+
+.PHONY: bench
+bench: ## time the kernels (Google Benchmark); only=REGEX to filter
+	@scripts/install-dependencies build bench
+	@$(again) run-benchmarks only='$(only)'
+
+.PHONY: run-benchmarks
+run-benchmarks: $(O)/tests/benchmarks
+	$< $(if $(only),--benchmark_filter='$(only)')
+
+$(O)/tests/benchmarks: $(benchmarks) $(support) $(library)
+	@mkdir -p $(@D)
+	$(call quietly,link,$@) $(link) $^ -o $@ -lbenchmark_main -lbenchmark $(libraries)
+
+.PHONY: bench-dev
+bench-dev: ## run the pipeline on a folder of real meshes and print a table; only=REGEX to filter
+	@scripts/install-dependencies build bench
+	@$(again) all
+	@QM_BIN=$(abspath $(bin)) scripts/bench-dev '$(only)'
+
+# --------------------------------------------------------------------------------------------- install
+
+man_pages   := $(tool_names:%=$(O)/man/%.1)
+completions := $(O)/completion/quadmesh
+
+.PHONY: man
+man: $(man_pages) ## the manual pages, from the tools' own --help
+
+$(O)/man/%.1: $(bin)/% scripts/man VERSION
+	@mkdir -p $(@D)
+	$(call quietly,man,$@) scripts/man $< > $@
+
+.PHONY: completion
+completion: $(completions) ## completion for bash, from the tools' own descriptions
+
+$(completions): $(tools) scripts/completion
+	@mkdir -p $(@D)
+	$(call quietly,complete,$@) scripts/completion $(tools) > $@
+
+.PHONY: install
+install: all man completion ## install below DESTDIR and prefix=/usr/local
+	install -d $(DESTDIR)$(prefix)/bin $(DESTDIR)$(prefix)/share/man/man1 \
+	    $(DESTDIR)$(prefix)/share/quadmesh/schemas $(DESTDIR)$(prefix)/share/quadmesh/pipelines \
+	    $(DESTDIR)$(prefix)/share/doc/quadmesh $(DESTDIR)$(prefix)/share/bash-completion/completions
+	install $(tools) $(DESTDIR)$(prefix)/bin
+	install -m 644 $(man_pages) $(DESTDIR)$(prefix)/share/man/man1
+	install -m 644 $(schemas) $(DESTDIR)$(prefix)/share/quadmesh/schemas
+	install -m 644 pipelines/layout.mk $(DESTDIR)$(prefix)/share/quadmesh/pipelines
+	install pipelines/layout.sh $(DESTDIR)$(prefix)/share/quadmesh/pipelines
+	install -m 644 README.md ARCHITECTURE.md CHANGELOG.md LICENSE $(wildcard schemas/FORMAT.md) \
+	    $(DESTDIR)$(prefix)/share/doc/quadmesh
+	for tool in $(tool_names); do \
+	    install -m 644 $(completions) $(DESTDIR)$(prefix)/share/bash-completion/completions/$$tool; \
+	done
+
+.PHONY: clean
+clean: ## remove what was built
+	rm -rf build bin
+
+.PHONY: FORCE
+FORCE:

@@ -1,0 +1,52 @@
+/// \file Independent pieces of work on several threads.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace qm {
+
+/// Calls f(0) ... f(count - 1), each once, on at most `jobs` threads, the caller's among them. The order is
+/// open, so f must write only to what belongs to its index; then the result does not depend on `jobs`. If
+/// calls throw, the exception of the lowest index that threw is passed on, and calls not yet begun may be
+/// left out.
+template <class Function> void parallelFor(std::size_t count, unsigned jobs, const Function& f) {
+    std::atomic<std::size_t> next{0};
+    std::atomic<bool> failed{false};
+    std::mutex mutex;
+    std::size_t failedIndex = count;
+    std::exception_ptr failure;
+
+    const auto work = [&] {
+        for (std::size_t i = next++; i < count && !failed; i = next++) {
+            try {
+                f(i);
+            } catch (...) {
+                const std::lock_guard<std::mutex> lock(mutex);
+                if (i < failedIndex) {
+                    failedIndex = i;
+                    failure = std::current_exception();
+                }
+                failed = true;
+            }
+        }
+    };
+
+    const std::size_t helpers =
+        std::min<std::size_t>(std::max(jobs, 1U), std::max<std::size_t>(count, 1)) - 1;
+    {
+        std::vector<std::jthread> threads;
+        threads.reserve(helpers);
+        for (std::size_t i = 0; i < helpers; ++i)
+            threads.emplace_back(work);
+        work();
+    }
+    if (failure) std::rethrow_exception(failure);
+}
+
+} // namespace qm

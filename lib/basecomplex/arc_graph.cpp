@@ -1,0 +1,162 @@
+#include "basecomplex/arc_graph.h"
+
+namespace qm {
+namespace {
+
+std::size_t at(VertexId vertex) {
+    return static_cast<std::size_t>(vertex.idx());
+}
+
+/// One line for every opposite pair that can meet, and one for every other separatrix.
+std::vector<Line> findLines(const BaseComplex& complex) {
+    std::vector<Line> lines;
+    for (std::size_t i = 0; i < complex.separatrices.size(); ++i) {
+        const Separatrix& separatrix = complex.separatrices[i];
+        const auto& opposite = separatrix.opposite;
+        const std::size_t length = separatrix.halfedges.size();
+        const bool meets =
+            opposite && separatrix.reach + complex.separatrices[opposite->idx()].reach >= length;
+        if (!meets)
+            lines.push_back({SeparatrixId(i), std::nullopt, separatrix.reach, ArcId{}, 0});
+        else if (opposite->idx() >= i)
+            lines.push_back({SeparatrixId(i), opposite, length, ArcId{}, 0});
+    }
+    return lines;
+}
+
+class Builder {
+public:
+    Builder(const QuadMesh& mesh, const BaseComplex& complex, const std::vector<int>& labels)
+        : mesh_(mesh), complex_(complex), labels_(labels), junctionAt_(mesh.n_vertices()) {}
+
+    ArcGraph build() {
+        graph_.lines = findLines(complex_);
+        placeJunctions();
+        for (std::size_t i = 0; i < graph_.lines.size(); ++i)
+            splitLine(LineId(i));
+        return std::move(graph_);
+    }
+
+private:
+    std::span<const HalfedgeId> path(const Line& line) const {
+        return std::span(complex_.separatrices[line.forward.idx()].halfedges).first(line.length);
+    }
+
+    bool besideCut(HalfedgeId arriving, HalfedgeId leaving) const {
+        if (labels_.empty()) return false;
+        const int label = labels_[at(mesh_.to_vertex_handle(arriving))];
+        return label != labels_[at(mesh_.from_vertex_handle(arriving))] ||
+               label != labels_[at(mesh_.to_vertex_handle(leaving))];
+    }
+
+    void placeJunctions() {
+        std::vector<int> passes(mesh_.n_vertices(), 0);
+        std::vector<bool> stop(mesh_.n_vertices(), false);
+        for (const Seed seed : complex_.seeds)
+            ++passes[at(mesh_.from_vertex_handle(seed.direction))];
+        for (const Line& line : graph_.lines)
+            countPasses(line, passes, stop);
+        for (std::size_t vertex = 0; vertex < stop.size(); ++vertex)
+            if (stop[vertex]) {
+                junctionAt_[vertex] = JunctionId(graph_.junctions.size());
+                graph_.junctions.push_back({VertexId(static_cast<int>(vertex)), {}, false});
+            }
+        for (const Seed seed : complex_.seeds)
+            seedJunction(seed);
+    }
+
+    void countPasses(const Line& line, std::vector<int>& passes, std::vector<bool>& stop) const {
+        const auto halfedges = path(line);
+        for (std::size_t k = 1; k < halfedges.size(); ++k) {
+            const std::size_t vertex = at(mesh_.from_vertex_handle(halfedges[k]));
+            if (++passes[vertex] == 2 || besideCut(halfedges[k - 1], halfedges[k])) stop[vertex] = true;
+        }
+        if (endsAtOwnTrack(line)) stop[at(mesh_.to_vertex_handle(halfedges.back()))] = true;
+    }
+
+    bool endsAtOwnTrack(const Line& line) const {
+        return line.length < complex_.separatrices[line.forward.idx()].halfedges.size();
+    }
+
+    /// A seed's arcs come first, whatever the order of the lines; their ids follow when its lines are split.
+    void seedJunction(Seed seed) {
+        const JunctionId junction = junctionAt_[at(mesh_.from_vertex_handle(seed.direction))];
+        if (junction.valid()) graph_.junctions[junction.idx()].seeded = true;
+    }
+
+    void splitLine(LineId id) {
+        Line& line = graph_.lines[id.idx()];
+        const auto halfedges = path(line);
+        const int length = static_cast<int>(halfedges.size());
+        line.firstArc = ArcId(graph_.arcs.size());
+        int begin = 0;
+        for (int k = 1; k <= length; ++k) {
+            const JunctionId junction =
+                k == length
+                    ? JunctionId{}
+                    : junctionAt_[at(mesh_.from_vertex_handle(halfedges[static_cast<std::size_t>(k)]))];
+            if (k < length && !junction.valid()) continue;
+            const ArcId arc(graph_.arcs.size());
+            graph_.arcs.push_back({id, begin, k});
+            graph_.junctionAfter.push_back(junction);
+            if (junction.valid()) pass(graph_.junctions[junction.idx()], arc);
+            begin = k;
+        }
+        line.arcCount = static_cast<int>(graph_.arcs.size()) - line.firstArc.value();
+        const ArcId last(graph_.arcs.size() - 1);
+        attachToSeed(mesh_.from_vertex_handle(halfedges.front()), line.firstArc);
+        if (endsAtOwnTrack(line))
+            graph_.junctions[junctionAt_[at(mesh_.to_vertex_handle(halfedges.back()))].idx()].arcs[1] = last;
+        else
+            attachToSeed(mesh_.to_vertex_handle(halfedges.back()), last);
+    }
+
+    /// A line that passes a junction takes the next free pair; at a seed the first pair is the seed's.
+    static void pass(Junction& junction, ArcId before) {
+        const bool second = junction.seeded || junction.arcs[0].valid();
+        junction.arcs[second ? 1 : 0] = before;
+        junction.arcs[second ? 3 : 2] = ArcId(before.value() + 1);
+    }
+
+    /// An end of a line at a seed's junction is one of the seed's two arcs. Extraordinary vertices and
+    /// boundary vertices, the other ends of lines, bear no junction.
+    void attachToSeed(VertexId end, ArcId arc) {
+        const JunctionId junction = junctionAt_[at(end)];
+        if (!junction.valid()) return;
+        auto& arcs = graph_.junctions[junction.idx()].arcs;
+        arcs[arcs[0].valid() ? 2 : 0] = arc;
+    }
+
+    const QuadMesh& mesh_;
+    const BaseComplex& complex_;
+    const std::vector<int>& labels_;
+    std::vector<JunctionId> junctionAt_;
+    ArcGraph graph_;
+};
+
+} // namespace
+
+ArcGraph buildArcGraph(const QuadMesh& mesh, const BaseComplex& complex, const std::vector<int>& labels) {
+    return Builder(mesh, complex, labels).build();
+}
+
+std::span<const HalfedgeId> halfedgesOf(const ArcGraph& graph, const BaseComplex& complex, ArcId id) {
+    const Arc& arc = graph.arcs[id.idx()];
+    const std::span<const HalfedgeId> path = complex.separatrices[graph.lineOf(id).forward.idx()].halfedges;
+    return path.subspan(static_cast<std::size_t>(arc.begin), static_cast<std::size_t>(arc.end - arc.begin));
+}
+
+std::vector<double> sumOverArcs(const QuadMesh& mesh, const ArcGraph& graph, const BaseComplex& complex,
+                                const std::vector<double>& perEdge) {
+    std::vector<double> sums;
+    sums.reserve(graph.arcs.size());
+    for (std::size_t i = 0; i < graph.arcs.size(); ++i) {
+        double sum = 0;
+        for (const HalfedgeId halfedge : halfedgesOf(graph, complex, ArcId(i)))
+            sum += perEdge[static_cast<std::size_t>(mesh.edge_handle(halfedge).idx())];
+        sums.push_back(sum);
+    }
+    return sums;
+}
+
+} // namespace qm

@@ -1,0 +1,144 @@
+#include "basecomplex/base_complex.h"
+
+#include "base/error.h"
+#include "mesh/topology.h"
+
+#include <algorithm>
+#include <string>
+#include <unordered_map>
+#include <utility>
+
+namespace qm {
+namespace {
+
+HalfedgeId opposite(const QuadMesh& mesh, HalfedgeId halfedge) {
+    return mesh.opposite_halfedge_handle(halfedge);
+}
+
+/// First halfedges of all separatrices, in their final order, and the halfedges that arrive at a seed on its
+/// line.
+struct Starts {
+    std::vector<HalfedgeId> halfedges;
+    std::vector<bool> arrivesAtSeed;
+};
+
+void addExtraordinary(const QuadMesh& mesh, VertexId vertex, Starts& starts) {
+    for (const HalfedgeId halfedge : mesh.voh_range(vertex))
+        if (!mesh.is_boundary(mesh.edge_handle(halfedge))) starts.halfedges.push_back(halfedge);
+}
+
+void addSeed(const QuadMesh& mesh, Seed seed, std::vector<bool>& seeded, Starts& starts) {
+    const VertexId vertex = mesh.from_vertex_handle(seed.direction);
+    const std::string place = "seed at vertex " + std::to_string(vertex.idx());
+    if (!continuesStraight(mesh, vertex))
+        throw Error(place, "it is not an interior regular vertex", "choose another vertex of the curve");
+    if (seeded[static_cast<std::size_t>(vertex.idx())])
+        throw Error(place, "another seed is there", "choose another vertex of one of the curves");
+    seeded[static_cast<std::size_t>(vertex.idx())] = true;
+    const HalfedgeId back = straightOn(mesh, opposite(mesh, seed.direction));
+    for (const HalfedgeId halfedge : {seed.direction, back}) {
+        starts.halfedges.push_back(halfedge);
+        starts.arrivesAtSeed[static_cast<std::size_t>(opposite(mesh, halfedge).idx())] = true;
+    }
+}
+
+Starts findStarts(const QuadMesh& mesh, const std::vector<VertexId>& extraordinary,
+                  std::span<const Seed> seeds) {
+    Starts starts;
+    starts.arrivesAtSeed.assign(mesh.n_halfedges(), false);
+    for (const VertexId vertex : extraordinary)
+        addExtraordinary(mesh, vertex, starts);
+    std::vector<bool> seeded(mesh.n_vertices(), false);
+    for (const Seed seed : seeds)
+        addSeed(mesh, seed, seeded, starts);
+    std::ranges::sort(starts.halfedges, {}, [&](HalfedgeId halfedge) {
+        return std::pair(mesh.from_vertex_handle(halfedge).idx(), mesh.to_vertex_handle(halfedge).idx());
+    });
+    return starts;
+}
+
+std::vector<HalfedgeId> trace(const QuadMesh& mesh, HalfedgeId start,
+                              const std::vector<bool>& arrivesAtSeed) {
+    std::vector<HalfedgeId> path{start};
+    while (!arrivesAtSeed[static_cast<std::size_t>(path.back().idx())] &&
+           continuesStraight(mesh, mesh.to_vertex_handle(path.back())))
+        path.push_back(straightOn(mesh, path.back()));
+    return path;
+}
+
+void linkOpposites(const QuadMesh& mesh, std::vector<Separatrix>& separatrices) {
+    std::unordered_map<int, SeparatrixId> byFirst;
+    for (std::size_t i = 0; i < separatrices.size(); ++i)
+        byFirst.emplace(separatrices[i].halfedges.front().idx(), SeparatrixId(i));
+    for (Separatrix& separatrix : separatrices) {
+        const auto found = byFirst.find(opposite(mesh, separatrix.halfedges.back()).idx());
+        if (found != byFirst.end()) separatrix.opposite = found->second;
+    }
+}
+
+/// Vertices of a path met so far, forgotten in constant time when the next path begins.
+class Visits {
+public:
+    explicit Visits(std::size_t vertices) : lastPath_(vertices, -1) {}
+    void nextPath() { ++path_; }
+    /// \return whether this path has been here before
+    bool visit(VertexId vertex) {
+        return std::exchange(lastPath_[static_cast<std::size_t>(vertex.idx())], path_) == path_;
+    }
+
+private:
+    std::vector<int> lastPath_;
+    int path_ = -1;
+};
+
+void measureReach(const QuadMesh& mesh, Separatrix& separatrix, Visits& visits) {
+    visits.nextPath();
+    visits.visit(mesh.from_vertex_handle(separatrix.halfedges.front()));
+    separatrix.reach = separatrix.halfedges.size();
+    // The last vertex is an end: returning to one's own source is no crossing, arriving at one's own seed is.
+    for (std::size_t k = 1; k < separatrix.halfedges.size(); ++k)
+        if (visits.visit(mesh.from_vertex_handle(separatrix.halfedges[k]))) {
+            separatrix.selfCrossing = true;
+            separatrix.reach = k;
+            return;
+        }
+}
+
+std::size_t countJunctions(const QuadMesh& mesh, const BaseComplex& complex) {
+    std::vector<int> passes(mesh.n_vertices(), 0); // undirected lines that pass a vertex
+    const auto pass = [&](HalfedgeId from) {
+        ++passes[static_cast<std::size_t>(mesh.from_vertex_handle(from).idx())];
+    };
+    for (const Seed seed : complex.seeds)
+        pass(seed.direction);
+    for (std::size_t i = 0; i < complex.separatrices.size(); ++i) {
+        const Separatrix& separatrix = complex.separatrices[i];
+        const std::size_t length = separatrix.halfedges.size();
+        const bool twice =
+            separatrix.opposite && separatrix.opposite->idx() < i; // counted from the other end
+        const std::size_t counted = twice ? complex.separatrices[separatrix.opposite->idx()].reach : 0;
+        for (std::size_t k = 1; k < length && k <= separatrix.reach && length - k > counted; ++k)
+            pass(separatrix.halfedges[k]);
+    }
+    return static_cast<std::size_t>(std::ranges::count(passes, 2));
+}
+
+} // namespace
+
+BaseComplex buildBaseComplex(const QuadMesh& mesh, std::span<const Seed> seeds) {
+    BaseComplex complex;
+    complex.extraordinaryVertices = extraordinaryVertices(mesh);
+    complex.seeds.assign(seeds.begin(), seeds.end());
+    const Starts starts = findStarts(mesh, complex.extraordinaryVertices, seeds);
+    complex.separatrices.reserve(starts.halfedges.size());
+    for (const HalfedgeId start : starts.halfedges)
+        complex.separatrices.push_back({trace(mesh, start, starts.arrivesAtSeed), std::nullopt, 0, false});
+    linkOpposites(mesh, complex.separatrices);
+    Visits visits(mesh.n_vertices());
+    for (Separatrix& separatrix : complex.separatrices)
+        measureReach(mesh, separatrix, visits);
+    complex.ordinaryJunctions = countJunctions(mesh, complex);
+    return complex;
+}
+
+} // namespace qm

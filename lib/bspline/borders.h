@@ -1,0 +1,36 @@
+/// \file Which patches meet at which edge of the layout.
+#pragma once
+
+#include "mesh/quad_mesh.h"
+#include "merge/layout.h"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace qm {
+
+/// An edge as one patch sees it: edge number `position` of its side `side`, walked counter-clockwise.
+struct BorderPlace {
+    std::size_t patch = 0;
+    int side = 0;
+    int position = 0;
+};
+
+/// A mesh edge on the border of segments. The second place, if there is one, sees it the other way round; it
+/// may belong to the same patch. On the boundary of the mesh there is only one.
+struct BorderEdge {
+    HalfedgeId halfedge; ///< in the direction of the first place
+    std::vector<BorderPlace> places;
+};
+
+/// All border edges, in the order of the first segment, side and position that has them.
+[[nodiscard]] std::vector<BorderEdge> borderEdges(const QuadMesh &mesh, const Layout &layout);
+
+/// The number of a segment's face beside an edge of its border.
+[[nodiscard]] std::size_t faceBeside(const Segment &segment, int side, int position);
+
+/// The parameters (u, v) at distance `along` from the beginning of a side.
+[[nodiscard]] std::array<double, 2> parametersOnSide(const std::array<int, 2> &size, int side, double along);
+
+} // namespace qm

@@ -1,0 +1,48 @@
+#include "bspline/fit.h"
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "bspline/deviation.h"
+#include "bspline/interpolate.h"
+#include "bspline/watertight.h"
+
+#include <cmath>
+
+namespace qm {
+namespace {
+
+void requireValid(const FitOptions &options) {
+    if (options.fit == Fit::tolerance && !(options.tolerance > 0 && std::isfinite(options.tolerance)))
+        throw Error("tolerance", "must be a positive number", "Give the largest deviation that is allowed");
+    if (!(options.rho >= 0))
+        throw Error("rho", "must not be negative", "Give an angle in radians");
+    if (options.samplesPerEdge < 1 || options.samplesPerEdge > 64)
+        throw Error("samples per edge", "must be from 1 to 64", "2 is a good choice");
+}
+
+std::vector<Patch> interpolateSegments(const QuadMesh &mesh, const Layout &layout, const Control &control) {
+    std::vector<Patch> patches(layout.segments.size());
+    parallelFor(patches.size(), control.jobs, [&](std::size_t k) {
+        patches[k] = interpolate(pointGrid(mesh, layout.segments[k]), layout.segments[k].size);
+        patches[k].segment = SegmentId(k);
+    });
+    return patches;
+}
+
+} // namespace
+
+Surfaces fitSurfaces(const QuadMesh &mesh, const Layout &layout, const std::vector<double> &dihedralAngles,
+                     const FitOptions &options, const Control &control) {
+    requireValid(options);
+    Surfaces surfaces;
+    surfaces.patches =
+        options.watertight ? interpolateWatertight(mesh, layout, dihedralAngles, options.rho, control.jobs)
+                           : interpolateSegments(mesh, layout, control);
+    auto measured = measureDeviation(mesh, layout, dihedralAngles, surfaces.patches,
+                                     {options.rho, options.samplesPerEdge}, control);
+    surfaces.deviation = measured.ofAll;
+    surfaces.ofPatch = std::move(measured.ofPatch);
+    return surfaces;
+}
+
+} // namespace qm

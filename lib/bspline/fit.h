@@ -1,0 +1,40 @@
+/// \file From a layout to its surfaces: the one call that does everything (method 9; paper 5).
+#pragma once
+
+#include "base/control.h"
+#include "bspline/surfaces.h"
+#include "merge/layout.h"
+
+#include <vector>
+
+namespace qm {
+
+enum class Fit {
+    interpolate, ///< through every vertex: (m + 3) x (n + 3) control points for m x n quads
+    tolerance    ///< as few control points as the tolerance allows
+};
+
+struct FitOptions {
+    Fit fit = Fit::interpolate;
+    /// Largest deviation from the mesh, between its vertices too; used by Fit::tolerance only.
+    double tolerance = 0.001;
+    /// True: `tolerance` is a fraction of the diagonal of the bounding box; false: in the mesh's unit.
+    bool toleranceRelative = true;
+    /// Neighbouring patches share their borders exactly, across T-joints too, and their tangents wherever the
+    /// border is smooth. Fit::tolerance always does; Fit::interpolate, left without, is the paper's method:
+    /// every patch by itself, with free ends.
+    bool watertight = false;
+    /// A border edge is smooth if its dihedral angle is at most this, in radians.
+    double rho = 0.45;
+    /// Deviation is measured at a lattice of this many steps along every mesh edge.
+    int samplesPerEdge = 2;
+};
+
+/// One patch for every segment, and how far they are from the mesh. Linear in the mesh.
+/// \param dihedralAngles  of every edge, in radians, by edge index
+/// \throw Error  if an option is out of range
+[[nodiscard]] Surfaces fitSurfaces(const QuadMesh &mesh, const Layout &layout,
+                                   const std::vector<double> &dihedralAngles, const FitOptions &options,
+                                   const Control &control = {});
+
+} // namespace qm

@@ -1,0 +1,145 @@
+#include "bspline/mesh_lines.h"
+
+#include "bspline/evaluate.h"
+#include "mesh/topology.h"
+
+#include <cmath>
+
+namespace qm {
+namespace {
+
+/// The refined estimate, unless steps of very different length have spoilt it.
+Point unlessSpoilt(const Point &refined, const Point &plain) {
+    return (refined | plain) > 0.5 * plain.sqrnorm() ? refined : plain;
+}
+
+} // namespace
+
+MeshLines::MeshLines(const QuadMesh &mesh, const std::vector<double> &dihedralAngles, double rho)
+    : mesh_(mesh), smooth_(dihedralAngles.size()), rho_(rho) {
+    for (std::size_t k = 0; k < smooth_.size(); ++k)
+        smooth_[k] = dihedralAngles[k] <= rho;
+}
+
+bool MeshLines::isSmooth(EdgeId edge) const { return smooth_[static_cast<std::size_t>(edge.idx())]; }
+
+const Point &MeshLines::end(HalfedgeId halfedge) const { return mesh_.point(mesh_.to_vertex_handle(halfedge)); }
+
+const Point &MeshLines::start(HalfedgeId halfedge) const {
+    return mesh_.point(mesh_.from_vertex_handle(halfedge));
+}
+
+HalfedgeId MeshLines::opposite(HalfedgeId halfedge) const { return mesh_.opposite_halfedge_handle(halfedge); }
+
+/// The line's next halfedge, if it passes the vertex that this one points to.
+std::optional<HalfedgeId> MeshLines::goOn(HalfedgeId halfedge) const {
+    const VertexId vertex = mesh_.to_vertex_handle(halfedge);
+    if (!isRegular(mesh_, vertex))
+        return std::nullopt;
+    const auto smooth = [&](HalfedgeId h) { return isSmooth(mesh_.edge_handle(h)); };
+    if (!mesh_.is_boundary(vertex)) {
+        const HalfedgeId left = mesh_.next_halfedge_handle(halfedge);
+        const HalfedgeId right = mesh_.prev_halfedge_handle(opposite(halfedge));
+        if (!smooth(left) || !smooth(right))
+            return std::nullopt;
+        return straightOn(mesh_, halfedge);
+    }
+    // Along the boundary: past one edge that leads inwards.
+    HalfedgeId on;
+    HalfedgeId inwards;
+    if (mesh_.is_boundary(halfedge)) {
+        on = mesh_.next_halfedge_handle(halfedge);
+        inwards = mesh_.prev_halfedge_handle(opposite(halfedge));
+    } else if (mesh_.is_boundary(opposite(halfedge))) {
+        on = opposite(mesh_.prev_halfedge_handle(opposite(halfedge)));
+        inwards = mesh_.next_halfedge_handle(halfedge);
+    } else {
+        return std::nullopt;
+    }
+    if (mesh_.is_boundary(mesh_.edge_handle(inwards)) || !smooth(inwards))
+        return std::nullopt;
+    const Point before = end(halfedge) - start(halfedge);
+    const Point after = end(on) - start(on);
+    if (std::atan2((before % after).norm(), before | after) > rho_)
+        return std::nullopt;
+    return on;
+}
+
+Point MeshLines::tangent(HalfedgeId halfedge) const {
+    const auto back = goOn(opposite(halfedge));
+    if (!back)
+        return oneSided(halfedge);
+    const Point chord = end(halfedge) - end(*back);
+    const auto further = goOn(halfedge);
+    const auto furtherBack = goOn(*back);
+    if (!further || !furtherBack)
+        return chord / 2.0;
+    return unlessSpoilt((8.0 * chord - (end(*further) - end(*furtherBack))) / 12.0, chord / 2.0);
+}
+
+Point MeshLines::oneSided(HalfedgeId halfedge) const {
+    const Point step = end(halfedge) - start(halfedge);
+    const auto further = goOn(halfedge);
+    const Point estimate =
+        further ? unlessSpoilt(1.5 * step - 0.5 * (end(*further) - end(halfedge)), step) : step;
+    return inTangentPlane(halfedge, estimate);
+}
+
+/// Patches that meet at a vertex have one normal there if all tangents of a smooth sector lie in one plane. An
+/// edge between two sectors lies in both planes.
+Point MeshLines::inTangentPlane(HalfedgeId halfedge, const Point &tangent) const {
+    const Point left = normalOnLeft(halfedge);
+    const Point right = isSmooth(mesh_.edge_handle(halfedge))
+                            ? left
+                            : normalOnLeft(mesh_.next_halfedge_handle(opposite(halfedge)));
+    const Point ridge = left % right;
+    const Point normal = left.sqrnorm() > 0 ? left : right;
+    Point turned = tangent - (tangent | normal) * normal;
+    if (ridge.norm() > std::sin(rho_ / 2))
+        turned = (tangent | ridge) / ridge.sqrnorm() * ridge;
+    return unlessSpoilt(turned, tangent);
+}
+
+/// The mean normal, around the vertex that `halfedge` leaves, of all faces from its left to the next sharp edges;
+/// zero where there is none.
+Point MeshLines::normalOnLeft(HalfedgeId halfedge) const {
+    // Back, clockwise, to where the sector begins; then count its faces.
+    const auto onLeft = [&](HalfedgeId h) { return opposite(mesh_.prev_halfedge_handle(h)); };
+    HalfedgeId first = halfedge;
+    while (isSmooth(mesh_.edge_handle(first)) && !mesh_.is_boundary(opposite(first))) {
+        first = mesh_.next_halfedge_handle(opposite(first));
+        if (first == halfedge)
+            break;
+    }
+    Point sum{0, 0, 0};
+    for (HalfedgeId h = first; !mesh_.is_boundary(h);) {
+        const HalfedgeId left = onLeft(h);
+        sum += unitNormal(end(h) - start(h), end(left) - start(left));
+        h = left;
+        if (h == first || !isSmooth(mesh_.edge_handle(h)))
+            break;
+    }
+    const double length = sum.norm();
+    return length > 1e-6 ? Point(sum / length) : Point(0, 0, 0);
+}
+
+/// The mean over the faces around the vertex into which either line goes on.
+Point MeshLines::twist(HalfedgeId halfedge) const {
+    const auto onLeft = [&](HalfedgeId h) { return opposite(mesh_.prev_halfedge_handle(h)); };
+    const auto ofFace = [&](HalfedgeId h) -> Point {
+        return end(mesh_.next_halfedge_handle(h)) - end(h) - end(onLeft(h)) + start(h);
+    };
+    const HalfedgeId left = onLeft(halfedge);
+    const bool passes = goOn(opposite(halfedge)).has_value();
+    const bool leftPasses = goOn(opposite(left)).has_value();
+    Point sum = ofFace(halfedge);
+    if (passes)
+        sum -= ofFace(left);
+    if (leftPasses)
+        sum -= ofFace(mesh_.next_halfedge_handle(opposite(halfedge)));
+    if (passes && leftPasses)
+        sum += ofFace(onLeft(left));
+    return sum / ((passes ? 2.0 : 1.0) * (leftPasses ? 2.0 : 1.0));
+}
+
+} // namespace qm

@@ -1,0 +1,131 @@
+#include "bspline/spline_curve.h"
+
+#include "bspline/basis.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+namespace qm {
+namespace {
+
+/// The blossom, at three arguments, of the polynomial that the curve is on knot interval `span`: the control
+/// point that belongs to three successive knots, whatever the knots around them.
+Point blossom(const SplineCurve &curve, std::size_t span, const std::array<double, 3> &arguments) {
+    std::array<Point, 4> points;
+    for (std::size_t k = 0; k < 4; ++k)
+        points[k] = curve.points[span - 3 + k];
+    for (std::size_t round = 1; round <= 3; ++round)
+        for (std::size_t k = 0; k + round <= 3; ++k) {
+            const double left = curve.knots[span - 3 + k + round];
+            const double right = curve.knots[span + 1 + k];
+            const double share = (arguments[round - 1] - left) / (right - left);
+            // An argument at one end gives that end's point to the last bit.
+            points[k] = share == 0   ? points[k]
+                        : share == 1 ? points[k + 1]
+                                     : (1 - share) * points[k] + share * points[k + 1];
+        }
+    return points[0];
+}
+
+} // namespace
+
+std::vector<Point> splineSlopes(std::span<const Point> values, const Point &startSlope, const Point &endSlope) {
+    // d[k-1] + 4 d[k] + d[k+1] = 3 (P[k+1] - P[k-1]) for all inner k.
+    const std::size_t last = values.size() - 1;
+    std::vector<Point> slopes(values.size());
+    std::vector<double> reciprocal(values.size(), 0);
+    slopes.front() = startSlope;
+    slopes.back() = endSlope;
+    for (std::size_t k = 1; k < last; ++k) {
+        reciprocal[k] = 1 / (4 - reciprocal[k - 1]);
+        slopes[k] = (3.0 * (values[k + 1] - values[k - 1]) - slopes[k - 1]) * reciprocal[k];
+    }
+    for (std::size_t k = last; k-- > 1;)
+        slopes[k] -= slopes[k + 1] * reciprocal[k];
+    return slopes;
+}
+
+SplineCurve interpolateClamped(std::span<const Point> values, const Point &startSlope, const Point &endSlope) {
+    const std::size_t last = values.size() - 1;
+    const auto slopes = splineSlopes(values, startSlope, endSlope);
+    SplineCurve curve;
+    curve.knots.assign(3, 0);
+    for (std::size_t k = 0; k <= last; ++k)
+        curve.knots.push_back(static_cast<double>(k));
+    curve.knots.insert(curve.knots.end(), 3, static_cast<double>(last));
+
+    const auto after = [&](std::size_t k) -> Point { return values[k] + slopes[k] / 3.0; };
+    const auto before = [&](std::size_t k) -> Point { return values[k] - slopes[k] / 3.0; };
+    curve.points = {values.front(), after(0)};
+    for (std::size_t k = 1; k < last; ++k)
+        curve.points.push_back(2.0 * after(k) - before(k + 1));
+    curve.points.push_back(before(last));
+    curve.points.push_back(values.back());
+    return curve;
+}
+
+Point evaluate(const SplineCurve &curve, double t) {
+    return blossom(curve, knotSpan(curve.knots, 3, t), {t, t, t});
+}
+
+SplineCurve withKnots(const SplineCurve &curve, const std::vector<double> &knots) {
+    SplineCurve result;
+    result.knots = knots;
+    result.points.reserve(knots.size() - 4);
+    for (std::size_t k = 0; k + 4 < knots.size(); ++k) {
+        std::size_t interval = k; // a non-empty one on which this control point counts
+        while (interval < k + 3 && !(knots[interval] < knots[interval + 1]))
+            ++interval;
+        const double middle = (knots[interval] + knots[interval + 1]) / 2;
+        result.points.push_back(
+            blossom(curve, knotSpan(curve.knots, 3, middle), {knots[k + 1], knots[k + 2], knots[k + 3]}));
+    }
+    return result;
+}
+
+SplineCurve restricted(const SplineCurve &curve, double begin, double end) {
+    std::vector<double> knots(4, begin);
+    std::copy_if(curve.knots.begin(), curve.knots.end(), std::back_inserter(knots),
+                 [&](double knot) { return knot > begin && knot < end; });
+    knots.insert(knots.end(), 4, end);
+    SplineCurve result = withKnots(curve, knots);
+    for (double &knot : result.knots)
+        knot -= begin;
+    return result;
+}
+
+SplineCurve reversed(const SplineCurve &curve) {
+    SplineCurve result;
+    result.points.assign(curve.points.rbegin(), curve.points.rend());
+    result.knots.reserve(curve.knots.size());
+    for (auto knot = curve.knots.rbegin(); knot != curve.knots.rend(); ++knot)
+        result.knots.push_back(curve.length() - *knot);
+    return result;
+}
+
+SplineCurve scaled(SplineCurve curve, double factor) {
+    for (Point &point : curve.points)
+        point *= factor;
+    return curve;
+}
+
+SplineCurve joined(std::span<const SplineCurve> curves) {
+    SplineCurve result = curves.front();
+    for (const SplineCurve &curve : curves.subspan(1)) {
+        const double offset = result.length();
+        result.knots.pop_back();
+        for (std::size_t k = 4; k < curve.knots.size(); ++k)
+            result.knots.push_back(curve.knots[k] + offset);
+        result.points.insert(result.points.end(), curve.points.begin() + 1, curve.points.end());
+    }
+    return result;
+}
+
+std::vector<double> commonKnots(std::span<const double> a, std::span<const double> b) {
+    std::vector<double> knots;
+    std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(knots));
+    return knots;
+}
+
+} // namespace qm

@@ -1,0 +1,50 @@
+/// \file Cubic spline curves with clamped ends, and their exact restriction, refinement and joining.
+#pragma once
+
+#include "mesh/quad_mesh.h"
+
+#include <span>
+#include <vector>
+
+namespace qm {
+
+/// A cubic B-spline over [0, length]. Its first and last knot are there four times, so it begins and ends at
+/// its first and last control point. There are four more knots than points.
+struct SplineCurve {
+    std::vector<double> knots;
+    std::vector<Point> points;
+
+    [[nodiscard]] double length() const { return knots.empty() ? 0 : knots.back(); }
+};
+
+/// Derivatives at 0, 1, 2, ... of the twice continuously differentiable cubic spline through the values there,
+/// whose derivatives at both ends are given. Linear time.
+[[nodiscard]] std::vector<Point> splineSlopes(std::span<const Point> values, const Point &startSlope,
+                                              const Point &endSlope);
+
+/// That spline itself: one interval between any two of at least two values.
+[[nodiscard]] SplineCurve interpolateClamped(std::span<const Point> values, const Point &startSlope,
+                                             const Point &endSlope);
+
+[[nodiscard]] Point evaluate(const SplineCurve &curve, double t);
+
+/// The same curve, on the whole or a part of its interval, over other knots: clamped ones that hold all of
+/// the curve's own knots inside the part at least as often.
+[[nodiscard]] SplineCurve withKnots(const SplineCurve &curve, const std::vector<double> &knots);
+
+/// The part of the curve from `begin` to `end`, parameterised from 0.
+[[nodiscard]] SplineCurve restricted(const SplineCurve &curve, double begin, double end);
+
+/// The curve walked the other way.
+[[nodiscard]] SplineCurve reversed(const SplineCurve &curve);
+
+/// The curve with every control point multiplied by a factor.
+[[nodiscard]] SplineCurve scaled(SplineCurve curve, double factor);
+
+/// Curves end to end; each begins where the one before ends. A triple knot marks every joint.
+[[nodiscard]] SplineCurve joined(std::span<const SplineCurve> curves);
+
+/// The smallest knots that hold all knots of both, as often as the one that has them more often.
+[[nodiscard]] std::vector<double> commonKnots(std::span<const double> a, std::span<const double> b);
+
+} // namespace qm

@@ -1,0 +1,94 @@
+#include "check/angles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace qm::check {
+
+namespace {
+
+using Vector = std::array<double, 3>;
+
+Vector minus(const Vector& a, const Vector& b) {
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+Vector cross(const Vector& a, const Vector& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+double dot(const Vector& a, const Vector& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+struct Normal {
+    Vector direction{}; ///< not of unit length; zero if there is none
+    bool doubtful = false;
+};
+
+/// Of unit length; zero if the triangle has no area.
+Normal triangleNormal(const Vector& a, const Vector& b, const Vector& c) {
+    const Vector first = minus(b, a);
+    const Vector second = minus(c, a);
+    const Vector normal = cross(first, second);
+    const double length = std::sqrt(dot(normal, normal));
+    const double scale = std::sqrt(dot(first, first) * dot(second, second));
+    if (length == 0 || !std::isfinite(length)) return {{}, scale > 0};
+    return {{normal[0] / length, normal[1] / length, normal[2] / length}, length < 1e-10 * scale};
+}
+
+Normal faceNormal(const CheckedMesh& mesh, std::size_t face) {
+    const auto& quad = mesh.quads[face];
+    const auto point = [&](std::size_t corner) {
+        return mesh.points[static_cast<std::size_t>(quad[corner])];
+    };
+    const Normal first = triangleNormal(point(0), point(1), point(2));
+    const Normal second = triangleNormal(point(0), point(2), point(3));
+    Normal sum;
+    for (std::size_t i = 0; i < 3; ++i)
+        sum.direction[i] = first.direction[i] + second.direction[i];
+    const bool any = dot(first.direction, first.direction) + dot(second.direction, second.direction) > 0;
+    sum.doubtful = first.doubtful || second.doubtful || (any && dot(sum.direction, sum.direction) < 1e-12);
+    return sum;
+}
+
+} // namespace
+
+Angles dihedralAngles(const CheckedMesh& mesh, const Neighbourhoods& around) {
+    std::vector<Normal> normals(mesh.quads.size());
+    for (std::size_t face = 0; face < normals.size(); ++face)
+        normals[face] = faceNormal(mesh, face);
+
+    const auto edgeCount = static_cast<std::size_t>(around.edges());
+    Angles angles{std::vector<double>(edgeCount, 0), std::vector<double>(edgeCount, 0)};
+    for (int step = 0; step < around.steps(); ++step) {
+        if (around.boundary(step)) continue;
+        const auto edge = static_cast<std::size_t>(around.edge(step));
+        const Normal& left = normals[static_cast<std::size_t>(around.leftFace(step))];
+        const Normal& right = normals[static_cast<std::size_t>(around.leftFace(around.back(step)))];
+        if (left.doubtful || right.doubtful) angles.doubt[edge] = std::numbers::pi;
+        const Vector sine = cross(left.direction, right.direction);
+        const double cosine = dot(left.direction, right.direction);
+        // Both are zero beside a face without a normal, and so is the angle.
+        angles.angle[edge] = std::atan2(std::sqrt(dot(sine, sine)), cosine);
+    }
+    return angles;
+}
+
+EdgeCosts edgeCosts(const Angles& angles, double alpha, double epsilon) {
+    EdgeCosts costs;
+    for (std::size_t edge = 0; edge < angles.angle.size(); ++edge) {
+        const double angle = angles.angle[edge];
+        const bool onTheLimit = std::abs(angle - epsilon) <= 1e-9 + angles.doubt[edge];
+        costs.cost.push_back(-angle + (angle < epsilon ? alpha : 0));
+        costs.doubt.push_back(angles.doubt[edge] + (onTheLimit ? std::abs(alpha) : 0));
+    }
+    return costs;
+}
+
+bool CostSum::equals(double claimed) const {
+    return std::abs(cost_ - claimed) <= 1e-6 * std::max(1.0, std::abs(cost_)) + doubt_;
+}
+
+} // namespace qm::check

@@ -1,0 +1,51 @@
+/// \file Dihedral angles and edge costs, computed anew (method 3).
+#pragma once
+
+#include "check/neighbourhoods.h"
+
+#include <vector>
+
+namespace qm::check {
+
+/// By edge.
+struct Angles {
+    /// Unsigned dihedral angle, radians; 0 on the boundary and beside a face without a normal.
+    std::vector<double> angle;
+    /// How far rounding may throw it: pi beside a face whose normal is the remainder of a cancellation, else
+    /// 0.
+    std::vector<double> doubt;
+};
+[[nodiscard]] Angles dihedralAngles(const CheckedMesh& mesh, const Neighbourhoods& around);
+
+/// Cost of every edge.
+struct EdgeCosts {
+    std::vector<double> cost; ///< -theta, + alpha if theta < epsilon
+    /// How much of it hangs on rounding: |alpha| more for an angle that equals epsilon but for the last
+    /// digits.
+    std::vector<double> doubt;
+};
+[[nodiscard]] EdgeCosts edgeCosts(const Angles& angles, double alpha, double epsilon);
+
+/// A sum over edges, to be compared with a figure of the document.
+class CostSum {
+public:
+    explicit CostSum(const EdgeCosts& costs) : costs_(costs) {}
+    void add(int edge) {
+        cost_ += costs_.cost[static_cast<std::size_t>(edge)];
+        doubt_ += costs_.doubt[static_cast<std::size_t>(edge)];
+    }
+    void add(const CostSum& other) {
+        cost_ += other.cost_;
+        doubt_ += other.doubt_;
+    }
+    [[nodiscard]] double value() const { return cost_; }
+    /// Equal to 1e-6, relative for large sums.
+    [[nodiscard]] bool equals(double claimed) const;
+
+private:
+    const EdgeCosts& costs_;
+    double cost_ = 0;
+    double doubt_ = 0;
+};
+
+} // namespace qm::check

@@ -1,0 +1,51 @@
+/// \file What a check found: the violations, each with its place, and what proved true.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace qm::check {
+
+/// One place where a document is not true.
+struct Violation {
+    std::string pointer;     ///< JSON pointer of the place; empty for the whole document
+    std::string rule;        ///< short name of the rule, such as "A2" or "tiling"
+    std::string explanation; ///< one sentence without a full stop
+};
+
+/// Collects violations. A document that is wrong everywhere breaks rules by the million, so only the first
+/// `kept` are stored; all are counted.
+class Report {
+public:
+    explicit Report(std::size_t kept = 1000) : kept_(kept) {}
+
+    void violate(std::string pointer, std::string rule, std::string explanation) {
+        if (total_++ < kept_)
+            violations_.push_back({std::move(pointer), std::move(rule), std::move(explanation)});
+    }
+    /// Notes what has been looked at and found true, for the summary.
+    void verify(std::string what) { verified_.push_back(std::move(what)); }
+
+    [[nodiscard]] bool ok() const { return total_ == 0; }
+    [[nodiscard]] std::size_t total() const { return total_; }
+    [[nodiscard]] const std::vector<Violation>& violations() const { return violations_; }
+    [[nodiscard]] const std::vector<std::string>& verified() const { return verified_; }
+
+private:
+    std::size_t kept_;
+    std::size_t total_ = 0;
+    std::vector<Violation> violations_;
+    std::vector<std::string> verified_;
+};
+
+/// A pointer one level deeper.
+[[nodiscard]] inline std::string at(const std::string& pointer, std::size_t index) {
+    return pointer + "/" + std::to_string(index);
+}
+[[nodiscard]] inline std::string at(const std::string& pointer, const char* key) {
+    return pointer + "/" + key;
+}
+
+} // namespace qm::check

@@ -1,0 +1,34 @@
+/// \file Rule 4 of method 2: every crossing needs a head-on meeting on one of its two lines.
+#pragma once
+
+#include <vector>
+
+namespace qm {
+
+/// Keeps, for groups of lines joined by crossings, how many head-on meetings they have left. Union by size
+/// without path compression, so that the last change can be taken back.
+class CrackForest {
+public:
+    explicit CrackForest(std::vector<int> capacities);
+
+    /// A crossing between two crackable lines, or, with a == b, one that line a must crack.
+    /// \return false if no meeting is left for it; the change is made all the same and must be undone
+    bool cross(int a, int b);
+
+    [[nodiscard]] std::size_t changes() const { return trail_.size(); }
+    void undo(std::size_t changes);
+
+private:
+    struct Change {
+        int child; ///< joined to root; -1 if both were in one group already
+        int root;
+    };
+    [[nodiscard]] int find(int node) const;
+
+    std::vector<int> parent_;
+    std::vector<int> size_;
+    std::vector<int> left_; ///< of a root: lines in the group less crossings
+    std::vector<Change> trail_;
+};
+
+} // namespace qm

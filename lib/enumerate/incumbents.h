@@ -1,0 +1,44 @@
+/// \file The best graphs that a search has found so far.
+#pragma once
+
+#include "enumerate/problem.h"
+
+#include <cstddef>
+#include <limits>
+#include <set>
+#include <utility>
+
+namespace qm {
+
+/// Keeps the `capacity` cheapest distinct assignments, ties in lexicographic order.
+class Incumbents {
+public:
+    Incumbents(std::size_t capacity, double maxCost) : capacity_(capacity), maxCost_(maxCost) {}
+
+    /// \return whether it was new and cheap enough
+    bool offer(double cost, const Assignment& assignment) {
+        if (cost > maxCost_ || !graphs_.emplace(cost, assignment).second) return false;
+        if (graphs_.size() > capacity_) graphs_.erase(std::prev(graphs_.end()));
+        return true;
+    }
+
+    /// A graph must be cheaper than this to be worth finding.
+    [[nodiscard]] double cutoff() const {
+        if (graphs_.size() < capacity_) return maxCost_ + tolerance;
+        return graphs_.rbegin()->first - (capacity_ == 1 ? tolerance : -tolerance);
+    }
+
+    [[nodiscard]] bool empty() const { return graphs_.empty(); }
+    [[nodiscard]] double bestCost() const { return graphs_.begin()->first; }
+    [[nodiscard]] const std::set<std::pair<double, Assignment>>& graphs() const { return graphs_; }
+
+    /// Costs closer than this are the same.
+    static constexpr double tolerance = 1e-7;
+
+private:
+    std::size_t capacity_;
+    double maxCost_;
+    std::set<std::pair<double, Assignment>> graphs_;
+};
+
+} // namespace qm

@@ -1,0 +1,81 @@
+#include "enumerate/optimum.h"
+
+#include "enumerate/branch_and_bound.h"
+#include "enumerate/components.h"
+
+#include <cmath>
+
+namespace qm {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+double fixedCost(const SearchState& state) {
+    double cost = 0;
+    for (int v = 0; v < state.problem().variables(); ++v)
+        if (state.value(v) == ArcState::in) cost += state.problem().costs[static_cast<std::size_t>(v)];
+    return cost;
+}
+
+/// One graph: every part on its own, the best of each put together.
+void searchParts(SearchState& state, const OptimumOptions& options, const Control& control,
+                 OptimumResult& result) {
+    Assignment graph = state.assignment();
+    const auto parts = independentParts(state);
+    double done = 0;
+    bool found = true;
+    for (const auto& part : parts) {
+        BranchAndBound search(state, part, 1, infinity, options.gap / static_cast<double>(parts.size()),
+                              control);
+        if (options.start) search.offer(*options.start);
+        search.run();
+        result.nodes += search.nodes();
+        result.lowerBound += search.lowerBound();
+        result.complete = result.complete && search.complete();
+        found = found && !search.incumbents().empty();
+        if (!search.incumbents().empty())
+            for (const int v : part)
+                graph[static_cast<std::size_t>(v)] =
+                    search.incumbents().graphs().begin()->second[static_cast<std::size_t>(v)];
+        control.progress(++done / static_cast<double>(parts.size()));
+    }
+    if (found && costOf(state.problem(), graph) <= options.maxCost + Incumbents::tolerance)
+        result.graphs.push_back(std::move(graph));
+}
+
+/// Several graphs: the parts' choices combine, so they are searched together.
+void searchTogether(SearchState& state, const OptimumOptions& options, const Control& control,
+                    OptimumResult& result) {
+    std::vector<int> variables;
+    for (int v = 0; v < state.problem().variables(); ++v)
+        if (state.isFree(v)) variables.push_back(v);
+    BranchAndBound search(state, variables, options.best, options.maxCost - result.lowerBound, 0, control);
+    if (options.start) search.offer(*options.start);
+    search.run();
+    result.nodes = search.nodes();
+    result.lowerBound += search.lowerBound();
+    result.complete = search.complete();
+    for (const auto& [cost, graph] : search.incumbents().graphs())
+        result.graphs.push_back(graph);
+}
+
+} // namespace
+
+OptimumResult findOptimum(const Problem& problem, const OptimumOptions& options, const Control& control) {
+    OptimumResult result;
+    SearchState state(problem);
+    if (!state.consistent()) {
+        result.lowerBound = infinity;
+        return result;
+    }
+    result.lowerBound = fixedCost(state);
+    if (state.freeVariables() == 0)
+        searchParts(state, options, control, result);
+    else if (options.best == 1)
+        searchParts(state, options, control, result);
+    else
+        searchTogether(state, options, control, result);
+    return result;
+}
+
+} // namespace qm

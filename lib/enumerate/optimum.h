@@ -1,0 +1,32 @@
+/// \file The cheapest motorcycle graphs with a proof: branch and bound on arcs (method 2, 3).
+#pragma once
+
+#include "base/control.h"
+#include "enumerate/problem.h"
+
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace qm {
+
+struct OptimumOptions {
+    std::size_t best = 1; ///< how many graphs, the cheapest
+    double maxCost = std::numeric_limits<double>::infinity();
+    double gap = 0;                  ///< stop when cost - lower bound is at most this
+    std::optional<Assignment> start; ///< a valid graph to begin with
+};
+
+struct OptimumResult {
+    std::vector<Assignment> graphs; ///< cheapest first, ties in lexicographic order of the variables
+    double lowerBound = 0;          ///< no graph is cheaper; infinity if there is none at all
+    bool complete = true;           ///< all graphs that were asked for are found and proven
+    std::size_t nodes = 0;          ///< of the search tree
+};
+
+/// Splits the problem into parts that do not touch, and searches each best first: propagation, the linear
+/// relaxation, fixing by reduced costs, and diving for early graphs. Stops when `control.stopRequested`.
+[[nodiscard]] OptimumResult findOptimum(const Problem& problem, const OptimumOptions& options,
+                                        const Control& control = {});
+
+} // namespace qm

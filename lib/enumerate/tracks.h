@@ -1,0 +1,32 @@
+/// \file From arcs to particles: who walked what (method 2, "Several particle positions give one graph").
+#pragma once
+
+#include "basecomplex/arc_graph.h"
+#include "enumerate/motorcycle_graph.h"
+
+#include <vector>
+
+namespace qm {
+
+/// One position on a line: the arcs before it are walked by the particle from the line's begin, the arcs from
+/// it on by the particle from its end. For a line with a gap the two do not meet.
+struct Coverage {
+    int fromBegin = 0; ///< arcs
+    int fromEnd = 0;   ///< arcs
+};
+
+/// How far the particles of every line have walked. A line that is covered throughout is walked by the
+/// particle of its begin, unless a crossing needs a head-on meeting on it (rule 4): then both meet there.
+/// \param present  of every arc; every line's present arcs are a run from each of its sources
+[[nodiscard]] std::vector<Coverage> coverLines(const ArcGraph& graph, const std::vector<bool>& present);
+
+/// The tracks of a graph, by line, with their costs; particles that do not move have none.
+[[nodiscard]] MotorcycleGraph graphOf(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
+                                      const std::vector<bool>& present, const std::vector<double>& edgeCosts);
+
+/// The arcs that tracks cover, for the same base complex.
+/// \throw Error  if a track is not made of whole arcs of one separatrix
+[[nodiscard]] std::vector<bool> presentArcs(const QuadMesh& mesh, const BaseComplex& complex,
+                                            const ArcGraph& graph, const std::vector<Track>& tracks);
+
+} // namespace qm

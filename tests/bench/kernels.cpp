@@ -1,0 +1,112 @@
+/// \file Time of every stage's kernel, by the number of quads. `make bench only=cut` runs those whose name
+/// matches.
+
+#include "basecomplex/arc_graph.h"
+#include "bench/staircase.h"
+#include "cut/cut.h"
+#include "enumerate/enumerate.h"
+#include "features/features.h"
+#include "merge/layout.h"
+#include "merge/merge.h"
+#include "mesh/dihedral.h"
+
+#include <benchmark/benchmark.h>
+
+namespace qm::bench {
+namespace {
+
+/// What the stages hand on, for a staircase.
+struct Model {
+    QuadMesh mesh;
+    std::vector<double> angles = dihedralAngles(mesh);
+    BaseComplex complex = buildBaseComplex(mesh);
+};
+
+Model model(const benchmark::State& state) {
+    return {staircase(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)))};
+}
+
+void setSize(benchmark::State& state, const QuadMesh& mesh) {
+    const auto quads = static_cast<double>(mesh.n_faces());
+    state.counters["quads"] = quads;
+    state.counters["quads/s"] = benchmark::Counter(quads, benchmark::Counter::kIsIterationInvariantRate);
+}
+
+void dihedral(benchmark::State& state) {
+    const Model model = bench::model(state);
+    for (auto _ : state)
+        benchmark::DoNotOptimize(dihedralAngles(model.mesh));
+    setSize(state, model.mesh);
+}
+
+void baseComplex(benchmark::State& state) {
+    const Model model = bench::model(state);
+    for (auto _ : state)
+        benchmark::DoNotOptimize(buildBaseComplex(model.mesh));
+    setSize(state, model.mesh);
+}
+
+void arcGraph(benchmark::State& state) {
+    const Model model = bench::model(state);
+    for (auto _ : state)
+        benchmark::DoNotOptimize(buildArcGraph(model.mesh, model.complex));
+    setSize(state, model.mesh);
+}
+
+void features(benchmark::State& state) {
+    const Model model = bench::model(state);
+    for (auto _ : state)
+        benchmark::DoNotOptimize(findFeatures(model.mesh, model.angles, {}));
+    setSize(state, model.mesh);
+}
+
+void cut(benchmark::State& state) {
+    const Model model = bench::model(state);
+    for (auto _ : state)
+        benchmark::DoNotOptimize(cutMesh(model.mesh, model.complex, model.angles, {}));
+    setSize(state, model.mesh);
+}
+
+void plainGraph(benchmark::State& state) {
+    const Model model = bench::model(state);
+    EnumerationOptions options;
+    options.method = Method::plain;
+    for (auto _ : state)
+        benchmark::DoNotOptimize(enumerateGraphs(model.mesh, model.complex, model.angles, {}, options));
+    setSize(state, model.mesh);
+}
+
+void optimum(benchmark::State& state) {
+    const Model model = bench::model(state);
+    for (auto _ : state)
+        benchmark::DoNotOptimize(enumerateGraphs(model.mesh, model.complex, model.angles, {}, {}));
+    setSize(state, model.mesh);
+}
+
+void layout(benchmark::State& state) {
+    const Model model = bench::model(state);
+    EnumerationOptions options;
+    options.method = Method::plain;
+    const Enumeration plain = enumerateGraphs(model.mesh, model.complex, model.angles, {}, options);
+    const std::vector<Track>& tracks = plain.subMeshes.at(0).graphs.at(0).tracks;
+    const std::vector<double> costs = edgeCosts(model.angles, {});
+    for (auto _ : state)
+        benchmark::DoNotOptimize(buildLayout(model.mesh, tracks, model.angles, costs));
+    setSize(state, model.mesh);
+}
+
+// Stairs and refinement: about 900, 24,000 and 96,000 quads.
+#define QM_KERNEL(function)                                                                                  \
+    BENCHMARK(function)->Args({4, 3})->Args({5, 12})->Args({5, 25})->Unit(benchmark::kMillisecond)
+
+QM_KERNEL(dihedral);
+QM_KERNEL(baseComplex);
+QM_KERNEL(arcGraph);
+QM_KERNEL(features);
+QM_KERNEL(cut);
+QM_KERNEL(plainGraph);
+QM_KERNEL(optimum);
+QM_KERNEL(layout);
+
+} // namespace
+} // namespace qm::bench

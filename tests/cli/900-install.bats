@@ -1,0 +1,60 @@
+# make install, and what it puts where.
+
+load helpers.bash
+
+setup_file() {
+    load helpers.bash
+    make --no-print-directory -C "$ROOT" "config=$(config)" install prefix=/usr "DESTDIR=$BATS_FILE_TMPDIR/root" >/dev/null
+}
+
+config() { if [[ $QM_BIN == */build/*/bin ]]; then basename "$(dirname "$QM_BIN")"; else echo release; fi; }
+
+@test "the installed tools run" {
+    for tool in $(all_tools); do
+        quietly "$BATS_FILE_TMPDIR/root/usr/bin/$tool" --version
+    done
+}
+
+@test "every tool has a manual page and completion" {
+    for tool in $(all_tools); do
+        assert [ -s "$BATS_FILE_TMPDIR/root/usr/share/man/man1/$tool.1" ]
+        assert [ -s "$BATS_FILE_TMPDIR/root/usr/share/bash-completion/completions/$tool" ]
+    done
+}
+
+@test "manual pages have no formatting errors and no dates" {
+    for page in "$BATS_FILE_TMPDIR"/root/usr/share/man/man1/*.1; do
+        run grep -E '^\.TH .*(19|20)[0-9][0-9]' "$page"
+        assert_failure
+        if command -v groff >/dev/null; then
+            run --separate-stderr groff -man -Tascii -ww "$page"
+            assert_equal "$stderr" ''
+        fi
+    done
+}
+
+@test "completion offers the options of a tool" {
+    run bash -c "source '$BATS_FILE_TMPDIR/root/usr/share/bash-completion/completions/qm-cut'
+        COMP_WORDS=(qm-cut --ch); COMP_CWORD=1
+        _quadmesh qm-cut --ch qm-cut
+        printf '%s\n' \"\${COMPREPLY[@]}\""
+    assert_line -- --chi
+}
+
+@test "the installed pipeline finds the installed tools" {
+    cd "$BATS_TEST_TMPDIR"
+    cp "$(sample cube)" part.obj
+    PATH=/usr/bin:/bin QM_BIN='' run make --no-print-directory -f "$BATS_FILE_TMPDIR/root/usr/share/quadmesh/pipelines/layout.mk" \
+        out/part.surfaces.json
+    assert_success
+    PATH=/usr/bin:/bin QM_BIN='' "$BATS_FILE_TMPDIR/root/usr/share/quadmesh/pipelines/layout.sh" part.obj -o pipe.json
+    assert_same_bytes pipe.json out/part.surfaces.json
+}
+
+@test "only qm-export needs OpenCASCADE" {
+    for tool in $(all_tools); do
+        [[ $tool == qm-export ]] && continue
+        run ldd "$QM_BIN/$tool"
+        refute_output --partial libTK
+    done
+}

@@ -1,0 +1,27 @@
+/// \file All motorcycle graphs of a small mesh by trying all coordinates: the yardstick for the search.
+#pragma once
+
+#include "check/angles.h"
+#include "check/lines.h"
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+namespace qm::testing {
+
+struct BruteForce {
+    /// Sets of edges, ascending, with their cost G_T.
+    std::map<std::vector<int>, double> graphs;
+    /// Valid coordinate vectors, up to who walks each line without junctions: every such line with two
+    /// sources doubles the number of vectors and changes nothing else.
+    std::uint64_t vectors = 0;
+    int uncrossedLines = 0; ///< how many lines there are of that kind
+};
+
+/// Depth first over the coordinates, in the plain words of rules A1 to A4 (method 2). For small meshes only:
+/// the time grows with the number of valid vectors.
+[[nodiscard]] BruteForce bruteForce(const check::Neighbourhoods& around, const check::LineNetwork& network,
+                                    const check::EdgeCosts& costs);
+
+} // namespace qm::testing

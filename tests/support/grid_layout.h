@@ -1,0 +1,36 @@
+/// \file Test meshes that are one big grid, and layouts of them that are given as rectangles.
+#pragma once
+
+#include "merge/layout.h"
+#include "mesh/quad_mesh.h"
+
+#include <array>
+#include <functional>
+#include <vector>
+
+namespace qm::test {
+
+/// columns x rows quads; vertex (i, j) lies at place(i, j) and has number j * (columns + 1) + i, or in a
+/// grid whose last column of vertices is its first, j * columns + i.
+struct Grid {
+    int columns = 1;
+    int rows = 1;
+    std::function<Point(double, double)> place;
+    bool wrapped = false;
+};
+
+[[nodiscard]] QuadMesh makeMesh(const Grid &grid);
+
+/// The quads of columns [i0, i1) and rows [j0, j1) of a grid; `turned` quarter turns say which of its sides is
+/// side 0.
+struct Rectangle {
+    int i0 = 0;
+    int j0 = 0;
+    int i1 = 1;
+    int j1 = 1;
+    int turned = 0;
+};
+
+[[nodiscard]] Layout makeLayout(const Grid &grid, const std::vector<Rectangle> &rectangles);
+
+} // namespace qm::test
