@@ -13,7 +13,9 @@
 namespace qm {
 namespace {
 
-constexpr int borderSamples = 4; ///< steps along every border edge
+/// Where on every border edge gaps are measured. Kinks are measured between the edge's ends only: at a vertex a patch may
+/// have more than one normal.
+constexpr std::array<double, 6> borderSamples = {0, 0.05, 0.35, 0.65, 0.95, 1};
 
 /// What was measured on one patch.
 struct Samples {
@@ -176,8 +178,7 @@ Meeting measureMeeting(const BorderEdge &border, const Layout &layout, const std
     Meeting meeting;
     if (border.places.size() != 2)
         return meeting;
-    for (int k = 0; k <= borderSamples; ++k) {
-        const double along = static_cast<double>(k) / borderSamples;
+    for (const double along : borderSamples) {
         std::array<SurfacePoint, 2> points;
         for (std::size_t p = 0; p < 2; ++p) {
             const BorderPlace &place = border.places[p];
@@ -186,7 +187,7 @@ Meeting measureMeeting(const BorderEdge &border, const Layout &layout, const std
             points[p] = evaluate(patches[place.patch], u, v);
         }
         meeting.gap = std::max(meeting.gap, (points[0].position - points[1].position).norm());
-        if (smooth)
+        if (smooth && along > 0 && along < 1)
             meeting.kinks.push_back(angleInDegrees(unitNormal(points[0].du, points[0].dv),
                                                    unitNormal(points[1].du, points[1].dv)));
     }

@@ -23,7 +23,7 @@ struct MeasuredDeviation {
 /// that to the nearest quad of the whole mesh; from the mesh to the surface it is that to the segment's own
 /// patch, found by Gauss and Newton's iteration from the sample's parameters: where it is not exact, it is too
 /// large. Gaps are the distances between the points that neighbours have at the same place of their common
-/// border, five on every edge, and kinks the angles between the normals there. All samples weigh the same.
+/// border, and kinks the angles between the normals there. All samples weigh the same.
 /// \param patches  in the order of the segments, each parameterised like its segment's grid
 [[nodiscard]] MeasuredDeviation measureDeviation(const QuadMesh &mesh, const Layout &layout,
                                                  const std::vector<double> &dihedralAngles,

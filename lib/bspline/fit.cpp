@@ -4,6 +4,7 @@
 #include "base/parallel.h"
 #include "bspline/deviation.h"
 #include "bspline/interpolate.h"
+#include "bspline/tolerance.h"
 #include "bspline/watertight.h"
 
 #include <cmath>
@@ -29,15 +30,26 @@ std::vector<Patch> interpolateSegments(const QuadMesh &mesh, const Layout &layou
     return patches;
 }
 
+std::vector<Patch> fittedPatches(const QuadMesh &mesh, const Layout &layout,
+                                 const std::vector<double> &dihedralAngles, const FitOptions &options,
+                                 const Control &control) {
+    if (options.fit == Fit::tolerance) {
+        const double tolerance =
+            options.tolerance * (options.toleranceRelative ? boundingBoxDiagonal(mesh) : 1);
+        return fitWithinTolerance(mesh, layout, dihedralAngles, options.rho, tolerance, control.jobs);
+    }
+    if (options.watertight)
+        return interpolateWatertight(mesh, layout, dihedralAngles, options.rho, control.jobs);
+    return interpolateSegments(mesh, layout, control);
+}
+
 } // namespace
 
 Surfaces fitSurfaces(const QuadMesh &mesh, const Layout &layout, const std::vector<double> &dihedralAngles,
                      const FitOptions &options, const Control &control) {
     requireValid(options);
     Surfaces surfaces;
-    surfaces.patches =
-        options.watertight ? interpolateWatertight(mesh, layout, dihedralAngles, options.rho, control.jobs)
-                           : interpolateSegments(mesh, layout, control);
+    surfaces.patches = fittedPatches(mesh, layout, dihedralAngles, options, control);
     auto measured = measureDeviation(mesh, layout, dihedralAngles, surfaces.patches,
                                      {options.rho, options.samplesPerEdge}, control);
     surfaces.deviation = measured.ofAll;

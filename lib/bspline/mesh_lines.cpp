@@ -3,7 +3,9 @@
 #include "bspline/evaluate.h"
 #include "mesh/topology.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace qm {
 namespace {
@@ -67,8 +69,9 @@ std::optional<HalfedgeId> MeshLines::goOn(HalfedgeId halfedge) const {
 
 Point MeshLines::tangent(HalfedgeId halfedge) const {
     const auto back = goOn(opposite(halfedge));
-    if (!back)
-        return oneSided(halfedge);
+    const Point ownSide = oneSided(halfedge);
+    if (!back || bendsSharply(halfedge, ownSide, oneSided(*back)))
+        return inTangentPlane(halfedge, ownSide);
     const Point chord = end(halfedge) - end(*back);
     const auto further = goOn(halfedge);
     const auto furtherBack = goOn(*back);
@@ -80,9 +83,22 @@ Point MeshLines::tangent(HalfedgeId halfedge) const {
 Point MeshLines::oneSided(HalfedgeId halfedge) const {
     const Point step = end(halfedge) - start(halfedge);
     const auto further = goOn(halfedge);
-    const Point estimate =
-        further ? unlessSpoilt(1.5 * step - 0.5 * (end(*further) - end(halfedge)), step) : step;
-    return inTangentPlane(halfedge, estimate);
+    return further ? unlessSpoilt(1.5 * step - 0.5 * (end(*further) - end(halfedge)), step) : step;
+}
+
+/// Near extraordinary vertices lines bend. A derivative between the directions of both sides would fold a surface
+/// whose rows lie closer together than the two differ.
+bool MeshLines::bendsSharply(HalfedgeId halfedge, const Point &forwards, const Point &backwards) const {
+    double spacing = std::numeric_limits<double>::infinity();
+    if (!mesh_.is_boundary(halfedge)) {
+        const HalfedgeId left = mesh_.prev_halfedge_handle(halfedge);
+        spacing = (end(left) - start(left)).sqrnorm();
+    }
+    if (!mesh_.is_boundary(opposite(halfedge))) {
+        const HalfedgeId right = mesh_.next_halfedge_handle(opposite(halfedge));
+        spacing = std::min(spacing, (end(right) - start(right)).sqrnorm());
+    }
+    return (forwards + backwards).sqrnorm() > spacing;
 }
 
 /// Patches that meet at a vertex have one normal there if all tangents of a smooth sector lie in one plane. An

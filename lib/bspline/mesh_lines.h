@@ -28,6 +28,7 @@ public:
 private:
     [[nodiscard]] std::optional<HalfedgeId> goOn(HalfedgeId halfedge) const;
     [[nodiscard]] Point oneSided(HalfedgeId halfedge) const;
+    [[nodiscard]] bool bendsSharply(HalfedgeId halfedge, const Point &forwards, const Point &backwards) const;
     [[nodiscard]] Point inTangentPlane(HalfedgeId halfedge, const Point &tangent) const;
     [[nodiscard]] Point normalOnLeft(HalfedgeId halfedge) const;
     [[nodiscard]] const Point &end(HalfedgeId halfedge) const;

@@ -84,9 +84,17 @@ private:
     void noteCrossing(int vertex) {
         if (!around_.passable(vertex)) return;
         const int first = around_.firstStep(vertex);
-        for (int step = first; step < first + 4; ++step)
-            if (!covered_[index(step)]) return;
-        auto& crossings = networks_[index(label(vertex))].crossings;
+        int covered = 0;
+        int reached = 0;
+        for (int step = first; step < first + 4; ++step) {
+            covered += covered_[index(step)];
+            reached += reached_[index(step)];
+        }
+        LineNetwork& network = networks_[index(label(vertex))];
+        junction_[index(vertex)] = reached >= 3;
+        network.ordinaryJunctions += reached >= 3;
+        if (covered < 4) return;
+        auto& crossings = network.crossings;
         crossing_[index(vertex)] = static_cast<int>(crossings.size());
         crossings.push_back({vertex, {}, seedStep_[index(vertex)] >= 0});
     }

@@ -15,6 +15,9 @@ public:
     /// \return false if no meeting is left for it; the change is made all the same and must be undone
     bool cross(int a, int b);
 
+    /// A representative of the line's group.
+    [[nodiscard]] int find(int node) const;
+
     [[nodiscard]] std::size_t changes() const { return trail_.size(); }
     void undo(std::size_t changes);
 
@@ -23,8 +26,6 @@ private:
         int child; ///< joined to root; -1 if both were in one group already
         int root;
     };
-    [[nodiscard]] int find(int node) const;
-
     std::vector<int> parent_;
     std::vector<int> size_;
     std::vector<int> left_; ///< of a root: lines in the group less crossings

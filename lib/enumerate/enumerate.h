@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/control.h"
+#include "basecomplex/base_complex.h"
 #include "enumerate/constraints.h"
 #include "enumerate/enumeration.h"
 

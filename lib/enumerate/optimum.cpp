@@ -1,7 +1,7 @@
 #include "enumerate/optimum.h"
 
 #include "enumerate/branch_and_bound.h"
-#include "enumerate/components.h"
+#include "enumerate/independent_parts.h"
 
 #include <cmath>
 

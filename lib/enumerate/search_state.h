@@ -23,6 +23,17 @@ public:
     /// No completion costs less; G_T itself, but for rounding, when no variable is free.
     [[nodiscard]] double bound() const { return bound_; }
     [[nodiscard]] const Problem& problem() const { return problem_; }
+    [[nodiscard]] int chainOf(int variable) const { return chainOf_[static_cast<std::size_t>(variable)]; }
+    /// The crack node of a chain; -1 if its line cannot be cracked.
+    [[nodiscard]] int nodeOfChain(int chain) const { return nodeOfChain_[static_cast<std::size_t>(chain)]; }
+    [[nodiscard]] const std::vector<int>& crossingsOfNode(int node) const {
+        return crossingsOfNode_[static_cast<std::size_t>(node)];
+    }
+    /// A representative of the lines whose cracks depend on each other so far.
+    [[nodiscard]] int crackGroup(int node) const { return cracks_.find(node); }
+    [[nodiscard]] const std::vector<int>& crossingsOf(int variable) const {
+        return crossingsOf_[static_cast<std::size_t>(variable)];
+    }
 
     /// A point to return to.
     struct Mark {

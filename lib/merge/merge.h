@@ -18,6 +18,7 @@ struct MergeResult {
     std::size_t freeAfterPartial = 0; ///< free particles left by the partial generator
     std::size_t linked = 0;           ///< linked particles that took part in a search, in all
     std::size_t extended = 0;         ///< free particles that had to be extended straight on
+    bool plain = false;               ///< the plain motorcycle graph was cheaper and is the result
 };
 
 /// PMG, then CMG until no particle is free. Always ends in a valid motorcycle graph of the whole mesh.

@@ -1,14 +1,18 @@
+#include "base/error.h"
 #include "bspline/chains.h"
+#include "bspline/curve_fit.h"
 #include "bspline/evaluate.h"
 #include "bspline/fit.h"
-#include "base/error.h"
+#include "bspline/knot_refinement.h"
 #include "mesh/dihedral.h"
 #include "support/grid_layout.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <ostream>
 
 namespace qm {
 namespace {
@@ -39,6 +43,8 @@ struct Case {
     Grid grid;
     std::vector<Rectangle> rectangles;
 };
+
+void PrintTo(const Case &instance, std::ostream *stream) { *stream << instance.name; }
 
 class FitLayouts : public testing::TestWithParam<Case> {
 protected:
@@ -85,8 +91,49 @@ TEST_P(FitLayouts, InterpolatesWatertightAndSmooth) {
     EXPECT_LT(surfaces.deviation.largestGapRelative, 1e-13);
     EXPECT_LT(surfaces.deviation.largestKink, 1e-6);
     const Surfaces plain = fitSurfaces(mesh, layout, angles, {});
-    EXPECT_GT(plain.deviation.largestKink, 1);
+    if (layout.segments.size() > 1) {
+        EXPECT_GT(plain.deviation.largestKink, 1);
+    }
     EXPECT_LT(surfaces.deviation.max, 1.05 * plain.deviation.max);
+}
+
+TEST_P(FitLayouts, KeepsEveryTolerance) {
+    const Surfaces interpolated = fitSurfaces(mesh, layout, angles, {});
+    std::size_t last = 0;
+    for (const double tolerance : {0.3, 0.03, 0.01, 0.001}) {
+        FitOptions options;
+        options.fit = Fit::tolerance;
+        options.tolerance = tolerance;
+        options.toleranceRelative = false;
+        options.samplesPerEdge = 4;
+        const Surfaces surfaces = fitSurfaces(mesh, layout, angles, options);
+        EXPECT_LE(surfaces.deviation.max, tolerance);
+        EXPECT_LT(surfaces.deviation.largestGapRelative, 1e-11);
+        EXPECT_GE(controlPointCount(surfaces), last) << "a closer fit takes no fewer points";
+        last = controlPointCount(surfaces);
+        if (tolerance == 0.3) {
+            EXPECT_LE(last, controlPointCount(interpolated));
+        }
+        for (std::size_t s = 0; s < surfaces.patches.size(); ++s) {
+            const Patch &patch = surfaces.patches[s];
+            const auto [a, b] = layout.segments[s].size;
+            EXPECT_EQ(patch.segment, SegmentId(s));
+            EXPECT_EQ(domain(patch)[0][1], a);
+            EXPECT_EQ(domain(patch)[1][1], b);
+            for (std::size_t d = 0; d < 2; ++d)
+                EXPECT_EQ(patch.knots[d].size(), static_cast<std::size_t>(patch.count[d]) + 4);
+            EXPECT_LT((evaluate(patch, 0, 0).position - mesh.point(layout.segments[s].corners[0])).norm(), 1e-10);
+            EXPECT_LT((evaluate(patch, a, b).position - mesh.point(layout.segments[s].corners[2])).norm(), 1e-10);
+        }
+    }
+}
+
+TEST_P(FitLayouts, TakesAToleranceRelativeToTheDiagonal) {
+    FitOptions options;
+    options.fit = Fit::tolerance;
+    options.tolerance = 0.002;
+    const Surfaces surfaces = fitSurfaces(mesh, layout, angles, options);
+    EXPECT_LE(surfaces.deviation.maxRelative, 0.002);
 }
 
 TEST_P(FitLayouts, DoesNotDependOnTheNumberOfThreads) {
@@ -173,6 +220,86 @@ TEST(Fit, RefusesOptionsOutOfRange) {
     options = {};
     options.samplesPerEdge = 0;
     EXPECT_THROW((void)fitSurfaces(mesh, layout, angles, options), Error);
+    options = {};
+    options.fit = Fit::tolerance;
+    for (const double bad : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
+        options.tolerance = bad;
+        EXPECT_THROW((void)fitSurfaces(mesh, layout, angles, options), Error);
+    }
+}
+
+TEST(Fit, MakesFlatPatchesOfSixteenPoints) {
+    const Grid flat{30, 20, [](double i, double j) { return Point(i, 2 * j, 0.5 * i); }};
+    const QuadMesh mesh = test::makeMesh(flat);
+    const Layout layout = test::makeLayout(
+        flat, {{0, 0, 20, 8, 1}, {20, 0, 30, 14, 2}, {10, 14, 30, 20, 3}, {0, 8, 10, 20, 0}, {10, 8, 20, 14, 1}});
+    FitOptions options;
+    options.fit = Fit::tolerance;
+    options.tolerance = 1e-9;
+    const Surfaces surfaces = fitSurfaces(mesh, layout, dihedralAngles(mesh), options);
+    EXPECT_EQ(controlPointCount(surfaces), 5U * 16U);
+    EXPECT_LT(surfaces.deviation.maxRelative, 1e-12);
+    EXPECT_LT(surfaces.deviation.largestKink, 1e-6);
+}
+
+TEST(Fit, PutsKnotsWhereTheErrorIs) {
+    const Grid bump{40, 10, [](double i, double j) { return Point(i, j, 3 * std::exp(-(i - 9) * (i - 9) / 8)); }};
+    const QuadMesh mesh = test::makeMesh(bump);
+    const Layout layout = test::makeLayout(bump, {{0, 0, 40, 10}});
+    FitOptions options;
+    options.fit = Fit::tolerance;
+    options.tolerance = 0.2;
+    options.toleranceRelative = false;
+    const Surfaces surfaces = fitSurfaces(mesh, layout, dihedralAngles(mesh), options);
+    const Patch &patch = surfaces.patches[0];
+    EXPECT_EQ(patch.count[1], 4) << "nothing happens along v";
+    int left = 0;
+    for (const double knot : patch.knots[0])
+        left += knot > 0 && knot < 20 ? 1 : 0;
+    EXPECT_GT(2 * left, patch.count[0] - 4) << "most inner knots are at the bump";
+}
+
+TEST(CurveFit, PassesThroughFixedPointsAndKeepsTheTolerance) {
+    CurveFitInput input;
+    for (int k = 0; k <= 50; ++k)
+        input.points.emplace_back(k, std::sin(0.3 * k), 0.05 * std::cos(7.0 * k));
+    input.fixed = {7, 8, 31};
+    input.startSlope = {1, 0.3, 0};
+    input.endSlope = {1, 0, 0};
+    for (const double tolerance : {1.0, 0.1, 0.01, 0.0001}) {
+        const SplineCurve curve = fitCurve(input, tolerance, 1e-12);
+        for (const int fixed : input.fixed)
+            EXPECT_LT((evaluate(curve, fixed) - input.points[static_cast<std::size_t>(fixed)]).norm(), 1e-11);
+        EXPECT_EQ(curve.points.front(), input.points.front());
+        EXPECT_EQ(curve.points.back(), input.points.back());
+        for (double t = 0; t < 50; t += 0.25) {
+            const auto k = static_cast<std::size_t>(t);
+            const double share = t - static_cast<double>(k);
+            const Point onLine = (1 - share) * input.points[k] + share * input.points[k + 1];
+            EXPECT_LE((evaluate(curve, t) - onLine).norm(), tolerance);
+        }
+    }
+}
+
+TEST(CurveFit, FollowsACornerWithATripleKnot) {
+    CurveFitInput input;
+    for (int k = 0; k <= 20; ++k)
+        input.points.emplace_back(k, std::abs(k - 13), 0);
+    input.startSlope = {1, -1, 0};
+    input.endSlope = {1, 1, 0};
+    const SplineCurve curve = fitCurve(input, 1e-9, 1e-12);
+    EXPECT_EQ(std::count(curve.knots.begin(), curve.knots.end(), 13.0), 3);
+}
+
+TEST(KnotRefinement, SplitsAtTheCentreOfTheErrorsAndRaisesUnitIntervals) {
+    KnotRefinement refinement({0, 0, 0, 0, 1, 9, 9, 9, 9});
+    refinement.addError(6.5, 2);
+    refinement.addError(7.5, 2);
+    refinement.addError(0.5, 1);
+    EXPECT_EQ(refinement.refined(), (std::vector<double>{0, 0, 0, 0, 1, 1, 7, 9, 9, 9, 9}));
+    EXPECT_FALSE(refinement.hasRepeatedKnots());
+    EXPECT_TRUE(KnotRefinement({0, 0, 0, 0, 1, 1, 9, 9, 9, 9}).hasRepeatedKnots());
+    EXPECT_FALSE(KnotRefinement({0, 0, 0, 0, 1, 1, 1, 9, 9, 9, 9}).canRefine(0.5));
 }
 
 TEST(Fit, TakesAnEmptyMesh) {

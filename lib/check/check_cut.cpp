@@ -1,0 +1,51 @@
+#include "check/check_cut.h"
+
+#include "check/paths.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace qm::check {
+
+bool checkLabels(const Neighbourhoods& around, const CutPart& part, Report& report) {
+    const std::string place = "/cut/labels";
+    const std::size_t before = report.total();
+    if (part.subMeshes.empty()) report.violate("/cut/subMeshes", "sub-meshes", "there is none");
+    if (part.labels.size() != static_cast<std::size_t>(around.vertices()))
+        report.violate(place, "labels complete",
+                       "there are " + std::to_string(part.labels.size()) + " labels for " +
+                           std::to_string(around.vertices()) + " vertices");
+    std::vector<char> used(part.subMeshes.size(), 0);
+    for (std::size_t v = 0; v < part.labels.size(); ++v) {
+        if (part.labels[v] >= 0 && static_cast<std::size_t>(part.labels[v]) < used.size())
+            used[static_cast<std::size_t>(part.labels[v])] = 1;
+        else
+            report.violate(at(place, v), "label", "there is no sub-mesh of this number");
+    }
+    const bool usable = report.total() == before;
+    for (std::size_t k = 0; k < used.size(); ++k)
+        if (!used[k]) report.violate(at("/cut/subMeshes", k), "sub-mesh empty", "no vertex bears its label");
+    return usable;
+}
+
+void checkSubMeshes(const Neighbourhoods& around, const std::vector<LineNetwork>& networks,
+                    const CutPart& part, Report& report) {
+    for (std::size_t k = 0; k < part.subMeshes.size(); ++k) {
+        const auto& subMesh = part.subMeshes[k];
+        const LineNetwork& network = networks[k];
+        const std::string here = at("/cut/subMeshes", k);
+        if (subMesh.id != static_cast<int>(k))
+            report.violate(at(here, "id"), "id", "sub-meshes are numbered from 0 in their order");
+        const double complexity = quasiComplexity(network);
+        if (!(std::abs(subMesh.quasiComplexity - complexity) <= 1e-6 * std::max(1.0, complexity)))
+            report.violate(at(here, "quasiComplexity"), "U", "it is " + decimal(complexity));
+        if (subMesh.ordinaryJunctions < 0 ||
+            static_cast<std::size_t>(subMesh.ordinaryJunctions) != network.ordinaryJunctions)
+            report.violate(at(here, "ordinaryJunctions"), "n_j",
+                           "it has " + std::to_string(network.ordinaryJunctions));
+        if (subMesh.source) knownVertex(around, *subMesh.source, at(here, "source"), report);
+        if (subMesh.sink) knownVertex(around, *subMesh.sink, at(here, "sink"), report);
+    }
+}
+
+} // namespace qm::check

@@ -1,0 +1,124 @@
+#include "check/check_document.h"
+
+#include "check/angles.h"
+#include "check/check_base_complex.h"
+#include "check/check_cut.h"
+#include "check/check_enumeration.h"
+#include "check/check_features.h"
+#include "check/check_layout.h"
+#include "check/check_surfaces.h"
+#include "check/lines.h"
+
+namespace qm::check {
+
+namespace {
+
+std::string count(std::size_t number, const std::string& singular, const std::string& plural) {
+    return std::to_string(number) + " " + (number == 1 ? singular : plural);
+}
+
+class DocumentCheck {
+public:
+    DocumentCheck(const CheckedMesh& mesh, const CheckedDocument& document)
+        : mesh_(mesh), document_(document), around_(mesh) {}
+
+    Report run() {
+        baseComplex();
+        TraceInput sources;
+        if (!features(sources) || !labels(sources)) return std::move(report_);
+        cut(sources);
+        if (document_.weights) priced(sources);
+        return std::move(report_);
+    }
+
+private:
+    /// Notes what the check found true unless it found a violation. \return whether it found none
+    template <class Check> bool section(const Check& check, const std::string& summary) {
+        const std::size_t before = report_.total();
+        check();
+        if (report_.total() != before) return false;
+        report_.verify(summary);
+        return true;
+    }
+
+    void baseComplex() {
+        if (!document_.baseComplex) return;
+        const auto& part = *document_.baseComplex;
+        section(
+            [&] { checkBaseComplex(around_, traceLines(around_, {}).front(), part, report_); },
+            "base complex: " +
+                count(part.extraordinaryVertices.size(), "extraordinary vertex", "extraordinary vertices") +
+                ", " + count(part.separatrices.size(), "separatrix", "separatrices") + ", " +
+                std::to_string(part.ordinaryJunctions) + " ordinary junctions");
+    }
+
+    bool features(TraceInput& sources) {
+        if (!document_.features) return true;
+        return section([&] { sources.seedSteps = checkFeatures(around_, *document_.features, report_); },
+                       "features: " + count(document_.features->curves.size(), "curve", "curves"));
+    }
+
+    bool labels(TraceInput& sources) {
+        if (!document_.cut) return true;
+        if (!checkLabels(around_, *document_.cut, report_)) return false;
+        sources.labels = document_.cut->labels;
+        sources.subMeshes = static_cast<int>(document_.cut->subMeshes.size());
+        return true;
+    }
+
+    void cut(const TraceInput& sources) {
+        networks_ = traceLines(around_, sources);
+        if (document_.cut)
+            section([&] { checkSubMeshes(around_, networks_, *document_.cut, report_); },
+                    "cut: " + count(document_.cut->subMeshes.size(), "sub-mesh", "sub-meshes"));
+    }
+
+    void priced(const TraceInput& sources) {
+        const EdgeCosts costs =
+            edgeCosts(dihedralAngles(mesh_, around_), document_.weights->alpha, document_.weights->epsilon);
+        if (document_.enumeration) enumeration(costs);
+        if (!document_.layout) return;
+        if (document_.cut) networks_ = traceLines(around_, {sources.seedSteps, {}, 1});
+        if (layout(costs)) surfaces();
+    }
+
+    void enumeration(const EdgeCosts& costs) {
+        const auto& part = *document_.enumeration;
+        std::size_t graphs = 0;
+        for (const auto& subMesh : part.subMeshes)
+            graphs += subMesh.graphs.size();
+        const BaseComplexPart* complex = document_.baseComplex ? &*document_.baseComplex : nullptr;
+        section([&] { checkEnumeration(around_, networks_, costs, complex, part, report_); },
+                "enumeration: " + count(graphs, "graph", "graphs") + " of " +
+                    count(part.subMeshes.size(), "sub-mesh", "sub-meshes"));
+    }
+
+    bool layout(const EdgeCosts& costs) {
+        const auto& part = *document_.layout;
+        return section([&] { checkLayout(mesh_, around_, networks_.front(), costs, part, report_); },
+                       "layout: " + count(part.tracks.size(), "track", "tracks") + ", " +
+                           count(part.segments.size(), "segment", "segments") + ", cost " +
+                           decimal(part.cost));
+    }
+
+    void surfaces() {
+        if (!document_.surfaces) return;
+        const auto& part = *document_.surfaces;
+        section([&] { checkSurfaces(mesh_, around_, *document_.layout, part, report_); },
+                "surfaces: " + count(part.patches.size(), "patch", "patches"));
+    }
+
+    const CheckedMesh& mesh_;
+    const CheckedDocument& document_;
+    Neighbourhoods around_;
+    Report report_;
+    std::vector<LineNetwork> networks_;
+};
+
+} // namespace
+
+Report checkDocument(const CheckedMesh& mesh, const CheckedDocument& document) {
+    return DocumentCheck(mesh, document).run();
+}
+
+} // namespace qm::check

@@ -1,0 +1,18 @@
+/// \file Is a whole document true of its mesh?
+///
+/// Everything here is computed anew from the mesh's points and faces, and nothing of the modules that make
+/// documents takes part.
+#pragma once
+
+#include "check/checked_document.h"
+#include "check/neighbourhoods.h"
+#include "check/report.h"
+
+namespace qm::check {
+
+/// Checks every section, in their order. What rests on a broken section is not looked at: the seeds and
+/// labels decide what a track may be, and surfaces belong to segments. Linear in mesh and document, but for
+/// sorting. \throw Error  if the mesh is no oriented 2-manifold of quads
+[[nodiscard]] Report checkDocument(const CheckedMesh& mesh, const CheckedDocument& document);
+
+} // namespace qm::check

@@ -1,0 +1,153 @@
+#include "check/check_enumeration.h"
+
+#include "check/check_graph.h"
+
+#include <boost/multiprecision/cpp_int.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+namespace qm::check {
+
+namespace {
+
+using BigInteger = boost::multiprecision::cpp_int;
+
+class EnumerationCheck {
+public:
+    EnumerationCheck(const Neighbourhoods& around, const std::vector<LineNetwork>& networks,
+                     const EdgeCosts& costs, const BaseComplexPart* complex, const EnumerationPart& part,
+                     Report& report)
+        : around_(around), networks_(networks), costs_(costs), complex_(complex), part_(part),
+          report_(report), scratch_(static_cast<std::size_t>(around.edges()), 0) {}
+
+    void run() {
+        if (part_.subMeshes.size() != networks_.size()) {
+            report_.violate("/enumeration/subMeshes", "sub-meshes",
+                            "the mesh is cut into " + std::to_string(networks_.size()));
+            return;
+        }
+        for (std::size_t k = 0; k < networks_.size(); ++k)
+            subMesh(k);
+        totalCount();
+    }
+
+private:
+    void subMesh(std::size_t k) {
+        const auto& subMesh = part_.subMeshes[k];
+        const std::string here = at("/enumeration/subMeshes", k);
+        if (subMesh.id != static_cast<int>(k))
+            report_.violate(at(here, "id"), "id", "sub-meshes are numbered from 0 in their order");
+        known_.clear();
+        for (std::size_t g = 0; g < subMesh.graphs.size(); ++g) {
+            graph(networks_[k], subMesh.graphs[g], at(at(here, "graphs"), g));
+            if (g > 0 && subMesh.graphs[g].cost < subMesh.graphs[g - 1].cost - 1e-9)
+                report_.violate(at(at(at(here, "graphs"), g), "cost"), "sorted",
+                                "the graph before it costs more");
+        }
+        bounds(subMesh, here);
+    }
+
+    void graph(const LineNetwork& network, const EnumerationPart::Graph& graph, const std::string& here) {
+        const std::string list = at(here, "tracks");
+        const auto tracks = readTracks(around_, graph.tracks, list, report_);
+        for (const ReadTrack& track : tracks)
+            references(graph.tracks[track.rank], at(list, track.rank));
+        auto edges = edgesOf(around_, tracks, list, report_);
+        checkGraph(around_, network, tracks, scratch_, list, report_);
+
+        CostSum cost(costs_);
+        for (const int edge : edges)
+            cost.add(edge);
+        if (!cost.equals(graph.cost))
+            report_.violate(at(here, "cost"), "cost",
+                            "the edges of its tracks cost " + decimal(cost.value()));
+        const auto [same, unique] = known_.emplace(std::move(edges), here);
+        if (!unique) report_.violate(here, "distinct", "it has the same edges as " + same->second);
+    }
+
+    void references(const TrackPart& track, const std::string& here) {
+        if (track.source && *track.source != track.vertices.front())
+            report_.violate(at(here, "source"), "track source", "the track starts at another vertex");
+        if (!track.separatrix || !complex_) return;
+        const int id = *track.separatrix;
+        const auto& separatrices = complex_->separatrices;
+        if (id < 0 || id >= static_cast<int>(separatrices.size())) {
+            report_.violate(at(here, "separatrix"), "track separatrix",
+                            "there is no separatrix of this number");
+            return;
+        }
+        const auto& path = separatrices[static_cast<std::size_t>(id)].vertices;
+        const auto leaves =
+            std::mismatch(track.vertices.begin(), track.vertices.end(), path.begin(), path.end());
+        if (leaves.first != track.vertices.end())
+            report_.violate(at(here, "separatrix"), "track separatrix",
+                            "the track does not run on this separatrix");
+    }
+
+    void bounds(const EnumerationPart::SubMesh& subMesh, const std::string& here) {
+        if (!subMesh.graphs.empty()) {
+            const double best = subMesh.graphs.front().cost;
+            if (!subMesh.cost || !(std::abs(*subMesh.cost - best) <= 1e-9 * std::max(1.0, std::abs(best))))
+                report_.violate(at(here, "cost"), "best cost", "the first graph costs " + decimal(best));
+        }
+        if (subMesh.cost && subMesh.lowerBound &&
+            !(*subMesh.lowerBound <= *subMesh.cost + 1e-6 * std::max(1.0, std::abs(*subMesh.cost))))
+            report_.violate(at(here, "lowerBound"), "bound", "it is above the cost of a graph");
+        counts_.push_back(bigInteger(subMesh.count, at(here, "count")));
+        if (counts_.back() && *counts_.back() < subMesh.graphs.size())
+            report_.violate(at(here, "count"), "count",
+                            std::to_string(subMesh.graphs.size()) + " graphs are listed");
+    }
+
+    /// Nothing if there is none; at most 2^edges graphs exist, so a longer number is wrong.
+    std::optional<BigInteger> bigInteger(const std::optional<std::string>& text, const std::string& pointer) {
+        if (!text) return std::nullopt;
+        const bool digits =
+            std::all_of(text->begin(), text->end(), [](char c) { return c >= '0' && c <= '9'; });
+        const bool plain = digits && !text->empty() && (text->size() == 1 || text->front() != '0');
+        if (plain && text->size() <= static_cast<std::size_t>(around_.edges()) + 1) return BigInteger(*text);
+        report_.violate(pointer, "count",
+                        plain ? "the mesh has not that many sets of edges" : "it is no decimal number");
+        return std::nullopt;
+    }
+
+    void totalCount() {
+        const auto total = bigInteger(part_.count, "/enumeration/count");
+        if (!total) return;
+        BigInteger product = 1;
+        for (std::size_t k = 0; k < part_.subMeshes.size(); ++k) {
+            if (!counts_[k]) {
+                report_.violate("/enumeration/count", "count",
+                                "sub-mesh " + std::to_string(k) + " has no count to go with it");
+                return;
+            }
+            product *= *counts_[k];
+        }
+        if (product != *total)
+            report_.violate("/enumeration/count", "count",
+                            "the sub-meshes' counts multiply to " + product.str());
+    }
+
+    const Neighbourhoods& around_;
+    const std::vector<LineNetwork>& networks_;
+    const EdgeCosts& costs_;
+    const BaseComplexPart* complex_;
+    const EnumerationPart& part_;
+    Report& report_;
+    std::vector<char> scratch_;
+    std::vector<std::optional<BigInteger>> counts_; ///< of the sub-meshes
+    std::map<std::vector<int>, std::string> known_; ///< the sub-mesh's graphs so far
+};
+
+} // namespace
+
+void checkEnumeration(const Neighbourhoods& around, const std::vector<LineNetwork>& networks,
+                      const EdgeCosts& costs, const BaseComplexPart* complex, const EnumerationPart& part,
+                      Report& report) {
+    EnumerationCheck(around, networks, costs, complex, part, report).run();
+}
+
+} // namespace qm::check

@@ -1,0 +1,20 @@
+/// \file Are these motorcycle graphs of the sub-meshes, rightly priced, sorted, and all different? (method 2
+/// to 5)
+#pragma once
+
+#include "check/angles.h"
+#include "check/checked_document.h"
+#include "check/lines.h"
+#include "check/report.h"
+
+#include <vector>
+
+namespace qm::check {
+
+/// \param networks  the lines of every sub-mesh, with the feature seeds
+/// \param complex   what tracks refer to by separatrix; may be null
+void checkEnumeration(const Neighbourhoods& around, const std::vector<LineNetwork>& networks,
+                      const EdgeCosts& costs, const BaseComplexPart* complex, const EnumerationPart& part,
+                      Report& report);
+
+} // namespace qm::check

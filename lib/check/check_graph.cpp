@@ -1,0 +1,124 @@
+#include "check/check_graph.h"
+
+#include "check/arc_rules.h"
+#include "check/paths.h"
+#include "check/track_rules.h"
+
+#include <algorithm>
+
+namespace qm::check {
+
+namespace {
+
+std::size_t index(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+/// The coordinate after `steps` steps of the way; -1 between two stops.
+int coordinateAfter(const Way& way, std::size_t steps) {
+    if (steps == way.steps.size()) return way.length();
+    const auto stop = std::lower_bound(way.stopSteps.begin(), way.stopSteps.end(), static_cast<int>(steps));
+    const bool found = stop != way.stopSteps.end() && index(*stop) == steps;
+    return found ? static_cast<int>(stop - way.stopSteps.begin()) + 1 : -1;
+}
+
+} // namespace
+
+std::vector<ReadTrack> readTracks(const Neighbourhoods& around, const std::vector<TrackPart>& tracks,
+                                  const std::string& pointer, Report& report) {
+    std::vector<ReadTrack> read;
+    read.reserve(tracks.size());
+    for (std::size_t i = 0; i < tracks.size(); ++i)
+        if (auto steps = readPath(around, tracks[i].vertices, at(at(pointer, i), "vertices"), report))
+            read.push_back({i, std::move(*steps)});
+    return read;
+}
+
+std::vector<int> edgesOf(const Neighbourhoods& around, std::span<const ReadTrack> tracks,
+                         const std::string& pointer, Report& report) {
+    std::vector<std::pair<int, std::size_t>> edges;
+    for (const ReadTrack& track : tracks)
+        for (const int step : track.steps)
+            edges.emplace_back(around.edge(step), track.rank);
+    std::sort(edges.begin(), edges.end());
+    std::vector<int> result;
+    result.reserve(edges.size());
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        if (i > 0 && edges[i].first == edges[i - 1].first)
+            report.violate(at(pointer, edges[i].second), "edge twice",
+                           "an edge of it lies also on track " + std::to_string(edges[i - 1].second));
+        else
+            result.push_back(edges[i].first);
+    }
+    return result;
+}
+
+Coordinates coordinatesOf(const Neighbourhoods& around, const LineNetwork& network,
+                          std::span<const ReadTrack> tracks, bool endsAtStops, const std::string& pointer,
+                          Report& report) {
+    Coordinates found{std::vector<int>(network.ways.size(), 0), std::vector<int>(network.ways.size(), -1),
+                      true};
+    const auto unsound = [&](const std::string& place, const char* rule, std::string explanation) {
+        report.violate(place, rule, std::move(explanation));
+        found.sound = false;
+    };
+    for (const ReadTrack& track : tracks) {
+        const std::string here = at(pointer, track.rank);
+        const std::string path = at(here, "vertices");
+        const auto start = network.wayByFirstStep.find(track.steps.front());
+        if (start == network.wayByFirstStep.end()) {
+            unsound(at(path, std::size_t{0}), "track start",
+                    "no particle starts at vertex " + std::to_string(around.from(track.steps.front())) +
+                        " this way");
+            continue;
+        }
+        const Way& way = network.ways[index(start->second)];
+        const auto [leaves, expected] =
+            std::mismatch(track.steps.begin(), track.steps.end(), way.steps.begin(), way.steps.end());
+        if (leaves != track.steps.end()) {
+            unsound(at(path, static_cast<std::size_t>(leaves - track.steps.begin()) + 1), "track straight",
+                    expected == way.steps.end() ? "the separatrix ends before this vertex"
+                                                : "the track leaves its separatrix at this vertex");
+            continue;
+        }
+        const int x = coordinateAfter(way, track.steps.size());
+        if (x < 0 && endsAtStops)
+            unsound(at(path, track.steps.size()), "A4",
+                    "it ends where no line crosses, and nothing stops it");
+        if (found.trackOf[index(start->second)] >= 0)
+            unsound(here, "track twice",
+                    "the same particle's as track " + std::to_string(found.trackOf[index(start->second)]));
+        found.trackOf[index(start->second)] = static_cast<int>(track.rank);
+        found.x[index(start->second)] = x;
+    }
+    return found;
+}
+
+void checkGraph(const Neighbourhoods& around, const LineNetwork& network, std::span<const ReadTrack> tracks,
+                std::span<char> scratch, const std::string& pointer, Report& report) {
+    const Coordinates coordinates = coordinatesOf(around, network, tracks, true, pointer, report);
+    if (coordinates.sound)
+        for (const BrokenTrackRule& broken : brokenTrackRules(network, coordinates.x)) {
+            const int track = coordinates.trackOf[index(broken.way)];
+            const int first = network.ways[index(broken.way)].steps.front();
+            const std::string particle = "the particle from vertex " + std::to_string(around.from(first)) +
+                                         " over vertex " + std::to_string(around.to(first)) + ": ";
+            report.violate(track < 0 ? pointer : at(pointer, index(track)), broken.rule,
+                           particle + broken.explanation);
+        }
+
+    std::size_t count = 0;
+    for (const ReadTrack& track : tracks)
+        for (const int step : track.steps) {
+            char& present = scratch[index(around.edge(step))];
+            count += present == 0;
+            present = 1;
+        }
+    for (const BrokenArcRule& broken : brokenArcRules(around, network, scratch, count))
+        report.violate(pointer, broken.rule, broken.explanation);
+    for (const ReadTrack& track : tracks)
+        for (const int step : track.steps)
+            scratch[index(around.edge(step))] = 0;
+}
+
+} // namespace qm::check

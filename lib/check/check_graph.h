@@ -1,0 +1,48 @@
+/// \file Is a list of tracks a motorcycle graph? (method 2)
+#pragma once
+
+#include "check/checked_document.h"
+#include "check/lines.h"
+#include "check/report.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace qm::check {
+
+/// A track of the document whose vertices have proved to be a path.
+struct ReadTrack {
+    std::size_t rank = 0;   ///< in the document's list
+    std::vector<int> steps; ///< at least one
+};
+
+/// Reads the paths of all tracks and reports those that are none.
+/// \param pointer  of the list
+[[nodiscard]] std::vector<ReadTrack> readTracks(const Neighbourhoods& around,
+                                                const std::vector<TrackPart>& tracks,
+                                                const std::string& pointer, Report& report);
+
+/// The edges of the tracks, ascending; reports each that lies on two.
+[[nodiscard]] std::vector<int> edgesOf(const Neighbourhoods& around, std::span<const ReadTrack> tracks,
+                                       const std::string& pointer, Report& report);
+
+/// The tracks as coordinates.
+struct Coordinates {
+    std::vector<int> x;       ///< arcs walked on every way of the network; 0 without a track
+    std::vector<int> trackOf; ///< rank of every way's track; -1 without
+    bool sound = true;        ///< every track ends at a stop of its own way
+};
+
+/// Reports every track that is no beginning of a separatrix, or shares its separatrix with another.
+/// \param endsAtStops  whether tracks must also end where their lines cross others or end
+[[nodiscard]] Coordinates coordinatesOf(const Neighbourhoods& around, const LineNetwork& network,
+                                        std::span<const ReadTrack> tracks, bool endsAtStops,
+                                        const std::string& pointer, Report& report);
+
+/// Tests the tracks by rules A1 to A4 and, apart from that, the set of their edges by the rules on arcs.
+/// \param scratch  by edge, all 0 before and after
+void checkGraph(const Neighbourhoods& around, const LineNetwork& network, std::span<const ReadTrack> tracks,
+                std::span<char> scratch, const std::string& pointer, Report& report);
+
+} // namespace qm::check

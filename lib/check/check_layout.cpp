@@ -1,0 +1,208 @@
+#include "check/check_layout.h"
+
+#include "check/check_graph.h"
+#include "check/check_segments.h"
+#include "check/paths.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace qm::check {
+
+namespace {
+
+const std::string tracksPlace = "/layout/tracks";
+
+std::size_t index(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+/// By vertex: the lowest vertex of its component if no particle starts in the component, else -1.
+std::vector<int> componentsWithoutSource(const Neighbourhoods& around, const LineNetwork& network) {
+    std::vector<char> source(index(around.vertices()), 0);
+    for (const Way& way : network.ways)
+        source[index(around.from(way.steps.front()))] = 1;
+    std::vector<int> component(index(around.vertices()), -2);
+    std::vector<int> reached;
+    for (int start = 0; start < around.vertices(); ++start) {
+        if (component[index(start)] != -2) continue;
+        reached.assign(1, start);
+        component[index(start)] = start;
+        bool any = false;
+        for (std::size_t next = 0; next < reached.size(); ++next) {
+            const int vertex = reached[next];
+            any = any || source[index(vertex)];
+            for (int i = 0; i < around.valence(vertex); ++i) {
+                const int other = around.to(around.firstStep(vertex) + i);
+                if (component[index(other)] != -2) continue;
+                component[index(other)] = start;
+                reached.push_back(other);
+            }
+        }
+        if (any)
+            for (const int vertex : reached)
+                component[index(vertex)] = -1;
+    }
+    return component;
+}
+
+/// The edges of the whole mesh line of a step, ascending: round to the step again, or to the boundary both
+/// ways.
+std::vector<int> wholeLine(const Neighbourhoods& around, int first) {
+    std::vector<int> edges;
+    for (const int start : {first, around.back(first)}) {
+        int step = start;
+        bool closed = false;
+        while (true) {
+            edges.push_back(around.edge(step));
+            if (!around.passable(around.to(step))) break;
+            step = around.straightOn(step);
+            closed = step == start;
+            if (closed) break;
+        }
+        if (closed) break;
+    }
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    return edges;
+}
+
+class LayoutCheck {
+public:
+    LayoutCheck(const CheckedMesh& mesh, const Neighbourhoods& around, const LineNetwork& network,
+                const EdgeCosts& costs, const LayoutPart& part, Report& report)
+        : mesh_(mesh), around_(around), network_(network), costs_(costs), part_(part), report_(report),
+          sourceless_(componentsWithoutSource(around, network)), onTrack_(index(around.edges()), 0) {}
+
+    void run() {
+        auto tracks = readTracks(around_, part_.tracks, tracksPlace, report_);
+        ids();
+        for (const int edge : edgesOf(around_, tracks, tracksPlace, report_))
+            onTrack_[index(edge)] = 1;
+        prices(tracks);
+
+        const auto notTransversal =
+            std::stable_partition(tracks.begin(), tracks.end(),
+                                  [&](const ReadTrack& t) { return part_.tracks[t.rank].transversal; });
+        const std::span transversals(tracks.begin(), notTransversal);
+        const auto ordinary = std::stable_partition(notTransversal, tracks.end(), [&](const ReadTrack& t) {
+            return sourceless_[index(around_.from(t.steps.front()))] >= 0;
+        });
+        wholeLines(std::span(notTransversal, ordinary));
+        particles(std::span(ordinary, tracks.end()));
+        for (const ReadTrack& track : tracks)
+            countVisits(track);
+        for (const ReadTrack& track : transversals)
+            transversal(track);
+        checkSegments(mesh_, around_, onTrack_, part_, report_);
+    }
+
+private:
+    void ids() {
+        for (std::size_t i = 0; i < part_.tracks.size(); ++i)
+            if (part_.tracks[i].id != static_cast<int>(i))
+                report_.violate(at(at(tracksPlace, i), "id"), "id",
+                                "tracks are numbered from 0 in their order");
+    }
+
+    void prices(std::span<const ReadTrack> tracks) {
+        CostSum total(costs_);
+        for (const ReadTrack& track : tracks) {
+            CostSum cost(costs_);
+            for (const int step : track.steps)
+                cost.add(around_.edge(step));
+            if (!part_.tracks[track.rank].transversal) total.add(cost);
+            const auto& claimed = part_.tracks[track.rank].cost;
+            if (claimed && !cost.equals(*claimed))
+                report_.violate(at(at(tracksPlace, track.rank), "cost"), "cost",
+                                "its edges cost " + decimal(cost.value()));
+        }
+        if (!total.equals(part_.cost))
+            report_.violate("/layout/cost", "G_T", "the edges of the tracks cost " + decimal(total.value()));
+        // A pruned layout may cost less than any motorcycle graph.
+        const double slack = 1e-6 * std::max(1.0, std::abs(part_.cost));
+        if (part_.lowerBound && !part_.pruned && !(*part_.lowerBound <= part_.cost + slack))
+            report_.violate("/layout/lowerBound", "bound", "it is above the cost");
+    }
+
+    void particles(std::span<const ReadTrack> tracks) {
+        if (part_.pruned) {
+            (void)coordinatesOf(around_, network_, tracks, false, tracksPlace, report_);
+        } else {
+            std::vector<char> scratch(onTrack_.size(), 0);
+            checkGraph(around_, network_, tracks, scratch, tracksPlace, report_);
+        }
+    }
+
+    /// Where no particle starts, the tracks of a component are those of one line.
+    void wholeLines(std::span<ReadTrack> tracks) {
+        const auto componentOf = [&](const ReadTrack& t) {
+            return sourceless_[index(around_.from(t.steps.front()))];
+        };
+        std::stable_sort(tracks.begin(), tracks.end(), [&](const ReadTrack& a, const ReadTrack& b) {
+            return componentOf(a) < componentOf(b);
+        });
+        for (std::size_t begin = 0, end = 0; begin < tracks.size(); begin = end) {
+            std::vector<int> edges;
+            for (; end < tracks.size() && componentOf(tracks[end]) == componentOf(tracks[begin]); ++end)
+                for (const int step : tracks[end].steps)
+                    edges.push_back(around_.edge(step));
+            std::sort(edges.begin(), edges.end());
+            if (edges != wholeLine(around_, tracks[begin].steps.front()))
+                report_.violate(
+                    at(tracksPlace, tracks[begin].rank), "whole line",
+                    "no particle starts in this component, and its tracks are not one whole mesh line");
+        }
+    }
+
+    void countVisits(const ReadTrack& track) {
+        visits_.resize(index(around_.vertices()), 0);
+        for (const int step : track.steps)
+            ++visits_[index(around_.from(step))];
+        ++visits_[index(around_.to(track.steps.back()))];
+    }
+
+    /// From one track or boundary to another, straight, and clear of tracks between.
+    void transversal(const ReadTrack& track) {
+        const std::string path = at(at(tracksPlace, track.rank), "vertices");
+        const std::size_t bend = firstBend(around_, track.steps);
+        if (bend < track.steps.size()) {
+            report_.violate(at(path, bend + 1), "transversal straight",
+                            "it does not go straight on to this vertex");
+            return;
+        }
+        for (const int step : track.steps)
+            if (around_.boundary(step)) {
+                report_.violate(path, "transversal inside", "it runs along the mesh boundary");
+                return;
+            }
+        for (std::size_t i = 0; i <= track.steps.size(); ++i) {
+            const bool end = i == 0 || i == track.steps.size();
+            const int vertex = end && i > 0 ? around_.to(track.steps.back()) : around_.from(track.steps[i]);
+            const bool other = visits_[index(vertex)] > 1 || !around_.interior(vertex);
+            if (other != end)
+                report_.violate(at(path, i), "transversal ends",
+                                end ? "it ends on no other track and not on the boundary"
+                                    : "it meets another track before its end");
+        }
+    }
+
+    const CheckedMesh& mesh_;
+    const Neighbourhoods& around_;
+    const LineNetwork& network_;
+    const EdgeCosts& costs_;
+    const LayoutPart& part_;
+    Report& report_;
+    std::vector<int> sourceless_; ///< by vertex
+    std::vector<char> onTrack_;   ///< by edge
+    std::vector<int> visits_;     ///< by vertex, by all tracks
+};
+
+} // namespace
+
+void checkLayout(const CheckedMesh& mesh, const Neighbourhoods& around, const LineNetwork& network,
+                 const EdgeCosts& costs, const LayoutPart& part, Report& report) {
+    LayoutCheck(mesh, around, network, costs, part, report).run();
+}
+
+} // namespace qm::check

@@ -1,0 +1,250 @@
+#include "check/check_surfaces.h"
+
+#include "check/check_segments.h"
+#include "check/distance.h"
+#include "check/spline.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace qm::check {
+
+namespace {
+
+using Patch = SurfacesPart::Patch;
+using Segment = LayoutPart::Segment;
+
+std::size_t index(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+double boundingBoxDiagonal(const CheckedMesh& mesh) {
+    Place low{HUGE_VAL, HUGE_VAL, HUGE_VAL};
+    Place high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+    for (const auto& quad : mesh.quads)
+        for (const int vertex : quad)
+            for (std::size_t k = 0; k < 3; ++k) {
+                low[k] = std::min(low[k], mesh.points[index(vertex)][k]);
+                high[k] = std::max(high[k], mesh.points[index(vertex)][k]);
+            }
+    return mesh.quads.empty() ? 0 : distance(low, high);
+}
+
+/// An edge of a segment's border: the parameters of its patch at both ends.
+struct BorderPlace {
+    std::size_t patch = 0;
+    std::array<double, 2> begin{};
+    std::array<double, 2> end{};
+};
+
+class SurfaceCheck {
+public:
+    SurfaceCheck(const CheckedMesh& mesh, const Neighbourhoods& around, const LayoutPart& layout,
+                 const SurfacesPart& part, Report& report)
+        : mesh_(mesh), around_(around), layout_(layout), part_(part), report_(report),
+          diagonal_(boundingBoxDiagonal(mesh)) {
+        tolerance_ = part.tolerance.value_or(HUGE_VAL) * (part.toleranceRelative ? diagonal_ : 1);
+    }
+
+    void run() {
+        if (part_.patches.size() != layout_.segments.size()) {
+            report_.violate("/surfaces/patches", "one patch per segment",
+                            "there are " + std::to_string(layout_.segments.size()) + " segments");
+            return;
+        }
+        bool sound = true;
+        for (std::size_t p = 0; p < part_.patches.size(); ++p) {
+            const bool thisOne = shape(p);
+            if (thisOne && part_.interpolates) interpolation(p);
+            if (thisOne && part_.tolerance) withinTolerance(p);
+            sound = sound && thisOne;
+        }
+        if (sound && part_.watertight) gaps();
+    }
+
+private:
+    [[nodiscard]] static std::string pointer(std::size_t patch) { return at("/surfaces/patches", patch); }
+
+    bool shape(std::size_t p) {
+        const Patch& patch = part_.patches[p];
+        const std::size_t before = report_.total();
+        if (patch.segment != layout_.segments[p].id)
+            report_.violate(at(pointer(p), "segment"), "one patch per segment",
+                            "patches stand in the order of the segments; here " +
+                                std::to_string(layout_.segments[p].id) + " is due");
+        if (!patch.rectangular)
+            report_.violate(at(pointer(p), "controlPoints"), "control points", "its rows differ in length");
+        for (std::size_t k = 0; k < 2; ++k)
+            direction(p, k);
+        for (std::size_t i = 0; i < patch.controlPoints.size(); ++i)
+            for (const double x : patch.controlPoints[i])
+                if (!std::isfinite(x)) {
+                    const std::size_t columns = std::max<std::size_t>(1, index(patch.count[0]));
+                    report_.violate(at(at(at(pointer(p), "controlPoints"), i / columns), i % columns),
+                                    "finite", "a coordinate is no finite number");
+                }
+        return report_.total() == before;
+    }
+
+    void direction(std::size_t p, std::size_t k) {
+        const Patch& patch = part_.patches[p];
+        const auto& knots = patch.knots[k];
+        const std::string here = at(at(pointer(p), "knots"), k);
+        if (patch.degree[k] < 1 || patch.degree[k] > maxDegree) {
+            report_.violate(at(at(pointer(p), "degree"), k), "degree",
+                            "degrees are 1 to " + std::to_string(maxDegree));
+            return;
+        }
+        const std::size_t degree = index(patch.degree[k]);
+        const std::size_t count = index(std::max(0, patch.count[k]));
+        if (count < degree + 1) {
+            report_.violate(at(pointer(p), "controlPoints"), "control points",
+                            "fewer than degree + 1 in a direction");
+            return;
+        }
+        if (knots.size() != count + degree + 1) {
+            report_.violate(here, "knots",
+                            "there must be control points + degree + 1, that is " +
+                                std::to_string(count + degree + 1));
+            return;
+        }
+        for (std::size_t i = 0; i < knots.size(); ++i)
+            if (!std::isfinite(knots[i]) || (i > 0 && knots[i] < knots[i - 1])) {
+                report_.violate(at(here, i), "knots", "knots are finite and do not decrease");
+                return;
+            }
+        const double most = layout_.segments[p].size[k];
+        if (std::abs(knots[degree]) > 1e-9 || std::abs(knots[count] - most) > 1e-9 * std::max(1.0, most))
+            report_.violate(here, "domain",
+                            "the surface must run from 0 to " + decimal(most) + ", as its segment");
+    }
+
+    [[nodiscard]] std::vector<int> grid(std::size_t p) const {
+        Report unused;
+        return gridOf(mesh_, layout_.segments[p], "", unused);
+    }
+
+    void interpolation(std::size_t p) {
+        const auto vertices = grid(p);
+        const std::size_t width = index(layout_.segments[p].size[0]) + 1;
+        for (std::size_t i = 0; i < vertices.size(); ++i) {
+            const auto here =
+                evaluate(part_.patches[p], static_cast<double>(i % width), static_cast<double>(i / width));
+            const double error = distance(here.point, mesh_.points[index(vertices[i])]);
+            if (error <= 1e-9 * diagonal_) continue;
+            report_.violate(pointer(p), "interpolation",
+                            "it misses vertex " + std::to_string(vertices[i]) + " by " + decimal(error));
+            return;
+        }
+    }
+
+    /// At the corners, the middles of the sides and the centre of every face.
+    void withinTolerance(std::size_t p) {
+        const Patch& patch = part_.patches[p];
+        const auto vertices = grid(p);
+        const int columns = layout_.segments[p].size[0];
+        const double limit = tolerance_ * (1 + 1e-6) + 1e-12 * diagonal_;
+        for (std::size_t f = 0; f < layout_.segments[p].faces.size(); ++f) {
+            const int face = layout_.segments[p].faces[f];
+            const int column = static_cast<int>(f) % columns;
+            const int row = static_cast<int>(f) / columns;
+            const Face cell{face, turnsTo(face, vertices[index(row) * index(columns + 1) + index(column)])};
+            for (const double s : {0.0, 0.5, 1.0})
+                for (const double t : {0.0, 0.5, 1.0}) {
+                    // The other faces of the row and the rows above have the rest.
+                    if ((s == 1 && column + 1 < columns) || (t == 1 && row + 1 < layout_.segments[p].size[1]))
+                        continue;
+                    const double error = deviation(patch, cell, {column + s, row + t}, s, t, limit);
+                    if (error <= limit) continue;
+                    report_.violate(pointer(p), "tolerance",
+                                    "at face " + std::to_string(face) + " it is " + decimal(error) +
+                                        " from the mesh; the tolerance is " + decimal(tolerance_));
+                    return;
+                }
+        }
+    }
+
+    struct Face {
+        int face;
+        int turns; ///< quarters from the face's first vertex to the grid's
+    };
+
+    [[nodiscard]] int turnsTo(int face, int vertex) const {
+        const auto& quad = mesh_.quads[index(face)];
+        return static_cast<int>(std::find(quad.begin(), quad.end(), vertex) - quad.begin());
+    }
+
+    /// Distance from surface to mesh and from mesh to surface, whichever is larger; found exactly only where
+    /// the distance at equal parameters, which is cheap and never smaller, is above the limit.
+    [[nodiscard]] double deviation(const Patch& patch, const Face& cell,
+                                   const std::array<double, 2>& parameters, double s, double t,
+                                   double limit) const {
+        for (int i = 0; i < cell.turns; ++i) {
+            const double turned = 1 - t;
+            t = s;
+            s = turned;
+        }
+        const Place onMesh = pointOf(mesh_, cell.face, s, t);
+        const Place onSurface = evaluate(patch, parameters[0], parameters[1]).point;
+        const double plain = distance(onMesh, onSurface);
+        if (plain <= limit) return plain;
+        return std::max(distanceToMesh(mesh_, around_, cell.face, onSurface),
+                        distanceToPatch(patch, parameters, onMesh));
+    }
+
+    /// Neighbours have the same points along every edge of their common border.
+    void gaps() {
+        std::vector<std::vector<BorderPlace>> places(index(around_.edges()));
+        for (std::size_t p = 0; p < part_.patches.size(); ++p)
+            addBorder(layout_.segments[p], p, places);
+        for (const auto& place : places) {
+            if (place.size() < 2) continue;
+            for (const double along : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+                const double gap = distance(pointAt(place[0], along), pointAt(place[1], 1 - along));
+                if (gap <= 1e-9 * diagonal_) continue;
+                report_.violate(pointer(place[1].patch), "watertight",
+                                "a gap of " + decimal(gap) + " to patch " + std::to_string(place[0].patch));
+                break;
+            }
+        }
+    }
+
+    void addBorder(const Segment& segment, std::size_t patch, std::vector<std::vector<BorderPlace>>& places) {
+        const double a = segment.size[0];
+        const double b = segment.size[1];
+        const std::array<std::array<double, 2>, 4> corners{{{0, 0}, {a, 0}, {a, b}, {0, b}}};
+        const std::array<std::array<double, 2>, 4> ways{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
+        for (std::size_t k = 0; k < 4; ++k)
+            for (std::size_t i = 1; i < segment.sides[k].size(); ++i) {
+                const int step = around_.stepBetween(segment.sides[k][i - 1], segment.sides[k][i]);
+                const auto parameters = [&](std::size_t n) {
+                    return std::array<double, 2>{corners[k][0] + ways[k][0] * static_cast<double>(n),
+                                                 corners[k][1] + ways[k][1] * static_cast<double>(n)};
+                };
+                places[index(around_.edge(step))].push_back({patch, parameters(i - 1), parameters(i)});
+            }
+    }
+
+    [[nodiscard]] Place pointAt(const BorderPlace& place, double along) const {
+        return evaluate(part_.patches[place.patch], std::lerp(place.begin[0], place.end[0], along),
+                        std::lerp(place.begin[1], place.end[1], along))
+            .point;
+    }
+
+    const CheckedMesh& mesh_;
+    const Neighbourhoods& around_;
+    const LayoutPart& layout_;
+    const SurfacesPart& part_;
+    Report& report_;
+    double diagonal_;
+    double tolerance_; ///< in the mesh's unit
+};
+
+} // namespace
+
+void checkSurfaces(const CheckedMesh& mesh, const Neighbourhoods& around, const LayoutPart& layout,
+                   const SurfacesPart& part, Report& report) {
+    SurfaceCheck(mesh, around, layout, part, report).run();
+}
+
+} // namespace qm::check

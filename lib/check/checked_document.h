@@ -1,0 +1,122 @@
+/// \file A document as the checker sees it: every figure as it stands, nothing yet believed.
+///
+/// Arrays keep the document's order, so that an index is also the last part of a JSON pointer. An index that
+/// is no whole number of 32 bits is read as -1, which no check accepts.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace qm::check {
+
+struct BaseComplexPart {
+    struct Separatrix {
+        int id = -1;
+        std::vector<int> vertices;
+        std::optional<int> opposite;
+        bool selfCrossing = false;
+    };
+    std::vector<int> extraordinaryVertices;
+    int ordinaryJunctions = -1;
+    std::vector<Separatrix> separatrices;
+};
+
+struct FeaturesPart {
+    struct Curve {
+        int id = -1;
+        std::vector<int> vertices;
+        int seed = -1;
+    };
+    std::vector<Curve> curves;
+};
+
+struct CutPart {
+    struct SubMesh {
+        int id = -1;
+        double quasiComplexity = 0;
+        int ordinaryJunctions = -1;
+        std::optional<int> source;
+        std::optional<int> sink;
+    };
+    std::vector<int> labels;
+    std::vector<SubMesh> subMeshes;
+};
+
+/// A track, of a layout or of an enumerated graph.
+struct TrackPart {
+    std::optional<int> id;
+    std::optional<int> separatrix; ///< of the base complex
+    std::optional<int> source;     ///< vertex
+    std::vector<int> vertices;
+    std::optional<double> cost;
+    bool transversal = false;
+};
+
+struct EnumerationPart {
+    struct Graph {
+        double cost = 0;
+        std::vector<TrackPart> tracks;
+    };
+    struct SubMesh {
+        int id = -1;
+        std::optional<double> cost;
+        std::optional<double> lowerBound;
+        std::optional<std::string> count;
+        std::vector<Graph> graphs;
+    };
+    std::optional<std::string> count;
+    std::vector<SubMesh> subMeshes;
+};
+
+/// The weights of the cost, as the enumeration used them.
+struct CostWeights {
+    double alpha = 0;
+    double epsilon = 0;
+};
+
+struct LayoutPart {
+    struct Segment {
+        int id = -1;
+        std::array<int, 2> size{};
+        std::array<int, 4> corners{};
+        std::array<std::vector<int>, 4> sides;
+        std::vector<int> faces;
+    };
+    double cost = 0;
+    std::optional<double> lowerBound;
+    bool pruned = false; ///< the last tool that wrote it removed tracks
+    std::vector<TrackPart> tracks;
+    std::vector<Segment> segments;
+};
+
+struct SurfacesPart {
+    /// Control point (i, j), i along u, is controlPoints[j * count[0] + i].
+    struct Patch {
+        int segment = -1;
+        std::array<int, 2> degree{};
+        std::array<std::vector<double>, 2> knots;
+        std::array<int, 2> count{};
+        std::vector<std::array<double, 3>> controlPoints;
+        bool rectangular = true; ///< all rows of control points have `count[0]`
+    };
+    /// What was promised of the fit; nothing is checked that is not known.
+    bool interpolates = false;
+    std::optional<double> tolerance;
+    bool toleranceRelative = true; ///< to the diagonal of the bounding box
+    bool watertight = false;
+    std::vector<Patch> patches;
+};
+
+struct CheckedDocument {
+    std::optional<BaseComplexPart> baseComplex;
+    std::optional<FeaturesPart> features;
+    std::optional<CutPart> cut;
+    std::optional<EnumerationPart> enumeration;
+    std::optional<CostWeights> weights;
+    std::optional<LayoutPart> layout;
+    std::optional<SurfacesPart> surfaces;
+};
+
+} // namespace qm::check

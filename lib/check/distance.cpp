@@ -1,0 +1,113 @@
+#include "check/distance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace qm::check {
+
+namespace {
+
+constexpr int iterations = 12;
+
+double dot(const Place& a, const Place& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+Place minus(const Place& a, const Place& b) {
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+using Parameters = std::array<double, 2>;
+
+/// Walks towards the parameters in the box [0, most] whose point is nearest; returns the least distance seen.
+template <class Surface>
+double nearest(const Surface& surface, Parameters at, const Parameters& most, const Place& point) {
+    double least = HUGE_VAL;
+    for (int i = 0; i < iterations; ++i) {
+        const SurfacePoint here = surface(at);
+        const Place away = minus(point, here.point);
+        const double now = std::sqrt(dot(away, away));
+        if (!(now < least)) break;
+        least = now;
+        const double uu = dot(here.alongU, here.alongU);
+        const double uv = dot(here.alongU, here.alongV);
+        const double vv = dot(here.alongV, here.alongV);
+        const double ru = dot(here.alongU, away);
+        const double rv = dot(here.alongV, away);
+        const double determinant = uu * vv - uv * uv;
+        Parameters next = at;
+        if (determinant > 1e-12 * uu * vv)
+            next = {at[0] + (ru * vv - rv * uv) / determinant, at[1] + (rv * uu - ru * uv) / determinant};
+        // At a side of the box the other parameter alone is free.
+        for (std::size_t k = 0; k < 2; ++k) {
+            const double clamped = std::clamp(next[k], 0.0, most[k]);
+            if (clamped == next[k]) continue;
+            const double other = k == 0 ? (vv > 0 ? (rv - uv * (clamped - at[0])) / vv : 0)
+                                        : (uu > 0 ? (ru - uv * (clamped - at[1])) / uu : 0);
+            next[k] = clamped;
+            next[1 - k] = std::clamp(at[1 - k] + other, 0.0, most[1 - k]);
+            break;
+        }
+        at = next;
+    }
+    return least;
+}
+
+double distanceToFace(const CheckedMesh& mesh, int face, const Place& point) {
+    const auto surface = [&](const Parameters& at) {
+        const Place begin = pointOf(mesh, face, 0, at[1]);
+        const Place end = pointOf(mesh, face, 1, at[1]);
+        const Place low = pointOf(mesh, face, at[0], 0);
+        const Place high = pointOf(mesh, face, at[0], 1);
+        return SurfacePoint{pointOf(mesh, face, at[0], at[1]), minus(end, begin), minus(high, low)};
+    };
+    double least = HUGE_VAL;
+    for (const Parameters& start : {Parameters{0.5, 0.5}, {0, 0}, {1, 0}, {1, 1}, {0, 1}})
+        least = std::min(least, nearest(surface, start, {1, 1}, point));
+    return least;
+}
+
+} // namespace
+
+double distance(const Place& a, const Place& b) {
+    const Place away = minus(a, b);
+    return std::sqrt(dot(away, away));
+}
+
+Place pointOf(const CheckedMesh& mesh, int face, double s, double t) {
+    const auto& quad = mesh.quads[static_cast<std::size_t>(face)];
+    const std::array<double, 4> weight{(1 - s) * (1 - t), s * (1 - t), s * t, (1 - s) * t};
+    Place sum{};
+    for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t k = 0; k < 3; ++k)
+            sum[k] += weight[i] * mesh.points[static_cast<std::size_t>(quad[i])][k];
+    return sum;
+}
+
+double distanceToMesh(const CheckedMesh& mesh, const Neighbourhoods& around, int face, const Place& point) {
+    double least = distanceToFace(mesh, face, point);
+    while (true) {
+        int nearer = -1;
+        for (const int vertex : mesh.quads[static_cast<std::size_t>(face)]) {
+            const int first = around.firstStep(vertex);
+            for (int step = first; step < first + around.valence(vertex); ++step) {
+                const int other = around.leftFace(step);
+                if (other < 0 || other == face) continue;
+                const double there = distanceToFace(mesh, other, point);
+                if (there < least) {
+                    least = there;
+                    nearer = other;
+                }
+            }
+        }
+        if (nearer < 0) return least;
+        face = nearer;
+    }
+}
+
+double distanceToPatch(const SurfacesPart::Patch& patch, Parameters parameters, const Place& point) {
+    const auto most = [&](std::size_t k) { return patch.knots[k][static_cast<std::size_t>(patch.count[k])]; };
+    return nearest([&](const Parameters& at) { return evaluate(patch, at[0], at[1]); }, parameters,
+                   {most(0), most(1)}, point);
+}
+
+} // namespace qm::check

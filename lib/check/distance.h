@@ -1,0 +1,26 @@
+/// \file Distances between a surface and a mesh, near places that are known to correspond.
+#pragma once
+
+#include "check/neighbourhoods.h"
+#include "check/spline.h"
+
+namespace qm::check {
+
+using Place = std::array<double, 3>;
+
+[[nodiscard]] double distance(const Place& a, const Place& b);
+
+/// The point of a bilinear quad at s along its first side and t along its last, both 0 to 1.
+[[nodiscard]] Place pointOf(const CheckedMesh& mesh, int face, double s, double t);
+
+/// From a point to the mesh, walking from `face` to neighbouring faces as long as they are nearer. Never less
+/// than the true distance.
+[[nodiscard]] double distanceToMesh(const CheckedMesh& mesh, const Neighbourhoods& around, int face,
+                                    const Place& point);
+
+/// From a point to a patch, by Gauss and Newton's iteration from the parameters. Never less than the true
+/// distance.
+[[nodiscard]] double distanceToPatch(const SurfacesPart::Patch& patch, std::array<double, 2> parameters,
+                                     const Place& point);
+
+} // namespace qm::check

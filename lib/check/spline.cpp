@@ -1,0 +1,73 @@
+#include "check/spline.h"
+
+#include <algorithm>
+
+namespace qm::check {
+
+namespace {
+
+/// The degree + 1 basis functions that do not vanish at a parameter, from number `first` on.
+struct Basis {
+    std::size_t first = 0;
+    std::size_t count = 1;
+    std::array<double, maxDegree + 1> value{1};
+    std::array<double, maxDegree + 1> slope{};
+};
+
+double share(double part, double whole) {
+    return whole > 0 ? part / whole : 0;
+}
+
+Basis basisAt(const std::vector<double>& knots, std::size_t degree, double parameter) {
+    const std::size_t count = knots.size() - degree - 1;
+    const double t = std::clamp(parameter, knots[degree], knots[count]);
+    // The last non-empty interval of the domain that begins at or before t.
+    const auto after = std::upper_bound(knots.begin() + static_cast<std::ptrdiff_t>(degree) + 1,
+                                        knots.begin() + static_cast<std::ptrdiff_t>(count), t);
+    std::size_t span = static_cast<std::size_t>(after - knots.begin()) - 1;
+    while (span > degree && knots[span] == knots[span + 1])
+        --span;
+
+    // Level d holds the functions span - d ... span of degree d; each mixes two of the level before.
+    Basis basis;
+    for (std::size_t d = 1; d <= degree; ++d) {
+        const auto before = basis.value;
+        basis.value.fill(0);
+        basis.slope.fill(0);
+        for (std::size_t i = 0; i < d; ++i) {
+            const double begin = knots[span + i + 1 - d];
+            const double end = knots[span + i + 1];
+            const double slope = before[i] * share(static_cast<double>(d), end - begin);
+            basis.value[i] += before[i] * share(end - t, end - begin);
+            basis.value[i + 1] += before[i] * share(t - begin, end - begin);
+            basis.slope[i] -= slope;
+            basis.slope[i + 1] += slope;
+        }
+    }
+    basis.first = span - degree;
+    basis.count = degree + 1;
+    return basis;
+}
+
+} // namespace
+
+SurfacePoint evaluate(const SurfacesPart::Patch& patch, double u, double v) {
+    const Basis across = basisAt(patch.knots[0], static_cast<std::size_t>(patch.degree[0]), u);
+    const Basis up = basisAt(patch.knots[1], static_cast<std::size_t>(patch.degree[1]), v);
+    SurfacePoint result;
+    for (std::size_t j = 0; j < up.count; ++j) {
+        for (std::size_t i = 0; i < across.count; ++i) {
+            const auto& control =
+                patch.controlPoints[(up.first + j) * static_cast<std::size_t>(patch.count[0]) + across.first +
+                                    i];
+            for (std::size_t k = 0; k < 3; ++k) {
+                result.point[k] += up.value[j] * across.value[i] * control[k];
+                result.alongU[k] += up.value[j] * across.slope[i] * control[k];
+                result.alongV[k] += up.slope[j] * across.value[i] * control[k];
+            }
+        }
+    }
+    return result;
+}
+
+} // namespace qm::check

@@ -1,0 +1,28 @@
+#include "cli/messages.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace qm {
+
+void printMessage(const std::string& message) {
+    constexpr std::size_t longest = 4000;
+    std::string line = message.size() <= longest ? message : message.substr(0, longest) + " ...";
+    for (char& c : line)
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+    line += '\n';
+    // Where standard error is closed there is nobody to tell.
+    [[maybe_unused]] const ssize_t ignored = write(STDERR_FILENO, line.data(), line.size());
+}
+
+void openStandardStreams() {
+    // Opened the wrong way round, so that reading and writing fail as they would have.
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (fcntl(stream, F_GETFD) == -1)
+            while (true) {
+                const int opened = open("/dev/null", stream == STDOUT_FILENO ? O_RDONLY : O_WRONLY);
+                if (opened < 0 || opened >= stream) break;
+            }
+}
+
+} // namespace qm

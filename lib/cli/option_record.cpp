@@ -1,0 +1,111 @@
+#include "cli/option_record.h"
+
+#include "document/number_text.h"
+
+#include <cmath>
+
+namespace qm {
+
+namespace {
+
+OptionRecord record(OptionRecord::Type type, const std::string& name, const std::string& help) {
+    OptionRecord result;
+    result.type = type;
+    result.name = name;
+    result.help = help;
+    return result;
+}
+
+template <class Number>
+std::string assignNumber(const std::string& text, const Range& range, bool whole, Number& target) {
+    Number value{};
+    if (!parseNumber(text, value)) return "'" + text + (whole ? "' is no whole number" : "' is no number");
+    const auto number = static_cast<double>(value);
+    if (number < range.least || number > range.most) return text + " is out of range, " + rangeText(range);
+    target = value;
+    return {};
+}
+
+template <class Number>
+OptionRecord makeNumber(const std::string& name, Number& value, Range range, const std::string& help) {
+    constexpr bool whole = std::is_integral_v<Number>;
+    OptionRecord result =
+        record(whole ? OptionRecord::Type::integer : OptionRecord::Type::number, name, help);
+    if constexpr (std::is_unsigned_v<Number>) range.least = std::max(range.least, 0.0);
+    result.range = range;
+    result.placeholder = whole ? "N" : "X";
+    const auto show = [&value] {
+        const auto number = static_cast<double>(value);
+        return std::isfinite(number) ? numberText(number) : std::string();
+    };
+    result.defaultText = show();
+    result.show = show;
+    result.assign = [&value, range](const std::string& text) {
+        return assignNumber(text, range, whole, value);
+    };
+    return result;
+}
+
+} // namespace
+
+OptionRecord makeOption(const std::string& name, bool& value, const Range&, const std::string& help) {
+    OptionRecord result = record(OptionRecord::Type::flag, value ? "no-" + name : name, help);
+    result.assign = [&value, whenGiven = !value](const std::string&) {
+        value = whenGiven;
+        return std::string();
+    };
+    result.show = [&value, whenGiven = !value] { return std::string(value == whenGiven ? "yes" : "no"); };
+    return result;
+}
+
+OptionRecord makeOption(const std::string& name, int& value, const Range& range, const std::string& help) {
+    return makeNumber(name, value, range, help);
+}
+
+OptionRecord makeOption(const std::string& name, unsigned& value, const Range& range,
+                        const std::string& help) {
+    return makeNumber(name, value, range, help);
+}
+
+OptionRecord makeOption(const std::string& name, std::size_t& value, const Range& range,
+                        const std::string& help) {
+    return makeNumber(name, value, range, help);
+}
+
+OptionRecord makeOption(const std::string& name, double& value, const Range& range, const std::string& help) {
+    return makeNumber(name, value, range, help);
+}
+
+OptionRecord makeTextOption(const std::string& name, std::string& value, const std::string& placeholder,
+                            const std::string& help) {
+    OptionRecord result = record(OptionRecord::Type::text, name, help);
+    result.placeholder = placeholder;
+    result.defaultText = value;
+    result.show = [&value] { return value; };
+    result.assign = [&value](const std::string& text) {
+        if (text.empty()) return std::string("is empty");
+        value = text;
+        return std::string();
+    };
+    return result;
+}
+
+OptionRecord makeChoiceOption(const std::string& name, const std::string& help,
+                              std::vector<std::pair<std::string, std::string>> choices,
+                              std::function<bool(std::string_view)> assign,
+                              std::function<std::string()> show) {
+    OptionRecord result = record(OptionRecord::Type::choice, name, help);
+    result.placeholder = "NAME";
+    result.defaultText = show();
+    result.show = std::move(show);
+    std::string names;
+    for (const auto& [choice, explanation] : choices)
+        names += (names.empty() ? "" : ", ") + choice;
+    result.choices = std::move(choices);
+    result.assign = [assign = std::move(assign), names](const std::string& text) {
+        return assign(text) ? std::string() : "'" + text + "' is none of " + names;
+    };
+    return result;
+}
+
+} // namespace qm

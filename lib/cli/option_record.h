@@ -1,0 +1,60 @@
+/// \file An option bound to a variable, in the form that parser, --help and --json-usage share.
+#pragma once
+
+#include "document/option.h"
+
+#include <functional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace qm {
+
+struct OptionRecord {
+    enum class Type { flag, integer, number, choice, text };
+
+    std::string name;        ///< long flag without dashes; "no-" included
+    std::string shortName;   ///< one letter, or empty
+    std::string placeholder; ///< "N", "FILE"; empty for a flag
+    std::string help;
+    std::string group; ///< heading in --help
+    Type type = Type::text;
+    Range range;                                              ///< of numbers
+    std::vector<std::pair<std::string, std::string>> choices; ///< name and help of each
+    std::string defaultText;                                  ///< empty: none
+    /// Sets the variable. \return what is wrong with the text, or empty
+    std::function<std::string(const std::string& text)> assign;
+    std::function<std::string()> show; ///< the variable's present value
+};
+
+[[nodiscard]] OptionRecord makeOption(const std::string& name, bool& value, const Range& range,
+                                      const std::string& help);
+[[nodiscard]] OptionRecord makeOption(const std::string& name, int& value, const Range& range,
+                                      const std::string& help);
+[[nodiscard]] OptionRecord makeOption(const std::string& name, unsigned& value, const Range& range,
+                                      const std::string& help);
+[[nodiscard]] OptionRecord makeOption(const std::string& name, std::size_t& value, const Range& range,
+                                      const std::string& help);
+[[nodiscard]] OptionRecord makeOption(const std::string& name, double& value, const Range& range,
+                                      const std::string& help);
+[[nodiscard]] OptionRecord makeTextOption(const std::string& name, std::string& value,
+                                          const std::string& placeholder, const std::string& help);
+/// The part of an enumeration's record that does not depend on its type.
+[[nodiscard]] OptionRecord makeChoiceOption(const std::string& name, const std::string& help,
+                                            std::vector<std::pair<std::string, std::string>> choices,
+                                            std::function<bool(std::string_view)> assign,
+                                            std::function<std::string()> show);
+
+template <class Enum>
+requires std::is_enum_v<Enum>
+[[nodiscard]] OptionRecord makeOption(const std::string& name, Enum& value, const Range&,
+                                      const std::string& help) {
+    std::vector<std::pair<std::string, std::string>> choices;
+    for (const Choice<Enum>& choice : Choices<Enum>::all)
+        choices.emplace_back(choice.name, choice.help);
+    return makeChoiceOption(
+        name, help, std::move(choices), [&value](std::string_view text) { return choiceValue(text, value); },
+        [&value] { return std::string(choiceName(value)); });
+}
+
+} // namespace qm

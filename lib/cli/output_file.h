@@ -1,0 +1,43 @@
+/// \file Output that appears whole or not at all.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace qm {
+
+/// A file that is written beside its final place and moved there by `commit`; if that is never called,
+/// nothing remains, not even after a signal. Standard output ("-") and what is no regular file, such as a
+/// device or a named pipe, is written directly. What was there before keeps its permissions; links are
+/// followed.
+class OutputFile {
+public:
+    /// \throw FileError  if it cannot be written
+    explicit OutputFile(const std::string& path);
+    ~OutputFile();
+    OutputFile(const OutputFile&) = delete;
+    OutputFile& operator=(const OutputFile&) = delete;
+
+    void write(std::string_view bytes);
+    void commit();
+
+private:
+    void openBeside();
+    void flush();
+    void discard() noexcept;
+    [[noreturn]] void fail();
+
+    std::string name_;      ///< for messages
+    std::string target_;    ///< where it will be; empty if it is written directly
+    std::string temporary_; ///< where it is meanwhile
+    std::string buffer_;
+    int descriptor_ = -1;
+};
+
+/// Fails now, with the message that would come at the end, if the path cannot become a file. Creates nothing.
+void verifyWritable(const std::string& path);
+
+/// Writes a whole file.
+void writeFile(const std::string& path, std::string_view bytes);
+
+} // namespace qm

@@ -1,0 +1,36 @@
+/// \file A progress bar on the terminal.
+#pragma once
+
+#include <chrono>
+#include <string>
+
+namespace qm {
+
+/// A line on standard error with the fraction done and the time that is left, if the work goes on as it did
+/// so far. It appears after two seconds and vanishes with the object.
+class Progress {
+public:
+    explicit Progress(std::string label);
+    ~Progress();
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+    /// \param fraction  0 to 1
+    void show(double fraction);
+    /// Takes the line away, for a message; the next `show` brings it back.
+    void hide();
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    std::string label_;
+    Clock::time_point start_ = Clock::now();
+    Clock::time_point last_ = start_;
+    bool visible_ = false;
+};
+
+/// The text of the line, at most `columns` wide: label, bar, percentage, time left.
+[[nodiscard]] std::string progressText(const std::string& label, double fraction, double secondsSoFar,
+                                       std::size_t columns);
+
+} // namespace qm

@@ -1,0 +1,72 @@
+#include "cli/signals.h"
+
+#include "base/error.h"
+
+#include <climits>
+
+#include <array>
+#include <atomic>
+#include <csignal>
+#include <cstring>
+#include <unistd.h>
+
+namespace qm {
+
+namespace {
+
+// What a signal handler may touch: lock-free flags and memory that never moves.
+struct TemporaryFile {
+    std::atomic<bool> inUse{false};
+    std::array<char, PATH_MAX> path{};
+};
+std::array<TemporaryFile, 4> temporaryFiles;
+std::atomic<bool> deferring{false};
+std::atomic<bool> interrupted{false};
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+extern "C" void onSignal(int signal) {
+    if ((signal == SIGINT || signal == SIGTERM) && deferring && !interrupted.exchange(true)) return;
+    for (const TemporaryFile& file : temporaryFiles)
+        if (file.inUse) unlink(file.path.data());
+    std::signal(signal, SIG_DFL);
+    raise(signal); // pending until this handler returns, then it ends the process with the right status
+}
+
+} // namespace
+
+void watchSignals() {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXCPU, SIGQUIT}) {
+        struct sigaction before {};
+        if (sigaction(signal, nullptr, &before) != 0 || before.sa_handler == SIG_IGN) continue;
+        struct sigaction action {};
+        action.sa_handler = onSignal;
+        action.sa_flags = SA_RESTART;
+        sigemptyset(&action.sa_mask);
+        sigaction(signal, &action, nullptr);
+    }
+}
+
+void deferInterrupt() {
+    deferring = true;
+}
+
+bool wasInterrupted() {
+    return interrupted;
+}
+
+void registerTemporaryFile(const std::string& path) {
+    for (TemporaryFile& file : temporaryFiles) {
+        if (file.inUse || path.size() >= file.path.size()) continue;
+        std::memcpy(file.path.data(), path.c_str(), path.size() + 1);
+        file.inUse = true;
+        return;
+    }
+    throw Error(path, "cannot be watched for signals");
+}
+
+void forgetTemporaryFile(const std::string& path) {
+    for (TemporaryFile& file : temporaryFiles)
+        if (file.inUse && path == file.path.data()) file.inUse = false;
+}
+
+} // namespace qm

@@ -1,0 +1,20 @@
+/// \file Signals: no half-written file is left behind, and a long search may end with its best so far.
+#pragma once
+
+#include <string>
+
+namespace qm {
+
+/// From now on signals that end the process remove its temporary files first. Signals that the parent process
+/// ignores stay ignored.
+void watchSignals();
+
+/// The next interrupt only makes `wasInterrupted` true; one more ends the process.
+void deferInterrupt();
+[[nodiscard]] bool wasInterrupted();
+
+/// A file to be removed by a signal. Throws Error if there are too many.
+void registerTemporaryFile(const std::string& path);
+void forgetTemporaryFile(const std::string& path);
+
+} // namespace qm

@@ -1,0 +1,349 @@
+#include "cli/tool.h"
+
+#include "cli/messages.h"
+#include "cli/output_file.h"
+#include "cli/progress.h"
+#include "cli/signals.h"
+#include "cli/usage.h"
+#include "document/file_error.h"
+#include "document/files.h"
+#include "document/schema.h"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <set>
+#include <sys/resource.h>
+#include <thread>
+#include <unistd.h>
+
+namespace qm {
+
+namespace {
+
+constexpr unsigned maxJobs = 1024;
+const std::string generalGroup = "General options";
+
+double peakMegabytes() {
+    struct rusage usage {};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<double>(usage.ru_maxrss) / 1024; // Linux counts in KiB
+}
+
+std::string firstSmall(std::string text) {
+    if (!text.empty()) text[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(text[0])));
+    return text;
+}
+
+} // namespace
+
+struct Tool::State {
+    Usage usage;
+    std::string group = "Options";
+    std::vector<std::string*> operands; ///< targets of usage.operands
+    bool hasInput = false;
+    bool hasOutput = false;
+    bool graceful = false;
+    std::function<void()> verify;
+
+    std::string input = "-";
+    std::string output = "-";
+    unsigned jobs = std::max(1U, std::thread::hardware_concurrency());
+    bool quiet = false;
+    bool verbose = false;
+    bool stats = false;
+    bool help = false;
+    bool version = false;
+    bool printSchema = false;
+    bool printUsage = false;
+    std::set<std::string> given;
+
+    std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+    nlohmann::ordered_json counters = nlohmann::ordered_json::object();
+    std::shared_ptr<Progress> progress;
+
+    void say(const std::string& message) const {
+        if (progress) progress->hide();
+        printMessage(usage.tool + ": " + message);
+    }
+};
+
+Tool::Tool(std::string name, std::string summary) : state_(std::make_unique<State>()) {
+    state_->usage.tool = std::move(name);
+    state_->usage.summary = std::move(summary);
+}
+
+Tool::~Tool() = default;
+
+// ------------------------------------------------------------------------------------------ declarations
+
+void Tool::reads(const std::string& operand, const std::string& what) {
+    state_->hasInput = true;
+    state_->usage.operands.push_back({operand, what + "; - or nothing means standard input", false});
+    state_->operands.push_back(&state_->input);
+}
+
+void Tool::operand(const std::string& name, std::string& value, const std::string& help, bool required) {
+    state_->usage.operands.push_back({name, help, required});
+    state_->operands.push_back(&value);
+}
+
+void Tool::writes(const std::string& what) {
+    state_->hasOutput = true;
+    state_->usage.writes = what;
+}
+
+void Tool::schema(const std::string& kind) {
+    state_->usage.schema = kind;
+}
+
+void Tool::group(const std::string& heading) {
+    state_->group = heading;
+}
+
+void Tool::text(const std::string& name, std::string& value, const std::string& placeholder,
+                const std::string& help) {
+    add(makeTextOption(name, value, placeholder, help));
+}
+
+void Tool::example(const std::string& command) {
+    state_->usage.examples.push_back(command);
+}
+
+void Tool::explain(const std::string& paragraph) {
+    state_->usage.paragraphs.push_back(paragraph);
+}
+
+void Tool::stopsGracefully() {
+    state_->graceful = true;
+}
+
+void Tool::verify(std::function<void()> check) {
+    state_->verify = std::move(check);
+}
+
+void Tool::add(OptionRecord record) {
+    record.group = state_->group;
+    state_->usage.options.push_back(std::move(record));
+}
+
+void Tool::addGeneralOptions() {
+    State& s = *state_;
+    s.group = generalGroup;
+    const auto addShort = [&](OptionRecord record, const std::string& shortName) {
+        record.shortName = shortName;
+        add(std::move(record));
+    };
+    if (s.hasOutput) {
+        addShort(makeTextOption("output", s.output, "FILE", "write to this file instead of standard output"),
+                 "o");
+        s.usage.options.back().defaultText.clear();
+    }
+    addShort(
+        makeOption("jobs", s.jobs, Range{1, maxJobs}, "threads to use; the result does not depend on it"),
+        "j");
+    s.usage.options.back().defaultText = "as many as processors";
+    addShort(makeOption("quiet", s.quiet, {}, "errors only: no warnings, no progress bar"), "q");
+    addShort(makeOption("verbose", s.verbose, {}, "say which settings are in effect, and more"), "v");
+    option("stats", s.stats, "time, memory and counters as one line of JSON on standard error");
+    if (!s.usage.schema.empty())
+        option("schema", s.printSchema, "print the JSON schema of the document that is written");
+    option("json-usage", s.printUsage, "print this help as JSON");
+    addShort(makeOption("help", s.help, {}, "print this help"), "h");
+    option("version", s.version, "print the version");
+}
+
+// --------------------------------------------------------------------------------------- the command line
+
+void Tool::parse(int argc, char** argv) {
+    State& s = *state_;
+    std::vector<OptionRecord>& options = s.usage.options;
+
+    CLI::App app;
+    app.set_help_flag();
+    app.allow_extras();
+    std::vector<std::string> texts(options.size());
+    std::vector<CLI::Option*> bound(options.size());
+    for (std::size_t i = 0; i < options.size(); ++i) {
+        const OptionRecord& option = options[i];
+        const std::string flags =
+            (option.shortName.empty() ? "" : "-" + option.shortName + ",") + "--" + option.name;
+        if (option.type == OptionRecord::Type::flag)
+            bound[i] = app.add_flag(flags);
+        else
+            bound[i] = app.add_option(flags, texts[i])->type_name(option.placeholder);
+        bound[i]->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+    }
+    app.parse(argc, argv);
+
+    std::string wrong; // reported only if help is not asked for
+    for (std::size_t i = 0; i < options.size(); ++i) {
+        if (bound[i]->count() == 0) continue;
+        s.given.insert(options[i].name);
+        if (options[i].type == OptionRecord::Type::flag && !bound[i]->as<bool>()) continue;
+        const std::string problem = options[i].assign(texts[i]);
+        if (!problem.empty() && wrong.empty()) wrong = "--" + options[i].name + ": " + problem;
+    }
+    if (s.help || s.version || s.printSchema || s.printUsage) return;
+    if (!wrong.empty()) throw UsageError(wrong);
+    assignOperands(app.remaining());
+}
+
+void Tool::assignOperands(const std::vector<std::string>& words) {
+    State& s = *state_;
+    std::vector<std::string> operands;
+    bool operandsOnly = false;
+    for (const std::string& word : words) {
+        if (!operandsOnly && word == "--")
+            operandsOnly = true;
+        else if (!operandsOnly && word.size() > 1 && word[0] == '-')
+            throw UsageError("unknown option " + word);
+        else
+            operands.push_back(word);
+    }
+    for (std::size_t i = 0; i < operands.size(); ++i) {
+        if (i >= s.operands.size()) throw UsageError("unexpected operand " + operands[i]);
+        if (operands[i].empty()) throw UsageError(s.usage.operands[i].name + " is empty");
+        *s.operands[i] = operands[i];
+    }
+    for (std::size_t i = operands.size(); i < s.operands.size(); ++i)
+        if (s.usage.operands[i].required) throw UsageError(s.usage.operands[i].name + " is missing");
+    if (s.verify) s.verify();
+    if (s.hasInput && s.input == "-" && isatty(STDIN_FILENO) != 0)
+        throw UsageError("standard input is a terminal. Name a file, or pipe one in");
+}
+
+// ------------------------------------------------------------------------------------------- for the body
+
+const std::string& Tool::name() const {
+    return state_->usage.tool;
+}
+std::string Tool::inputName() const {
+    return displayName(state_->input);
+}
+const std::string& Tool::inputPath() const {
+    return state_->input;
+}
+const std::string& Tool::outputPath() const {
+    return state_->output;
+}
+bool Tool::given(const std::string& optionName) const {
+    return state_->given.contains(optionName);
+}
+unsigned Tool::jobs() const {
+    return state_->jobs;
+}
+bool Tool::interrupted() const {
+    return wasInterrupted();
+}
+
+std::string Tool::readInput() const {
+    return readFile(state_->input);
+}
+
+void Tool::write(std::string_view bytes) const {
+    writeFile(state_->output, bytes);
+}
+
+void Tool::warn(const std::string& message) const {
+    if (!state_->quiet) state_->say(message);
+}
+
+void Tool::note(const std::string& message) const {
+    if (state_->verbose && !state_->quiet) state_->say(message);
+}
+
+void Tool::count(const std::string& counter, double value) const {
+    state_->counters[counter] = value;
+}
+
+Control Tool::control(const std::string& label) const {
+    Control control;
+    control.jobs = state_->jobs;
+    if (state_->graceful) {
+        deferInterrupt();
+        control.stopRequested = [] { return wasInterrupted(); };
+    }
+    if (!state_->quiet && isatty(STDERR_FILENO) != 0) {
+        state_->progress = std::make_shared<Progress>(state_->usage.tool + ": " + label);
+        control.progress = [bar = state_->progress](double fraction) { bar->show(fraction); };
+    }
+    return control;
+}
+
+// ------------------------------------------------------------------------------------------- the one main
+
+void Tool::noteSettings() const {
+    std::string text;
+    for (const OptionRecord& option : state_->usage.options) {
+        if (option.group == generalGroup) continue;
+        const std::string value = option.show();
+        if (!value.empty()) text += (text.empty() ? "" : ", ") + option.name + " " + value;
+    }
+    note("settings: " + (text.empty() ? "none" : text));
+}
+
+void Tool::printStats() const {
+    const State& s = *state_;
+    if (!s.stats) return;
+    nlohmann::ordered_json stats{{"tool", s.usage.tool}};
+    stats["seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - s.start).count();
+    stats["peakMegabytes"] = peakMegabytes();
+    stats["counters"] = s.counters;
+    if (s.progress) s.progress->hide();
+    printMessage(stats.dump());
+}
+
+int Tool::answer(const ToolBody& body) {
+    const State& s = *state_;
+    if (s.help) return writeFile("-", helpText(s.usage)), exitDone;
+    if (s.version) return writeFile("-", versionText(s.usage.tool)), exitDone;
+    if (s.printSchema) return writeFile("-", standaloneSchema(s.usage.schema)), exitDone;
+    if (s.printUsage) return writeFile("-", jsonUsage(s.usage)), exitDone;
+    noteSettings();
+    if (s.hasOutput) verifyWritable(s.output);
+    const int status = body();
+    printStats();
+    return status;
+}
+
+int Tool::run(int argc, char** argv, const std::function<ToolBody(Tool&)>& declare) {
+    const auto fail = [this](const std::string& message) {
+        state_->say(message);
+        return exitFailure;
+    };
+    const auto misused = [this](const std::string& message) {
+        state_->say(message + ". Try '" + state_->usage.tool + " --help'.");
+        return exitUsage;
+    };
+    try {
+        openStandardStreams();
+        watchSignals();
+        const ToolBody body = declare(*this);
+        addGeneralOptions();
+        parse(argc, argv);
+        return answer(body);
+    } catch (const UsageError& error) {
+        return misused(error.what());
+    } catch (const CLI::ParseError& error) {
+        return misused(firstSmall(error.what()));
+    } catch (const FileError& error) {
+        return fail(error.what());
+    } catch (const Error& error) {
+        return fail((state_->hasInput ? inputName() + ": " : std::string()) + error.what());
+    } catch (const std::bad_alloc&) {
+        return fail("out of memory");
+    } catch (const std::exception& error) {
+        return fail(std::string("unexpected failure: ") + error.what() +
+                    ". This is a fault of the tool: please report it");
+    }
+}
+
+int runTool(int argc, char** argv, const std::string& name, const std::string& summary,
+            const std::function<ToolBody(Tool&)>& declare) {
+    return Tool(name, summary).run(argc, argv, declare);
+}
+
+} // namespace qm

@@ -1,0 +1,160 @@
+/// \file The one `main` of all tools: a tool declares what it reads, writes and can be told, and has a body.
+///
+///     int main(int argc, char** argv) {
+///         qm::PruneOptions options;
+///         return qm::runTool(argc, argv, "qm-prune", "Remove flat boundaries from a layout.",
+///                            [&](qm::Tool& tool) -> qm::ToolBody {
+///             tool.reads("DOCUMENT", "a document with a layout");
+///             tool.writes("the document with a smaller layout");
+///             tool.options(options);
+///             tool.example("qm-prune --eta -3 part.layout.json -o part.pruned.json");
+///             return [&] {
+///                 tool.write(prune(tool.readInput(), options));
+///                 return qm::exitDone;
+///             };
+///         });
+///     }
+///
+/// Every tool so has --help, --version, --quiet, --verbose, --stats, --jobs, --json-usage and, where it
+/// applies,
+/// --output and --schema. Declarations open no file: a wrong command line ends with status 2 before anything
+/// is touched. What the body throws becomes one line on standard error and status 1. Tools whose document
+/// grows along the pipe use stage.h, which declares operand, --mesh, output and schema in one go.
+#pragma once
+
+#include "base/control.h"
+#include "cli/option_record.h"
+#include "document/option.h"
+
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace qm {
+
+enum ExitStatus : int {
+    exitDone = 0,
+    exitFailure = 1, ///< bad input, or anything that went wrong
+    exitUsage = 2,   ///< bad command line
+    exitUnmet = 3    ///< only on request: --require-complete, --require-optimal
+};
+
+using ToolBody = std::function<int()>;
+
+class Tool {
+public:
+    Tool(std::string name, std::string summary);
+    ~Tool();
+    Tool(const Tool&) = delete;
+    Tool& operator=(const Tool&) = delete;
+
+    // ---- What to declare. Names of options come without dashes.
+
+    /// The input operand, a file or "-"; standard input if it is left out.
+    void reads(const std::string& operand, const std::string& what);
+    /// A further operand, given before the input. \param required  a usage error if it is left out
+    void operand(const std::string& name, std::string& value, const std::string& help, bool required = true);
+    /// -o, --output: a file or "-"; standard output if it is left out.
+    void writes(const std::string& what);
+    /// --schema prints the schema of this kind of document, such as "layout".
+    void schema(const std::string& kind);
+
+    /// Options that are declared from here on stand under this heading in --help.
+    void group(const std::string& heading);
+    /// All options of a struct, from its table in document/options.h.
+    template <class Options> void options(Options& values);
+    /// A single option: bool (a flag), int, std::size_t, double, or an enumeration that has `Choices`.
+    template <class Value>
+    void option(const std::string& name, Value& value, const Range& range, const std::string& help);
+    template <class Value> void option(const std::string& name, Value& value, const std::string& help) {
+        option(name, value, Range{}, help);
+    }
+    /// An option whose value is text. \param placeholder  "FILE", "NAME"
+    void text(const std::string& name, std::string& value, const std::string& placeholder,
+              const std::string& help);
+    /// A command that works; shown under "Examples" in --help, in the order of the calls. The files part.obj
+    /// and part.KIND.json exist where the examples are tried.
+    void example(const std::string& command);
+    /// A paragraph of --help, below the summary.
+    void explain(const std::string& paragraph);
+    /// The first interrupt asks the body through `Control::stopRequested` to end with the best so far; the
+    /// second ends the tool. Without this the first one does.
+    void stopsGracefully();
+    /// Called when the command line has been read and before anything else. May throw UsageError.
+    void verify(std::function<void()> check);
+
+    // ---- What the body may use.
+
+    [[nodiscard]] const std::string& name() const;
+    /// As in messages: the path, or "standard input".
+    [[nodiscard]] std::string inputName() const;
+    /// The path as it was given; "-" for standard input.
+    [[nodiscard]] const std::string& inputPath() const;
+    /// "-" for standard output.
+    [[nodiscard]] const std::string& outputPath() const;
+    /// True if the user gave this option on the command line.
+    [[nodiscard]] bool given(const std::string& optionName) const;
+    /// All bytes of the input.
+    [[nodiscard]] std::string readInput() const;
+    /// To the output, whole or not at all. Once per run.
+    void write(std::string_view bytes) const;
+
+    /// One line on standard error, `tool: message`; warnings are left out with --quiet, notes are shown with
+    /// --verbose only.
+    void warn(const std::string& message) const;
+    void note(const std::string& message) const;
+
+    /// A figure for --stats.
+    void count(const std::string& counter, double value) const;
+
+    [[nodiscard]] unsigned jobs() const;
+    /// Progress bar, interrupts and threads for a long computation. The bar appears on terminals only, after
+    /// two seconds.
+    [[nodiscard]] Control control(const std::string& label) const;
+    /// True once the user has interrupted a tool that `stopsGracefully`.
+    [[nodiscard]] bool interrupted() const;
+
+private:
+    friend int runTool(int argc, char** argv, const std::string& name, const std::string& summary,
+                       const std::function<ToolBody(Tool&)>& declare);
+    struct State;
+
+    void add(OptionRecord record);
+    void addGeneralOptions();
+    void parse(int argc, char** argv);
+    void assignOperands(const std::vector<std::string>& words);
+    void noteSettings() const;
+    void printStats() const;
+    int answer(const ToolBody& body);
+    int run(int argc, char** argv, const std::function<ToolBody(Tool&)>& declare);
+
+    std::unique_ptr<State> state_;
+};
+
+/// A wrong command line: one line on standard error that points to --help, and status 2.
+class UsageError : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+/// Runs a tool and returns its exit status. \param declare  declares the options and returns the body
+int runTool(int argc, char** argv, const std::string& name, const std::string& summary,
+            const std::function<ToolBody(Tool&)>& declare);
+
+// ---- Templates.
+
+template <class Value>
+void Tool::option(const std::string& name, Value& value, const Range& range, const std::string& help) {
+    add(makeOption(name, value, range, help));
+}
+
+template <class Options> void Tool::options(Options& values) {
+    describe(values, [this](const char* name, auto& value, const Range& range, const char* help) {
+        option(name, value, range, help);
+    });
+}
+
+} // namespace qm

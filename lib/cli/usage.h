@@ -1,0 +1,34 @@
+/// \file What a tool says about itself: --help for people, --json-usage for programs.
+#pragma once
+
+#include "cli/option_record.h"
+
+#include <string>
+#include <vector>
+
+namespace qm {
+
+struct Operand {
+    std::string name; ///< "DOCUMENT"
+    std::string help;
+    bool required = false;
+};
+
+/// Everything that is declared about a tool.
+struct Usage {
+    std::string tool;
+    std::string summary; ///< one sentence
+    std::vector<std::string> paragraphs;
+    std::vector<Operand> operands;
+    std::vector<OptionRecord> options; ///< in the order of --help
+    std::vector<std::string> examples;
+    std::string writes; ///< what the output is; empty if there is none
+    std::string schema; ///< kind of document that is written; may be empty
+};
+
+[[nodiscard]] std::string helpText(const Usage& usage);
+[[nodiscard]] std::string jsonUsage(const Usage& usage);
+/// "qm-enum (quadmesh) 1.0.0" and what it was built with.
+[[nodiscard]] std::string versionText(const std::string& tool);
+
+} // namespace qm

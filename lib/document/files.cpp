@@ -1,0 +1,67 @@
+#include "document/files.h"
+
+#include "document/file_error.h"
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace qm {
+
+namespace {
+
+/// Far above any real mesh; below what an endless stream would take from the machine.
+constexpr std::size_t maxBytes = std::size_t{4} << 30;
+
+class Descriptor {
+public:
+    explicit Descriptor(const std::string& path)
+        : number_(path == "-" ? STDIN_FILENO : open(path.c_str(), O_RDONLY | O_CLOEXEC)),
+          owned_(path != "-") {}
+    ~Descriptor() {
+        if (owned_ && number_ >= 0) close(number_);
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    [[nodiscard]] int number() const { return number_; }
+
+private:
+    int number_;
+    bool owned_;
+};
+
+} // namespace
+
+std::string displayName(const std::string& path) {
+    return path == "-" ? "standard input" : path;
+}
+
+std::string readFile(const std::string& path) {
+    const std::string name = displayName(path);
+    const Descriptor file(path);
+    struct stat status {};
+    if (file.number() < 0 || fstat(file.number(), &status) != 0)
+        throw FileError(name, std::string("cannot be read: ") + std::strerror(errno));
+    if (S_ISDIR(status.st_mode)) throw FileError(name, "is a folder", "Name a file");
+
+    std::string bytes;
+    std::size_t used = 0;
+    if (S_ISREG(status.st_mode) && status.st_size > 0 && static_cast<std::size_t>(status.st_size) <= maxBytes)
+        bytes.resize(static_cast<std::size_t>(status.st_size) + 1); // one more, to meet the end in one read
+    while (true) {
+        if (used == bytes.size()) bytes.resize(std::max<std::size_t>(2 * used, 1 << 16));
+        const ssize_t count = read(file.number(), bytes.data() + used, bytes.size() - used);
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) throw FileError(name, std::string("cannot be read: ") + std::strerror(errno));
+        if (count == 0) break;
+        used += static_cast<std::size_t>(count);
+        if (used > maxBytes) throw FileError(name, "is larger than 4 GiB");
+    }
+    bytes.resize(used);
+    return bytes;
+}
+
+} // namespace qm

@@ -1,0 +1,38 @@
+/// \file Going straight on until the first track: always a valid end for a particle (method 5, "It ends").
+#pragma once
+
+#include "basecomplex/arc_graph.h"
+
+#include <vector>
+
+namespace qm {
+
+/// One of the particles of a line.
+struct Particle {
+    LineId line;
+    bool fromEnd = false; ///< it starts at the line's end and walks towards its begin
+};
+
+/// Walks the particle on from where its track ends: to the first junction where both arcs of the crossing
+/// line are present, to its opposite's track, to the end of its line, or over an arc into an open junction.
+/// \param present  of every arc; changed
+/// \param open     junctions where the walk may end unfinished; may be empty
+/// \return the arcs added
+int extendParticle(const ArcGraph& graph, Particle particle, std::vector<bool>& present,
+                   const std::vector<bool>& open = {});
+
+/// Both particles of every line, in the lines' order.
+[[nodiscard]] std::vector<Particle> particlesOf(const ArcGraph& graph);
+
+/// The particles whose tracks end unfinished: at a junction that is not passed by the other line (rule 2).
+[[nodiscard]] std::vector<Particle> freeParticles(const ArcGraph& graph, const std::vector<bool>& present);
+
+/// The junction where the particle's track ends; invalid at the line's far end or before its first arc.
+[[nodiscard]] JunctionId crashJunction(const ArcGraph& graph, Particle particle,
+                                       const std::vector<bool>& present);
+
+/// Whether the arcs are a motorcycle graph of the whole mesh: rules 1 to 4, or without `gaps` rules 1 and 2.
+[[nodiscard]] bool isMotorcycleGraph(const ArcGraph& graph, const std::vector<bool>& present,
+                                     bool gaps = true);
+
+} // namespace qm

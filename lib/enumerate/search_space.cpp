@@ -1,0 +1,119 @@
+#include "enumerate/search_space.h"
+
+#include "base/error.h"
+
+#include <string>
+
+namespace qm {
+namespace {
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+std::string nameOf(const QuadMesh& mesh, EdgeId edge) {
+    const HalfedgeId halfedge = mesh.halfedge_handle(edge, 0);
+    return "edge " + std::to_string(mesh.from_vertex_handle(halfedge).idx()) + " " +
+           std::to_string(mesh.to_vertex_handle(halfedge).idx());
+}
+
+/// The arc of every edge; invalid where no separatrix runs.
+std::vector<ArcId> arcsOfEdges(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph) {
+    std::vector<ArcId> result(mesh.n_edges());
+    for (std::size_t arc = 0; arc < graph.arcs.size(); ++arc)
+        for (const HalfedgeId halfedge : halfedgesOf(graph, complex, ArcId(arc)))
+            result[at(mesh.edge_handle(halfedge).idx())] = ArcId(arc);
+    return result;
+}
+
+std::vector<ArcState> demandsOf(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
+                                const Constraints& constraints) {
+    if (constraints.required.empty() && constraints.forbidden.empty()) return {};
+    const std::vector<ArcId> arcOf = arcsOfEdges(mesh, complex, graph);
+    std::vector<ArcState> demands(graph.arcs.size(), ArcState::free);
+    const auto demand = [&](EdgeId edge, ArcState state) {
+        const ArcId arc = arcOf[at(edge.idx())];
+        if (!arc.valid()) return false;
+        ArcState& current = demands[arc.idx()];
+        if (current != ArcState::free && current != state)
+            throw Error(nameOf(mesh, edge), "its arc is both required and forbidden",
+                        "take one of them out of /constraints");
+        current = state;
+        return true;
+    };
+    for (const EdgeId edge : constraints.required)
+        if (!mesh.is_boundary(edge) && !demand(edge, ArcState::in))
+            throw Error(nameOf(mesh, edge), "it is required, but no separatrix runs over it",
+                        "add a feature curve there, or take it out of /constraints/required");
+    for (const EdgeId edge : constraints.forbidden) {
+        if (mesh.is_boundary(edge))
+            throw Error(nameOf(mesh, edge), "it is forbidden, but it lies on the mesh boundary",
+                        "take it out of /constraints/forbidden");
+        demand(edge, ArcState::out); // where no separatrix runs it is absent anyway
+    }
+    return demands;
+}
+
+} // namespace
+
+SearchSpace makeSearchSpace(const QuadMesh& mesh, const BaseComplex& complex,
+                            const std::vector<double>& edgeCosts, const SubMeshes& subMeshes,
+                            const Constraints& constraints) {
+    SearchSpace space;
+    space.graph = buildArcGraph(mesh, complex, subMeshes.labels);
+    space.arcCosts = sumOverArcs(mesh, space.graph, complex, edgeCosts);
+    space.demands = demandsOf(mesh, complex, space.graph, constraints);
+    const auto label = [&](VertexId vertex) {
+        return subMeshes.labels.empty() ? 0 : subMeshes.labels[at(vertex.idx())];
+    };
+    for (std::size_t arc = 0; arc < space.graph.arcs.size(); ++arc) {
+        const auto halfedges = halfedgesOf(space.graph, complex, ArcId(arc));
+        space.arcBegins.push_back(label(mesh.from_vertex_handle(halfedges.front())));
+        space.arcEnds.push_back(label(mesh.to_vertex_handle(halfedges.back())));
+    }
+    for (const Junction& junction : space.graph.junctions)
+        space.junctionLabels.push_back(label(junction.vertex));
+    return space;
+}
+
+void appendWalk(const SearchSpace& space, LineId id, bool fromEnd, int from, int subMesh,
+                std::vector<ArcId>& arcs) {
+    const Line& line = space.graph.lines[id.idx()];
+    const std::vector<int>& starts = fromEnd ? space.arcEnds : space.arcBegins;
+    for (int walked = from; walked < line.arcCount; ++walked) {
+        const ArcId arc(line.firstArc.value() + (fromEnd ? line.arcCount - 1 - walked : walked));
+        if (starts[arc.idx()] != subMesh) return;
+        arcs.push_back(arc);
+    }
+}
+
+std::vector<ArcId> ownArcs(const SearchSpace& space, int subMesh) {
+    std::vector<ArcId> arcs;
+    for (std::size_t line = 0; line < space.graph.lines.size(); ++line) {
+        appendWalk(space, LineId(line), false, 0, subMesh, arcs);
+        if (space.graph.lines[line].backward) appendWalk(space, LineId(line), true, 0, subMesh, arcs);
+    }
+    return arcs;
+}
+
+Problem subMeshProblem(const SearchSpace& space, int subMesh, const std::vector<ArcId>& freeArcs,
+                       const std::vector<bool>& present) {
+    ProblemInput input{space.graph, space.arcCosts, {}, space.demands, {}};
+    for (const bool in : present)
+        input.states.push_back(in ? ArcState::in : ArcState::out);
+    for (const ArcId arc : freeArcs)
+        input.states[arc.idx()] = ArcState::free;
+    for (const int label : space.junctionLabels)
+        input.open.push_back(label != subMesh);
+    return makeProblem(input);
+}
+
+void apply(const Problem& problem, const Assignment& assignment, std::vector<bool>& present) {
+    for (int v = 0; v < problem.variables(); ++v) {
+        const ArcRun& run = problem.arcs[at(v)];
+        for (int k = 0; k < run.count; ++k)
+            present[at(run.first.value() + k)] = assignment[at(v)] == 1;
+    }
+}
+
+} // namespace qm

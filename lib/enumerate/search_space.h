@@ -1,0 +1,42 @@
+/// \file What all searches of one model share, and the problem of a single sub-mesh (method 5; paper 4.2.2).
+#pragma once
+
+#include "enumerate/constraints.h"
+#include "enumerate/enumerate.h"
+#include "enumerate/problem.h"
+
+#include <vector>
+
+namespace qm {
+
+struct SearchSpace {
+    ArcGraph graph;
+    std::vector<double> arcCosts;
+    std::vector<ArcState> demands; ///< of every arc: what the constraints say; empty if there are none
+    std::vector<int> arcBegins;    ///< sub-mesh of the vertex where an arc begins, in its line's direction
+    std::vector<int> arcEnds;      ///< likewise where it ends
+    std::vector<int> junctionLabels;
+};
+
+/// \throw Error  if a constraint names an edge on no separatrix, or forbids an edge of the mesh boundary
+[[nodiscard]] SearchSpace makeSearchSpace(const QuadMesh& mesh, const BaseComplex& complex,
+                                          const std::vector<double>& edgeCosts, const SubMeshes& subMeshes,
+                                          const Constraints& constraints);
+
+/// Appends the arcs that a particle can walk in a sub-mesh: from position `from`, counted from its source, up
+/// to and including the arc that leaves the sub-mesh.
+void appendWalk(const SearchSpace& space, LineId line, bool fromEnd, int from, int subMesh,
+                std::vector<ArcId>& arcs);
+
+/// The arcs that the particles of a sub-mesh can walk before they leave it.
+[[nodiscard]] std::vector<ArcId> ownArcs(const SearchSpace& space, int subMesh);
+
+/// A search in one sub-mesh: the given arcs are free, every other arc stays as it is in `present`. Tracks may
+/// end unfinished at the first vertex outside.
+[[nodiscard]] Problem subMeshProblem(const SearchSpace& space, int subMesh,
+                                     const std::vector<ArcId>& freeArcs, const std::vector<bool>& present);
+
+/// Writes an assignment into the arcs that it speaks of.
+void apply(const Problem& problem, const Assignment& assignment, std::vector<bool>& present);
+
+} // namespace qm

@@ -1,0 +1,224 @@
+#include "merge/merge.h"
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "enumerate/optimum.h"
+#include "enumerate/plain.h"
+#include "enumerate/tracks.h"
+#include "merge/windows.h"
+
+#include <algorithm>
+#include <atomic>
+#include <set>
+
+namespace qm {
+namespace {
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+class Generator {
+public:
+    Generator(const QuadMesh& mesh, const BaseComplex& complex, const SearchSpace& space,
+              const Enumeration& enumeration, int subMeshes, double complexityLimit, const Control& control)
+        : mesh_(mesh), complex_(complex), space_(space), enumeration_(enumeration), subMeshes_(subMeshes),
+          complexityLimit_(complexityLimit), control_(control), present_(space.graph.arcs.size(), false) {}
+
+    /// PMG: sub-meshes that no cut edge joins at the same time, the others one after the other.
+    void partial() {
+        double done = 0;
+        for (const auto& group : separateGroups()) {
+            std::vector<std::vector<bool>> results(group.size());
+            parallelFor(group.size(), control_.jobs,
+                        [&](std::size_t i) { results[i] = searchPartial(group[i]); });
+            for (const auto& result : results)
+                for (std::size_t arc = 0; arc < result.size(); ++arc)
+                    if (result[arc]) present_[arc] = true;
+            done += static_cast<double>(group.size());
+            control_.progress(0.5 * done / subMeshes_);
+        }
+        result_.freeAfterPartial = freeParticles(space_.graph, present_).size();
+    }
+
+    /// CMG: until no particle is free, or a configuration repeats.
+    void complete(int maxRounds) {
+        std::set<std::vector<bool>> seen;
+        while (static_cast<int>(result_.rounds) < maxRounds && seen.insert(present_).second &&
+               !freeParticles(space_.graph, present_).empty() && !control_.stopRequested()) {
+            ++result_.rounds;
+            for (int subMesh = 0; subMesh < subMeshes_; ++subMesh)
+                searchComplete(subMesh);
+        }
+        extendRest();
+        control_.progress(1);
+    }
+
+    [[nodiscard]] const std::vector<bool>& present() const { return present_; }
+    [[nodiscard]] const MergeResult& result() const { return result_; }
+
+private:
+    /// Sub-meshes in groups whose members no arc joins: greedy colouring in the order of their ids.
+    [[nodiscard]] std::vector<std::vector<int>> separateGroups() const {
+        std::vector<std::set<int>> neighbours(at(subMeshes_));
+        for (std::size_t arc = 0; arc < space_.arcBegins.size(); ++arc) {
+            const int a = space_.arcBegins[arc], b = space_.arcEnds[arc];
+            if (a == b) continue;
+            neighbours[at(a)].insert(b);
+            neighbours[at(b)].insert(a);
+        }
+        std::vector<int> groupOf(at(subMeshes_), -1);
+        std::vector<std::vector<int>> groups;
+        for (int s = 0; s < subMeshes_; ++s) {
+            std::set<int> taken;
+            for (const int n : neighbours[at(s)])
+                taken.insert(groupOf[at(n)]);
+            int group = 0;
+            while (taken.contains(group))
+                ++group;
+            groupOf[at(s)] = group;
+            if (group == static_cast<int>(groups.size())) groups.emplace_back();
+            groups[at(group)].push_back(s);
+        }
+        return groups;
+    }
+
+    /// Where free particles that came in may go on.
+    [[nodiscard]] std::vector<ArcId> enteringWalks(int subMesh) const {
+        std::vector<ArcId> arcs;
+        for (const Particle particle : freeParticles(space_.graph, present_)) {
+            const JunctionId junction = crashJunction(space_.graph, particle, present_);
+            if (space_.junctionLabels[junction.idx()] != subMesh) continue;
+            const Line& line = space_.graph.lines[particle.line.idx()];
+            int walked = 0;
+            while (present_[at(line.firstArc.value() +
+                               (particle.fromEnd ? line.arcCount - 1 - walked : walked))])
+                ++walked;
+            appendWalk(space_, particle.line, particle.fromEnd, walked, subMesh, arcs);
+        }
+        return arcs;
+    }
+
+    std::vector<bool> searchPartial(int subMesh) const {
+        std::vector<bool> result = present_;
+        std::vector<ArcId> arcs = enteringWalks(subMesh);
+        const auto& graphs = enumeration_.subMeshes[at(subMesh)].graphs;
+        if (arcs.empty() && !graphs.empty()) {
+            const auto found = presentArcs(mesh_, complex_, space_.graph, graphs.front().tracks);
+            for (std::size_t arc = 0; arc < found.size(); ++arc)
+                if (found[arc]) result[arc] = true;
+            return result;
+        }
+        for (const ArcId arc : ownArcs(space_, subMesh))
+            arcs.push_back(arc);
+        std::erase_if(arcs, [&](ArcId arc) { return present_[arc.idx()]; });
+        ++searches_;
+        if (!improve(subMesh, arcs, result)) throwImpossible(subMesh);
+        return result;
+    }
+
+    [[noreturn]] static void throwImpossible(int subMesh) {
+        throw Error("sub-mesh " + std::to_string(subMesh), "no motorcycle graph obeys the constraints",
+                    "take some out of /constraints");
+    }
+
+    /// Searches with these arcs free. \return false if nothing is valid
+    bool improve(int subMesh, const std::vector<ArcId>& arcs, std::vector<bool>& present) const {
+        const Problem problem = subMeshProblem(space_, subMesh, arcs, present);
+        Control control;
+        control.stopRequested = control_.stopRequested;
+        const OptimumResult found = findOptimum(problem, {}, control);
+        if (found.graphs.empty()) return false;
+        apply(problem, found.graphs.front(), present);
+        return true;
+    }
+
+    void searchComplete(int subMesh) {
+        std::vector<Particle> particles;
+        for (const Particle particle : freeParticles(space_.graph, present_))
+            if (space_.junctionLabels[crashJunction(space_.graph, particle, present_).idx()] == subMesh)
+                particles.push_back(particle);
+        if (particles.empty()) return;
+        for (const Linking linking : {Linking::closed, Linking::direct, Linking::none}) {
+            const Window window = makeWindow(space_, present_, particles, subMesh, linking);
+            if (linking != Linking::none && window.quasiComplexity >= complexityLimit_) continue;
+            ++searches_;
+            if (!improve(subMesh, window.arcs, present_)) continue;
+            result_.linked += window.linked;
+            return;
+        }
+    }
+
+    /// Extends what is still free straight on, the cheapest first.
+    void extendRest() {
+        result_.searches = searches_;
+        for (auto particles = freeParticles(space_.graph, present_); !particles.empty();
+             particles = freeParticles(space_.graph, present_)) {
+            const auto cost = [&](Particle particle) {
+                std::vector<bool> trial = present_;
+                extendParticle(space_.graph, particle, trial);
+                double sum = 0;
+                for (std::size_t arc = 0; arc < trial.size(); ++arc)
+                    if (trial[arc] && !present_[arc]) sum += space_.arcCosts[arc];
+                return sum;
+            };
+            const auto cheapest = std::ranges::min_element(particles, {}, cost);
+            ++result_.extended;
+            if (extendParticle(space_.graph, *cheapest, present_) == 0) return;
+        }
+    }
+
+    const QuadMesh& mesh_;
+    const BaseComplex& complex_;
+    const SearchSpace& space_;
+    const Enumeration& enumeration_;
+    int subMeshes_;
+    double complexityLimit_;
+    const Control& control_;
+    std::vector<bool> present_;
+    mutable std::atomic<std::size_t> searches_ = 0;
+    MergeResult result_;
+};
+
+bool obeys(const SearchSpace& space, const std::vector<bool>& present) {
+    for (std::size_t arc = 0; arc < space.demands.size(); ++arc)
+        if (space.demands[arc] != ArcState::free && present[arc] != (space.demands[arc] == ArcState::in))
+            return false;
+    return true;
+}
+
+double costOf(const SearchSpace& space, const std::vector<bool>& present) {
+    double cost = 0;
+    for (std::size_t arc = 0; arc < present.size(); ++arc)
+        if (present[arc]) cost += space.arcCosts[arc];
+    return cost;
+}
+
+} // namespace
+
+MergeResult mergeGraphs(const QuadMesh& mesh, const BaseComplex& complex,
+                        const std::vector<double>& dihedralAngles, const SubMeshes& subMeshes,
+                        const Enumeration& enumeration, const Constraints& constraints,
+                        double complexityLimit, const MergeOptions& options, const Control& control) {
+    const std::vector<double> costs = edgeCosts(dihedralAngles, enumeration.cost);
+    const SearchSpace space = makeSearchSpace(mesh, complex, costs, subMeshes, constraints);
+    Generator generator(mesh, complex, space, enumeration, subMeshes.count, complexityLimit, control);
+    generator.partial();
+    generator.complete(options.maxRounds);
+    MergeResult result = generator.result();
+    std::vector<bool> present = generator.present();
+    // Sub-meshes see only themselves; where that went wrong the plain graph is the better one.
+    if (subMeshes.count > 1) {
+        const auto plain =
+            presentArcs(mesh, complex, space.graph, plainMotorcycleGraph(mesh, complex, costs).tracks);
+        if (obeys(space, plain) && costOf(space, plain) < costOf(space, present)) {
+            present = plain;
+            result.plain = true;
+        }
+    }
+    result.graph = graphOf(mesh, complex, space.graph, present, costs);
+    if (subMeshes.count == 1) result.lowerBound = enumeration.subMeshes.front().lowerBound;
+    return result;
+}
+
+} // namespace qm
