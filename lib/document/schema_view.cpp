@@ -67,7 +67,8 @@ Adapter Array::const_iterator::operator*() const {
 }
 
 ObjectMember Object::const_iterator::operator*() const {
-    const auto& [key, value] = place_.value->get_ref<const Json::object_t&>()[rank_];
+    const auto& [key, value] =
+        place_.value->get_ref<const Json::object_t&>().begin()[static_cast<std::ptrdiff_t>(rank_)];
     return {key, Adapter(Place{&value, place_.results})};
 }
 

@@ -47,6 +47,7 @@ public:
             ++rank_;
             return *this;
         }
+        const_iterator operator++(int) { return {array_, rank_++}; }
         void advance(std::ptrdiff_t count) { rank_ += static_cast<std::size_t>(count); }
         bool operator==(const const_iterator& other) const { return rank_ == other.rank_; }
         bool operator!=(const const_iterator& other) const {

@@ -122,41 +122,6 @@ Track trackOf(const QuadMesh& mesh, std::span<const HalfedgeId> path, const std:
     return track;
 }
 
-/// Marks the arcs that a track covers, given the first arc and the direction on its line.
-class TrackArcs {
-public:
-    TrackArcs(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph)
-        : mesh_(mesh), arcOfEdge_(mesh.n_edges()), lengths_(graph.arcs.size()) {
-        for (std::size_t arc = 0; arc < graph.arcs.size(); ++arc) {
-            const auto halfedges = halfedgesOf(graph, complex, ArcId(arc));
-            lengths_[arc] = halfedges.size();
-            for (const HalfedgeId halfedge : halfedges)
-                arcOfEdge_[at(mesh.edge_handle(halfedge).idx())] = ArcId(arc);
-        }
-    }
-
-    void mark(const Track& track, std::vector<bool>& present) const {
-        std::size_t covered = 0;
-        for (const HalfedgeId halfedge : track.halfedges) {
-            const ArcId arc = arcOfEdge_[at(mesh_.edge_handle(halfedge).idx())];
-            if (!arc.valid()) refuse(halfedge);
-            if (!present[arc.idx()]) covered += lengths_[arc.idx()];
-            present[arc.idx()] = true;
-        }
-        if (covered != track.halfedges.size()) refuse(track.halfedges.back());
-    }
-
-private:
-    [[noreturn]] void refuse(HalfedgeId halfedge) const {
-        throw Error("track over vertex " + std::to_string(mesh_.to_vertex_handle(halfedge).idx()),
-                    "it is not made of whole arcs of one separatrix", "run the stage that wrote it again");
-    }
-
-    const QuadMesh& mesh_;
-    std::vector<ArcId> arcOfEdge_;
-    std::vector<std::size_t> lengths_;
-};
-
 } // namespace
 
 std::vector<Coverage> coverLines(const ArcGraph& graph, const std::vector<bool>& present) {
@@ -205,10 +170,28 @@ MotorcycleGraph graphOf(const QuadMesh& mesh, const BaseComplex& complex, const 
 
 std::vector<bool> presentArcs(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
                               const std::vector<Track>& tracks) {
-    const TrackArcs arcs(mesh, complex, graph);
-    std::vector<bool> present(graph.arcs.size(), false);
+    enum class Cover : char { none, track, arc };
+    std::vector<Cover> covers(mesh.n_edges(), Cover::none);
+    const auto cover = [&](HalfedgeId halfedge) -> Cover& {
+        return covers[at(mesh.edge_handle(halfedge).idx())];
+    };
     for (const Track& track : tracks)
-        arcs.mark(track, present);
+        for (const HalfedgeId halfedge : track.halfedges)
+            cover(halfedge) = Cover::track;
+    std::vector<bool> present(graph.arcs.size(), false);
+    for (std::size_t arc = 0; arc < graph.arcs.size(); ++arc) {
+        const auto halfedges = halfedgesOf(graph, complex, ArcId(arc));
+        present[arc] = std::ranges::all_of(halfedges, [&](HalfedgeId h) { return cover(h) == Cover::track; });
+        if (present[arc])
+            for (const HalfedgeId halfedge : halfedges)
+                cover(halfedge) = Cover::arc;
+    }
+    for (const Track& track : tracks)
+        for (const HalfedgeId halfedge : track.halfedges)
+            if (cover(halfedge) != Cover::arc)
+                throw Error("track over vertex " + std::to_string(mesh.to_vertex_handle(halfedge).idx()),
+                            "the tracks do not cover whole arcs of separatrices",
+                            "run the stage that wrote them again");
     return present;
 }
 

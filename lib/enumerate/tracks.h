@@ -24,8 +24,8 @@ struct Coverage {
 [[nodiscard]] MotorcycleGraph graphOf(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
                                       const std::vector<bool>& present, const std::vector<double>& edgeCosts);
 
-/// The arcs that tracks cover, for the same base complex.
-/// \throw Error  if a track is not made of whole arcs of one separatrix
+/// The arcs that tracks cover together; two that meet head-on may do so inside an arc.
+/// \throw Error  if an edge of a track is on no arc that is covered throughout
 [[nodiscard]] std::vector<bool> presentArcs(const QuadMesh& mesh, const BaseComplex& complex,
                                             const ArcGraph& graph, const std::vector<Track>& tracks);
 

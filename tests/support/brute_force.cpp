@@ -150,7 +150,7 @@ private:
         for (const int edge : edges)
             cost += costs_.cost[index(edge)];
         std::sort(edges.begin(), edges.end());
-        result_.graphs.emplace(std::move(edges), cost);
+        result_.graphs.try_emplace(std::move(edges), BruteForce::Graph{cost, x_});
     }
 
     const check::Neighbourhoods& around_;

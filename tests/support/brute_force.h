@@ -11,8 +11,11 @@
 namespace qm::testing {
 
 struct BruteForce {
-    /// Sets of edges, ascending, with their cost G_T.
-    std::map<std::vector<int>, double> graphs;
+    struct Graph {
+        double cost = 0;              ///< G_T
+        std::vector<int> coordinates; ///< of every way: the first vector that was found for this graph
+    };
+    std::map<std::vector<int>, Graph> graphs; ///< by their edges, ascending
     /// Valid coordinate vectors, up to who walks each line without junctions: every such line with two
     /// sources doubles the number of vectors and changes nothing else.
     std::uint64_t vectors = 0;

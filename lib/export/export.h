@@ -1,0 +1,58 @@
+/// \file Layouts and surfaces as files for other programs.
+#pragma once
+
+#include "bspline/surfaces.h"
+#include "merge/layout.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+namespace qm {
+
+enum class ExportFormat {
+    step, ///< surfaces: STEP AP214, one shell of B-spline faces, a solid where it is closed
+    iges, ///< surfaces: IGES 5.3, likewise
+    obj,  ///< quads, one group for every segment
+    ply,  ///< quads with colours and the number of their segment; binary
+    glb   ///< glTF 2.0: triangles with colours, one node for every segment; binary
+};
+
+/// What one unit of the mesh's coordinates means in STEP and IGES; numbers are never converted.
+enum class LengthUnit { mm, cm, m, inch };
+
+enum class ColourBy {
+    segment,  ///< another colour for every segment
+    deviation ///< blue to red by the patch's largest deviation; needs surfaces
+};
+
+struct ExportOptions {
+    ExportFormat format = ExportFormat::step;
+    LengthUnit unit = LengthUnit::mm;
+    ColourBy colour = ColourBy::segment; ///< PLY and glTF
+};
+
+/// What OpenCASCADE's own check says about a boundary representation.
+struct ShapeReport {
+    std::size_t faces = 0;
+    std::size_t edges = 0;
+    std::size_t openEdges = 0; ///< with a face on one side only
+    std::size_t solids = 0;    ///< closed components
+    std::size_t shells = 0;    ///< open components
+    bool valid = false;
+    double largestTolerance = 0; ///< of an edge or vertex: the largest gap that had to be bridged
+};
+
+struct Exported {
+    std::string bytes;                ///< the whole file
+    std::optional<ShapeReport> shape; ///< for STEP and IGES
+};
+
+/// Same input and options, same bytes. Segments keep their numbers: as names of faces (STEP), labels (IGES), groups (OBJ), a
+/// property of faces (PLY) or names of nodes (glTF).
+/// \param surfaces  may be null for OBJ, PLY and glTF
+/// \throw Error  if surfaces are needed and missing, or do not belong to the layout
+[[nodiscard]] Exported exportModel(const QuadMesh &mesh, const Layout &layout, const Surfaces *surfaces,
+                                   const ExportOptions &options);
+
+} // namespace qm

@@ -1,0 +1,180 @@
+#include "bspline/evaluate.h"
+#include "export/bytes.h"
+#include "export/quads.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+namespace qm {
+namespace {
+
+/// The one buffer of the file, and the JSON text that explains it. Every segment has its own vertices, so that
+/// colours and normals end at its border.
+class Builder {
+public:
+    void add(const QuadMesh &mesh, const Segment &segment, const Colour &colour) {
+        const auto vertices = vertexGrid(mesh, segment);
+        const std::size_t width = static_cast<std::size_t>(segment.size[0]) + 1;
+        const auto first = static_cast<std::uint32_t>(vertexCount_);
+        addVertices(mesh, vertices, width, colour);
+        for (std::size_t j = 0; j + width + 1 < vertices.size(); j += width)
+            for (std::size_t i = 0; i + 1 < width; ++i) {
+                const auto corner = first + static_cast<std::uint32_t>(j + i);
+                const auto above = corner + static_cast<std::uint32_t>(width);
+                for (const std::uint32_t index : {corner, corner + 1, above + 1, corner, above + 1, above})
+                    appendBytes(indices_, index);
+            }
+        ranges_.push_back(indices_.size());
+        vertexCount_ += vertices.size();
+    }
+
+    [[nodiscard]] std::string file() const {
+        std::string text = json();
+        text.resize((text.size() + 3) / 4 * 4, ' ');
+        const std::size_t size = positions_.size() + normals_.size() + colours_.size() + indices_.size();
+        std::string bytes = "glTF";
+        appendBytes(bytes, std::uint32_t{2});
+        appendBytes(bytes, static_cast<std::uint32_t>(12 + 8 + text.size() + 8 + size));
+        appendBytes(bytes, static_cast<std::uint32_t>(text.size()));
+        bytes += "JSON" + text;
+        appendBytes(bytes, static_cast<std::uint32_t>(size));
+        bytes.append("BIN\0", 4);
+        return bytes + positions_ + normals_ + colours_ + indices_;
+    }
+
+private:
+    void addVertices(const QuadMesh &mesh, const std::vector<VertexId> &vertices, std::size_t width,
+                     const Colour &colour) {
+        const std::size_t height = vertices.size() / width;
+        const auto point = [&](std::size_t i, std::size_t j) { return mesh.point(vertices[j * width + i]); };
+        for (std::size_t j = 0; j < height; ++j)
+            for (std::size_t i = 0; i < width; ++i) {
+                const Point alongU = point(std::min(i + 1, width - 1), j) - point(i > 0 ? i - 1 : 0, j);
+                const Point alongV = point(i, std::min(j + 1, height - 1)) - point(i, j > 0 ? j - 1 : 0);
+                Point normal = unitNormal(alongU, alongV);
+                if (normal.sqrnorm() == 0)
+                    normal = {0, 0, 1}; // glTF asks for unit vectors
+                for (unsigned k = 0; k < 3; ++k) {
+                    const auto coordinate = static_cast<float>(point(i, j)[k]);
+                    low_[k] = std::min(low_[k], coordinate);
+                    high_[k] = std::max(high_[k], coordinate);
+                    appendBytes(positions_, coordinate);
+                    appendBytes(normals_, static_cast<float>(normal[k]));
+                    appendBytes(colours_, colour[k]);
+                }
+                appendBytes(colours_, std::uint8_t{255});
+            }
+    }
+
+    [[nodiscard]] std::string json() const {
+        std::string text = R"({"asset":{"version":"2.0","generator":"qm-export"})";
+        if (ranges_.empty())
+            return text + "}";
+        text += R"(,"scene":0,"scenes":[{"nodes":[)";
+        list(text, [&](std::size_t k) { appendText(text, k); });
+        text += R"(]}],"nodes":[)";
+        list(text, [&](std::size_t k) {
+            text += R"({"name":"segment )";
+            appendText(text, k);
+            text += R"(","mesh":)";
+            appendText(text, k);
+            text += '}';
+        });
+        text += R"(],"meshes":[)";
+        list(text, [&](std::size_t k) {
+            text += R"({"primitives":[{"attributes":{"POSITION":0,"NORMAL":1,"COLOR_0":2},"material":0,"indices":)";
+            appendText(text, k + 3);
+            text += "}]}";
+        });
+        text += R"(],"materials":[{"doubleSided":true,"pbrMetallicRoughness":{"metallicFactor":0,"roughnessFactor":0.8}}])";
+        accessors(text);
+        buffers(text);
+        return text + "}";
+    }
+
+    void accessors(std::string &text) const {
+        text += R"(,"accessors":[)";
+        accessor(text, 0, 0, 5126, vertexCount_, "VEC3");
+        for (const auto &[name, values] : {std::pair{"min", &low_}, std::pair{"max", &high_}}) {
+            text.insert(text.size() - 1, std::string(",\"") + name + "\":[]");
+            std::string numbers;
+            for (const float value : *values) {
+                numbers += numbers.empty() ? "" : ",";
+                appendText(numbers, value);
+            }
+            text.insert(text.size() - 2, numbers);
+        }
+        text += ',';
+        accessor(text, 1, 0, 5126, vertexCount_, "VEC3");
+        text += ',';
+        accessor(text, 2, 0, 5121, vertexCount_, "VEC4", true);
+        for (std::size_t k = 0; k < ranges_.size(); ++k) {
+            const std::size_t begin = k == 0 ? 0 : ranges_[k - 1];
+            text += ',';
+            accessor(text, 3, begin, 5125, (ranges_[k] - begin) / 4, "SCALAR");
+        }
+        text += ']';
+    }
+
+    static void accessor(std::string &text, std::size_t view, std::size_t offset, int component,
+                         std::size_t count, const char *type, bool normalised = false) {
+        text += R"({"bufferView":)";
+        appendText(text, view);
+        text += R"(,"byteOffset":)";
+        appendText(text, offset);
+        text += R"(,"componentType":)";
+        appendText(text, component);
+        text += normalised ? R"(,"normalized":true,"count":)" : R"(,"count":)";
+        appendText(text, count);
+        text += std::string(R"(,"type":")") + type + "\"}";
+    }
+
+    void buffers(std::string &text) const {
+        text += R"(,"bufferViews":[)";
+        std::size_t offset = 0;
+        for (const std::string *part : {&positions_, &normals_, &colours_, &indices_}) {
+            text += offset == 0 ? "" : ",";
+            text += R"({"buffer":0,"byteOffset":)";
+            appendText(text, offset);
+            text += R"(,"byteLength":)";
+            appendText(text, part->size());
+            text += R"(,"target":)";
+            appendText(text, part == &indices_ ? 34963 : 34962);
+            text += '}';
+            offset += part->size();
+        }
+        text += R"(],"buffers":[{"byteLength":)";
+        appendText(text, offset);
+        text += "}]";
+    }
+
+    /// Calls `append` for every segment, with commas between.
+    template <class Append> void list(std::string &text, const Append &append) const {
+        for (std::size_t k = 0; k < ranges_.size(); ++k) {
+            text += k == 0 ? "" : ",";
+            append(k);
+        }
+    }
+
+    std::string positions_;
+    std::string normals_;
+    std::string colours_;
+    std::string indices_;
+    std::vector<std::size_t> ranges_; ///< end of each segment's indices, in bytes
+    std::size_t vertexCount_ = 0;
+    std::array<float, 3> low_ = {INFINITY, INFINITY, INFINITY};
+    std::array<float, 3> high_ = {-INFINITY, -INFINITY, -INFINITY};
+};
+
+} // namespace
+
+std::string quadsAsGlb(const QuadMesh &mesh, const Layout &layout, const std::vector<Colour> &colours) {
+    Builder builder;
+    for (std::size_t s = 0; s < layout.segments.size(); ++s)
+        builder.add(mesh, layout.segments[s], colours[s]);
+    return builder.file();
+}
+
+} // namespace qm

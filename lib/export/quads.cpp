@@ -1,0 +1,75 @@
+#include "export/quads.h"
+
+#include "export/bytes.h"
+
+#include <cstdint>
+
+namespace qm {
+namespace {
+
+std::array<VertexId, 4> corners(const QuadMesh &mesh, FaceId face) {
+    std::array<VertexId, 4> result;
+    HalfedgeId halfedge = mesh.halfedge_handle(face); // points to the face's first vertex
+    for (VertexId &vertex : result) {
+        vertex = mesh.to_vertex_handle(halfedge);
+        halfedge = mesh.next_halfedge_handle(halfedge);
+    }
+    return result;
+}
+
+} // namespace
+
+std::string quadsAsObj(const QuadMesh &mesh, const Layout &layout) {
+    std::string text;
+    for (const VertexId vertex : mesh.vertices()) {
+        text += 'v';
+        for (const double coordinate : mesh.point(vertex)) {
+            text += ' ';
+            appendText(text, coordinate);
+        }
+        text += '\n';
+    }
+    for (std::size_t s = 0; s < layout.segments.size(); ++s) {
+        text += "g segment_";
+        appendText(text, s);
+        text += '\n';
+        for (const FaceId face : layout.segments[s].faces) {
+            text += 'f';
+            for (const VertexId vertex : corners(mesh, face)) {
+                text += ' ';
+                appendText(text, vertex.idx() + 1);
+            }
+            text += '\n';
+        }
+    }
+    return text;
+}
+
+std::string quadsAsPly(const QuadMesh &mesh, const Layout &layout, const std::vector<Colour> &colours) {
+    std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex ";
+    appendText(bytes, mesh.n_vertices());
+    bytes += "\nproperty double x\nproperty double y\nproperty double z\nelement face ";
+    appendText(bytes, mesh.n_faces());
+    bytes += "\nproperty list uchar int vertex_indices\nproperty uchar red\nproperty uchar green\n"
+             "property uchar blue\nproperty int segment\nend_header\n";
+    for (const VertexId vertex : mesh.vertices())
+        for (const double coordinate : mesh.point(vertex))
+            appendBytes(bytes, coordinate);
+
+    std::vector<std::size_t> segmentOf(mesh.n_faces(), 0);
+    for (std::size_t s = 0; s < layout.segments.size(); ++s)
+        for (const FaceId face : layout.segments[s].faces)
+            segmentOf[static_cast<std::size_t>(face.idx())] = s;
+    for (const FaceId face : mesh.faces()) {
+        const std::size_t segment = segmentOf[static_cast<std::size_t>(face.idx())];
+        appendBytes(bytes, std::uint8_t{4});
+        for (const VertexId vertex : corners(mesh, face))
+            appendBytes(bytes, static_cast<std::int32_t>(vertex.idx()));
+        for (const std::uint8_t part : colours[segment])
+            appendBytes(bytes, part);
+        appendBytes(bytes, static_cast<std::int32_t>(segment));
+    }
+    return bytes;
+}
+
+} // namespace qm

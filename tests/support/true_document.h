@@ -1,0 +1,33 @@
+/// \file Documents that are true of a small mesh by construction: what the tests of the checker then spoil.
+#pragma once
+
+#include "check/checked_document.h"
+#include "check/neighbourhoods.h"
+
+#include <vector>
+
+namespace qm::testing {
+
+struct DocumentRecipe {
+    std::vector<std::vector<int>> curves; ///< feature curves, seeded at their second vertex
+    std::vector<int> labels;              ///< sub-mesh of every vertex; empty for no cut
+    int subMeshes = 1;
+};
+
+/// Base complex, features, cut, all graphs by brute force, the layout of the cheapest graph (of the whole
+/// mesh, if it was cut), and bilinear patches. Only for meshes on which every component has a source and no
+/// graph leaves an annulus.
+[[nodiscard]] check::CheckedDocument trueDocument(const check::CheckedMesh& mesh,
+                                                  const DocumentRecipe& recipe = {});
+
+/// The segments that a set of edges cuts the mesh into, each starting at a convex corner.
+/// \param border  by edge, without the mesh boundary
+[[nodiscard]] std::vector<check::LayoutPart::Segment> segmentsBetween(const check::CheckedMesh& mesh,
+                                                                      const check::Neighbourhoods& around,
+                                                                      const std::vector<char>& border);
+
+/// Patches of degree 1 through the vertices of the segments.
+[[nodiscard]] check::SurfacesPart bilinearPatches(const check::CheckedMesh& mesh,
+                                                  const check::LayoutPart& layout);
+
+} // namespace qm::testing
