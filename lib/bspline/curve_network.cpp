@@ -4,7 +4,7 @@
 
 namespace qm {
 
-CurveNetwork::CurveNetwork(const QuadMesh &mesh, const Chains &chains, const MeshLines &lines)
+CurveNetwork::CurveNetwork(const QuadMesh &mesh, const Chains &chains, const LineDerivatives &lines)
     : mesh_(mesh), chains_(chains), lines_(lines), across_(chains.all().size()) {
     fitPositions();
     prepareAcross();

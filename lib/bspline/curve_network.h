@@ -3,7 +3,7 @@
 #pragma once
 
 #include "bspline/chains.h"
-#include "bspline/mesh_lines.h"
+#include "bspline/line_derivatives.h"
 #include "bspline/spline_curve.h"
 
 #include <array>
@@ -24,7 +24,7 @@ struct SideCurves {
 /// chain have one tangent plane along it.
 class CurveNetwork {
 public:
-    CurveNetwork(const QuadMesh &mesh, const Chains &chains, const MeshLines &lines);
+    CurveNetwork(const QuadMesh &mesh, const Chains &chains, const LineDerivatives &lines);
 
     [[nodiscard]] SideCurves side(std::size_t patch, int side) const;
 
@@ -49,7 +49,7 @@ private:
 
     const QuadMesh &mesh_;
     const Chains &chains_;
-    const MeshLines &lines_;
+    const LineDerivatives &lines_;
     std::vector<SplineCurve> positions_;              ///< by chain, walked forwards
     std::vector<std::vector<Point>> slopes_;          ///< by chain, at every vertex
     std::vector<std::array<Across, 2>> across_;       ///< by chain and way

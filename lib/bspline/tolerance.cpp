@@ -5,7 +5,7 @@
 #include "bspline/curve_fit.h"
 #include "bspline/deviation.h"
 #include "bspline/interpolate.h"
-#include "bspline/mesh_lines.h"
+#include "bspline/line_derivatives.h"
 #include "bspline/patch_fit.h"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ std::vector<int> borderValences(const QuadMesh &mesh, const Chains &chains) {
     return valences;
 }
 
-CurveFitInput curveInput(const QuadMesh &mesh, const Chain &chain, const MeshLines &lines,
+CurveFitInput curveInput(const QuadMesh &mesh, const Chain &chain, const LineDerivatives &lines,
                          const std::vector<int> &valences) {
     CurveFitInput input;
     input.points.push_back(mesh.point(mesh.from_vertex_handle(chain.halfedges.front())));
@@ -68,7 +68,7 @@ std::vector<HalfedgeId> sideHalfedges(const Chains &chains, std::size_t patch, i
 }
 
 /// Derivatives into the patch at the vertices of a side; none if the side has no smooth edge with a neighbour.
-std::vector<Point> inwards(const QuadMesh &mesh, const MeshLines &lines, const std::vector<HalfedgeId> &side) {
+std::vector<Point> inwards(const QuadMesh &mesh, const LineDerivatives &lines, const std::vector<HalfedgeId> &side) {
     bool smooth = false;
     for (const HalfedgeId halfedge : side) {
         const EdgeId edge = mesh.edge_handle(halfedge);
@@ -99,7 +99,7 @@ std::vector<Patch> fitWithinTolerance(const QuadMesh &mesh, const Layout &layout
                                       const std::vector<double> &dihedralAngles, double rho, double tolerance,
                                       unsigned jobs) {
     const Chains chains(mesh, layout);
-    const MeshLines lines(mesh, dihedralAngles, rho);
+    const LineDerivatives lines(mesh, dihedralAngles, rho);
     const auto valences = borderValences(mesh, chains);
     const double exact = exactly * boundingBoxDiagonal(mesh);
     std::vector<SplineCurve> curves(chains.all().size());

@@ -80,7 +80,7 @@ Patch interpolateBetween(std::span<const Point> grid, const std::array<int, 2> &
 std::vector<Patch> interpolateWatertight(const QuadMesh &mesh, const Layout &layout,
                                          const std::vector<double> &dihedralAngles, double rho, unsigned jobs) {
     const Chains chains(mesh, layout);
-    const MeshLines lines(mesh, dihedralAngles, rho);
+    const LineDerivatives lines(mesh, dihedralAngles, rho);
     const CurveNetwork network(mesh, chains, lines);
     std::vector<Patch> patches(layout.segments.size());
     parallelFor(patches.size(), jobs, [&](std::size_t k) {

@@ -2,6 +2,8 @@
 
 #include "check/paths.h"
 
+#include <utility>
+
 namespace qm::check {
 
 namespace {
@@ -113,8 +115,7 @@ void checkBaseComplex(const Neighbourhoods& around, const LineNetwork& network, 
                       Report& report) {
     checkExtraordinaryVertices(around, part, report);
     SeparatrixCheck(around, network, part, report).run();
-    if (part.ordinaryJunctions < 0 ||
-        static_cast<std::size_t>(part.ordinaryJunctions) != network.ordinaryJunctions)
+    if (std::cmp_not_equal(part.ordinaryJunctions, network.ordinaryJunctions))
         report.violate(at(place, "ordinaryJunctions"), "n_j",
                        "the mesh has " + std::to_string(network.ordinaryJunctions) + " ordinary junctions");
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace qm::check {
 
@@ -37,10 +38,11 @@ void checkSubMeshes(const Neighbourhoods& around, const std::vector<LineNetwork>
         if (subMesh.id != static_cast<int>(k))
             report.violate(at(here, "id"), "id", "sub-meshes are numbered from 0 in their order");
         const double complexity = quasiComplexity(network);
-        if (!(std::abs(subMesh.quasiComplexity - complexity) <= 1e-6 * std::max(1.0, complexity)))
+        if (subMesh.quasiComplexity &&
+            !(std::abs(*subMesh.quasiComplexity - complexity) <= 1e-6 * std::max(1.0, complexity)))
             report.violate(at(here, "quasiComplexity"), "U", "it is " + decimal(complexity));
-        if (subMesh.ordinaryJunctions < 0 ||
-            static_cast<std::size_t>(subMesh.ordinaryJunctions) != network.ordinaryJunctions)
+        if (subMesh.ordinaryJunctions &&
+            std::cmp_not_equal(*subMesh.ordinaryJunctions, network.ordinaryJunctions))
             report.violate(at(here, "ordinaryJunctions"), "n_j",
                            "it has " + std::to_string(network.ordinaryJunctions));
         if (subMesh.source) knownVertex(around, *subMesh.source, at(here, "source"), report);

@@ -2,6 +2,7 @@
 
 #include "check/angles.h"
 #include "check/check_base_complex.h"
+#include "check/check_constraints.h"
 #include "check/check_cut.h"
 #include "check/check_enumeration.h"
 #include "check/check_features.h"
@@ -74,28 +75,31 @@ private:
     }
 
     void priced(const TraceInput& sources) {
-        const EdgeCosts costs =
-            edgeCosts(dihedralAngles(mesh_, around_), document_.weights->alpha, document_.weights->epsilon);
-        if (document_.enumeration) enumeration(costs);
+        const Angles angles = dihedralAngles(mesh_, around_);
+        const EdgeCosts costs = edgeCosts(angles, document_.weights->alpha, document_.weights->epsilon);
+        const Context context{mesh_, around_, angles, costs,
+                              document_.constraints.value_or(ConstraintsPart{})};
+        if (!checkConstraintPaths(around_, context.constraints, report_)) return;
+        if (document_.enumeration) enumeration(context);
         if (!document_.layout) return;
         if (document_.cut) networks_ = traceLines(around_, {sources.seedSteps, {}, 1});
-        if (layout(costs)) surfaces();
+        if (layout(context) && document_.layout->divided) surfaces();
     }
 
-    void enumeration(const EdgeCosts& costs) {
+    void enumeration(const Context& context) {
         const auto& part = *document_.enumeration;
         std::size_t graphs = 0;
         for (const auto& subMesh : part.subMeshes)
             graphs += subMesh.graphs.size();
         const BaseComplexPart* complex = document_.baseComplex ? &*document_.baseComplex : nullptr;
-        section([&] { checkEnumeration(around_, networks_, costs, complex, part, report_); },
+        section([&] { checkEnumeration(context, networks_, complex, part, report_); },
                 "enumeration: " + count(graphs, "graph", "graphs") + " of " +
                     count(part.subMeshes.size(), "sub-mesh", "sub-meshes"));
     }
 
-    bool layout(const EdgeCosts& costs) {
+    bool layout(const Context& context) {
         const auto& part = *document_.layout;
-        return section([&] { checkLayout(mesh_, around_, networks_.front(), costs, part, report_); },
+        return section([&] { checkLayout(context, networks_.front(), part, report_); },
                        "layout: " + count(part.tracks.size(), "track", "tracks") + ", " +
                            count(part.segments.size(), "segment", "segments") + ", cost " +
                            decimal(part.cost));

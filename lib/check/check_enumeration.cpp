@@ -1,5 +1,6 @@
 #include "check/check_enumeration.h"
 
+#include "check/check_constraints.h"
 #include "check/check_graph.h"
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -17,11 +18,10 @@ using BigInteger = boost::multiprecision::cpp_int;
 
 class EnumerationCheck {
 public:
-    EnumerationCheck(const Neighbourhoods& around, const std::vector<LineNetwork>& networks,
-                     const EdgeCosts& costs, const BaseComplexPart* complex, const EnumerationPart& part,
-                     Report& report)
-        : around_(around), networks_(networks), costs_(costs), complex_(complex), part_(part),
-          report_(report), scratch_(static_cast<std::size_t>(around.edges()), 0) {}
+    EnumerationCheck(const Context& context, const std::vector<LineNetwork>& networks,
+                     const BaseComplexPart* complex, const EnumerationPart& part, Report& report)
+        : context_(context), around_(context.around), networks_(networks), complex_(complex), part_(part),
+          report_(report), present_(static_cast<std::size_t>(around_.edges()), 0) {}
 
     void run() {
         if (part_.subMeshes.size() != networks_.size()) {
@@ -41,31 +41,41 @@ private:
         if (subMesh.id != static_cast<int>(k))
             report_.violate(at(here, "id"), "id", "sub-meshes are numbered from 0 in their order");
         known_.clear();
+        double before = -HUGE_VAL;
         for (std::size_t g = 0; g < subMesh.graphs.size(); ++g) {
-            graph(networks_[k], subMesh.graphs[g], at(at(here, "graphs"), g));
-            if (g > 0 && subMesh.graphs[g].cost < subMesh.graphs[g - 1].cost - 1e-9)
-                report_.violate(at(at(at(here, "graphs"), g), "cost"), "sorted",
-                                "the graph before it costs more");
+            const std::string place = at(at(here, "graphs"), g);
+            const double cost = graph(networks_[k], subMesh.graphs[g], place);
+            if (cost < before - 1e-6 * std::max(1.0, std::abs(before)))
+                report_.violate(place, "sorted", "the graph before it costs more");
+            before = cost;
+            if (g == 0) best(subMesh, cost, here);
         }
-        bounds(subMesh, here);
+        count(subMesh, here);
     }
 
-    void graph(const LineNetwork& network, const EnumerationPart::Graph& graph, const std::string& here) {
+    /// \return its cost
+    double graph(const LineNetwork& network, const EnumerationPart::Graph& graph, const std::string& here) {
         const std::string list = at(here, "tracks");
         const auto tracks = readTracks(around_, graph.tracks, list, report_);
         for (const ReadTrack& track : tracks)
             references(graph.tracks[track.rank], at(list, track.rank));
         auto edges = edgesOf(around_, tracks, list, report_);
-        checkGraph(around_, network, tracks, scratch_, list, report_);
+        for (const int edge : edges)
+            present_[static_cast<std::size_t>(edge)] = 1;
+        checkGraph(around_, network, tracks, present_, edges.size(), list, report_);
+        checkConstraints(around_, context_.constraints, present_, networks_.size() == 1, list, report_);
+        for (const int edge : edges)
+            present_[static_cast<std::size_t>(edge)] = 0;
 
-        CostSum cost(costs_);
+        CostSum cost(context_.costs);
         for (const int edge : edges)
             cost.add(edge);
-        if (!cost.equals(graph.cost))
+        if (graph.cost && !cost.equals(*graph.cost))
             report_.violate(at(here, "cost"), "cost",
                             "the edges of its tracks cost " + decimal(cost.value()));
         const auto [same, unique] = known_.emplace(std::move(edges), here);
         if (!unique) report_.violate(here, "distinct", "it has the same edges as " + same->second);
+        return cost.value();
     }
 
     void references(const TrackPart& track, const std::string& here) {
@@ -87,15 +97,15 @@ private:
                             "the track does not run on this separatrix");
     }
 
-    void bounds(const EnumerationPart::SubMesh& subMesh, const std::string& here) {
-        if (!subMesh.graphs.empty()) {
-            const double best = subMesh.graphs.front().cost;
-            if (!subMesh.cost || !(std::abs(*subMesh.cost - best) <= 1e-9 * std::max(1.0, std::abs(best))))
-                report_.violate(at(here, "cost"), "best cost", "the first graph costs " + decimal(best));
-        }
-        if (subMesh.cost && subMesh.lowerBound &&
-            !(*subMesh.lowerBound <= *subMesh.cost + 1e-6 * std::max(1.0, std::abs(*subMesh.cost))))
-            report_.violate(at(here, "lowerBound"), "bound", "it is above the cost of a graph");
+    void best(const EnumerationPart::SubMesh& subMesh, double cost, const std::string& here) {
+        const double slack = 1e-6 * std::max(1.0, std::abs(cost));
+        if (subMesh.cost && !(std::abs(*subMesh.cost - cost) <= slack))
+            report_.violate(at(here, "cost"), "best cost", "the first graph costs " + decimal(cost));
+        if (subMesh.lowerBound && !(*subMesh.lowerBound <= cost + slack))
+            report_.violate(at(here, "lowerBound"), "bound", "it is above the cost of the first graph");
+    }
+
+    void count(const EnumerationPart::SubMesh& subMesh, const std::string& here) {
         counts_.push_back(bigInteger(subMesh.count, at(here, "count")));
         if (counts_.back() && *counts_.back() < subMesh.graphs.size())
             report_.violate(at(here, "count"), "count",
@@ -131,23 +141,22 @@ private:
                             "the sub-meshes' counts multiply to " + product.str());
     }
 
+    const Context& context_;
     const Neighbourhoods& around_;
     const std::vector<LineNetwork>& networks_;
-    const EdgeCosts& costs_;
     const BaseComplexPart* complex_;
     const EnumerationPart& part_;
     Report& report_;
-    std::vector<char> scratch_;
+    std::vector<char> present_;                     ///< by edge; all 0 between two graphs
     std::vector<std::optional<BigInteger>> counts_; ///< of the sub-meshes
     std::map<std::vector<int>, std::string> known_; ///< the sub-mesh's graphs so far
 };
 
 } // namespace
 
-void checkEnumeration(const Neighbourhoods& around, const std::vector<LineNetwork>& networks,
-                      const EdgeCosts& costs, const BaseComplexPart* complex, const EnumerationPart& part,
-                      Report& report) {
-    EnumerationCheck(around, networks, costs, complex, part, report).run();
+void checkEnumeration(const Context& context, const std::vector<LineNetwork>& networks,
+                      const BaseComplexPart* complex, const EnumerationPart& part, Report& report) {
+    EnumerationCheck(context, networks, complex, part, report).run();
 }
 
 } // namespace qm::check

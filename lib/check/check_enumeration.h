@@ -2,8 +2,7 @@
 /// to 5)
 #pragma once
 
-#include "check/angles.h"
-#include "check/checked_document.h"
+#include "check/context.h"
 #include "check/lines.h"
 #include "check/report.h"
 
@@ -13,8 +12,7 @@ namespace qm::check {
 
 /// \param networks  the lines of every sub-mesh, with the feature seeds
 /// \param complex   what tracks refer to by separatrix; may be null
-void checkEnumeration(const Neighbourhoods& around, const std::vector<LineNetwork>& networks,
-                      const EdgeCosts& costs, const BaseComplexPart* complex, const EnumerationPart& part,
-                      Report& report);
+void checkEnumeration(const Context& context, const std::vector<LineNetwork>& networks,
+                      const BaseComplexPart* complex, const EnumerationPart& part, Report& report);
 
 } // namespace qm::check

@@ -95,7 +95,8 @@ Coordinates coordinatesOf(const Neighbourhoods& around, const LineNetwork& netwo
 }
 
 void checkGraph(const Neighbourhoods& around, const LineNetwork& network, std::span<const ReadTrack> tracks,
-                std::span<char> scratch, const std::string& pointer, Report& report) {
+                std::span<const char> present, std::size_t count, const std::string& pointer,
+                Report& report) {
     const Coordinates coordinates = coordinatesOf(around, network, tracks, true, pointer, report);
     if (coordinates.sound)
         for (const BrokenTrackRule& broken : brokenTrackRules(network, coordinates.x)) {
@@ -107,18 +108,8 @@ void checkGraph(const Neighbourhoods& around, const LineNetwork& network, std::s
                            particle + broken.explanation);
         }
 
-    std::size_t count = 0;
-    for (const ReadTrack& track : tracks)
-        for (const int step : track.steps) {
-            char& present = scratch[index(around.edge(step))];
-            count += present == 0;
-            present = 1;
-        }
-    for (const BrokenArcRule& broken : brokenArcRules(around, network, scratch, count))
+    for (const BrokenArcRule& broken : brokenArcRules(around, network, present, count))
         report.violate(pointer, broken.rule, broken.explanation);
-    for (const ReadTrack& track : tracks)
-        for (const int step : track.steps)
-            scratch[index(around.edge(step))] = 0;
 }
 
 } // namespace qm::check

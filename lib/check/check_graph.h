@@ -41,8 +41,9 @@ struct Coordinates {
                                         const std::string& pointer, Report& report);
 
 /// Tests the tracks by rules A1 to A4 and, apart from that, the set of their edges by the rules on arcs.
-/// \param scratch  by edge, all 0 before and after
+/// \param present  by edge: whether it lies on a track
+/// \param count    how many edges do
 void checkGraph(const Neighbourhoods& around, const LineNetwork& network, std::span<const ReadTrack> tracks,
-                std::span<char> scratch, const std::string& pointer, Report& report);
+                std::span<const char> present, std::size_t count, const std::string& pointer, Report& report);
 
 } // namespace qm::check

@@ -1,6 +1,8 @@
 #include "check/check_layout.h"
 
+#include "check/check_constraints.h"
 #include "check/check_graph.h"
+#include "check/check_quality.h"
 #include "check/check_segments.h"
 #include "check/paths.h"
 
@@ -69,10 +71,9 @@ std::vector<int> wholeLine(const Neighbourhoods& around, int first) {
 
 class LayoutCheck {
 public:
-    LayoutCheck(const CheckedMesh& mesh, const Neighbourhoods& around, const LineNetwork& network,
-                const EdgeCosts& costs, const LayoutPart& part, Report& report)
-        : mesh_(mesh), around_(around), network_(network), costs_(costs), part_(part), report_(report),
-          sourceless_(componentsWithoutSource(around, network)), onTrack_(index(around.edges()), 0) {}
+    LayoutCheck(const Context& context, const LineNetwork& network, const LayoutPart& part, Report& report)
+        : context_(context), around_(context.around), network_(network), part_(part), report_(report),
+          sourceless_(componentsWithoutSource(around_, network)), onTrack_(index(around_.edges()), 0) {}
 
     void run() {
         auto tracks = readTracks(around_, part_.tracks, tracksPlace, report_);
@@ -94,7 +95,10 @@ public:
             countVisits(track);
         for (const ReadTrack& track : transversals)
             transversal(track);
-        checkSegments(mesh_, around_, onTrack_, part_, report_);
+        checkConstraints(around_, context_.constraints, onTrack_, true, tracksPlace, report_);
+        const std::size_t before = report_.total();
+        if (part_.divided) checkSegments(context_.mesh, around_, onTrack_, part_, report_);
+        if (report_.total() == before) checkQuality(around_, context_.angles, onTrack_, part_, report_);
     }
 
 private:
@@ -106,9 +110,9 @@ private:
     }
 
     void prices(std::span<const ReadTrack> tracks) {
-        CostSum total(costs_);
+        CostSum total(context_.costs);
         for (const ReadTrack& track : tracks) {
-            CostSum cost(costs_);
+            CostSum cost(context_.costs);
             for (const int step : track.steps)
                 cost.add(around_.edge(step));
             if (!part_.tracks[track.rank].transversal) total.add(cost);
@@ -117,11 +121,12 @@ private:
                 report_.violate(at(at(tracksPlace, track.rank), "cost"), "cost",
                                 "its edges cost " + decimal(cost.value()));
         }
-        if (!total.equals(part_.cost))
+        if (part_.cost && !total.equals(*part_.cost))
             report_.violate("/layout/cost", "G_T", "the edges of the tracks cost " + decimal(total.value()));
         // A pruned layout may cost less than any motorcycle graph.
-        const double slack = 1e-6 * std::max(1.0, std::abs(part_.cost));
-        if (part_.lowerBound && !part_.pruned && !(*part_.lowerBound <= part_.cost + slack))
+        const double slack = 1e-6 * std::max(1.0, std::abs(total.value()));
+        if (part_.lowerBound && !part_.pruned && !total.equals(*part_.lowerBound) &&
+            !(*part_.lowerBound <= total.value() + slack))
             report_.violate("/layout/lowerBound", "bound", "it is above the cost");
     }
 
@@ -129,8 +134,15 @@ private:
         if (part_.pruned) {
             (void)coordinatesOf(around_, network_, tracks, false, tracksPlace, report_);
         } else {
-            std::vector<char> scratch(onTrack_.size(), 0);
-            checkGraph(around_, network_, tracks, scratch, tracksPlace, report_);
+            std::vector<char> present(onTrack_.size(), 0);
+            std::size_t count = 0;
+            for (const ReadTrack& track : tracks)
+                for (const int step : track.steps) {
+                    char& edge = present[index(around_.edge(step))];
+                    count += edge == 0;
+                    edge = 1;
+                }
+            checkGraph(around_, network_, tracks, present, count, tracksPlace, report_);
         }
     }
 
@@ -187,10 +199,9 @@ private:
         }
     }
 
-    const CheckedMesh& mesh_;
+    const Context& context_;
     const Neighbourhoods& around_;
     const LineNetwork& network_;
-    const EdgeCosts& costs_;
     const LayoutPart& part_;
     Report& report_;
     std::vector<int> sourceless_; ///< by vertex
@@ -200,9 +211,8 @@ private:
 
 } // namespace
 
-void checkLayout(const CheckedMesh& mesh, const Neighbourhoods& around, const LineNetwork& network,
-                 const EdgeCosts& costs, const LayoutPart& part, Report& report) {
-    LayoutCheck(mesh, around, network, costs, part, report).run();
+void checkLayout(const Context& context, const LineNetwork& network, const LayoutPart& part, Report& report) {
+    LayoutCheck(context, network, part, report).run();
 }
 
 } // namespace qm::check

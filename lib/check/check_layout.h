@@ -1,8 +1,7 @@
 /// \file Is this layout true: its tracks, their cost, its segments? (method 2, 3, 7, 8)
 #pragma once
 
-#include "check/angles.h"
-#include "check/checked_document.h"
+#include "check/context.h"
 #include "check/lines.h"
 #include "check/report.h"
 
@@ -12,7 +11,6 @@ namespace qm::check {
 /// keeps a part of such tracks, each still from a source straight on. In a component without sources the
 /// tracks make up one whole mesh line. Transversals run straight from one track or boundary to another and
 /// cost nothing. \param network  the lines of the whole mesh, with the feature seeds
-void checkLayout(const CheckedMesh& mesh, const Neighbourhoods& around, const LineNetwork& network,
-                 const EdgeCosts& costs, const LayoutPart& part, Report& report);
+void checkLayout(const Context& context, const LineNetwork& network, const LayoutPart& part, Report& report);
 
 } // namespace qm::check

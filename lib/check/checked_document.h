@@ -35,8 +35,8 @@ struct FeaturesPart {
 struct CutPart {
     struct SubMesh {
         int id = -1;
-        double quasiComplexity = 0;
-        int ordinaryJunctions = -1;
+        std::optional<double> quasiComplexity;
+        std::optional<int> ordinaryJunctions;
         std::optional<int> source;
         std::optional<int> sink;
     };
@@ -56,7 +56,7 @@ struct TrackPart {
 
 struct EnumerationPart {
     struct Graph {
-        double cost = 0;
+        std::optional<double> cost;
         std::vector<TrackPart> tracks;
     };
     struct SubMesh {
@@ -84,11 +84,21 @@ struct LayoutPart {
         std::array<std::vector<int>, 4> sides;
         std::vector<int> faces;
     };
-    double cost = 0;
+    struct Quality {
+        std::optional<double> segments;
+        std::optional<double> tJunctions;
+        std::optional<double> capturedSharpness;
+        std::optional<double> medianAspect;
+        std::optional<double> maxAspect;
+    };
+    std::optional<double> cost;
     std::optional<double> lowerBound;
     bool pruned = false; ///< the last tool that wrote it removed tracks
     std::vector<TrackPart> tracks;
+    bool divided = false; ///< segments are given; they may be left out
     std::vector<Segment> segments;
+    Quality quality;
+    double rho = 0; ///< from which angle on an edge counts as sharp
 };
 
 struct SurfacesPart {
@@ -109,7 +119,14 @@ struct SurfacesPart {
     std::vector<Patch> patches;
 };
 
+/// What a person demanded, as paths along edges.
+struct ConstraintsPart {
+    std::vector<std::vector<int>> required;
+    std::vector<std::vector<int>> forbidden;
+};
+
 struct CheckedDocument {
+    std::optional<ConstraintsPart> constraints;
     std::optional<BaseComplexPart> baseComplex;
     std::optional<FeaturesPart> features;
     std::optional<CutPart> cut;

@@ -66,6 +66,10 @@ Adapter Array::const_iterator::operator*() const {
     return Adapter(Place{&array[array_->shown_[rank_]], array_->place_.results});
 }
 
+valijson::adapters::DerefProxy<Adapter> Array::const_iterator::operator->() const {
+    return valijson::adapters::DerefProxy<Adapter>(**this);
+}
+
 ObjectMember Object::const_iterator::operator*() const {
     const auto& [key, value] =
         place_.value->get_ref<const Json::object_t&>().begin()[static_cast<std::ptrdiff_t>(rank_)];

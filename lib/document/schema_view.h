@@ -43,6 +43,11 @@ public:
     public:
         const_iterator(const Array* array, std::size_t rank) : array_(array), rank_(rank) {}
         Adapter operator*() const;
+        [[nodiscard]] valijson::adapters::DerefProxy<Adapter> operator->() const;
+        const_iterator& operator--() {
+            --rank_;
+            return *this;
+        }
         const_iterator& operator++() {
             ++rank_;
             return *this;
@@ -65,8 +70,8 @@ public:
         : place_(place), shown_(shownElements(place.value->get_ref<const Json::array_t&>())) {}
     [[nodiscard]] const_iterator begin() const { return {this, 0}; }
     [[nodiscard]] const_iterator end() const { return {this, shown_.size()}; }
-    /// Asked by position (for a tuple's elements), so it must not exceed what is shown.
-    [[nodiscard]] std::size_t size() const { return shown_.size(); }
+    /// Of the whole array, for limits on its length.
+    [[nodiscard]] std::size_t size() const { return place_.value == nullptr ? 0 : place_.value->size(); }
 
 private:
     Place place_;

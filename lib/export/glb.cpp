@@ -96,39 +96,38 @@ private:
 
     void accessors(std::string &text) const {
         text += R"(,"accessors":[)";
-        accessor(text, 0, 0, 5126, vertexCount_, "VEC3");
-        for (const auto &[name, values] : {std::pair{"min", &low_}, std::pair{"max", &high_}}) {
-            text.insert(text.size() - 1, std::string(",\"") + name + "\":[]");
-            std::string numbers;
-            for (const float value : *values) {
-                numbers += numbers.empty() ? "" : ",";
-                appendText(numbers, value);
-            }
-            text.insert(text.size() - 2, numbers);
-        }
-        text += ',';
-        accessor(text, 1, 0, 5126, vertexCount_, "VEC3");
-        text += ',';
-        accessor(text, 2, 0, 5121, vertexCount_, "VEC4", true);
+        const std::string bounds = R"(,"min":[)" + numbers(low_) + R"(],"max":[)" + numbers(high_) + ']';
+        text += accessor(0, 0, 5126, vertexCount_, "VEC3", bounds);
+        text += ',' + accessor(1, 0, 5126, vertexCount_, "VEC3");
+        text += ',' + accessor(2, 0, 5121, vertexCount_, "VEC4", R"(,"normalized":true)");
         for (std::size_t k = 0; k < ranges_.size(); ++k) {
             const std::size_t begin = k == 0 ? 0 : ranges_[k - 1];
-            text += ',';
-            accessor(text, 3, begin, 5125, (ranges_[k] - begin) / 4, "SCALAR");
+            text += ',' + accessor(3, begin, 5125, (ranges_[k] - begin) / 4, "SCALAR");
         }
         text += ']';
     }
 
-    static void accessor(std::string &text, std::size_t view, std::size_t offset, int component,
-                         std::size_t count, const char *type, bool normalised = false) {
-        text += R"({"bufferView":)";
+    static std::string numbers(const std::array<float, 3> &values) {
+        std::string text;
+        for (const float value : values) {
+            text += text.empty() ? "" : ",";
+            appendText(text, value);
+        }
+        return text;
+    }
+
+    /// \param component  5121, 5125 or 5126: bytes, 32 bit integers or floating point numbers
+    static std::string accessor(std::size_t view, std::size_t offset, int component, std::size_t count,
+                                const std::string &type, const std::string &more = {}) {
+        std::string text = R"({"bufferView":)";
         appendText(text, view);
         text += R"(,"byteOffset":)";
         appendText(text, offset);
         text += R"(,"componentType":)";
         appendText(text, component);
-        text += normalised ? R"(,"normalized":true,"count":)" : R"(,"count":)";
+        text += R"(,"count":)";
         appendText(text, count);
-        text += std::string(R"(,"type":")") + type + "\"}";
+        return text + R"(,"type":")" + type + '"' + more + '}';
     }
 
     void buffers(std::string &text) const {

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <set>
 
 namespace qm::testing {
@@ -117,6 +118,42 @@ check::CheckedMesh tube(int a, int b) {
                 mesh.quads.push_back(
                     {number(i, j), number(i + 1, j), number(i + 1, j + 1), number(i, j + 1)});
         }
+    return mesh;
+}
+
+check::CheckedMesh glued(int squares, const std::vector<std::array<int, 2>>& pairs, int n) {
+    // Lattice point (i, j) of a square; point k of side s, counted counter-clockwise.
+    const auto point = [&](int square, int i, int j) { return (square * (n + 1) + j) * (n + 1) + i; };
+    const auto onSide = [&](int side, int k) {
+        const std::array<std::array<int, 2>, 4> places{{{k, 0}, {n, k}, {n - k, n}, {0, n - k}}};
+        const auto [i, j] = places[static_cast<std::size_t>(side % 4)];
+        return point(side / 4, i, j);
+    };
+    std::vector<int> same(static_cast<std::size_t>(squares * (n + 1) * (n + 1)));
+    std::iota(same.begin(), same.end(), 0);
+    const auto root = [&](int p) {
+        while (same[static_cast<std::size_t>(p)] != p)
+            p = same[static_cast<std::size_t>(p)];
+        return p;
+    };
+    for (const auto& [one, other] : pairs)
+        for (int k = 0; k <= n; ++k)
+            same[static_cast<std::size_t>(root(onSide(one, k)))] = root(onSide(other, n - k));
+
+    check::CheckedMesh mesh;
+    std::map<int, int> number;
+    const auto vertex = [&](int p) {
+        const auto [known, isNew] = number.emplace(root(p), static_cast<int>(number.size()));
+        if (isNew)
+            mesh.points.push_back(
+                {std::sin(known->first), std::sin(2.5 * known->first), std::sin(4.1 * known->first)});
+        return known->second;
+    };
+    for (int square = 0; square < squares; ++square)
+        for (int j = 0; j < n; ++j)
+            for (int i = 0; i < n; ++i)
+                mesh.quads.push_back({vertex(point(square, i, j)), vertex(point(square, i + 1, j)),
+                                      vertex(point(square, i + 1, j + 1)), vertex(point(square, i, j + 1))});
     return mesh;
 }
 

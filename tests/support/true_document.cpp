@@ -97,8 +97,7 @@ std::vector<LayoutPart::Segment> segmentsBetween(const CheckedMesh& mesh, const 
         if (!isBorder(first) || !isBorder(next(next(next(first))))) continue;
         LayoutPart::Segment segment;
         segment.id = static_cast<int>(segments.size());
-        for (int row = first;; row = next(next(across(next(next(row)))))) {
-            row = row == first ? first : next(next(row));
+        for (int row = first;; row = across(next(next(row)))) {
             int columns = 0;
             for (int step = row;; step = next(across(next(step)))) {
                 segment.faces.push_back(around.leftFace(step));
@@ -185,6 +184,7 @@ CheckedDocument trueDocument(const CheckedMesh& mesh, const DocumentRecipe& reci
                            ? document.enumeration->subMeshes.front()
                            : graphsOf(around, traceLines(around, {input.seedSteps, {}, 1}).front(), costs);
     LayoutPart layout;
+    layout.divided = true;
     layout.cost = whole.graphs.front().cost;
     layout.lowerBound = layout.cost;
     layout.tracks = whole.graphs.front().tracks;

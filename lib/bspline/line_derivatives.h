@@ -11,10 +11,10 @@ namespace qm {
 /// Takes every edge as a step of length one. A line goes straight on over regular vertices, along the boundary
 /// too where it turns by at most rho; it ends at extraordinary vertices and where it meets a sharp edge.
 /// Whoever asks from either side of a vertex that a line passes gets the same derivative.
-class MeshLines {
+class LineDerivatives {
 public:
     /// \param dihedralAngles  by edge index, radians \param rho  edges above it are sharp
-    MeshLines(const QuadMesh &mesh, const std::vector<double> &dihedralAngles, double rho);
+    LineDerivatives(const QuadMesh &mesh, const std::vector<double> &dihedralAngles, double rho);
 
     /// Derivative along the line at the vertex that `halfedge` leaves: a central difference if the line passes
     /// the vertex, else a one-sided one, turned into the tangent plane of its smooth surroundings.

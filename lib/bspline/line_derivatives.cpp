@@ -1,4 +1,4 @@
-#include "bspline/mesh_lines.h"
+#include "bspline/line_derivatives.h"
 
 #include "bspline/evaluate.h"
 #include "mesh/topology.h"
@@ -17,24 +17,24 @@ Point unlessSpoilt(const Point &refined, const Point &plain) {
 
 } // namespace
 
-MeshLines::MeshLines(const QuadMesh &mesh, const std::vector<double> &dihedralAngles, double rho)
+LineDerivatives::LineDerivatives(const QuadMesh &mesh, const std::vector<double> &dihedralAngles, double rho)
     : mesh_(mesh), smooth_(dihedralAngles.size()), rho_(rho) {
     for (std::size_t k = 0; k < smooth_.size(); ++k)
         smooth_[k] = dihedralAngles[k] <= rho;
 }
 
-bool MeshLines::isSmooth(EdgeId edge) const { return smooth_[static_cast<std::size_t>(edge.idx())]; }
+bool LineDerivatives::isSmooth(EdgeId edge) const { return smooth_[static_cast<std::size_t>(edge.idx())]; }
 
-const Point &MeshLines::end(HalfedgeId halfedge) const { return mesh_.point(mesh_.to_vertex_handle(halfedge)); }
+const Point &LineDerivatives::end(HalfedgeId halfedge) const { return mesh_.point(mesh_.to_vertex_handle(halfedge)); }
 
-const Point &MeshLines::start(HalfedgeId halfedge) const {
+const Point &LineDerivatives::start(HalfedgeId halfedge) const {
     return mesh_.point(mesh_.from_vertex_handle(halfedge));
 }
 
-HalfedgeId MeshLines::opposite(HalfedgeId halfedge) const { return mesh_.opposite_halfedge_handle(halfedge); }
+HalfedgeId LineDerivatives::opposite(HalfedgeId halfedge) const { return mesh_.opposite_halfedge_handle(halfedge); }
 
 /// The line's next halfedge, if it passes the vertex that this one points to.
-std::optional<HalfedgeId> MeshLines::goOn(HalfedgeId halfedge) const {
+std::optional<HalfedgeId> LineDerivatives::goOn(HalfedgeId halfedge) const {
     const VertexId vertex = mesh_.to_vertex_handle(halfedge);
     if (!isRegular(mesh_, vertex))
         return std::nullopt;
@@ -67,7 +67,7 @@ std::optional<HalfedgeId> MeshLines::goOn(HalfedgeId halfedge) const {
     return on;
 }
 
-Point MeshLines::tangent(HalfedgeId halfedge) const {
+Point LineDerivatives::tangent(HalfedgeId halfedge) const {
     const auto back = goOn(opposite(halfedge));
     const Point ownSide = oneSided(halfedge);
     if (!back || bendsSharply(halfedge, ownSide, oneSided(*back)))
@@ -80,7 +80,7 @@ Point MeshLines::tangent(HalfedgeId halfedge) const {
     return unlessSpoilt((8.0 * chord - (end(*further) - end(*furtherBack))) / 12.0, chord / 2.0);
 }
 
-Point MeshLines::oneSided(HalfedgeId halfedge) const {
+Point LineDerivatives::oneSided(HalfedgeId halfedge) const {
     const Point step = end(halfedge) - start(halfedge);
     const auto further = goOn(halfedge);
     return further ? unlessSpoilt(1.5 * step - 0.5 * (end(*further) - end(halfedge)), step) : step;
@@ -88,7 +88,7 @@ Point MeshLines::oneSided(HalfedgeId halfedge) const {
 
 /// Near extraordinary vertices lines bend. A derivative between the directions of both sides would fold a surface
 /// whose rows lie closer together than the two differ.
-bool MeshLines::bendsSharply(HalfedgeId halfedge, const Point &forwards, const Point &backwards) const {
+bool LineDerivatives::bendsSharply(HalfedgeId halfedge, const Point &forwards, const Point &backwards) const {
     double spacing = std::numeric_limits<double>::infinity();
     if (!mesh_.is_boundary(halfedge)) {
         const HalfedgeId left = mesh_.prev_halfedge_handle(halfedge);
@@ -103,7 +103,7 @@ bool MeshLines::bendsSharply(HalfedgeId halfedge, const Point &forwards, const P
 
 /// Patches that meet at a vertex have one normal there if all tangents of a smooth sector lie in one plane. An
 /// edge between two sectors lies in both planes.
-Point MeshLines::inTangentPlane(HalfedgeId halfedge, const Point &tangent) const {
+Point LineDerivatives::inTangentPlane(HalfedgeId halfedge, const Point &tangent) const {
     const Point left = normalOnLeft(halfedge);
     const Point right = isSmooth(mesh_.edge_handle(halfedge))
                             ? left
@@ -118,7 +118,7 @@ Point MeshLines::inTangentPlane(HalfedgeId halfedge, const Point &tangent) const
 
 /// The mean normal, around the vertex that `halfedge` leaves, of all faces from its left to the next sharp edges;
 /// zero where there is none.
-Point MeshLines::normalOnLeft(HalfedgeId halfedge) const {
+Point LineDerivatives::normalOnLeft(HalfedgeId halfedge) const {
     // Back, clockwise, to where the sector begins; then count its faces.
     const auto onLeft = [&](HalfedgeId h) { return opposite(mesh_.prev_halfedge_handle(h)); };
     HalfedgeId first = halfedge;
@@ -140,7 +140,7 @@ Point MeshLines::normalOnLeft(HalfedgeId halfedge) const {
 }
 
 /// The mean over the faces around the vertex into which either line goes on.
-Point MeshLines::twist(HalfedgeId halfedge) const {
+Point LineDerivatives::twist(HalfedgeId halfedge) const {
     const auto onLeft = [&](HalfedgeId h) { return opposite(mesh_.prev_halfedge_handle(h)); };
     const auto ofFace = [&](HalfedgeId h) -> Point {
         return end(mesh_.next_halfedge_handle(h)) - end(h) - end(onLeft(h)) + start(h);

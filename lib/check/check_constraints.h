@@ -1,0 +1,24 @@
+/// \file Does a graph do what a person demanded?
+#pragma once
+
+#include "check/checked_document.h"
+#include "check/neighbourhoods.h"
+#include "check/report.h"
+
+#include <span>
+#include <string>
+
+namespace qm::check {
+
+/// Reports demands that are no paths along edges. \return whether all are
+[[nodiscard]] bool checkConstraintPaths(const Neighbourhoods& around, const ConstraintsPart& constraints,
+                                        Report& report);
+
+/// \param constraints  whose paths are sound
+/// \param present  by edge: whether it belongs to the graph
+/// \param whole    whether the graph is one of the whole mesh, so that everything required must be in it
+/// \param pointer  of the graph's tracks
+void checkConstraints(const Neighbourhoods& around, const ConstraintsPart& constraints,
+                      std::span<const char> present, bool whole, const std::string& pointer, Report& report);
+
+} // namespace qm::check

@@ -1,0 +1,87 @@
+#include "check/check_quality.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace qm::check {
+
+namespace {
+
+const std::string place = "/layout/quality";
+
+std::size_t index(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+bool between(double least, double value, double most) {
+    const double slack = 1e-6 * std::max(1.0, std::abs(most));
+    return value >= least - slack && value <= most + slack;
+}
+
+/// Vertices where a side of one segment ends within a side of another.
+double tJunctions(const Neighbourhoods& around, const LayoutPart& part) {
+    std::vector<char> ends(index(around.vertices()), 0);
+    std::vector<char> within(index(around.vertices()), 0);
+    for (const auto& segment : part.segments)
+        for (const auto& side : segment.sides) {
+            ends[index(side.front())] = 1;
+            for (std::size_t i = 1; i + 1 < side.size(); ++i)
+                within[index(side[i])] = 1;
+        }
+    double count = 0;
+    for (std::size_t v = 0; v < ends.size(); ++v)
+        count += ends[v] && within[v];
+    return count;
+}
+
+/// Longer to shorter side of every segment, ascending.
+std::vector<double> aspects(const LayoutPart& part) {
+    std::vector<double> all;
+    for (const auto& segment : part.segments) {
+        const auto [shorter, longer] = std::minmax(segment.size[0], segment.size[1]);
+        all.push_back(static_cast<double>(longer) / shorter);
+    }
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
+/// The part of the sharp edges' angle that lies on tracks.
+void checkSharpness(const Angles& angles, std::span<const char> onTrack, const LayoutPart& part,
+                    Report& report) {
+    double sharp = 0;
+    double captured = 0;
+    for (std::size_t edge = 0; edge < onTrack.size(); ++edge) {
+        if (angles.angle[edge] <= part.rho) continue;
+        sharp += angles.angle[edge];
+        captured += onTrack[edge] ? angles.angle[edge] : 0;
+    }
+    if (sharp > 0 && !between(captured / sharp, *part.quality.capturedSharpness, captured / sharp))
+        report.violate(at(place, "capturedSharpness"), "quality", "it is " + decimal(captured / sharp));
+}
+
+} // namespace
+
+void checkQuality(const Neighbourhoods& around, const Angles& angles, std::span<const char> onTrack,
+                  const LayoutPart& part, Report& report) {
+    const auto expect = [&](const std::optional<double>& claimed, const char* key, double least,
+                            double most) {
+        if (claimed && !between(least, *claimed, most))
+            report.violate(at(place, key), "quality", "it is " + decimal(most));
+    };
+    const auto number = static_cast<double>(part.segments.size());
+    expect(part.quality.segments, "segments", number, number);
+    if (part.quality.tJunctions) {
+        const double joints = tJunctions(around, part);
+        expect(part.quality.tJunctions, "tJunctions", joints, joints);
+    }
+    if (part.quality.capturedSharpness) checkSharpness(angles, onTrack, part, report);
+    const auto sorted = aspects(part);
+    if (sorted.empty()) return;
+    // Between two middle elements any median will do.
+    expect(part.quality.medianAspect, "medianAspect", sorted[(sorted.size() - 1) / 2],
+           sorted[sorted.size() / 2]);
+    expect(part.quality.maxAspect, "maxAspect", sorted.back(), sorted.back());
+}
+
+} // namespace qm::check

@@ -1,0 +1,18 @@
+/// \file What the checks of tracks have in common.
+#pragma once
+
+#include "check/angles.h"
+#include "check/checked_document.h"
+#include "check/neighbourhoods.h"
+
+namespace qm::check {
+
+struct Context {
+    const CheckedMesh& mesh;
+    const Neighbourhoods& around;
+    Angles angles;
+    EdgeCosts costs;
+    ConstraintsPart constraints; ///< with sound paths
+};
+
+} // namespace qm::check

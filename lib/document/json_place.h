@@ -1,0 +1,59 @@
+/// \file A value of a document together with its JSON pointer, so that every complaint names its place.
+#pragma once
+
+#include "document/json.h"
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace qm {
+
+/// Every function throws Error with the pointer of the place if the value is not what is asked for. The value
+/// must outlive the place.
+class JsonPlace {
+public:
+    explicit JsonPlace(const Json& value, std::string pointer = {})
+        : value_(&value), pointer_(std::move(pointer)) {}
+
+    [[nodiscard]] const Json& value() const { return *value_; }
+    [[nodiscard]] const std::string& pointer() const { return pointer_; }
+    [[nodiscard]] bool isNull() const { return value_->is_null(); }
+
+    /// A member that must be there.
+    [[nodiscard]] JsonPlace operator[](const char* key) const;
+    /// A member that may be missing.
+    [[nodiscard]] std::optional<JsonPlace> find(const char* key) const;
+    /// An element of an array.
+    [[nodiscard]] JsonPlace operator[](std::size_t index) const;
+    /// The number of elements of an array.
+    [[nodiscard]] std::size_t size() const;
+
+    [[nodiscard]] bool boolean() const;
+    [[nodiscard]] const std::string& text() const;
+    /// Finite.
+    [[nodiscard]] double number() const;
+    /// A number that may be null.
+    [[nodiscard]] std::optional<double> numberOrNull() const;
+    [[nodiscard]] std::int64_t whole(std::int64_t least = std::numeric_limits<std::int64_t>::min(),
+                                     std::int64_t most = std::numeric_limits<std::int64_t>::max()) const;
+    /// All elements of an array of whole numbers from 0 to `count` - 1. \param what  "vertex": for messages
+    [[nodiscard]] std::vector<int> indices(std::size_t count, const char* what) const;
+
+    [[noreturn]] void fail(const std::string& what, const std::string& remedy = {}) const;
+    [[noreturn]] void failAt(std::size_t index, const std::string& what,
+                             const std::string& remedy = {}) const;
+
+private:
+    const Json* value_;
+    std::string pointer_;
+};
+
+/// Compares two values. Numbers are equal by value, and keys that are only in `actual` do not count.
+/// \return the pointer of the first difference below `pointer`, if there is any
+[[nodiscard]] std::optional<std::string> firstDifference(const Json& expected, const Json& actual,
+                                                         const std::string& pointer);
+
+} // namespace qm

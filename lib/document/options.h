@@ -1,0 +1,105 @@
+/// \file The option tables of all modules (see option.h): name, member, range and help of every option.
+#pragma once
+
+#include "bspline/fit.h"
+#include "cut/cut.h"
+#include "document/option.h"
+#include "enumerate/enumerate.h"
+#include "features/features.h"
+#include "merge/merge.h"
+#include "prune/prune.h"
+
+#include <numbers>
+
+namespace qm {
+
+template <> struct Choices<Terminals> {
+    static constexpr std::array all{
+        Choice<Terminals>{Terminals::irregular, "irregular",
+                          "centres of two groups of extraordinary vertices"},
+        Choice<Terminals>{Terminals::farthest, "farthest", "the two vertices farthest apart"},
+        Choice<Terminals>{Terminals::box, "box",
+                          "the best of three cuts between opposite walls of the bounding box"}};
+};
+
+template <> struct Choices<Method> {
+    static constexpr std::array all{
+        Choice<Method>{Method::optimum, "optimum", "branch and bound, with a lower bound"},
+        Choice<Method>{Method::naive, "naive", "all coordinate vectors, filtered"},
+        Choice<Method>{Method::bounds, "bounds", "the paper's rules B1 to B4"},
+        Choice<Method>{Method::improved, "improved", "the paper's improved algorithm"},
+        Choice<Method>{Method::plain, "plain", "the plain motorcycle graph, as a baseline"}};
+};
+
+template <> struct Choices<Fit> {
+    static constexpr std::array all{
+        Choice<Fit>{Fit::interpolate, "interpolate", "through every vertex"},
+        Choice<Fit>{Fit::tolerance, "tolerance", "as few control points as the tolerance allows"}};
+};
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double maxCount = 1e9; ///< of anything that a user may ask for
+
+template <class Visitor> void describe(FeatureOptions& options, Visitor&& option) {
+    option("rho", options.rho, Range{0, std::numbers::pi},
+           "every edge of a curve has a dihedral angle above this, radians");
+    option("tau", options.tau, Range{1, maxCount}, "a curve has at least this many edges");
+    option(
+        "zeta", options.zeta, Range{0, maxCount},
+        "the ends of a curve are more than this many edges, along its line, from every extraordinary vertex");
+}
+
+template <class Visitor> void describe(CutOptions& options, Visitor&& option) {
+    option("chi", options.chi, Range{0, infinite}, "cut a sub-mesh while its quasi-complexity reaches this");
+    option("terminals", options.terminals, Range{}, "source and sink of every cut");
+    option("lambda", options.lambda, Range{0, infinite}, "weight of cutting a mesh edge");
+    option("high-penalty", options.highPenalty, Range{0, infinite},
+           "Wh, the cost of giving a vertex that is near one terminal to the other");
+    option("low-penalty", options.lowPenalty, Range{0, infinite},
+           "Wl, the cost of giving a vertex to a terminal that it is near");
+    option("near-limit", options.nearLimit, Range{0, 1}, "m1, up to this nearness the high penalty holds");
+    option("far-limit", options.farLimit, Range{0, 1}, "m2, above this nearness the low penalty holds");
+    option("avoid-features", options.avoidFeatures, Range{}, "make cutting across sharp edges dearer");
+}
+
+template <class Visitor> void describe(EnumerationOptions& options, Visitor&& option) {
+    option("alpha", options.cost.alpha, Range{}, "penalty of a flat edge");
+    option("epsilon", options.cost.epsilon, Range{0, std::numbers::pi},
+           "an edge is flat below this dihedral angle, radians; 1 suits models with sharp edges");
+    option("method", options.method, Range{}, "how to search");
+    option("best", options.best, Range{1, maxCount}, "keep this many graphs of every sub-mesh, the cheapest");
+    option("count", options.count, Range{}, "count the motorcycle graphs of every sub-mesh exactly");
+    option("max-cost", options.maxCost, Range{}, "only graphs up to this cost");
+    option("time-limit", options.timeLimit, Range{0, infinite},
+           "stop after this many seconds with the best so far");
+    option("gap", options.gap, Range{0, infinite},
+           "stop a sub-mesh when its cost is at most this much above the lower bound");
+}
+
+template <class Visitor> void describe(MergeOptions& options, Visitor&& option) {
+    option("max-rounds", options.maxRounds, Range{0, maxCount},
+           "passes of the complete generator before free particles are simply extended");
+}
+
+template <class Visitor> void describe(PruneOptions& options, Visitor&& option) {
+    option("eta", options.eta, Range{}, "remove tracks that cost more than this; -3 suits soft models");
+    option("smooth", options.smooth, Range{}, "leave out the smoothness criterion");
+    option("max-turn", options.maxTurn, Range{0, 180},
+           "P, the most that the boundary may turn where a removed track ended, degrees");
+}
+
+template <class Visitor> void describe(FitOptions& options, Visitor&& option) {
+    option("fit", options.fit, Range{}, "how surfaces follow the mesh");
+    option("tolerance", options.tolerance, Range{0, infinite},
+           "with --fit tolerance: the largest deviation from the mesh, as a fraction of the bounding box's "
+           "diagonal");
+    option("relative", options.toleranceRelative, Range{}, "take the tolerance in the mesh's unit instead");
+    option("watertight", options.watertight, Range{},
+           "let neighbouring patches share their borders exactly; --fit tolerance always does");
+    option("rho", options.rho, Range{0, std::numbers::pi},
+           "a border edge is smooth up to this dihedral angle, radians");
+    option("samples-per-edge", options.samplesPerEdge, Range{1, 100},
+           "steps along every mesh edge at which deviation is measured");
+}
+
+} // namespace qm

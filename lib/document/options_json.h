@@ -1,0 +1,29 @@
+/// \file Options as a document records them.
+#pragma once
+
+#include "document/json.h"
+#include "document/options.h"
+
+#include <cmath>
+#include <type_traits>
+
+namespace qm {
+
+/// All options of a struct as they are in effect, by their keys; null for an infinite number, which is no
+/// limit.
+template <class Options> [[nodiscard]] Json optionsToJson(Options options) {
+    Json json = Json::object();
+    describe(options, [&json](const char* name, const auto& value, const Range&, const char*) {
+        using Value = std::remove_cvref_t<decltype(value)>;
+        Json& entry = json[keyOf(name)];
+        if constexpr (std::is_enum_v<Value>)
+            entry = std::string(choiceName(value));
+        else if constexpr (std::is_floating_point_v<Value>)
+            entry = std::isfinite(value) ? Json(value) : Json();
+        else
+            entry = value;
+    });
+    return json;
+}
+
+} // namespace qm

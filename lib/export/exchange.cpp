@@ -1,0 +1,138 @@
+#include "export/exchange.h"
+
+#include "base/error.h"
+
+#include <APIHeaderSection_MakeHeader.hxx>
+#include <IGESControl_Controller.hxx>
+#include <IGESControl_Writer.hxx>
+#include <IGESData_GlobalSection.hxx>
+#include <IGESData_IGESEntity.hxx>
+#include <IGESData_IGESModel.hxx>
+#include <Interface_Static.hxx>
+#include <Message.hxx>
+#include <Message_Messenger.hxx>
+#include <Message_Printer.hxx>
+#include <STEPConstruct.hxx>
+#include <STEPControl_Controller.hxx>
+#include <STEPControl_Writer.hxx>
+#include <StepData_Protocol.hxx>
+#include <StepData_StepModel.hxx>
+#include <StepData_StepWriter.hxx>
+#include <StepRepr_RepresentationItem.hxx>
+#include <TCollection_HAsciiString.hxx>
+#include <TransferBRep.hxx>
+#include <TransferBRep_ShapeMapper.hxx>
+#include <Transfer_FinderProcess.hxx>
+#include <XSControl_TransferWriter.hxx>
+#include <XSControl_WorkSession.hxx>
+#include <mutex>
+#include <sstream>
+
+namespace qm {
+namespace {
+
+/// A file says when it was made; ours shall not differ from run to run.
+constexpr const char *noTime = "1970-01-01T00:00:00";
+constexpr const char *noTimeIges = "19700101.000000";
+
+const char *unitName(LengthUnit unit) {
+    switch (unit) {
+    case LengthUnit::cm:
+        return "CM";
+    case LengthUnit::m:
+        return "M";
+    case LengthUnit::inch:
+        return "INCH";
+    default:
+        return "MM";
+    }
+}
+
+Handle(TCollection_HAsciiString) text(const std::string &value) {
+    return new TCollection_HAsciiString(value.c_str());
+}
+
+/// OpenCASCADE keeps its settings for the whole program, and reports on standard output.
+class Session {
+public:
+    explicit Session(LengthUnit unit) : lock_(mutex_) {
+        Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_Printer));
+        STEPControl_Controller::Init();
+        IGESControl_Controller::Init();
+        // Both the same: coordinates stay as they are.
+        Interface_Static::SetCVal("xstep.cascade.unit", unitName(unit));
+        Interface_Static::SetCVal("write.step.unit", unitName(unit));
+        Interface_Static::SetCVal("write.iges.unit", unitName(unit));
+        Interface_Static::SetCVal("write.step.schema", "AP214IS");
+        Interface_Static::SetIVal("write.iges.brep.mode", 1);
+    }
+
+private:
+    static inline std::mutex mutex_;
+    std::lock_guard<std::mutex> lock_;
+};
+
+void nameFaces(const BoundaryShape &shape, const Handle(Transfer_FinderProcess) & process) {
+    for (std::size_t k = 0; k < shape.faces.size(); ++k) {
+        const auto item = STEPConstruct::FindEntity(process, shape.faces[k]);
+        if (!item.IsNull())
+            item->SetName(text("segment " + std::to_string(k)));
+    }
+}
+
+void labelFaces(const BoundaryShape &shape, const Handle(Transfer_FinderProcess) & process) {
+    for (std::size_t k = 0; k < shape.faces.size(); ++k) {
+        Handle(IGESData_IGESEntity) entity;
+        const auto mapper = TransferBRep::ShapeMapper(process, shape.faces[k]);
+        if (process->FindTypedTransient(mapper, STANDARD_TYPE(IGESData_IGESEntity), entity))
+            entity->SetLabel(text("S" + std::to_string(k)));
+    }
+}
+
+} // namespace
+
+std::string shapeAsStep(const BoundaryShape &shape, LengthUnit unit) {
+    const Session session(unit);
+    STEPControl_Writer writer;
+    Interface_Static::SetCVal("write.step.product.name", "quadmesh");
+    if (writer.Transfer(shape.shape, STEPControl_AsIs) != IFSelect_RetDone)
+        throw Error("surfaces", "cannot be translated to STEP", "Look at the patches' deviation and kinks");
+    nameFaces(shape, writer.WS()->TransferWriter()->FinderProcess());
+
+    const Handle(StepData_StepModel) model = writer.Model();
+    APIHeaderSection_MakeHeader header(model);
+    header.SetName(text("quadmesh"));
+    header.SetTimeStamp(text(noTime));
+    header.SetOriginatingSystem(text("quadmesh"));
+    header.SetAuthorValue(1, text(""));
+    header.SetOrganizationValue(1, text(""));
+
+    StepData_StepWriter printer(model);
+    printer.SendModel(Handle(StepData_Protocol)::DownCast(model->Protocol()));
+    std::ostringstream stream;
+    printer.Print(stream);
+    return stream.str();
+}
+
+std::string shapeAsIges(const BoundaryShape &shape, LengthUnit unit) {
+    const Session session(unit);
+    IGESControl_Writer writer(unitName(unit), 1);
+    if (!writer.AddShape(shape.shape))
+        throw Error("surfaces", "cannot be translated to IGES", "Look at the patches' deviation and kinks");
+    writer.ComputeModel();
+    labelFaces(shape, writer.TransferProcess());
+    IGESData_GlobalSection global = writer.Model()->GlobalSection();
+    global.SetDate(text(noTimeIges));
+    global.SetLastChangeDate(text(noTimeIges));
+    global.SetFileName(text("quadmesh"));
+    global.SetSendName(text("quadmesh"));
+    global.SetAuthorName(text(""));
+    global.SetCompanyName(text(""));
+    writer.Model()->SetGlobalSection(global);
+    std::ostringstream stream;
+    if (!writer.Write(stream))
+        throw Error("surfaces", "cannot be written as IGES", "Try STEP");
+    return stream.str();
+}
+
+} // namespace qm

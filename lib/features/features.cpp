@@ -1,0 +1,131 @@
+#include "features/features.h"
+
+#include "mesh/mesh_lines.h"
+#include "mesh/topology.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+
+namespace qm {
+namespace {
+
+constexpr int infinitelyFar = std::numeric_limits<int>::max();
+
+/// Finds the curves of one line after the other.
+class Finder {
+public:
+    Finder(const QuadMesh& mesh, const std::vector<double>& angles, const FeatureOptions& options)
+        : mesh_(mesh), angles_(angles), options_(options) {}
+
+    void search(const MeshLine& line) {
+        const int length = static_cast<int>(line.halfedges.size());
+        const int begin = line.closed ? firstBlunt(line) : 0;
+        if (begin == length) { // a closed loop that is sharp all the way round
+            if (length >= options_.tau) curves_.push_back({line.halfedges, VertexId()});
+            return;
+        }
+        for (int k = begin; k < begin + length; ++k) {
+            if (!sharp(line, k)) continue;
+            int end = k + 1;
+            while (end < begin + length && sharp(line, end))
+                ++end;
+            if (end - k >= options_.tau && farFromSources(line, k, end)) curves_.push_back(cut(line, k, end));
+            k = end;
+        }
+    }
+
+    std::vector<FeatureCurve> take() {
+        std::ranges::sort(curves_, {}, [this](const FeatureCurve& curve) { return lowestEdge(curve); });
+        return std::move(curves_);
+    }
+
+private:
+    [[nodiscard]] bool sharp(const MeshLine& line, int k) const {
+        const HalfedgeId halfedge = line.halfedges[static_cast<std::size_t>(k) % line.halfedges.size()];
+        return angles_[static_cast<std::size_t>(mesh_.edge_handle(halfedge).idx())] > options_.rho;
+    }
+
+    /// Where the walk round a closed line may begin without dividing a run; its length if there is no such
+    /// place.
+    [[nodiscard]] int firstBlunt(const MeshLine& line) const {
+        int k = 0;
+        while (k < static_cast<int>(line.halfedges.size()) && sharp(line, k))
+            ++k;
+        return k;
+    }
+
+    [[nodiscard]] bool farFromSources(const MeshLine& line, int begin, int end) const {
+        if (line.closed) return true;
+        const auto distance = [this](VertexId lineEnd, int edges) {
+            return isRegular(mesh_, lineEnd) ? infinitelyFar : edges;
+        };
+        const int length = static_cast<int>(line.halfedges.size());
+        return distance(mesh_.from_vertex_handle(line.halfedges.front()), begin) > options_.zeta &&
+               distance(mesh_.to_vertex_handle(line.halfedges.back()), length - end) > options_.zeta;
+    }
+
+    static FeatureCurve cut(const MeshLine& line, int begin, int end) {
+        FeatureCurve curve;
+        for (int k = begin; k < end; ++k)
+            curve.halfedges.push_back(line.halfedges[static_cast<std::size_t>(k) % line.halfedges.size()]);
+        return curve;
+    }
+
+    [[nodiscard]] int lowestEdge(const FeatureCurve& curve) const {
+        int lowest = infinitelyFar;
+        for (const HalfedgeId halfedge : curve.halfedges)
+            lowest = std::min(lowest, mesh_.edge_handle(halfedge).idx());
+        return lowest;
+    }
+
+    const QuadMesh& mesh_;
+    const std::vector<double>& angles_;
+    const FeatureOptions& options_;
+    std::vector<FeatureCurve> curves_;
+};
+
+/// Gives the curve the admissible seed nearest to its middle. \return false if it has none
+bool placeSeed(const QuadMesh& mesh, FeatureCurve& curve, std::vector<bool>& taken) {
+    const std::vector<VertexId> vertices = verticesAlong(mesh, curve.halfedges);
+    const int middle = static_cast<int>(curve.halfedges.size()) / 2;
+    std::vector<int> order(vertices.size());
+    for (std::size_t k = 0; k < order.size(); ++k)
+        order[k] = static_cast<int>(k);
+    std::ranges::stable_sort(order, {}, [&](int k) { return std::abs(k - middle); });
+    for (const int k : order) {
+        const VertexId vertex = vertices[static_cast<std::size_t>(k)];
+        if (taken[static_cast<std::size_t>(vertex.idx())] || !continuesStraight(mesh, vertex)) continue;
+        taken[static_cast<std::size_t>(vertex.idx())] = true;
+        curve.seed = vertex;
+        return true;
+    }
+    return false;
+}
+
+} // namespace
+
+Features findFeatures(const QuadMesh& mesh, const std::vector<double>& dihedralAngles,
+                      const FeatureOptions& options) {
+    Finder finder(mesh, dihedralAngles, options);
+    forEachMeshLine(mesh, [&](const MeshLine& line) { finder.search(line); });
+    Features features;
+    std::vector<bool> taken(mesh.n_vertices(), false);
+    for (FeatureCurve& curve : finder.take())
+        if (placeSeed(mesh, curve, taken)) features.curves.push_back(std::move(curve));
+    return features;
+}
+
+std::vector<Seed> seeds(const QuadMesh& mesh, const Features& features) {
+    std::vector<Seed> result;
+    for (const FeatureCurve& curve : features.curves) {
+        const auto leaving = std::ranges::find(curve.halfedges, curve.seed,
+                                               [&](HalfedgeId h) { return mesh.from_vertex_handle(h); });
+        result.push_back({leaving != curve.halfedges.end()
+                              ? *leaving
+                              : mesh.opposite_halfedge_handle(curve.halfedges.back())});
+    }
+    return result;
+}
+
+} // namespace qm

@@ -1,0 +1,49 @@
+#include "mesh/mesh_lines.h"
+
+#include "mesh/topology.h"
+
+namespace qm {
+namespace {
+
+class Tracer {
+public:
+    explicit Tracer(const QuadMesh& mesh) : mesh_(mesh), visited_(mesh.n_edges(), false) {}
+
+    [[nodiscard]] bool fresh(HalfedgeId halfedge) const {
+        return !visited_[index(halfedge)] && !mesh_.is_boundary(mesh_.edge_handle(halfedge));
+    }
+
+    MeshLine trace(HalfedgeId start) {
+        MeshLine line;
+        for (HalfedgeId halfedge = start;; halfedge = straightOn(mesh_, halfedge)) {
+            visited_[index(halfedge)] = true;
+            line.halfedges.push_back(halfedge);
+            if (!continuesStraight(mesh_, mesh_.to_vertex_handle(halfedge))) return line;
+            line.closed = straightOn(mesh_, halfedge) == start;
+            if (line.closed) return line;
+        }
+    }
+
+private:
+    [[nodiscard]] std::size_t index(HalfedgeId halfedge) const {
+        return static_cast<std::size_t>(mesh_.edge_handle(halfedge).idx());
+    }
+
+    const QuadMesh& mesh_;
+    std::vector<bool> visited_;
+};
+
+} // namespace
+
+void forEachMeshLine(const QuadMesh& mesh, const std::function<void(const MeshLine&)>& visit) {
+    Tracer tracer(mesh);
+    for (const VertexId vertex : mesh.vertices()) {
+        if (mesh.is_isolated(vertex) || continuesStraight(mesh, vertex)) continue;
+        for (const HalfedgeId start : mesh.voh_range(vertex))
+            if (tracer.fresh(start)) visit(tracer.trace(start));
+    }
+    for (const EdgeId edge : mesh.edges())
+        if (tracer.fresh(mesh.halfedge_handle(edge, 0))) visit(tracer.trace(mesh.halfedge_handle(edge, 0)));
+}
+
+} // namespace qm
