@@ -17,8 +17,8 @@ void requireValid(const FitOptions &options) {
         throw Error("tolerance", "must be a positive number", "Give the largest deviation that is allowed");
     if (!(options.rho >= 0))
         throw Error("rho", "must not be negative", "Give an angle in radians");
-    if (options.samplesPerEdge < 1 || options.samplesPerEdge > 64)
-        throw Error("samples per edge", "must be from 1 to 64", "2 is a good choice");
+    if (options.samplesPerEdge < 1 || options.samplesPerEdge > 100)
+        throw Error("samples per edge", "must be from 1 to 100", "2 is a good choice");
 }
 
 std::vector<Patch> interpolateSegments(const QuadMesh &mesh, const Layout &layout, const Control &control) {

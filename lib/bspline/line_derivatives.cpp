@@ -10,6 +10,26 @@
 namespace qm {
 namespace {
 
+/// A common derivative of both sides would overshoot on the side with the shorter step.
+bool isUneven(const Point &step, const Point &stepBack) {
+    constexpr double ratio = 2;
+    const double a = step.sqrnorm();
+    const double b = stepBack.sqrnorm();
+    return std::max(a, b) > ratio * ratio * std::min(a, b);
+}
+
+/// The direction, at the middle one of three points, of the parabola through them by chord length; as long as the
+/// step on the own side. The other side gets the opposite direction.
+Point alongParabola(const Point &step, const Point &stepBack) {
+    const double length = step.norm();
+    const double lengthBack = stepBack.norm();
+    if (!(length > 0 && lengthBack > 0))
+        return step;
+    const Point direction = lengthBack / length * step - length / lengthBack * stepBack;
+    const double size = direction.norm();
+    return size > 0 ? Point(direction * (length / size)) : step;
+}
+
 /// The refined estimate, unless steps of very different length have spoilt it.
 Point unlessSpoilt(const Point &refined, const Point &plain) {
     return (refined | plain) > 0.5 * plain.sqrnorm() ? refined : plain;
@@ -72,7 +92,11 @@ Point LineDerivatives::tangent(HalfedgeId halfedge) const {
     const Point ownSide = oneSided(halfedge);
     if (!back || bendsSharply(halfedge, ownSide, oneSided(*back)))
         return inTangentPlane(halfedge, ownSide);
-    const Point chord = end(halfedge) - end(*back);
+    const Point step = end(halfedge) - start(halfedge);
+    const Point stepBack = end(*back) - start(*back);
+    if (isUneven(step, stepBack))
+        return alongParabola(step, stepBack);
+    const Point chord = step - stepBack;
     const auto further = goOn(halfedge);
     const auto furtherBack = goOn(*back);
     if (!further || !furtherBack)

@@ -10,7 +10,8 @@ namespace qm {
 
 /// Takes every edge as a step of length one. A line goes straight on over regular vertices, along the boundary
 /// too where it turns by at most rho; it ends at extraordinary vertices and where it meets a sharp edge.
-/// Whoever asks from either side of a vertex that a line passes gets the same derivative.
+/// Whoever asks from either side of a vertex that a line passes gets the same derivative, or, where the steps on both
+/// sides differ much, at least the same direction.
 class LineDerivatives {
 public:
     /// \param dihedralAngles  by edge index, radians \param rho  edges above it are sharp

@@ -101,8 +101,7 @@ private:
         const auto& part = *document_.layout;
         return section([&] { checkLayout(context, networks_.front(), part, report_); },
                        "layout: " + count(part.tracks.size(), "track", "tracks") + ", " +
-                           count(part.segments.size(), "segment", "segments") + ", cost " +
-                           decimal(part.cost));
+                           count(part.segments.size(), "segment", "segments"));
     }
 
     void surfaces() {

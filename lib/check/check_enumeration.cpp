@@ -6,7 +6,7 @@
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 
@@ -41,20 +41,20 @@ private:
         if (subMesh.id != static_cast<int>(k))
             report_.violate(at(here, "id"), "id", "sub-meshes are numbered from 0 in their order");
         known_.clear();
-        double before = -HUGE_VAL;
+        double before = -std::numeric_limits<double>::infinity();
         for (std::size_t g = 0; g < subMesh.graphs.size(); ++g) {
             const std::string place = at(at(here, "graphs"), g);
-            const double cost = graph(networks_[k], subMesh.graphs[g], place);
-            if (cost < before - 1e-6 * std::max(1.0, std::abs(before)))
+            const CostSum cost = graph(networks_[k], subMesh.graphs[g], place);
+            if (cost.value() < before && !cost.equals(before))
                 report_.violate(place, "sorted", "the graph before it costs more");
-            before = cost;
+            before = cost.value();
             if (g == 0) best(subMesh, cost, here);
         }
         count(subMesh, here);
     }
 
     /// \return its cost
-    double graph(const LineNetwork& network, const EnumerationPart::Graph& graph, const std::string& here) {
+    CostSum graph(const LineNetwork& network, const EnumerationPart::Graph& graph, const std::string& here) {
         const std::string list = at(here, "tracks");
         const auto tracks = readTracks(around_, graph.tracks, list, report_);
         for (const ReadTrack& track : tracks)
@@ -75,7 +75,7 @@ private:
                             "the edges of its tracks cost " + decimal(cost.value()));
         const auto [same, unique] = known_.emplace(std::move(edges), here);
         if (!unique) report_.violate(here, "distinct", "it has the same edges as " + same->second);
-        return cost.value();
+        return cost;
     }
 
     void references(const TrackPart& track, const std::string& here) {
@@ -97,11 +97,10 @@ private:
                             "the track does not run on this separatrix");
     }
 
-    void best(const EnumerationPart::SubMesh& subMesh, double cost, const std::string& here) {
-        const double slack = 1e-6 * std::max(1.0, std::abs(cost));
-        if (subMesh.cost && !(std::abs(*subMesh.cost - cost) <= slack))
-            report_.violate(at(here, "cost"), "best cost", "the first graph costs " + decimal(cost));
-        if (subMesh.lowerBound && !(*subMesh.lowerBound <= cost + slack))
+    void best(const EnumerationPart::SubMesh& subMesh, const CostSum& cost, const std::string& here) {
+        if (subMesh.cost && !cost.equals(*subMesh.cost))
+            report_.violate(at(here, "cost"), "best cost", "the first graph costs " + decimal(cost.value()));
+        if (subMesh.lowerBound && !(*subMesh.lowerBound <= cost.value()) && !cost.equals(*subMesh.lowerBound))
             report_.violate(at(here, "lowerBound"), "bound", "it is above the cost of the first graph");
     }
 

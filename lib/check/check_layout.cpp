@@ -7,7 +7,6 @@
 #include "check/paths.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace qm::check {
 
@@ -124,9 +123,8 @@ private:
         if (part_.cost && !total.equals(*part_.cost))
             report_.violate("/layout/cost", "G_T", "the edges of the tracks cost " + decimal(total.value()));
         // A pruned layout may cost less than any motorcycle graph.
-        const double slack = 1e-6 * std::max(1.0, std::abs(total.value()));
         if (part_.lowerBound && !part_.pruned && !total.equals(*part_.lowerBound) &&
-            !(*part_.lowerBound <= total.value() + slack))
+            !(*part_.lowerBound <= total.value()))
             report_.violate("/layout/lowerBound", "bound", "it is above the cost");
     }
 

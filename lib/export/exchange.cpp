@@ -15,6 +15,7 @@
 #include <STEPConstruct.hxx>
 #include <STEPControl_Controller.hxx>
 #include <STEPControl_Writer.hxx>
+#include <StepBasic_Product.hxx>
 #include <StepData_Protocol.hxx>
 #include <StepData_StepModel.hxx>
 #include <StepData_StepWriter.hxx>
@@ -80,6 +81,17 @@ void nameFaces(const BoundaryShape &shape, const Handle(Transfer_FinderProcess) 
     }
 }
 
+/// OpenCASCADE numbers the products of a process.
+void nameProducts(const Handle(StepData_StepModel) & model) {
+    for (int k = 1; k <= model->NbEntities(); ++k) {
+        const auto product = Handle(StepBasic_Product)::DownCast(model->Value(k));
+        if (product.IsNull())
+            continue;
+        product->SetId(text("quadmesh"));
+        product->SetName(text("quadmesh"));
+    }
+}
+
 void labelFaces(const BoundaryShape &shape, const Handle(Transfer_FinderProcess) & process) {
     for (std::size_t k = 0; k < shape.faces.size(); ++k) {
         Handle(IGESData_IGESEntity) entity;
@@ -94,12 +106,12 @@ void labelFaces(const BoundaryShape &shape, const Handle(Transfer_FinderProcess)
 std::string shapeAsStep(const BoundaryShape &shape, LengthUnit unit) {
     const Session session(unit);
     STEPControl_Writer writer;
-    Interface_Static::SetCVal("write.step.product.name", "quadmesh");
     if (writer.Transfer(shape.shape, STEPControl_AsIs) != IFSelect_RetDone)
         throw Error("surfaces", "cannot be translated to STEP", "Look at the patches' deviation and kinks");
     nameFaces(shape, writer.WS()->TransferWriter()->FinderProcess());
 
     const Handle(StepData_StepModel) model = writer.Model();
+    nameProducts(model);
     APIHeaderSection_MakeHeader header(model);
     header.SetName(text("quadmesh"));
     header.SetTimeStamp(text(noTime));

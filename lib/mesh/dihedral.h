@@ -10,7 +10,7 @@ namespace qm {
 /// Unsigned dihedral angle of every edge, in radians, 0 to pi, by edge index; 0 on the mesh boundary and
 /// beside a face without a normal. A quad's normal averages the unit normals of its two triangles, split
 /// along the diagonal from the face's first vertex; a triangle without area has none.
-[[nodiscard]] std::vector<double> dihedralAngles(const QuadMesh &mesh);
+[[nodiscard]] std::vector<double> dihedralAngles(const QuadMesh& mesh);
 
 /// The paper's weights of the cost.
 struct CostOptions {
@@ -19,7 +19,7 @@ struct CostOptions {
 };
 
 /// Cost of every edge, by edge index: -theta + alpha if theta < epsilon.
-[[nodiscard]] std::vector<double> edgeCosts(const std::vector<double> &dihedralAngles,
-                                            const CostOptions &options);
+[[nodiscard]] std::vector<double> edgeCosts(const std::vector<double>& dihedralAngles,
+                                            const CostOptions& options);
 
 } // namespace qm

@@ -10,29 +10,29 @@ namespace qm {
 
 /// Interior with four edges, or on the boundary with one or two faces. Isolated vertices count as regular: no
 /// line reaches them.
-[[nodiscard]] bool isRegular(const QuadMesh &mesh, VertexId vertex);
+[[nodiscard]] bool isRegular(const QuadMesh& mesh, VertexId vertex);
 
 /// All vertices that are not regular, ascending.
-[[nodiscard]] std::vector<VertexId> extraordinaryVertices(const QuadMesh &mesh);
+[[nodiscard]] std::vector<VertexId> extraordinaryVertices(const QuadMesh& mesh);
 
 /// The halfedge that goes on across the vertex that `halfedge` points to. That vertex must be interior and
 /// regular.
-[[nodiscard]] inline HalfedgeId straightOn(const QuadMesh &mesh, HalfedgeId halfedge) {
+[[nodiscard]] inline HalfedgeId straightOn(const QuadMesh& mesh, HalfedgeId halfedge) {
     return mesh.next_halfedge_handle(mesh.opposite_halfedge_handle(mesh.next_halfedge_handle(halfedge)));
 }
 
 /// True where a line may be continued with `straightOn`: the vertex is interior and regular.
-[[nodiscard]] inline bool continuesStraight(const QuadMesh &mesh, VertexId vertex) {
+[[nodiscard]] inline bool continuesStraight(const QuadMesh& mesh, VertexId vertex) {
     return !mesh.is_boundary(vertex) && isRegular(mesh, vertex);
 }
 
 /// The vertices along consecutive halfedges: one more than halfedges; empty for none.
-[[nodiscard]] std::vector<VertexId> verticesAlong(const QuadMesh &mesh,
-                                                  const std::vector<HalfedgeId> &halfedges);
+[[nodiscard]] std::vector<VertexId> verticesAlong(const QuadMesh& mesh,
+                                                  const std::vector<HalfedgeId>& halfedges);
 
 /// The halfedges along consecutive vertices, or nothing if two of them are not joined by an edge.
-[[nodiscard]] std::optional<std::vector<HalfedgeId>> halfedgesAlong(const QuadMesh &mesh,
-                                                                    const std::vector<VertexId> &vertices);
+[[nodiscard]] std::optional<std::vector<HalfedgeId>> halfedgesAlong(const QuadMesh& mesh,
+                                                                    const std::vector<VertexId>& vertices);
 
 /// The connected component of every vertex, numbered from 0 in the order of the lowest vertex. Isolated
 /// vertices are components of their own.
@@ -40,6 +40,6 @@ struct Components {
     std::vector<int> ofVertex;
     int count = 0;
 };
-[[nodiscard]] Components components(const QuadMesh &mesh);
+[[nodiscard]] Components components(const QuadMesh& mesh);
 
 } // namespace qm

@@ -1,0 +1,278 @@
+#include "check/read_document.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace qm::check {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A member of an object; null if there is none.
+const Json& member(const Json& object, const char* key) {
+    static const Json none;
+    if (!object.is_object()) return none;
+    const auto found = object.find(key);
+    return found == object.end() ? none : *found;
+}
+
+/// The elements of an array; none of anything else.
+const Json::array_t& elements(const Json& value) {
+    static const Json::array_t none;
+    return value.is_array() ? value.get_ref<const Json::array_t&>() : none;
+}
+
+const Json& element(const Json& value, std::size_t rank) {
+    static const Json none;
+    return rank < elements(value).size() ? elements(value)[rank] : none;
+}
+
+std::optional<double> number(const Json& value) {
+    return value.is_number() ? std::optional(value.get<double>()) : std::nullopt;
+}
+
+/// NaN for what is no number: no comparison accepts it.
+double numberOrNan(const Json& value) {
+    return number(value).value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
+/// -1 for what is no whole number from 0 on that an index can hold.
+int whole(const Json& value) {
+    const double figure = numberOrNan(value);
+    const bool fits =
+        figure >= 0 && figure <= std::numeric_limits<int>::max() && figure == std::floor(figure);
+    return fits ? static_cast<int>(figure) : -1;
+}
+
+std::optional<int> wholeIfAny(const Json& value) {
+    return value.is_null() ? std::nullopt : std::optional(whole(value));
+}
+
+std::optional<std::string> text(const Json& value) {
+    return value.is_string() ? std::optional(value.get<std::string>()) : std::nullopt;
+}
+
+bool isTrue(const Json& value) {
+    return value.is_boolean() && value.get<bool>();
+}
+
+std::vector<int> wholes(const Json& value) {
+    std::vector<int> result;
+    result.reserve(elements(value).size());
+    for (const Json& each : elements(value))
+        result.push_back(whole(each));
+    return result;
+}
+
+template <class Part, class Read> std::vector<Part> all(const Json& list, const Read& read) {
+    std::vector<Part> parts;
+    parts.reserve(elements(list).size());
+    for (const Json& each : elements(list))
+        parts.push_back(read(each));
+    return parts;
+}
+
+// ---- The sections.
+
+std::vector<std::vector<int>> readPaths(const Json& list) {
+    return all<std::vector<int>>(list, [](const Json& path) { return wholes(member(path, "vertices")); });
+}
+
+BaseComplexPart readBaseComplex(const Json& section) {
+    BaseComplexPart part;
+    part.extraordinaryVertices = wholes(member(section, "extraordinaryVertices"));
+    part.ordinaryJunctions = whole(member(section, "ordinaryJunctions"));
+    part.separatrices =
+        all<BaseComplexPart::Separatrix>(member(section, "separatrices"), [](const Json& separatrix) {
+            return BaseComplexPart::Separatrix{
+                whole(member(separatrix, "id")), wholes(member(separatrix, "vertices")),
+                wholeIfAny(member(separatrix, "opposite")), isTrue(member(separatrix, "selfCrossing"))};
+        });
+    return part;
+}
+
+FeaturesPart readFeatures(const Json& section) {
+    return {all<FeaturesPart::Curve>(member(section, "curves"), [](const Json& curve) {
+        return FeaturesPart::Curve{whole(member(curve, "id")), wholes(member(curve, "vertices")),
+                                   whole(member(curve, "seed"))};
+    })};
+}
+
+CutPart readCut(const Json& section) {
+    CutPart part;
+    part.labels = wholes(member(section, "labels"));
+    part.subMeshes = all<CutPart::SubMesh>(member(section, "subMeshes"), [](const Json& subMesh) {
+        return CutPart::SubMesh{whole(member(subMesh, "id")), number(member(subMesh, "quasiComplexity")),
+                                wholeIfAny(member(subMesh, "ordinaryJunctions")),
+                                wholeIfAny(member(subMesh, "source")), wholeIfAny(member(subMesh, "sink"))};
+    });
+    return part;
+}
+
+TrackPart readTrack(const Json& track) {
+    return {wholeIfAny(member(track, "id")),     wholeIfAny(member(track, "separatrix")),
+            wholeIfAny(member(track, "source")), wholes(member(track, "vertices")),
+            number(member(track, "cost")),       isTrue(member(track, "transversal"))};
+}
+
+EnumerationPart readEnumeration(const Json& section) {
+    const auto readGraph = [](const Json& graph) {
+        return EnumerationPart::Graph{number(member(graph, "cost")),
+                                      all<TrackPart>(member(graph, "tracks"), readTrack)};
+    };
+    EnumerationPart part;
+    part.count = text(member(section, "count"));
+    part.subMeshes = all<EnumerationPart::SubMesh>(member(section, "subMeshes"), [&](const Json& subMesh) {
+        return EnumerationPart::SubMesh{whole(member(subMesh, "id")), number(member(subMesh, "cost")),
+                                        number(member(subMesh, "lowerBound")), text(member(subMesh, "count")),
+                                        all<EnumerationPart::Graph>(member(subMesh, "graphs"), readGraph)};
+    });
+    return part;
+}
+
+LayoutPart::Segment readSegment(const Json& segment) {
+    LayoutPart::Segment part;
+    part.id = whole(member(segment, "id"));
+    for (std::size_t k = 0; k < 2; ++k)
+        part.size[k] = whole(element(member(segment, "size"), k));
+    for (std::size_t k = 0; k < 4; ++k) {
+        part.corners[k] = whole(element(member(segment, "corners"), k));
+        part.sides[k] = wholes(element(member(segment, "sides"), k));
+    }
+    part.faces = wholes(member(segment, "faces"));
+    return part;
+}
+
+LayoutPart readLayout(const Json& section) {
+    LayoutPart part;
+    part.cost = number(member(section, "cost"));
+    part.lowerBound = number(member(section, "lowerBound"));
+    part.tracks = all<TrackPart>(member(section, "tracks"), readTrack);
+    part.divided = member(section, "segments").is_array();
+    part.segments = all<LayoutPart::Segment>(member(section, "segments"), readSegment);
+    const Json& quality = member(section, "quality");
+    part.quality = {number(member(quality, "segments")), number(member(quality, "tJunctions")),
+                    number(member(quality, "capturedSharpness")), number(member(quality, "medianAspect")),
+                    number(member(quality, "maxAspect"))};
+    return part;
+}
+
+SurfacesPart::Patch readPatch(const Json& patch) {
+    SurfacesPart::Patch part;
+    part.segment = whole(member(patch, "segment"));
+    for (std::size_t k = 0; k < 2; ++k) {
+        part.degree[k] = whole(element(member(patch, "degree"), k));
+        part.knots[k] = all<double>(element(member(patch, "knots"), k), numberOrNan);
+    }
+    const Json& rows = member(patch, "controlPoints");
+    const std::size_t width = elements(element(rows, 0)).size();
+    part.count = {static_cast<int>(width), static_cast<int>(elements(rows).size())};
+    for (const Json& row : elements(rows)) {
+        part.rectangular = part.rectangular && elements(row).size() == width;
+        for (const Json& point : elements(row))
+            part.controlPoints.push_back({numberOrNan(element(point, 0)), numberOrNan(element(point, 1)),
+                                          numberOrNan(element(point, 2))});
+    }
+    return part;
+}
+
+/// The options of the last tool of this name in the history; null if it took no part.
+const Json& optionsOf(const Json& root, const char* tool) {
+    static const Json none;
+    const auto& history = elements(member(root, "history"));
+    const auto last = std::find_if(history.rbegin(), history.rend(),
+                                   [&](const Json& entry) { return text(member(entry, "tool")) == tool; });
+    return last == history.rend() ? none : member(*last, "options");
+}
+
+SurfacesPart readSurfaces(const Json& section, const Json& options) {
+    SurfacesPart part;
+    part.patches = all<SurfacesPart::Patch>(member(section, "patches"), readPatch);
+    part.interpolates = text(member(options, "fit")) == "interpolate";
+    if (text(member(options, "fit")) == "tolerance") {
+        part.tolerance = number(member(options, "tolerance"));
+        part.toleranceRelative = isTrue(member(options, "relative"));
+        part.watertight = true;
+    }
+    part.watertight = part.watertight || isTrue(member(options, "watertight"));
+    return part;
+}
+
+// ---- The history.
+
+/// The tools of the pipeline in their order, and the kind that each leaves.
+struct PipelineTool {
+    const char* name;
+    const char* kind;
+};
+constexpr std::array<PipelineTool, 7> pipeline{{{"qm-basecomplex", "basecomplex"},
+                                                {"qm-features", "features"},
+                                                {"qm-cut", "cut"},
+                                                {"qm-enum", "enumeration"},
+                                                {"qm-merge", "layout"},
+                                                {"qm-prune", "layout"},
+                                                {"qm-bspline", "surfaces"}}};
+
+/// The ranks in the pipeline of the tools that took part, as the history has them, and where each stands
+/// there.
+std::vector<std::pair<std::size_t, std::size_t>> stages(const Json& root) {
+    std::vector<std::pair<std::size_t, std::size_t>> result;
+    const auto& history = elements(member(root, "history"));
+    for (std::size_t i = 0; i < history.size(); ++i)
+        for (std::size_t stage = 0; stage < pipeline.size(); ++stage)
+            if (text(member(history[i], "tool")) == pipeline[stage].name) result.emplace_back(stage, i);
+    return result;
+}
+
+bool wasPruned(const Json& root) {
+    const auto all = stages(root);
+    return std::any_of(all.begin(), all.end(), [](const auto& stage) {
+        return std::string(pipeline[stage.first].name) == "qm-prune";
+    });
+}
+
+} // namespace
+
+void checkHistory(const Json& root, Report& report) {
+    const auto all = stages(root);
+    for (std::size_t i = 1; i < all.size(); ++i)
+        if (all[i].first < all[i - 1].first)
+            report.violate(at("/history", all[i].second), "history",
+                           std::string(pipeline[all[i].first].name) + " comes after " +
+                               pipeline[all[i - 1].first].name + ", whose section it would have dropped");
+    const auto kind = text(member(root, "kind"));
+    if (all.empty() || kind != pipeline[all.back().first].kind)
+        report.violate("/history", "history",
+                       "its last tool makes no document of kind " + kind.value_or("unknown"));
+}
+
+CheckedDocument readDocument(const Json& root) {
+    CheckedDocument document;
+    const auto section = [&](const char* key) -> const Json* {
+        const Json& value = member(root, key);
+        return value.is_object() ? &value : nullptr;
+    };
+    if (const Json* value = section("constraints"))
+        document.constraints = {readPaths(member(*value, "required")),
+                                readPaths(member(*value, "forbidden"))};
+    if (const Json* value = section("baseComplex")) document.baseComplex = readBaseComplex(*value);
+    if (const Json* value = section("features")) document.features = readFeatures(*value);
+    if (const Json* value = section("cut")) document.cut = readCut(*value);
+    if (const Json* value = section("enumeration")) {
+        document.enumeration = readEnumeration(*value);
+        document.weights = {numberOrNan(member(*value, "alpha")), numberOrNan(member(*value, "epsilon"))};
+    }
+    if (const Json* value = section("layout")) {
+        document.layout = readLayout(*value);
+        document.layout->pruned = wasPruned(root);
+        constexpr double usualRho = 0.45;
+        document.layout->rho = number(member(member(root, "features"), "rho")).value_or(usualRho);
+    }
+    if (const Json* value = section("surfaces"))
+        document.surfaces = readSurfaces(*value, optionsOf(root, "qm-bspline"));
+    return document;
+}
+
+} // namespace qm::check

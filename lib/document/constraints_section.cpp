@@ -1,0 +1,65 @@
+#include "document/constraints_section.h"
+
+#include "document/mesh_paths.h"
+
+namespace qm {
+
+namespace {
+
+class Reader {
+public:
+    Reader(const QuadMesh& mesh, const BaseComplex& complex)
+        : mesh_(mesh), onLine_(mesh.n_edges()), required_(mesh.n_edges()), forbidden_(mesh.n_edges()) {
+        for (const Separatrix& separatrix : complex.separatrices)
+            for (const HalfedgeId halfedge : separatrix.halfedges)
+                onLine_[index(mesh.edge_handle(halfedge))] = true;
+    }
+
+    std::vector<EdgeId> read(const JsonPlace& list, bool required) {
+        std::vector<bool>& known = required ? required_ : forbidden_;
+        const std::vector<bool>& others = required ? forbidden_ : required_;
+        std::vector<EdgeId> edges;
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            const JsonPlace vertices = list[i]["vertices"];
+            const std::vector<HalfedgeId> path = pathAt(mesh_, vertices);
+            for (std::size_t k = 0; k < path.size(); ++k) {
+                const EdgeId edge = mesh_.edge_handle(path[k]);
+                if (mesh_.is_boundary(edge)) {
+                    if (required) continue;
+                    vertices.failAt(
+                        k + 1,
+                        "the edge to this vertex is on the mesh boundary, which always bounds patches");
+                }
+                if (!onLine_[index(edge)])
+                    vertices.failAt(
+                        k + 1, "the edge to this vertex lies on no separatrix, so no patch can end there",
+                        "Demand edges of separatrices or of lines with a feature seed");
+                if (others[index(edge)])
+                    vertices.failAt(k + 1, "the edge to this vertex is both required and forbidden");
+                if (!known[index(edge)]) edges.push_back(edge);
+                known[index(edge)] = true;
+            }
+        }
+        return edges;
+    }
+
+private:
+    static std::size_t index(EdgeId edge) { return static_cast<std::size_t>(edge.idx()); }
+
+    const QuadMesh& mesh_;
+    std::vector<bool> onLine_;
+    std::vector<bool> required_;
+    std::vector<bool> forbidden_;
+};
+
+} // namespace
+
+Constraints readConstraints(const QuadMesh& mesh, const BaseComplex& complex, const JsonPlace& section) {
+    Reader reader(mesh, complex);
+    Constraints constraints;
+    if (const auto list = section.find("required")) constraints.required = reader.read(*list, true);
+    if (const auto list = section.find("forbidden")) constraints.forbidden = reader.read(*list, false);
+    return constraints;
+}
+
+} // namespace qm

@@ -1,0 +1,92 @@
+#include "document/cut_section.h"
+
+#include "document/mesh_paths.h"
+#include "document/options_json.h"
+
+namespace qm {
+
+Json cutToJson(const Cut& cut) {
+    Json section = optionsToJson(cut.options);
+    section["labels"] = cut.labels;
+    Json::array_t subMeshes;
+    for (const SubMesh& subMesh : cut.subMeshes)
+        subMeshes.push_back({{"id", subMeshes.size()},
+                             {"quasiComplexity", subMesh.quasiComplexity},
+                             {"ordinaryJunctions", subMesh.ordinaryJunctions},
+                             {"source", numberOf(subMesh.source)},
+                             {"sink", numberOf(subMesh.sink)}});
+    section["subMeshes"] = std::move(subMeshes);
+    return section;
+}
+
+namespace {
+
+/// Options of which a document written by hand may lack all but chi.
+CutOptions readOptions(const JsonPlace& section) {
+    CutOptions options;
+    describe(options, [&section](const char* name, auto& value, const Range& range, const char*) {
+        using Value = std::remove_cvref_t<decltype(value)>;
+        const std::optional<JsonPlace> place = section.find(keyOf(name).c_str());
+        if (!place) return;
+        if constexpr (std::is_enum_v<Value>) {
+            if (!choiceValue(place->text(), value)) place->fail("'" + place->text() + "' is not known");
+        } else if constexpr (std::is_same_v<Value, bool>) {
+            value = place->boolean();
+        } else {
+            value = place->number();
+            if (value < range.least || value > range.most)
+                place->fail("is out of range, " + rangeText(range));
+        }
+    });
+    return options;
+}
+
+} // namespace
+
+Cut readCut(const QuadMesh& mesh, const BaseComplex& complex, const JsonPlace& section) {
+    Cut cut;
+    (void)section["chi"].number();
+    cut.options = readOptions(section);
+    const JsonPlace subMeshes = section["subMeshes"];
+    const JsonPlace labels = section["labels"];
+    if (subMeshes.size() == 0) subMeshes.fail("there is no sub-mesh");
+    if (labels.size() != mesh.n_vertices())
+        labels.fail("has " + std::to_string(labels.size()) + " entries, the mesh has " +
+                    std::to_string(mesh.n_vertices()) + " vertices");
+    cut.labels = labels.indices(subMeshes.size(), "sub-mesh");
+    cut.subMeshes = measureSubMeshes(mesh, complex, cut.labels, static_cast<int>(subMeshes.size()));
+    for (std::size_t i = 0; i < subMeshes.size(); ++i) {
+        const JsonPlace place = subMeshes[i];
+        verifyPositionId(place, i);
+        if (const auto source = place.find("source")) cut.subMeshes[i].source = vertexOrNullAt(mesh, *source);
+        if (const auto sink = place.find("sink")) cut.subMeshes[i].sink = vertexOrNullAt(mesh, *sink);
+    }
+    return cut;
+}
+
+bool figuresAgree(const Cut& cut, const Json& section) {
+    const Json& subMeshes = section.at("subMeshes");
+    for (std::size_t i = 0; i < cut.subMeshes.size(); ++i) {
+        const Json& entry = subMeshes.at(i);
+        if (!entry.contains("quasiComplexity") || !entry.contains("ordinaryJunctions")) return false;
+        if (!sameCost(entry.at("quasiComplexity").get<double>(), cut.subMeshes[i].quasiComplexity))
+            return false;
+        if (entry.at("ordinaryJunctions") != cut.subMeshes[i].ordinaryJunctions) return false;
+    }
+    return true;
+}
+
+void updateFigures(const Cut& cut, Json& section) {
+    for (std::size_t i = 0; i < cut.subMeshes.size(); ++i) {
+        Json& entry = section.at("subMeshes").at(i);
+        entry["quasiComplexity"] = cut.subMeshes[i].quasiComplexity;
+        entry["ordinaryJunctions"] = cut.subMeshes[i].ordinaryJunctions;
+    }
+}
+
+SubMeshes subMeshesOf(const std::optional<Cut>& cut) {
+    if (!cut) return {};
+    return {cut->labels, static_cast<int>(cut->subMeshes.size())};
+}
+
+} // namespace qm

@@ -1,0 +1,203 @@
+#include "document/enumeration_section.h"
+
+#include "document/mesh_paths.h"
+#include "document/options.h"
+
+#include <algorithm>
+#include <unordered_set>
+
+namespace qm {
+
+SeparatrixIndex::SeparatrixIndex(const QuadMesh& mesh, const BaseComplex& complex)
+    : starts_(mesh.n_halfedges()) {
+    for (std::size_t i = 0; i < complex.separatrices.size(); ++i)
+        starts_[static_cast<std::size_t>(complex.separatrices[i].halfedges.front().idx())] = SeparatrixId(i);
+}
+
+// ------------------------------------------------------------------------------------------------- writing
+
+namespace {
+
+Json optional(const std::optional<double>& number) {
+    return number ? Json(*number) : Json();
+}
+Json optional(const std::optional<BigCount>& count) {
+    return count ? Json(count->str()) : Json();
+}
+
+} // namespace
+
+Json graphToJson(const QuadMesh& mesh, const SeparatrixIndex& baseComplex, const MotorcycleGraph& graph) {
+    Json::array_t tracks;
+    for (const Track& track : graph.tracks) {
+        const SeparatrixId separatrix = baseComplex.startingWith(track.halfedges.front());
+        Json entry = Json::object();
+        if (separatrix.valid())
+            entry["separatrix"] = separatrix.value();
+        else
+            entry["source"] = mesh.from_vertex_handle(track.halfedges.front()).idx();
+        entry["vertices"] = pathNumbers(mesh, track.halfedges);
+        tracks.push_back(std::move(entry));
+    }
+    return {{"cost", graph.cost}, {"tracks", std::move(tracks)}};
+}
+
+Json enumerationToJson(const QuadMesh& mesh, const SeparatrixIndex& baseComplex,
+                       const Enumeration& enumeration) {
+    Json::array_t subMeshes;
+    for (const SubMeshGraphs& subMesh : enumeration.subMeshes) {
+        Json::array_t graphs;
+        for (const MotorcycleGraph& graph : subMesh.graphs)
+            graphs.push_back(graphToJson(mesh, baseComplex, graph));
+        subMeshes.push_back({{"id", subMeshes.size()},
+                             {"cost", optional(subMesh.cost)},
+                             {"lowerBound", optional(subMesh.lowerBound)},
+                             {"count", optional(subMesh.count)},
+                             {"graphs", std::move(graphs)}});
+    }
+    return {{"alpha", enumeration.cost.alpha},
+            {"epsilon", enumeration.cost.epsilon},
+            {"method", std::string(choiceName(enumeration.method))},
+            {"count", optional(enumeration.count)},
+            {"complete", enumeration.complete},
+            {"subMeshes", std::move(subMeshes)}};
+}
+
+// ------------------------------------------------------------------------------------------------- reading
+
+namespace {
+
+std::optional<BigCount> readCount(const JsonPlace& place) {
+    constexpr std::size_t mostDigits = 100000; // converting takes quadratic time
+    if (place.isNull()) return {};
+    const std::string& text = place.text();
+    const bool digits = std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+    if (!digits || text.empty() || (text.size() > 1 && text.front() == '0') || text.size() > mostDigits)
+        place.fail("is no whole number in decimal digits without leading zeros");
+    return BigCount(text);
+}
+
+class Reader {
+public:
+    explicit Reader(const EnumerationContext& context)
+        : context_(context), mesh_(context.mesh), ofBaseComplex_(mesh_, context.baseComplex),
+          ofComplex_(mesh_, context.complex) {}
+
+    SubMeshGraphs subMesh(const JsonPlace& place, int label) {
+        SubMeshGraphs result;
+        result.lowerBound = place["lowerBound"].numberOrNull();
+        if (const auto count = place.find("count")) result.count = readCount(*count);
+        const JsonPlace graphs = place["graphs"];
+        for (std::size_t i = 0; i < graphs.size(); ++i) {
+            result.graphs.push_back(graph(graphs[i], label));
+            if (i > 0 && result.graphs[i].cost < result.graphs[i - 1].cost &&
+                !sameCost(result.graphs[i].cost, result.graphs[i - 1].cost))
+                graphs.failAt(i, "costs less than the graph before it", "Put the cheapest first");
+        }
+        if (!result.graphs.empty()) result.cost = result.graphs.front().cost;
+        verifyCost(place, result.cost);
+        return result;
+    }
+
+private:
+    /// A cost that is given must be that which the edges have.
+    static void verifyCost(const JsonPlace& place, const std::optional<double>& cost) {
+        const std::optional<JsonPlace> given = place.find("cost");
+        if (!given) return;
+        const std::optional<double> number = given->numberOrNull();
+        if (number.has_value() != cost.has_value() || (cost && !sameCost(*cost, *number)))
+            given->fail("is not " + (cost ? std::to_string(*cost) + ", the sum over the edges" : "null"),
+                        "Leave the cost out and it is added up anew");
+    }
+
+    MotorcycleGraph graph(const JsonPlace& place, int label) {
+        MotorcycleGraph result;
+        std::unordered_set<int> edges;
+        const JsonPlace tracks = place["tracks"];
+        for (std::size_t i = 0; i < tracks.size(); ++i) {
+            result.tracks.push_back(track(tracks[i], label));
+            const std::vector<HalfedgeId>& path = result.tracks.back().halfedges;
+            for (std::size_t k = 0; k < path.size(); ++k)
+                if (!edges.insert(mesh_.edge_handle(path[k]).idx()).second)
+                    tracks[i]["vertices"].failAt(k + 1, "the edge to this vertex lies on a track already");
+            result.cost += result.tracks.back().cost;
+        }
+        verifyCost(place, result.cost);
+        return result;
+    }
+
+    Track track(const JsonPlace& place, int label) {
+        const JsonPlace vertices = place["vertices"];
+        Track result;
+        result.halfedges = pathAt(mesh_, vertices);
+        result.cost = sumAlong(mesh_, result.halfedges, context_.edgeCosts);
+        verifySource(place, result.halfedges.front());
+        verifyWay(vertices, result.halfedges);
+        verifyInside(vertices, result.halfedges, label);
+        return result;
+    }
+
+    void verifySource(const JsonPlace& place, HalfedgeId first) const {
+        if (const auto separatrix = place.find("separatrix")) {
+            if (separatrix->whole(0) != ofBaseComplex_.startingWith(first).value())
+                separatrix->fail("is not the separatrix that begins with the track's first edge");
+        }
+        if (const auto source = place.find("source")) {
+            if (vertexAt(mesh_, *source) != mesh_.from_vertex_handle(first))
+                source->fail("is not the first vertex of the track");
+        }
+    }
+
+    void verifyWay(const JsonPlace& vertices, const std::vector<HalfedgeId>& path) const {
+        const SeparatrixId id = ofComplex_.startingWith(path.front());
+        if (!id.valid()) vertices.failAt(0, "no particle starts here in this direction");
+        const std::vector<HalfedgeId>& way = context_.complex.separatrices[id.idx()].halfedges;
+        const std::size_t same = static_cast<std::size_t>(
+            std::mismatch(path.begin(), path.end(), way.begin(), way.end()).first - path.begin());
+        if (same < path.size())
+            vertices.failAt(same + 1, same == way.size() ? "the particle's way ends before this vertex"
+                                                         : "the particle's way does not turn to this vertex");
+    }
+
+    void verifyInside(const JsonPlace& vertices, const std::vector<HalfedgeId>& path, int label) const {
+        const std::vector<int>& labels = context_.subMeshes.labels;
+        if (labels.empty()) return;
+        for (std::size_t i = 0; i < path.size(); ++i)
+            if (labels[static_cast<std::size_t>(mesh_.from_vertex_handle(path[i]).idx())] != label)
+                vertices.failAt(i, i == 0 ? "the track starts in another sub-mesh"
+                                          : "the track goes on beyond the first vertex outside its sub-mesh");
+    }
+
+    const EnumerationContext& context_;
+    const QuadMesh& mesh_;
+    SeparatrixIndex ofBaseComplex_;
+    SeparatrixIndex ofComplex_;
+};
+
+} // namespace
+
+CostOptions readCostOptions(const JsonPlace& section) {
+    return {section["alpha"].number(), section["epsilon"].number()};
+}
+
+Enumeration readEnumeration(const EnumerationContext& context, const JsonPlace& section) {
+    Enumeration result;
+    result.cost = readCostOptions(section);
+    const JsonPlace method = section["method"];
+    if (!choiceValue(method.text(), result.method)) method.fail("'" + method.text() + "' is not known");
+    result.count = readCount(section["count"]);
+    result.complete = section["complete"].boolean();
+
+    const JsonPlace subMeshes = section["subMeshes"];
+    if (subMeshes.size() != static_cast<std::size_t>(context.subMeshes.count))
+        subMeshes.fail("has " + std::to_string(subMeshes.size()) + " entries, the mesh is cut into " +
+                       std::to_string(context.subMeshes.count));
+    Reader reader(context);
+    for (std::size_t i = 0; i < subMeshes.size(); ++i) {
+        verifyPositionId(subMeshes[i], i);
+        result.subMeshes.push_back(reader.subMesh(subMeshes[i], static_cast<int>(i)));
+    }
+    return result;
+}
+
+} // namespace qm

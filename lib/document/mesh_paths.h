@@ -1,0 +1,45 @@
+/// \file Vertices and paths of a mesh, as documents list them.
+#pragma once
+
+#include "document/json_place.h"
+#include "mesh/quad_mesh.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace qm {
+
+[[nodiscard]] VertexId vertexAt(const QuadMesh& mesh, const JsonPlace& place);
+/// A vertex or null.
+[[nodiscard]] std::optional<VertexId> vertexOrNullAt(const QuadMesh& mesh, const JsonPlace& place);
+[[nodiscard]] std::vector<VertexId> verticesAt(const QuadMesh& mesh, const JsonPlace& place);
+
+/// The halfedges along a list of at least two vertices.
+/// \throw Error  with the pointer of the first vertex that no edge joins to the one before it
+[[nodiscard]] std::vector<HalfedgeId> pathAt(const QuadMesh& mesh, const JsonPlace& place);
+
+/// \throw Error  with the pointer of the first vertex where the path does not run straight on over an
+/// interior
+///               regular vertex
+void requireStraight(const QuadMesh& mesh, const std::vector<HalfedgeId>& path, const JsonPlace& place);
+
+[[nodiscard]] Json numbersOf(std::span<const VertexId> vertices);
+[[nodiscard]] Json numberOf(const std::optional<VertexId>& vertex);
+/// The vertices along consecutive halfedges.
+[[nodiscard]] Json pathNumbers(const QuadMesh& mesh, std::span<const HalfedgeId> path);
+
+/// Sum of a value per edge along a path.
+[[nodiscard]] double sumAlong(const QuadMesh& mesh, std::span<const HalfedgeId> path,
+                              const std::vector<double>& perEdge);
+
+/// Whether two sums of costs agree to within rounding.
+[[nodiscard]] bool sameCost(double a, double b);
+
+/// The ids of a list's entries must differ. \return false if they are not 0, 1, 2 ...
+bool verifyDistinctIds(const JsonPlace& list);
+
+/// The id of entry `index` must be its position, because others refer to it.
+void verifyPositionId(const JsonPlace& entry, std::size_t index);
+
+} // namespace qm

@@ -1,0 +1,140 @@
+#include "document/surfaces_section.h"
+
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace qm {
+
+namespace {
+
+/// The figures of a deviation by their keys: one list for writing and reading.
+template <class DeviationType, class Visitor> void visitFigures(DeviationType& deviation, Visitor&& figure) {
+    figure("max", deviation.max);
+    figure("rms", deviation.rms);
+    figure("percentile95", deviation.percentile95);
+    figure("maxRelative", deviation.maxRelative);
+    figure("rmsRelative", deviation.rmsRelative);
+    figure("percentile95Relative", deviation.percentile95Relative);
+    figure("largestGap", deviation.largestGap);
+    figure("largestGapRelative", deviation.largestGapRelative);
+    figure("largestKink", deviation.largestKink);
+    figure("rmsKink", deviation.rmsKink);
+    figure("largestNormalDeviation", deviation.largestNormalDeviation);
+}
+
+Json deviationToJson(const Deviation& deviation) {
+    Json json = Json::object();
+    visitFigures(deviation, [&json](const char* key, double value) { json[key] = value; });
+    return json;
+}
+
+Json pointsToJson(const Patch& patch) {
+    Json::array_t rows;
+    auto point = patch.controlPoints.begin();
+    for (int j = 0; j < patch.count[1]; ++j) {
+        Json::array_t row;
+        row.reserve(static_cast<std::size_t>(patch.count[0]));
+        for (int i = 0; i < patch.count[0]; ++i, ++point)
+            row.push_back(Json::array({(*point)[0], (*point)[1], (*point)[2]}));
+        rows.emplace_back(std::move(row));
+    }
+    return rows;
+}
+
+} // namespace
+
+Json surfacesToJson(const Surfaces& surfaces) {
+    Json::array_t patches;
+    for (std::size_t i = 0; i < surfaces.patches.size(); ++i) {
+        const Patch& patch = surfaces.patches[i];
+        patches.push_back({{"segment", patch.segment.value()},
+                           {"degree", patch.degree},
+                           {"knots", patch.knots},
+                           {"controlPoints", pointsToJson(patch)}});
+        if (i < surfaces.ofPatch.size()) patches.back()["deviation"] = deviationToJson(surfaces.ofPatch[i]);
+    }
+    return {{"patches", std::move(patches)}, {"deviation", deviationToJson(surfaces.deviation)}};
+}
+
+namespace {
+
+constexpr int maxDegree = 9;
+
+Deviation readDeviation(const JsonPlace& place) {
+    Deviation deviation;
+    visitFigures(deviation, [&place](const char* key, double& value) {
+        if (const auto figure = place.find(key)) value = figure->number();
+    });
+    return deviation;
+}
+
+/// \param count  control points in this direction \param size  of the segment, in edges
+std::vector<double> readKnots(const JsonPlace& place, int degree, int count, int size) {
+    const std::size_t due = static_cast<std::size_t>(count + degree + 1);
+    if (place.size() != due)
+        place.fail("has " + std::to_string(place.size()) + " knots; control points and degree need " +
+                   std::to_string(due));
+    std::vector<double> knots;
+    knots.reserve(due);
+    for (std::size_t i = 0; i < due; ++i) {
+        knots.push_back(place[i].number());
+        if (i > 0 && knots[i] < knots[i - 1]) place.failAt(i, "is less than the knot before it");
+    }
+    const auto at = [&](int i) { return knots[static_cast<std::size_t>(i)]; };
+    constexpr double slack = 1e-9;
+    if (std::abs(at(degree)) > slack || std::abs(at(count) - size) > slack * size)
+        place.fail("the surface does not run from 0 to " + std::to_string(size) + ", as its segment does");
+    return knots;
+}
+
+void readPoints(const JsonPlace& rows, Patch& patch) {
+    patch.count = {static_cast<int>(rows.size() == 0 ? 0 : rows[std::size_t{0}].size()), static_cast<int>(rows.size())};
+    for (std::size_t j = 0; j < rows.size(); ++j) {
+        const JsonPlace row = rows[j];
+        if (row.size() != rows[std::size_t{0}].size()) row.fail("is not as long as the first row");
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            const JsonPlace point = row[i];
+            if (point.size() != 3) point.fail("a point has three coordinates");
+            patch.controlPoints.emplace_back(point[std::size_t{0}].number(), point[std::size_t{1}].number(), point[std::size_t{2}].number());
+        }
+    }
+}
+
+Patch readPatch(const JsonPlace& place, std::size_t index, const std::array<int, 2>& size) {
+    Patch patch;
+    patch.segment = SegmentId(index);
+    if (place["segment"].whole() != static_cast<std::int64_t>(index))
+        place["segment"].fail("patches stand in the order of the segments; here segment " +
+                              std::to_string(index) + " is due");
+    readPoints(place["controlPoints"], patch);
+    if (place["degree"].size() != 2 || place["knots"].size() != 2)
+        place.fail("degree and knots have two entries each");
+    for (std::size_t k = 0; k < 2; ++k) {
+        patch.degree[k] = static_cast<int>(place["degree"][k].whole(1, maxDegree));
+        if (patch.count[k] <= patch.degree[k])
+            place["controlPoints"].fail("has too few control points for the degree");
+        patch.knots[k] = readKnots(place["knots"][k], patch.degree[k], patch.count[k], size[k]);
+    }
+    return patch;
+}
+
+} // namespace
+
+Surfaces readSurfaces(const std::vector<std::array<int, 2>>& sizes, const JsonPlace& section) {
+    Surfaces surfaces;
+    const JsonPlace patches = section["patches"];
+    if (patches.size() != sizes.size())
+        patches.fail("has " + std::to_string(patches.size()) + " entries, the layout has " +
+                     std::to_string(sizes.size()) + " segments");
+    for (std::size_t i = 0; i < patches.size(); ++i) {
+        surfaces.patches.push_back(readPatch(patches[i], i, sizes[i]));
+        if (const auto deviation = patches[i].find("deviation"))
+            surfaces.ofPatch.push_back(readDeviation(*deviation));
+    }
+    if (surfaces.ofPatch.size() != surfaces.patches.size()) surfaces.ofPatch.clear();
+    surfaces.deviation = readDeviation(section["deviation"]);
+    return surfaces;
+}
+
+} // namespace qm

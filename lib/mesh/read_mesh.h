@@ -1,0 +1,34 @@
+/// \file Reading a quad mesh from the bytes of a file.
+///
+/// OBJ, OFF and PLY. OpenMesh's own readers hand points over in single precision, drop faces that they cannot
+/// represent and name no lines, so the formats are read here, and OpenMesh holds the mesh.
+#pragma once
+
+#include "mesh/quad_mesh.h"
+#include "mesh/repair.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace qm {
+
+struct ReadOptions {
+    bool repair = false; ///< mend what can be mended without guessing
+};
+
+struct ReadResult {
+    QuadMesh mesh;
+    RepairReport repair;
+    std::vector<std::string> warnings; ///< valid but suspicious, a sentence each
+};
+
+/// \param name  of the file; its extension tells the format, and where it has none the first bytes do
+/// \throw Error  naming the first offending line, face, edge or vertex
+[[nodiscard]] ReadResult readMesh(std::string_view bytes, std::string_view name,
+                                  const ReadOptions& options = {});
+
+/// Text of an OBJ file with the mesh's numbering; coordinates read back exactly.
+[[nodiscard]] std::string writeObj(const QuadMesh& mesh);
+
+} // namespace qm

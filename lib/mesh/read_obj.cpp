@@ -1,0 +1,73 @@
+#include "base/error.h"
+#include "mesh/soup.h"
+#include "mesh/text_lines.h"
+
+namespace qm {
+namespace {
+
+constexpr const char* cutOff = "the file seems to be cut off; get it whole";
+
+class ObjReader {
+public:
+    explicit ObjReader(std::string_view text) : lines_(text) {}
+
+    Soup read() {
+        while (lines_.nextLine(true)) {
+            const std::string_view keyword = lines_.word();
+            if (keyword == "v") readPoint();
+            if (keyword == "f") readFace();
+        }
+        return std::move(soup_);
+    }
+
+private:
+    void readPoint() {
+        Point point;
+        for (unsigned k = 0; k < 3; ++k) {
+            const std::string_view word = lines_.word();
+            const auto value = parseNumber<double>(word);
+            if (!value)
+                throw Error(lines_.place(),
+                            "vertex " + std::to_string(soup_.points.size()) +
+                                (word.empty() ? " has fewer than three coordinates"
+                                              : ": \"" + std::string(word.substr(0, 20)) + "\" is no number"),
+                            lines_.unfinished() ? cutOff : "mend the line");
+            point[k] = *value;
+        }
+        soup_.points.push_back(point);
+        soup_.pointLines.push_back(lines_.lineNumber());
+    }
+
+    void readFace() {
+        const std::uint32_t line = lines_.lineNumber();
+        for (std::string_view word = lines_.word(); !word.empty(); word = lines_.word())
+            soup_.corners.push_back(cornerOf(word));
+        soup_.endFace(line);
+        if (lines_.unfinished() && soup_.face(soup_.faceCount() - 1).size() < 4)
+            throw Error(soup_.facePlace(soup_.faceCount() - 1),
+                        "the last line ends after " +
+                            std::to_string(soup_.face(soup_.faceCount() - 1).size()) + " vertices",
+                        cutOff);
+    }
+
+    /// "7", "7/1", "7//2", "7/1/2", counted from 1, or back from the last vertex if negative.
+    std::int64_t cornerOf(std::string_view word) const {
+        const auto index = parseNumber<std::int64_t>(word.substr(0, word.find('/')));
+        if (!index || *index == 0)
+            throw Error(soup_.facePlace(soup_.faceCount()) + ", line " + std::to_string(lines_.lineNumber()),
+                        "\"" + std::string(word.substr(0, 20)) + "\" is no vertex index",
+                        lines_.unfinished() ? cutOff : "mend the line; indices count from 1");
+        return *index > 0 ? *index - 1 : static_cast<std::int64_t>(soup_.points.size()) + *index;
+    }
+
+    TextLines lines_;
+    Soup soup_;
+};
+
+} // namespace
+
+Soup readObj(std::string_view text) {
+    return ObjReader(text).read();
+}
+
+} // namespace qm

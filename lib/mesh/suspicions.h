@@ -1,0 +1,15 @@
+/// \file What is valid but looks like a mistake.
+#pragma once
+
+#include "mesh/quad_mesh.h"
+
+#include <string>
+#include <vector>
+
+namespace qm {
+
+/// One sentence with figures for each of: coincident vertices, quads without area, more than ten components,
+/// more than one extraordinary vertex in ten.
+[[nodiscard]] std::vector<std::string> suspicions(const QuadMesh& mesh);
+
+} // namespace qm

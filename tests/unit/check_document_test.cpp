@@ -1,0 +1,556 @@
+// True documents pass; of each rule there is one that breaks it, and the place is named.
+#include "base/error.h"
+#include "check/angles.h"
+#include "check/check_document.h"
+#include "support/polycube.h"
+#include "support/true_document.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+
+namespace qm::testing {
+namespace {
+
+using namespace check;
+
+std::string listed(const Report& report) {
+    std::string text;
+    for (const auto& each : report.violations())
+        text += "  " + each.pointer + ": " + each.rule + ": " + each.explanation + "\n";
+    return text;
+}
+
+::testing::AssertionResult found(const Report& report, const std::string& pointer, const std::string& rule) {
+    const auto& all = report.violations();
+    if (std::any_of(all.begin(), all.end(),
+                    [&](const auto& v) { return v.pointer == pointer && v.rule == rule; }))
+        return ::testing::AssertionSuccess();
+    return ::testing::AssertionFailure() << "no " << rule << " at " << pointer << " among\n"
+                                         << listed(report);
+}
+
+CheckedMesh twoHoles() {
+    return plane({"xxxxxx", "x..xxx", "xxxx.x", "xxxxxx"});
+}
+CheckedMesh corner() {
+    return polycube({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+}
+
+/// Left and right half of a mesh.
+std::vector<int> halves(const CheckedMesh& mesh, double x) {
+    std::vector<int> labels;
+    for (const auto& point : mesh.points)
+        labels.push_back(point[0] > x);
+    return labels;
+}
+
+struct Model {
+    CheckedMesh mesh;
+    CheckedDocument document;
+};
+
+Model make(CheckedMesh mesh, const DocumentRecipe& recipe = {}) {
+    CheckedDocument document = trueDocument(mesh, recipe);
+    document.surfaces->interpolates = true;
+    document.surfaces->tolerance = 1e-9;
+    document.surfaces->watertight = true;
+    return {std::move(mesh), std::move(document)};
+}
+
+Model cut() {
+    const CheckedMesh mesh = twoHoles();
+    return make(mesh, {{}, halves(mesh, 2.5), 2});
+}
+
+/// A torus with the layout that its most curved line and a transversal give.
+Model torusModel() {
+    Model model{torus(8, 6), {}};
+    const Neighbourhoods around(model.mesh);
+    const EdgeCosts costs = edgeCosts(dihedralAngles(model.mesh, around), 0.4, 0.2);
+    model.document.weights = {0.4, 0.2};
+    LayoutPart layout;
+    TrackPart ring;
+    TrackPart across;
+    for (int i = 0; i <= 8; ++i)
+        ring.vertices.push_back(i % 8);
+    for (int j = 0; j <= 6; ++j)
+        across.vertices.push_back(j % 6 * 8);
+    across.transversal = true;
+    layout.tracks = {ring, across};
+    std::vector<char> border(static_cast<std::size_t>(around.edges()), 0);
+    for (std::size_t t = 0; t < 2; ++t) {
+        TrackPart& track = layout.tracks[t];
+        CostSum cost(costs);
+        for (std::size_t i = 1; i < track.vertices.size(); ++i) {
+            const int edge = around.edge(around.stepBetween(track.vertices[i - 1], track.vertices[i]));
+            border[static_cast<std::size_t>(edge)] = 1;
+            cost.add(edge);
+        }
+        track.id = static_cast<int>(t);
+        track.cost = cost.value();
+    }
+    layout.cost = layout.tracks[0].cost;
+    layout.divided = true;
+    layout.segments = segmentsBetween(model.mesh, around, border);
+    model.document.surfaces = bilinearPatches(model.mesh, layout);
+    model.document.surfaces->interpolates = true;
+    model.document.surfaces->watertight = true;
+    model.document.layout = std::move(layout);
+    return model;
+}
+
+Model cornerModel() {
+    return make(corner());
+}
+Model twoHolesModel() {
+    return make(twoHoles());
+}
+/// A hole, and a feature curve that crosses a line of it.
+Model seededModel() {
+    CheckedMesh mesh = plane({"xxxxx", "xx.xx", "xxxxx", "xxxxx"});
+    const auto at = [&](double x, double y) {
+        const auto here = std::find(mesh.points.begin(), mesh.points.end(), std::array{x, y, 0.0});
+        return static_cast<int>(here - mesh.points.begin());
+    };
+    return make(mesh, {{{at(1, 3), at(2, 3), at(3, 3)}}, {}, 1});
+}
+
+// ---- True documents.
+
+struct Named {
+    const char* name;
+    Model (*model)();
+};
+
+class TrueDocument : public ::testing::TestWithParam<Named> {};
+
+TEST_P(TrueDocument, IsTrue) {
+    const Model model = GetParam().model();
+    const Report report = checkDocument(model.mesh, model.document);
+    EXPECT_TRUE(report.ok()) << listed(report);
+    EXPECT_FALSE(report.verified().empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Check, TrueDocument,
+                         ::testing::Values(Named{"cut", cut}, Named{"torus", torusModel},
+                                           Named{"corner", cornerModel}, Named{"twoHoles", twoHolesModel},
+                                           Named{"seeded", seededModel}),
+                         [](const auto& each) { return std::string(each.param.name); });
+
+// ---- Spoilt ones.
+
+struct Spoilt {
+    const char* name;
+    Model (*model)();
+    std::function<void(CheckedDocument&)> spoil;
+    const char* pointer;
+    const char* rule;
+};
+
+class SpoiltDocument : public ::testing::TestWithParam<Spoilt> {};
+
+TEST_P(SpoiltDocument, IsSeen) {
+    const auto& [name, makeModel, spoil, pointer, rule] = GetParam();
+    Model model = makeModel();
+    spoil(model.document);
+    EXPECT_TRUE(found(checkDocument(model.mesh, model.document), pointer, rule));
+}
+
+std::string nameOf(const ::testing::TestParamInfo<Spoilt>& info) {
+    return info.param.name;
+}
+
+using Doc = CheckedDocument;
+
+BaseComplexPart& complex(Doc& d) {
+    return *d.baseComplex;
+}
+EnumerationPart::SubMesh& first(Doc& d) {
+    return d.enumeration->subMeshes[0];
+}
+LayoutPart& layout(Doc& d) {
+    return *d.layout;
+}
+SurfacesPart::Patch& patch(Doc& d) {
+    return d.surfaces->patches[0];
+}
+
+/// A track that ends where another passes, and has more than one arc.
+TrackPart& crashing(Doc& d) {
+    for (TrackPart& track : layout(d).tracks) {
+        const int end = track.vertices.back();
+        for (const TrackPart& other : layout(d).tracks)
+            if (std::find(other.vertices.begin() + 1, other.vertices.end() - 1, end) !=
+                other.vertices.end() - 1)
+                return track;
+    }
+    throw std::logic_error("no track crashes");
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    BaseComplex, SpoiltDocument,
+    ::testing::Values(
+        Spoilt{"vertexMissing", cornerModel, [](Doc& d) { complex(d).extraordinaryVertices.pop_back(); },
+               "/baseComplex/extraordinaryVertices", "extraordinary"},
+        Spoilt{"vertexUnknown", cornerModel, [](Doc& d) { complex(d).extraordinaryVertices[2] = 1000; },
+               "/baseComplex/extraordinaryVertices/2", "vertex"},
+        Spoilt{"vertexRegular", twoHolesModel, [](Doc& d) { complex(d).extraordinaryVertices[0] = 0; },
+               "/baseComplex/extraordinaryVertices/0", "extraordinary"},
+        Spoilt{"vertexOrder", cornerModel,
+               [](Doc& d) {
+                   std::swap(complex(d).extraordinaryVertices[0], complex(d).extraordinaryVertices[1]);
+               },
+               "/baseComplex/extraordinaryVertices/1", "order"},
+        Spoilt{"junctions", cornerModel, [](Doc& d) { ++complex(d).ordinaryJunctions; },
+               "/baseComplex/ordinaryJunctions", "n_j"},
+        Spoilt{"separatrixMissing", cornerModel, [](Doc& d) { complex(d).separatrices.pop_back(); },
+               "/baseComplex/separatrices", "separatrix missing"},
+        Spoilt{"separatrixTwice", cornerModel,
+               [](Doc& d) { complex(d).separatrices[1].vertices = complex(d).separatrices[0].vertices; },
+               "/baseComplex/separatrices/1", "separatrix twice"},
+        Spoilt{"separatrixShort", twoHolesModel,
+               [](Doc& d) {
+                   auto& all = complex(d).separatrices;
+                   std::find_if(all.begin(), all.end(), [](const auto& s) {
+                       return s.vertices.size() > 2;
+                   })->vertices.pop_back();
+               },
+               "/baseComplex/separatrices/0/vertices", "separatrix end"},
+        Spoilt{"separatrixId", cornerModel, [](Doc& d) { complex(d).separatrices[3].id = 4; },
+               "/baseComplex/separatrices/3/id", "id"},
+        Spoilt{"opposite", cornerModel, [](Doc& d) { complex(d).separatrices[0].opposite.reset(); },
+               "/baseComplex/separatrices/0/opposite", "opposite"},
+        Spoilt{"oppositeUnknown", cornerModel, [](Doc& d) { complex(d).separatrices[0].opposite = 5000; },
+               "/baseComplex/separatrices/0/opposite", "opposite"},
+        Spoilt{"selfCrossing", cornerModel, [](Doc& d) { complex(d).separatrices[7].selfCrossing = true; },
+               "/baseComplex/separatrices/7/selfCrossing", "self-crossing"},
+        Spoilt{
+            "noPath", cornerModel,
+            [](Doc& d) { complex(d).separatrices[2].vertices[1] = complex(d).separatrices[2].vertices[0]; },
+            "/baseComplex/separatrices/2/vertices/1", "path"},
+        Spoilt{"tooShort", cornerModel, [](Doc& d) { complex(d).separatrices[2].vertices.resize(1); },
+               "/baseComplex/separatrices/2/vertices", "path"}),
+    nameOf);
+
+INSTANTIATE_TEST_SUITE_P(
+    Features, SpoiltDocument,
+    ::testing::Values(Spoilt{"bend", seededModel,
+                             [](Doc& d) {
+                                 auto& vertices = d.features->curves[0].vertices;
+                                 vertices[0] = d.baseComplex->extraordinaryVertices.back();
+                                 vertices = {vertices[1], vertices[2], vertices[1]};
+                             },
+                             "/features/curves/0/vertices/2", "straight on"},
+                      Spoilt{"seedOffCurve", seededModel, [](Doc& d) { d.features->curves[0].seed = 0; },
+                             "/features/curves/0/seed", "seed on curve"},
+                      Spoilt{"seedOnBoundary", seededModel,
+                             [](Doc& d) {
+                                 d.features->curves[0].vertices = {0, 1};
+                                 d.features->curves[0].seed = 0;
+                             },
+                             "/features/curves/0/seed", "seed regular"},
+                      Spoilt{"seedTwice", seededModel,
+                             [](Doc& d) {
+                                 d.features->curves.push_back(d.features->curves[0]);
+                                 d.features->curves[1].id = 1;
+                             },
+                             "/features/curves/1/seed", "seed unique"},
+                      Spoilt{"curveId", seededModel, [](Doc& d) { d.features->curves[0].id = 1; },
+                             "/features/curves/0/id", "id"}),
+    nameOf);
+
+INSTANTIATE_TEST_SUITE_P(
+    Cut, SpoiltDocument,
+    ::testing::Values(
+        Spoilt{"labelMissing", cut, [](Doc& d) { d.cut->labels.pop_back(); }, "/cut/labels",
+               "labels complete"},
+        Spoilt{"labelUnknown", cut, [](Doc& d) { d.cut->labels[3] = 2; }, "/cut/labels/3", "label"},
+        Spoilt{"empty", cut,
+               [](Doc& d) {
+                   d.cut->subMeshes.push_back({2, 0, 0, {}, {}});
+               },
+               "/cut/subMeshes/2", "sub-mesh empty"},
+        Spoilt{"complexity", cut, [](Doc& d) { *d.cut->subMeshes[1].quasiComplexity += 1e-3; },
+               "/cut/subMeshes/1/quasiComplexity", "U"},
+        Spoilt{"junctions", cut, [](Doc& d) { ++*d.cut->subMeshes[0].ordinaryJunctions; },
+               "/cut/subMeshes/0/ordinaryJunctions", "n_j"},
+        Spoilt{"terminal", cut, [](Doc& d) { d.cut->subMeshes[0].sink = 9999; }, "/cut/subMeshes/0/sink",
+               "vertex"},
+        Spoilt{"id", cut, [](Doc& d) { d.cut->subMeshes[0].id = 1; }, "/cut/subMeshes/0/id", "id"}),
+    nameOf);
+
+INSTANTIATE_TEST_SUITE_P(
+    Enumeration, SpoiltDocument,
+    ::testing::Values(
+        Spoilt{"subMeshes", cornerModel, [](Doc& d) { d.enumeration->subMeshes.push_back(first(d)); },
+               "/enumeration/subMeshes", "sub-meshes"},
+        Spoilt{"cost", cornerModel, [](Doc& d) { *first(d).graphs[1].cost += 2e-6 * 50; },
+               "/enumeration/subMeshes/0/graphs/1/cost", "cost"},
+        Spoilt{"sorted", cornerModel, [](Doc& d) { std::swap(first(d).graphs[0], first(d).graphs[3]); },
+               "/enumeration/subMeshes/0/graphs/3", "sorted"},
+        Spoilt{"distinct", cornerModel, [](Doc& d) { first(d).graphs[1] = first(d).graphs[0]; },
+               "/enumeration/subMeshes/0/graphs/1", "distinct"},
+        Spoilt{"best", cornerModel, [](Doc& d) { *first(d).cost -= 1; }, "/enumeration/subMeshes/0/cost",
+               "best cost"},
+        Spoilt{"bound", cornerModel, [](Doc& d) { *first(d).lowerBound += 1; },
+               "/enumeration/subMeshes/0/lowerBound", "bound"},
+        Spoilt{"count", cornerModel, [](Doc& d) { first(d).count = "3"; }, "/enumeration/subMeshes/0/count",
+               "count"},
+        Spoilt{"countText", cornerModel, [](Doc& d) { first(d).count = "4x"; },
+               "/enumeration/subMeshes/0/count", "count"},
+        Spoilt{"countTooLong", cornerModel, [](Doc& d) { first(d).count = std::string(500, '9'); },
+               "/enumeration/subMeshes/0/count", "count"},
+        Spoilt{"product", cut, [](Doc& d) { d.enumeration->count = "1000"; }, "/enumeration/count", "count"},
+        Spoilt{"trackEnd", cut, [](Doc& d) { first(d).graphs[0].tracks[0].vertices.push_back(0); },
+               "/enumeration/subMeshes/0/graphs/0/tracks/0/vertices/3", "path"},
+        Spoilt{"trackStart", cut,
+               [](Doc& d) {
+                   auto& vertices = first(d).graphs[0].tracks[0].vertices;
+                   vertices = {d.enumeration->subMeshes[1].graphs[0].tracks[0].vertices};
+               },
+               "/enumeration/subMeshes/0/graphs/0/tracks/0/vertices/0", "track start"},
+        Spoilt{"trackTwice", cornerModel,
+               [](Doc& d) { first(d).graphs[0].tracks.push_back(first(d).graphs[0].tracks[0]); },
+               "/enumeration/subMeshes/0/graphs/0/tracks/22", "track twice"},
+        Spoilt{"separatrix", cornerModel, [](Doc& d) { first(d).graphs[0].tracks[0].separatrix = 39; },
+               "/enumeration/subMeshes/0/graphs/0/tracks/0/separatrix", "track separatrix"},
+        Spoilt{"source", cornerModel, [](Doc& d) { first(d).graphs[0].tracks[1].source = 999; },
+               "/enumeration/subMeshes/0/graphs/0/tracks/1/source", "track source"},
+        Spoilt{"forbidden", cornerModel,
+               [](Doc& d) {
+                   d.constraints = {{}, {layout(d).tracks[0].vertices}};
+               },
+               "/enumeration/subMeshes/0/graphs/0/tracks", "forbidden"},
+        Spoilt{"constraintPath", cornerModel,
+               [](Doc& d) {
+                   d.constraints = {{{0, 0}}, {}};
+               },
+               "/constraints/required/0/vertices/1", "path"}),
+    nameOf);
+
+INSTANTIATE_TEST_SUITE_P(
+    Layout, SpoiltDocument,
+    ::testing::Values(
+        Spoilt{"trackCost", cornerModel, [](Doc& d) { *layout(d).tracks[4].cost += 1; }, "/layout/tracks/4/cost",
+               "cost"},
+        Spoilt{"cost", cornerModel, [](Doc& d) { *layout(d).cost += 1; }, "/layout/cost", "G_T"},
+        Spoilt{"bound", cornerModel, [](Doc& d) { *layout(d).lowerBound += 1; }, "/layout/lowerBound", "bound"},
+        Spoilt{"id", cornerModel, [](Doc& d) { layout(d).tracks[4].id = 5; }, "/layout/tracks/4/id", "id"},
+        Spoilt{"idle", cornerModel, [](Doc& d) { layout(d).tracks.pop_back(); }, "/layout/tracks", "A3"},
+        Spoilt{"firstArc", cornerModel, [](Doc& d) { layout(d).tracks.pop_back(); }, "/layout/tracks", "arc rule 1"},
+        Spoilt{"unmarkedBorder", cornerModel, [](Doc& d) { layout(d).tracks.erase(layout(d).tracks.begin()); },
+               "/layout/segments/0", "border"},
+        Spoilt{"required", cornerModel,
+               [](Doc& d) {
+                   // The other graphs have edges that the layout lacks.
+                   std::vector<std::vector<int>> paths;
+                   for (const auto& track : first(d).graphs[3].tracks) paths.push_back(track.vertices);
+                   d.constraints = {paths, {}};
+               },
+               "/layout/tracks", "required"},
+        Spoilt{"overlap", cornerModel,
+               [](Doc& d) {
+                   TrackPart back = layout(d).tracks[0];
+                   std::reverse(back.vertices.begin(), back.vertices.end());
+                   back.id = 22;
+                   layout(d).tracks.push_back(back);
+               },
+               "/layout/tracks/22", "edge twice"},
+        Spoilt{"tiling", cornerModel, [](Doc& d) { layout(d).segments[2].faces = layout(d).segments[1].faces; },
+               "/layout/segments/2/faces/0", "tiling"},
+        Spoilt{"faceMissing", cornerModel, [](Doc& d) { layout(d).segments.pop_back(); }, "/layout/segments",
+               "tiling"},
+        Spoilt{"faceUnknown", cornerModel, [](Doc& d) { layout(d).segments[2].faces[0] = 7777; },
+               "/layout/segments/2/faces/0", "face"},
+        Spoilt{"grid", twoHolesModel,
+               [](Doc& d) {
+                   auto& all = layout(d).segments;
+                   auto wide = std::find_if(all.begin(), all.end(), [](const auto& s) { return s.faces.size() > 1; });
+                   std::swap(*wide, all[0]);
+                   std::swap(all[0].id, wide->id);
+                   std::swap(all[0].faces[0], all[0].faces[1]);
+               },
+               "/layout/segments/0/faces/0", "grid"},
+        Spoilt{"size", cornerModel, [](Doc& d) { layout(d).segments[2].size = {3, 3}; }, "/layout/segments/2/faces",
+               "grid"},
+        Spoilt{"corner", cornerModel, [](Doc& d) { layout(d).segments[2].corners[3] = layout(d).segments[2].corners[1]; },
+               "/layout/segments/2/corners/3", "corner"},
+        Spoilt{"sideVertex", cornerModel, [](Doc& d) { layout(d).segments[2].sides[1][0] = 0; },
+               "/layout/segments/2/sides/1/0", "side"},
+        Spoilt{"sideLength", cornerModel, [](Doc& d) { layout(d).segments[2].sides[1].pop_back(); },
+               "/layout/segments/2/sides/1", "side"},
+        Spoilt{"segmentId", cornerModel, [](Doc& d) { layout(d).segments[2].id = 1; }, "/layout/segments/2/id", "id"},
+        Spoilt{"quality", cornerModel, [](Doc& d) { layout(d).quality.segments = 13; }, "/layout/quality/segments",
+               "quality"},
+        Spoilt{"joints", cornerModel, [](Doc& d) { layout(d).quality.tJunctions = 99; }, "/layout/quality/tJunctions",
+               "quality"},
+        Spoilt{"aspect", twoHolesModel, [](Doc& d) { layout(d).quality.maxAspect = 77; }, "/layout/quality/maxAspect",
+               "quality"},
+        Spoilt{"sharpness", cornerModel, [](Doc& d) { layout(d).quality.capturedSharpness = 0.5; },
+               "/layout/quality/capturedSharpness", "quality"},
+        Spoilt{"wholeLine", torusModel, [](Doc& d) { layout(d).tracks[0].vertices.pop_back(); }, "/layout/tracks/0",
+               "whole line"},
+        Spoilt{"transversalBend", torusModel,
+               [](Doc& d) {
+                   auto& vertices = layout(d).tracks[1].vertices;
+                   vertices = {vertices[0], vertices[1], vertices[1] + 1};
+               },
+               "/layout/tracks/1/vertices/2", "transversal straight"},
+        Spoilt{"transversalShort", torusModel, [](Doc& d) { layout(d).tracks[1].vertices.pop_back(); },
+               "/layout/tracks/1/vertices/5", "transversal ends"}),
+    nameOf);
+
+INSTANTIATE_TEST_SUITE_P(
+    Surfaces, SpoiltDocument,
+    ::testing::Values(
+        Spoilt{"patchMissing", cornerModel, [](Doc& d) { d.surfaces->patches.pop_back(); },
+               "/surfaces/patches", "one patch per segment"},
+        Spoilt{"patchSegment", cornerModel, [](Doc& d) { patch(d).segment = 3; },
+               "/surfaces/patches/0/segment", "one patch per segment"},
+        Spoilt{"knotsDecrease", cornerModel, [](Doc& d) { patch(d).knots[1][2] = -1; },
+               "/surfaces/patches/0/knots/1/2", "knots"},
+        Spoilt{"knotsNumber", cornerModel, [](Doc& d) { patch(d).knots[0].push_back(9); },
+               "/surfaces/patches/0/knots/0", "knots"},
+        Spoilt{"domain", cornerModel, [](Doc& d) { patch(d).knots[0].back() = patch(d).knots[0][2] = 1.5; },
+               "/surfaces/patches/0/knots/0", "domain"},
+        Spoilt{"degree", cornerModel, [](Doc& d) { patch(d).degree[1] = 0; }, "/surfaces/patches/0/degree/1",
+               "degree"},
+        Spoilt{"ragged", cornerModel, [](Doc& d) { patch(d).rectangular = false; },
+               "/surfaces/patches/0/controlPoints", "control points"},
+        Spoilt{"tooFewPoints", cornerModel, [](Doc& d) { patch(d).count[0] = 1; },
+               "/surfaces/patches/0/controlPoints", "control points"},
+        Spoilt{"notFinite", cornerModel,
+               [](Doc& d) { patch(d).controlPoints[1][2] = std::numeric_limits<double>::infinity(); },
+               "/surfaces/patches/0/controlPoints/0/1", "finite"},
+        Spoilt{"misses", cornerModel, [](Doc& d) { patch(d).controlPoints[0][0] += 1e-6; },
+               "/surfaces/patches/0", "interpolation"},
+        Spoilt{"tolerance", cornerModel,
+               [](Doc& d) {
+                   d.surfaces->interpolates = false;
+                   patch(d).controlPoints[0][0] += 1e-6;
+                   patch(d).controlPoints[0][1] += 1e-6;
+                   patch(d).controlPoints[0][2] += 1e-6;
+               },
+               "/surfaces/patches/0", "tolerance"},
+        Spoilt{"gap", cornerModel,
+               [](Doc& d) {
+                   d.surfaces->interpolates = false;
+                   d.surfaces->tolerance.reset();
+                   d.surfaces->patches[1].controlPoints[0][0] += 1e-6;
+               },
+               "/surfaces/patches/1", "watertight"}),
+    nameOf);
+
+// ---- Tracks moved so that one rule of method 2 after the other breaks.
+
+TEST(CheckLayout, SeesATrackThatStopsBetweenJunctions) {
+    Model model = make(polycube(box(1, 1, 1), 3));
+    layout(model.document).tracks[0].vertices.pop_back();
+    EXPECT_TRUE(found(checkDocument(model.mesh, model.document), "/layout/tracks/0/vertices/2", "A4"));
+}
+
+TEST(CheckLayout, SeesATrackThatLeavesItsLine) {
+    Model model = twoHolesModel();
+    auto& track = crashing(model.document);
+    const std::string pointer = "/layout/tracks/" + std::to_string(*track.id) + "/vertices/";
+    const Neighbourhoods around(model.mesh);
+    const int end = track.vertices.back();
+    for (int i = 0; i < 4; ++i) {
+        const int other = around.to(around.firstStep(end) + i);
+        if (other == track.vertices[track.vertices.size() - 2] ||
+            other == around.to(around.straightOn(
+                         around.stepBetween(track.vertices[track.vertices.size() - 2], end))))
+            continue;
+        track.vertices.push_back(other);
+        break;
+    }
+    EXPECT_TRUE(found(checkDocument(model.mesh, model.document),
+                      pointer + std::to_string(track.vertices.size() - 1), "track straight"));
+}
+
+TEST(CheckLayout, SeesATrackThatPassesThroughAnother) {
+    Model model = twoHolesModel();
+    auto& track = crashing(model.document);
+    const Neighbourhoods around(model.mesh);
+    int step = around.stepBetween(track.vertices[track.vertices.size() - 2], track.vertices.back());
+    while (around.passable(around.to(step))) {
+        step = around.straightOn(step);
+        track.vertices.push_back(around.to(step));
+    }
+    const Report report = checkDocument(model.mesh, model.document);
+    EXPECT_TRUE(found(report, "/layout/tracks/" + std::to_string(*track.id), "A2"));
+    EXPECT_TRUE(found(report, "/layout/tracks", "arc rule 4"));
+}
+
+TEST(CheckLayout, LetsAPrunedLayoutLackTracks) {
+    // The hole of a frame gives eight tracks; without two that face each other all is still grids.
+    Model model = make(plane({"xxx", "x.x", "xxx"}));
+    model.document.surfaces.reset();
+    LayoutPart& part = layout(model.document);
+    const auto gone = part.tracks[0];
+    part.tracks.erase(part.tracks.begin());
+    for (std::size_t i = 0; i < part.tracks.size(); ++i)
+        part.tracks[i].id = static_cast<int>(i);
+    *part.cost -= *gone.cost;
+    const Neighbourhoods around(model.mesh);
+    std::vector<char> border(static_cast<std::size_t>(around.edges()), 0);
+    for (const auto& track : part.tracks)
+        for (std::size_t i = 1; i < track.vertices.size(); ++i)
+            border[static_cast<std::size_t>(
+                around.edge(around.stepBetween(track.vertices[i - 1], track.vertices[i])))] = 1;
+    part.segments = segmentsBetween(model.mesh, around, border);
+    part.lowerBound = *part.cost + 1;
+    part.pruned = true;
+    const Report pruned = checkDocument(model.mesh, model.document);
+    EXPECT_TRUE(pruned.ok()) << listed(pruned);
+
+    part.pruned = false;
+    const Report merged = checkDocument(model.mesh, model.document);
+    EXPECT_TRUE(found(merged, "/layout/tracks", "A3"));
+    EXPECT_TRUE(found(merged, "/layout/tracks", "arc rule 1"));
+    EXPECT_TRUE(found(merged, "/layout/lowerBound", "bound"));
+
+    part.pruned = true;
+    part.tracks[0].vertices = {0, 1};
+    EXPECT_TRUE(
+        found(checkDocument(model.mesh, model.document), "/layout/tracks/0/vertices/0", "track start"));
+}
+
+// ---- Meshes that are none.
+
+TEST(Neighbourhoods, RefusesWhatIsNoManifold) {
+    CheckedMesh bowTie = plane({"x.", ".x"});
+    EXPECT_THROW(Neighbourhoods{bowTie}, Error);
+    CheckedMesh flipped = plane({"xx"});
+    std::reverse(flipped.quads[1].begin(), flipped.quads[1].end());
+    EXPECT_THROW(Neighbourhoods{flipped}, Error);
+    CheckedMesh fin = plane({"xx"});
+    fin.points.push_back({1, 0, 1});
+    fin.points.push_back({1, 1, 1});
+    fin.quads.push_back({fin.quads[0][1], 6, 7, fin.quads[0][2]});
+    EXPECT_THROW(Neighbourhoods{fin}, Error);
+    CheckedMesh repeated = plane({"x"});
+    repeated.quads[0][1] = repeated.quads[0][0];
+    EXPECT_THROW(Neighbourhoods{repeated}, Error);
+    CheckedMesh outside = plane({"x"});
+    outside.quads[0][1] = 4;
+    EXPECT_THROW(Neighbourhoods{outside}, Error);
+}
+
+TEST(Neighbourhoods, KnowsBothSidesOfEveryStep) {
+    for (const CheckedMesh& mesh : {corner(), twoHoles(), torus(5, 4), tube(5, 3)}) {
+        const Neighbourhoods around(mesh);
+        for (int step = 0; step < around.steps(); ++step) {
+            EXPECT_EQ(around.back(around.back(step)), step);
+            EXPECT_EQ(around.edge(around.back(step)), around.edge(step));
+            EXPECT_EQ(around.stepBetween(around.from(step), around.to(step)), step);
+            EXPECT_NE(around.from(step), around.to(step));
+        }
+        EXPECT_EQ(around.steps(), 2 * around.edges());
+    }
+}
+
+} // namespace
+} // namespace qm::testing

@@ -1,0 +1,327 @@
+#include "base/error.h"
+#include "bspline/clamped_patch.h"
+#include "bspline/evaluate.h"
+#include "bspline/fit.h"
+#include "export/bytes.h"
+#include "export/export.h"
+#include "export/shape.h"
+#include "support/grid_layout.h"
+
+#include <gtest/gtest.h>
+
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepGProp.hxx>
+#include <GProp_GProps.hxx>
+#include <IGESControl_Reader.hxx>
+#include <STEPControl_Reader.hxx>
+#include <TopAbs_ShapeEnum.hxx>
+#include <TopExp_Explorer.hxx>
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <regex>
+#include <sstream>
+
+namespace qm {
+namespace {
+
+using test::Grid;
+
+struct Model {
+    QuadMesh mesh;
+    Layout layout;
+    Surfaces surfaces;
+};
+
+Model fitted(const Grid &grid, const std::vector<test::Rectangle> &rectangles, const FitOptions &options) {
+    Model model{test::makeMesh(grid), test::makeLayout(grid, rectangles), {}};
+    const std::vector<double> angles(model.mesh.n_edges(), 0.1);
+    model.surfaces = fitSurfaces(model.mesh, model.layout, angles, options);
+    return model;
+}
+
+const Grid sheet{10, 8, [](double i, double j) { return Point(i, j, std::sin(0.5 * i) + std::cos(0.4 * j)); }};
+const std::vector<test::Rectangle> tJoint = {{0, 0, 10, 3, 2}, {0, 3, 6, 8, 1}, {6, 3, 10, 8, 3}};
+
+FitOptions watertight() {
+    FitOptions options;
+    options.watertight = true;
+    return options;
+}
+
+/// A torus as one patch whose sides meet, or as several; closed either way.
+Model torus(const std::vector<std::array<int, 4>> &rectangles) {
+    constexpr int around = 16;
+    constexpr int across = 12;
+    Model model;
+    const auto number = [](int i, int j) { return VertexId((j % across) * around + i % around); };
+    for (int j = 0; j < across; ++j)
+        for (int i = 0; i < around; ++i) {
+            const double big = 2 * std::numbers::pi * i / around;
+            const double small = 2 * std::numbers::pi * j / across;
+            const double radius = 5 + 2 * std::cos(small);
+            model.mesh.add_vertex({radius * std::cos(big), radius * std::sin(big), 2 * std::sin(small)});
+        }
+    for (int j = 0; j < across; ++j)
+        for (int i = 0; i < around; ++i)
+            model.mesh.add_face({number(i, j), number(i + 1, j), number(i + 1, j + 1), number(i, j + 1)});
+    for (const auto &[i0, j0, i1, j1] : rectangles) {
+        Segment segment;
+        segment.size = {i1 - i0, j1 - j0};
+        for (int j = j0; j < j1; ++j)
+            for (int i = i0; i < i1; ++i)
+                segment.faces.emplace_back((j % across) * around + i % around);
+        for (int i = i0; i <= i1; ++i) {
+            segment.sides[0].push_back(number(i, j0));
+            segment.sides[2].push_back(number(i1 + i0 - i, j1));
+        }
+        for (int j = j0; j <= j1; ++j) {
+            segment.sides[1].push_back(number(i1, j));
+            segment.sides[3].push_back(number(i0, j1 + j0 - j));
+        }
+        for (std::size_t k = 0; k < 4; ++k)
+            segment.corners[k] = segment.sides[k].front();
+        model.layout.segments.push_back(segment);
+    }
+    const std::vector<double> angles(model.mesh.n_edges(), 0.1);
+    model.surfaces = fitSurfaces(model.mesh, model.layout, angles, watertight());
+    return model;
+}
+
+TEST(ClampedPatch, IsTheSameSurface) {
+    const Model model = fitted(sheet, tJoint, {});
+    const Patch &patch = model.surfaces.patches[1];
+    const Patch clampedPatch = clamped(patch);
+    EXPECT_EQ(clampedPatch.count, patch.count);
+    EXPECT_EQ(clampedPatch.knots[0][0], 0);
+    EXPECT_EQ(clampedPatch.knots[0][3], 0);
+    for (const double u : {0.0, 0.5, 2.75, 5.0})
+        for (const double v : {0.0, 0.2, 3.0, 6.0})
+            EXPECT_LT((evaluate(clampedPatch, u, v).position - evaluate(patch, u, v).position).norm(), 1e-13);
+    EXPECT_EQ(clamped(clampedPatch).controlPoints, clampedPatch.controlPoints);
+    const SplineCurve side = borderCurve(clampedPatch, 2);
+    EXPECT_LT((evaluate(side, 1.5) - evaluate(patch, 5 - 1.5, 6).position).norm(), 1e-13);
+}
+
+TEST(Shape, IsAnOpenShellWithSharedEdges) {
+    const Model model = fitted(sheet, tJoint, watertight());
+    const BoundaryShape shape = buildShape(model.mesh, model.layout, model.surfaces.patches);
+    EXPECT_TRUE(shape.report.valid);
+    EXPECT_EQ(shape.report.faces, 3U);
+    EXPECT_EQ(shape.report.edges, 10U) << "the long side is two edges on the other side of the T-joint";
+    EXPECT_EQ(shape.report.openEdges, 7U);
+    EXPECT_EQ(shape.report.shells, 1U);
+    EXPECT_EQ(shape.report.solids, 0U);
+    EXPECT_LT(shape.report.largestTolerance, 1e-6);
+    EXPECT_EQ(shape.shape.ShapeType(), TopAbs_SHELL);
+}
+
+TEST(Shape, BridgesTheGapsOfIndependentPatchesByTolerance) {
+    const Model model = fitted(sheet, tJoint, {});
+    const BoundaryShape shape = buildShape(model.mesh, model.layout, model.surfaces.patches);
+    EXPECT_TRUE(shape.report.valid);
+    EXPECT_EQ(shape.report.edges, 10U);
+    EXPECT_GE(shape.report.largestTolerance, model.surfaces.deviation.largestGap);
+    EXPECT_LT(shape.report.largestTolerance, 4 * model.surfaces.deviation.largestGap);
+}
+
+TEST(Shape, IsASolidIfTheMeshIsClosed) {
+    const double expected = 2 * std::numbers::pi * 5 * std::numbers::pi * 4;
+    for (const auto &rectangles : std::vector<std::vector<std::array<int, 4>>>{
+             {{0, 0, 16, 12}},
+             {{0, 0, 16, 5}, {0, 5, 16, 12}},
+             {{0, 0, 9, 12}, {9, 0, 16, 4}, {9, 4, 16, 12}}}) {
+        const Model model = torus(rectangles);
+        const BoundaryShape shape = buildShape(model.mesh, model.layout, model.surfaces.patches);
+        EXPECT_TRUE(shape.report.valid);
+        EXPECT_EQ(shape.report.solids, 1U);
+        EXPECT_EQ(shape.report.openEdges, 0U);
+        GProp_GProps volume;
+        BRepGProp::VolumeProperties(shape.shape, volume);
+        EXPECT_NEAR(volume.Mass(), expected, 0.01 * expected) << "and not inside out";
+    }
+}
+
+TEST(Shape, RefusesPatchesThatDoNotBelong) {
+    Model model = fitted(sheet, tJoint, {});
+    auto patches = model.surfaces.patches;
+    patches.pop_back();
+    EXPECT_THROW((void)buildShape(model.mesh, model.layout, patches), Error);
+    patches = model.surfaces.patches;
+    std::swap(patches[0], patches[1]);
+    EXPECT_THROW((void)buildShape(model.mesh, model.layout, patches), Error);
+    patches = model.surfaces.patches;
+    patches[2].controlPoints.pop_back();
+    EXPECT_THROW((void)buildShape(model.mesh, model.layout, patches), Error);
+    patches = model.surfaces.patches;
+    patches[2].degree = {2, 3};
+    EXPECT_THROW((void)buildShape(model.mesh, model.layout, patches), Error);
+    patches = model.surfaces.patches;
+    patches[2].knots[1].clear();
+    EXPECT_THROW((void)buildShape(model.mesh, model.layout, patches), Error);
+}
+
+std::size_t countShapes(const TopoDS_Shape &shape, TopAbs_ShapeEnum type) {
+    std::size_t count = 0;
+    for (TopExp_Explorer explorer(shape, type); explorer.More(); explorer.Next())
+        ++count;
+    return count;
+}
+
+std::string exported(const Model &model, ExportFormat format, const ExportOptions &more = {}) {
+    ExportOptions options = more;
+    options.format = format;
+    return exportModel(model.mesh, model.layout, &model.surfaces, options).bytes;
+}
+
+TEST(Step, IsReadBackAsTheSameSolid) {
+    const Model model = torus({{0, 0, 9, 12}, {9, 0, 16, 4}, {9, 4, 16, 12}});
+    const std::string text = exported(model, ExportFormat::step);
+    STEPControl_Reader reader;
+    std::istringstream stream(text);
+    ASSERT_EQ(reader.ReadStream("torus.step", stream), IFSelect_RetDone);
+    ASSERT_GT(reader.TransferRoots(), 0);
+    const TopoDS_Shape shape = reader.OneShape();
+    EXPECT_TRUE(BRepCheck_Analyzer(shape).IsValid());
+    EXPECT_EQ(countShapes(shape, TopAbs_FACE), 3U);
+    EXPECT_EQ(countShapes(shape, TopAbs_SOLID), 1U);
+}
+
+TEST(Step, NamesFacesAndDeclaresTheUnitWithoutConverting) {
+    const Model model = fitted(sheet, tJoint, watertight());
+    const std::string millimetres = exported(model, ExportFormat::step);
+    for (const char *name : {"ADVANCED_FACE('segment 0'", "ADVANCED_FACE('segment 1'", "ADVANCED_FACE('segment 2'"})
+        EXPECT_NE(millimetres.find(name), std::string::npos) << name;
+    EXPECT_NE(millimetres.find("AUTOMOTIVE_DESIGN"), std::string::npos);
+    EXPECT_NE(millimetres.find("SI_UNIT(.MILLI.,.METRE.)"), std::string::npos);
+    ExportOptions options;
+    options.unit = LengthUnit::inch;
+    const std::string inches = exported(model, ExportFormat::step, options);
+    EXPECT_NE(inches.find("CONVERSION_BASED_UNIT('INCH'"), std::string::npos);
+    const auto controlPoint = [](const std::string &text) {
+        std::smatch match;
+        EXPECT_TRUE(std::regex_search(text, match, std::regex("CARTESIAN_POINT\\('',\\(10\\.,8\\.,[^)]*\\)\\)")));
+        return match.str();
+    };
+    EXPECT_EQ(controlPoint(millimetres), controlPoint(inches)) << "the corner of the sheet";
+}
+
+TEST(Step, IsTheSameEveryTime) {
+    const Model model = fitted(sheet, tJoint, watertight());
+    EXPECT_EQ(exported(model, ExportFormat::step), exported(model, ExportFormat::step));
+    EXPECT_EQ(exported(model, ExportFormat::iges), exported(model, ExportFormat::iges));
+}
+
+TEST(Iges, IsReadBackWithAllFaces) {
+    const Model model = fitted(sheet, tJoint, watertight());
+    const std::string text = exported(model, ExportFormat::iges);
+    EXPECT_NE(text.find("S2"), std::string::npos);
+    const auto path = std::filesystem::temp_directory_path() / "quadmesh-export-test.iges";
+    std::ofstream(path) << text;
+    IGESControl_Reader reader;
+    ASSERT_EQ(reader.ReadFile(path.c_str()), IFSelect_RetDone);
+    reader.TransferRoots();
+    const TopoDS_Shape shape = reader.OneShape();
+    EXPECT_EQ(countShapes(shape, TopAbs_FACE), 3U);
+    EXPECT_TRUE(BRepCheck_Analyzer(shape).IsValid());
+    std::filesystem::remove(path);
+}
+
+TEST(Obj, HasTheMeshInOneGroupPerSegment) {
+    const Grid grid{2, 1, [](double i, double j) { return Point(i, 0.1 * j, -2.5); }};
+    const Model model = fitted(grid, {{0, 0, 1, 1}, {1, 0, 2, 1}}, {});
+    EXPECT_EQ(exported(model, ExportFormat::obj), "v 0 0 -2.5\nv 1 0 -2.5\nv 2 0 -2.5\n"
+                                                  "v 0 0.1 -2.5\nv 1 0.1 -2.5\nv 2 0.1 -2.5\n"
+                                                  "g segment_0\nf 1 2 5 4\ng segment_1\nf 2 3 6 5\n");
+}
+
+template <class Number> Number numberAt(const std::string &bytes, std::size_t offset) {
+    Number number;
+    std::memcpy(&number, bytes.data() + offset, sizeof number);
+    return number;
+}
+
+TEST(Ply, HasColoursAndSegments) {
+    const Model model = fitted(sheet, tJoint, {});
+    const std::string bytes = exported(model, ExportFormat::ply);
+    const std::string end = "end_header\n";
+    const std::size_t header = bytes.find(end) + end.size();
+    const std::size_t faces = header + 24 * model.mesh.n_vertices();
+    constexpr std::size_t faceSize = 1 + 16 + 3 + 4;
+    ASSERT_EQ(bytes.size(), faces + faceSize * model.mesh.n_faces());
+    EXPECT_EQ(numberAt<double>(bytes, header + 24 * 13 + 8), model.mesh.point(VertexId(13))[1]);
+    std::array<int, 3> count{};
+    std::array<std::string, 3> colours;
+    for (std::size_t f = 0; f < model.mesh.n_faces(); ++f) {
+        const std::size_t at = faces + f * faceSize;
+        EXPECT_EQ(bytes[at], 4);
+        const auto segment = static_cast<std::size_t>(numberAt<std::int32_t>(bytes, at + 20));
+        ++count.at(segment);
+        const std::string colour = bytes.substr(at + 17, 3);
+        EXPECT_TRUE(colours[segment].empty() || colours[segment] == colour);
+        colours[segment] = colour;
+    }
+    EXPECT_EQ(count, (std::array{30, 30, 20}));
+    EXPECT_NE(colours[0], colours[1]);
+    EXPECT_NE(colours[1], colours[2]);
+}
+
+TEST(Ply, ColoursByDeviationFromBlueToRed) {
+    Model model = fitted(sheet, tJoint, {});
+    model.surfaces.deviation.max = 4;
+    model.surfaces.ofPatch[0].max = 4;
+    model.surfaces.ofPatch[1].max = 0;
+    model.surfaces.ofPatch[2].max = 2;
+    ExportOptions options;
+    options.colour = ColourBy::deviation;
+    const std::string bytes = exported(model, ExportFormat::ply, options);
+    const std::size_t faces = bytes.find("end_header\n") + 11 + 24 * model.mesh.n_vertices();
+    const auto colourOf = [&](std::size_t face) { return bytes.substr(faces + face * 24 + 17, 3); };
+    EXPECT_EQ(colourOf(0), std::string("\xff\0\0", 3));
+    EXPECT_EQ(colourOf(30), std::string("\0\0\xff", 3));
+    EXPECT_EQ(colourOf(36), std::string("\0\xff\0", 3));
+}
+
+TEST(Glb, IsWellFormed) {
+    const Model model = fitted(sheet, tJoint, {});
+    const std::string bytes = exported(model, ExportFormat::glb);
+    EXPECT_EQ(bytes.substr(0, 4), "glTF");
+    EXPECT_EQ(numberAt<std::uint32_t>(bytes, 4), 2U);
+    EXPECT_EQ(numberAt<std::uint32_t>(bytes, 8), bytes.size());
+    const std::uint32_t json = numberAt<std::uint32_t>(bytes, 12);
+    EXPECT_EQ(json % 4, 0U);
+    EXPECT_EQ(bytes.substr(16, 4), "JSON");
+    const std::string text = bytes.substr(20, json);
+    EXPECT_NE(text.find(R"("name":"segment 2")"), std::string::npos);
+    EXPECT_EQ(std::count(text.begin(), text.end(), '{'), std::count(text.begin(), text.end(), '}'));
+    const std::uint32_t binary = numberAt<std::uint32_t>(bytes, 20 + json);
+    EXPECT_EQ(bytes.substr(20 + json + 4, 4), std::string("BIN\0", 4));
+    EXPECT_EQ(bytes.size(), 20 + json + 8 + binary);
+    constexpr std::size_t vertices = 11 * 4 + 7 * 6 + 5 * 6;
+    EXPECT_EQ(binary, vertices * (12 + 12 + 4) + model.mesh.n_faces() * 24);
+    EXPECT_NE(text.find(R"("byteLength":)" + std::to_string(binary) + "}]"), std::string::npos);
+}
+
+TEST(Export, AsksForSurfacesWhereItNeedsThem) {
+    const Model model = fitted(sheet, tJoint, {});
+    ExportOptions options;
+    EXPECT_THROW((void)exportModel(model.mesh, model.layout, nullptr, options), Error);
+    options.format = ExportFormat::glb;
+    EXPECT_FALSE(exportModel(model.mesh, model.layout, nullptr, options).bytes.empty());
+    options.colour = ColourBy::deviation;
+    EXPECT_THROW((void)exportModel(model.mesh, model.layout, nullptr, options), Error);
+}
+
+TEST(Bytes, AreTheShortestTextThatReadsBack) {
+    std::string text;
+    appendText(text, 0.1);
+    text += ' ';
+    appendText(text, 12345678);
+    EXPECT_EQ(text, "0.1 12345678");
+}
+
+} // namespace
+} // namespace qm
