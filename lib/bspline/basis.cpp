@@ -14,8 +14,8 @@ std::size_t knotSpan(std::span<const double> knots, int degree, double parameter
     const auto begin = knots.begin() + degree;
     const auto end = knots.begin() + static_cast<std::ptrdiff_t>(knots.size() - p - 1);
     // The last knot of the domain ends an interval; it does not begin one.
-    const auto after = parameter >= *end ? std::lower_bound(begin, end, *end)
-                                         : std::upper_bound(begin + 1, end, parameter);
+    const auto after =
+        parameter >= *end ? std::lower_bound(begin, end, *end) : std::upper_bound(begin + 1, end, parameter);
     return static_cast<std::size_t>(after - knots.begin()) - 1;
 }
 
@@ -24,7 +24,7 @@ BasisValues basisValues(std::span<const double> knots, int degree, double parame
     const std::size_t span = knotSpan(knots, degree, parameter);
     BasisValues result;
     result.first = span - p;
-    auto &value = result.value;
+    auto& value = result.value;
     value[0] = 1;
     std::array<double, maxDegree + 1> lower{}; // the values of one degree less, for the derivatives
     for (std::size_t d = 1; d <= p; ++d) {
@@ -41,10 +41,8 @@ BasisValues basisValues(std::span<const double> knots, int degree, double parame
     }
     for (std::size_t r = 0; r <= p && p > 0; ++r) {
         double sum = 0;
-        if (r > 0)
-            sum += lower[r - 1] / (knots[span + r] - knots[span + r - p]);
-        if (r < p)
-            sum -= lower[r] / (knots[span + r + 1] - knots[span + r + 1 - p]);
+        if (r > 0) sum += lower[r - 1] / (knots[span + r] - knots[span + r - p]);
+        if (r < p) sum -= lower[r] / (knots[span + r + 1] - knots[span + r + 1 - p]);
         result.derivative[r] = degree * sum;
     }
     return result;

@@ -7,7 +7,7 @@
 namespace qm {
 namespace {
 
-HalfedgeId halfedgeInFace(const QuadMesh &mesh, FaceId face, VertexId from, VertexId to) {
+HalfedgeId halfedgeInFace(const QuadMesh& mesh, FaceId face, VertexId from, VertexId to) {
     HalfedgeId halfedge = mesh.halfedge_handle(face);
     for (int k = 0; k < 4; ++k, halfedge = mesh.next_halfedge_handle(halfedge))
         if (mesh.from_vertex_handle(halfedge) == from && mesh.to_vertex_handle(halfedge) == to)
@@ -20,7 +20,7 @@ HalfedgeId halfedgeInFace(const QuadMesh &mesh, FaceId face, VertexId from, Vert
 
 } // namespace
 
-std::size_t faceBeside(const Segment &segment, int side, int position) {
+std::size_t faceBeside(const Segment& segment, int side, int position) {
     const int a = segment.size[0];
     const int b = segment.size[1];
     int column = 0;
@@ -43,7 +43,7 @@ std::size_t faceBeside(const Segment &segment, int side, int position) {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(a) + static_cast<std::size_t>(column);
 }
 
-std::array<double, 2> parametersOnSide(const std::array<int, 2> &size, int side, double along) {
+std::array<double, 2> parametersOnSide(const std::array<int, 2>& size, int side, double along) {
     switch (side) {
     case 0:
         return {along, 0};
@@ -56,18 +56,18 @@ std::array<double, 2> parametersOnSide(const std::array<int, 2> &size, int side,
     }
 }
 
-std::vector<BorderEdge> borderEdges(const QuadMesh &mesh, const Layout &layout) {
+std::vector<BorderEdge> borderEdges(const QuadMesh& mesh, const Layout& layout) {
     std::vector<BorderEdge> borders;
     std::vector<std::ptrdiff_t> ofEdge(mesh.n_edges(), -1);
     for (std::size_t s = 0; s < layout.segments.size(); ++s) {
-        const Segment &segment = layout.segments[s];
+        const Segment& segment = layout.segments[s];
         for (int side = 0; side < 4; ++side) {
-            const auto &vertices = segment.sides[static_cast<std::size_t>(side)];
+            const auto& vertices = segment.sides[static_cast<std::size_t>(side)];
             for (std::size_t k = 0; k + 1 < vertices.size(); ++k) {
                 const int position = static_cast<int>(k);
                 const FaceId face = segment.faces[faceBeside(segment, side, position)];
                 const HalfedgeId halfedge = halfedgeInFace(mesh, face, vertices[k], vertices[k + 1]);
-                auto &index = ofEdge[static_cast<std::size_t>(mesh.edge_handle(halfedge).idx())];
+                auto& index = ofEdge[static_cast<std::size_t>(mesh.edge_handle(halfedge).idx())];
                 if (index < 0) {
                     index = static_cast<std::ptrdiff_t>(borders.size());
                     borders.push_back({halfedge, {}});

@@ -10,9 +10,9 @@
 
 namespace qm {
 
-/// A maximal run of border edges of which every two successive ones follow each other on a side of some patch,
-/// at a regular vertex. So a chain passes T-joints of its own sides and ends on others. One that returns to
-/// its beginning is open there all the same, at a patch's corner.
+/// A maximal run of border edges of which every two successive ones follow each other on a side of some
+/// patch, at a regular vertex. So a chain passes T-joints of its own sides and ends on others. One that
+/// returns to its beginning is open there all the same, at a patch's corner.
 struct Chain {
     std::vector<HalfedgeId> halfedges;
     bool closed = false;
@@ -35,26 +35,28 @@ struct SidePiece {
 
 class Chains {
 public:
-    Chains(const QuadMesh &mesh, const Layout &layout);
+    Chains(const QuadMesh& mesh, const Layout& layout);
 
-    [[nodiscard]] const std::vector<Chain> &all() const { return chains_; }
+    [[nodiscard]] const std::vector<Chain>& all() const { return chains_; }
     /// The pieces of each side of each patch, in the side's direction; one, unless the side passes an
     /// extraordinary vertex or the place where a closed chain is open.
-    [[nodiscard]] const std::vector<SidePiece> &pieces(std::size_t patch, int side) const {
+    [[nodiscard]] const std::vector<SidePiece>& pieces(std::size_t patch, int side) const {
         return pieces_[patch][static_cast<std::size_t>(side)];
     }
-    [[nodiscard]] bool isBorder(EdgeId edge) const { return chainOf_[static_cast<std::size_t>(edge.idx())] >= 0; }
+    [[nodiscard]] bool isBorder(EdgeId edge) const {
+        return chainOf_[static_cast<std::size_t>(edge.idx())] >= 0;
+    }
     /// \param halfedge  of a border edge; the way is the one that has it in its direction
     [[nodiscard]] ChainPlace place(HalfedgeId halfedge) const;
     /// The edge at a position of a chain walked either way, in the direction of the way.
-    [[nodiscard]] HalfedgeId halfedge(const ChainPlace &place) const;
+    [[nodiscard]] HalfedgeId halfedge(const ChainPlace& place) const;
     /// True if a patch lies on the left of the chain's edges when walked this way.
     [[nodiscard]] bool hasPatch(std::size_t chain, int way) const;
 
 private:
-    void trace(const std::vector<BorderEdge> &borders, const Layout &layout);
+    void trace(const std::vector<BorderEdge>& borders, const Layout& layout);
 
-    const QuadMesh *mesh_;
+    const QuadMesh* mesh_;
     std::vector<Chain> chains_;
     std::vector<std::array<std::vector<SidePiece>, 4>> pieces_;
     std::vector<std::ptrdiff_t> chainOf_; ///< by edge index, -1 if the edge is no border

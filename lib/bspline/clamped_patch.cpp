@@ -5,7 +5,7 @@
 namespace qm {
 namespace {
 
-std::vector<double> clampedKnots(const std::vector<double> &knots) {
+std::vector<double> clampedKnots(const std::vector<double>& knots) {
     std::vector<double> result = knots;
     const std::size_t last = knots.size() - 4;
     std::fill_n(result.begin(), 3, knots[3]);
@@ -15,10 +15,10 @@ std::vector<double> clampedKnots(const std::vector<double> &knots) {
 
 } // namespace
 
-Patch clamped(const Patch &patch) {
-    const std::array<std::vector<double>, 2> knots = {clampedKnots(patch.knots[0]), clampedKnots(patch.knots[1])};
-    if (knots == patch.knots)
-        return patch;
+Patch clamped(const Patch& patch) {
+    const std::array<std::vector<double>, 2> knots = {clampedKnots(patch.knots[0]),
+                                                      clampedKnots(patch.knots[1])};
+    if (knots == patch.knots) return patch;
     Patch result = patch;
     result.knots = knots;
     const auto columns = static_cast<std::size_t>(patch.count[0]);
@@ -42,7 +42,7 @@ Patch clamped(const Patch &patch) {
     return result;
 }
 
-SplineCurve borderCurve(const Patch &clampedPatch, int side) {
+SplineCurve borderCurve(const Patch& clampedPatch, int side) {
     const auto columns = static_cast<std::size_t>(clampedPatch.count[0]);
     const auto rows = static_cast<std::size_t>(clampedPatch.count[1]);
     SplineCurve curve;

@@ -4,6 +4,7 @@
 #include "bspline/knot_refinement.h"
 
 #include <Eigen/Core>
+
 #include <array>
 #include <utility>
 
@@ -12,15 +13,17 @@ namespace {
 
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 
-/// Weights of the slopes at the ends, in turn: once knots are found with the first, the others say how far they
-/// can be met for nothing.
+/// Weights of the slopes at the ends, in turn: once knots are found with the first, the others say how far
+/// they can be met for nothing.
 constexpr double firstSlopeWeight = 1;
 constexpr std::array<double, 3> heavierSlopeWeights = {64, 16, 4};
 
-Eigen::RowVector3d row(const Point &point) { return {point[0], point[1], point[2]}; }
+Eigen::RowVector3d row(const Point& point) {
+    return {point[0], point[1], point[2]};
+}
 
 /// The polyline at all sample parameters, then the slopes at its ends.
-Rows target(const CurveFitInput &input) {
+Rows target(const CurveFitInput& input) {
     const std::size_t edges = input.points.size() - 1;
     Rows result(static_cast<int>(edges) * fitSteps + 3, 3);
     int k = 0;
@@ -37,7 +40,7 @@ Rows target(const CurveFitInput &input) {
 
 /// Minimises |A x - b| under G x = g by multipliers. The regularisation makes the matrix quasi-definite, so
 /// that it can be factorised even where conditions depend on one another; repetition takes its effect away.
-Rows solveConstrained(const SparseMatrix &a, const Rows &b, const SparseMatrix &g, const Rows &values) {
+Rows solveConstrained(const SparseMatrix& a, const Rows& b, const SparseMatrix& g, const Rows& values) {
     constexpr double regularisation = 1e-6;
     const auto unknowns = static_cast<int>(a.cols());
     const auto conditions = static_cast<int>(g.rows());
@@ -48,8 +51,10 @@ Rows solveConstrained(const SparseMatrix &a, const Rows &b, const SparseMatrix &
             entries.emplace_back(static_cast<int>(entry.row()), static_cast<int>(entry.col()), entry.value());
     for (int k = 0; k < g.outerSize(); ++k)
         for (SparseMatrix::InnerIterator entry(g, k); entry; ++entry) {
-            entries.emplace_back(unknowns + static_cast<int>(entry.row()), static_cast<int>(entry.col()), entry.value());
-            entries.emplace_back(static_cast<int>(entry.col()), unknowns + static_cast<int>(entry.row()), entry.value());
+            entries.emplace_back(unknowns + static_cast<int>(entry.row()), static_cast<int>(entry.col()),
+                                 entry.value());
+            entries.emplace_back(static_cast<int>(entry.col()), unknowns + static_cast<int>(entry.row()),
+                                 entry.value());
         }
     for (int k = 0; k < conditions; ++k)
         entries.emplace_back(unknowns + k, unknowns + k, -regularisation);
@@ -77,11 +82,11 @@ struct Attempt {
 
 class CurveFit {
 public:
-    explicit CurveFit(const CurveFitInput &input)
+    explicit CurveFit(const CurveFitInput& input)
         : input_(input), parameters_(sampleParameters(static_cast<int>(input.points.size()) - 1, fitSteps)),
           target_(target(input)) {}
 
-    [[nodiscard]] Attempt attempt(const std::vector<double> &knots, double slopeWeight) const {
+    [[nodiscard]] Attempt attempt(const std::vector<double>& knots, double slopeWeight) const {
         const SparseMatrix design = designMatrix(knots, parameters_, slopeWeight, slopeWeight);
         const auto count = static_cast<int>(design.cols());
         Rows goal = target_;
@@ -91,14 +96,14 @@ public:
         result.control.row(0) = row(input_.points.front());
         result.control.row(count - 1) = row(input_.points.back());
         const auto [conditions, values] = passThrough(knots, result.control);
-        result.control.middleRows(1, count - 2) =
-            solveConstrained(design.middleCols(1, count - 2), goal - design * result.control, conditions, values);
+        result.control.middleRows(1, count - 2) = solveConstrained(
+            design.middleCols(1, count - 2), goal - design * result.control, conditions, values);
         result.error = design * result.control - goal;
         return result;
     }
 
     /// Marks where the tolerance is exceeded or a fixed point is missed. False if nowhere.
-    bool mark(const Attempt &attempt, double tolerance, double exact, KnotRefinement &refinement) const {
+    bool mark(const Attempt& attempt, double tolerance, double exact, KnotRefinement& refinement) const {
         bool found = false;
         for (std::size_t k = 0; k < parameters_.size(); ++k) {
             const double distance = attempt.error.row(static_cast<int>(k)).norm();
@@ -117,26 +122,26 @@ public:
 
 private:
     /// The conditions on all control points but the first and the last, which are known.
-    [[nodiscard]] std::pair<SparseMatrix, Rows> passThrough(const std::vector<double> &knots,
-                                                            const Rows &known) const {
+    [[nodiscard]] std::pair<SparseMatrix, Rows> passThrough(const std::vector<double>& knots,
+                                                            const Rows& known) const {
         const auto inner = static_cast<int>(known.rows()) - 2;
         const auto size = static_cast<int>(input_.fixed.size());
         Rows values(size, 3);
-        if (size == 0)
-            return {SparseMatrix(0, inner), values};
+        if (size == 0) return {SparseMatrix(0, inner), values};
         const std::vector<double> parameters(input_.fixed.begin(), input_.fixed.end());
         const SparseMatrix basis = designMatrix(knots, parameters, 0, 0).topRows(size);
         for (int k = 0; k < size; ++k)
-            values.row(k) = row(input_.points[static_cast<std::size_t>(input_.fixed[static_cast<std::size_t>(k)])]);
+            values.row(k) =
+                row(input_.points[static_cast<std::size_t>(input_.fixed[static_cast<std::size_t>(k)])]);
         return {basis.middleCols(1, inner), values - basis * known};
     }
 
-    const CurveFitInput &input_;
+    const CurveFitInput& input_;
     std::vector<double> parameters_;
     Rows target_;
 };
 
-SplineCurve curveOf(const std::vector<double> &knots, const Rows &control) {
+SplineCurve curveOf(const std::vector<double>& knots, const Rows& control) {
     SplineCurve curve;
     curve.knots = knots;
     for (int k = 0; k < control.rows(); ++k)
@@ -146,7 +151,7 @@ SplineCurve curveOf(const std::vector<double> &knots, const Rows &control) {
 
 } // namespace
 
-SplineCurve fitCurve(const CurveFitInput &input, double tolerance, double exact) {
+SplineCurve fitCurve(const CurveFitInput& input, double tolerance, double exact) {
     const CurveFit fit(input);
     std::vector<double> knots = bareKnots(static_cast<double>(input.points.size() - 1));
     double slopeWeight = firstSlopeWeight;

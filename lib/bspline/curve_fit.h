@@ -9,16 +9,16 @@
 namespace qm {
 
 struct CurveFitInput {
-    std::vector<Point> points;    ///< the polyline; point k lies at parameter k; at least two
-    std::vector<int> fixed;       ///< inner points the curve must pass through
-    Point startSlope{0, 0, 0};    ///< derivatives that the curve should have at its ends
-    Point endSlope{0, 0, 0};      ///<
+    std::vector<Point> points; ///< the polyline; point k lies at parameter k; at least two
+    std::vector<int> fixed;    ///< inner points the curve must pass through
+    Point startSlope{0, 0, 0}; ///< derivatives that the curve should have at its ends
+    Point endSlope{0, 0, 0};   ///<
 };
 
 /// Least squares with the ends and the fixed points met exactly, starting with one cubic; intervals with too
 /// large an error get knots until at every quarter of an edge the distance to the polyline's point of the
 /// same parameter is within the tolerance. Always succeeds: in the end the space holds the polyline.
 /// \param exact  how far from a fixed point the curve may pass for rounding's sake
-[[nodiscard]] SplineCurve fitCurve(const CurveFitInput &input, double tolerance, double exact);
+[[nodiscard]] SplineCurve fitCurve(const CurveFitInput& input, double tolerance, double exact);
 
 } // namespace qm

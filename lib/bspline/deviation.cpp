@@ -13,8 +13,8 @@
 namespace qm {
 namespace {
 
-/// Where on every border edge gaps are measured. Kinks are measured between the edge's ends only: at a vertex a patch may
-/// have more than one normal.
+/// Where on every border edge gaps are measured. Kinks are measured between the edge's ends only: at a vertex
+/// a patch may have more than one normal.
 constexpr std::array<double, 6> borderSamples = {0, 0.05, 0.35, 0.65, 0.95, 1};
 
 /// What was measured on one patch.
@@ -25,27 +25,26 @@ struct Samples {
     double normalDeviation = 0;
 };
 
-double rootMeanSquare(const std::vector<double> &values) {
+double rootMeanSquare(const std::vector<double>& values) {
     double sum = 0;
     for (const double value : values)
         sum += value * value;
     return values.empty() ? 0 : std::sqrt(sum / static_cast<double>(values.size()));
 }
 
-double largest(const std::vector<double> &values) {
+double largest(const std::vector<double>& values) {
     return values.empty() ? 0 : *std::max_element(values.begin(), values.end());
 }
 
 /// The smallest value that at least 95 of 100 do not exceed.
 double percentile95(std::vector<double> values) {
-    if (values.empty())
-        return 0;
+    if (values.empty()) return 0;
     const std::size_t rank = (values.size() * 19 + 19) / 20 - 1;
     std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(rank), values.end());
     return values[rank];
 }
 
-Deviation summary(const Samples &samples, double diagonal) {
+Deviation summary(const Samples& samples, double diagonal) {
     Deviation result;
     result.max = largest(samples.distances);
     result.rms = rootMeanSquare(samples.distances);
@@ -99,7 +98,7 @@ private:
 
 /// Least distance that Gauss and Newton's iteration finds from the surface's point at (u, v), whose
 /// distance is known, on.
-double distanceToPatch(const Patch &patch, const Point &point, double u, double v, SurfacePoint on) {
+double distanceToPatch(const Patch& patch, const Point& point, double u, double v, SurfacePoint on) {
     const auto range = domain(patch);
     double best = (on.position - point).norm();
     for (int k = 0; k < 6; ++k) {
@@ -110,27 +109,24 @@ double distanceToPatch(const Patch &patch, const Point &point, double u, double 
         const double gu = away | on.du;
         const double gv = away | on.dv;
         const double determinant = uu * vv - uv * uv;
-        if (!(determinant > 1e-12 * uu * vv))
-            break;
+        if (!(determinant > 1e-12 * uu * vv)) break;
         const double nextU = std::clamp(u + (uv * gv - vv * gu) / determinant, range[0][0], range[0][1]);
         const double nextV = std::clamp(v + (uv * gu - uu * gv) / determinant, range[1][0], range[1][1]);
         const double moved = std::abs(nextU - u) + std::abs(nextV - v);
-        if (moved < 1e-6)
-            break;
+        if (moved < 1e-6) break;
         u = nextU;
         v = nextV;
         on = evaluate(patch, u, v);
         const double distance = (on.position - point).norm();
         const bool settled = distance > 0.999 * best;
         best = std::min(best, distance);
-        if (settled)
-            break;
+        if (settled) break;
     }
     return best;
 }
 
-void measurePatch(const Patch &patch, const Segment &segment, const QuadGrid &quads, const MeshDistance &mesh,
-                  int steps, double negligible, Samples &samples) {
+void measurePatch(const Patch& patch, const Segment& segment, const QuadGrid& quads, const MeshDistance& mesh,
+                  int steps, double negligible, Samples& samples) {
     const auto us = latticeParameters(segment.size[0], steps);
     const auto vs = latticeParameters(segment.size[1], steps);
     const auto points = evaluateLattice(patch, us, vs);
@@ -138,7 +134,7 @@ void measurePatch(const Patch &patch, const Segment &segment, const QuadGrid &qu
     std::size_t k = 0;
     for (const double v : vs)
         for (const double u : us) {
-            const SurfacePoint &on = points[k++];
+            const SurfacePoint& on = points[k++];
             const Point of = quads.at(u, v);
             const double bound = (on.position - of).norm();
             if (bound <= negligible) {
@@ -150,7 +146,7 @@ void measurePatch(const Patch &patch, const Segment &segment, const QuadGrid &qu
         }
 }
 
-double largestNormalDeviation(const Patch &patch, const Segment &segment, const QuadGrid &quads) {
+double largestNormalDeviation(const Patch& patch, const Segment& segment, const QuadGrid& quads) {
     const auto centres = [](int edges) {
         std::vector<double> parameters;
         for (int k = 0; k < edges; ++k)
@@ -162,8 +158,8 @@ double largestNormalDeviation(const Patch &patch, const Segment &segment, const 
     std::size_t k = 0;
     for (int j = 0; j < segment.size[1]; ++j)
         for (int i = 0; i < segment.size[0]; ++i, ++k)
-            result = std::max(result, angleInDegrees(unitNormal(points[k].du, points[k].dv),
-                                                     quads.normalAtCentre(i, j)));
+            result = std::max(
+                result, angleInDegrees(unitNormal(points[k].du, points[k].dv), quads.normalAtCentre(i, j)));
     return result;
 }
 
@@ -173,15 +169,14 @@ struct Meeting {
     std::vector<double> kinks;
 };
 
-Meeting measureMeeting(const BorderEdge &border, const Layout &layout, const std::vector<Patch> &patches,
+Meeting measureMeeting(const BorderEdge& border, const Layout& layout, const std::vector<Patch>& patches,
                        bool smooth) {
     Meeting meeting;
-    if (border.places.size() != 2)
-        return meeting;
+    if (border.places.size() != 2) return meeting;
     for (const double along : borderSamples) {
         std::array<SurfacePoint, 2> points;
         for (std::size_t p = 0; p < 2; ++p) {
-            const BorderPlace &place = border.places[p];
+            const BorderPlace& place = border.places[p];
             const auto [u, v] = parametersOnSide(layout.segments[place.patch].size, place.side,
                                                  place.position + (p == 0 ? along : 1 - along));
             points[p] = evaluate(patches[place.patch], u, v);
@@ -194,13 +189,13 @@ Meeting measureMeeting(const BorderEdge &border, const Layout &layout, const std
     return meeting;
 }
 
-void addMeeting(const Meeting &meeting, Samples &samples) {
+void addMeeting(const Meeting& meeting, Samples& samples) {
     samples.gap = std::max(samples.gap, meeting.gap);
     samples.kinks.insert(samples.kinks.end(), meeting.kinks.begin(), meeting.kinks.end());
 }
 
 /// Moves the distances out of `samples`, adds the rest to `all`.
-void gather(Samples &samples, Samples &all) {
+void gather(Samples& samples, Samples& all) {
     all.distances.insert(all.distances.end(), samples.distances.begin(), samples.distances.end());
     all.gap = std::max(all.gap, samples.gap);
     all.normalDeviation = std::max(all.normalDeviation, samples.normalDeviation);
@@ -209,7 +204,7 @@ void gather(Samples &samples, Samples &all) {
 
 } // namespace
 
-double boundingBoxDiagonal(const QuadMesh &mesh) {
+double boundingBoxDiagonal(const QuadMesh& mesh) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     Point low(infinity, infinity, infinity);
     Point high = -low;
@@ -221,15 +216,15 @@ double boundingBoxDiagonal(const QuadMesh &mesh) {
     return mesh.n_faces() == 0 ? 0 : (high - low).norm();
 }
 
-MeasuredDeviation measureDeviation(const QuadMesh &mesh, const Layout &layout,
-                                   const std::vector<double> &dihedralAngles,
-                                   const std::vector<Patch> &patches, const DeviationOptions &options,
-                                   const Control &control) {
+MeasuredDeviation measureDeviation(const QuadMesh& mesh, const Layout& layout,
+                                   const std::vector<double>& dihedralAngles,
+                                   const std::vector<Patch>& patches, const DeviationOptions& options,
+                                   const Control& control) {
     const double diagonal = boundingBoxDiagonal(mesh);
     const MeshDistance distance(mesh);
     std::vector<Samples> ofPatch(patches.size());
     parallelFor(patches.size(), control.jobs, [&](std::size_t k) {
-        const Segment &segment = layout.segments[k];
+        const Segment& segment = layout.segments[k];
         const QuadGrid quads(pointGrid(mesh, segment), segment.size);
         measurePatch(patches[k], segment, quads, distance, options.samplesPerEdge, 1e-14 * diagonal,
                      ofPatch[k]);
@@ -247,10 +242,10 @@ MeasuredDeviation measureDeviation(const QuadMesh &mesh, const Layout &layout,
     Samples all;
     for (std::size_t k = 0; k < borders.size(); ++k) {
         addMeeting(meetings[k], all);
-        for (const BorderPlace &place : borders[k].places)
+        for (const BorderPlace& place : borders[k].places)
             addMeeting(meetings[k], ofPatch[place.patch]);
     }
-    for (Samples &samples : ofPatch) {
+    for (Samples& samples : ofPatch) {
         result.ofPatch.push_back(summary(samples, diagonal));
         gather(samples, all);
     }

@@ -21,16 +21,17 @@ struct MeasuredDeviation {
 
 /// Samples every quad at the same lattice on surface and mesh. From the surface to the mesh the distance is
 /// that to the nearest quad of the whole mesh; from the mesh to the surface it is that to the segment's own
-/// patch, found by Gauss and Newton's iteration from the sample's parameters: where it is not exact, it is too
-/// large. Gaps are the distances between the points that neighbours have at the same place of their common
-/// border, and kinks the angles between the normals there. All samples weigh the same.
-/// \param patches  in the order of the segments, each parameterised like its segment's grid
-[[nodiscard]] MeasuredDeviation measureDeviation(const QuadMesh &mesh, const Layout &layout,
-                                                 const std::vector<double> &dihedralAngles,
-                                                 const std::vector<Patch> &patches,
-                                                 const DeviationOptions &options, const Control &control = {});
+/// patch, found by Gauss and Newton's iteration from the sample's parameters: where it is not exact, it is
+/// too large. Gaps are the distances between the points that neighbours have at the same place of their
+/// common border, and kinks the angles between the normals there. All samples weigh the same. \param patches
+/// in the order of the segments, each parameterised like its segment's grid
+[[nodiscard]] MeasuredDeviation measureDeviation(const QuadMesh& mesh, const Layout& layout,
+                                                 const std::vector<double>& dihedralAngles,
+                                                 const std::vector<Patch>& patches,
+                                                 const DeviationOptions& options,
+                                                 const Control& control = {});
 
 /// Length of the diagonal of the bounding box of all vertices that a face uses.
-[[nodiscard]] double boundingBoxDiagonal(const QuadMesh &mesh);
+[[nodiscard]] double boundingBoxDiagonal(const QuadMesh& mesh);
 
 } // namespace qm

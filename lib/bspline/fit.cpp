@@ -12,16 +12,15 @@
 namespace qm {
 namespace {
 
-void requireValid(const FitOptions &options) {
+void requireValid(const FitOptions& options) {
     if (options.fit == Fit::tolerance && !(options.tolerance > 0 && std::isfinite(options.tolerance)))
         throw Error("tolerance", "must be a positive number", "Give the largest deviation that is allowed");
-    if (!(options.rho >= 0))
-        throw Error("rho", "must not be negative", "Give an angle in radians");
+    if (!(options.rho >= 0)) throw Error("rho", "must not be negative", "Give an angle in radians");
     if (options.samplesPerEdge < 1 || options.samplesPerEdge > 100)
         throw Error("samples per edge", "must be from 1 to 100", "2 is a good choice");
 }
 
-std::vector<Patch> interpolateSegments(const QuadMesh &mesh, const Layout &layout, const Control &control) {
+std::vector<Patch> interpolateSegments(const QuadMesh& mesh, const Layout& layout, const Control& control) {
     std::vector<Patch> patches(layout.segments.size());
     parallelFor(patches.size(), control.jobs, [&](std::size_t k) {
         patches[k] = interpolate(pointGrid(mesh, layout.segments[k]), layout.segments[k].size);
@@ -30,9 +29,9 @@ std::vector<Patch> interpolateSegments(const QuadMesh &mesh, const Layout &layou
     return patches;
 }
 
-std::vector<Patch> fittedPatches(const QuadMesh &mesh, const Layout &layout,
-                                 const std::vector<double> &dihedralAngles, const FitOptions &options,
-                                 const Control &control) {
+std::vector<Patch> fittedPatches(const QuadMesh& mesh, const Layout& layout,
+                                 const std::vector<double>& dihedralAngles, const FitOptions& options,
+                                 const Control& control) {
     if (options.fit == Fit::tolerance) {
         const double tolerance =
             options.tolerance * (options.toleranceRelative ? boundingBoxDiagonal(mesh) : 1);
@@ -45,15 +44,17 @@ std::vector<Patch> fittedPatches(const QuadMesh &mesh, const Layout &layout,
 
 } // namespace
 
-Surfaces fitSurfaces(const QuadMesh &mesh, const Layout &layout, const std::vector<double> &dihedralAngles,
-                     const FitOptions &options, const Control &control) {
+Surfaces fitSurfaces(const QuadMesh& mesh, const Layout& layout, const std::vector<double>& dihedralAngles,
+                     const FitOptions& options, const Control& control) {
     requireValid(options);
     Surfaces surfaces;
     surfaces.patches = fittedPatches(mesh, layout, dihedralAngles, options, control);
+    control.progress(0.5);
     auto measured = measureDeviation(mesh, layout, dihedralAngles, surfaces.patches,
                                      {options.rho, options.samplesPerEdge}, control);
     surfaces.deviation = measured.ofAll;
     surfaces.ofPatch = std::move(measured.ofPatch);
+    control.progress(1);
     return surfaces;
 }
 

@@ -33,8 +33,8 @@ struct FitOptions {
 /// One patch for every segment, and how far they are from the mesh. Linear in the mesh.
 /// \param dihedralAngles  of every edge, in radians, by edge index
 /// \throw Error  if an option is out of range
-[[nodiscard]] Surfaces fitSurfaces(const QuadMesh &mesh, const Layout &layout,
-                                   const std::vector<double> &dihedralAngles, const FitOptions &options,
-                                   const Control &control = {});
+[[nodiscard]] Surfaces fitSurfaces(const QuadMesh& mesh, const Layout& layout,
+                                   const std::vector<double>& dihedralAngles, const FitOptions& options,
+                                   const Control& control = {});
 
 } // namespace qm

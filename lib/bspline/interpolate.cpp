@@ -30,9 +30,9 @@ struct Line {
 
 /// Control points of the uniform cubic B-spline through a line of points.
 void blend(std::span<const Point> data, Line from, std::span<const double> reciprocal,
-           std::vector<Point> &control, Line to) {
+           std::vector<Point>& control, Line to) {
     const std::size_t size = reciprocal.size();
-    const auto unknown = [&](std::size_t k) -> Point & { return control[to.begin + (k + 1) * to.step]; };
+    const auto unknown = [&](std::size_t k) -> Point& { return control[to.begin + (k + 1) * to.step]; };
 
     Point previous{0, 0, 0};
     for (std::size_t k = 0; k < size; ++k) {
@@ -66,7 +66,7 @@ Patch interpolate(std::span<const Point> grid, std::array<int, 2> size) {
     return patch;
 }
 
-std::vector<Point> pointGrid(const QuadMesh &mesh, const Segment &segment) {
+std::vector<Point> pointGrid(const QuadMesh& mesh, const Segment& segment) {
     std::vector<Point> points;
     for (const VertexId vertex : vertexGrid(mesh, segment))
         points.push_back(mesh.point(vertex));

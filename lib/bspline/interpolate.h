@@ -15,6 +15,6 @@ namespace qm {
 [[nodiscard]] Patch interpolate(std::span<const Point> grid, std::array<int, 2> size);
 
 /// The points of a segment's vertices, row by row.
-[[nodiscard]] std::vector<Point> pointGrid(const QuadMesh &mesh, const Segment &segment);
+[[nodiscard]] std::vector<Point> pointGrid(const QuadMesh& mesh, const Segment& segment);
 
 } // namespace qm

@@ -7,8 +7,8 @@
 namespace qm {
 
 /// Works on clamped cubic knots at integers. An interval is split at the integer nearest to its errors'
-/// centre of gravity; one of length one gets more continuity taken from its ends: there are up to three knots at one
-/// place, and with three everywhere any polyline is in the space.
+/// centre of gravity; one of length one gets more continuity taken from its ends: there are up to three knots
+/// at one place, and with three everywhere any polyline is in the space.
 class KnotRefinement {
 public:
     explicit KnotRefinement(std::vector<double> knots);

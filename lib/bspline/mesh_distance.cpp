@@ -21,9 +21,11 @@ using TreePoint = boost::geometry::model::point<double, 3, boost::geometry::cs::
 using Box = boost::geometry::model::box<TreePoint>;
 using Entry = std::pair<Box, std::uint32_t>;
 
-TreePoint treePoint(const Point &point) { return {point[0], point[1], point[2]}; }
+TreePoint treePoint(const Point& point) {
+    return {point[0], point[1], point[2]};
+}
 
-double squaredDistanceToEdge(const Point &a, const Point &b, const Point &point) {
+double squaredDistanceToEdge(const Point& a, const Point& b, const Point& point) {
     const Point along = b - a;
     const double length = along.sqrnorm();
     const double t = length > 0 ? std::clamp(((point - a) | along) / length, 0.0, 1.0) : 0;
@@ -31,7 +33,7 @@ double squaredDistanceToEdge(const Point &a, const Point &b, const Point &point)
 }
 
 /// Squared distance at the critical point that Newton's iteration reaches, or infinity if it leaves the quad.
-double squaredDistanceInside(const QuadCorners &corners, const Point &point) {
+double squaredDistanceInside(const QuadCorners& corners, const Point& point) {
     const Point alongS = corners[1] - corners[0];
     const Point alongT = corners[3] - corners[0];
     const Point twist = corners[2] - corners[1] - alongT;
@@ -47,23 +49,19 @@ double squaredDistanceInside(const QuadCorners &corners, const Point &point) {
         const double tt = dt | dt;
         const double st = (ds | dt) + (away | twist);
         const double determinant = ss * tt - st * st;
-        if (!(determinant > 0))
-            break;
+        if (!(determinant > 0)) break;
         const double stepS = (st * gt - tt * gs) / determinant;
         const double stepT = (st * gs - ss * gt) / determinant;
         s += stepS;
         t += stepT;
-        if (s < -1 || s > 2 || t < -1 || t > 2)
-            break;
-        if (std::abs(stepS) + std::abs(stepT) < 1e-9)
-            break;
+        if (s < -1 || s > 2 || t < -1 || t > 2) break;
+        if (std::abs(stepS) + std::abs(stepT) < 1e-9) break;
     }
-    if (!(s >= 0 && s <= 1 && t >= 0 && t <= 1))
-        return std::numeric_limits<double>::infinity();
+    if (!(s >= 0 && s <= 1 && t >= 0 && t <= 1)) return std::numeric_limits<double>::infinity();
     return (bilinear(corners, s, t) - point).sqrnorm();
 }
 
-double squaredDistanceToQuad(const QuadCorners &corners, const Point &point) {
+double squaredDistanceToQuad(const QuadCorners& corners, const Point& point) {
     double best = squaredDistanceInside(corners, point);
     for (std::size_t k = 0; k < 4; ++k)
         best = std::min(best, squaredDistanceToEdge(corners[k], corners[(k + 1) % 4], point));
@@ -72,11 +70,11 @@ double squaredDistanceToQuad(const QuadCorners &corners, const Point &point) {
 
 } // namespace
 
-Point bilinear(const QuadCorners &corners, double s, double t) {
+Point bilinear(const QuadCorners& corners, double s, double t) {
     return (1 - t) * ((1 - s) * corners[0] + s * corners[1]) + t * ((1 - s) * corners[3] + s * corners[2]);
 }
 
-double distanceToQuad(const QuadCorners &corners, const Point &point) {
+double distanceToQuad(const QuadCorners& corners, const Point& point) {
     return std::sqrt(squaredDistanceToQuad(corners, point));
 }
 
@@ -85,7 +83,7 @@ struct MeshDistance::Tree {
     index::rtree<Entry, index::rstar<8>> boxes;
 };
 
-MeshDistance::MeshDistance(const QuadMesh &mesh) : tree_(std::make_unique<Tree>()) {
+MeshDistance::MeshDistance(const QuadMesh& mesh) : tree_(std::make_unique<Tree>()) {
     std::vector<Entry> entries;
     entries.reserve(mesh.n_faces());
     tree_->quads.reserve(mesh.n_faces());
@@ -96,7 +94,7 @@ MeshDistance::MeshDistance(const QuadMesh &mesh) : tree_(std::make_unique<Tree>(
             *corner++ = mesh.point(vertex);
         Point low = corners[0];
         Point high = corners[0];
-        for (const Point &point : corners) {
+        for (const Point& point : corners) {
             low.minimize(point);
             high.maximize(point);
         }
@@ -108,15 +106,15 @@ MeshDistance::MeshDistance(const QuadMesh &mesh) : tree_(std::make_unique<Tree>(
 }
 
 MeshDistance::~MeshDistance() = default;
-MeshDistance::MeshDistance(MeshDistance &&) noexcept = default;
-MeshDistance &MeshDistance::operator=(MeshDistance &&) noexcept = default;
+MeshDistance::MeshDistance(MeshDistance&&) noexcept = default;
+MeshDistance& MeshDistance::operator=(MeshDistance&&) noexcept = default;
 
-double MeshDistance::operator()(const Point &point, double bound) const {
+double MeshDistance::operator()(const Point& point, double bound) const {
     // A quad nearer than the bound has a box that meets the cube around the point.
     const Point reach(bound, bound, bound);
     const Box cube(treePoint(point - reach), treePoint(point + reach));
     double best = bound * bound;
-    const auto consider = [&](const Entry &entry) {
+    const auto consider = [&](const Entry& entry) {
         if (boost::geometry::comparable_distance(treePoint(point), entry.first) < best)
             best = std::min(best, squaredDistanceToQuad(tree_->quads[entry.second], point));
     };

@@ -5,6 +5,7 @@
 #include "bspline/mesh_distance.h"
 
 #include <Eigen/Core>
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,8 +16,8 @@ namespace {
 using Net = std::array<Eigen::MatrixXd, 3>;
 using Factor = Eigen::SimplicialLDLT<SparseMatrix>;
 
-/// Weights of the derivatives across the border, in turn: once knots are found with the first, the others say how
-/// far smoothness can be had for nothing.
+/// Weights of the derivatives across the border, in turn: once knots are found with the first, the others say
+/// how far smoothness can be had for nothing.
 constexpr double firstSlopeWeight = 1;
 constexpr std::array<double, 3> heavierSlopeWeights = {64, 16, 4};
 
@@ -25,35 +26,39 @@ struct Target {
     Net values; ///< at the parameters; then, as two more rows and columns, derivatives at the ends
 };
 
-void set(Net &net, Eigen::Index i, Eigen::Index j, const Point &point) {
+void set(Net& net, Eigen::Index i, Eigen::Index j, const Point& point) {
     for (std::size_t c = 0; c < 3; ++c)
         net[c](i, j) = point[static_cast<unsigned>(c)];
 }
 
-Point get(const Net &net, Eigen::Index i, Eigen::Index j) { return {net[0](i, j), net[1](i, j), net[2](i, j)}; }
+Point get(const Net& net, Eigen::Index i, Eigen::Index j) {
+    return {net[0](i, j), net[1](i, j), net[2](i, j)};
+}
 
-Target target(const PatchFitInput &input) {
+Target target(const PatchFitInput& input) {
     Target result;
     for (std::size_t d = 0; d < 2; ++d)
         result.parameters[d] = sampleParameters(input.size[d], fitSteps);
     const auto nu = static_cast<Eigen::Index>(result.parameters[0].size());
     const auto nv = static_cast<Eigen::Index>(result.parameters[1].size());
-    for (auto &coordinate : result.values)
+    for (auto& coordinate : result.values)
         coordinate.setZero(nu + 2, nv + 2);
 
     const auto width = static_cast<std::size_t>(input.size[0]) + 1;
     for (Eigen::Index j = 0; j < nv; ++j)
         for (Eigen::Index i = 0; i < nu; ++i) {
-            const auto column = static_cast<std::size_t>(std::min<Eigen::Index>(i / fitSteps, input.size[0] - 1));
-            const auto row = static_cast<std::size_t>(std::min<Eigen::Index>(j / fitSteps, input.size[1] - 1));
-            const Point *corner = input.grid.data() + row * width + column;
+            const auto column =
+                static_cast<std::size_t>(std::min<Eigen::Index>(i / fitSteps, input.size[0] - 1));
+            const auto row =
+                static_cast<std::size_t>(std::min<Eigen::Index>(j / fitSteps, input.size[1] - 1));
+            const Point* corner = input.grid.data() + row * width + column;
             set(result.values, i, j,
                 bilinear({corner[0], corner[1], corner[width + 1], corner[width]},
                          result.parameters[0][static_cast<std::size_t>(i)] - static_cast<double>(column),
                          result.parameters[1][static_cast<std::size_t>(j)] - static_cast<double>(row)));
         }
 
-    const auto between = [](const std::vector<Point> &points, Eigen::Index sample) -> Point {
+    const auto between = [](const std::vector<Point>& points, Eigen::Index sample) -> Point {
         const auto k = static_cast<std::size_t>(sample / fitSteps);
         const double share = static_cast<double>(sample % fitSteps) / fitSteps;
         return share == 0 ? points[k] : (1 - share) * points[k] + share * points[k + 1];
@@ -65,8 +70,7 @@ Target target(const PatchFitInput &input) {
         for (Eigen::Index j = 0; j < nv && !input.across[1][e].empty(); ++j)
             set(result.values, nu + end, j, between(input.across[1][e], j));
         for (int other = 0; other < 2; ++other)
-            set(result.values, nu + other, nv + end,
-                input.twists[static_cast<std::size_t>(2 * end + other)]);
+            set(result.values, nu + other, nv + end, input.twists[static_cast<std::size_t>(2 * end + other)]);
     }
     return result;
 }
@@ -77,13 +81,13 @@ struct Direction {
     SparseMatrix inner;
     Factor factor;
 
-    Direction(const std::vector<double> &knots, const std::vector<double> &parameters,
-              const std::array<double, 2> &weights)
-        : full(designMatrix(knots, parameters, weights[0], weights[1])), inner(full.middleCols(1, full.cols() - 2)),
-          factor(SparseMatrix(inner.transpose() * inner)) {}
+    Direction(const std::vector<double>& knots, const std::vector<double>& parameters,
+              const std::array<double, 2>& weights)
+        : full(designMatrix(knots, parameters, weights[0], weights[1])),
+          inner(full.middleCols(1, full.cols() - 2)), factor(SparseMatrix(inner.transpose() * inner)) {}
 
     /// Coefficients of the columns' best approximations.
-    [[nodiscard]] Eigen::MatrixXd solve(const Eigen::MatrixXd &columns) const {
+    [[nodiscard]] Eigen::MatrixXd solve(const Eigen::MatrixXd& columns) const {
         return factor.solve(inner.transpose() * columns);
     }
 };
@@ -97,9 +101,9 @@ struct Attempt {
 
 class PatchFit {
 public:
-    explicit PatchFit(const PatchFitInput &input) : input_(input), target_(target(input)) {}
+    explicit PatchFit(const PatchFitInput& input) : input_(input), target_(target(input)) {}
 
-    [[nodiscard]] Attempt attempt(const std::array<std::vector<double>, 2> &knots, double slopeWeight) const {
+    [[nodiscard]] Attempt attempt(const std::array<std::vector<double>, 2>& knots, double slopeWeight) const {
         const Direction u(knots[0], target_.parameters[0], weights(1, slopeWeight));
         const Direction v(knots[1], target_.parameters[1], weights(0, slopeWeight));
         Attempt result;
@@ -129,26 +133,21 @@ public:
     }
 
     /// Marks where the tolerance is exceeded, in the direction to blame. False if nowhere.
-    bool mark(const Attempt &attempt, double tolerance, std::array<KnotRefinement, 2> &refinement) const {
+    bool mark(const Attempt& attempt, double tolerance, std::array<KnotRefinement, 2>& refinement) const {
         bool found = false;
         const auto nu = static_cast<Eigen::Index>(target_.parameters[0].size());
         const auto nv = static_cast<Eigen::Index>(target_.parameters[1].size());
         for (Eigen::Index j = 0; j < nv; ++j)
             for (Eigen::Index i = 0; i < nu; ++i) {
                 const double error = get(attempt.error, i, j).norm();
-                if (!(error > tolerance))
-                    continue;
+                if (!(error > tolerance)) continue;
                 found = true;
                 const std::array<double, 2> at = {target_.parameters[0][static_cast<std::size_t>(i)],
                                                   target_.parameters[1][static_cast<std::size_t>(j)]};
-                std::size_t blamed = get(attempt.leftBy[0], i, j).sqrnorm() >=
-                                             get(attempt.leftBy[1], i, j).sqrnorm()
-                                         ? 0
-                                         : 1;
-                if (!refinement[blamed].canRefine(at[blamed]))
-                    blamed = 1 - blamed;
-                if (refinement[blamed].canRefine(at[blamed]))
-                    refinement[blamed].addError(at[blamed], error);
+                std::size_t blamed =
+                    get(attempt.leftBy[0], i, j).sqrnorm() >= get(attempt.leftBy[1], i, j).sqrnorm() ? 0 : 1;
+                if (!refinement[blamed].canRefine(at[blamed])) blamed = 1 - blamed;
+                if (refinement[blamed].canRefine(at[blamed])) refinement[blamed].addError(at[blamed], error);
             }
         return found;
     }
@@ -173,12 +172,12 @@ private:
         return result;
     }
 
-    static Eigen::MatrixXd sampled(const Direction &u, const Eigen::MatrixXd &control, const Direction &v) {
+    static Eigen::MatrixXd sampled(const Direction& u, const Eigen::MatrixXd& control, const Direction& v) {
         const Eigen::MatrixXd rows = u.full * control;
         return rows * v.full.transpose();
     }
 
-    const PatchFitInput &input_;
+    const PatchFitInput& input_;
     Target target_;
 };
 
@@ -191,35 +190,36 @@ std::vector<double> tripleKnots(int edges) {
 }
 
 /// The quads themselves, as a spline without any smoothness, but with the given border.
-Patch quadsAsPatch(const PatchFitInput &input) {
+Patch quadsAsPatch(const PatchFitInput& input) {
     Patch patch = emptyPatch(tripleKnots(input.size[0]), tripleKnots(input.size[1]));
     const auto width = static_cast<std::size_t>(input.size[0]) + 1;
     for (int j = 0; j < patch.count[1]; ++j)
         for (int i = 0; i < patch.count[0]; ++i) {
             const int column = std::min(i / 3, input.size[0] - 1);
             const int row = std::min(j / 3, input.size[1] - 1);
-            const Point *corner = input.grid.data() + static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column);
-            patch.controlPoints[static_cast<std::size_t>(j * patch.count[0] + i)] =
-                bilinear({corner[0], corner[1], corner[width + 1], corner[width]}, i / 3.0 - column, j / 3.0 - row);
+            const Point* corner =
+                input.grid.data() + static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column);
+            patch.controlPoints[static_cast<std::size_t>(j * patch.count[0] + i)] = bilinear(
+                {corner[0], corner[1], corner[width + 1], corner[width]}, i / 3.0 - column, j / 3.0 - row);
         }
     setBorder(patch, {input.border[0], input.border[1], {}, {}});
     return patch;
 }
 
 /// Of the fits over the patch's knots within the tolerance, the one that aims hardest at the derivatives.
-Patch smoothest(const PatchFit &fit, const Patch &patch, double tolerance) {
+Patch smoothest(const PatchFit& fit, const Patch& patch, double tolerance) {
     for (const double weight : heavierSlopeWeights) {
         const Attempt attempt = fit.attempt(patch.knots, weight);
-        std::array<KnotRefinement, 2> unused = {KnotRefinement(patch.knots[0]), KnotRefinement(patch.knots[1])};
-        if (!fit.mark(attempt, tolerance, unused))
-            return attempt.patch;
+        std::array<KnotRefinement, 2> unused = {KnotRefinement(patch.knots[0]),
+                                                KnotRefinement(patch.knots[1])};
+        if (!fit.mark(attempt, tolerance, unused)) return attempt.patch;
     }
     return patch;
 }
 
 } // namespace
 
-Patch fitPatch(const PatchFitInput &input, double tolerance) {
+Patch fitPatch(const PatchFitInput& input, double tolerance) {
     const PatchFit fit(input);
     std::array<std::vector<double>, 2> knots;
     for (std::size_t d = 0; d < 2; ++d)
@@ -237,8 +237,7 @@ Patch fitPatch(const PatchFitInput &input, double tolerance) {
             slopeWeight = 0; // closeness goes before smoothness: try without, before knots are repeated
             continue;
         }
-        if (refined == knots)
-            return quadsAsPatch(input);
+        if (refined == knots) return quadsAsPatch(input);
         knots = refined;
     }
 }

@@ -4,7 +4,7 @@
 
 namespace qm {
 
-PatchFrame patchFrame(const std::array<SideCurves, 4> &sides) {
+PatchFrame patchFrame(const std::array<SideCurves, 4>& sides) {
     PatchFrame frame;
     frame.alongU = {sides[0].position, reversed(sides[2].position)};
     frame.alongV = {reversed(sides[3].position), sides[1].position};
@@ -17,12 +17,12 @@ Patch emptyPatch(std::vector<double> knotsU, std::vector<double> knotsV) {
     Patch patch;
     patch.count = {static_cast<int>(knotsU.size()) - 4, static_cast<int>(knotsV.size()) - 4};
     patch.knots = {std::move(knotsU), std::move(knotsV)};
-    patch.controlPoints.assign(static_cast<std::size_t>(patch.count[0]) * static_cast<std::size_t>(patch.count[1]),
-                               Point(0, 0, 0));
+    patch.controlPoints.assign(
+        static_cast<std::size_t>(patch.count[0]) * static_cast<std::size_t>(patch.count[1]), Point(0, 0, 0));
     return patch;
 }
 
-void setBorder(Patch &patch, const PatchFrame &frame) {
+void setBorder(Patch& patch, const PatchFrame& frame) {
     const auto columns = static_cast<std::size_t>(patch.count[0]);
     const auto rows = static_cast<std::size_t>(patch.count[1]);
     for (std::size_t end = 0; end < 2; ++end) {

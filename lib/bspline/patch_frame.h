@@ -8,8 +8,8 @@
 
 namespace qm {
 
-/// Curves along u (at v = 0 and at the largest v) and along v (at u = 0 and at the largest u), and the partial
-/// derivatives across them, S_v and S_u.
+/// Curves along u (at v = 0 and at the largest v) and along v (at u = 0 and at the largest u), and the
+/// partial derivatives across them, S_v and S_u.
 struct PatchFrame {
     std::array<SplineCurve, 2> alongU;
     std::array<SplineCurve, 2> alongV;
@@ -18,12 +18,12 @@ struct PatchFrame {
 };
 
 /// \param sides  counter-clockwise from side 0
-[[nodiscard]] PatchFrame patchFrame(const std::array<SideCurves, 4> &sides);
+[[nodiscard]] PatchFrame patchFrame(const std::array<SideCurves, 4>& sides);
 
 /// A clamped patch over the given knots with its control points still to be filled in.
 [[nodiscard]] Patch emptyPatch(std::vector<double> knotsU, std::vector<double> knotsV);
 
 /// Sets the outermost control points to those of the frame's curves, which the patch's knots must contain.
-void setBorder(Patch &patch, const PatchFrame &frame);
+void setBorder(Patch& patch, const PatchFrame& frame);
 
 } // namespace qm

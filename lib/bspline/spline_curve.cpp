@@ -11,7 +11,7 @@ namespace {
 
 /// The blossom, at three arguments, of the polynomial that the curve is on knot interval `span`: the control
 /// point that belongs to three successive knots, whatever the knots around them.
-Point blossom(const SplineCurve &curve, std::size_t span, const std::array<double, 3> &arguments) {
+Point blossom(const SplineCurve& curve, std::size_t span, const std::array<double, 3>& arguments) {
     std::array<Point, 4> points;
     for (std::size_t k = 0; k < 4; ++k)
         points[k] = curve.points[span - 3 + k];
@@ -30,7 +30,8 @@ Point blossom(const SplineCurve &curve, std::size_t span, const std::array<doubl
 
 } // namespace
 
-std::vector<Point> splineSlopes(std::span<const Point> values, const Point &startSlope, const Point &endSlope) {
+std::vector<Point> splineSlopes(std::span<const Point> values, const Point& startSlope,
+                                const Point& endSlope) {
     // d[k-1] + 4 d[k] + d[k+1] = 3 (P[k+1] - P[k-1]) for all inner k.
     const std::size_t last = values.size() - 1;
     std::vector<Point> slopes(values.size());
@@ -46,7 +47,8 @@ std::vector<Point> splineSlopes(std::span<const Point> values, const Point &star
     return slopes;
 }
 
-SplineCurve interpolateClamped(std::span<const Point> values, const Point &startSlope, const Point &endSlope) {
+SplineCurve interpolateClamped(std::span<const Point> values, const Point& startSlope,
+                               const Point& endSlope) {
     const std::size_t last = values.size() - 1;
     const auto slopes = splineSlopes(values, startSlope, endSlope);
     SplineCurve curve;
@@ -65,11 +67,11 @@ SplineCurve interpolateClamped(std::span<const Point> values, const Point &start
     return curve;
 }
 
-Point evaluate(const SplineCurve &curve, double t) {
+Point evaluate(const SplineCurve& curve, double t) {
     return blossom(curve, knotSpan(curve.knots, 3, t), {t, t, t});
 }
 
-SplineCurve withKnots(const SplineCurve &curve, const std::vector<double> &knots) {
+SplineCurve withKnots(const SplineCurve& curve, const std::vector<double>& knots) {
     SplineCurve result;
     result.knots = knots;
     result.points.reserve(knots.size() - 4);
@@ -84,18 +86,18 @@ SplineCurve withKnots(const SplineCurve &curve, const std::vector<double> &knots
     return result;
 }
 
-SplineCurve restricted(const SplineCurve &curve, double begin, double end) {
+SplineCurve restricted(const SplineCurve& curve, double begin, double end) {
     std::vector<double> knots(4, begin);
     std::copy_if(curve.knots.begin(), curve.knots.end(), std::back_inserter(knots),
                  [&](double knot) { return knot > begin && knot < end; });
     knots.insert(knots.end(), 4, end);
     SplineCurve result = withKnots(curve, knots);
-    for (double &knot : result.knots)
+    for (double& knot : result.knots)
         knot -= begin;
     return result;
 }
 
-SplineCurve reversed(const SplineCurve &curve) {
+SplineCurve reversed(const SplineCurve& curve) {
     SplineCurve result;
     result.points.assign(curve.points.rbegin(), curve.points.rend());
     result.knots.reserve(curve.knots.size());
@@ -105,14 +107,14 @@ SplineCurve reversed(const SplineCurve &curve) {
 }
 
 SplineCurve scaled(SplineCurve curve, double factor) {
-    for (Point &point : curve.points)
+    for (Point& point : curve.points)
         point *= factor;
     return curve;
 }
 
 SplineCurve joined(std::span<const SplineCurve> curves) {
     SplineCurve result = curves.front();
-    for (const SplineCurve &curve : curves.subspan(1)) {
+    for (const SplineCurve& curve : curves.subspan(1)) {
         const double offset = result.length();
         result.knots.pop_back();
         for (std::size_t k = 4; k < curve.knots.size(); ++k)

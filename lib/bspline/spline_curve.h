@@ -17,26 +17,26 @@ struct SplineCurve {
     [[nodiscard]] double length() const { return knots.empty() ? 0 : knots.back(); }
 };
 
-/// Derivatives at 0, 1, 2, ... of the twice continuously differentiable cubic spline through the values there,
-/// whose derivatives at both ends are given. Linear time.
-[[nodiscard]] std::vector<Point> splineSlopes(std::span<const Point> values, const Point &startSlope,
-                                              const Point &endSlope);
+/// Derivatives at 0, 1, 2, ... of the twice continuously differentiable cubic spline through the values
+/// there, whose derivatives at both ends are given. Linear time.
+[[nodiscard]] std::vector<Point> splineSlopes(std::span<const Point> values, const Point& startSlope,
+                                              const Point& endSlope);
 
 /// That spline itself: one interval between any two of at least two values.
-[[nodiscard]] SplineCurve interpolateClamped(std::span<const Point> values, const Point &startSlope,
-                                             const Point &endSlope);
+[[nodiscard]] SplineCurve interpolateClamped(std::span<const Point> values, const Point& startSlope,
+                                             const Point& endSlope);
 
-[[nodiscard]] Point evaluate(const SplineCurve &curve, double t);
+[[nodiscard]] Point evaluate(const SplineCurve& curve, double t);
 
 /// The same curve, on the whole or a part of its interval, over other knots: clamped ones that hold all of
 /// the curve's own knots inside the part at least as often.
-[[nodiscard]] SplineCurve withKnots(const SplineCurve &curve, const std::vector<double> &knots);
+[[nodiscard]] SplineCurve withKnots(const SplineCurve& curve, const std::vector<double>& knots);
 
 /// The part of the curve from `begin` to `end`, parameterised from 0.
-[[nodiscard]] SplineCurve restricted(const SplineCurve &curve, double begin, double end);
+[[nodiscard]] SplineCurve restricted(const SplineCurve& curve, double begin, double end);
 
 /// The curve walked the other way.
-[[nodiscard]] SplineCurve reversed(const SplineCurve &curve);
+[[nodiscard]] SplineCurve reversed(const SplineCurve& curve);
 
 /// The curve with every control point multiplied by a factor.
 [[nodiscard]] SplineCurve scaled(SplineCurve curve, double factor);

@@ -17,9 +17,9 @@ namespace {
 constexpr double exactly = 1e-12;
 
 /// How many border edges meet at each vertex, by vertex index.
-std::vector<int> borderValences(const QuadMesh &mesh, const Chains &chains) {
+std::vector<int> borderValences(const QuadMesh& mesh, const Chains& chains) {
     std::vector<int> valences(mesh.n_vertices(), 0);
-    for (const Chain &chain : chains.all())
+    for (const Chain& chain : chains.all())
         for (const HalfedgeId halfedge : chain.halfedges) {
             ++valences[static_cast<std::size_t>(mesh.from_vertex_handle(halfedge).idx())];
             ++valences[static_cast<std::size_t>(mesh.to_vertex_handle(halfedge).idx())];
@@ -27,8 +27,8 @@ std::vector<int> borderValences(const QuadMesh &mesh, const Chains &chains) {
     return valences;
 }
 
-CurveFitInput curveInput(const QuadMesh &mesh, const Chain &chain, const LineDerivatives &lines,
-                         const std::vector<int> &valences) {
+CurveFitInput curveInput(const QuadMesh& mesh, const Chain& chain, const LineDerivatives& lines,
+                         const std::vector<int>& valences) {
     CurveFitInput input;
     input.points.push_back(mesh.point(mesh.from_vertex_handle(chain.halfedges.front())));
     for (const HalfedgeId halfedge : chain.halfedges) {
@@ -44,10 +44,11 @@ CurveFitInput curveInput(const QuadMesh &mesh, const Chain &chain, const LineDer
     return input;
 }
 
-SplineCurve sideCurve(const Chains &chains, const std::vector<SplineCurve> &curves, std::size_t patch, int side) {
+SplineCurve sideCurve(const Chains& chains, const std::vector<SplineCurve>& curves, std::size_t patch,
+                      int side) {
     std::vector<SplineCurve> parts;
-    for (const SidePiece &piece : chains.pieces(patch, side)) {
-        const SplineCurve &forwards = curves[piece.place.chain];
+    for (const SidePiece& piece : chains.pieces(patch, side)) {
+        const SplineCurve& forwards = curves[piece.place.chain];
         const double begin = piece.place.position;
         const double end = begin + piece.length;
         const double length = forwards.length();
@@ -58,25 +59,26 @@ SplineCurve sideCurve(const Chains &chains, const std::vector<SplineCurve> &curv
 }
 
 /// The halfedges of a side, in its direction.
-std::vector<HalfedgeId> sideHalfedges(const Chains &chains, std::size_t patch, int side) {
+std::vector<HalfedgeId> sideHalfedges(const Chains& chains, std::size_t patch, int side) {
     std::vector<HalfedgeId> halfedges;
-    for (const SidePiece &piece : chains.pieces(patch, side))
+    for (const SidePiece& piece : chains.pieces(patch, side))
         for (int k = 0; k < piece.length; ++k)
             halfedges.push_back(
                 chains.halfedge({piece.place.chain, piece.place.way, piece.place.position + k}));
     return halfedges;
 }
 
-/// Derivatives into the patch at the vertices of a side; none if the side has no smooth edge with a neighbour.
-std::vector<Point> inwards(const QuadMesh &mesh, const LineDerivatives &lines, const std::vector<HalfedgeId> &side) {
+/// Derivatives into the patch at the vertices of a side; none if the side has no smooth edge with a
+/// neighbour.
+std::vector<Point> inwards(const QuadMesh& mesh, const LineDerivatives& lines,
+                           const std::vector<HalfedgeId>& side) {
     bool smooth = false;
     for (const HalfedgeId halfedge : side) {
         const EdgeId edge = mesh.edge_handle(halfedge);
         smooth = smooth || (!mesh.is_boundary(edge) && lines.isSmooth(edge));
     }
     std::vector<Point> result;
-    if (!smooth)
-        return result;
+    if (!smooth) return result;
     for (const HalfedgeId halfedge : side)
         result.push_back(lines.tangent(mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(halfedge))));
     result.push_back(lines.tangent(mesh.next_halfedge_handle(side.back())));
@@ -84,19 +86,19 @@ std::vector<Point> inwards(const QuadMesh &mesh, const LineDerivatives &lines, c
 }
 
 /// From the derivatives into the patch along its sides to partial derivatives along its parameters.
-void setAcross(PatchFitInput &input, std::array<std::vector<Point>, 4> sides) {
+void setAcross(PatchFitInput& input, std::array<std::vector<Point>, 4> sides) {
     for (const std::size_t turned : {2U, 3U})
         std::reverse(sides[turned].begin(), sides[turned].end());
     for (const std::size_t farther : {1U, 2U})
-        for (Point &point : sides[farther])
+        for (Point& point : sides[farther])
             point = -point;
     input.across = {{{sides[0], sides[2]}, {sides[3], sides[1]}}};
 }
 
 } // namespace
 
-std::vector<Patch> fitWithinTolerance(const QuadMesh &mesh, const Layout &layout,
-                                      const std::vector<double> &dihedralAngles, double rho, double tolerance,
+std::vector<Patch> fitWithinTolerance(const QuadMesh& mesh, const Layout& layout,
+                                      const std::vector<double>& dihedralAngles, double rho, double tolerance,
                                       unsigned jobs) {
     const Chains chains(mesh, layout);
     const LineDerivatives lines(mesh, dihedralAngles, rho);
@@ -109,7 +111,7 @@ std::vector<Patch> fitWithinTolerance(const QuadMesh &mesh, const Layout &layout
 
     std::vector<Patch> patches(layout.segments.size());
     parallelFor(patches.size(), jobs, [&](std::size_t k) {
-        const Segment &segment = layout.segments[k];
+        const Segment& segment = layout.segments[k];
         const auto grid = pointGrid(mesh, segment);
         PatchFitInput input;
         input.size = segment.size;

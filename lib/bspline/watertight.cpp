@@ -7,12 +7,13 @@
 namespace qm {
 namespace {
 
-std::vector<double> knotsOf(const std::array<SplineCurve, 2> &curves, const std::array<SplineCurve, 2> &across) {
+std::vector<double> knotsOf(const std::array<SplineCurve, 2>& curves,
+                            const std::array<SplineCurve, 2>& across) {
     return commonKnots(commonKnots(curves[0].knots, curves[1].knots),
                        commonKnots(across[0].knots, across[1].knots));
 }
 
-std::vector<Point> atIntegers(const SplineCurve &curve, int length) {
+std::vector<Point> atIntegers(const SplineCurve& curve, int length) {
     std::vector<Point> points;
     for (int k = 0; k <= length; ++k)
         points.push_back(evaluate(curve, k));
@@ -20,8 +21,8 @@ std::vector<Point> atIntegers(const SplineCurve &curve, int length) {
 }
 
 /// Every row of points as control points over the patch's knots in u; the border rows are the frame's curves.
-std::vector<std::vector<Point>> splineRows(std::span<const Point> grid, const std::array<int, 2> &size,
-                                           const PatchFrame &frame, const std::vector<double> &knots) {
+std::vector<std::vector<Point>> splineRows(std::span<const Point> grid, const std::array<int, 2>& size,
+                                           const PatchFrame& frame, const std::vector<double>& knots) {
     const auto width = static_cast<std::size_t>(size[0]) + 1;
     const auto height = static_cast<std::size_t>(size[1]) + 1;
     const auto start = atIntegers(frame.acrossV[0], size[1]);
@@ -36,7 +37,7 @@ std::vector<std::vector<Point>> splineRows(std::span<const Point> grid, const st
     return rows;
 }
 
-void setColumn(Patch &patch, std::size_t i, const std::vector<Point> &points) {
+void setColumn(Patch& patch, std::size_t i, const std::vector<Point>& points) {
     const auto columns = static_cast<std::size_t>(patch.count[0]);
     for (std::size_t j = 0; j < points.size(); ++j)
         patch.controlPoints[j * columns + i] = points[j];
@@ -44,11 +45,10 @@ void setColumn(Patch &patch, std::size_t i, const std::vector<Point> &points) {
 
 } // namespace
 
-Patch interpolateBetween(std::span<const Point> grid, const std::array<int, 2> &size,
-                         const std::array<SideCurves, 4> &sides) {
+Patch interpolateBetween(std::span<const Point> grid, const std::array<int, 2>& size,
+                         const std::array<SideCurves, 4>& sides) {
     const PatchFrame frame = patchFrame(sides);
-    Patch patch =
-        emptyPatch(knotsOf(frame.alongU, frame.acrossU), knotsOf(frame.alongV, frame.acrossV));
+    Patch patch = emptyPatch(knotsOf(frame.alongU, frame.acrossU), knotsOf(frame.alongV, frame.acrossV));
     const auto columns = static_cast<std::size_t>(patch.count[0]);
     const auto rows = splineRows(grid, size, frame, patch.knots[0]);
     const auto slopesAtStart = withKnots(frame.acrossU[0], patch.knots[0]).points;
@@ -77,14 +77,15 @@ Patch interpolateBetween(std::span<const Point> grid, const std::array<int, 2> &
     return patch;
 }
 
-std::vector<Patch> interpolateWatertight(const QuadMesh &mesh, const Layout &layout,
-                                         const std::vector<double> &dihedralAngles, double rho, unsigned jobs) {
+std::vector<Patch> interpolateWatertight(const QuadMesh& mesh, const Layout& layout,
+                                         const std::vector<double>& dihedralAngles, double rho,
+                                         unsigned jobs) {
     const Chains chains(mesh, layout);
     const LineDerivatives lines(mesh, dihedralAngles, rho);
     const CurveNetwork network(mesh, chains, lines);
     std::vector<Patch> patches(layout.segments.size());
     parallelFor(patches.size(), jobs, [&](std::size_t k) {
-        const Segment &segment = layout.segments[k];
+        const Segment& segment = layout.segments[k];
         std::array<SideCurves, 4> sides;
         for (int side = 0; side < 4; ++side)
             sides[static_cast<std::size_t>(side)] = network.side(k, side);

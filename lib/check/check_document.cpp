@@ -20,8 +20,8 @@ std::string count(std::size_t number, const std::string& singular, const std::st
 
 class DocumentCheck {
 public:
-    DocumentCheck(const CheckedMesh& mesh, const CheckedDocument& document)
-        : mesh_(mesh), document_(document), around_(mesh) {}
+    DocumentCheck(const CheckedMesh& mesh, const CheckedDocument& document, Report report)
+        : mesh_(mesh), document_(document), around_(mesh), report_(std::move(report)) {}
 
     Report run() {
         baseComplex();
@@ -120,8 +120,8 @@ private:
 
 } // namespace
 
-Report checkDocument(const CheckedMesh& mesh, const CheckedDocument& document) {
-    return DocumentCheck(mesh, document).run();
+Report checkDocument(const CheckedMesh& mesh, const CheckedDocument& document, Report report) {
+    return DocumentCheck(mesh, document, std::move(report)).run();
 }
 
 } // namespace qm::check

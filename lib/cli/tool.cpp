@@ -24,7 +24,6 @@ namespace qm {
 namespace {
 
 constexpr unsigned maxJobs = 1024;
-const std::string generalGroup = "General options";
 
 double peakMegabytes() {
     struct rusage usage {};
@@ -41,7 +40,7 @@ std::string firstSmall(std::string text) {
 
 struct Tool::State {
     Usage usage;
-    std::string group = "Options";
+    std::string group = ownOptions;
     std::vector<std::string*> operands; ///< targets of usage.operands
     bool hasInput = false;
     bool hasOutput = false;
@@ -131,7 +130,7 @@ void Tool::add(OptionRecord record) {
 
 void Tool::addGeneralOptions() {
     State& s = *state_;
-    s.group = generalGroup;
+    s.group = generalOptions;
     const auto addShort = [&](OptionRecord record, const std::string& shortName) {
         record.shortName = shortName;
         add(std::move(record));
@@ -153,6 +152,8 @@ void Tool::addGeneralOptions() {
     option("json-usage", s.printUsage, "print this help as JSON");
     addShort(makeOption("help", s.help, {}, "print this help"), "h");
     option("version", s.version, "print the version");
+    std::stable_partition(s.usage.options.begin(), s.usage.options.end(),
+                          [](const OptionRecord& record) { return record.group != generalOptions; });
 }
 
 // --------------------------------------------------------------------------------------- the command line
@@ -278,7 +279,7 @@ Control Tool::control(const std::string& label) const {
 void Tool::noteSettings() const {
     std::string text;
     for (const OptionRecord& option : state_->usage.options) {
-        if (option.group == generalGroup) continue;
+        if (option.group == generalOptions) continue;
         const std::string value = option.show();
         if (!value.empty()) text += (text.empty() ? "" : ", ") + option.name + " " + value;
     }

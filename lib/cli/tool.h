@@ -62,8 +62,11 @@ public:
     /// --schema prints the schema of this kind of document, such as "layout".
     void schema(const std::string& kind);
 
-    /// Options that are declared from here on stand under this heading in --help.
+    /// Options that are declared from here on stand under this heading in --help; `ownOptions` at first.
+    /// Those under `generalOptions` come last.
     void group(const std::string& heading);
+    static constexpr const char* ownOptions = "Options";
+    static constexpr const char* generalOptions = "General options";
     /// All options of a struct, from its table in document/options.h.
     template <class Options> void options(Options& values);
     /// A single option: bool (a flag), int, std::size_t, double, or an enumeration that has `Choices`.

@@ -25,7 +25,8 @@ struct CutOptions {
     double lowPenalty = 1;                      ///< Wl
     double nearLimit = 0.4;                     ///< m1
     double farLimit = 0.5;                      ///< m2
-    bool avoidFeatures = false;                 ///< cutting along a sharp edge costs more than across it
+    bool avoidFeatures =
+        false; ///< an edge counts more, by the sharpest angle at its ends: cuts keep off features
 };
 
 struct SubMesh {

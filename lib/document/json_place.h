@@ -28,6 +28,7 @@ public:
     [[nodiscard]] std::optional<JsonPlace> find(const char* key) const;
     /// An element of an array.
     [[nodiscard]] JsonPlace operator[](std::size_t index) const;
+    [[nodiscard]] JsonPlace operator[](int index) const { return (*this)[static_cast<std::size_t>(index)]; }
     /// The number of elements of an array.
     [[nodiscard]] std::size_t size() const;
 

@@ -89,14 +89,15 @@ std::vector<double> readKnots(const JsonPlace& place, int degree, int count, int
 }
 
 void readPoints(const JsonPlace& rows, Patch& patch) {
-    patch.count = {static_cast<int>(rows.size() == 0 ? 0 : rows[std::size_t{0}].size()), static_cast<int>(rows.size())};
+    patch.count[0] = static_cast<int>(rows.size() == 0 ? 0 : rows[0].size());
+    patch.count[1] = static_cast<int>(rows.size());
     for (std::size_t j = 0; j < rows.size(); ++j) {
         const JsonPlace row = rows[j];
-        if (row.size() != rows[std::size_t{0}].size()) row.fail("is not as long as the first row");
+        if (row.size() != rows[0].size()) row.fail("is not as long as the first row");
         for (std::size_t i = 0; i < row.size(); ++i) {
             const JsonPlace point = row[i];
             if (point.size() != 3) point.fail("a point has three coordinates");
-            patch.controlPoints.emplace_back(point[std::size_t{0}].number(), point[std::size_t{1}].number(), point[std::size_t{2}].number());
+            patch.controlPoints.emplace_back(point[0].number(), point[1].number(), point[2].number());
         }
     }
 }

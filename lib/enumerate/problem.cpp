@@ -180,7 +180,7 @@ private:
     void joinFixed(JunctionId id, std::vector<int>& parent, std::vector<int>& capacity,
                    const Find& find) const {
         const Junction& junction = graph_.junctions[id.idx()];
-        if (!junction.crossed() || isOpen(id)) return;
+        if (!junction.crossed()) return;
         for (const ArcId arc : junction.arcs)
             if (!arc.valid() || chainOfArc(arc) >= 0 || input_.states[arc.idx()] != ArcState::in) return;
         const int a = junction.seeded ? -1 : graph_.arcs[junction.arcs[0].idx()].line.value();
@@ -224,16 +224,15 @@ private:
 
     void addCrossing(JunctionId id) {
         const Junction& junction = graph_.junctions[id.idx()];
-        if (isOpen(id)) return;
         if (!junction.crossed() || sameVariables(junction)) return;
-        bool anyFree = false, allIn = true, onChain = false;
+        bool anyFree = false, anyOut = false, onChain = false;
         for (const ArcId arc : junction.arcs) {
             anyFree = anyFree || variable(arc) < problem_.in();
-            allIn = allIn && variable(arc) == problem_.in();
+            anyOut = anyOut || variable(arc) == problem_.out();
             onChain = onChain || (arc.valid() && chainOfArc(arc) >= 0);
         }
-        if (anyFree || (allIn && onChain))
-            problem_.crossings.push_back({{side(junction, 0), side(junction, 1)}});
+        if (isOpen(id) ? !anyOut && onChain : anyFree || (!anyOut && onChain))
+            problem_.crossings.push_back({{side(junction, 0), side(junction, 1)}, isOpen(id)});
     }
 
     const ProblemInput& input_;

@@ -41,6 +41,7 @@ struct CrossingSide {
 /// An ordinary junction between variables and constants (rules 2 and 4).
 struct Crossing {
     std::array<CrossingSide, 2> sides;
+    bool open = false; ///< past a cut, where tracks may end unfinished: only rule 4 holds
 };
 
 /// Consecutive arcs of one line that can only be in or out together.

@@ -147,6 +147,7 @@ private:
             any = any || hasColumn(side.before) || hasColumn(side.after);
         if (!any) return;
         for (const std::size_t k : {0U, 1U}) {
+            if (crossing.open) break;
             const CrossingSide& ends = crossing.sides[k];
             const CrossingSide& wall = crossing.sides[1 - k];
             // A track that ends here, before or after, needs both arcs of the other line.

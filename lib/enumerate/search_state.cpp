@@ -137,6 +137,10 @@ bool SearchState::propagate() {
 }
 
 bool SearchState::visitCrossing(int id) {
+    return (problem_.crossings[at(id)].open || applyRule2(id)) && (!problem_.gaps || countCrossing(id));
+}
+
+bool SearchState::applyRule2(int id) {
     const std::array<int, 4> arcs = arcsOf(problem_.crossings[at(id)]);
     unsigned index = 0;
     for (int k = 3; k >= 0; --k) {
@@ -149,7 +153,7 @@ bool SearchState::visitCrossing(int id) {
         if ((conclusion.forcedIn >> k & 1) && !set(arcs[k], ArcState::in)) return false;
         if ((conclusion.forcedOut >> k & 1) && !set(arcs[k], ArcState::out)) return false;
     }
-    return !problem_.gaps || countCrossing(id);
+    return true;
 }
 
 bool SearchState::visitChain(int variable) {

@@ -66,6 +66,7 @@ private:
     bool set(int variable, ArcState value);
     bool propagate();
     bool visitCrossing(int crossing);
+    bool applyRule2(int crossing);
     bool visitChain(int variable);
     bool closeOneSided(const Chain& chain, int variable, ArcState value);
     bool openGap(int chain, int variable);

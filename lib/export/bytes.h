@@ -12,15 +12,15 @@
 namespace qm {
 
 /// The shortest text that reads back as the same number, whatever the locale.
-template <class Number> void appendText(std::string &text, Number number) {
+template <class Number> void appendText(std::string& text, Number number) {
     std::array<char, 40> buffer;
     const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number).ptr;
     text.append(buffer.data(), end);
 }
 
 template <class Number>
-    requires std::integral<Number> || std::floating_point<Number>
-void appendBytes(std::string &bytes, Number number) {
+requires std::integral<Number> || std::floating_point<Number>
+void appendBytes(std::string& bytes, Number number) {
     auto raw = std::bit_cast<std::array<char, sizeof(Number)>>(number);
     if constexpr (std::endian::native == std::endian::big)
         for (std::size_t k = 0; k < raw.size() / 2; ++k)

@@ -19,10 +19,10 @@ Colour fromHue(double hue, double saturation, double value) {
 
 } // namespace
 
-std::vector<Colour> segmentColours(const Layout &layout, const Surfaces *surfaces, ColourBy by) {
+std::vector<Colour> segmentColours(const Layout& layout, const Surfaces* surfaces, ColourBy by) {
     std::vector<Colour> colours;
     if (by == ColourBy::deviation && surfaces != nullptr) {
-        for (const Deviation &deviation : surfaces->ofPatch) {
+        for (const Deviation& deviation : surfaces->ofPatch) {
             const double largest = surfaces->deviation.max;
             const double share = largest > 0 ? std::clamp(deviation.max / largest, 0.0, 1.0) : 0;
             colours.push_back(fromHue((1 - share) * 2 / 3, 1, 1));

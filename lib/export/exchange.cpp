@@ -33,10 +33,10 @@ namespace qm {
 namespace {
 
 /// A file says when it was made; ours shall not differ from run to run.
-constexpr const char *noTime = "1970-01-01T00:00:00";
-constexpr const char *noTimeIges = "19700101.000000";
+constexpr const char* noTime = "1970-01-01T00:00:00";
+constexpr const char* noTimeIges = "19700101.000000";
 
-const char *unitName(LengthUnit unit) {
+const char* unitName(LengthUnit unit) {
     switch (unit) {
     case LengthUnit::cm:
         return "CM";
@@ -49,7 +49,7 @@ const char *unitName(LengthUnit unit) {
     }
 }
 
-Handle(TCollection_HAsciiString) text(const std::string &value) {
+Handle(TCollection_HAsciiString) text(const std::string& value) {
     return new TCollection_HAsciiString(value.c_str());
 }
 
@@ -73,11 +73,10 @@ private:
     std::lock_guard<std::mutex> lock_;
 };
 
-void nameFaces(const BoundaryShape &shape, const Handle(Transfer_FinderProcess) & process) {
+void nameFaces(const BoundaryShape& shape, const Handle(Transfer_FinderProcess) & process) {
     for (std::size_t k = 0; k < shape.faces.size(); ++k) {
         const auto item = STEPConstruct::FindEntity(process, shape.faces[k]);
-        if (!item.IsNull())
-            item->SetName(text("segment " + std::to_string(k)));
+        if (!item.IsNull()) item->SetName(text("segment " + std::to_string(k)));
     }
 }
 
@@ -85,14 +84,13 @@ void nameFaces(const BoundaryShape &shape, const Handle(Transfer_FinderProcess) 
 void nameProducts(const Handle(StepData_StepModel) & model) {
     for (int k = 1; k <= model->NbEntities(); ++k) {
         const auto product = Handle(StepBasic_Product)::DownCast(model->Value(k));
-        if (product.IsNull())
-            continue;
+        if (product.IsNull()) continue;
         product->SetId(text("quadmesh"));
         product->SetName(text("quadmesh"));
     }
 }
 
-void labelFaces(const BoundaryShape &shape, const Handle(Transfer_FinderProcess) & process) {
+void labelFaces(const BoundaryShape& shape, const Handle(Transfer_FinderProcess) & process) {
     for (std::size_t k = 0; k < shape.faces.size(); ++k) {
         Handle(IGESData_IGESEntity) entity;
         const auto mapper = TransferBRep::ShapeMapper(process, shape.faces[k]);
@@ -103,7 +101,7 @@ void labelFaces(const BoundaryShape &shape, const Handle(Transfer_FinderProcess)
 
 } // namespace
 
-std::string shapeAsStep(const BoundaryShape &shape, LengthUnit unit) {
+std::string shapeAsStep(const BoundaryShape& shape, LengthUnit unit) {
     const Session session(unit);
     STEPControl_Writer writer;
     if (writer.Transfer(shape.shape, STEPControl_AsIs) != IFSelect_RetDone)
@@ -126,7 +124,7 @@ std::string shapeAsStep(const BoundaryShape &shape, LengthUnit unit) {
     return stream.str();
 }
 
-std::string shapeAsIges(const BoundaryShape &shape, LengthUnit unit) {
+std::string shapeAsIges(const BoundaryShape& shape, LengthUnit unit) {
     const Session session(unit);
     IGESControl_Writer writer(unitName(unit), 1);
     if (!writer.AddShape(shape.shape))
@@ -142,8 +140,7 @@ std::string shapeAsIges(const BoundaryShape &shape, LengthUnit unit) {
     global.SetCompanyName(text(""));
     writer.Model()->SetGlobalSection(global);
     std::ostringstream stream;
-    if (!writer.Write(stream))
-        throw Error("surfaces", "cannot be written as IGES", "Try STEP");
+    if (!writer.Write(stream)) throw Error("surfaces", "cannot be written as IGES", "Try STEP");
     return stream.str();
 }
 

@@ -9,7 +9,7 @@
 namespace qm {
 
 /// \throw Error  if OpenCASCADE cannot translate the shape
-[[nodiscard]] std::string shapeAsStep(const BoundaryShape &shape, LengthUnit unit);
-[[nodiscard]] std::string shapeAsIges(const BoundaryShape &shape, LengthUnit unit);
+[[nodiscard]] std::string shapeAsStep(const BoundaryShape& shape, LengthUnit unit);
+[[nodiscard]] std::string shapeAsIges(const BoundaryShape& shape, LengthUnit unit);
 
 } // namespace qm

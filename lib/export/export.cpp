@@ -9,14 +9,14 @@
 namespace qm {
 namespace {
 
-const Surfaces &required(const Surfaces *surfaces, const std::string &forWhat) {
+const Surfaces& required(const Surfaces* surfaces, const std::string& forWhat) {
     if (surfaces == nullptr)
         throw Error("surfaces", "missing, but needed for " + forWhat, "Run qm-bspline first");
     return *surfaces;
 }
 
-Exported exportShape(const QuadMesh &mesh, const Layout &layout, const Surfaces &surfaces,
-                     const ExportOptions &options) {
+Exported exportShape(const QuadMesh& mesh, const Layout& layout, const Surfaces& surfaces,
+                     const ExportOptions& options) {
     const BoundaryShape shape = buildShape(mesh, layout, surfaces.patches);
     return {options.format == ExportFormat::step ? shapeAsStep(shape, options.unit)
                                                  : shapeAsIges(shape, options.unit),
@@ -25,18 +25,16 @@ Exported exportShape(const QuadMesh &mesh, const Layout &layout, const Surfaces 
 
 } // namespace
 
-Exported exportModel(const QuadMesh &mesh, const Layout &layout, const Surfaces *surfaces,
-                     const ExportOptions &options) {
+Exported exportModel(const QuadMesh& mesh, const Layout& layout, const Surfaces* surfaces,
+                     const ExportOptions& options) {
     if (options.format == ExportFormat::step || options.format == ExportFormat::iges)
         return exportShape(mesh, layout, required(surfaces, "STEP and IGES"), options);
-    if (options.format == ExportFormat::obj)
-        return {quadsAsObj(mesh, layout), std::nullopt};
+    if (options.format == ExportFormat::obj) return {quadsAsObj(mesh, layout), std::nullopt};
     if (options.colour == ColourBy::deviation &&
         required(surfaces, "colours by deviation").ofPatch.size() != layout.segments.size())
         throw Error("surfaces", "do not have the deviation of every patch", "Fit the surfaces anew");
     const auto colours = segmentColours(layout, surfaces, options.colour);
-    if (options.format == ExportFormat::ply)
-        return {quadsAsPly(mesh, layout, colours), std::nullopt};
+    if (options.format == ExportFormat::ply) return {quadsAsPly(mesh, layout, colours), std::nullopt};
     return {quadsAsGlb(mesh, layout, colours), std::nullopt};
 }
 

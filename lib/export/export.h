@@ -48,11 +48,10 @@ struct Exported {
     std::optional<ShapeReport> shape; ///< for STEP and IGES
 };
 
-/// Same input and options, same bytes. Segments keep their numbers: as names of faces (STEP), labels (IGES), groups (OBJ), a
-/// property of faces (PLY) or names of nodes (glTF).
-/// \param surfaces  may be null for OBJ, PLY and glTF
-/// \throw Error  if surfaces are needed and missing, or do not belong to the layout
-[[nodiscard]] Exported exportModel(const QuadMesh &mesh, const Layout &layout, const Surfaces *surfaces,
-                                   const ExportOptions &options);
+/// Same input and options, same bytes. Segments keep their numbers: as names of faces (STEP), labels (IGES),
+/// groups (OBJ), a property of faces (PLY) or names of nodes (glTF). \param surfaces  may be null for OBJ,
+/// PLY and glTF \throw Error  if surfaces are needed and missing, or do not belong to the layout
+[[nodiscard]] Exported exportModel(const QuadMesh& mesh, const Layout& layout, const Surfaces* surfaces,
+                                   const ExportOptions& options);
 
 } // namespace qm

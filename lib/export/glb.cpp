@@ -10,11 +10,11 @@
 namespace qm {
 namespace {
 
-/// The one buffer of the file, and the JSON text that explains it. Every segment has its own vertices, so that
-/// colours and normals end at its border.
+/// The one buffer of the file, and the JSON text that explains it. Every segment has its own vertices, so
+/// that colours and normals end at its border.
 class Builder {
 public:
-    void add(const QuadMesh &mesh, const Segment &segment, const Colour &colour) {
+    void add(const QuadMesh& mesh, const Segment& segment, const Colour& colour) {
         const auto vertices = vertexGrid(mesh, segment);
         const std::size_t width = static_cast<std::size_t>(segment.size[0]) + 1;
         const auto first = static_cast<std::uint32_t>(vertexCount_);
@@ -45,8 +45,8 @@ public:
     }
 
 private:
-    void addVertices(const QuadMesh &mesh, const std::vector<VertexId> &vertices, std::size_t width,
-                     const Colour &colour) {
+    void addVertices(const QuadMesh& mesh, const std::vector<VertexId>& vertices, std::size_t width,
+                     const Colour& colour) {
         const std::size_t height = vertices.size() / width;
         const auto point = [&](std::size_t i, std::size_t j) { return mesh.point(vertices[j * width + i]); };
         for (std::size_t j = 0; j < height; ++j)
@@ -54,8 +54,7 @@ private:
                 const Point alongU = point(std::min(i + 1, width - 1), j) - point(i > 0 ? i - 1 : 0, j);
                 const Point alongV = point(i, std::min(j + 1, height - 1)) - point(i, j > 0 ? j - 1 : 0);
                 Point normal = unitNormal(alongU, alongV);
-                if (normal.sqrnorm() == 0)
-                    normal = {0, 0, 1}; // glTF asks for unit vectors
+                if (normal.sqrnorm() == 0) normal = {0, 0, 1}; // glTF asks for unit vectors
                 for (unsigned k = 0; k < 3; ++k) {
                     const auto coordinate = static_cast<float>(point(i, j)[k]);
                     low_[k] = std::min(low_[k], coordinate);
@@ -70,8 +69,7 @@ private:
 
     [[nodiscard]] std::string json() const {
         std::string text = R"({"asset":{"version":"2.0","generator":"qm-export"})";
-        if (ranges_.empty())
-            return text + "}";
+        if (ranges_.empty()) return text + "}";
         text += R"(,"scene":0,"scenes":[{"nodes":[)";
         list(text, [&](std::size_t k) { appendText(text, k); });
         text += R"(]}],"nodes":[)";
@@ -84,17 +82,19 @@ private:
         });
         text += R"(],"meshes":[)";
         list(text, [&](std::size_t k) {
-            text += R"({"primitives":[{"attributes":{"POSITION":0,"NORMAL":1,"COLOR_0":2},"material":0,"indices":)";
+            text +=
+                R"({"primitives":[{"attributes":{"POSITION":0,"NORMAL":1,"COLOR_0":2},"material":0,"indices":)";
             appendText(text, k + 3);
             text += "}]}";
         });
-        text += R"(],"materials":[{"doubleSided":true,"pbrMetallicRoughness":{"metallicFactor":0,"roughnessFactor":0.8}}])";
+        text +=
+            R"(],"materials":[{"doubleSided":true,"pbrMetallicRoughness":{"metallicFactor":0,"roughnessFactor":0.8}}])";
         accessors(text);
         buffers(text);
         return text + "}";
     }
 
-    void accessors(std::string &text) const {
+    void accessors(std::string& text) const {
         text += R"(,"accessors":[)";
         const std::string bounds = R"(,"min":[)" + numbers(low_) + R"(],"max":[)" + numbers(high_) + ']';
         text += accessor(0, 0, 5126, vertexCount_, "VEC3", bounds);
@@ -107,7 +107,7 @@ private:
         text += ']';
     }
 
-    static std::string numbers(const std::array<float, 3> &values) {
+    static std::string numbers(const std::array<float, 3>& values) {
         std::string text;
         for (const float value : values) {
             text += text.empty() ? "" : ",";
@@ -118,7 +118,7 @@ private:
 
     /// \param component  5121, 5125 or 5126: bytes, 32 bit integers or floating point numbers
     static std::string accessor(std::size_t view, std::size_t offset, int component, std::size_t count,
-                                const std::string &type, const std::string &more = {}) {
+                                const std::string& type, const std::string& more = {}) {
         std::string text = R"({"bufferView":)";
         appendText(text, view);
         text += R"(,"byteOffset":)";
@@ -130,10 +130,10 @@ private:
         return text + R"(,"type":")" + type + '"' + more + '}';
     }
 
-    void buffers(std::string &text) const {
+    void buffers(std::string& text) const {
         text += R"(,"bufferViews":[)";
         std::size_t offset = 0;
-        for (const std::string *part : {&positions_, &normals_, &colours_, &indices_}) {
+        for (const std::string* part : {&positions_, &normals_, &colours_, &indices_}) {
             text += offset == 0 ? "" : ",";
             text += R"({"buffer":0,"byteOffset":)";
             appendText(text, offset);
@@ -150,7 +150,7 @@ private:
     }
 
     /// Calls `append` for every segment, with commas between.
-    template <class Append> void list(std::string &text, const Append &append) const {
+    template <class Append> void list(std::string& text, const Append& append) const {
         for (std::size_t k = 0; k < ranges_.size(); ++k) {
             text += k == 0 ? "" : ",";
             append(k);
@@ -169,7 +169,7 @@ private:
 
 } // namespace
 
-std::string quadsAsGlb(const QuadMesh &mesh, const Layout &layout, const std::vector<Colour> &colours) {
+std::string quadsAsGlb(const QuadMesh& mesh, const Layout& layout, const std::vector<Colour>& colours) {
     Builder builder;
     for (std::size_t s = 0; s < layout.segments.size(); ++s)
         builder.add(mesh, layout.segments[s], colours[s]);

@@ -7,10 +7,10 @@
 namespace qm {
 namespace {
 
-std::array<VertexId, 4> corners(const QuadMesh &mesh, FaceId face) {
+std::array<VertexId, 4> corners(const QuadMesh& mesh, FaceId face) {
     std::array<VertexId, 4> result;
     HalfedgeId halfedge = mesh.halfedge_handle(face); // points to the face's first vertex
-    for (VertexId &vertex : result) {
+    for (VertexId& vertex : result) {
         vertex = mesh.to_vertex_handle(halfedge);
         halfedge = mesh.next_halfedge_handle(halfedge);
     }
@@ -19,7 +19,7 @@ std::array<VertexId, 4> corners(const QuadMesh &mesh, FaceId face) {
 
 } // namespace
 
-std::string quadsAsObj(const QuadMesh &mesh, const Layout &layout) {
+std::string quadsAsObj(const QuadMesh& mesh, const Layout& layout) {
     std::string text;
     for (const VertexId vertex : mesh.vertices()) {
         text += 'v';
@@ -45,7 +45,7 @@ std::string quadsAsObj(const QuadMesh &mesh, const Layout &layout) {
     return text;
 }
 
-std::string quadsAsPly(const QuadMesh &mesh, const Layout &layout, const std::vector<Colour> &colours) {
+std::string quadsAsPly(const QuadMesh& mesh, const Layout& layout, const std::vector<Colour>& colours) {
     std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex ";
     appendText(bytes, mesh.n_vertices());
     bytes += "\nproperty double x\nproperty double y\nproperty double z\nelement face ";

@@ -10,10 +10,10 @@
 
 namespace qm {
 
-[[nodiscard]] std::string quadsAsObj(const QuadMesh &mesh, const Layout &layout);
-[[nodiscard]] std::string quadsAsPly(const QuadMesh &mesh, const Layout &layout,
-                                     const std::vector<Colour> &colours);
-[[nodiscard]] std::string quadsAsGlb(const QuadMesh &mesh, const Layout &layout,
-                                     const std::vector<Colour> &colours);
+[[nodiscard]] std::string quadsAsObj(const QuadMesh& mesh, const Layout& layout);
+[[nodiscard]] std::string quadsAsPly(const QuadMesh& mesh, const Layout& layout,
+                                     const std::vector<Colour>& colours);
+[[nodiscard]] std::string quadsAsGlb(const QuadMesh& mesh, const Layout& layout,
+                                     const std::vector<Colour>& colours);
 
 } // namespace qm

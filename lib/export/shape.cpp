@@ -27,7 +27,9 @@
 namespace qm {
 namespace {
 
-gp_Pnt place(const Point &point) { return {point[0], point[1], point[2]}; }
+gp_Pnt place(const Point& point) {
+    return {point[0], point[1], point[2]};
+}
 
 /// Distinct knots and how often each is there, as OpenCASCADE wants them.
 struct KnotTable {
@@ -35,7 +37,7 @@ struct KnotTable {
     TColStd_Array1OfInteger multiplicities;
 };
 
-KnotTable knotTable(const std::vector<double> &knots) {
+KnotTable knotTable(const std::vector<double>& knots) {
     std::vector<double> distinct = knots;
     distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
     const auto size = static_cast<int>(distinct.size());
@@ -48,7 +50,7 @@ KnotTable knotTable(const std::vector<double> &knots) {
     return table;
 }
 
-Handle(Geom_BSplineSurface) surface(const Patch &patch) {
+Handle(Geom_BSplineSurface) surface(const Patch& patch) {
     TColgp_Array2OfPnt poles(1, patch.count[0], 1, patch.count[1]);
     for (int j = 0; j < patch.count[1]; ++j)
         for (int i = 0; i < patch.count[0]; ++i)
@@ -61,7 +63,7 @@ Handle(Geom_BSplineSurface) surface(const Patch &patch) {
     return new Geom_BSplineSurface(poles, u.values, v.values, u.multiplicities, v.multiplicities, 3, 3);
 }
 
-Handle(Geom_BSplineCurve) curve(const SplineCurve &spline) {
+Handle(Geom_BSplineCurve) curve(const SplineCurve& spline) {
     TColgp_Array1OfPnt poles(1, static_cast<int>(spline.points.size()));
     for (int k = 0; k < poles.Length(); ++k)
         poles.SetValue(k + 1, place(spline.points[static_cast<std::size_t>(k)]));
@@ -69,19 +71,20 @@ Handle(Geom_BSplineCurve) curve(const SplineCurve &spline) {
     return new Geom_BSplineCurve(poles, knots.values, knots.multiplicities, 3);
 }
 
-void requireMatching(const Layout &layout, const std::vector<Patch> &patches) {
+void requireMatching(const Layout& layout, const std::vector<Patch>& patches) {
     if (layout.segments.size() != patches.size())
-        throw Error("surfaces", "there are " + std::to_string(patches.size()) + " patches for " +
-                                    std::to_string(layout.segments.size()) + " segments",
+        throw Error("surfaces",
+                    "there are " + std::to_string(patches.size()) + " patches for " +
+                        std::to_string(layout.segments.size()) + " segments",
                     "Fit the surfaces anew");
     for (std::size_t k = 0; k < patches.size(); ++k) {
-        const Patch &patch = patches[k];
+        const Patch& patch = patches[k];
         const std::string name = "patch " + std::to_string(k);
-        if (patch.degree != std::array{3, 3})
-            throw Error(name, "is not bicubic", "Fit the surfaces anew");
+        if (patch.degree != std::array{3, 3}) throw Error(name, "is not bicubic", "Fit the surfaces anew");
         for (std::size_t d = 0; d < 2; ++d) {
-            const auto &knots = patch.knots[d];
-            const bool counts = patch.count[d] >= 4 && knots.size() == static_cast<std::size_t>(patch.count[d]) + 4;
+            const auto& knots = patch.knots[d];
+            const bool counts =
+                patch.count[d] >= 4 && knots.size() == static_cast<std::size_t>(patch.count[d]) + 4;
             if (!counts || !std::is_sorted(knots.begin(), knots.end()) ||
                 domain(knots, 3) != std::array<double, 2>{0, static_cast<double>(layout.segments[k].size[d])})
                 throw Error(name, "has knots that do not belong to its segment", "Fit the surfaces anew");
@@ -104,10 +107,10 @@ struct SharedEdge {
 
 class ShapeBuilder {
 public:
-    ShapeBuilder(const QuadMesh &mesh, const Layout &layout, const std::vector<Patch> &patches)
-        : mesh_(mesh), layout_(layout), borders_(borderEdges(mesh, layout)),
-          vertices_(mesh.n_vertices()), vertexTolerance_(mesh.n_vertices(), Precision::Confusion()) {
-        for (const Patch &patch : patches)
+    ShapeBuilder(const QuadMesh& mesh, const Layout& layout, const std::vector<Patch>& patches)
+        : mesh_(mesh), layout_(layout), borders_(borderEdges(mesh, layout)), vertices_(mesh.n_vertices()),
+          vertexTolerance_(mesh.n_vertices(), Precision::Confusion()) {
+        for (const Patch& patch : patches)
             patches_.push_back(clamped(patch));
         indexBorders();
         makeEdges();
@@ -130,15 +133,16 @@ private:
             for (std::size_t side = 0; side < 4; ++side)
                 borderAt_[s][side].resize(layout_.segments[s].sides[side].size() - 1);
         for (std::size_t b = 0; b < borders_.size(); ++b) {
-            for (const BorderPlace &at : borders_[b].places)
-                borderAt_[at.patch][static_cast<std::size_t>(at.side)][static_cast<std::size_t>(at.position)] = b;
+            for (const BorderPlace& at : borders_[b].places)
+                borderAt_[at.patch][static_cast<std::size_t>(at.side)]
+                         [static_cast<std::size_t>(at.position)] = b;
             ++valence[index(mesh_.from_vertex_handle(borders_[b].halfedge))];
             ++valence[index(mesh_.to_vertex_handle(borders_[b].halfedge))];
         }
         isNode_.resize(mesh_.n_vertices());
         for (std::size_t v = 0; v < valence.size(); ++v)
             isNode_[v] = valence[v] > 2;
-        for (const Segment &segment : layout_.segments)
+        for (const Segment& segment : layout_.segments)
             for (const VertexId corner : segment.corners)
                 isNode_[index(corner)] = true;
     }
@@ -150,33 +154,33 @@ private:
         edgeOfBorder_.assign(borders_.size(), -1);
         for (std::size_t s = 0; s < patches_.size(); ++s)
             for (int side = 0; side < 4; ++side) {
-                const auto &line = borderAt_[s][static_cast<std::size_t>(side)];
-                const auto &vertices = layout_.segments[s].sides[static_cast<std::size_t>(side)];
+                const auto& line = borderAt_[s][static_cast<std::size_t>(side)];
+                const auto& vertices = layout_.segments[s].sides[static_cast<std::size_t>(side)];
                 std::size_t begin = 0;
                 for (std::size_t k = 1; k < vertices.size(); ++k) {
-                    if (!isNode_[index(vertices[k])])
-                        continue;
+                    if (!isNode_[index(vertices[k])]) continue;
                     const BorderPlace at{s, side, static_cast<int>(begin)};
                     addUse(at, static_cast<int>(k - begin), line, vertices);
                     begin = k;
                 }
             }
-        for (SharedEdge &shared : edges_)
+        for (SharedEdge& shared : edges_)
             measure(shared);
-        for (SharedEdge &shared : edges_)
+        for (SharedEdge& shared : edges_)
             finish(shared);
     }
 
-    void addUse(const BorderPlace &at, int length, const std::vector<std::size_t> &line,
-                const std::vector<VertexId> &vertices) {
+    void addUse(const BorderPlace& at, int length, const std::vector<std::size_t>& line,
+                const std::vector<VertexId>& vertices) {
         const auto begin = static_cast<std::size_t>(at.position);
-        auto &number = edgeOfBorder_[line[begin]];
+        auto& number = edgeOfBorder_[line[begin]];
         if (number >= 0) {
             edges_[static_cast<std::size_t>(number)].places.push_back(at);
             return;
         }
         for (int k = 0; k < length; ++k)
-            edgeOfBorder_[line[begin + static_cast<std::size_t>(k)]] = static_cast<std::ptrdiff_t>(edges_.size());
+            edgeOfBorder_[line[begin + static_cast<std::size_t>(k)]] =
+                static_cast<std::ptrdiff_t>(edges_.size());
         SharedEdge shared;
         shared.places.push_back(at);
         shared.length = length;
@@ -185,41 +189,42 @@ private:
         edges_.push_back(shared);
     }
 
-    [[nodiscard]] Point pointOn(const BorderPlace &at, double along) const {
+    [[nodiscard]] Point pointOn(const BorderPlace& at, double along) const {
         const auto [u, v] = parametersOnSide(layout_.segments[at.patch].size, at.side, at.position + along);
         return evaluate(patches_[at.patch], u, v).position;
     }
 
     /// How far apart the patches are along an edge, and from its vertices at the ends.
-    void measure(SharedEdge &shared) {
+    void measure(SharedEdge& shared) {
         constexpr int steps = 8;
         double gap = 0;
         for (int k = 0; k <= shared.length * steps && shared.places.size() > 1; ++k) {
             const double along = static_cast<double>(k) / steps;
-            gap = std::max(gap, (pointOn(shared.places[0], along) -
-                                 pointOn(shared.places[1], shared.length - along)).norm());
+            gap = std::max(
+                gap,
+                (pointOn(shared.places[0], along) - pointOn(shared.places[1], shared.length - along)).norm());
         }
         shared.tolerance = std::max(1.1 * gap, Precision::Confusion());
-        for (const BorderPlace &at : shared.places) {
+        for (const BorderPlace& at : shared.places) {
             const bool forwards = &at == &shared.places.front();
             for (const bool atEnd : {false, true}) {
                 const VertexId vertex = atEnd == forwards ? shared.end : shared.start;
                 const double away = (pointOn(at, atEnd ? shared.length : 0) - mesh_.point(vertex)).norm();
-                double &tolerance = vertexTolerance_[index(vertex)];
+                double& tolerance = vertexTolerance_[index(vertex)];
                 tolerance = std::max({tolerance, shared.tolerance, away + shared.tolerance});
             }
         }
     }
 
-    const TopoDS_Vertex &vertexAt(VertexId vertex) {
-        TopoDS_Vertex &result = vertices_[index(vertex)];
+    const TopoDS_Vertex& vertexAt(VertexId vertex) {
+        TopoDS_Vertex& result = vertices_[index(vertex)];
         if (result.IsNull())
             builder_.MakeVertex(result, place(mesh_.point(vertex)), vertexTolerance_[index(vertex)]);
         return result;
     }
 
-    void finish(SharedEdge &shared) {
-        const BorderPlace &at = shared.places.front();
+    void finish(SharedEdge& shared) {
+        const BorderPlace& at = shared.places.front();
         const SplineCurve border = borderCurve(patches_[at.patch], at.side);
         const SplineCurve part = restricted(border, at.position, at.position + shared.length);
         builder_.MakeEdge(shared.edge, curve(part), shared.tolerance);
@@ -229,13 +234,12 @@ private:
     }
 
     /// The edge in a patch's parameter plane; it runs in the direction of its first place.
-    [[nodiscard]] Handle(Geom2d_Line) inPlane(const SharedEdge &shared, std::size_t use) const {
-        const BorderPlace &at = shared.places[use];
-        const auto &size = layout_.segments[at.patch].size;
+    [[nodiscard]] Handle(Geom2d_Line) inPlane(const SharedEdge& shared, std::size_t use) const {
+        const BorderPlace& at = shared.places[use];
+        const auto& size = layout_.segments[at.patch].size;
         auto from = parametersOnSide(size, at.side, at.position);
         auto to = parametersOnSide(size, at.side, at.position + shared.length);
-        if (use > 0)
-            std::swap(from, to);
+        if (use > 0) std::swap(from, to);
         return new Geom2d_Line(gp_Pnt2d(from[0], from[1]), gp_Dir2d(to[0] - from[0], to[1] - from[1]));
     }
 
@@ -245,10 +249,10 @@ private:
         TopoDS_Wire wire;
         builder_.MakeWire(wire);
         for (int side = 0; side < 4; ++side) {
-            const auto &line = borderAt_[patch][static_cast<std::size_t>(side)];
+            const auto& line = borderAt_[patch][static_cast<std::size_t>(side)];
             for (std::size_t k = 0; k < line.size();) {
-                SharedEdge &shared = edges_[static_cast<std::size_t>(edgeOfBorder_[line[k]])];
-                const BorderPlace &first = shared.places.front();
+                SharedEdge& shared = edges_[static_cast<std::size_t>(edgeOfBorder_[line[k]])];
+                const BorderPlace& first = shared.places.front();
                 const bool forwards =
                     first.patch == patch && first.side == side && first.position == static_cast<int>(k);
                 placeOn(shared, forwards ? 0 : 1, face);
@@ -261,7 +265,7 @@ private:
         return face;
     }
 
-    void placeOn(SharedEdge &shared, std::size_t use, const TopoDS_Face &face) {
+    void placeOn(SharedEdge& shared, std::size_t use, const TopoDS_Face& face) {
         const bool seam = shared.places.size() == 2 && shared.places[0].patch == shared.places[1].patch;
         if (seam)
             builder_.UpdateEdge(shared.edge, inPlane(shared, 0), inPlane(shared, 1), face, shared.tolerance);
@@ -271,7 +275,7 @@ private:
     }
 
     /// Which component each patch belongs to, numbered in the order of the patches.
-    [[nodiscard]] std::vector<std::size_t> components(std::size_t &count) const {
+    [[nodiscard]] std::vector<std::size_t> components(std::size_t& count) const {
         std::vector<std::size_t> parent(patches_.size());
         for (std::size_t k = 0; k < parent.size(); ++k)
             parent[k] = k;
@@ -280,8 +284,8 @@ private:
                 k = parent[k] = parent[parent[k]];
             return k;
         };
-        for (const SharedEdge &shared : edges_)
-            for (const BorderPlace &at : shared.places) {
+        for (const SharedEdge& shared : edges_)
+            for (const BorderPlace& at : shared.places) {
                 const std::size_t a = root(shared.places.front().patch);
                 const std::size_t b = root(at.patch);
                 parent[std::max(a, b)] = std::min(a, b);
@@ -293,16 +297,16 @@ private:
         return component;
     }
 
-    void assemble(BoundaryShape &result) {
+    void assemble(BoundaryShape& result) {
         std::size_t count = 0;
         const auto component = components(count);
         std::vector<TopoDS_Shell> shells(count);
         std::vector<bool> closed(count, true);
-        for (TopoDS_Shell &shell : shells)
+        for (TopoDS_Shell& shell : shells)
             builder_.MakeShell(shell);
         for (std::size_t k = 0; k < result.faces.size(); ++k)
             builder_.Add(shells[component[k]], result.faces[k]);
-        for (const SharedEdge &shared : edges_)
+        for (const SharedEdge& shared : edges_)
             if (shared.places.size() < 2) {
                 closed[component[shared.places.front().patch]] = false;
                 ++result.report.openEdges;
@@ -318,7 +322,7 @@ private:
         } else {
             TopoDS_Compound compound;
             builder_.MakeCompound(compound);
-            for (const TopoDS_Shape &part : parts)
+            for (const TopoDS_Shape& part : parts)
                 builder_.Add(compound, part);
             result.shape = compound;
         }
@@ -330,7 +334,7 @@ private:
     }
 
     /// A mesh whose faces look inwards encloses a negative volume; its solid is the inside all the same.
-    TopoDS_Solid solid(const TopoDS_Shell &shell) {
+    TopoDS_Solid solid(const TopoDS_Shell& shell) {
         GProp_GProps volume;
         BRepGProp::VolumeProperties(shell, volume);
         TopoDS_Solid result;
@@ -339,8 +343,8 @@ private:
         return result;
     }
 
-    const QuadMesh &mesh_;
-    const Layout &layout_;
+    const QuadMesh& mesh_;
+    const Layout& layout_;
     std::vector<Patch> patches_; ///< clamped
     std::vector<BorderEdge> borders_;
     std::vector<std::array<std::vector<std::size_t>, 4>> borderAt_;
@@ -354,7 +358,7 @@ private:
 
 } // namespace
 
-BoundaryShape buildShape(const QuadMesh &mesh, const Layout &layout, const std::vector<Patch> &patches) {
+BoundaryShape buildShape(const QuadMesh& mesh, const Layout& layout, const std::vector<Patch>& patches) {
     requireMatching(layout, patches);
     return ShapeBuilder(mesh, layout, patches).build();
 }

@@ -21,7 +21,7 @@ struct BoundaryShape {
 /// meet, used by the patches on both sides. So nothing has to be sewn, and a gap between patches becomes the
 /// tolerance of the edge that they share.
 /// \throw Error  if the patches are not bicubic or do not belong to the layout
-[[nodiscard]] BoundaryShape buildShape(const QuadMesh &mesh, const Layout &layout,
-                                       const std::vector<Patch> &patches);
+[[nodiscard]] BoundaryShape buildShape(const QuadMesh& mesh, const Layout& layout,
+                                       const std::vector<Patch>& patches);
 
 } // namespace qm

@@ -3,12 +3,12 @@
 namespace qm::test {
 namespace {
 
-int vertexNumber(const Grid &grid, int i, int j) {
+int vertexNumber(const Grid& grid, int i, int j) {
     return grid.wrapped ? j * grid.columns + i % grid.columns : j * (grid.columns + 1) + i;
 }
 
 /// From a place in a turned rectangle to the grid's column and row.
-std::array<int, 2> unturned(const Rectangle &r, int i, int j, int extra) {
+std::array<int, 2> unturned(const Rectangle& r, int i, int j, int extra) {
     const int width = r.i1 - r.i0 - extra;
     const int height = r.j1 - r.j0 - extra;
     switch (r.turned) {
@@ -23,11 +23,10 @@ std::array<int, 2> unturned(const Rectangle &r, int i, int j, int extra) {
     }
 }
 
-Segment makeSegment(const Grid &grid, const Rectangle &r) {
+Segment makeSegment(const Grid& grid, const Rectangle& r) {
     Segment segment;
     segment.size = {r.i1 - r.i0, r.j1 - r.j0};
-    if (r.turned % 2 == 1)
-        std::swap(segment.size[0], segment.size[1]);
+    if (r.turned % 2 == 1) std::swap(segment.size[0], segment.size[1]);
     const auto [a, b] = segment.size;
     const auto vertex = [&](int i, int j) {
         const auto [column, row] = unturned(r, i, j, 0);
@@ -53,7 +52,7 @@ Segment makeSegment(const Grid &grid, const Rectangle &r) {
 
 } // namespace
 
-QuadMesh makeMesh(const Grid &grid) {
+QuadMesh makeMesh(const Grid& grid) {
     QuadMesh mesh;
     const int vertexColumns = grid.wrapped ? grid.columns : grid.columns + 1;
     for (int j = 0; j <= grid.rows; ++j)
@@ -62,13 +61,14 @@ QuadMesh makeMesh(const Grid &grid) {
     for (int j = 0; j < grid.rows; ++j)
         for (int i = 0; i < grid.columns; ++i)
             mesh.add_face({VertexId(vertexNumber(grid, i, j)), VertexId(vertexNumber(grid, i + 1, j)),
-                           VertexId(vertexNumber(grid, i + 1, j + 1)), VertexId(vertexNumber(grid, i, j + 1))});
+                           VertexId(vertexNumber(grid, i + 1, j + 1)),
+                           VertexId(vertexNumber(grid, i, j + 1))});
     return mesh;
 }
 
-Layout makeLayout(const Grid &grid, const std::vector<Rectangle> &rectangles) {
+Layout makeLayout(const Grid& grid, const std::vector<Rectangle>& rectangles) {
     Layout layout;
-    for (const Rectangle &rectangle : rectangles)
+    for (const Rectangle& rectangle : rectangles)
         layout.segments.push_back(makeSegment(grid, rectangle));
     return layout;
 }

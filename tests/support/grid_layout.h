@@ -19,10 +19,10 @@ struct Grid {
     bool wrapped = false;
 };
 
-[[nodiscard]] QuadMesh makeMesh(const Grid &grid);
+[[nodiscard]] QuadMesh makeMesh(const Grid& grid);
 
-/// The quads of columns [i0, i1) and rows [j0, j1) of a grid; `turned` quarter turns say which of its sides is
-/// side 0.
+/// The quads of columns [i0, i1) and rows [j0, j1) of a grid; `turned` quarter turns say which of its sides
+/// is side 0.
 struct Rectangle {
     int i0 = 0;
     int j0 = 0;
@@ -31,6 +31,6 @@ struct Rectangle {
     int turned = 0;
 };
 
-[[nodiscard]] Layout makeLayout(const Grid &grid, const std::vector<Rectangle> &rectangles);
+[[nodiscard]] Layout makeLayout(const Grid& grid, const std::vector<Rectangle>& rectangles);
 
 } // namespace qm::test

@@ -28,7 +28,7 @@ TEST(Basis, FindsTheSpan) {
 }
 
 TEST(Basis, SumsToOneAndItsDerivativeToZero) {
-    for (const auto *knots : {&uniform, &clamped, &halfClamped}) {
+    for (const auto* knots : {&uniform, &clamped, &halfClamped}) {
         const auto [low, high] = domain(*knots, 3);
         for (double t = low; t <= high; t += (high - low) / 97) {
             const BasisValues b = basisValues(*knots, 3, t);
@@ -40,8 +40,8 @@ TEST(Basis, SumsToOneAndItsDerivativeToZero) {
 
 TEST(Basis, ReproducesCubicsThroughTheirBlossom) {
     // The control point of basis function k is the blossom at the knots k + 1, k + 2, k + 3.
-    for (const auto *knots : {&uniform, &clamped, &halfClamped}) {
-        const auto &t = *knots;
+    for (const auto* knots : {&uniform, &clamped, &halfClamped}) {
+        const auto& t = *knots;
         const auto [low, high] = domain(t, 3);
         for (double x = low; x <= high; x += (high - low) / 41) {
             const BasisValues b = basisValues(t, 3, x);
@@ -88,8 +88,10 @@ TEST(Evaluate, HasDerivativesThatAgreeWithDifferences) {
     for (const double u : {0.1, 0.9, 2.5})
         for (const double v : {0.2, 0.7, 1.9}) {
             const SurfacePoint at = evaluate(patch, u, v);
-            const Point du = (evaluate(patch, u + h, v).position - evaluate(patch, u - h, v).position) / (2 * h);
-            const Point dv = (evaluate(patch, u, v + h).position - evaluate(patch, u, v - h).position) / (2 * h);
+            const Point du =
+                (evaluate(patch, u + h, v).position - evaluate(patch, u - h, v).position) / (2 * h);
+            const Point dv =
+                (evaluate(patch, u, v + h).position - evaluate(patch, u, v - h).position) / (2 * h);
             EXPECT_LT((at.du - du).norm(), 1e-8);
             EXPECT_LT((at.dv - dv).norm(), 1e-8);
         }
@@ -127,7 +129,8 @@ TEST(SplineCurve, InterpolatesWithTheSlopesAtItsEnds) {
 }
 
 TEST(SplineCurve, InterpolatesTwoPoints) {
-    const SplineCurve curve = interpolateClamped(std::vector<Point>{{0, 0, 0}, {3, 0, 0}}, {3, 0, 0}, {3, 0, 0});
+    const SplineCurve curve =
+        interpolateClamped(std::vector<Point>{{0, 0, 0}, {3, 0, 0}}, {3, 0, 0}, {3, 0, 0});
     EXPECT_LT((evaluate(curve, 0.25) - Point(0.75, 0, 0)).norm(), 1e-15);
 }
 
@@ -148,14 +151,17 @@ TEST(SplineCurve, IsTheSameAfterRestrictionReversalAndRefinement) {
 }
 
 TEST(SplineCurve, JoinsWithACorner) {
-    const SplineCurve first = interpolateClamped(std::vector<Point>(bends.begin(), bends.begin() + 3), {1, 1, 0}, {5, 0, 0});
-    const SplineCurve second = interpolateClamped(std::vector<Point>(bends.begin() + 2, bends.end()), {0, 0, 5}, {0, 2, 0});
+    const SplineCurve first =
+        interpolateClamped(std::vector<Point>(bends.begin(), bends.begin() + 3), {1, 1, 0}, {5, 0, 0});
+    const SplineCurve second =
+        interpolateClamped(std::vector<Point>(bends.begin() + 2, bends.end()), {0, 0, 5}, {0, 2, 0});
     const std::vector<SplineCurve> parts = {first, second};
     const SplineCurve whole = joined(parts);
     EXPECT_EQ(whole.knots.size(), whole.points.size() + 4);
     EXPECT_EQ(std::count(whole.knots.begin(), whole.knots.end(), 2.0), 3);
     for (double t = 0; t <= 5; t += 0.125)
-        EXPECT_LT((evaluate(whole, t) - (t < 2 ? evaluate(first, t) : evaluate(second, t - 2))).norm(), 1e-14);
+        EXPECT_LT((evaluate(whole, t) - (t < 2 ? evaluate(first, t) : evaluate(second, t - 2))).norm(),
+                  1e-14);
 }
 
 TEST(SplineCurve, CommonKnotsKeepTheHigherMultiplicity) {

@@ -149,6 +149,10 @@ struct Spoilt {
     const char* rule;
 };
 
+void PrintTo(const Spoilt& spoilt, std::ostream* out) {
+    *out << spoilt.name;
+}
+
 class SpoiltDocument : public ::testing::TestWithParam<Spoilt> {};
 
 TEST_P(SpoiltDocument, IsSeen) {
@@ -217,7 +221,7 @@ INSTANTIATE_TEST_SUITE_P(
                        return s.vertices.size() > 2;
                    })->vertices.pop_back();
                },
-               "/baseComplex/separatrices/0/vertices", "separatrix end"},
+               "/baseComplex/separatrices/3/vertices", "separatrix end"},
         Spoilt{"separatrixId", cornerModel, [](Doc& d) { complex(d).separatrices[3].id = 4; },
                "/baseComplex/separatrices/3/id", "id"},
         Spoilt{"opposite", cornerModel, [](Doc& d) { complex(d).separatrices[0].opposite.reset(); },
@@ -304,7 +308,7 @@ INSTANTIATE_TEST_SUITE_P(
                "/enumeration/subMeshes/0/count", "count"},
         Spoilt{"product", cut, [](Doc& d) { d.enumeration->count = "1000"; }, "/enumeration/count", "count"},
         Spoilt{"trackEnd", cut, [](Doc& d) { first(d).graphs[0].tracks[0].vertices.push_back(0); },
-               "/enumeration/subMeshes/0/graphs/0/tracks/0/vertices/3", "path"},
+               "/enumeration/subMeshes/0/graphs/0/tracks/0/vertices/2", "track straight"},
         Spoilt{"trackStart", cut,
                [](Doc& d) {
                    auto& vertices = first(d).graphs[0].tracks[0].vertices;

@@ -13,14 +13,16 @@ namespace {
 
 using test::Grid;
 
-std::vector<Patch> interpolateAll(const QuadMesh &mesh, const Layout &layout) {
+std::vector<Patch> interpolateAll(const QuadMesh& mesh, const Layout& layout) {
     std::vector<Patch> patches;
-    for (const Segment &segment : layout.segments)
+    for (const Segment& segment : layout.segments)
         patches.push_back(interpolate(pointGrid(mesh, segment), segment.size));
     return patches;
 }
 
-std::vector<double> allSmooth(const QuadMesh &mesh) { return std::vector<double>(mesh.n_edges(), 0.0); }
+std::vector<double> allSmooth(const QuadMesh& mesh) {
+    return std::vector<double>(mesh.n_edges(), 0.0);
+}
 
 const Grid plane{8, 6, [](double i, double j) { return Point(i, j, 0); }};
 // Three rectangles that meet at a T-joint, each turned in another way.
@@ -37,9 +39,8 @@ TEST(MeshDistance, IsZeroOnABilinearQuadAndExactAboveAFlatOne) {
 
 TEST(MeshDistance, FindsTheNearestQuadNotTheGivenOne) {
     // A sheet folded back over itself: the nearest point lies on a far part of the grid.
-    const Grid fold{20, 2, [](double i, double j) {
-                        return i <= 10 ? Point(i, j, 0) : Point(20 - i, j, 0.5);
-                    }};
+    const Grid fold{20, 2,
+                    [](double i, double j) { return i <= 10 ? Point(i, j, 0) : Point(20 - i, j, 0.5); }};
     const MeshDistance distance(test::makeMesh(fold));
     EXPECT_NEAR(distance({3.5, 1, 0.4}, 10), 0.1, 1e-12);
     EXPECT_NEAR(distance({3.5, 1, 0.4}, 0.15), 0.1, 1e-12);
@@ -51,13 +52,14 @@ TEST(Borders, NameBothSidesOfEveryEdge) {
     const Layout layout = test::makeLayout(plane, tJoint);
     const auto borders = borderEdges(mesh, layout);
     std::size_t inner = 0;
-    for (const BorderEdge &border : borders) {
+    for (const BorderEdge& border : borders) {
         EXPECT_EQ(border.places.size(), mesh.is_boundary(mesh.edge_handle(border.halfedge)) ? 1U : 2U);
         inner += border.places.size() == 2 ? 1 : 0;
         for (std::size_t p = 0; p < border.places.size(); ++p) {
-            const BorderPlace &place = border.places[p];
-            const auto &side = layout.segments[place.patch].sides[static_cast<std::size_t>(place.side)];
-            const HalfedgeId halfedge = p == 0 ? border.halfedge : mesh.opposite_halfedge_handle(border.halfedge);
+            const BorderPlace& place = border.places[p];
+            const auto& side = layout.segments[place.patch].sides[static_cast<std::size_t>(place.side)];
+            const HalfedgeId halfedge =
+                p == 0 ? border.halfedge : mesh.opposite_halfedge_handle(border.halfedge);
             EXPECT_EQ(side[static_cast<std::size_t>(place.position)], mesh.from_vertex_handle(halfedge));
             EXPECT_EQ(side[static_cast<std::size_t>(place.position) + 1], mesh.to_vertex_handle(halfedge));
         }
@@ -80,7 +82,7 @@ TEST(Deviation, FindsADisplacementTwoSidedAndRelative) {
     const QuadMesh mesh = test::makeMesh(plane);
     const Layout layout = test::makeLayout(plane, tJoint);
     auto patches = interpolateAll(mesh, layout);
-    for (Point &point : patches[1].controlPoints)
+    for (Point& point : patches[1].controlPoints)
         point += Point(0, 0, 0.5);
     const auto measured = measureDeviation(mesh, layout, allSmooth(mesh), patches, {});
     EXPECT_NEAR(boundingBoxDiagonal(mesh), 10, 1e-12);
@@ -112,8 +114,7 @@ TEST(Deviation, MeasuresKinksOnSmoothBordersOnly) {
     EXPECT_NEAR(kinked.ofAll.largestKink, 90, 1e-6);
     EXPECT_NEAR(kinked.ofAll.rmsKink, 90, 1e-6);
     EXPECT_LT(kinked.ofAll.largestGap, 1e-12);
-    const auto sharp =
-        measureDeviation(mesh, layout, std::vector<double>(mesh.n_edges(), 1.5), patches, {});
+    const auto sharp = measureDeviation(mesh, layout, std::vector<double>(mesh.n_edges(), 1.5), patches, {});
     EXPECT_EQ(sharp.ofAll.largestKink, 0);
 }
 

@@ -36,14 +36,15 @@ struct Model {
     Surfaces surfaces;
 };
 
-Model fitted(const Grid &grid, const std::vector<test::Rectangle> &rectangles, const FitOptions &options) {
+Model fitted(const Grid& grid, const std::vector<test::Rectangle>& rectangles, const FitOptions& options) {
     Model model{test::makeMesh(grid), test::makeLayout(grid, rectangles), {}};
     const std::vector<double> angles(model.mesh.n_edges(), 0.1);
     model.surfaces = fitSurfaces(model.mesh, model.layout, angles, options);
     return model;
 }
 
-const Grid sheet{10, 8, [](double i, double j) { return Point(i, j, std::sin(0.5 * i) + std::cos(0.4 * j)); }};
+const Grid sheet{10, 8,
+                 [](double i, double j) { return Point(i, j, std::sin(0.5 * i) + std::cos(0.4 * j)); }};
 const std::vector<test::Rectangle> tJoint = {{0, 0, 10, 3, 2}, {0, 3, 6, 8, 1}, {6, 3, 10, 8, 3}};
 
 FitOptions watertight() {
@@ -53,7 +54,7 @@ FitOptions watertight() {
 }
 
 /// A torus as one patch whose sides meet, or as several; closed either way.
-Model torus(const std::vector<std::array<int, 4>> &rectangles) {
+Model torus(const std::vector<std::array<int, 4>>& rectangles) {
     constexpr int around = 16;
     constexpr int across = 12;
     Model model;
@@ -68,7 +69,7 @@ Model torus(const std::vector<std::array<int, 4>> &rectangles) {
     for (int j = 0; j < across; ++j)
         for (int i = 0; i < around; ++i)
             model.mesh.add_face({number(i, j), number(i + 1, j), number(i + 1, j + 1), number(i, j + 1)});
-    for (const auto &[i0, j0, i1, j1] : rectangles) {
+    for (const auto& [i0, j0, i1, j1] : rectangles) {
         Segment segment;
         segment.size = {i1 - i0, j1 - j0};
         for (int j = j0; j < j1; ++j)
@@ -93,7 +94,7 @@ Model torus(const std::vector<std::array<int, 4>> &rectangles) {
 
 TEST(ClampedPatch, IsTheSameSurface) {
     const Model model = fitted(sheet, tJoint, {});
-    const Patch &patch = model.surfaces.patches[1];
+    const Patch& patch = model.surfaces.patches[1];
     const Patch clampedPatch = clamped(patch);
     EXPECT_EQ(clampedPatch.count, patch.count);
     EXPECT_EQ(clampedPatch.knots[0][0], 0);
@@ -130,10 +131,10 @@ TEST(Shape, BridgesTheGapsOfIndependentPatchesByTolerance) {
 
 TEST(Shape, IsASolidIfTheMeshIsClosed) {
     const double expected = 2 * std::numbers::pi * 5 * std::numbers::pi * 4;
-    for (const auto &rectangles : std::vector<std::vector<std::array<int, 4>>>{
-             {{0, 0, 16, 12}},
-             {{0, 0, 16, 5}, {0, 5, 16, 12}},
-             {{0, 0, 9, 12}, {9, 0, 16, 4}, {9, 4, 16, 12}}}) {
+    for (const auto& rectangles :
+         std::vector<std::vector<std::array<int, 4>>>{{{0, 0, 16, 12}},
+                                                      {{0, 0, 16, 5}, {0, 5, 16, 12}},
+                                                      {{0, 0, 9, 12}, {9, 0, 16, 4}, {9, 4, 16, 12}}}) {
         const Model model = torus(rectangles);
         const BoundaryShape shape = buildShape(model.mesh, model.layout, model.surfaces.patches);
         EXPECT_TRUE(shape.report.valid);
@@ -164,14 +165,14 @@ TEST(Shape, RefusesPatchesThatDoNotBelong) {
     EXPECT_THROW((void)buildShape(model.mesh, model.layout, patches), Error);
 }
 
-std::size_t countShapes(const TopoDS_Shape &shape, TopAbs_ShapeEnum type) {
+std::size_t countShapes(const TopoDS_Shape& shape, TopAbs_ShapeEnum type) {
     std::size_t count = 0;
     for (TopExp_Explorer explorer(shape, type); explorer.More(); explorer.Next())
         ++count;
     return count;
 }
 
-std::string exported(const Model &model, ExportFormat format, const ExportOptions &more = {}) {
+std::string exported(const Model& model, ExportFormat format, const ExportOptions& more = {}) {
     ExportOptions options = more;
     options.format = format;
     return exportModel(model.mesh, model.layout, &model.surfaces, options).bytes;
@@ -193,7 +194,8 @@ TEST(Step, IsReadBackAsTheSameSolid) {
 TEST(Step, NamesFacesAndDeclaresTheUnitWithoutConverting) {
     const Model model = fitted(sheet, tJoint, watertight());
     const std::string millimetres = exported(model, ExportFormat::step);
-    for (const char *name : {"ADVANCED_FACE('segment 0'", "ADVANCED_FACE('segment 1'", "ADVANCED_FACE('segment 2'"})
+    for (const char* name :
+         {"ADVANCED_FACE('segment 0'", "ADVANCED_FACE('segment 1'", "ADVANCED_FACE('segment 2'"})
         EXPECT_NE(millimetres.find(name), std::string::npos) << name;
     EXPECT_NE(millimetres.find("AUTOMOTIVE_DESIGN"), std::string::npos);
     EXPECT_NE(millimetres.find("SI_UNIT(.MILLI.,.METRE.)"), std::string::npos);
@@ -201,9 +203,10 @@ TEST(Step, NamesFacesAndDeclaresTheUnitWithoutConverting) {
     options.unit = LengthUnit::inch;
     const std::string inches = exported(model, ExportFormat::step, options);
     EXPECT_NE(inches.find("CONVERSION_BASED_UNIT('INCH'"), std::string::npos);
-    const auto controlPoint = [](const std::string &text) {
+    const auto controlPoint = [](const std::string& text) {
         std::smatch match;
-        EXPECT_TRUE(std::regex_search(text, match, std::regex("CARTESIAN_POINT\\('',\\(10\\.,8\\.,[^)]*\\)\\)")));
+        EXPECT_TRUE(
+            std::regex_search(text, match, std::regex("CARTESIAN_POINT\\('',\\(10\\.,8\\.,[^)]*\\)\\)")));
         return match.str();
     };
     EXPECT_EQ(controlPoint(millimetres), controlPoint(inches)) << "the corner of the sheet";
@@ -238,7 +241,7 @@ TEST(Obj, HasTheMeshInOneGroupPerSegment) {
                                                   "g segment_0\nf 1 2 5 4\ng segment_1\nf 2 3 6 5\n");
 }
 
-template <class Number> Number numberAt(const std::string &bytes, std::size_t offset) {
+template <class Number> Number numberAt(const std::string& bytes, std::size_t offset) {
     Number number;
     std::memcpy(&number, bytes.data() + offset, sizeof number);
     return number;

@@ -1,6 +1,7 @@
 #include "base/error.h"
 #include "bspline/chains.h"
 #include "bspline/curve_fit.h"
+#include "bspline/deviation.h"
 #include "bspline/evaluate.h"
 #include "bspline/fit.h"
 #include "bspline/knot_refinement.h"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <ostream>
 
@@ -20,7 +22,9 @@ namespace {
 using test::Grid;
 using test::Rectangle;
 
-Point wavy(double i, double j) { return {i + 0.2 * std::sin(j), j, std::sin(0.4 * i) * std::cos(0.3 * j)}; }
+Point wavy(double i, double j) {
+    return {i + 0.2 * std::sin(j), j, std::sin(0.4 * i) * std::cos(0.3 * j)};
+}
 
 const Grid sheet{16, 12, wavy};
 // A pinwheel: four chains that end on one another in a circle, around a fifth patch; turned in every way.
@@ -31,7 +35,8 @@ Grid tube() {
     return {24, 10,
             [](double i, double j) {
                 const double angle = i * std::numbers::pi / 12;
-                return Point((3 + 0.3 * std::sin(j)) * std::cos(angle), (3 + 0.3 * std::sin(j)) * std::sin(angle), j);
+                return Point((3 + 0.3 * std::sin(j)) * std::cos(angle),
+                             (3 + 0.3 * std::sin(j)) * std::sin(angle), j);
             },
             true};
 }
@@ -39,12 +44,14 @@ Grid tube() {
 const std::vector<Rectangle> rings = {{0, 0, 24, 4, 0}, {5, 4, 15, 10, 2}, {15, 4, 29, 10, 3}};
 
 struct Case {
-    const char *name;
+    const char* name;
     Grid grid;
     std::vector<Rectangle> rectangles;
 };
 
-void PrintTo(const Case &instance, std::ostream *stream) { *stream << instance.name; }
+void PrintTo(const Case& instance, std::ostream* stream) {
+    *stream << instance.name;
+}
 
 class FitLayouts : public testing::TestWithParam<Case> {
 protected:
@@ -59,7 +66,8 @@ protected:
     std::vector<double> angles;
 };
 
-void expectInterpolates(const QuadMesh &mesh, const Layout &layout, const std::vector<Patch> &patches) {
+void expectInterpolates(const QuadMesh& mesh, const Layout& layout, const std::vector<Patch>& patches) {
+    const double rounding = 1e-12 * (1 + boundingBoxDiagonal(mesh));
     for (std::size_t s = 0; s < patches.size(); ++s) {
         const auto vertices = vertexGrid(mesh, layout.segments[s]);
         const auto [a, b] = layout.segments[s].size;
@@ -68,7 +76,8 @@ void expectInterpolates(const QuadMesh &mesh, const Layout &layout, const std::v
         for (int j = 0; j <= b; ++j)
             for (int i = 0; i <= a; ++i) {
                 const Point expected = mesh.point(vertices[static_cast<std::size_t>(j * (a + 1) + i)]);
-                EXPECT_LT((evaluate(patches[s], i, j).position - expected).norm(), 1e-11) << s << ": " << i << ' ' << j;
+                EXPECT_LE((evaluate(patches[s], i, j).position - expected).norm(), rounding)
+                    << s << ": " << i << ' ' << j;
             }
     }
 }
@@ -115,15 +124,17 @@ TEST_P(FitLayouts, KeepsEveryTolerance) {
             EXPECT_LE(last, controlPointCount(interpolated));
         }
         for (std::size_t s = 0; s < surfaces.patches.size(); ++s) {
-            const Patch &patch = surfaces.patches[s];
+            const Patch& patch = surfaces.patches[s];
             const auto [a, b] = layout.segments[s].size;
             EXPECT_EQ(patch.segment, SegmentId(s));
             EXPECT_EQ(domain(patch)[0][1], a);
             EXPECT_EQ(domain(patch)[1][1], b);
             for (std::size_t d = 0; d < 2; ++d)
                 EXPECT_EQ(patch.knots[d].size(), static_cast<std::size_t>(patch.count[d]) + 4);
-            EXPECT_LT((evaluate(patch, 0, 0).position - mesh.point(layout.segments[s].corners[0])).norm(), 1e-10);
-            EXPECT_LT((evaluate(patch, a, b).position - mesh.point(layout.segments[s].corners[2])).norm(), 1e-10);
+            EXPECT_LT((evaluate(patch, 0, 0).position - mesh.point(layout.segments[s].corners[0])).norm(),
+                      1e-10);
+            EXPECT_LT((evaluate(patch, a, b).position - mesh.point(layout.segments[s].corners[2])).norm(),
+                      1e-10);
         }
     }
 }
@@ -148,11 +159,13 @@ TEST_P(FitLayouts, DoesNotDependOnTheNumberOfThreads) {
     EXPECT_EQ(one.deviation.rms, four.deviation.rms);
 }
 
-INSTANTIATE_TEST_SUITE_P(Cases, FitLayouts,
-                         testing::Values(Case{"pinwheel", sheet, pinwheel}, Case{"rings", tube(), rings},
-                                         Case{"whole", sheet, {{0, 0, 16, 12, 0}}},
-                                         Case{"smallest", {4, 2, wavy}, {{0, 0, 1, 1}, {1, 0, 4, 1, 1}, {0, 1, 2, 2, 3}, {2, 1, 4, 2, 2}}}),
-                         [](const auto &instance) { return instance.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    Cases, FitLayouts,
+    testing::Values(
+        Case{"pinwheel", sheet, pinwheel}, Case{"rings", tube(), rings},
+        Case{"whole", sheet, {{0, 0, 16, 12, 0}}},
+        Case{"smallest", {4, 2, wavy}, {{0, 0, 1, 1}, {1, 0, 4, 1, 1}, {0, 1, 2, 2, 3}, {2, 1, 4, 2, 2}}}),
+    [](const auto& instance) { return instance.param.name; });
 
 TEST(Chains, RunPastTJointsAndEndOnOthers) {
     const QuadMesh mesh = test::makeMesh(sheet);
@@ -160,7 +173,7 @@ TEST(Chains, RunPastTJointsAndEndOnOthers) {
     const Chains chains(mesh, layout);
     std::size_t edges = 0;
     std::size_t inner = 0;
-    for (const Chain &chain : chains.all()) {
+    for (const Chain& chain : chains.all()) {
         edges += chain.halfedges.size();
         EXPECT_FALSE(chain.closed);
         if (!mesh.is_boundary(mesh.edge_handle(chain.halfedges.front()))) {
@@ -173,8 +186,8 @@ TEST(Chains, RunPastTJointsAndEndOnOthers) {
     for (std::size_t s = 0; s < layout.segments.size(); ++s)
         for (int side = 0; side < 4; ++side) {
             ASSERT_EQ(chains.pieces(s, side).size(), 1U);
-            const SidePiece &piece = chains.pieces(s, side).front();
-            const auto &vertices = layout.segments[s].sides[static_cast<std::size_t>(side)];
+            const SidePiece& piece = chains.pieces(s, side).front();
+            const auto& vertices = layout.segments[s].sides[static_cast<std::size_t>(side)];
             EXPECT_EQ(piece.length + 1, static_cast<int>(vertices.size()));
             EXPECT_EQ(mesh.from_vertex_handle(chains.halfedge(piece.place)), vertices.front());
         }
@@ -185,7 +198,7 @@ TEST(Chains, KnowClosedOnes) {
     const QuadMesh mesh = test::makeMesh(grid);
     const Chains chains(mesh, test::makeLayout(grid, rings));
     int closed = 0;
-    for (const Chain &chain : chains.all())
+    for (const Chain& chain : chains.all())
         closed += chain.closed ? 1 : 0;
     EXPECT_EQ(closed, 1) << "the ring in the middle; those at the ends are open where their patches begin";
 }
@@ -197,7 +210,8 @@ TEST(Fit, KeepsSharpEdgesSharpAndTheRestSmooth) {
                         return Point(i, j, 0.3 * std::sin(0.5 * i) + lift);
                     }};
     const QuadMesh mesh = test::makeMesh(bent);
-    const Layout layout = test::makeLayout(bent, {{0, 0, 5, 5}, {5, 0, 12, 5}, {0, 5, 12, 8}, {0, 8, 12, 10}});
+    const Layout layout =
+        test::makeLayout(bent, {{0, 0, 5, 5}, {5, 0, 12, 5}, {0, 5, 12, 8}, {0, 8, 12, 10}});
     FitOptions options;
     options.watertight = true;
     const Surfaces surfaces = fitSurfaces(mesh, layout, dihedralAngles(mesh), options);
@@ -232,7 +246,8 @@ TEST(Fit, MakesFlatPatchesOfSixteenPoints) {
     const Grid flat{30, 20, [](double i, double j) { return Point(i, 2 * j, 0.5 * i); }};
     const QuadMesh mesh = test::makeMesh(flat);
     const Layout layout = test::makeLayout(
-        flat, {{0, 0, 20, 8, 1}, {20, 0, 30, 14, 2}, {10, 14, 30, 20, 3}, {0, 8, 10, 20, 0}, {10, 8, 20, 14, 1}});
+        flat,
+        {{0, 0, 20, 8, 1}, {20, 0, 30, 14, 2}, {10, 14, 30, 20, 3}, {0, 8, 10, 20, 0}, {10, 8, 20, 14, 1}});
     FitOptions options;
     options.fit = Fit::tolerance;
     options.tolerance = 1e-9;
@@ -243,7 +258,8 @@ TEST(Fit, MakesFlatPatchesOfSixteenPoints) {
 }
 
 TEST(Fit, PutsKnotsWhereTheErrorIs) {
-    const Grid bump{40, 10, [](double i, double j) { return Point(i, j, 3 * std::exp(-(i - 9) * (i - 9) / 8)); }};
+    const Grid bump{40, 10,
+                    [](double i, double j) { return Point(i, j, 3 * std::exp(-(i - 9) * (i - 9) / 8)); }};
     const QuadMesh mesh = test::makeMesh(bump);
     const Layout layout = test::makeLayout(bump, {{0, 0, 40, 10}});
     FitOptions options;
@@ -251,7 +267,7 @@ TEST(Fit, PutsKnotsWhereTheErrorIs) {
     options.tolerance = 0.2;
     options.toleranceRelative = false;
     const Surfaces surfaces = fitSurfaces(mesh, layout, dihedralAngles(mesh), options);
-    const Patch &patch = surfaces.patches[0];
+    const Patch& patch = surfaces.patches[0];
     EXPECT_EQ(patch.count[1], 4) << "nothing happens along v";
     int left = 0;
     for (const double knot : patch.knots[0])
@@ -300,6 +316,31 @@ TEST(KnotRefinement, SplitsAtTheCentreOfTheErrorsAndRaisesUnitIntervals) {
     EXPECT_FALSE(refinement.hasRepeatedKnots());
     EXPECT_TRUE(KnotRefinement({0, 0, 0, 0, 1, 1, 9, 9, 9, 9}).hasRepeatedKnots());
     EXPECT_FALSE(KnotRefinement({0, 0, 0, 0, 1, 1, 1, 9, 9, 9, 9}).canRefine(0.5));
+}
+
+TEST(Fit, EndsOnDegenerateGeometry) {
+    const auto step = [](double i, double j) { return Point(std::min(i, 4.0), j < 3 ? 0 : j, 0); };
+    for (const auto& place : std::vector<std::function<Point(double, double)>>{
+             [](double, double) { return Point(1, 2, 3); },                     // everything at one place
+             [](double i, double) { return Point(i, 0, 0); },                   // squeezed to a line
+             step,                                                              // many vertices at one place
+             [](double i, double j) { return Point(1e-9 * i, 1e9 * j, i * j); } // steps of any length
+         }) {
+        const Grid grid{9, 7, place};
+        const QuadMesh mesh = test::makeMesh(grid);
+        const Layout layout =
+            test::makeLayout(grid, {{0, 0, 6, 3}, {6, 0, 9, 5}, {4, 5, 9, 7}, {0, 3, 4, 7}, {4, 3, 6, 5}});
+        for (const bool watertight : {false, true}) {
+            FitOptions options;
+            options.watertight = watertight;
+            expectInterpolates(mesh, layout,
+                               fitSurfaces(mesh, layout, dihedralAngles(mesh), options).patches);
+        }
+        FitOptions options;
+        options.fit = Fit::tolerance;
+        const Surfaces surfaces = fitSurfaces(mesh, layout, dihedralAngles(mesh), options);
+        EXPECT_LE(surfaces.deviation.max, 0.001 * boundingBoxDiagonal(mesh) + 1e-12);
+    }
 }
 
 TEST(Fit, TakesAnEmptyMesh) {

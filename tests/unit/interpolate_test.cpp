@@ -12,7 +12,8 @@ std::vector<Point> wavyGrid(int m, int n) {
     std::vector<Point> grid;
     for (int j = 0; j <= n; ++j)
         for (int i = 0; i <= m; ++i)
-            grid.emplace_back(i + 0.2 * std::sin(3.0 * j), j + 0.1 * std::cos(i * j), std::sin(0.7 * i + 0.3 * j * j));
+            grid.emplace_back(i + 0.2 * std::sin(3.0 * j), j + 0.1 * std::cos(i * j),
+                              std::sin(0.7 * i + 0.3 * j * j));
     return grid;
 }
 
@@ -69,8 +70,9 @@ TEST_P(InterpolateSizes, SolvesTheSystemOfTheMethod) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, InterpolateSizes,
-                         testing::Values(std::array{1, 1}, std::array{1, 2}, std::array{2, 1}, std::array{1, 17},
-                                         std::array{3, 3}, std::array{13, 4}, std::array{40, 31}));
+                         testing::Values(std::array{1, 1}, std::array{1, 2}, std::array{2, 1},
+                                         std::array{1, 17}, std::array{3, 3}, std::array{13, 4},
+                                         std::array{40, 31}));
 
 TEST(Interpolate, IsTheControlPointsOfTheSmallestCaseByHand) {
     // m = n = 1: 5 C1 + C2 = 6 P0 and C1 + 5 C2 = 6 P1 in each direction.
@@ -89,7 +91,8 @@ TEST(Interpolate, IsTwiceContinuouslyDifferentiable) {
         const SurfacePoint before = evaluate(patch, i - h, 2.3);
         const SurfacePoint at = evaluate(patch, i, 2.3);
         const SurfacePoint after = evaluate(patch, i + h, 2.3);
-        EXPECT_LT((after.du - 2.0 * at.du + before.du).norm() / h, 1e-3) << "second derivative jumps at " << i;
+        EXPECT_LT((after.du - 2.0 * at.du + before.du).norm() / h, 1e-3)
+            << "second derivative jumps at " << i;
     }
 }
 

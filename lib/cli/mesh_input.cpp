@@ -1,0 +1,59 @@
+#include "cli/mesh_input.h"
+
+#include "cli/output_file.h"
+#include "document/mesh_section.h"
+#include "mesh/read_mesh.h"
+
+namespace qm {
+
+namespace {
+
+std::string folderWithSlash(const std::string& path) {
+    return path.substr(0, path.rfind('/') + 1);
+}
+
+/// "part.repaired.obj" for "meshes/part.off".
+std::string repairedName(const std::string& path) {
+    if (path == "-") return "mesh.repaired.obj";
+    const std::string name = path.substr(folderWithSlash(path).size());
+    return name.substr(0, name.rfind('.')) + ".repaired.obj";
+}
+
+std::string countOf(std::size_t count, const std::string& what) {
+    return count == 0 ? "" : ", " + std::to_string(count) + " " + what;
+}
+
+std::string summaryOf(const RepairReport& report) {
+    const std::string list = countOf(report.weldedVertices, "vertices welded") +
+                             countOf(report.degenerateFaces, "degenerate faces removed") +
+                             countOf(report.duplicateFaces, "duplicate faces removed") +
+                             countOf(report.flippedFaces, "faces turned over");
+    return list.substr(2);
+}
+
+} // namespace
+
+MeshInput readMeshInput(const Tool& tool, bool repair) {
+    const std::string bytes = tool.readInput();
+    ReadResult read = readMesh(bytes, tool.inputPath() == "-" ? "" : tool.inputPath(), {repair});
+    for (const std::string& warning : read.warnings)
+        tool.warn(tool.inputName() + ": " + warning);
+    tool.count("vertices", static_cast<double>(read.mesh.n_vertices()));
+    tool.count("faces", static_cast<double>(read.mesh.n_faces()));
+    if (!read.repair.changed()) {
+        Json section = meshToJson(tool.inputPath(), bytes, read.mesh);
+        return {std::move(read.mesh), std::move(section)};
+    }
+
+    const std::string name = repairedName(tool.inputPath());
+    const std::string folder = tool.outputPath() == "-" ? "" : folderWithSlash(tool.outputPath());
+    const std::string repaired = writeObj(read.mesh);
+    writeFile(folder + name, repaired);
+    tool.warn(tool.inputName() + ": " + summaryOf(read.repair) + ". The mesh is now " + folder + name);
+    // What later tools will read, so that both agree to the last bit.
+    ReadResult again = readMesh(repaired, name, {});
+    Json section = meshToJson(name, repaired, again.mesh);
+    return {std::move(again.mesh), std::move(section)};
+}
+
+} // namespace qm

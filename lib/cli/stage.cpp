@@ -1,0 +1,41 @@
+#include "cli/stage.h"
+
+namespace qm {
+
+Stage::Stage(Tool& tool, Kind reads, Kind least) : tool_(tool), reads_(reads), least_(least), writes_(least) {
+    declareInput();
+}
+
+Stage::Stage(Tool& tool, Kind reads, Kind least, Kind writes)
+    : tool_(tool), reads_(reads), least_(least), writes_(writes) {
+    declareInput();
+    tool.writes("the document with the section " + std::string(sectionOf(writes)) +
+                "; sections of later stages are dropped");
+    tool.schema(kindName(writes));
+}
+
+void Stage::declareInput() {
+    tool_.reads("DOCUMENT", "a document of kind " + kindName(least_) +
+                                (least_ == Kind::surfaces ? "" : " or of any later kind"));
+    tool_.group(Tool::generalOptions);
+    tool_.text("mesh", meshPath_, "FILE", "the mesh, if it is not where the document says");
+    tool_.group(Tool::ownOptions);
+}
+
+const Model& Stage::read() {
+    document_ = parseDocument(tool_.readInput(), tool_.inputPath());
+    (void)requireKind(document_, least_);
+    model_ = readModel(document_, reads_, meshPath_);
+    for (const std::string& note : model_.notes)
+        tool_.warn(tool_.inputName() + ": " + note);
+    tool_.count("vertices", static_cast<double>(model_.mesh.n_vertices()));
+    tool_.count("faces", static_cast<double>(model_.mesh.n_faces()));
+    return model_;
+}
+
+void Stage::writeSection(Json options, Json section) {
+    putSection(document_, {writes_, tool_.name(), std::move(options), std::move(section)});
+    tool_.write(printDocument(std::move(document_)));
+}
+
+} // namespace qm

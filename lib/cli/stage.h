@@ -1,0 +1,48 @@
+/// \file What the tools of the pipe have in common: a document comes in, one section is added, a document
+/// goes out.
+#pragma once
+
+#include "cli/tool.h"
+#include "document/model.h"
+#include "document/options_json.h"
+
+#include <string>
+
+namespace qm {
+
+/// Declares operand, --mesh and, if it writes documents, -o and --schema; then reads and writes for the body.
+/// Must live until the body has run.
+class Stage {
+public:
+    /// A tool that writes a document. \param reads  what the body needs of the document (see `readModel`)
+    /// \param least  the kind that the document must have at least \param writes  the kind of the result
+    Stage(Tool& tool, Kind reads, Kind least, Kind writes);
+    /// A tool that only reads documents; what it writes is declared with `Tool::writes`.
+    Stage(Tool& tool, Kind reads, Kind least);
+    Stage(const Stage&) = delete;
+    Stage& operator=(const Stage&) = delete;
+
+    /// Reads the document and its mesh.
+    [[nodiscard]] const Model& read();
+    [[nodiscard]] const Document& document() const { return document_; }
+
+    /// Puts the section into the document, and the document out. Reading must have come before, and ends
+    /// here.
+    template <class Options> void write(const Options& options, Json section) {
+        writeSection(optionsToJson(options), std::move(section));
+    }
+
+private:
+    void declareInput();
+    void writeSection(Json options, Json section);
+
+    Tool& tool_;
+    Kind reads_;
+    Kind least_;
+    Kind writes_;
+    std::string meshPath_;
+    Document document_;
+    Model model_;
+};
+
+} // namespace qm

@@ -1,0 +1,85 @@
+#include "cut/measure.h"
+
+#include <cmath>
+
+namespace qm {
+namespace {
+std::size_t at(VertexId vertex) {
+    return static_cast<std::size_t>(vertex.idx());
+}
+} // namespace
+
+Measure::Measure(const QuadMesh& mesh, const BaseComplex& complex)
+    : mesh_(mesh), complex_(complex), passes_(mesh.n_vertices(), 0) {
+    for (const Seed seed : complex.seeds)
+        seeds_.push_back(mesh.from_vertex_handle(seed.direction));
+}
+
+VertexId Measure::sourceOf(std::size_t separatrix) const {
+    return mesh_.from_vertex_handle(complex_.separatrices[separatrix].halfedges.front());
+}
+
+std::size_t Measure::reachInside(std::size_t i, const std::vector<int>& labels) const {
+    const Separatrix& separatrix = complex_.separatrices[i];
+    const int label = labels[at(sourceOf(i))];
+    std::size_t length = 0;
+    while (length < separatrix.reach) {
+        const VertexId next = mesh_.to_vertex_handle(separatrix.halfedges[length]);
+        ++length;
+        if (labels[at(next)] != label) break;
+    }
+    return length;
+}
+
+SubMesh Measure::operator()(const std::vector<std::size_t>& separatrices, const std::vector<int>& labels,
+                            int label) {
+    SubMesh result;
+    std::vector<VertexId> touched;
+    const auto pass = [&](VertexId vertex) {
+        if (passes_[at(vertex)]++ == 0) touched.push_back(vertex);
+    };
+    for (const VertexId seed : seeds_)
+        if (labels[at(seed)] == label) pass(seed);
+    std::vector<std::size_t> reach;
+    for (const std::size_t i : separatrices) {
+        reach.push_back(reachInside(i, labels));
+        const Separatrix& separatrix = complex_.separatrices[i];
+        // What the opposite has walked from inside as well counts once.
+        std::size_t counted = 0;
+        if (separatrix.opposite && separatrix.opposite->idx() < i &&
+            labels[at(sourceOf(separatrix.opposite->idx()))] == label)
+            counted = reachInside(separatrix.opposite->idx(), labels);
+        for (std::size_t k = 1; k < separatrix.halfedges.size() && k <= reach.back() &&
+                                separatrix.halfedges.size() - k > counted;
+             ++k) {
+            const VertexId vertex = mesh_.from_vertex_handle(separatrix.halfedges[k]);
+            if (labels[at(vertex)] == label) pass(vertex);
+        }
+    }
+    for (std::size_t n = 0; n < separatrices.size(); ++n) {
+        const Separatrix& separatrix = complex_.separatrices[separatrices[n]];
+        int stops = 1;
+        for (std::size_t k = 1; k < reach[n]; ++k)
+            if (passes_[at(mesh_.from_vertex_handle(separatrix.halfedges[k]))] == 2) ++stops;
+        result.quasiComplexity += std::log2(stops);
+    }
+    for (const VertexId vertex : touched) {
+        if (passes_[at(vertex)] == 2) ++result.ordinaryJunctions;
+        passes_[at(vertex)] = 0;
+    }
+    return result;
+}
+
+std::vector<SubMesh> measureSubMeshes(const QuadMesh& mesh, const BaseComplex& complex,
+                                      const std::vector<int>& labels, int count) {
+    Measure measure(mesh, complex);
+    std::vector<std::vector<std::size_t>> separatrices(static_cast<std::size_t>(count));
+    for (std::size_t i = 0; i < complex.separatrices.size(); ++i)
+        separatrices[static_cast<std::size_t>(labels[at(measure.sourceOf(i))])].push_back(i);
+    std::vector<SubMesh> result;
+    for (int label = 0; label < count; ++label)
+        result.push_back(measure(separatrices[static_cast<std::size_t>(label)], labels, label));
+    return result;
+}
+
+} // namespace qm

@@ -1,0 +1,32 @@
+/// \file U and n_j of one sub-mesh (method 4).
+#pragma once
+
+#include "cut/cut.h"
+
+#include <vector>
+
+namespace qm {
+
+/// Measures sub-meshes one by one, each in time linear in its own separatrices.
+class Measure {
+public:
+    Measure(const QuadMesh& mesh, const BaseComplex& complex);
+
+    /// \param separatrices  that start in the sub-mesh
+    /// \return without terminals
+    [[nodiscard]] SubMesh operator()(const std::vector<std::size_t>& separatrices,
+                                     const std::vector<int>& labels, int label);
+
+    [[nodiscard]] VertexId sourceOf(std::size_t separatrix) const;
+
+private:
+    /// Halfedges up to the first vertex outside, or to the end of the particle's way.
+    [[nodiscard]] std::size_t reachInside(std::size_t separatrix, const std::vector<int>& labels) const;
+
+    const QuadMesh& mesh_;
+    const BaseComplex& complex_;
+    std::vector<VertexId> seeds_;
+    std::vector<int> passes_;
+};
+
+} // namespace qm

@@ -1,0 +1,37 @@
+#include "base/parallel.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <string>
+
+namespace qm {
+namespace {
+
+TEST(ParallelFor, CallsEveryIndexOnce) {
+    for (const unsigned jobs : {0U, 1U, 2U, 7U}) {
+        std::vector<int> calls(1000, 0);
+        parallelFor(calls.size(), jobs, [&](std::size_t k) { ++calls[k]; });
+        EXPECT_EQ(calls, std::vector<int>(1000, 1)) << jobs << " jobs";
+    }
+}
+
+TEST(ParallelFor, DoesNothingForNothing) {
+    parallelFor(0, 4, [](std::size_t) { FAIL(); });
+}
+
+TEST(ParallelFor, PassesExceptionsOn) {
+    for (const unsigned jobs : {1U, 3U}) {
+        try {
+            parallelFor(100, jobs, [](std::size_t k) {
+                if (k == 40) throw std::runtime_error(std::to_string(k));
+            });
+            FAIL() << "nothing was thrown";
+        } catch (const std::runtime_error& error) {
+            EXPECT_STREQ(error.what(), "40");
+        }
+    }
+}
+
+} // namespace
+} // namespace qm

@@ -1,0 +1,43 @@
+/// \file qm-basecomplex: from a quad mesh to the first document of a pipe, with the mesh's base complex.
+#include "basecomplex/base_complex.h"
+#include "cli/mesh_input.h"
+#include "cli/tool.h"
+#include "document/base_complex_section.h"
+#include "document/document.h"
+
+int main(int argc, char** argv) {
+    bool repair = false;
+    return qm::runTool(
+        argc, argv, "qm-basecomplex", "Trace the separatrices of a quad mesh.",
+        [&](qm::Tool& tool) -> qm::ToolBody {
+            tool.reads("MESH", "a mesh of quads in a file of type OBJ, OFF or PLY");
+            tool.writes("a document with the sections mesh and baseComplex");
+            tool.schema(qm::kindName(qm::Kind::basecomplex));
+            tool.option(
+                "repair", repair,
+                "weld vertices at the same place, remove degenerate and duplicate faces, turn faces over "
+                "that disagree with most of their neighbours; the mesh goes to NAME.repaired.obj beside the "
+                "document");
+            tool.example("qm-basecomplex part.obj -o part.basecomplex.json");
+            tool.example(
+                "qm-basecomplex part.obj | qm-features | qm-cut | qm-enum | qm-merge | qm-prune | qm-bspline "
+                "> part.surfaces.json");
+            return [&] {
+                qm::MeshInput input = qm::readMeshInput(tool, repair);
+                const qm::BaseComplex complex = qm::buildBaseComplex(input.mesh);
+                tool.count("extraordinaryVertices",
+                           static_cast<double>(complex.extraordinaryVertices.size()));
+                tool.count("separatrices", static_cast<double>(complex.separatrices.size()));
+                tool.count("ordinaryJunctions", static_cast<double>(complex.ordinaryJunctions));
+
+                qm::Document document = qm::newDocument(qm::Kind::basecomplex);
+                document.root["mesh"] = std::move(input.section);
+                qm::putSection(document, {qm::Kind::basecomplex,
+                                          tool.name(),
+                                          {{"repair", repair}},
+                                          qm::baseComplexToJson(input.mesh, complex)});
+                tool.write(qm::printDocument(std::move(document)));
+                return qm::exitDone;
+            };
+        });
+}

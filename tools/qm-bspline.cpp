@@ -1,0 +1,28 @@
+/// \file qm-bspline: a bicubic B-spline patch for every segment.
+#include "bspline/fit.h"
+#include "cli/stage.h"
+#include "document/surfaces_section.h"
+
+int main(int argc, char** argv) {
+    qm::FitOptions options;
+    return qm::runTool(
+        argc, argv, "qm-bspline", "Fit a bicubic B-spline patch to every segment of a layout.",
+        [&](qm::Tool& tool) -> qm::ToolBody {
+            auto stage =
+                std::make_shared<qm::Stage>(tool, qm::Kind::layout, qm::Kind::layout, qm::Kind::surfaces);
+            tool.options(options);
+            tool.example("qm-bspline part.layout.json -o part.surfaces.json");
+            tool.example("qm-prune part.layout.json | qm-bspline --fit tolerance --tolerance 0.01 > "
+                         "part.surfaces.json");
+            return [&tool, &options, stage] {
+                const qm::Model& model = stage->read();
+                const qm::Surfaces surfaces = qm::fitSurfaces(model.mesh, *model.layout, model.dihedralAngles,
+                                                              options, tool.control("fitting"));
+                tool.count("patches", static_cast<double>(surfaces.patches.size()));
+                tool.count("controlPoints", static_cast<double>(qm::controlPointCount(surfaces)));
+                tool.count("maxDeviation", surfaces.deviation.max);
+                stage->write(options, qm::surfacesToJson(surfaces));
+                return qm::exitDone;
+            };
+        });
+}

@@ -1,0 +1,57 @@
+/// \file qm-check: is a document true of its mesh? By code that shares none with the code that made it.
+#include "check/check_document.h"
+#include "check/print_report.h"
+#include "check/read_document.h"
+#include "cli/messages.h"
+#include "cli/tool.h"
+#include "document/document.h"
+#include "document/mesh_section.h"
+
+namespace {
+
+/// Points and faces as the mesh file lists them.
+qm::check::CheckedMesh pointsAndFaces(const qm::QuadMesh& mesh) {
+    qm::check::CheckedMesh result;
+    for (const auto vertex : mesh.vertices())
+        result.points.push_back({mesh.point(vertex)[0], mesh.point(vertex)[1], mesh.point(vertex)[2]});
+    for (const auto face : mesh.faces()) {
+        std::size_t corner = 0;
+        for (const auto vertex : mesh.fv_range(face)) result.quads.resize(result.quads.size() + (corner == 0)),
+            result.quads.back()[corner++] = vertex.idx();
+    }
+    return result;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    std::string meshPath;
+    bool asJson = false;
+    constexpr std::size_t linesShown = 20;
+    return qm::runTool(argc, argv, "qm-check", "Verify a document against its mesh.", [&](qm::Tool& tool) {
+        tool.explain("Everything in the document is computed anew from the mesh, by code that shares none with the "
+                     "tools that made it. Each violation is a line on standard error with the JSON pointer of the "
+                     "place and the rule; the exit status is 0 only if there is none.");
+        tool.reads("DOCUMENT", "a document of any kind");
+        tool.inputText("mesh", meshPath, "FILE", "the mesh, if it is not where the document says");
+        tool.writes("what was found true, and the verdict");
+        tool.option("json", asJson, "write the report as JSON, with every violation");
+        tool.example("qm-check part.layout.json");
+        tool.example("qm-check --json part.surfaces.json | jq .ok");
+        return [&]() -> int {
+            const qm::Document document = qm::parseDocument(tool.readInput(), tool.inputPath());
+            const qm::QuadMesh mesh =
+                qm::readMeshOf(qm::JsonPlace(document.root)["mesh"], document.path, meshPath);
+            qm::check::Report report;
+            report.verify("schema, and mesh of " + std::to_string(mesh.n_vertices()) + " vertices and " +
+                          std::to_string(mesh.n_faces()) + " faces");
+            qm::check::checkHistory(document.root, report);
+            report = qm::check::checkDocument(pointsAndFaces(mesh), qm::check::readDocument(document.root), report);
+            for (const std::string& line : qm::check::violationLines(report, linesShown))
+                qm::printMessage(tool.name() + ": " + tool.inputName() + ": " + line);
+            tool.write(asJson ? qm::check::reportJson(report) : qm::check::reportText(report));
+            tool.count("violations", static_cast<double>(report.total()));
+            return report.ok() ? qm::exitDone : qm::exitFailure;
+        };
+    });
+}

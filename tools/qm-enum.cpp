@@ -1,0 +1,36 @@
+/// \file qm-enum: search the motorcycle graphs of every sub-mesh.
+#include "cli/enumeration_tool.h"
+#include "cli/stage.h"
+#include "enumerate/enumerate.h"
+
+int main(int argc, char** argv) {
+    qm::EnumerationOptions options;
+    qm::EnumerationRequests requests;
+    return qm::runTool(
+        argc, argv, "qm-enum", "Find the cheapest motorcycle graphs of every sub-mesh.",
+        [&](qm::Tool& tool) -> qm::ToolBody {
+            auto stage = std::make_shared<qm::Stage>(tool, qm::Kind::cut, qm::Kind::basecomplex,
+                                                     qm::Kind::enumeration);
+            tool.explain(
+                "Without a section cut the whole mesh is searched at once. An interrupt ends the search "
+                "with the best graphs so far.");
+            tool.options(options);
+            qm::declareRequests(tool, requests);
+            tool.stopsGracefully();
+            tool.example("qm-enum part.cut.json -o part.enumeration.json");
+            tool.example("qm-basecomplex part.obj | qm-enum --best 3 --count > part.enumeration.json");
+            tool.example("qm-enum --all graphs.jsonl part.features.json -o part.enumeration.json");
+            return [&, stage] {
+                const qm::Model& model = stage->read();
+                options.constraints = model.constraints;
+                const qm::Enumeration enumeration =
+                    qm::enumerateGraphs(model.mesh, model.complex, model.dihedralAngles, model.subMeshes,
+                                        options, tool.control("searching"));
+                qm::streamGraphs(tool, model, options, requests);
+                const int status = qm::judge(tool, enumeration, requests);
+                const qm::SeparatrixIndex separatrices(model.mesh, model.baseComplex);
+                stage->write(options, qm::enumerationToJson(model.mesh, separatrices, enumeration));
+                return status;
+            };
+        });
+}

@@ -1,0 +1,36 @@
+/// \file qm-merge: the graphs of the sub-meshes become one layout of the whole mesh.
+#include "cli/stage.h"
+#include "document/features_section.h"
+#include "document/layout_section.h"
+#include "merge/merge.h"
+
+int main(int argc, char** argv) {
+    qm::MergeOptions options;
+    return qm::runTool(
+        argc, argv, "qm-merge", "Merge the graphs of the sub-meshes into one layout of segments.",
+        [&](qm::Tool& tool) -> qm::ToolBody {
+            auto stage = std::make_shared<qm::Stage>(tool, qm::Kind::enumeration, qm::Kind::enumeration,
+                                                     qm::Kind::layout);
+            tool.options(options);
+            tool.stopsGracefully();
+            tool.example("qm-merge part.enumeration.json -o part.layout.json");
+            tool.example("qm-basecomplex part.obj | qm-cut | qm-enum | qm-merge > part.layout.json");
+            return [&tool, &options, stage] {
+                const qm::Model& model = stage->read();
+                const double chi = model.cut ? model.cut->options.chi : qm::CutOptions{}.chi;
+                const qm::MergeResult merged = qm::mergeGraphs(
+                    model.mesh, model.complex, model.dihedralAngles, model.subMeshes, *model.enumeration,
+                    model.constraints, chi, options, tool.control("merging"));
+                qm::Layout layout =
+                    qm::buildLayout(model.mesh, merged.graph.tracks, model.dihedralAngles, model.edgeCosts);
+                layout.lowerBound = merged.lowerBound;
+                tool.count("segments", static_cast<double>(layout.segments.size()));
+                tool.count("rounds", static_cast<double>(merged.rounds));
+                qm::Json section = qm::layoutToJson(model.mesh, layout, model.dihedralAngles,
+                                                    qm::sharpAngle(stage->document().root));
+                section["merge"] = qm::mergeFigures(merged);
+                stage->write(options, std::move(section));
+                return qm::exitDone;
+            };
+        });
+}

@@ -1,0 +1,34 @@
+/// \file qm-prune: boundaries that follow nothing are removed.
+#include "cli/stage.h"
+#include "document/features_section.h"
+#include "document/layout_section.h"
+#include "prune/prune.h"
+
+int main(int argc, char** argv) {
+    qm::PruneOptions options;
+    return qm::runTool(
+        argc, argv, "qm-prune",
+        "Remove flat boundaries from a layout, as long as every segment stays a grid.",
+        [&](qm::Tool& tool) -> qm::ToolBody {
+            auto stage =
+                std::make_shared<qm::Stage>(tool, qm::Kind::layout, qm::Kind::layout, qm::Kind::layout);
+            tool.options(options);
+            tool.example("qm-prune --eta -3 part.layout.json -o part.pruned.json");
+            tool.example("qm-merge part.enumeration.json | qm-prune --no-smooth > part.pruned.json");
+            return [&tool, &options, stage] {
+                const qm::Model& model = stage->read();
+                const qm::PruneResult pruned =
+                    qm::pruneLayout(model.mesh, *model.layout, model.dihedralAngles, model.edgeCosts, options,
+                                    tool.control("pruning"));
+                tool.count("segments", static_cast<double>(pruned.layout.segments.size()));
+                tool.count("removedTracks", static_cast<double>(pruned.removedTracks));
+                const qm::Json& before = stage->document().section(qm::Kind::layout).value();
+                qm::Json section = qm::layoutToJson(model.mesh, pruned.layout, model.dihedralAngles,
+                                                    qm::sharpAngle(stage->document().root));
+                if (before.contains("merge")) section["merge"] = before["merge"];
+                section["prune"] = qm::pruneFigures(pruned);
+                stage->write(options, std::move(section));
+                return qm::exitDone;
+            };
+        });
+}
