@@ -7,6 +7,8 @@
 #include "document/document.h"
 #include "document/mesh_section.h"
 
+#include <algorithm>
+
 namespace {
 
 /// Points and faces as the mesh file lists them.
@@ -15,9 +17,9 @@ qm::check::CheckedMesh pointsAndFaces(const qm::QuadMesh& mesh) {
     for (const auto vertex : mesh.vertices())
         result.points.push_back({mesh.point(vertex)[0], mesh.point(vertex)[1], mesh.point(vertex)[2]});
     for (const auto face : mesh.faces()) {
-        std::size_t corner = 0;
-        for (const auto vertex : mesh.fv_range(face)) result.quads.resize(result.quads.size() + (corner == 0)),
-            result.quads.back()[corner++] = vertex.idx();
+        auto& quad = result.quads.emplace_back();
+        std::transform(mesh.cfv_begin(face), mesh.cfv_end(face), quad.begin(),
+                       [](const auto vertex) { return vertex.idx(); });
     }
     return result;
 }
@@ -29,9 +31,10 @@ int main(int argc, char** argv) {
     bool asJson = false;
     constexpr std::size_t linesShown = 20;
     return qm::runTool(argc, argv, "qm-check", "Verify a document against its mesh.", [&](qm::Tool& tool) {
-        tool.explain("Everything in the document is computed anew from the mesh, by code that shares none with the "
-                     "tools that made it. Each violation is a line on standard error with the JSON pointer of the "
-                     "place and the rule; the exit status is 0 only if there is none.");
+        tool.explain(
+            "Everything in the document is computed anew from the mesh, by code that shares none with the "
+            "tools that made it. Each violation is a line on standard error with the JSON pointer of the "
+            "place and the rule; the exit status is 0 only if there is none.");
         tool.reads("DOCUMENT", "a document of any kind");
         tool.inputText("mesh", meshPath, "FILE", "the mesh, if it is not where the document says");
         tool.writes("what was found true, and the verdict");
@@ -46,7 +49,8 @@ int main(int argc, char** argv) {
             report.verify("schema, and mesh of " + std::to_string(mesh.n_vertices()) + " vertices and " +
                           std::to_string(mesh.n_faces()) + " faces");
             qm::check::checkHistory(document.root, report);
-            report = qm::check::checkDocument(pointsAndFaces(mesh), qm::check::readDocument(document.root), report);
+            report = qm::check::checkDocument(pointsAndFaces(mesh), qm::check::readDocument(document.root),
+                                              report);
             for (const std::string& line : qm::check::violationLines(report, linesShown))
                 qm::printMessage(tool.name() + ": " + tool.inputName() + ": " + line);
             tool.write(asJson ? qm::check::reportJson(report) : qm::check::reportText(report));

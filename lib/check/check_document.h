@@ -14,6 +14,6 @@ namespace qm::check {
 /// labels decide what a track may be, and surfaces belong to segments. Linear in mesh and document, but for
 /// sorting. \throw Error  if the mesh is no oriented 2-manifold of quads
 [[nodiscard]] Report checkDocument(const CheckedMesh& mesh, const CheckedDocument& document,
-                                   Report report = {});
+                                   Report report = Report());
 
 } // namespace qm::check

@@ -1,5 +1,10 @@
 #include "cut/min_cut.h"
 
+// GCC 12 takes an empty boost::optional inside the graph's edge iterators for an uninitialised one.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
+
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/boykov_kolmogorov_max_flow.hpp>
 

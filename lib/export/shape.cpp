@@ -1,9 +1,8 @@
 #include "export/shape.h"
 
 #include "base/error.h"
-#include "bspline/borders.h"
 #include "bspline/clamped_patch.h"
-#include "bspline/evaluate.h"
+#include "export/shared_edges.h"
 
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
@@ -95,25 +94,15 @@ void requireMatching(const Layout& layout, const std::vector<Patch>& patches) {
     }
 }
 
-/// A run of border edges between two vertices where borders meet.
-struct SharedEdge {
-    TopoDS_Edge edge;
-    std::vector<BorderPlace> places; ///< of its first border edge as each patch walks it
-    int length = 0;
-    double tolerance = 0;
-    VertexId start; ///< in the direction of the first place
-    VertexId end;
-};
-
 class ShapeBuilder {
 public:
     ShapeBuilder(const QuadMesh& mesh, const Layout& layout, const std::vector<Patch>& patches)
-        : mesh_(mesh), layout_(layout), borders_(borderEdges(mesh, layout)), vertices_(mesh.n_vertices()),
-          vertexTolerance_(mesh.n_vertices(), Precision::Confusion()) {
+        : mesh_(mesh), layout_(layout), shared_(shareEdges(mesh, layout, patches)),
+          vertices_(mesh.n_vertices()) {
         for (const Patch& patch : patches)
             patches_.push_back(clamped(patch));
-        indexBorders();
-        makeEdges();
+        for (const SharedEdge& edge : shared_.edges)
+            edges_.push_back(makeEdge(edge));
     }
 
     BoundaryShape build() {
@@ -125,120 +114,36 @@ public:
     }
 
 private:
-    /// Which border edge lies where on which side, and the vertices where borders meet.
-    void indexBorders() {
-        borderAt_.resize(patches_.size());
-        std::vector<int> valence(mesh_.n_vertices(), 0);
-        for (std::size_t s = 0; s < patches_.size(); ++s)
-            for (std::size_t side = 0; side < 4; ++side)
-                borderAt_[s][side].resize(layout_.segments[s].sides[side].size() - 1);
-        for (std::size_t b = 0; b < borders_.size(); ++b) {
-            for (const BorderPlace& at : borders_[b].places)
-                borderAt_[at.patch][static_cast<std::size_t>(at.side)]
-                         [static_cast<std::size_t>(at.position)] = b;
-            ++valence[index(mesh_.from_vertex_handle(borders_[b].halfedge))];
-            ++valence[index(mesh_.to_vertex_handle(borders_[b].halfedge))];
-        }
-        isNode_.resize(mesh_.n_vertices());
-        for (std::size_t v = 0; v < valence.size(); ++v)
-            isNode_[v] = valence[v] > 2;
-        for (const Segment& segment : layout_.segments)
-            for (const VertexId corner : segment.corners)
-                isNode_[index(corner)] = true;
-    }
-
-    static std::size_t index(VertexId vertex) { return static_cast<std::size_t>(vertex.idx()); }
-
-    /// Cuts every side at the vertices where borders meet. The first patch that comes along makes the edge.
-    void makeEdges() {
-        edgeOfBorder_.assign(borders_.size(), -1);
-        for (std::size_t s = 0; s < patches_.size(); ++s)
-            for (int side = 0; side < 4; ++side) {
-                const auto& line = borderAt_[s][static_cast<std::size_t>(side)];
-                const auto& vertices = layout_.segments[s].sides[static_cast<std::size_t>(side)];
-                std::size_t begin = 0;
-                for (std::size_t k = 1; k < vertices.size(); ++k) {
-                    if (!isNode_[index(vertices[k])]) continue;
-                    const BorderPlace at{s, side, static_cast<int>(begin)};
-                    addUse(at, static_cast<int>(k - begin), line, vertices);
-                    begin = k;
-                }
-            }
-        for (SharedEdge& shared : edges_)
-            measure(shared);
-        for (SharedEdge& shared : edges_)
-            finish(shared);
-    }
-
-    void addUse(const BorderPlace& at, int length, const std::vector<std::size_t>& line,
-                const std::vector<VertexId>& vertices) {
-        const auto begin = static_cast<std::size_t>(at.position);
-        auto& number = edgeOfBorder_[line[begin]];
-        if (number >= 0) {
-            edges_[static_cast<std::size_t>(number)].places.push_back(at);
-            return;
-        }
-        for (int k = 0; k < length; ++k)
-            edgeOfBorder_[line[begin + static_cast<std::size_t>(k)]] =
-                static_cast<std::ptrdiff_t>(edges_.size());
-        SharedEdge shared;
-        shared.places.push_back(at);
-        shared.length = length;
-        shared.start = vertices[begin];
-        shared.end = vertices[begin + static_cast<std::size_t>(length)];
-        edges_.push_back(shared);
-    }
-
-    [[nodiscard]] Point pointOn(const BorderPlace& at, double along) const {
-        const auto [u, v] = parametersOnSide(layout_.segments[at.patch].size, at.side, at.position + along);
-        return evaluate(patches_[at.patch], u, v).position;
-    }
-
-    /// How far apart the patches are along an edge, and from its vertices at the ends.
-    void measure(SharedEdge& shared) {
-        constexpr int steps = 8;
-        double gap = 0;
-        for (int k = 0; k <= shared.length * steps && shared.places.size() > 1; ++k) {
-            const double along = static_cast<double>(k) / steps;
-            gap = std::max(
-                gap,
-                (pointOn(shared.places[0], along) - pointOn(shared.places[1], shared.length - along)).norm());
-        }
-        shared.tolerance = std::max(1.1 * gap, Precision::Confusion());
-        for (const BorderPlace& at : shared.places) {
-            const bool forwards = &at == &shared.places.front();
-            for (const bool atEnd : {false, true}) {
-                const VertexId vertex = atEnd == forwards ? shared.end : shared.start;
-                const double away = (pointOn(at, atEnd ? shared.length : 0) - mesh_.point(vertex)).norm();
-                double& tolerance = vertexTolerance_[index(vertex)];
-                tolerance = std::max({tolerance, shared.tolerance, away + shared.tolerance});
-            }
-        }
-    }
+    /// A tolerance has to cover a gap, with a margin for what lies between the samples.
+    static double toleranceFor(double gap) { return std::max(1.1 * gap, Precision::Confusion()); }
 
     const TopoDS_Vertex& vertexAt(VertexId vertex) {
-        TopoDS_Vertex& result = vertices_[index(vertex)];
-        if (result.IsNull())
-            builder_.MakeVertex(result, place(mesh_.point(vertex)), vertexTolerance_[index(vertex)]);
+        const auto index = static_cast<std::size_t>(vertex.idx());
+        if (vertices_[index].IsNull())
+            builder_.MakeVertex(vertices_[index], place(mesh_.point(vertex)),
+                                toleranceFor(shared_.vertexGap[index]));
+        return vertices_[index];
+    }
+
+    /// Its curve is the border of the first patch that uses it.
+    TopoDS_Edge makeEdge(const SharedEdge& edge) {
+        const BorderPlace& at = edge.places.front();
+        const SplineCurve part =
+            restricted(borderCurve(patches_[at.patch], at.side), at.position, at.position + edge.length);
+        TopoDS_Edge result;
+        builder_.MakeEdge(result, curve(part), toleranceFor(edge.gap));
+        builder_.Add(result, vertexAt(edge.start).Oriented(TopAbs_FORWARD));
+        builder_.Add(result, vertexAt(edge.end).Oriented(TopAbs_REVERSED));
+        builder_.Range(result, 0, edge.length);
         return result;
     }
 
-    void finish(SharedEdge& shared) {
-        const BorderPlace& at = shared.places.front();
-        const SplineCurve border = borderCurve(patches_[at.patch], at.side);
-        const SplineCurve part = restricted(border, at.position, at.position + shared.length);
-        builder_.MakeEdge(shared.edge, curve(part), shared.tolerance);
-        builder_.Add(shared.edge, vertexAt(shared.start).Oriented(TopAbs_FORWARD));
-        builder_.Add(shared.edge, vertexAt(shared.end).Oriented(TopAbs_REVERSED));
-        builder_.Range(shared.edge, 0, shared.length);
-    }
-
-    /// The edge in a patch's parameter plane; it runs in the direction of its first place.
-    [[nodiscard]] Handle(Geom2d_Line) inPlane(const SharedEdge& shared, std::size_t use) const {
-        const BorderPlace& at = shared.places[use];
+    /// An edge in the parameter plane of a patch that uses it; it runs in the edge's own direction.
+    [[nodiscard]] Handle(Geom2d_Line) inPlane(const SharedEdge& edge, std::size_t use) const {
+        const BorderPlace& at = edge.places[use];
         const auto& size = layout_.segments[at.patch].size;
         auto from = parametersOnSide(size, at.side, at.position);
-        auto to = parametersOnSide(size, at.side, at.position + shared.length);
+        auto to = parametersOnSide(size, at.side, at.position + edge.length);
         if (use > 0) std::swap(from, to);
         return new Geom2d_Line(gp_Pnt2d(from[0], from[1]), gp_Dir2d(to[0] - from[0], to[1] - from[1]));
     }
@@ -248,67 +153,40 @@ private:
         builder_.MakeFace(face, surface(patches_[patch]), Precision::Confusion());
         TopoDS_Wire wire;
         builder_.MakeWire(wire);
-        for (int side = 0; side < 4; ++side) {
-            const auto& line = borderAt_[patch][static_cast<std::size_t>(side)];
-            for (std::size_t k = 0; k < line.size();) {
-                SharedEdge& shared = edges_[static_cast<std::size_t>(edgeOfBorder_[line[k]])];
-                const BorderPlace& first = shared.places.front();
-                const bool forwards =
-                    first.patch == patch && first.side == side && first.position == static_cast<int>(k);
-                placeOn(shared, forwards ? 0 : 1, face);
-                builder_.Add(wire, shared.edge.Oriented(forwards ? TopAbs_FORWARD : TopAbs_REVERSED));
-                k += static_cast<std::size_t>(shared.length);
-            }
+        for (const EdgeUse& use : shared_.ofPatch[patch]) {
+            placeOn(use, face);
+            builder_.Add(wire, edges_[use.edge].Oriented(use.forwards ? TopAbs_FORWARD : TopAbs_REVERSED));
         }
         wire.Closed(true);
         builder_.Add(face, wire);
         return face;
     }
 
-    void placeOn(SharedEdge& shared, std::size_t use, const TopoDS_Face& face) {
-        const bool seam = shared.places.size() == 2 && shared.places[0].patch == shared.places[1].patch;
+    void placeOn(const EdgeUse& use, const TopoDS_Face& face) {
+        const SharedEdge& edge = shared_.edges[use.edge];
+        const TopoDS_Edge& made = edges_[use.edge];
+        const double tolerance = toleranceFor(edge.gap);
+        const bool seam = edge.places.size() == 2 && edge.places[0].patch == edge.places[1].patch;
         if (seam)
-            builder_.UpdateEdge(shared.edge, inPlane(shared, 0), inPlane(shared, 1), face, shared.tolerance);
+            builder_.UpdateEdge(made, inPlane(edge, 0), inPlane(edge, 1), face, tolerance);
         else
-            builder_.UpdateEdge(shared.edge, inPlane(shared, use), face, shared.tolerance);
-        builder_.Range(shared.edge, face, 0, shared.length);
-    }
-
-    /// Which component each patch belongs to, numbered in the order of the patches.
-    [[nodiscard]] std::vector<std::size_t> components(std::size_t& count) const {
-        std::vector<std::size_t> parent(patches_.size());
-        for (std::size_t k = 0; k < parent.size(); ++k)
-            parent[k] = k;
-        const auto root = [&](std::size_t k) {
-            while (parent[k] != k)
-                k = parent[k] = parent[parent[k]];
-            return k;
-        };
-        for (const SharedEdge& shared : edges_)
-            for (const BorderPlace& at : shared.places) {
-                const std::size_t a = root(shared.places.front().patch);
-                const std::size_t b = root(at.patch);
-                parent[std::max(a, b)] = std::min(a, b);
-            }
-        std::vector<std::size_t> component(parent.size());
-        count = 0;
-        for (std::size_t k = 0; k < parent.size(); ++k)
-            component[k] = root(k) == k ? count++ : component[root(k)];
-        return component;
+            builder_.UpdateEdge(made, inPlane(edge, use.forwards ? 0 : 1), face, tolerance);
+        builder_.Range(made, face, 0, edge.length);
     }
 
     void assemble(BoundaryShape& result) {
-        std::size_t count = 0;
-        const auto component = components(count);
+        const auto component = patchComponents(shared_);
+        const std::size_t count =
+            component.empty() ? 0 : *std::max_element(component.begin(), component.end()) + 1;
         std::vector<TopoDS_Shell> shells(count);
         std::vector<bool> closed(count, true);
         for (TopoDS_Shell& shell : shells)
             builder_.MakeShell(shell);
         for (std::size_t k = 0; k < result.faces.size(); ++k)
             builder_.Add(shells[component[k]], result.faces[k]);
-        for (const SharedEdge& shared : edges_)
-            if (shared.places.size() < 2) {
-                closed[component[shared.places.front().patch]] = false;
+        for (const SharedEdge& edge : shared_.edges)
+            if (edge.places.size() < 2) {
+                closed[component[edge.places.front().patch]] = false;
                 ++result.report.openEdges;
             }
         std::vector<TopoDS_Shape> parts;
@@ -317,20 +195,20 @@ private:
             parts.push_back(closed[k] ? TopoDS_Shape(solid(shells[k])) : TopoDS_Shape(shells[k]));
             ++(closed[k] ? result.report.solids : result.report.shells);
         }
-        if (parts.size() == 1) {
-            result.shape = parts.front();
-        } else {
-            TopoDS_Compound compound;
-            builder_.MakeCompound(compound);
-            for (const TopoDS_Shape& part : parts)
-                builder_.Add(compound, part);
-            result.shape = compound;
-        }
+        result.shape = parts.size() == 1 ? parts.front() : compound(parts);
         result.report.faces = result.faces.size();
         result.report.edges = edges_.size();
-        for (const double tolerance : vertexTolerance_)
-            result.report.largestTolerance = std::max(result.report.largestTolerance, tolerance);
+        for (const double gap : shared_.vertexGap)
+            result.report.largestTolerance = std::max(result.report.largestTolerance, toleranceFor(gap));
         result.report.valid = BRepCheck_Analyzer(result.shape).IsValid();
+    }
+
+    TopoDS_Shape compound(const std::vector<TopoDS_Shape>& parts) {
+        TopoDS_Compound result;
+        builder_.MakeCompound(result);
+        for (const TopoDS_Shape& part : parts)
+            builder_.Add(result, part);
+        return result;
     }
 
     /// A mesh whose faces look inwards encloses a negative volume; its solid is the inside all the same.
@@ -345,14 +223,10 @@ private:
 
     const QuadMesh& mesh_;
     const Layout& layout_;
+    SharedEdges shared_;
     std::vector<Patch> patches_; ///< clamped
-    std::vector<BorderEdge> borders_;
-    std::vector<std::array<std::vector<std::size_t>, 4>> borderAt_;
-    std::vector<bool> isNode_;
-    std::vector<SharedEdge> edges_;
-    std::vector<std::ptrdiff_t> edgeOfBorder_;
     std::vector<TopoDS_Vertex> vertices_;
-    std::vector<double> vertexTolerance_;
+    std::vector<TopoDS_Edge> edges_;
     BRep_Builder builder_;
 };
 

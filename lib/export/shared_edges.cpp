@@ -1,0 +1,131 @@
+#include "export/shared_edges.h"
+
+#include "bspline/evaluate.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace qm {
+namespace {
+
+constexpr int gapSteps = 8; ///< samples of the gap along every mesh edge
+
+std::size_t index(VertexId vertex) {
+    return static_cast<std::size_t>(vertex.idx());
+}
+
+/// For every side of every patch, the number of the border edge at each position.
+using BorderNumbers = std::vector<std::array<std::vector<std::size_t>, 4>>;
+
+BorderNumbers borderNumbers(const Layout& layout, const std::vector<BorderEdge>& borders) {
+    BorderNumbers numbers(layout.segments.size());
+    for (std::size_t s = 0; s < numbers.size(); ++s)
+        for (std::size_t side = 0; side < 4; ++side)
+            numbers[s][side].resize(layout.segments[s].sides[side].size() - 1);
+    for (std::size_t b = 0; b < borders.size(); ++b)
+        for (const BorderPlace& at : borders[b].places)
+            numbers[at.patch][static_cast<std::size_t>(at.side)][static_cast<std::size_t>(at.position)] = b;
+    return numbers;
+}
+
+/// Vertices where more than two border edges meet, or a patch has a corner.
+std::vector<bool> meetingPoints(const QuadMesh& mesh, const Layout& layout,
+                                const std::vector<BorderEdge>& borders) {
+    std::vector<int> valence(mesh.n_vertices(), 0);
+    for (const BorderEdge& border : borders) {
+        ++valence[index(mesh.from_vertex_handle(border.halfedge))];
+        ++valence[index(mesh.to_vertex_handle(border.halfedge))];
+    }
+    std::vector<bool> result(mesh.n_vertices());
+    for (std::size_t v = 0; v < valence.size(); ++v)
+        result[v] = valence[v] > 2;
+    for (const Segment& segment : layout.segments)
+        for (const VertexId corner : segment.corners)
+            result[index(corner)] = true;
+    return result;
+}
+
+/// Cuts every side where borders meet. The first patch that comes along makes the edge.
+SharedEdges cutSides(const QuadMesh& mesh, const Layout& layout) {
+    const auto borders = borderEdges(mesh, layout);
+    const auto numbers = borderNumbers(layout, borders);
+    const auto meets = meetingPoints(mesh, layout, borders);
+    std::vector<std::ptrdiff_t> edgeOf(borders.size(), -1);
+    SharedEdges result;
+    result.ofPatch.resize(layout.segments.size());
+    for (std::size_t s = 0; s < layout.segments.size(); ++s)
+        for (int side = 0; side < 4; ++side) {
+            const auto& line = numbers[s][static_cast<std::size_t>(side)];
+            const auto& vertices = layout.segments[s].sides[static_cast<std::size_t>(side)];
+            for (std::size_t begin = 0, end = 1; end < vertices.size(); ++end) {
+                if (!meets[index(vertices[end])]) continue;
+                const bool made = edgeOf[line[begin]] >= 0;
+                if (!made) {
+                    for (std::size_t k = begin; k < end; ++k)
+                        edgeOf[line[k]] = static_cast<std::ptrdiff_t>(result.edges.size());
+                    result.edges.push_back(
+                        {{}, static_cast<int>(end - begin), vertices[begin], vertices[end], 0});
+                }
+                const auto edge = static_cast<std::size_t>(edgeOf[line[begin]]);
+                result.edges[edge].places.push_back({s, side, static_cast<int>(begin)});
+                result.ofPatch[s].push_back({edge, !made});
+                begin = end;
+            }
+        }
+    return result;
+}
+
+Point pointOn(const Layout& layout, const std::vector<Patch>& patches, const BorderPlace& at, double along) {
+    const auto [u, v] = parametersOnSide(layout.segments[at.patch].size, at.side, at.position + along);
+    return evaluate(patches[at.patch], u, v).position;
+}
+
+double gapAlong(const Layout& layout, const std::vector<Patch>& patches, const SharedEdge& edge) {
+    double gap = 0;
+    for (int k = 0; k <= edge.length * gapSteps && edge.places.size() > 1; ++k) {
+        const double along = static_cast<double>(k) / gapSteps;
+        const Point one = pointOn(layout, patches, edge.places[0], along);
+        gap = std::max(gap, (one - pointOn(layout, patches, edge.places[1], edge.length - along)).norm());
+    }
+    return gap;
+}
+
+} // namespace
+
+SharedEdges shareEdges(const QuadMesh& mesh, const Layout& layout, const std::vector<Patch>& patches) {
+    SharedEdges result = cutSides(mesh, layout);
+    result.vertexGap.assign(mesh.n_vertices(), 0);
+    for (SharedEdge& edge : result.edges) {
+        edge.gap = gapAlong(layout, patches, edge);
+        for (std::size_t use = 0; use < edge.places.size(); ++use)
+            for (const bool atEnd : {false, true}) {
+                const VertexId vertex = atEnd == (use == 0) ? edge.end : edge.start;
+                const Point point = pointOn(layout, patches, edge.places[use], atEnd ? edge.length : 0);
+                double& gap = result.vertexGap[index(vertex)];
+                gap = std::max(gap, (point - mesh.point(vertex)).norm() + edge.gap);
+            }
+    }
+    return result;
+}
+
+std::vector<std::size_t> patchComponents(const SharedEdges& shared) {
+    std::vector<std::size_t> parent(shared.ofPatch.size());
+    std::iota(parent.begin(), parent.end(), std::size_t{0});
+    const auto root = [&](std::size_t k) {
+        while (parent[k] != k)
+            k = parent[k] = parent[parent[k]];
+        return k;
+    };
+    for (const SharedEdge& edge : shared.edges) {
+        const std::size_t a = root(edge.places.front().patch);
+        const std::size_t b = root(edge.places.back().patch);
+        parent[std::max(a, b)] = std::min(a, b);
+    }
+    std::vector<std::size_t> component(parent.size());
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < parent.size(); ++k)
+        component[k] = root(k) == k ? count++ : component[root(k)];
+    return component;
+}
+
+} // namespace qm
