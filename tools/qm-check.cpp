@@ -31,12 +31,11 @@ int main(int argc, char** argv) {
     bool asJson = false;
     constexpr std::size_t linesShown = 20;
     return qm::runTool(argc, argv, "qm-check", "Verify a document against its mesh.", [&](qm::Tool& tool) {
-        tool.explain(
-            "Everything in the document is computed anew from the mesh, by code that shares none with the "
-            "tools that made it. Each violation is a line on standard error with the JSON pointer of the "
-            "place and the rule; the exit status is 0 only if there is none.");
+        tool.explain("Everything is computed anew from the mesh, by code that shares none with the tools "
+                     "that made the "
+                     "document. Each violation is a line with the JSON pointer of the place and the rule.");
         tool.reads("DOCUMENT", "a document of any kind");
-        tool.inputText("mesh", meshPath, "FILE", "the mesh, if it is not where the document says");
+        tool.text("mesh", meshPath, "FILE", "the mesh, if it is not where the document says");
         tool.writes("what was found true, and the verdict");
         tool.option("json", asJson, "write the report as JSON, with every violation");
         tool.example("qm-check part.layout.json");

@@ -10,7 +10,9 @@
 
 namespace qm::check {
 
-/// Reports demands that are no paths along edges. \return whether all are
+/// Reports demands that are no paths along edges.
+///
+/// \return whether all are
 [[nodiscard]] bool checkConstraintPaths(const Neighbourhoods& around, const ConstraintsPart& constraints,
                                         Report& report);
 

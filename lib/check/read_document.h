@@ -9,8 +9,9 @@
 namespace qm::check {
 
 /// Takes over every figure as it stands. Never fails, whatever the JSON is: what is missing or of another
-/// type becomes a value that no check accepts, and a schema is the place to say so. \param root  the whole
-/// document
+/// type becomes a value that no check accepts, and a schema is the place to say so.
+///
+/// \param root  the whole document
 [[nodiscard]] CheckedDocument readDocument(const nlohmann::ordered_json& root);
 
 /// Reports a history that cannot have led to this document: tools of the pipeline out of order, or another

@@ -17,8 +17,8 @@ struct SurfacePoint {
 };
 
 /// \param patch  of degrees 1 to `maxDegree`, with knots that do not decrease, as many as control points +
-/// degree + 1 in each direction \param u, v   taken to the nearest end of the domain, knots [degree] to
-/// [count], where they are outside
+/// degree + 1 in each direction
+/// \param u, v   taken to the nearest end of the domain, knots [degree] to [count], where they are outside
 [[nodiscard]] SurfacePoint evaluate(const SurfacesPart::Patch& patch, double u, double v);
 
 } // namespace qm::check

@@ -1,5 +1,7 @@
 #include "cli/messages.h"
 
+#include "document/utf8.h"
+
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -8,8 +10,11 @@ namespace qm {
 void printMessage(const std::string& message) {
     constexpr std::size_t longest = 4000;
     std::string line = message.size() <= longest ? message : message.substr(0, longest) + " ...";
-    for (char& c : line)
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+    const bool readable = isUtf8(line);
+    for (char& c : line) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte < 0x20 || byte == 0x7f || (byte > 0x7f && !readable)) c = '?';
+    }
     line += '\n';
     // Where standard error is closed there is nobody to tell.
     [[maybe_unused]] const ssize_t ignored = write(STDERR_FILENO, line.data(), line.size());

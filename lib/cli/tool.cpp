@@ -7,10 +7,10 @@
 #include "cli/usage.h"
 #include "document/file_error.h"
 #include "document/files.h"
+#include "document/json.h"
 #include "document/schema.h"
 
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -60,7 +60,7 @@ struct Tool::State {
     std::set<std::string> given;
 
     std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
-    nlohmann::ordered_json counters = nlohmann::ordered_json::object();
+    Json counters = Json::object();
     std::shared_ptr<Progress> progress;
 
     void say(const std::string& message) const {
@@ -245,6 +245,7 @@ std::string Tool::readInput() const {
 }
 
 void Tool::write(std::string_view bytes) const {
+    if (state_->progress) state_->progress->hide();
     writeFile(state_->output, bytes);
 }
 
@@ -289,12 +290,14 @@ void Tool::noteSettings() const {
 void Tool::printStats() const {
     const State& s = *state_;
     if (!s.stats) return;
-    nlohmann::ordered_json stats{{"tool", s.usage.tool}};
+    Json stats{{"tool", s.usage.tool}};
     stats["seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - s.start).count();
     stats["peakMegabytes"] = peakMegabytes();
     stats["counters"] = s.counters;
     if (s.progress) s.progress->hide();
-    printMessage(stats.dump());
+    std::string line = printJsonLine(stats);
+    line.pop_back(); // its end of line
+    printMessage(line);
 }
 
 int Tool::answer(const ToolBody& body) {

@@ -1,8 +1,7 @@
 #include "cli/usage.h"
 
+#include "document/json.h"
 #include "document/version.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -72,9 +71,9 @@ std::string usageLine(const Usage& usage) {
     return line + "\n";
 }
 
-nlohmann::ordered_json describeOption(const OptionRecord& option) {
+Json describeOption(const OptionRecord& option) {
     static const char* const types[] = {"flag", "integer", "number", "choice", "text"};
-    nlohmann::ordered_json entry{{"name", "--" + option.name}};
+    Json entry{{"name", "--" + option.name}};
     if (!option.shortName.empty()) entry["short"] = "-" + option.shortName;
     entry["group"] = option.group;
     entry["type"] = types[static_cast<std::size_t>(option.type)];
@@ -112,21 +111,21 @@ std::string helpText(const Usage& usage) {
 }
 
 std::string jsonUsage(const Usage& usage) {
-    nlohmann::ordered_json root{{"name", usage.tool},
-                                {"version", version()},
-                                {"summary", usage.summary},
-                                {"description", usage.paragraphs}};
-    root["operands"] = nlohmann::ordered_json::array();
+    Json root{{"name", usage.tool},
+              {"version", version()},
+              {"summary", usage.summary},
+              {"description", usage.paragraphs}};
+    root["operands"] = Json::array();
     for (const Operand& operand : usage.operands)
         root["operands"].push_back(
             {{"name", operand.name}, {"help", operand.help}, {"required", operand.required}});
     root["writes"] = usage.writes;
     if (!usage.schema.empty()) root["kind"] = usage.schema;
-    root["options"] = nlohmann::ordered_json::array();
+    root["options"] = Json::array();
     for (const OptionRecord& option : usage.options)
         root["options"].push_back(describeOption(option));
     root["examples"] = usage.examples;
-    return root.dump(2) + "\n";
+    return printJson(root);
 }
 
 std::string versionText(const std::string& tool) {

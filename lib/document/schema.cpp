@@ -170,7 +170,7 @@ void validate(const Json& root, const Json& schema) {
     valijson::ValidationResults::Error first;
     results.popError(first);
     const Place place = follow(root, schema, first.context);
-    const std::string meaning = place.rule.value("description", "");
+    const std::string meaning = place.pointer.empty() ? "" : place.rule.value("description", "");
     throw Error(place.pointer, problemAt(place, first.description),
                 meaning.empty() ? "" : "It means: " + withSmallStart(meaning));
 }

@@ -89,15 +89,18 @@ public:
         const Problem problem = this->problem(subMesh);
         SubMeshGraphs result = options_.method == Method::optimum
                                    ? searchOptimum(problem, subMesh, control, complete)
-                                   : searchCoordinates(problem, control, complete);
+                                   : searchCoordinates(problem, subMesh, control, complete);
         if (!result.graphs.empty()) result.cost = result.graphs.front().cost;
         return result;
     }
 
-    [[nodiscard]] MotorcycleGraph graph(const Problem& problem, const Assignment& assignment) const {
-        std::vector<bool> present(space_.graph.arcs.size(), false);
+    [[nodiscard]] MotorcycleGraph graph(const Problem& problem, int subMesh,
+                                        const Assignment& assignment) const {
+        std::vector<bool> present(space_.graph.arcs.size(), false), startsInside;
         apply(problem, assignment, present);
-        return graphOf(mesh_, complex_, space_.graph, present, edgeCosts_);
+        for (const Line& line : space_.graph.lines)
+            startsInside.push_back(space_.arcBegins[line.firstArc.idx()] == subMesh);
+        return graphOf(mesh_, complex_, space_.graph, present, edgeCosts_, startsInside);
     }
 
 private:
@@ -131,7 +134,7 @@ private:
         const OptimumResult found = findOptimum(problem, options, control);
         SubMeshGraphs result;
         for (const Assignment& assignment : found.graphs)
-            result.graphs.push_back(graph(problem, assignment));
+            result.graphs.push_back(graph(problem, subMesh, assignment));
         if (std::isfinite(found.lowerBound)) result.lowerBound = found.lowerBound;
         if (result.graphs.empty() && found.complete && std::isinf(options_.maxCost)) refuse(subMesh);
         if (!found.complete) complete = false;
@@ -142,7 +145,7 @@ private:
         return result;
     }
 
-    SubMeshGraphs searchCoordinates(const Problem& problem, const Control& control,
+    SubMeshGraphs searchCoordinates(const Problem& problem, int subMesh, const Control& control,
                                     std::atomic<bool>& complete) const {
         std::set<Assignment> seen;
         Incumbents incumbents(options_.best, options_.maxCost);
@@ -155,7 +158,7 @@ private:
         if (!finished) complete = false;
         SubMeshGraphs result;
         for (const auto& [cost, assignment] : incumbents.graphs())
-            result.graphs.push_back(graph(problem, assignment));
+            result.graphs.push_back(graph(problem, subMesh, assignment));
         if (finished && !incumbents.empty()) result.lowerBound = incumbents.bestCost();
         if (finished) result.count = BigCount(seen.size());
         return result;
@@ -232,7 +235,7 @@ bool forEachGraph(const QuadMesh& mesh, const BaseComplex& complex, const std::v
         const bool finished = forEachAssignment(
             problem, [&] { return options.maxCost + Incumbents::tolerance; },
             [&](const SearchState& state) {
-                return visit(i, search.graph(problem, state.assignment())) && !limited.stopRequested();
+                return visit(i, search.graph(problem, i, state.assignment())) && !limited.stopRequested();
             });
         if (!finished) return false;
         control.progress(static_cast<double>(i + 1) / static_cast<double>(subMeshes.count));

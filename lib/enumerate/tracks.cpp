@@ -124,15 +124,17 @@ Track trackOf(const QuadMesh& mesh, std::span<const HalfedgeId> path, const std:
 
 } // namespace
 
-std::vector<Coverage> coverLines(const ArcGraph& graph, const std::vector<bool>& present) {
+std::vector<Coverage> coverLines(const ArcGraph& graph, const std::vector<bool>& present,
+                                 const std::vector<bool>& fromBegin) {
     const std::vector<ArcId> meetings = Meetings(graph, present).assign();
     std::vector<Coverage> result;
     for (std::size_t i = 0; i < graph.lines.size(); ++i) {
         const Line& line = graph.lines[i];
         const auto in = [&](int k) { return present[at(line.firstArc.value() + k)]; };
         Coverage coverage;
-        while (coverage.fromBegin < line.arcCount && in(coverage.fromBegin))
-            ++coverage.fromBegin;
+        if (fromBegin.empty() || fromBegin[i])
+            while (coverage.fromBegin < line.arcCount && in(coverage.fromBegin))
+                ++coverage.fromBegin;
         if (meetings[i].valid()) coverage.fromBegin = meetings[i].value() - line.firstArc.value() + 1;
         if (line.backward)
             while (coverage.fromEnd < line.arcCount - coverage.fromBegin &&
@@ -144,8 +146,9 @@ std::vector<Coverage> coverLines(const ArcGraph& graph, const std::vector<bool>&
 }
 
 MotorcycleGraph graphOf(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
-                        const std::vector<bool>& present, const std::vector<double>& edgeCosts) {
-    const std::vector<Coverage> coverages = coverLines(graph, present);
+                        const std::vector<bool>& present, const std::vector<double>& edgeCosts,
+                        const std::vector<bool>& fromBegin) {
+    const std::vector<Coverage> coverages = coverLines(graph, present, fromBegin);
     MotorcycleGraph result;
     const auto add = [&](SeparatrixId separatrix, std::size_t length) {
         if (length == 0) return;

@@ -17,12 +17,15 @@ struct Coverage {
 
 /// How far the particles of every line have walked. A line that is covered throughout is walked by the
 /// particle of its begin, unless a crossing needs a head-on meeting on it (rule 4): then both meet there.
-/// \param present  of every arc; every line's present arcs are a run from each of its sources
-[[nodiscard]] std::vector<Coverage> coverLines(const ArcGraph& graph, const std::vector<bool>& present);
+/// \param present    of every arc; every line's present arcs are a run from each of its sources
+/// \param fromBegin  of every line whether the particle of its begin may walk; empty if all do
+[[nodiscard]] std::vector<Coverage> coverLines(const ArcGraph& graph, const std::vector<bool>& present,
+                                               const std::vector<bool>& fromBegin = {});
 
 /// The tracks of a graph, by line, with their costs; particles that do not move have none.
 [[nodiscard]] MotorcycleGraph graphOf(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
-                                      const std::vector<bool>& present, const std::vector<double>& edgeCosts);
+                                      const std::vector<bool>& present, const std::vector<double>& edgeCosts,
+                                      const std::vector<bool>& fromBegin = {});
 
 /// The arcs that tracks cover together; two that meet head-on may do so inside an arc.
 /// \throw Error  if an edge of a track is on no arc that is covered throughout

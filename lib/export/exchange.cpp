@@ -29,6 +29,14 @@
 #include <mutex>
 #include <sstream>
 
+#ifdef __SANITIZE_ADDRESS__
+/// OpenCASCADE keeps tables until the process ends; what it leaves is no leak of ours.
+extern "C" const char* __lsan_default_suppressions();
+extern "C" const char* __lsan_default_suppressions() {
+    return "leak:libTK";
+}
+#endif
+
 namespace qm {
 namespace {
 
@@ -49,6 +57,20 @@ const char* unitName(LengthUnit unit) {
     }
 }
 
+/// The number that IGES has for a unit.
+int unitFlag(LengthUnit unit) {
+    switch (unit) {
+    case LengthUnit::cm:
+        return 10;
+    case LengthUnit::m:
+        return 6;
+    case LengthUnit::inch:
+        return 1;
+    default:
+        return 2;
+    }
+}
+
 Handle(TCollection_HAsciiString) text(const std::string& value) {
     return new TCollection_HAsciiString(value.c_str());
 }
@@ -63,7 +85,7 @@ public:
         // Both the same: coordinates stay as they are.
         Interface_Static::SetCVal("xstep.cascade.unit", unitName(unit));
         Interface_Static::SetCVal("write.step.unit", unitName(unit));
-        Interface_Static::SetCVal("write.iges.unit", unitName(unit));
+        Interface_Static::SetCVal("write.iges.unit", "MM");
         Interface_Static::SetCVal("write.step.schema", "AP214IS");
         Interface_Static::SetIVal("write.iges.brep.mode", 1);
     }
@@ -125,13 +147,16 @@ std::string shapeAsStep(const BoundaryShape& shape, LengthUnit unit) {
 }
 
 std::string shapeAsIges(const BoundaryShape& shape, LengthUnit unit) {
-    const Session session(unit);
-    IGESControl_Writer writer(unitName(unit), 1);
+    const Session session(LengthUnit::mm);
+    // The writer would convert from millimetres; so it is given those, and the unit is declared afterwards.
+    IGESControl_Writer writer("MM", 1);
     if (!writer.AddShape(shape.shape))
         throw Error("surfaces", "cannot be translated to IGES", "Look at the patches' deviation and kinks");
     writer.ComputeModel();
     labelFaces(shape, writer.TransferProcess());
     IGESData_GlobalSection global = writer.Model()->GlobalSection();
+    global.SetUnitFlag(unitFlag(unit));
+    global.SetUnitName(text(unitName(unit)));
     global.SetDate(text(noTimeIges));
     global.SetLastChangeDate(text(noTimeIges));
     global.SetFileName(text("quadmesh"));

@@ -1,6 +1,7 @@
 #include "export/shape.h"
 
 #include "base/error.h"
+#include "bspline/basis.h"
 #include "bspline/clamped_patch.h"
 #include "export/shared_edges.h"
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <string>
-#include <unordered_set>
+#include <utility>
 
 namespace qm {
 namespace {

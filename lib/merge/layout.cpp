@@ -18,15 +18,17 @@ class Builder {
 public:
     Builder(const QuadMesh& mesh, const std::vector<double>& dihedralAngles,
             const std::vector<double>& edgeCosts)
-        : mesh_(mesh), dihedralAngles_(dihedralAngles), edgeCosts_(edgeCosts), borders_(mesh) {}
+        : mesh_(mesh), dihedralAngles_(dihedralAngles), edgeCosts_(edgeCosts), borders_(mesh),
+          finder_(mesh, borders_) {}
 
     Layout build(std::span<const Track> tracks) {
         for (const Track& track : tracks)
             addTrack(track, false);
+        requireBorderAtEveryExtraordinaryVertex();
         std::vector<FaceId> faces;
         for (const FaceId face : mesh_.faces())
             faces.push_back(face);
-        std::vector<Region> pending = findRegions(mesh_, borders_, faces);
+        std::vector<Region> pending = finder_.find(faces);
         while (!pending.empty()) {
             const Region region = std::move(pending.back());
             pending.pop_back();
@@ -34,7 +36,7 @@ public:
                 layout_.segments.push_back(makeSegment(mesh_, region));
                 continue;
             }
-            for (Region& part : findRegions(mesh_, borders_, region.faces))
+            for (Region& part : finder_.find(region.faces))
                 pending.push_back(std::move(part));
         }
         std::ranges::sort(layout_.segments, {}, [](const Segment& segment) {
@@ -64,12 +66,23 @@ private:
         if (!transversal) layout_.cost += track.cost;
     }
 
+    /// With none of them inside, a region without reflex corners is a grid with four corners, an annulus or a
+    /// torus, and every line through it is straight.
+    void requireBorderAtEveryExtraordinaryVertex() const {
+        for (const VertexId vertex : extraordinaryVertices(mesh_))
+            if (std::ranges::none_of(mesh_.voh_range(vertex),
+                                     [this](HalfedgeId h) { return borders_.isBorder(h); }))
+                throw Error("vertex " + std::to_string(vertex.idx()),
+                            "it is extraordinary and lies inside a segment",
+                            "the tracks are no motorcycle graph; search again");
+    }
+
     void addPath(std::vector<HalfedgeId> path, bool transversal) {
         const double cost = costOf(path);
         addTrack({std::move(path), cost}, transversal);
     }
 
-    /// Cuts a region that has no corners. \return false if it needs no cut
+    /// Cuts a region that has no corners: an annulus or a torus. \return false if it needs no cut
     bool split(const Region& region) {
         const bool ring = region.loops.size() == 2 && isRing(region.loops[0]) && isRing(region.loops[1]);
         if (!ring && !region.loops.empty()) return false;
@@ -142,6 +155,7 @@ private:
     const std::vector<double>& dihedralAngles_;
     const std::vector<double>& edgeCosts_;
     Borders borders_;
+    RegionFinder finder_;
     Layout layout_;
 };
 

@@ -1,39 +1,12 @@
 #include "merge/region.h"
 
 #include <algorithm>
-#include <unordered_set>
 
 namespace qm {
 namespace {
 
-/// Walks the border that a halfedge is part of.
-BorderLoop walkLoop(const QuadMesh& mesh, const Borders& borders, HalfedgeId start) {
-    BorderLoop loop;
-    HalfedgeId halfedge = start;
-    do {
-        loop.halfedges.push_back(halfedge);
-        int quads = 1;
-        HalfedgeId next = mesh.next_halfedge_handle(halfedge);
-        for (; !borders.isBorder(next); ++quads)
-            next = mesh.next_halfedge_handle(mesh.opposite_halfedge_handle(next));
-        loop.quads.push_back(quads);
-        halfedge = next;
-    } while (halfedge != start);
-    return loop;
-}
-
-std::vector<BorderLoop> findLoops(const QuadMesh& mesh, const Borders& borders,
-                                  const std::vector<FaceId>& faces) {
-    std::vector<BorderLoop> loops;
-    std::unordered_set<int> walked;
-    for (const FaceId face : faces)
-        for (const HalfedgeId halfedge : mesh.fh_range(face)) {
-            if (!borders.isBorder(halfedge) || walked.contains(halfedge.idx())) continue;
-            loops.push_back(walkLoop(mesh, borders, halfedge));
-            for (const HalfedgeId passed : loops.back().halfedges)
-                walked.insert(passed.idx());
-        }
-    return loops;
+template <class Handle> std::size_t at(Handle handle) {
+    return static_cast<std::size_t>(handle.idx());
 }
 
 } // namespace
@@ -47,23 +20,57 @@ Borders::Borders(const QuadMesh& mesh) : border_(mesh.n_edges(), false) {
         if (mesh.is_boundary(edge)) add(edge);
 }
 
-std::vector<Region> findRegions(const QuadMesh& mesh, const Borders& borders,
-                                const std::vector<FaceId>& faces) {
+RegionFinder::RegionFinder(const QuadMesh& mesh, const Borders& borders)
+    : mesh_(mesh), borders_(borders), seen_(mesh.n_faces(), false), walked_(mesh.n_halfedges(), false) {}
+
+std::vector<FaceId> RegionFinder::flood(FaceId start) {
+    std::vector<FaceId> faces{start};
+    seen_[at(start)] = true;
+    for (std::size_t next = 0; next < faces.size(); ++next)
+        for (const HalfedgeId halfedge : mesh_.fh_range(faces[next])) {
+            if (borders_.isBorder(halfedge)) continue;
+            const FaceId neighbour = mesh_.face_handle(mesh_.opposite_halfedge_handle(halfedge));
+            if (seen_[at(neighbour)]) continue;
+            seen_[at(neighbour)] = true;
+            faces.push_back(neighbour);
+        }
+    std::sort(faces.begin(), faces.end());
+    return faces;
+}
+
+BorderLoop RegionFinder::walkLoop(HalfedgeId start) {
+    BorderLoop loop;
+    HalfedgeId halfedge = start;
+    do {
+        walked_[at(halfedge)] = true;
+        loop.halfedges.push_back(halfedge);
+        int quads = 1;
+        HalfedgeId next = mesh_.next_halfedge_handle(halfedge);
+        for (; !borders_.isBorder(next); ++quads)
+            next = mesh_.next_halfedge_handle(mesh_.opposite_halfedge_handle(next));
+        loop.quads.push_back(quads);
+        halfedge = next;
+    } while (halfedge != start);
+    return loop;
+}
+
+std::vector<Region> RegionFinder::find(const std::vector<FaceId>& faces) {
     std::vector<Region> regions;
-    std::unordered_set<int> seen;
-    seen.reserve(faces.size() * 2);
     for (const FaceId start : faces) {
-        if (!seen.insert(start.idx()).second) continue;
-        Region region{{start}, {}};
-        for (std::size_t next = 0; next < region.faces.size(); ++next)
-            for (const HalfedgeId halfedge : mesh.fh_range(region.faces[next])) {
-                if (borders.isBorder(halfedge)) continue;
-                const FaceId neighbour = mesh.face_handle(mesh.opposite_halfedge_handle(halfedge));
-                if (seen.insert(neighbour.idx()).second) region.faces.push_back(neighbour);
-            }
-        std::sort(region.faces.begin(), region.faces.end());
-        region.loops = findLoops(mesh, borders, region.faces);
+        if (seen_[at(start)]) continue;
+        Region region{flood(start), {}};
+        for (const FaceId face : region.faces)
+            for (const HalfedgeId halfedge : mesh_.fh_range(face))
+                if (borders_.isBorder(halfedge) && !walked_[at(halfedge)])
+                    region.loops.push_back(walkLoop(halfedge));
         regions.push_back(std::move(region));
+    }
+    for (const Region& region : regions) {
+        for (const FaceId face : region.faces)
+            seen_[at(face)] = false;
+        for (const BorderLoop& loop : region.loops)
+            for (const HalfedgeId halfedge : loop.halfedges)
+                walked_[at(halfedge)] = false;
     }
     return regions;
 }

@@ -7,7 +7,7 @@
 
 namespace qm {
 
-/// A closed walk along a region's border with the region on its left. corners[k] tells how many of the
+/// A closed walk along a region's border with the region on its left. quads[k] tells how many of the
 /// region's quads lie between halfedge k and the next: 1 is a convex corner, 2 is straight on, more is a
 /// reflex corner.
 struct BorderLoop {
@@ -17,7 +17,8 @@ struct BorderLoop {
     [[nodiscard]] std::size_t corners() const;
 };
 
-/// Faces joined by edges that are neither tracks nor mesh boundary.
+/// Faces joined by edges that are neither tracks nor mesh boundary. A region may lie on both sides of an edge
+/// and come to a vertex several times.
 struct Region {
     std::vector<FaceId> faces; ///< ascending
     std::vector<BorderLoop> loops;
@@ -37,9 +38,24 @@ private:
     std::vector<bool> border_;
 };
 
-/// The regions that some faces fall into, ordered by their lowest face.
-/// \param faces  ascending; a union of regions
-[[nodiscard]] std::vector<Region> findRegions(const QuadMesh& mesh, const Borders& borders,
-                                              const std::vector<FaceId>& faces);
+/// Finds regions; keeps its marks from one search to the next, so that a search takes time linear in the
+/// faces that it is asked about, whatever the size of the mesh.
+class RegionFinder {
+public:
+    RegionFinder(const QuadMesh& mesh, const Borders& borders);
+
+    /// The regions that some faces fall into, ordered by their lowest face.
+    /// \param faces  ascending; a union of regions
+    [[nodiscard]] std::vector<Region> find(const std::vector<FaceId>& faces);
+
+private:
+    [[nodiscard]] std::vector<FaceId> flood(FaceId start);
+    [[nodiscard]] BorderLoop walkLoop(HalfedgeId start);
+
+    const QuadMesh& mesh_;
+    const Borders& borders_;
+    std::vector<bool> seen_;   ///< faces; all false between searches
+    std::vector<bool> walked_; ///< halfedges, likewise
+};
 
 } // namespace qm

@@ -1,24 +1,58 @@
 #include "mesh/build_mesh.h"
 
-#include "base/error.h"
 #include "mesh/validate.h"
 
 namespace qm {
+namespace {
+
+VertexId vertexAt(std::int64_t index) {
+    return VertexId(static_cast<int>(index));
+}
+
+/// The halfedge of every side; edges are numbered as the faces first meet them.
+std::vector<HalfedgeId> addEdges(QuadMesh& mesh, const Soup& soup, const std::vector<Side>& twins) {
+    std::vector<HalfedgeId> halfedges(twins.size());
+    for (Side side = 0; side < twins.size(); ++side)
+        halfedges[side] = twins[side] < side
+                              ? mesh.opposite_halfedge_handle(halfedges[twins[side]])
+                              : mesh.new_edge(vertexAt(sideFrom(soup, side)), vertexAt(sideTo(soup, side)));
+    return halfedges;
+}
+
+void addFaces(QuadMesh& mesh, const std::vector<HalfedgeId>& halfedges) {
+    for (Side side = 0; side < halfedges.size(); ++side) {
+        const HalfedgeId halfedge = halfedges[side];
+        if (side % 4 == 0) mesh.set_halfedge_handle(mesh.new_face(), halfedges[side + 3]);
+        mesh.set_face_handle(halfedge, FaceId(static_cast<int>(side / 4)));
+        mesh.set_next_halfedge_handle(halfedge, halfedges[nextSide(side)]);
+        const VertexId vertex = mesh.from_vertex_handle(halfedge);
+        if (mesh.is_isolated(vertex)) mesh.set_halfedge_handle(vertex, halfedge);
+    }
+}
+
+/// A vertex on the boundary has one halfedge there that leaves it, which OpenMesh wants to be its own.
+void linkBoundary(QuadMesh& mesh, const std::vector<Side>& twins, const std::vector<HalfedgeId>& halfedges) {
+    std::vector<HalfedgeId> boundary;
+    for (Side side = 0; side < twins.size(); ++side)
+        if (twins[side] == twins.size()) boundary.push_back(mesh.opposite_halfedge_handle(halfedges[side]));
+    for (const HalfedgeId halfedge : boundary)
+        mesh.set_halfedge_handle(mesh.from_vertex_handle(halfedge), halfedge);
+    for (const HalfedgeId halfedge : boundary)
+        mesh.set_next_halfedge_handle(halfedge, mesh.halfedge_handle(mesh.to_vertex_handle(halfedge)));
+}
+
+} // namespace
 
 QuadMesh buildMesh(const Soup& soup) {
-    validateSoup(soup);
+    // The validated soup has all neighbours already; add_face would look for them again, around each vertex.
+    const std::vector<Side> twins = validateSoup(soup);
     QuadMesh mesh;
-    mesh.reserve(soup.points.size(), soup.corners.size() / 2 + 1, soup.faceCount());
+    mesh.reserve(soup.points.size(), twins.size() / 2 + 1, soup.faceCount());
     for (const Point& point : soup.points)
         mesh.add_vertex(point);
-    std::vector<VertexId> corners(4);
-    for (std::size_t k = 0; k < soup.faceCount(); ++k) {
-        for (std::size_t i = 0; i < 4; ++i)
-            corners[i] = VertexId(static_cast<int>(soup.face(k)[i]));
-        if (!mesh.add_face(corners).is_valid())
-            throw Error(soup.facePlace(k), "it does not fit the faces before it",
-                        "the surface is no manifold there");
-    }
+    const std::vector<HalfedgeId> halfedges = addEdges(mesh, soup, twins);
+    addFaces(mesh, halfedges);
+    linkBoundary(mesh, twins, halfedges);
     return mesh;
 }
 

@@ -3,43 +3,55 @@
 #include "base/error.h"
 #include "mesh/build_mesh.h"
 #include "mesh/suspicions.h"
+#include "mesh/text_lines.h"
 #include "mesh/validate.h"
 
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 
 namespace qm {
 namespace {
 
-std::string extension(std::string_view name) {
-    const std::size_t dot = name.rfind('.');
-    std::string result(dot == std::string_view::npos ? "" : name.substr(dot + 1));
-    std::ranges::transform(result, result.begin(),
+enum class Format { unknown, obj, off, ply };
+
+Format formatNamed(std::string_view name) {
+    const std::size_t dot = name.find_last_of("./");
+    if (dot == std::string_view::npos || name[dot] == '/') return Format::unknown;
+    std::string extension(name.substr(dot + 1));
+    std::ranges::transform(extension, extension.begin(),
                            [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return result;
+    if (extension == "obj") return Format::obj;
+    if (extension == "off") return Format::off;
+    if (extension == "ply") return Format::ply;
+    return Format::unknown;
+}
+
+Format formatOf(std::string_view bytes) {
+    constexpr std::array<std::string_view, 11> objStatements{"v", "vt", "vn",     "vp",     "f", "o",
+                                                             "g", "s",  "mtllib", "usemtl", "l"};
+    const std::string_view word = TextLines(bytes).wordAnywhere();
+    if (word == "ply") return Format::ply;
+    if (word.ends_with("OFF")) return Format::off;
+    return std::ranges::find(objStatements, word) != objStatements.end() ? Format::obj : Format::unknown;
 }
 
 Soup readSoup(std::string_view bytes, std::string_view name) {
-    if (bytes.empty()) throw Error("", "the file is empty", "get it whole");
-    std::string format = extension(name);
-    const std::string_view firstLine = bytes.substr(0, bytes.find_first_of("\r\n"));
-    if (format != "obj" && format != "off" && format != "ply") {
-        if (firstLine.ends_with("OFF")) format = "off";
-        if (firstLine == "ply") format = "ply";
-        if (firstLine.starts_with("v ") || (format.empty() && firstLine.starts_with("#"))) format = "obj";
+    if (bytes.empty()) throw Error("", "the file is empty", "Get it whole");
+    if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3); // the mark that some editors set
+    Format format = formatNamed(name);
+    if (format == Format::unknown) format = formatOf(bytes);
+    switch (format) {
+    case Format::obj:
+        return readObj(bytes);
+    case Format::off:
+        return readOff(bytes);
+    case Format::ply:
+        return readPly(bytes);
+    case Format::unknown:
+        break;
     }
-    if (format == "obj") return readObj(bytes);
-    if (format == "off") return readOff(bytes);
-    if (format == "ply") return readPly(bytes);
-    throw Error("", "the format is not known", "give an OBJ, OFF or PLY file");
-}
-
-void append(std::string& text, double value) {
-    std::array<char, 32> buffer;
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
-    text.append(buffer.data(), end);
+    throw Error("", "the format is not known", "Give an OBJ, OFF or PLY file");
 }
 
 } // namespace
@@ -54,26 +66,6 @@ ReadResult readMesh(std::string_view bytes, std::string_view name, const ReadOpt
     result.mesh = buildMesh(soup);
     result.warnings = suspicions(result.mesh);
     return result;
-}
-
-std::string writeObj(const QuadMesh& mesh) {
-    std::string text;
-    for (const VertexId vertex : mesh.vertices()) {
-        text += 'v';
-        for (const double value : mesh.point(vertex)) {
-            text += ' ';
-            append(text, value);
-        }
-        text += '\n';
-    }
-    for (const FaceId face : mesh.faces()) {
-        text += 'f';
-        HalfedgeId halfedge = mesh.halfedge_handle(face);
-        for (int k = 0; k < 4; ++k, halfedge = mesh.next_halfedge_handle(halfedge))
-            text += ' ' + std::to_string(mesh.to_vertex_handle(halfedge).idx() + 1);
-        text += '\n';
-    }
-    return text;
 }
 
 } // namespace qm

@@ -1,11 +1,13 @@
 /// \file Reading a quad mesh from the bytes of a file.
 ///
-/// OBJ, OFF and PLY. OpenMesh's own readers hand points over in single precision, drop faces that they cannot
-/// represent and name no lines, so the formats are read here, and OpenMesh holds the mesh.
+/// OBJ, OFF and PLY. OpenMesh's own readers hand points over in single precision, drop or split what they
+/// cannot represent, take what is left of a file that was cut off, and name no lines. So the formats are read
+/// here, and OpenMesh holds the mesh.
 #pragma once
 
 #include "mesh/quad_mesh.h"
 #include "mesh/repair.h"
+#include "mesh/write_mesh.h"
 
 #include <string>
 #include <string_view>
@@ -23,12 +25,9 @@ struct ReadResult {
     std::vector<std::string> warnings; ///< valid but suspicious, a sentence each
 };
 
-/// \param name  of the file; its extension tells the format, and where it has none the first bytes do
+/// \param name  of the file; its extension tells the format, and where it has none the first word does
 /// \throw Error  naming the first offending line, face, edge or vertex
 [[nodiscard]] ReadResult readMesh(std::string_view bytes, std::string_view name,
                                   const ReadOptions& options = {});
-
-/// Text of an OBJ file with the mesh's numbering; coordinates read back exactly.
-[[nodiscard]] std::string writeObj(const QuadMesh& mesh);
 
 } // namespace qm

@@ -2,10 +2,12 @@
 #include "mesh/soup.h"
 #include "mesh/text_lines.h"
 
+#include <utility>
+
 namespace qm {
 namespace {
 
-constexpr const char* cutOff = "the file seems to be cut off; get it whole";
+constexpr const char* cutOff = "The file seems to be cut off: get it whole";
 
 class ObjReader {
 public:
@@ -21,7 +23,9 @@ public:
     }
 
 private:
+    /// What follows the three coordinates, weights or colours, is passed over.
     void readPoint() {
+        const std::uint32_t line = lines_.lineNumber();
         Point point;
         for (unsigned k = 0; k < 3; ++k) {
             const std::string_view word = lines_.word();
@@ -30,23 +34,25 @@ private:
                 throw Error(lines_.place(),
                             "vertex " + std::to_string(soup_.points.size()) +
                                 (word.empty() ? " has fewer than three coordinates"
-                                              : ": \"" + std::string(word.substr(0, 20)) + "\" is no number"),
-                            lines_.unfinished() ? cutOff : "mend the line");
+                                              : ": " + quoted(word) + " is no number"),
+                            lines_.unfinished() ? cutOff : "Mend the line");
             point[k] = *value;
         }
         soup_.points.push_back(point);
-        soup_.pointLines.push_back(lines_.lineNumber());
+        soup_.pointLines.push_back(line);
     }
 
     void readFace() {
         const std::uint32_t line = lines_.lineNumber();
+        const std::size_t begin = soup_.corners.size();
         for (std::string_view word = lines_.word(); !word.empty(); word = lines_.word())
             soup_.corners.push_back(cornerOf(word));
         soup_.endFace(line);
-        if (lines_.unfinished() && soup_.face(soup_.faceCount() - 1).size() < 4)
+        const std::size_t corners = soup_.corners.size() - begin;
+        if (lines_.unfinished() && corners < 4)
             throw Error(soup_.facePlace(soup_.faceCount() - 1),
-                        "the last line ends after " +
-                            std::to_string(soup_.face(soup_.faceCount() - 1).size()) + " vertices",
+                        "the last line ends after " + std::to_string(corners) +
+                            (corners == 1 ? " vertex" : " vertices"),
                         cutOff);
     }
 
@@ -54,9 +60,10 @@ private:
     std::int64_t cornerOf(std::string_view word) const {
         const auto index = parseNumber<std::int64_t>(word.substr(0, word.find('/')));
         if (!index || *index == 0)
-            throw Error(soup_.facePlace(soup_.faceCount()) + ", line " + std::to_string(lines_.lineNumber()),
-                        "\"" + std::string(word.substr(0, 20)) + "\" is no vertex index",
-                        lines_.unfinished() ? cutOff : "mend the line; indices count from 1");
+            throw Error(lines_.place(),
+                        "face " + std::to_string(soup_.faceCount()) + ": " + quoted(word) +
+                            " is no vertex index",
+                        lines_.unfinished() ? cutOff : "Mend the line; indices count from 1");
         return *index > 0 ? *index - 1 : static_cast<std::int64_t>(soup_.points.size()) + *index;
     }
 

@@ -2,6 +2,9 @@
 #include "mesh/soup.h"
 #include "mesh/text_lines.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace qm {
 namespace {
 
@@ -15,29 +18,37 @@ public:
         const std::uint32_t line = lines_.lineNumber();
         const std::size_t faces = readCount("faces");
         // The number of edges says nothing and may be missing, unless every count has a line of its own.
-        if (lines_.lineNumber() != line) lines_.wordAnywhere();
-        // Every element takes two bytes at least: a count beyond that must not be allocated.
-        soup_.points.reserve(std::min(points, size_ / 2));
-        soup_.corners.reserve(std::min(faces * 4, size_ / 2));
+        if (lines_.lineNumber() != line || !lines_.lineIsEmpty()) lines_.wordAnywhere();
+        // Elements begin on lines of their own, so that colours can be told from them; but some files have
+        // no lines at all.
+        hasLines_ = lines_.lineIsEmpty();
+        // Every number takes two bytes at least: a count beyond that must not be allocated.
+        soup_.points.reserve(std::min(points, size_ / 6));
+        soup_.corners.reserve(4 * std::min(faces, size_ / 8));
         for (std::size_t k = 0; k < points; ++k)
             readPoint(points);
         for (std::size_t k = 0; k < faces; ++k)
             readFace(faces);
+        checkEnd(faces);
         return std::move(soup_);
     }
 
 private:
     /// OFF with any of ST, C and N before it, for texture, colours and normals; "4" and "n" change the
-    /// dimension.
+    /// dimension. The word may be missing.
     void readHeader() {
         const std::string_view word = lines_.wordAnywhere();
+        if (parseNumber<std::int64_t>(word)) {
+            pendingCount_ = word;
+            return;
+        }
         if (!word.ends_with("OFF"))
-            throw Error(lines_.place(), "it does not begin with OFF", "is it another format?");
-        if (word.starts_with('4') || word.starts_with('n'))
-            throw Error(lines_.place(), "points of " + std::string(word) + " are not in three dimensions",
-                        "write a plain OFF file");
+            throw Error(lines_.place(), "it does not begin with OFF", "Is it another format?");
+        if (word.find_first_of("4n") != std::string_view::npos)
+            throw Error(lines_.place(), "points of " + quoted(word) + " are not in three dimensions",
+                        "Write a plain OFF file");
         if (const std::string_view next = lines_.word(); next == "BINARY")
-            throw Error(lines_.place(), "binary OFF is not understood", "write it as text, or as binary PLY");
+            throw Error(lines_.place(), "binary OFF is not understood", "Write it as text, or as binary PLY");
         else if (!next.empty())
             pendingCount_ = next;
     }
@@ -47,7 +58,7 @@ private:
             pendingCount_.empty() ? lines_.wordAnywhere() : std::exchange(pendingCount_, {});
         const auto count = parseNumber<std::int64_t>(word);
         if (!count || *count < 0)
-            throw Error(lines_.place(), "the number of " + what + " is missing", "mend the header");
+            throw Error(lines_.place(), "the number of " + what + " is missing", "Mend the header");
         return static_cast<std::size_t>(*count);
     }
 
@@ -55,22 +66,26 @@ private:
         throw Error(lines_.place(),
                     "the file ends after " + std::to_string(found) + " " + what + ", its header says " +
                         std::to_string(announced),
-                    "the file seems to be cut off; get it whole");
+                    "The file seems to be cut off: get it whole");
+    }
+
+    void beginElement() {
+        if (hasLines_) lines_.nextLine();
     }
 
     /// Three numbers; what else is on the line of the last of them, colours say, is passed over.
     void readPoint(std::size_t announced) {
         Point point;
-        lines_.nextLine();
+        beginElement();
         for (unsigned k = 0; k < 3; ++k) {
             const std::string_view word = lines_.wordAnywhere();
             if (word.empty()) cutOff("vertices", soup_.points.size(), announced);
             const auto value = parseNumber<double>(word);
             if (!value)
                 throw Error(lines_.place(),
-                            "vertex " + std::to_string(soup_.points.size()) + ": \"" +
-                                std::string(word.substr(0, 20)) + "\" is no number",
-                            "mend the line");
+                            "vertex " + std::to_string(soup_.points.size()) + ": " + quoted(word) +
+                                " is no number",
+                            "Mend the line");
             point[k] = *value;
         }
         soup_.points.push_back(point);
@@ -78,13 +93,13 @@ private:
     }
 
     void readFace(std::size_t announced) {
-        lines_.nextLine();
-        const std::size_t face = soup_.faceCount();
+        beginElement();
         const std::int64_t count = readIndex(announced);
         const std::uint32_t line = lines_.lineNumber();
         if (count < 0 || static_cast<std::size_t>(count) > size_)
-            throw Error(lines_.place(), "face " + std::to_string(face) + " cannot have that many vertices",
-                        "mend the line");
+            throw Error(lines_.place(),
+                        "face " + std::to_string(soup_.faceCount()) + " cannot have that many vertices",
+                        "Mend the line");
         for (std::int64_t k = 0; k < count; ++k)
             soup_.corners.push_back(readIndex(announced));
         soup_.endFace(line);
@@ -96,15 +111,26 @@ private:
         const auto index = parseNumber<std::int64_t>(word);
         if (!index)
             throw Error(lines_.place(),
-                        "face " + std::to_string(soup_.faceCount()) + ": \"" +
-                            std::string(word.substr(0, 20)) + "\" is no whole number",
-                        "mend the line");
+                        "face " + std::to_string(soup_.faceCount()) + ": " + quoted(word) +
+                            " is no whole number",
+                        "Mend the line");
         return *index;
+    }
+
+    /// More faces than announced would be lost without a word.
+    void checkEnd(std::size_t announced) {
+        beginElement();
+        if (!lines_.wordAnywhere().empty())
+            throw Error(lines_.place(),
+                        "the file goes on after the " + std::to_string(announced) +
+                            " faces that its header announces",
+                        "Mend the counts in the header");
     }
 
     std::size_t size_;
     TextLines lines_;
     std::string_view pendingCount_;
+    bool hasLines_ = true;
     Soup soup_;
 };
 

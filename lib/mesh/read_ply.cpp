@@ -1,79 +1,46 @@
 #include "base/error.h"
+#include "mesh/ply_header.h"
 #include "mesh/soup.h"
-#include "mesh/text_lines.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstring>
+#include <limits>
 #include <memory>
-#include <optional>
+#include <utility>
 
 namespace qm {
 namespace {
 
-enum class Type { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
-
-std::optional<Type> typeNamed(std::string_view name) {
-    constexpr std::array<std::pair<std::string_view, Type>, 16> names{{{"char", Type::int8},
-                                                                       {"int8", Type::int8},
-                                                                       {"uchar", Type::uint8},
-                                                                       {"uint8", Type::uint8},
-                                                                       {"short", Type::int16},
-                                                                       {"int16", Type::int16},
-                                                                       {"ushort", Type::uint16},
-                                                                       {"uint16", Type::uint16},
-                                                                       {"int", Type::int32},
-                                                                       {"int32", Type::int32},
-                                                                       {"uint", Type::uint32},
-                                                                       {"uint32", Type::uint32},
-                                                                       {"float", Type::float32},
-                                                                       {"float32", Type::float32},
-                                                                       {"double", Type::float64},
-                                                                       {"float64", Type::float64}}};
-    const auto found = std::ranges::find(names, name, &std::pair<std::string_view, Type>::first);
-    return found == names.end() ? std::nullopt : std::optional(found->second);
-}
-
-struct Property {
-    std::string name;
-    Type type{};
-    std::optional<Type> countType; ///< of a list
-};
-
-struct Element {
-    std::string name;
-    std::size_t count = 0;
-    std::vector<Property> properties;
-};
-
-[[noreturn]] void cutOff(const std::string& element, std::size_t found, std::size_t announced) {
-    throw Error(element + " " + std::to_string(found),
-                "the file ends there, its header announces " + std::to_string(announced),
-                "the file seems to be cut off; get it whole");
-}
-
 /// Numbers one after the other, as the header's format has them.
 class Values {
 public:
+    Values() = default;
+    Values(const Values&) = delete;
+    Values& operator=(const Values&) = delete;
     virtual ~Values() = default;
     /// Nothing at the end of the file.
-    virtual std::optional<double> next(Type type) = 0;
+    virtual std::optional<double> next(PlyType type) = 0;
+    /// Nothing but white space is left.
+    virtual bool atEnd() = 0;
+    /// 0 if there are no lines.
     [[nodiscard]] virtual std::uint32_t line() const { return 0; }
 };
 
 class TextValues : public Values {
 public:
     explicit TextValues(TextLines& lines) : lines_(lines) {}
-    std::optional<double> next(Type) override {
+
+    std::optional<double> next(PlyType) override {
         const std::string_view word = lines_.wordAnywhere();
         if (word.empty()) return std::nullopt;
         const auto value = parseNumber<double>(word);
-        if (!value)
-            throw Error(lines_.place(), "\"" + std::string(word.substr(0, 20)) + "\" is no number",
-                        "mend the line");
+        if (!value) throw Error(lines_.place(), quoted(word) + " is no number", "Mend the line");
         return value;
     }
+    bool atEnd() override { return lines_.wordAnywhere().empty(); }
     [[nodiscard]] std::uint32_t line() const override { return lines_.lineNumber(); }
 
 private:
@@ -83,27 +50,29 @@ private:
 class BinaryValues : public Values {
 public:
     BinaryValues(std::string_view bytes, bool swapped) : bytes_(bytes), swapped_(swapped) {}
-    std::optional<double> next(Type type) override {
+
+    std::optional<double> next(PlyType type) override {
         switch (type) {
-        case Type::int8:
+        case PlyType::int8:
             return take<std::int8_t>();
-        case Type::uint8:
+        case PlyType::uint8:
             return take<std::uint8_t>();
-        case Type::int16:
+        case PlyType::int16:
             return take<std::int16_t>();
-        case Type::uint16:
+        case PlyType::uint16:
             return take<std::uint16_t>();
-        case Type::int32:
+        case PlyType::int32:
             return take<std::int32_t>();
-        case Type::uint32:
+        case PlyType::uint32:
             return take<std::uint32_t>();
-        case Type::float32:
+        case PlyType::float32:
             return take<float>();
-        case Type::float64:
+        case PlyType::float64:
             return take<double>();
         }
         return std::nullopt;
     }
+    bool atEnd() override { return bytes_.find_first_not_of(" \t\r\n") == std::string_view::npos; }
 
 private:
     template <class Number> std::optional<double> take() {
@@ -121,120 +90,90 @@ private:
 
 class PlyReader {
 public:
-    explicit PlyReader(std::string_view bytes) : bytes_(bytes), lines_(bytes) {}
+    explicit PlyReader(std::string_view bytes)
+        : size_(bytes.size()), lines_(bytes), header_(readPlyHeader(lines_)), values_(openBody()) {}
 
     Soup read() {
-        readHeader();
-        const std::unique_ptr<Values> values = openBody();
-        for (const Element& element : elements_) {
-            const bool vertex = element.name == "vertex", face = element.name == "face";
+        for (const PlyElement& element : header_.elements) {
             if (element.properties.empty()) continue; // nothing is stored for it
-            for (std::size_t k = 0; k < element.count; ++k)
-                readElement(element, k, vertex, face, *values);
+            const bool vertex = element.name == "vertex", face = element.name == "face";
+            for (std::size_t k = 0; k < element.count; ++k) {
+                const Point point = readElement(element, k);
+                if (vertex) addPoint(point);
+                if (face) soup_.endFace(values_->line());
+            }
         }
+        if (!values_->atEnd())
+            throw Error(values_->line() > 0 ? lines_.place() : "",
+                        "the file goes on after the elements that its header announces",
+                        "Mend the counts and properties in the header");
         return std::move(soup_);
     }
 
 private:
-    void readHeader() {
-        lines_.nextLine();
-        if (lines_.word() != "ply")
-            throw Error("line 1", "it does not begin with ply", "is it another format?");
-        for (;;) {
-            if (!lines_.nextLine())
-                throw Error(lines_.place(), "the header has no end", "get the file whole");
-            const std::string_view keyword = lines_.word();
-            if (keyword == "end_header") return;
-            if (keyword == "format") format_ = lines_.word();
-            if (keyword == "element") readElementLine();
-            if (keyword == "property") readPropertyLine();
-        }
-    }
-
-    void readElementLine() {
-        Element element;
-        element.name = lines_.word();
-        const auto count = parseNumber<std::int64_t>(lines_.word());
-        if (!count || *count < 0) throw Error(lines_.place(), "the element has no count", "mend the header");
-        element.count = static_cast<std::size_t>(*count);
-        elements_.push_back(std::move(element));
-    }
-
-    Type readType(std::string_view word) const {
-        const auto type = typeNamed(word);
-        if (!type)
-            throw Error(lines_.place(), "\"" + std::string(word.substr(0, 20)) + "\" is no type",
-                        "mend the header");
-        return *type;
-    }
-
-    void readPropertyLine() {
-        if (elements_.empty())
-            throw Error(lines_.place(), "a property comes before any element", "mend the header");
-        Property property;
-        std::string_view word = lines_.word();
-        if (word == "list") {
-            property.countType = readType(lines_.word());
-            word = lines_.word();
-        }
-        property.type = readType(word);
-        property.name = lines_.word();
-        elements_.back().properties.push_back(std::move(property));
-    }
-
     std::unique_ptr<Values> openBody() {
-        if (format_ == "ascii") return std::make_unique<TextValues>(lines_);
-        const bool little = format_ == "binary_little_endian", big = format_ == "binary_big_endian";
-        if (!little && !big)
-            throw Error("", "format " + format_ + " is not understood", "write it as ascii or binary PLY");
-        const std::size_t header = bytes_.find("end_header");
-        const std::size_t body = bytes_.find('\n', header) + 1;
-        return std::make_unique<BinaryValues>(bytes_.substr(body),
+        if (header_.format == PlyFormat::ascii) return std::make_unique<TextValues>(lines_);
+        const bool little = header_.format == PlyFormat::littleEndian;
+        return std::make_unique<BinaryValues>(lines_.rest(),
                                               little != (std::endian::native == std::endian::little));
     }
 
-    void readElement(const Element& element, std::size_t k, bool vertex, bool face, Values& values) {
+    void addPoint(const Point& point) {
+        soup_.points.push_back(point);
+        if (values_->line() > 0) soup_.pointLines.push_back(values_->line());
+    }
+
+    /// \return the place, if it is a vertex; corners go to the soup
+    Point readElement(const PlyElement& element, std::size_t k) {
         Point point(0, 0, 0);
-        const auto next = [&](Type type) {
-            const auto value = values.next(type);
-            if (!value) cutOff(element.name, k, element.count);
-            return *value;
-        };
-        for (const Property& property : element.properties) {
-            if (!property.countType) {
-                const double value = next(property.type);
-                if (property.name == "x") point[0] = value;
-                if (property.name == "y") point[1] = value;
-                if (property.name == "z") point[2] = value;
+        for (const PlyProperty& property : element.properties) {
+            if (property.countType) {
+                readList(element, k, property);
                 continue;
             }
-            const bool corners =
-                face && (property.name == "vertex_indices" || property.name == "vertex_index");
-            const double count = next(*property.countType);
-            if (!(count >= 0) || count > static_cast<double>(bytes_.size()))
-                throw Error(element.name + " " + std::to_string(k), "its list has an impossible length",
-                            "get the file anew");
-            for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-                const double value = next(property.type);
-                if (corners) soup_.corners.push_back(indexOf(value));
-            }
+            const double value = next(element, k, property.type);
+            if (property.role == PlyRole::x) point[0] = value;
+            if (property.role == PlyRole::y) point[1] = value;
+            if (property.role == PlyRole::z) point[2] = value;
         }
-        if (vertex) {
-            soup_.points.push_back(point);
-            if (values.line() > 0) soup_.pointLines.push_back(values.line());
-        }
-        if (face) soup_.endFace(values.line());
+        return point;
     }
 
-    /// Anything that is no index of a vertex is out of range.
-    static std::int64_t indexOf(double value) {
-        return value >= 0 && value < 9e15 ? static_cast<std::int64_t>(value) : -1;
+    void readList(const PlyElement& element, std::size_t k, const PlyProperty& property) {
+        const double count = next(element, k, *property.countType);
+        if (!(count >= 0) || count > static_cast<double>(size_) || count != std::floor(count))
+            throw Error(placeOf(element, k), "its list has an impossible length", "Get the file anew");
+        for (double i = 0; i < count; ++i) {
+            const double value = next(element, k, property.type);
+            if (property.role == PlyRole::corners) soup_.corners.push_back(indexOf(value, element, k));
+        }
     }
 
-    std::string_view bytes_;
+    double next(const PlyElement& element, std::size_t k, PlyType type) {
+        const auto value = values_->next(type);
+        if (!value)
+            throw Error(placeOf(element, k),
+                        "the file ends there, its header announces " + std::to_string(element.count),
+                        "The file seems to be cut off: get it whole");
+        return *value;
+    }
+
+    std::int64_t indexOf(double value, const PlyElement& element, std::size_t k) const {
+        constexpr double largest = 1e15; // beyond the number of vertices of any file
+        if (value != std::floor(value))  // true of nan too
+            throw Error(placeOf(element, k), "a vertex index is no whole number", "Mend the face");
+        return static_cast<std::int64_t>(std::clamp(value, -largest, largest));
+    }
+
+    [[nodiscard]] std::string placeOf(const PlyElement& element, std::size_t k) const {
+        const std::string line = values_->line() > 0 ? " (line " + std::to_string(values_->line()) + ")" : "";
+        return element.name + " " + std::to_string(k) + line;
+    }
+
+    std::size_t size_;
     TextLines lines_;
-    std::string format_;
-    std::vector<Element> elements_;
+    PlyHeader header_;
+    std::unique_ptr<Values> values_;
     Soup soup_;
 };
 

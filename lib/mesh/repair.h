@@ -16,10 +16,12 @@ struct RepairReport {
     }
 };
 
-/// Welds vertices closer than 1e-9 of the bounding box's diagonal, drops degenerate and duplicate faces, and
-/// orients every component as most of its faces are. Vertices are renumbered when some are welded; their
-/// order stays. \param soup  quads with indices in range and finite coordinates \throw Error  if the faces
-/// cannot be oriented consistently: the surface has one side only
+/// Drops degenerate and duplicate faces, a quad and its reverse among them; welds vertices at the same place
+/// along borders; collapses quads with two opposite corners at the same place; and orients every component
+/// as most of its faces are (see `weld.h`, `orientation.h`). Vertices and faces keep their order, a face
+/// its first vertex. Isolated vertices stay. Whether the result is a mesh is for `validateSoup` to say.
+/// \param soup  quads with indices in range and finite coordinates
+/// \throw Error  if the surface has one side only, or no face is left
 RepairReport repairSoup(Soup& soup);
 
 } // namespace qm

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace qm {
@@ -15,31 +16,40 @@ struct Soup {
     std::vector<Point> points;
     std::vector<std::int64_t> corners;      ///< vertex indices from 0, polygon after polygon
     std::vector<std::size_t> faceBegins{0}; ///< where polygon k begins in `corners`; one more than polygons
-    std::vector<std::uint32_t> pointLines; ///< line of each point in the file, from 1; empty for binary files
-    std::vector<std::uint32_t> faceLines;  ///< likewise of each polygon
+
+    // For messages, which speak of the file whatever has been done to the soup since.
+    std::vector<std::uint32_t> pointLines;   ///< line of each point, from 1; empty for binary files
+    std::vector<std::uint32_t> faceLines;    ///< likewise of each polygon
+    std::vector<std::uint32_t> pointNumbers; ///< number in the file; empty if that is the position
+    std::vector<std::uint32_t> faceNumbers;  ///< likewise of each polygon
 
     [[nodiscard]] std::size_t faceCount() const { return faceBegins.size() - 1; }
     [[nodiscard]] std::span<const std::int64_t> face(std::size_t k) const {
         return {corners.data() + faceBegins[k], corners.data() + faceBegins[k + 1]};
     }
+    /// The corners added since the last polygon are one. \param line  0 if there are no lines
     void endFace(std::uint32_t line);
 
-    /// "vertex 7 (line 12)", for messages.
+    /// The number of a point in the file.
+    [[nodiscard]] std::size_t pointNumber(std::size_t k) const;
+    /// "vertex 7 (line 12)".
     [[nodiscard]] std::string pointPlace(std::size_t k) const;
+    /// "face 7 (line 12)".
     [[nodiscard]] std::string facePlace(std::size_t k) const;
 };
 
-/// \throw Error  naming the line, if the text is no OBJ or is cut off. Relative indices, texture and normal
-/// indices,
-///               colours, continued lines and any line ends are understood; other statements are passed over.
+/// Relative indices, texture and normal indices, colours, continued lines and any line ends are understood;
+/// other statements are passed over.
+/// \throw Error  naming the line, if the text is no OBJ or is cut off
 [[nodiscard]] Soup readObj(std::string_view text);
 
-/// \throw Error  naming the line, if the text is no ASCII OFF or is cut off. Colours and normals are passed
-/// over, and
-///               a face may be spread over lines.
+/// Colours and normals are passed over, and a face may be spread over lines.
+/// \throw Error  naming the line, if the text is no OFF in ASCII or holds less or more than its header says
 [[nodiscard]] Soup readOff(std::string_view text);
 
-/// \throw Error  if the bytes are no PLY, ASCII or binary of either byte order, or are cut off
+/// ASCII, or binary of either byte order; what is neither a vertex's place nor a face's corners is passed
+/// over.
+/// \throw Error  if the bytes are no PLY or hold less or more than their header says
 [[nodiscard]] Soup readPly(std::string_view bytes);
 
 } // namespace qm

@@ -1,36 +1,49 @@
 #include "mesh/soup_edges.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace qm {
 
 SoupEdges findEdges(const Soup& soup) {
-    // Bucket the sides by their lower vertex, then sort within the small buckets: linear in practice.
-    const std::size_t sides = soup.corners.size();
-    std::vector<std::size_t> bucketEnd(soup.points.size() + 1, 0);
-    const auto lower = [&](Side side) {
-        return static_cast<std::size_t>(std::min(sideFrom(soup, side), sideTo(soup, side)));
-    };
-    const auto higher = [&](Side side) { return std::max(sideFrom(soup, side), sideTo(soup, side)); };
-    for (Side side = 0; side < sides; ++side)
-        ++bucketEnd[lower(side) + 1];
-    for (std::size_t k = 1; k < bucketEnd.size(); ++k)
-        bucketEnd[k] += bucketEnd[k - 1];
-    SoupEdges edges;
-    edges.sides.resize(sides);
-    std::vector<std::size_t> next(bucketEnd.begin(), bucketEnd.end() - 1);
-    for (Side side = 0; side < sides; ++side)
-        edges.sides[next[lower(side)]++] = side;
-    for (std::size_t k = 0; k + 1 < bucketEnd.size(); ++k) {
-        const auto begin = edges.sides.begin() + static_cast<std::ptrdiff_t>(bucketEnd[k]);
-        const auto end = edges.sides.begin() + static_cast<std::ptrdiff_t>(bucketEnd[k + 1]);
-        std::stable_sort(begin, end, [&](Side a, Side b) { return higher(a) < higher(b); });
-        for (auto side = begin; side != end; ++side)
-            if (side == begin || higher(*side) != higher(*(side - 1)))
-                edges.begin.push_back(static_cast<std::size_t>(side - edges.sides.begin()));
+    // Bucket the sides by their lower vertex, then sort within the buckets, which are small: linear.
+    const auto sideCount = static_cast<Side>(soup.corners.size());
+    const auto ends = [&](Side side) { return std::minmax({sideFrom(soup, side), sideTo(soup, side)}); };
+    std::vector<std::size_t> bucketBegin(soup.points.size() + 2, 0);
+    for (Side side = 0; side < sideCount; ++side)
+        ++bucketBegin[static_cast<std::size_t>(ends(side).first) + 2];
+    for (std::size_t k = 2; k < bucketBegin.size(); ++k)
+        bucketBegin[k] += bucketBegin[k - 1];
+    std::vector<std::pair<std::int64_t, Side>> sorted(sideCount); // by higher vertex, then side
+    for (Side side = 0; side < sideCount; ++side) {
+        const auto [lower, higher] = ends(side);
+        sorted[bucketBegin[static_cast<std::size_t>(lower) + 1]++] = {higher, side};
     }
-    edges.begin.push_back(sides);
+    SoupEdges edges;
+    edges.sides.reserve(sideCount);
+    edges.begin.reserve(sideCount / 2 + 1);
+    for (std::size_t k = 0; k < soup.points.size(); ++k) { // counting has moved each begin to the next one's
+        const auto at = [&](std::size_t i) { return sorted.begin() + static_cast<std::ptrdiff_t>(i); };
+        const auto begin = at(bucketBegin[k]), end = at(bucketBegin[k + 1]);
+        std::sort(begin, end);
+        for (auto entry = begin; entry != end; ++entry) {
+            if (entry == begin || entry->first != (entry - 1)->first)
+                edges.begin.push_back(edges.sides.size());
+            edges.sides.push_back(entry->second);
+        }
+    }
+    edges.begin.push_back(sideCount);
     return edges;
+}
+
+std::vector<Side> twinSides(const Soup& soup, const SoupEdges& edges) {
+    std::vector<Side> twins(soup.corners.size(), static_cast<Side>(soup.corners.size()));
+    for (std::size_t k = 0; k < edges.count(); ++k)
+        if (const auto sides = edges.edge(k); sides.size() == 2) {
+            twins[sides[0]] = sides[1];
+            twins[sides[1]] = sides[0];
+        }
+    return twins;
 }
 
 } // namespace qm

@@ -4,11 +4,12 @@
 #include "mesh/soup.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace qm {
 
-/// Side 4 * f + k of quad f leads from its corner k to the next.
+/// Side 4 * f + k of quad f leads from its corner k to the next. The number of sides stands for "none".
 using Side = std::uint32_t;
 
 /// Sides in groups: each group holds all sides between the same two vertices.
@@ -22,14 +23,27 @@ struct SoupEdges {
     }
 };
 
-/// \param soup  all its polygons are quads with indices in range
+// Of a soup whose polygons are all quads with indices in range:
+
 [[nodiscard]] SoupEdges findEdges(const Soup& soup);
+
+/// For every side the other one on its edge; none on the boundary and where more than two meet.
+[[nodiscard]] std::vector<Side> twinSides(const Soup& soup, const SoupEdges& edges);
 
 [[nodiscard]] inline std::int64_t sideFrom(const Soup& soup, Side side) {
     return soup.corners[side];
 }
+
+/// The side after it, or before it, in the same quad.
+[[nodiscard]] constexpr Side nextSide(Side side) {
+    return (side & ~3U) | ((side + 1) & 3U);
+}
+[[nodiscard]] constexpr Side previousSide(Side side) {
+    return (side & ~3U) | ((side + 3) & 3U);
+}
+
 [[nodiscard]] inline std::int64_t sideTo(const Soup& soup, Side side) {
-    return soup.corners[(side & ~3U) | ((side + 1) & 3U)];
+    return soup.corners[nextSide(side)];
 }
 
 } // namespace qm

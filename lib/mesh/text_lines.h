@@ -3,40 +3,37 @@
 
 #include <charconv>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 namespace qm {
 
-/// Walks through a text. Lines end with LF, CRLF or the text; '#' begins a comment.
+/// Walks through a text. Lines end with LF, CRLF or CR, whichever the first one ends with; '#' begins a
+/// comment.
 class TextLines {
 public:
-    explicit TextLines(std::string_view text) : rest_(text) {}
+    explicit TextLines(std::string_view text) : rest_(text), lineEnd_(lineEndOf(text)) {}
 
     /// Goes to the next line. \param continued  a backslash at the end joins it with the one after
     bool nextLine(bool continued = false) {
         if (rest_.empty()) return false;
-        takeLine();
-        continues_ = continued;
+        takeLine(continued);
         return true;
     }
 
     /// The next word of this line; empty at its end.
     std::string_view word() {
-        for (;;) {
-            skipBlanks();
-            if (continues_ && line_ == "\\" && !rest_.empty()) {
-                takeLine();
-                continue;
-            }
-            std::size_t length = 0;
-            while (length < line_.size() && !isBlank(line_[length]))
-                ++length;
-            const std::string_view found = line_.substr(0, length);
-            line_.remove_prefix(length);
-            return found;
-        }
+        while (lineIsEmpty() && joined_ && !rest_.empty())
+            takeLine(true);
+        std::size_t length = 0;
+        while (length < line_.size() && !isBlank(line_[length]))
+            ++length;
+        const std::string_view found = line_.substr(0, length);
+        line_.remove_prefix(length);
+        return found;
     }
 
     /// The next word, on this line or a later one; empty at the end of the text.
@@ -47,46 +44,76 @@ public:
         return found;
     }
 
+    /// No word is left on this line.
+    bool lineIsEmpty() {
+        while (!line_.empty() && isBlank(line_.front()))
+            line_.remove_prefix(1);
+        return line_.empty();
+    }
+
     [[nodiscard]] std::uint32_t lineNumber() const { return number_; }
     [[nodiscard]] std::string place() const { return "line " + std::to_string(number_); }
-    [[nodiscard]] bool atEnd() const { return rest_.empty(); }
     /// The line was the last one and no line end followed it.
     [[nodiscard]] bool unfinished() const { return unfinished_; }
+    /// What follows this line.
+    [[nodiscard]] std::string_view rest() const { return rest_; }
 
 private:
     static bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
 
-    void skipBlanks() {
-        while (!line_.empty() && isBlank(line_.front()))
-            line_.remove_prefix(1);
+    static char lineEndOf(std::string_view text) {
+        const std::size_t end = text.find_first_of("\r\n");
+        const bool returnAlone =
+            end != std::string_view::npos && text[end] == '\r' && text.substr(end + 1, 1) != "\n";
+        return returnAlone ? '\r' : '\n';
     }
 
-    void takeLine() {
-        const std::size_t end = rest_.find('\n');
+    void takeLine(bool continued) {
+        const std::size_t end = rest_.find(lineEnd_);
         unfinished_ = end == std::string_view::npos;
         line_ = rest_.substr(0, end);
         rest_.remove_prefix(unfinished_ ? rest_.size() : end + 1);
         line_ = line_.substr(0, line_.find('#'));
         while (!line_.empty() && isBlank(line_.back()))
             line_.remove_suffix(1);
+        joined_ = continued && line_.ends_with('\\');
+        if (joined_) line_.remove_suffix(1);
         ++number_;
     }
 
     std::string_view rest_;
     std::string_view line_;
     std::uint32_t number_ = 0;
-    bool continues_ = false;
+    char lineEnd_;
+    bool joined_ = false;
     bool unfinished_ = false;
 };
 
-/// The whole word as a number; nan and inf are numbers here. Nothing if it is none.
+/// The whole word as a number; nan and inf are numbers here. What is too large for the type becomes its
+/// largest value, for floating point infinity. Nothing if it is no number.
 template <class Number> std::optional<Number> parseNumber(std::string_view word) {
-    if (word.starts_with('+')) word.remove_prefix(1);
+    if (word.starts_with('+')) {
+        word.remove_prefix(1);
+        if (word.starts_with('-')) return std::nullopt;
+    }
+    const char* const last = word.data() + word.size();
     Number value{};
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error == std::errc::result_out_of_range) return Number{}; // under- or overflow
-    if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
-    return value;
+    const auto [end, error] = std::from_chars(word.data(), last, value);
+    if (error == std::errc::invalid_argument || end != last) return std::nullopt;
+    if (error == std::errc()) return value;
+    using Limits = std::numeric_limits<Number>;
+    if constexpr (std::is_integral_v<Number>) {
+        return word.starts_with('-') ? Limits::min() : Limits::max();
+    } else {
+        // Too large or too small: the wider type tells, and beyond that the sign of the exponent.
+        long double wide = 0;
+        if (std::from_chars(word.data(), last, wide).ec == std::errc())
+            return static_cast<Number>(wide); // rounds to zero, or to infinity below
+        return word.find("e-") == word.npos && word.find("E-") == word.npos ? Limits::infinity() : Number{};
+    }
 }
+
+/// The beginning of a word, in quotes, for messages; bytes that are no printable ASCII become '?'.
+[[nodiscard]] std::string quoted(std::string_view word);
 
 } // namespace qm

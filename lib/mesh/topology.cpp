@@ -1,19 +1,55 @@
 #include "mesh/topology.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace qm {
 
+namespace {
+
+std::size_t indexOf(VertexId vertex) {
+    return static_cast<std::size_t>(vertex.idx());
+}
+
+bool isRegularWith(const QuadMesh& mesh, VertexId vertex, unsigned edges) {
+    return mesh.is_isolated(vertex) || (mesh.is_boundary(vertex) ? edges <= 3 : edges == 4);
+}
+
+/// Sets of vertices that grow together; each is known by its lowest vertex.
+class DisjointSets {
+public:
+    explicit DisjointSets(std::size_t count) : parent_(count) {
+        std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+    }
+    std::size_t find(std::size_t k) {
+        while (parent_[k] != k)
+            k = parent_[k] = parent_[parent_[k]];
+        return k;
+    }
+    void join(std::size_t a, std::size_t b) {
+        const auto [low, high] = std::minmax({find(a), find(b)});
+        parent_[high] = low;
+    }
+
+private:
+    std::vector<std::size_t> parent_;
+};
+
+} // namespace
+
 bool isRegular(const QuadMesh& mesh, VertexId vertex) {
-    if (mesh.is_isolated(vertex)) return true;
-    const unsigned edges = mesh.valence(vertex);
-    return mesh.is_boundary(vertex) ? edges <= 3 : edges == 4;
+    return mesh.is_isolated(vertex) || isRegularWith(mesh, vertex, mesh.valence(vertex));
 }
 
 std::vector<VertexId> extraordinaryVertices(const QuadMesh& mesh) {
+    // One pass over the edges is several times faster than going around every vertex.
+    std::vector<unsigned> edges(mesh.n_vertices(), 0);
+    for (const EdgeId edge : mesh.edges())
+        for (const unsigned side : {0U, 1U})
+            ++edges[indexOf(mesh.to_vertex_handle(mesh.halfedge_handle(edge, side)))];
     std::vector<VertexId> result;
     for (const VertexId vertex : mesh.vertices())
-        if (!isRegular(mesh, vertex)) result.push_back(vertex);
+        if (!isRegularWith(mesh, vertex, edges[indexOf(vertex)])) result.push_back(vertex);
     return result;
 }
 
@@ -39,25 +75,15 @@ std::optional<std::vector<HalfedgeId>> halfedgesAlong(const QuadMesh& mesh,
 }
 
 Components components(const QuadMesh& mesh) {
+    DisjointSets sets(mesh.n_vertices());
+    for (const EdgeId edge : mesh.edges())
+        sets.join(indexOf(mesh.to_vertex_handle(mesh.halfedge_handle(edge, 0))),
+                  indexOf(mesh.to_vertex_handle(mesh.halfedge_handle(edge, 1))));
     Components result;
-    result.ofVertex.assign(mesh.n_vertices(), -1);
-    std::vector<VertexId> pending;
-    const auto visit = [&](VertexId vertex) {
-        int& component = result.ofVertex[static_cast<std::size_t>(vertex.idx())];
-        if (component >= 0) return;
-        component = result.count;
-        pending.push_back(vertex);
-    };
-    for (const VertexId start : mesh.vertices()) {
-        if (result.ofVertex[static_cast<std::size_t>(start.idx())] >= 0) continue;
-        visit(start);
-        while (!pending.empty()) {
-            const VertexId vertex = pending.back();
-            pending.pop_back();
-            for (const VertexId neighbour : mesh.vv_range(vertex))
-                visit(neighbour);
-        }
-        ++result.count;
+    result.ofVertex.resize(mesh.n_vertices());
+    for (std::size_t k = 0; k < result.ofVertex.size(); ++k) { // the lowest vertex of a set comes first
+        const std::size_t lowest = sets.find(k);
+        result.ofVertex[k] = lowest == k ? result.count++ : result.ofVertex[lowest];
     }
     return result;
 }

@@ -1,7 +1,7 @@
 #include "mesh/validate.h"
 
 #include "base/error.h"
-#include "mesh/soup_edges.h"
+#include "mesh/orientation.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 namespace qm {
 namespace {
 
-constexpr const char* repairHint = "qm-basecomplex --repair mends this";
+constexpr const char* repairHint = "The option --repair mends this";
 
 std::string plural(std::size_t count, const std::string& noun) {
     return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
@@ -19,11 +19,13 @@ std::string plural(std::size_t count, const std::string& noun) {
 
 std::string edgePlace(const Soup& soup, Side side) {
     const auto [a, b] = std::minmax({sideFrom(soup, side), sideTo(soup, side)});
-    return "edge between vertices " + std::to_string(a) + " and " + std::to_string(b);
+    return "edge between vertices " + std::to_string(soup.pointNumber(static_cast<std::size_t>(a))) +
+           " and " + std::to_string(soup.pointNumber(static_cast<std::size_t>(b)));
 }
 
 void checkQuads(const Soup& soup) {
-    if (soup.faceCount() == 0) throw Error("", "it holds no faces", "is it empty, or another format?");
+    constexpr std::size_t most = std::size_t{1} << 29; // halfedges and sides are numbered in 32 bits
+    if (soup.faceCount() == 0) throw Error("", "it holds no faces", "Is it cut off, or another format?");
     std::optional<std::size_t> first;
     std::size_t others = 0;
     for (std::size_t k = 0; k < soup.faceCount(); ++k) {
@@ -34,33 +36,123 @@ void checkQuads(const Soup& soup) {
     if (first)
         throw Error(soup.facePlace(*first),
                     "it has " + plural(soup.face(*first).size(), "side") + "; " + std::to_string(others) +
-                        " of " + plural(soup.faceCount(), "face") + " are no quads",
-                    "remesh the model with quads only");
+                        " of " + plural(soup.faceCount(), "face") + (others == 1 ? " is" : " are") +
+                        " not four-sided",
+                    "Remesh the model with quads only");
+    if (std::max(soup.faceCount(), soup.points.size()) > most)
+        throw Error("", "it holds more than " + std::to_string(most) + " faces or vertices",
+                    "Divide the model");
 }
 
 void checkIndices(const Soup& soup) {
     const auto count = static_cast<std::int64_t>(soup.points.size());
-    const auto [lowest, highest] = std::ranges::minmax_element(soup.corners);
-    for (std::size_t k = 0; k < soup.faceCount(); ++k)
-        for (const std::int64_t corner : soup.face(k)) {
-            if (corner >= 0 && corner < count) continue;
-            const bool oneBased = *lowest == 1 && *highest == count;
-            throw Error(soup.facePlace(k),
-                        "vertex index " + std::to_string(corner) + " is out of range, there are " +
-                            std::to_string(soup.points.size()) + " vertices, counted from 0",
-                        oneBased ? "the file seems to count from 1: subtract 1 from every index"
-                                 : "get the file whole, or mend the index");
-        }
+    const auto [lowest, highest] = std::ranges::minmax(soup.corners);
+    if (lowest >= 0 && highest < count) return;
+    const auto wrong =
+        std::ranges::find_if(soup.corners, [&](std::int64_t k) { return k < 0 || k >= count; });
+    const bool oneBased = lowest == 1 && highest == count;
+    throw Error(soup.facePlace(static_cast<std::size_t>(wrong - soup.corners.begin()) / 4),
+                "vertex index " + std::to_string(*wrong) + " is out of range: there are " +
+                    std::to_string(soup.points.size()) + " vertices" + ", counted from 0",
+                oneBased ? "The file seems to count from 1: subtract 1 from every index"
+                         : "Get the file whole, or mend the index");
 }
 
 void checkPoints(const Soup& soup) {
+    constexpr double largest = 1e150;
     for (std::size_t k = 0; k < soup.points.size(); ++k)
-        for (const double value : soup.points[k])
-            if (!std::isfinite(value))
-                throw Error(soup.pointPlace(k),
-                            std::isnan(value) ? "a coordinate is not a number" : "a coordinate is infinite",
-                            "mend the vertex");
+        for (const double value : soup.points[k]) {
+            if (std::abs(value) <= largest) continue;
+            if (std::isfinite(value))
+                throw Error(soup.pointPlace(k), "a coordinate is larger than 1e150", "Scale the model");
+            throw Error(soup.pointPlace(k),
+                        std::isnan(value) ? "a coordinate is not a number" : "a coordinate is infinite",
+                        "Mend the vertex");
+        }
 }
+
+void checkRepeatedVertices(const Soup& soup) {
+    for (std::size_t k = 0; k < soup.faceCount(); ++k) {
+        const auto corners = sortedCorners(soup, k);
+        if (const auto twice = std::ranges::adjacent_find(corners); twice != corners.end())
+            throw Error(soup.facePlace(k),
+                        "vertex " + std::to_string(soup.pointNumber(static_cast<std::size_t>(*twice))) +
+                            " occurs twice in it",
+                        repairHint);
+    }
+}
+
+/// Equal faces share their edges, so it is enough to compare the few at each edge.
+void checkDuplicateFaces(const Soup& soup, const SoupEdges& edges) {
+    std::vector<std::pair<std::array<std::int64_t, 4>, std::size_t>> faces;
+    for (std::size_t k = 0; k < edges.count(); ++k) {
+        const auto sides = edges.edge(k);
+        // Two that run opposite ways may lie back to back; if they are more than that, an edge tells.
+        if (sides.size() < 2 || (sides.size() == 2 && sideFrom(soup, sides[0]) != sideFrom(soup, sides[1])))
+            continue;
+        faces.clear();
+        for (const Side side : sides)
+            faces.emplace_back(sortedCorners(soup, side / 4), side / 4);
+        std::ranges::sort(faces);
+        const auto twice =
+            std::ranges::adjacent_find(faces, {}, [](const auto& entry) { return entry.first; });
+        if (twice != faces.end())
+            throw Error(soup.facePlace((twice + 1)->second),
+                        "it has the same vertices as " + soup.facePlace(twice->second), repairHint);
+    }
+}
+
+void checkCrowdedEdges(const Soup& soup, const SoupEdges& edges) {
+    for (std::size_t k = 0; k < edges.count(); ++k) {
+        const auto sides = edges.edge(k);
+        if (sides.size() > 2)
+            throw Error(edgePlace(soup, sides[0]),
+                        std::to_string(sides.size()) + " faces meet there: " + soup.facePlace(sides[0] / 4) +
+                            ", " + soup.facePlace(sides[1] / 4) + ", " + soup.facePlace(sides[2] / 4) +
+                            (sides.size() > 3 ? " and more" : ""),
+                        "The surface is no manifold: take the extra faces out");
+    }
+}
+
+void checkOrientation(const Soup& soup, const SoupEdges& edges, const std::vector<Side>& twins) {
+    std::size_t wrong = 0;
+    std::optional<Side> first;
+    for (std::size_t k = 0; k < edges.count(); ++k) {
+        const auto sides = edges.edge(k);
+        if (sides.size() != 2 || sideFrom(soup, sides[0]) != sideFrom(soup, sides[1])) continue;
+        if (!first) first = sides[0];
+        ++wrong;
+    }
+    if (!first) return;
+    const auto contradiction = findOrientation(soup, twins).contradiction;
+    throw Error(edgePlace(soup, *first),
+                soup.facePlace(*first / 4) + " and " + soup.facePlace(twins[*first] / 4) +
+                    " are oriented inconsistently, as at " + plural(wrong, "edge") + " in all",
+                contradiction ? "The surface is not orientable, it has one side only like a Moebius strip, "
+                                "so this cannot be repaired: cut it open"
+                              : "The option --repair orients them");
+}
+
+/// From every corner the next one around its vertex, counter-clockwise, lies before its quad's previous side.
+void checkFans(const Soup& soup, const std::vector<Side>& twins) {
+    const auto none = static_cast<Side>(twins.size());
+    std::vector<bool> seen(twins.size(), false), met(soup.points.size(), false);
+    const auto walk = [&](Side start) {
+        const auto vertex = static_cast<std::size_t>(soup.corners[start]);
+        if (met[vertex])
+            throw Error(soup.pointPlace(vertex), "the faces around it fall into several fans",
+                        "The surface is no manifold there: split the vertex");
+        met[vertex] = true;
+        for (Side corner = start; corner != none && !seen[corner]; corner = twins[previousSide(corner)])
+            seen[corner] = true;
+    };
+    for (Side corner = 0; corner < none; ++corner) // open fans from where they begin
+        if (twins[corner] == none) walk(corner);
+    for (Side corner = 0; corner < none; ++corner)
+        if (!seen[corner]) walk(corner);
+}
+
+} // namespace
 
 std::array<std::int64_t, 4> sortedCorners(const Soup& soup, std::size_t face) {
     std::array<std::int64_t, 4> corners;
@@ -69,106 +161,22 @@ std::array<std::int64_t, 4> sortedCorners(const Soup& soup, std::size_t face) {
     return corners;
 }
 
-void checkRepeatedVertices(const Soup& soup) {
-    for (std::size_t k = 0; k < soup.faceCount(); ++k) {
-        const auto corners = sortedCorners(soup, k);
-        const auto twice = std::ranges::adjacent_find(corners);
-        if (twice != corners.end())
-            throw Error(soup.facePlace(k), "vertex " + std::to_string(*twice) + " occurs twice in it",
-                        repairHint);
-    }
-}
-
-void checkDuplicateFaces(const Soup& soup, const SoupEdges& edges) {
-    for (std::size_t k = 0; k < edges.count(); ++k)
-        for (std::size_t i = 1; i < edges.edge(k).size(); ++i)
-            for (std::size_t j = 0; j < i; ++j) {
-                const std::size_t a = edges.edge(k)[j] / 4, b = edges.edge(k)[i] / 4;
-                if (a == b || sortedCorners(soup, a) != sortedCorners(soup, b) || i > 8) continue;
-                if (soup.faceCount() == 2) return; // two quads back to back are a closed mesh
-                throw Error(soup.facePlace(b), "it has the same vertices as " + soup.facePlace(a),
-                            repairHint);
-            }
-}
-
-void checkEdges(const Soup& soup, const SoupEdges& edges) {
-    for (std::size_t k = 0; k < edges.count(); ++k) {
-        const auto sides = edges.edge(k);
-        if (sides.size() > 2)
-            throw Error(edgePlace(soup, sides[0]),
-                        std::to_string(sides.size()) + " faces meet there: " + soup.facePlace(sides[0] / 4) +
-                            ", " + soup.facePlace(sides[1] / 4) + ", " + soup.facePlace(sides[2] / 4),
-                        "the surface is no manifold; take the extra faces out");
-    }
-    std::size_t wrong = 0;
-    std::optional<std::size_t> first;
-    for (std::size_t k = 0; k < edges.count(); ++k) {
-        const auto sides = edges.edge(k);
-        if (sides.size() != 2 || sideFrom(soup, sides[0]) != sideFrom(soup, sides[1])) continue;
-        if (!first) first = k;
-        ++wrong;
-    }
-    if (first) {
-        const auto sides = edges.edge(*first);
-        throw Error(edgePlace(soup, sides[0]),
-                    soup.facePlace(sides[0] / 4) + " and " + soup.facePlace(sides[1] / 4) +
-                        " are oriented inconsistently, as at " + plural(wrong, "edge") + " in all",
-                    "qm-basecomplex --repair orients them, unless the surface has one side only");
-    }
-}
-
-/// Every corner's next corner around the same vertex, counter-clockwise; its own count of corners if there is
-/// none.
-std::vector<Side> nextAround(const Soup& soup, const SoupEdges& edges) {
-    const auto none = static_cast<Side>(soup.corners.size());
-    std::vector<Side> twin(soup.corners.size(), none);
-    for (std::size_t k = 0; k < edges.count(); ++k)
-        if (const auto sides = edges.edge(k); sides.size() == 2) {
-            twin[sides[0]] = sides[1];
-            twin[sides[1]] = sides[0];
-        }
-    std::vector<Side> next(soup.corners.size());
-    for (Side corner = 0; corner < soup.corners.size(); ++corner)
-        next[corner] = twin[(corner & ~3U) | ((corner + 3) & 3U)];
-    return next;
-}
-
-void checkFans(const Soup& soup, const SoupEdges& edges) {
-    const std::vector<Side> next = nextAround(soup, edges);
-    std::vector<bool> hasPrevious(next.size(), false), seen(next.size(), false),
-        met(soup.points.size(), false);
-    for (const Side corner : next)
-        if (corner < next.size()) hasPrevious[corner] = true;
-    const auto walk = [&](Side start) {
-        const auto vertex = static_cast<std::size_t>(soup.corners[start]);
-        if (met[vertex])
-            throw Error(soup.pointPlace(vertex), "the faces around it fall into several fans",
-                        "the surface is no manifold there; split the vertex");
-        met[vertex] = true;
-        for (Side corner = start; corner < next.size() && !seen[corner]; corner = next[corner])
-            seen[corner] = true;
-    };
-    for (Side corner = 0; corner < next.size(); ++corner) // open fans from where they begin
-        if (!hasPrevious[corner]) walk(corner);
-    for (Side corner = 0; corner < next.size(); ++corner)
-        if (!seen[corner]) walk(corner);
-}
-
-} // namespace
-
 void validateElements(const Soup& soup) {
     checkQuads(soup);
     checkIndices(soup);
     checkPoints(soup);
 }
 
-void validateSoup(const Soup& soup) {
+std::vector<Side> validateSoup(const Soup& soup) {
     validateElements(soup);
     checkRepeatedVertices(soup);
     const SoupEdges edges = findEdges(soup);
     checkDuplicateFaces(soup, edges);
-    checkEdges(soup, edges);
-    checkFans(soup, edges);
+    checkCrowdedEdges(soup, edges);
+    std::vector<Side> twins = twinSides(soup, edges);
+    checkOrientation(soup, edges, twins);
+    checkFans(soup, twins);
+    return twins;
 }
 
 } // namespace qm

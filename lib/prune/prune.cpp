@@ -3,6 +3,10 @@
 #include "prune/removal.h"
 
 #include <algorithm>
+#include <functional>
+#include <limits>
+#include <set>
+#include <utility>
 
 namespace qm {
 namespace {
@@ -19,31 +23,57 @@ std::vector<std::size_t> candidates(const Layout& layout, double eta) {
     return order;
 }
 
+constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
+/// By edge: the rank of the candidate that it is part of, or `none`.
+std::vector<std::size_t> rankOfEdges(const QuadMesh& mesh, const Layout& layout,
+                                     const std::vector<std::size_t>& order) {
+    std::vector<std::size_t> rankOf(mesh.n_edges(), none);
+    for (std::size_t rank = 0; rank < order.size(); ++rank)
+        for (const HalfedgeId halfedge : layout.tracks[order[rank]].track.halfedges)
+            rankOf[static_cast<std::size_t>(mesh.edge_handle(halfedge).idx())] = rank;
+    return rankOf;
+}
+
+Fate judge(Removal& removal, const Track& track, const PruneOptions& options) {
+    if (!removal.keepsGrids(track)) return Fate::notQuadrilateral;
+    if (options.smooth && removal.largestTurn(track) > options.maxTurn) return Fate::notSmooth;
+    return Fate::removed;
+}
+
+/// Goes through the candidates again and again until none goes. A kept one is asked again only after
+/// something beside it has gone: until then its answer cannot change. \return what becomes of every track
+std::vector<Fate> decide(const QuadMesh& mesh, const Layout& layout, const PruneOptions& options,
+                         const Control& control) {
+    Removal removal(mesh, layout);
+    const std::vector<std::size_t> order = candidates(layout, options.eta),
+                                   rankOf = rankOfEdges(mesh, layout, order);
+    std::vector<Fate> fates(layout.tracks.size(), Fate::keep);
+    std::set<std::size_t> pass, nextPass; // ranks
+    for (std::size_t rank = 0; rank < order.size(); ++rank)
+        pass.insert(pass.end(), rank);
+    while (!pass.empty() && !control.stopRequested()) {
+        const std::size_t rank = *pass.begin();
+        pass.erase(pass.begin());
+        const Track& track = layout.tracks[order[rank]].track;
+        Fate& fate = fates[order[rank]];
+        fate = judge(removal, track, options);
+        if (fate == Fate::removed)
+            for (const EdgeId edge : removal.remove(track)) {
+                const std::size_t other = rankOf[static_cast<std::size_t>(edge.idx())];
+                if (other != none) (other > rank ? pass : nextPass).insert(other);
+            }
+        if (pass.empty()) std::swap(pass, nextPass);
+    }
+    return fates;
+}
+
 } // namespace
 
 PruneResult pruneLayout(const QuadMesh& mesh, const Layout& layout, const std::vector<double>& dihedralAngles,
                         const std::vector<double>& edgeCosts, const PruneOptions& options,
                         const Control& control) {
-    Removal removal(mesh, layout);
-    const std::vector<std::size_t> order = candidates(layout, options.eta);
-    std::vector<Fate> fates(layout.tracks.size(), Fate::keep);
-    // A removal can free a track that was tried before it: go through them until none goes.
-    for (bool changed = true; changed && !control.stopRequested();) {
-        changed = false;
-        for (const std::size_t t : order) {
-            if (fates[t] == Fate::removed) continue;
-            const Track& track = layout.tracks[t].track;
-            if (!removal.keepsGrids(track)) {
-                fates[t] = Fate::notQuadrilateral;
-            } else if (options.smooth && removal.largestTurn(track) > options.maxTurn) {
-                fates[t] = Fate::notSmooth;
-            } else {
-                removal.remove(track);
-                fates[t] = Fate::removed;
-                changed = true;
-            }
-        }
-    }
+    const std::vector<Fate> fates = decide(mesh, layout, options, control);
     std::vector<Track> kept;
     for (std::size_t t = 0; t < layout.tracks.size(); ++t)
         if (!layout.tracks[t].transversal && fates[t] != Fate::removed)

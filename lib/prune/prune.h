@@ -19,8 +19,11 @@ struct PruneResult {
     std::size_t keptNotSmooth = 0;        ///< candidates kept because of the smoothness criterion
 };
 
-/// Greedy: candidates in decreasing order of cost; a track goes if every segment stays a grid with four
-/// corners. The test of one track touches only the segments beside it, and removal renumbers nothing else.
+/// Greedy: candidates in decreasing order of cost, ties by id; a track goes if every segment stays a grid
+/// with four corners. A removal may free a track that ended there or was crossed, so candidates are gone
+/// through in the same order until none goes any more. Transversals are no candidates; an annulus stays one.
+/// The test of one track takes time linear in its length and looks at its own vertices only.
+/// \param layout  as `buildLayout` makes it
 [[nodiscard]] PruneResult pruneLayout(const QuadMesh& mesh, const Layout& layout,
                                       const std::vector<double>& dihedralAngles,
                                       const std::vector<double>& edgeCosts, const PruneOptions& options,

@@ -5,6 +5,7 @@
 #include <map>
 #include <numbers>
 #include <numeric>
+#include <utility>
 
 namespace qm {
 namespace {
@@ -19,7 +20,7 @@ Removal::Removal(const QuadMesh& mesh, const Layout& layout)
     for (const EdgeId edge : mesh.edges())
         border_[at(edge.idx())] = mesh.is_boundary(edge);
     for (const LayoutTrack& track : layout.tracks)
-        setBorder(track.track, true);
+        if (!track.transversal) setBorder(track.track, true);
     for (std::size_t s = 0; s < layout.segments.size(); ++s)
         for (const FaceId face : layout.segments[s].faces)
             segmentOf_[at(face.idx())] = static_cast<int>(s);
@@ -45,23 +46,36 @@ bool Removal::hasBorder(VertexId vertex) const {
     return std::ranges::any_of(mesh_.voh_range(vertex), [this](HalfedgeId h) { return isBorder(h); });
 }
 
-/// At most two quads between one border and the next; without borders an ordinary inner vertex of a grid.
-bool Removal::properAround(VertexId vertex) const {
-    if (!hasBorder(vertex)) return mesh_.valence(vertex) == 4;
-    for (const HalfedgeId start : mesh_.voh_range(vertex)) {
-        if (!isBorder(start) || mesh_.is_boundary(start)) continue;
-        int quads = 1;
-        for (HalfedgeId next = mesh_.ccw_rotated_halfedge_handle(start); !isBorder(next);
-             next = mesh_.ccw_rotated_halfedge_handle(next))
-            ++quads;
-        if (quads > 2) return false;
-    }
-    return true;
+Removal::Sector Removal::sectorAt(HalfedgeId leaving) const {
+    Sector sector{leaving, leaving, 0};
+    do {
+        sector.left = mesh_.ccw_rotated_halfedge_handle(sector.left);
+        ++sector.quads;
+    } while (!isBorder(sector.left) && sector.left != leaving);
+    do {
+        sector.right = mesh_.cw_rotated_halfedge_handle(sector.right);
+        ++sector.quads;
+    } while (!isBorder(sector.right) && sector.right != leaving);
+    return sector;
+}
+
+/// A straight or convex border there, or an ordinary vertex inside a segment.
+bool Removal::properAt(HalfedgeId leaving) const {
+    const Sector sector = sectorAt(leaving);
+    return sector.quads <= 2 || (sector.quads == 8 && !isBorder(sector.left));
+}
+
+bool Removal::properAlong(const Track& track) const {
+    return std::ranges::all_of(track.halfedges, [this](HalfedgeId h) {
+        return properAt(h) && properAt(mesh_.opposite_halfedge_handle(h));
+    });
 }
 
 Removal::Pairs Removal::joinedPairs(const Track& track) {
+    const VertexId first = mesh_.from_vertex_handle(track.halfedges.front()),
+                   last = mesh_.to_vertex_handle(track.halfedges.back());
     Pairs pairs;
-    bool newPiece = true;
+    bool newPiece = first != last || hasBorder(first); // else the last piece goes on here
     for (const HalfedgeId halfedge : track.halfedges) {
         if (newPiece)
             pairs.push_back(
@@ -72,60 +86,57 @@ Removal::Pairs Removal::joinedPairs(const Track& track) {
     return pairs;
 }
 
-bool Removal::keepsGrids(const Track& track) {
-    setBorder(track, false);
-    bool proper = properAround(mesh_.from_vertex_handle(track.halfedges.front()));
-    for (const HalfedgeId halfedge : track.halfedges)
-        proper = proper && properAround(mesh_.to_vertex_handle(halfedge));
+bool Removal::joinsForest(const Track& track) {
     std::map<int, int> joined; // segments that this removal would join, before it is certain
     const auto representative = [&](int segment) {
-        for (auto up = joined.find(segment); up != joined.end(); up = joined.find(segment))
-            segment = up->second;
-        return segment;
+        int last = segment;
+        for (auto up = joined.find(last); up != joined.end(); up = joined.find(last))
+            last = up->second;
+        while (segment != last)
+            segment = std::exchange(joined[segment], last);
+        return last;
     };
-    if (proper)
-        for (const auto& [left, right] : joinedPairs(track)) {
-            const int a = representative(left), b = representative(right);
-            proper = proper && a != b;
-            if (a != b) joined[a] = b;
-        }
-    setBorder(track, true);
-    return proper;
+    const Pairs pairs = joinedPairs(track);
+    if (pairs.empty()) return false; // a loop with annuli on both sides
+    return std::ranges::all_of(pairs, [&](const std::array<int, 2>& pair) {
+        const int left = representative(pair[0]), right = representative(pair[1]);
+        if (left != right) joined[left] = right;
+        return left != right;
+    });
 }
 
-/// The turn of the border that goes on past the first vertex of a halfedge when that is no border any more.
+bool Removal::keepsGrids(const Track& track) {
+    setBorder(track, false);
+    const bool keeps = properAlong(track) && joinsForest(track);
+    setBorder(track, true);
+    return keeps;
+}
+
 double Removal::turnAt(HalfedgeId leaving) const {
-    HalfedgeId left = leaving, right = leaving;
-    int quads = 0;
-    do {
-        if (mesh_.is_boundary(left)) return 0;
-        left = mesh_.ccw_rotated_halfedge_handle(left);
-        ++quads;
-    } while (!isBorder(left) && left != leaving);
-    do {
-        right = mesh_.cw_rotated_halfedge_handle(right);
-        if (mesh_.is_boundary(right)) return 0;
-        ++quads;
-    } while (!isBorder(right) && right != leaving);
-    if (quads != 2) return 0;
-    const Point before =
-        mesh_.point(mesh_.from_vertex_handle(left)) - mesh_.point(mesh_.to_vertex_handle(left));
-    const Point after =
-        mesh_.point(mesh_.to_vertex_handle(right)) - mesh_.point(mesh_.from_vertex_handle(right));
+    const Sector sector = sectorAt(leaving);
+    const Point vertex = mesh_.point(mesh_.from_vertex_handle(leaving));
+    const Point before = vertex - mesh_.point(mesh_.to_vertex_handle(sector.left)),
+                after = mesh_.point(mesh_.to_vertex_handle(sector.right)) - vertex;
     return std::atan2((before % after).norm(), before | after) * 180 / std::numbers::pi;
 }
 
 double Removal::largestTurn(const Track& track) const {
-    const HalfedgeId first = track.halfedges.front();
-    const HalfedgeId last = mesh_.opposite_halfedge_handle(track.halfedges.back());
-    if (mesh_.from_vertex_handle(first) == mesh_.from_vertex_handle(last)) return 0; // a loop has no ends
-    return std::max(turnAt(first), turnAt(last));
+    return std::max(turnAt(track.halfedges.front()),
+                    turnAt(mesh_.opposite_halfedge_handle(track.halfedges.back())));
 }
 
-void Removal::remove(const Track& track) {
+std::vector<EdgeId> Removal::remove(const Track& track) {
     setBorder(track, false);
     for (const auto& [left, right] : joinedPairs(track))
         parent_[at(find(left))] = find(right);
+    std::vector<EdgeId> beside;
+    for (const HalfedgeId halfedge : track.halfedges)
+        for (const HalfedgeId leaving : {halfedge, mesh_.opposite_halfedge_handle(halfedge)}) {
+            const Sector sector = sectorAt(leaving);
+            for (const HalfedgeId next : {sector.left, sector.right})
+                if (isBorder(next)) beside.push_back(mesh_.edge_handle(next));
+        }
+    return beside;
 }
 
 } // namespace qm

@@ -32,8 +32,9 @@ using Cells = std::vector<std::array<int, 3>>;
 [[nodiscard]] check::CheckedMesh tube(int a, int b);
 
 /// Abstract squares, each divided into n x n quads, with sides glued in pairs, so that every oriented surface
-/// can be had, with lines that cross themselves. The points have no meaning. \param pairs  of sides, 4 *
-/// square + side; each side in one pair at most, those in none are boundary
+/// can be had, with lines that cross themselves. The points have no meaning.
+///
+/// \param pairs  of sides, 4 * square + side; each side in one pair at most, those in none are boundary
 [[nodiscard]] check::CheckedMesh glued(int squares, const std::vector<std::array<int, 2>>& pairs, int n);
 
 } // namespace qm::testing

@@ -233,6 +233,40 @@ TEST(Iges, IsReadBackWithAllFaces) {
     std::filesystem::remove(path);
 }
 
+class Units : public testing::TestWithParam<LengthUnit> {};
+
+TEST_P(Units, AreDeclaredAndNothingIsConverted) {
+    const Grid grid{1, 1, [](double i, double j) { return Point(12.5 * i, 37.5 * j, 0); }};
+    const Model model = fitted(grid, {{0, 0, 1, 1}}, watertight());
+    ExportOptions options;
+    options.unit = GetParam();
+    const std::string step = exported(model, ExportFormat::step, options);
+    EXPECT_NE(step.find("CARTESIAN_POINT('',(12.5,37.5,0.))"), std::string::npos);
+    const std::string iges = exported(model, ExportFormat::iges, options);
+    EXPECT_NE(iges.find("12.5,37.5,0."), std::string::npos);
+    switch (GetParam()) {
+    case LengthUnit::mm:
+        EXPECT_NE(iges.find(",2,2HMM,"), std::string::npos);
+        EXPECT_NE(step.find("SI_UNIT(.MILLI.,.METRE.)"), std::string::npos);
+        break;
+    case LengthUnit::cm:
+        EXPECT_NE(iges.find(",10,2HCM,"), std::string::npos);
+        EXPECT_NE(step.find("SI_UNIT(.CENTI.,.METRE.)"), std::string::npos);
+        break;
+    case LengthUnit::m:
+        EXPECT_NE(iges.find(",6,1HM,"), std::string::npos);
+        EXPECT_NE(step.find("SI_UNIT($,.METRE.)"), std::string::npos);
+        break;
+    case LengthUnit::inch:
+        EXPECT_NE(iges.find(",1,4HINCH,"), std::string::npos);
+        EXPECT_NE(step.find("CONVERSION_BASED_UNIT('INCH'"), std::string::npos);
+        break;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Units,
+                         testing::Values(LengthUnit::mm, LengthUnit::cm, LengthUnit::m, LengthUnit::inch));
+
 TEST(Obj, HasTheMeshInOneGroupPerSegment) {
     const Grid grid{2, 1, [](double i, double j) { return Point(i, 0.1 * j, -2.5); }};
     const Model model = fitted(grid, {{0, 0, 1, 1}, {1, 0, 2, 1}}, {});

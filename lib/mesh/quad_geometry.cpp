@@ -1,0 +1,65 @@
+#include "mesh/quad_geometry.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace qm {
+namespace {
+
+/// The vector times a power of two, which is exact, if squares of its squares might underflow otherwise.
+Point scaled(const Point& vector) {
+    constexpr double small = 1e-70;
+    const double size = std::max({std::abs(vector[0]), std::abs(vector[1]), std::abs(vector[2])});
+    if (size >= small || size == 0) return vector;
+    const int exponent = -std::ilogb(size);
+    return {std::scalbn(vector[0], exponent), std::scalbn(vector[1], exponent),
+            std::scalbn(vector[2], exponent)};
+}
+
+/// Of unit length, or zero for a vector without length.
+Point unit(const Point& vector) {
+    const Point direction = scaled(vector);
+    const double length = direction.norm();
+    return length > 0 ? direction / length : Point(0, 0, 0);
+}
+
+/// Along the normal; zero for a triangle without area.
+Point crossProduct(const Point& a, const Point& b, const Point& c) {
+    return scaled(b - a) % scaled(c - a);
+}
+
+} // namespace
+
+std::array<VertexId, 4> cornersOf(const QuadMesh& mesh, FaceId face) {
+    std::array<VertexId, 4> corners;
+    HalfedgeId halfedge = mesh.halfedge_handle(face); // points to the face's first vertex
+    for (VertexId& corner : corners) {
+        corner = mesh.to_vertex_handle(halfedge);
+        halfedge = mesh.next_halfedge_handle(halfedge);
+    }
+    return corners;
+}
+
+Point triangleNormal(const Point& a, const Point& b, const Point& c) {
+    return unit(crossProduct(a, b, c));
+}
+
+std::array<Point, 2> triangleNormals(const QuadMesh& mesh, FaceId face) {
+    const auto [a, b, c, d] = cornersOf(mesh, face);
+    return {triangleNormal(mesh.point(a), mesh.point(b), mesh.point(c)),
+            triangleNormal(mesh.point(a), mesh.point(c), mesh.point(d))};
+}
+
+bool hasArea(const QuadMesh& mesh, FaceId face) {
+    const auto [a, b, c, d] = cornersOf(mesh, face);
+    const Point none(0, 0, 0);
+    return crossProduct(mesh.point(a), mesh.point(b), mesh.point(c)) != none ||
+           crossProduct(mesh.point(a), mesh.point(c), mesh.point(d)) != none;
+}
+
+Point quadNormal(const QuadMesh& mesh, FaceId face) {
+    const auto [first, second] = triangleNormals(mesh, face);
+    return unit(first + second);
+}
+
+} // namespace qm

@@ -1,0 +1,201 @@
+#include "mesh/weld.h"
+
+#include "mesh/soup_edges.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <unordered_map>
+
+namespace qm {
+namespace {
+
+std::size_t cornerAt(const Soup& soup, Side side) {
+    return static_cast<std::size_t>(soup.corners[side]);
+}
+
+double toleranceOf(const Soup& soup) {
+    if (soup.corners.empty()) return 0;
+    Point low = soup.points[cornerAt(soup, 0)], high = low;
+    for (Side side = 0; side < soup.corners.size(); ++side) {
+        low.minimize(soup.points[cornerAt(soup, side)]);
+        high.maximize(soup.points[cornerAt(soup, side)]);
+    }
+    return 1e-9 * (high - low).max();
+}
+
+/// The sides that leave each vertex.
+class Stars {
+public:
+    explicit Stars(const Soup& soup) : begin_(soup.points.size() + 2, 0), sides_(soup.corners.size()) {
+        for (Side side = 0; side < sides_.size(); ++side)
+            ++begin_[cornerAt(soup, side) + 2];
+        std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+        for (Side side = 0; side < sides_.size(); ++side)
+            sides_[begin_[cornerAt(soup, side) + 1]++] = side;
+    }
+    [[nodiscard]] std::span<const Side> of(std::size_t vertex) const {
+        return {sides_.data() + begin_[vertex], sides_.data() + begin_[vertex + 1]};
+    }
+
+private:
+    std::vector<std::size_t> begin_;
+    std::vector<Side> sides_;
+};
+
+std::vector<bool> borderVertices(const Soup& soup) {
+    std::vector<bool> border(soup.points.size(), false);
+    const SoupEdges edges = findEdges(soup);
+    for (std::size_t k = 0; k < edges.count(); ++k)
+        if (const auto sides = edges.edge(k); sides.size() == 1) {
+            border[cornerAt(soup, sides[0])] = true;
+            border[cornerAt(soup, nextSide(sides[0]))] = true;
+        }
+    return border;
+}
+
+/// Points in a hash of cells, four times as wide as the tolerance so that mostly one cell must be searched.
+class PointGrid {
+public:
+    PointGrid(const std::vector<Point>& points, double tolerance)
+        : points_(points), tolerance_(tolerance),
+          width_(std::max(4 * tolerance, std::numeric_limits<double>::denorm_min())) {}
+
+    void add(std::size_t k) { cells_[hash(cellOf(points_[k]))].push_back(k); }
+
+    /// The lowest point at the place of point k that is accepted, or k.
+    template <class Accept> [[nodiscard]] std::size_t find(std::size_t k, const Accept& accept) const {
+        const Point reach(tolerance_, tolerance_, tolerance_);
+        const Point low = cellOf(points_[k] - reach), high = cellOf(points_[k] + reach);
+        std::size_t found = k;
+        for (unsigned choice = 0; choice < 8; ++choice) {
+            Point cell = low;
+            bool repeated = false;
+            for (unsigned axis = 0; axis < 3; ++axis)
+                if ((choice >> axis & 1U) != 0) {
+                    repeated = repeated || high[axis] == low[axis];
+                    cell[axis] = high[axis];
+                }
+            const auto entry = repeated ? cells_.end() : cells_.find(hash(cell));
+            if (entry == cells_.end()) continue;
+            for (const std::size_t other : entry->second)
+                if (other < found && (points_[other] - points_[k]).max_abs() <= tolerance_ && accept(other))
+                    found = other;
+        }
+        return found;
+    }
+
+private:
+    [[nodiscard]] Point cellOf(const Point& point) const {
+        return {std::floor(point[0] / width_), std::floor(point[1] / width_), std::floor(point[2] / width_)};
+    }
+
+    static std::size_t hash(const Point& cell) {
+        std::size_t value = 0;
+        for (const double coordinate : cell)
+            value = value * 0x9e3779b97f4a7c15ULL + std::hash<double>{}(coordinate);
+        return value;
+    }
+
+    const std::vector<Point>& points_;
+    double tolerance_;
+    double width_;
+    std::unordered_map<std::size_t, std::vector<std::size_t>> cells_;
+};
+
+std::vector<std::size_t> identity(std::size_t count) {
+    std::vector<std::size_t> target(count);
+    std::iota(target.begin(), target.end(), std::size_t{0});
+    return target;
+}
+
+/// Decides about the quads one by one; vertices of faces around a collapsed one are out of bounds after.
+class Collapser {
+public:
+    explicit Collapser(const Soup& soup)
+        : soup_(soup), stars_(soup), border_(borderVertices(soup)), tolerance_(toleranceOf(soup)),
+          touched_(soup.points.size(), false) {
+        result_.faceStays.assign(soup.faceCount(), true);
+        result_.target = identity(soup.points.size());
+    }
+
+    Collapses run() {
+        for (Side side = 0; side < soup_.corners.size(); ++side)
+            if (side % 4 < 2 && canCollapse(side)) collapse(side);
+        return std::move(result_);
+    }
+
+private:
+    /// \param side  leaves one of the two corners
+    [[nodiscard]] bool canCollapse(Side side) const {
+        const std::size_t a = cornerAt(soup_, side), c = cornerAt(soup_, side ^ 2U);
+        return (soup_.points[a] - soup_.points[c]).max_abs() <= tolerance_ && !touched_[a] && !touched_[c] &&
+               !(border_[a] && border_[c]) && shareOnly(side, a, c);
+    }
+
+    /// The two vertices have no face in common but this one, and no neighbours but its other corners.
+    [[nodiscard]] bool shareOnly(Side side, std::size_t a, std::size_t c) const {
+        std::vector<std::size_t> around;
+        for (const Side out : stars_.of(a)) {
+            around.push_back(cornerAt(soup_, nextSide(out)));
+            around.push_back(cornerAt(soup_, previousSide(out)));
+            if (out / 4 != side / 4)
+                for (Side other = out & ~3U; other <= (out | 3U); ++other)
+                    if (cornerAt(soup_, other) == c) return false;
+        }
+        std::ranges::sort(around);
+        const std::size_t b = cornerAt(soup_, nextSide(side)), d = cornerAt(soup_, previousSide(side));
+        return std::ranges::all_of(stars_.of(c), [&](Side out) {
+            for (const std::size_t neighbour :
+                 {cornerAt(soup_, nextSide(out)), cornerAt(soup_, previousSide(out))})
+                if (neighbour != b && neighbour != d && std::ranges::binary_search(around, neighbour))
+                    return false;
+            return true;
+        });
+    }
+
+    void collapse(Side side) {
+        const auto [kept, gone] = std::minmax({cornerAt(soup_, side), cornerAt(soup_, side ^ 2U)});
+        result_.target[gone] = kept;
+        result_.faceStays[side / 4] = false;
+        for (const std::size_t vertex : {kept, gone})
+            for (const Side out : stars_.of(vertex))
+                for (Side other = out & ~3U; other <= (out | 3U); ++other)
+                    touched_[cornerAt(soup_, other)] = true;
+    }
+
+    const Soup& soup_;
+    Stars stars_;
+    std::vector<bool> border_;
+    double tolerance_;
+    std::vector<bool> touched_;
+    Collapses result_;
+};
+
+} // namespace
+
+std::vector<std::size_t> weldTargets(const Soup& soup) {
+    const std::vector<bool> border = borderVertices(soup);
+    const Stars stars(soup);
+    PointGrid grid(soup.points, toleranceOf(soup));
+    std::vector<std::size_t> target = identity(soup.points.size());
+    for (std::size_t k = 0; k < target.size(); ++k) {
+        if (!border[k]) continue;
+        target[k] = grid.find(k, [&](std::size_t other) {
+            return std::ranges::none_of(stars.of(k), [&](Side out) {
+                return target[cornerAt(soup, nextSide(out))] == other ||
+                       target[cornerAt(soup, previousSide(out))] == other;
+            });
+        });
+        if (target[k] == k) grid.add(k);
+    }
+    return target;
+}
+
+Collapses findCollapses(const Soup& soup) {
+    return Collapser(soup).run();
+}
+
+} // namespace qm

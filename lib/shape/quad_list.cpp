@@ -1,0 +1,116 @@
+#include "shape/quad_list.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace qm {
+namespace {
+
+/// Numbers the vertices of the finer mesh: the coarse ones, then those on edges, then those in quads.
+class Refinement {
+public:
+    Refinement(const QuadList& coarse, int n) : coarse_(coarse), n_(n) { fine_.points = coarse.points; }
+
+    QuadList run() {
+        for (const auto& quad : coarse_.quads)
+            divide(quad);
+        return std::move(fine_);
+    }
+
+private:
+    void divide(const std::array<int, 4>& quad) {
+        std::vector<int> grid(static_cast<std::size_t>((n_ + 1) * (n_ + 1)));
+        const auto at = [&](int i, int j) -> int& { return grid[static_cast<std::size_t>(j * (n_ + 1) + i)]; };
+        const auto [a, b, c, d] = quad;
+        for (int k = 0; k <= n_; ++k) {
+            at(k, 0) = onEdge(a, b, k);
+            at(n_, k) = onEdge(b, c, k);
+            at(k, n_) = onEdge(d, c, k);
+            at(0, k) = onEdge(a, d, k);
+        }
+        for (int j = 1; j < n_; ++j)
+            for (int i = 1; i < n_; ++i) {
+                at(i, j) = static_cast<int>(fine_.points.size());
+                fine_.points.push_back(
+                    between(between(point(a), point(b), i), between(point(d), point(c), i), j));
+            }
+        for (int j = 0; j < n_; ++j)
+            for (int i = 0; i < n_; ++i)
+                fine_.quads.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+
+    [[nodiscard]] const Point& point(int k) const { return coarse_.points[static_cast<std::size_t>(k)]; }
+
+    /// The same on whichever side of the edge it is asked for.
+    [[nodiscard]] Point between(const Point& a, const Point& b, int k) const {
+        return (a * static_cast<double>(n_ - k) + b * static_cast<double>(k)) / static_cast<double>(n_);
+    }
+
+    int onEdge(int a, int b, int k) {
+        if (k == 0) return a;
+        if (k == n_) return b;
+        if (a > b) return onEdge(b, a, n_ - k);
+        const auto [entry, isNew] =
+            firstOnEdge_.try_emplace({a, b}, static_cast<int>(fine_.points.size()));
+        if (isNew)
+            for (int i = 1; i < n_; ++i)
+                fine_.points.push_back(between(point(a), point(b), i));
+        return entry->second + k - 1;
+    }
+
+    const QuadList& coarse_;
+    int n_;
+    QuadList fine_;
+    std::map<std::pair<int, int>, int> firstOnEdge_;
+};
+
+/// Moves every point by a factor of the way to the mean of its neighbours along edges.
+void moveToNeighbours(QuadList& list, double factor) {
+    std::vector<Point> sums(list.points.size(), Point(0, 0, 0));
+    std::vector<double> counts(list.points.size(), 0);
+    for (const auto& quad : list.quads)
+        for (std::size_t k = 0; k < 4; ++k) { // inner edges are met from both sides, twice as often
+            const auto a = static_cast<std::size_t>(quad[k]), b = static_cast<std::size_t>(quad[(k + 1) % 4]);
+            sums[a] += list.points[b];
+            sums[b] += list.points[a];
+            counts[a] += 1;
+            counts[b] += 1;
+        }
+    for (std::size_t k = 0; k < sums.size(); ++k)
+        list.points[k] += (sums[k] / counts[k] - list.points[k]) * factor;
+}
+
+} // namespace
+
+QuadList refined(const QuadList& coarse, int n) {
+    return Refinement(coarse, n).run();
+}
+
+void soften(QuadList& list, int rounds) {
+    for (int round = 0; round < rounds; ++round) {
+        moveToNeighbours(list, 0.5);
+        moveToNeighbours(list, -0.52);
+    }
+}
+
+int GridTopology::vertex(int column, int row) const {
+    if (rowsClosed && row >= rows) {
+        row -= rows;
+        column += shift;
+    }
+    if (columnsClosed) column = (column % columns + columns) % columns;
+    return row * width() + column;
+}
+
+std::vector<std::array<int, 4>> GridTopology::quads() const {
+    std::vector<std::array<int, 4>> result;
+    result.reserve(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+    for (int row = 0; row < rows; ++row)
+        for (int column = 0; column < columns; ++column)
+            result.push_back({vertex(column, row), vertex(column + 1, row), vertex(column + 1, row + 1),
+                              vertex(column, row + 1)});
+    return result;
+}
+
+} // namespace qm

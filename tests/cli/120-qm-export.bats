@@ -1,0 +1,64 @@
+# qm-export: files for other programs.
+
+load helpers.bash
+
+setup_file() {
+    load helpers.bash
+    stage surfaces block >/dev/null
+}
+
+patches() { field '.surfaces.patches | length' "$(stage surfaces "$1")"; }
+
+@test "STEP has one named face for every segment and is a solid" {
+    quietly qm-bspline --watertight "$(stage pruned block)" -o block.json
+    quietly qm-export block.json -o block.step
+    assert_equal "$(grep -c "ADVANCED_FACE('segment " block.step)" "$(patches block)"
+    assert_equal "$(grep -c "MANIFOLD_SOLID_BREP" block.step)" 1
+    grep -q "SI_UNIT(.MILLI.,.METRE.)" block.step
+}
+
+@test "the unit is declared" {
+    quietly qm-export --unit m "$(stage surfaces block)" -o block.stp
+    grep -q "SI_UNIT(\$,.METRE.)" block.stp
+}
+
+@test "IGES, by the output's name or by request" {
+    quietly qm-export "$(stage surfaces block)" -o block.igs
+    qm-export --format iges <"$(stage surfaces block)" >same.igs
+    assert_same_bytes block.igs same.igs
+}
+
+@test "OBJ has a group for every segment and all quads" {
+    quietly qm-export "$(stage layout block)" -o block.obj
+    assert_equal "$(grep -c '^g segment_' block.obj)" "$(field '.layout.segments | length' "$(stage layout block)")"
+    assert_equal "$(grep -c '^f ' block.obj)" "$(field '.mesh.faces' "$(stage layout block)")"
+    assert_equal "$(grep -c '^v ' block.obj)" "$(field '.mesh.vertices' "$(stage layout block)")"
+}
+
+@test "PLY and glTF begin as they must" {
+    quietly qm-export "$(stage surfaces block)" --colour deviation -o block.ply
+    assert_equal "$(head -n 1 block.ply)" ply
+    quietly qm-export "$(stage layout block)" -o block.glb
+    assert_equal "$(head -c 4 block.glb)" glTF
+}
+
+@test "the same bytes every time" {
+    for format in step iges obj ply glb; do
+        qm-export --format $format "$(stage surfaces block)" >one
+        qm-export --format $format --jobs 1 "$(stage surfaces block)" >two
+        assert_same_bytes one two
+    done
+}
+
+@test "STEP needs surfaces" {
+    complains qm-export --format step "$(stage layout block)"
+    assert_regex "$stderr" 'qm-bspline'
+    complains qm-export --format ply --colour deviation "$(stage layout block)"
+}
+
+@test "a format must be known" {
+    misused qm-export "$(stage surfaces block)"
+    misused qm-export "$(stage surfaces block)" -o block.xyz
+    misused qm-export "$(stage surfaces block)" --format stl
+    misused qm-export "$(stage surfaces block)" --format step --unit mile
+}

@@ -1,0 +1,229 @@
+// The searches against each other, and against trying everything, on random meshes with random seeds and
+// costs.
+#include "base/error.h"
+#include "enumerate/coordinates.h"
+#include "enumerate/count.h"
+#include "enumerate/depth_first.h"
+#include "enumerate/extend.h"
+#include "enumerate/optimum.h"
+#include "enumerate/search_space.h"
+#include "enumerate/tracks.h"
+#include "merge/layout.h"
+#include "merge/merge.h"
+#include "mesh/topology.h"
+#include "support/brute_force.h"
+#include "support/polycube.h"
+#include "support/random_graph.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <random>
+#include <set>
+
+namespace qm::testing {
+namespace {
+
+constexpr int cases = 150;
+constexpr std::size_t mostGraphs = 20000;
+
+struct Case {
+    QuadMesh mesh;
+    BaseComplex complex;
+    std::vector<double> angles;
+    std::vector<double> costs;
+    ArcGraph graph;
+    Problem problem;
+};
+
+/// Nothing where what was drawn is no mesh.
+std::optional<Case> drawCase(unsigned number) {
+    std::mt19937 random(number);
+    std::optional<QuadMesh> mesh = randomMesh(random);
+    if (!mesh) return std::nullopt;
+    Case drawn;
+    drawn.mesh = std::move(*mesh);
+    std::uniform_real_distribution<double> angle(0, 1);
+    for (std::size_t edge = 0; edge < drawn.mesh.n_edges(); ++edge)
+        drawn.angles.push_back(angle(random));
+    drawn.costs = edgeCosts(drawn.angles, {0.9, 0.7});
+    drawn.complex = buildBaseComplex(drawn.mesh, randomSeeds(drawn.mesh, 2, random));
+    drawn.graph = buildArcGraph(drawn.mesh, drawn.complex);
+    const auto arcCosts = sumOverArcs(drawn.mesh, drawn.graph, drawn.complex, drawn.costs);
+    drawn.problem =
+        makeProblem({drawn.graph, arcCosts, std::vector(drawn.graph.arcs.size(), ArcState::free), {}, {}});
+    return drawn;
+}
+
+std::vector<bool> presentIn(const Case& drawn, const Assignment& assignment) {
+    std::vector<bool> present(drawn.graph.arcs.size(), false);
+    apply(drawn.problem, assignment, present);
+    return present;
+}
+
+/// All graphs by the search, or nothing if they are too many.
+std::optional<std::set<Assignment>> allGraphs(const Problem& problem) {
+    std::set<Assignment> graphs;
+    bool twice = false;
+    const bool finished = forEachAssignment(
+        problem, [] { return std::numeric_limits<double>::infinity(); },
+        [&](const SearchState& state) {
+            twice = twice || !graphs.insert(state.assignment()).second;
+            return graphs.size() <= mostGraphs;
+        });
+    EXPECT_FALSE(twice) << "a graph was visited twice";
+    return finished ? std::optional(graphs) : std::nullopt;
+}
+
+std::vector<double> sortedCosts(const Problem& problem, const std::set<Assignment>& graphs) {
+    std::vector<double> costs;
+    for (const Assignment& graph : graphs)
+        costs.push_back(costOf(problem, graph));
+    std::ranges::sort(costs);
+    return costs;
+}
+
+TEST(SearchProperty, EveryVisitedGraphIsValidAndCounted) {
+    int tried = 0;
+    for (unsigned number = 0; number < cases; ++number) {
+        const auto drawn = drawCase(number);
+        if (!drawn) continue;
+        const auto graphs = allGraphs(drawn->problem);
+        if (!graphs) continue;
+        ++tried;
+        for (const Assignment& graph : *graphs)
+            ASSERT_TRUE(isMotorcycleGraph(drawn->graph, presentIn(*drawn, graph))) << "case " << number;
+        const auto count = countGraphs(drawn->problem);
+        ASSERT_TRUE(count);
+        EXPECT_EQ(*count, BigCount(graphs->size())) << "case " << number;
+    }
+    EXPECT_GT(tried, cases / 4);
+}
+
+TEST(SearchProperty, TheOptimumAndTheBestAreThoseOfAllGraphs) {
+    for (const bool gaps : {true, false})
+        for (unsigned number = 0; number < cases; ++number) {
+            auto drawn = drawCase(number);
+            if (!drawn) continue;
+            drawn->problem.gaps = gaps;
+            const auto graphs = allGraphs(drawn->problem);
+            if (!graphs || graphs->size() > 2000) continue;
+            const std::vector<double> costs = sortedCosts(drawn->problem, *graphs);
+            const OptimumResult one = findOptimum(drawn->problem, {});
+            ASSERT_EQ(one.graphs.size(), costs.empty() ? 0U : 1U) << "case " << number;
+            if (costs.empty()) continue;
+            EXPECT_NEAR(costOf(drawn->problem, one.graphs[0]), costs[0], 1e-6) << "case " << number;
+            EXPECT_NEAR(one.lowerBound, costs[0], 1e-6) << "case " << number;
+            EXPECT_TRUE(one.complete);
+            OptimumOptions options;
+            options.best = 7;
+            const OptimumResult several = findOptimum(drawn->problem, options);
+            ASSERT_EQ(several.graphs.size(), std::min<std::size_t>(7, costs.size())) << "case " << number;
+            for (std::size_t k = 0; k < several.graphs.size(); ++k) {
+                EXPECT_TRUE(graphs->contains(several.graphs[k]));
+                EXPECT_NEAR(costOf(drawn->problem, several.graphs[k]), costs[k], 1e-6) << "case " << number;
+            }
+        }
+}
+
+TEST(SearchProperty, ThePapersAlgorithmsFindTheSameGraphs) {
+    for (const auto method :
+         {CoordinateMethod::naive, CoordinateMethod::bounds, CoordinateMethod::improved}) {
+        int compared = 0;
+        for (unsigned number = 0; number < cases; ++number) {
+            const auto drawn = drawCase(number);
+            if (!drawn) continue;
+            const double particles = 2 * static_cast<double>(drawn->problem.chains.size());
+            if (method == CoordinateMethod::naive && particles > 18) continue; // it tries every vector
+            std::set<Assignment> found;
+            int visits = 0;
+            const bool finished =
+                forEachCoordinateVector(drawn->problem, method, [&](const Assignment& graph) {
+                    found.insert(graph);
+                    return ++visits < 50000;
+                });
+            const auto graphs = allGraphs(drawn->problem);
+            if (!finished || !graphs) continue;
+            ++compared;
+            EXPECT_EQ(found, *graphs) << "case " << number << " method " << static_cast<int>(method);
+        }
+        EXPECT_GT(compared, 5) << "method " << static_cast<int>(method);
+    }
+}
+
+/// The yardstick shares no code with the search.
+TEST(SearchProperty, BruteForceAgreesOnSolids) {
+    for (const Cells& cells : {box(1, 1, 1), box(2, 1, 1), bump(), Cells{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
+                               Cells{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}) {
+        const check::CheckedMesh solid = polycube(cells, 2);
+        const check::Neighbourhoods around(solid);
+        const BruteForce all = bruteForce(around, check::traceLines(around, {}).front(),
+                                          check::edgeCosts(check::dihedralAngles(solid, around), 0.4, 0.2));
+        const QuadMesh mesh = quadMesh(solid);
+        const BaseComplex complex = buildBaseComplex(mesh);
+        const auto costs = edgeCosts(dihedralAngles(mesh), {});
+        const ArcGraph graph = buildArcGraph(mesh, complex);
+        const auto arcCosts = sumOverArcs(mesh, graph, complex, costs);
+        const Problem problem =
+            makeProblem({graph, arcCosts, std::vector(graph.arcs.size(), ArcState::free), {}, {}});
+        const auto graphs = allGraphs(problem);
+        ASSERT_TRUE(graphs);
+        EXPECT_EQ(graphs->size(), all.graphs.size());
+        double least = std::numeric_limits<double>::infinity();
+        for (const auto& [edges, found] : all.graphs)
+            least = std::min(least, found.cost);
+        EXPECT_NEAR(costOf(problem, findOptimum(problem, {}).graphs.front()), least, 1e-9);
+    }
+}
+
+/// Random labels are the hardest cuts there are: particles leave and enter everywhere.
+TEST(SearchProperty, MergingEndsInAValidGraphWhateverTheCut) {
+    int cutMeshes = 0;
+    for (unsigned number = 0; number < cases; ++number) {
+        const auto drawn = drawCase(number);
+        if (!drawn) continue;
+        std::mt19937 random(number);
+        SubMeshes parts{std::vector<int>(drawn->mesh.n_vertices()), 1 + static_cast<int>(random() % 3)};
+        for (int& label : parts.labels)
+            label = static_cast<int>(random() % static_cast<unsigned>(parts.count));
+        EnumerationOptions options;
+        options.cost = {0.9, 0.7};
+        const Enumeration found = enumerateGraphs(drawn->mesh, drawn->complex, drawn->angles, parts, options);
+        const MergeResult merged =
+            mergeGraphs(drawn->mesh, drawn->complex, drawn->angles, parts, found, {}, 40, {});
+        const auto present = presentArcs(drawn->mesh, drawn->complex, drawn->graph, merged.graph.tracks);
+        EXPECT_TRUE(isMotorcycleGraph(drawn->graph, present)) << "case " << number;
+        EXPECT_NO_THROW((void)buildLayout(drawn->mesh, merged.graph.tracks, drawn->angles, drawn->costs))
+            << "case " << number;
+        EXPECT_GE(merged.graph.cost,
+                  costOf(drawn->problem, findOptimum(drawn->problem, {}).graphs.front()) - 1e-6);
+        ++cutMeshes;
+    }
+    EXPECT_GT(cutMeshes, cases / 4);
+}
+
+TEST(SearchProperty, ThreadsChangeNothing) {
+    const auto drawn = drawCase(3);
+    ASSERT_TRUE(drawn);
+    SubMeshes parts{std::vector<int>(drawn->mesh.n_vertices()), 3};
+    for (std::size_t v = 0; v < parts.labels.size(); ++v)
+        parts.labels[v] = static_cast<int>(v % 3);
+    std::vector<std::vector<HalfedgeId>> first;
+    for (const unsigned jobs : {1U, 2U, 5U}) {
+        Control control;
+        control.jobs = jobs;
+        const Enumeration found =
+            enumerateGraphs(drawn->mesh, drawn->complex, drawn->angles, parts, {}, control);
+        const MergeResult merged =
+            mergeGraphs(drawn->mesh, drawn->complex, drawn->angles, parts, found, {}, 40, {}, control);
+        std::vector<std::vector<HalfedgeId>> tracks;
+        for (const Track& track : merged.graph.tracks)
+            tracks.push_back(track.halfedges);
+        if (first.empty()) first = tracks;
+        EXPECT_EQ(tracks, first);
+    }
+}
+
+} // namespace
+} // namespace qm::testing

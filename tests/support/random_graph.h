@@ -1,0 +1,29 @@
+/// \file Random meshes with random seeds and random motorcycle graphs: what layouts are tried on.
+#pragma once
+
+#include "basecomplex/base_complex.h"
+#include "check/neighbourhoods.h"
+#include "enumerate/motorcycle_graph.h"
+
+#include <optional>
+#include <random>
+#include <span>
+#include <vector>
+
+namespace qm::testing {
+
+[[nodiscard]] QuadMesh quadMesh(const check::CheckedMesh& mesh);
+
+/// A small mesh: some cubes, squares in the plane with holes, a torus, a tube, or squares glued together in
+/// any way. Nothing if what was drawn is no mesh.
+[[nodiscard]] std::optional<QuadMesh> randomMesh(std::mt19937& random);
+
+/// Up to `most` seeds at regular vertices.
+[[nodiscard]] std::vector<Seed> randomSeeds(const QuadMesh& mesh, std::size_t most, std::mt19937& random);
+
+/// The tracks of particles that take a random time for every edge and stop where somebody has been: every
+/// motorcycle graph can come out, not only the plain one.
+[[nodiscard]] std::vector<Track> randomGraph(const QuadMesh& mesh, const BaseComplex& complex,
+                                             const std::vector<double>& edgeCosts, std::mt19937& random);
+
+} // namespace qm::testing

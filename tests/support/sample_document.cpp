@@ -1,0 +1,122 @@
+#include "support/sample_document.h"
+
+#include "bspline/fit.h"
+#include "document/base_complex_section.h"
+#include "document/cut_section.h"
+#include "document/features_section.h"
+#include "document/layout_section.h"
+#include "document/mesh_section.h"
+#include "document/options_json.h"
+#include "document/surfaces_section.h"
+#include "mesh/build_mesh.h"
+#include "mesh/read_mesh.h"
+#include "mesh/topology.h"
+#include "support/polycube.h"
+
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <stdlib.h>
+
+namespace qm::testing {
+
+namespace {
+
+/// The longest straight line between regular interior vertices that begins at a vertex, as a curve with a
+/// seed.
+Features oneCurve(const QuadMesh& mesh) {
+    for (const HalfedgeId start : mesh.halfedges()) {
+        FeatureCurve curve;
+        curve.halfedges = {start};
+        if (!continuesStraight(mesh, mesh.from_vertex_handle(start))) continue;
+        if (!continuesStraight(mesh, mesh.to_vertex_handle(start))) continue;
+        curve.halfedges.push_back(straightOn(mesh, start));
+        curve.seed = mesh.to_vertex_handle(start);
+        return {{curve}};
+    }
+    throw std::logic_error("the sample mesh has no line of two edges");
+}
+
+Cut twoHalves(const QuadMesh& mesh, const BaseComplex& complex) {
+    Cut cut;
+    for (const VertexId vertex : mesh.vertices())
+        cut.labels.push_back(mesh.point(vertex)[0] < 1.2 ? 0 : 1);
+    cut.subMeshes = measureSubMeshes(mesh, complex, cut.labels, 2);
+    return cut;
+}
+
+void put(Document& document, Kind kind, const std::string& tool, Json options, Json section) {
+    putSection(document, {kind, tool, std::move(options), std::move(section)});
+}
+
+} // namespace
+
+const QuadMesh& sampleMesh() {
+    static const QuadMesh mesh = [] {
+        const check::CheckedMesh cubes = polycube(bump(), 3);
+        std::vector<Point> points;
+        for (const auto& point : cubes.points)
+            points.emplace_back(point[0], point[1], point[2]);
+        return buildMesh(points, cubes.quads);
+    }();
+    return mesh;
+}
+
+TemporaryFolder::TemporaryFolder() {
+    path_ = (std::filesystem::temp_directory_path() / "quadmesh.XXXXXX").string();
+    if (mkdtemp(path_.data()) == nullptr) throw std::runtime_error("no temporary folder can be made");
+}
+
+TemporaryFolder::~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+}
+
+std::string TemporaryFolder::write(const std::string& name, const std::string& bytes) const {
+    std::ofstream(path(name), std::ios::binary) << bytes;
+    return path(name);
+}
+
+Document sampleDocument(const TemporaryFolder& folder, Kind kind) {
+    const std::string bytes = writeObj(sampleMesh());
+    const QuadMesh mesh = readMesh(bytes, "mesh.obj").mesh;
+    const std::vector<double> angles = dihedralAngles(mesh);
+    const BaseComplex baseComplex = buildBaseComplex(mesh);
+    Document document = newDocument(kind);
+    document.root["mesh"] = meshToJson(folder.write("mesh.obj", bytes), bytes, mesh);
+    put(document, Kind::basecomplex, "qm-basecomplex", Json::object(), baseComplexToJson(mesh, baseComplex));
+    if (kind == Kind::basecomplex) return document;
+
+    const Features features = oneCurve(mesh);
+    put(document, Kind::features, "qm-features", optionsToJson(FeatureOptions{}),
+        featuresToJson(mesh, features, {}));
+    if (kind == Kind::features) return document;
+
+    const BaseComplex complex = buildBaseComplex(mesh, seeds(mesh, features));
+    const Cut cut = twoHalves(mesh, complex);
+    put(document, Kind::cut, "qm-cut", optionsToJson(cut.options), cutToJson(cut));
+    if (kind == Kind::cut) return document;
+
+    const SubMeshes subMeshes = subMeshesOf(cut);
+    EnumerationOptions options;
+    options.best = 2;
+    const Enumeration enumeration = enumerateGraphs(mesh, complex, angles, subMeshes, options);
+    put(document, Kind::enumeration, "qm-enum", optionsToJson(options),
+        enumerationToJson(mesh, SeparatrixIndex(mesh, baseComplex), enumeration));
+    if (kind == Kind::enumeration) return document;
+
+    const std::vector<double> costs = edgeCosts(angles, enumeration.cost);
+    const MergeResult merged =
+        mergeGraphs(mesh, complex, angles, subMeshes, enumeration, {}, cut.options.chi, MergeOptions{});
+    const Layout layout = buildLayout(mesh, merged.graph.tracks, angles, costs);
+    Json section = layoutToJson(mesh, layout, angles, sharpAngle(document.root));
+    section["merge"] = mergeFigures(merged);
+    put(document, Kind::layout, "qm-merge", optionsToJson(MergeOptions{}), std::move(section));
+    if (kind == Kind::layout) return document;
+
+    const Surfaces surfaces = fitSurfaces(mesh, layout, angles, FitOptions{});
+    put(document, Kind::surfaces, "qm-bspline", optionsToJson(FitOptions{}), surfacesToJson(surfaces));
+    return document;
+}
+
+} // namespace qm::testing

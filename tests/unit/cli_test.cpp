@@ -1,0 +1,190 @@
+/// \file The parts of the command line that need no process of their own; tests/cli has the rest.
+#include "base/error.h"
+#include "cli/output_file.h"
+#include "cli/progress.h"
+#include "cli/tool.h"
+#include "cli/usage.h"
+#include "document/files.h"
+#include "document/json.h"
+#include "support/sample_document.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace {
+
+namespace files = std::filesystem;
+using qm::OutputFile;
+using qm::testing::messageOf;
+using qm::testing::TemporaryFolder;
+
+std::size_t entries(const TemporaryFolder& folder) {
+    const files::directory_iterator all(folder.path(""));
+    return static_cast<std::size_t>(std::distance(files::begin(all), files::end(all)));
+}
+
+TEST(OutputFile, AppearsWholeOrNotAtAll) {
+    const TemporaryFolder folder;
+    const std::string path = folder.write("out", "as it was");
+    {
+        OutputFile file(path);
+        file.write(std::string(1 << 20, 'x'));
+        EXPECT_EQ(qm::readFile(path), "as it was");
+    }
+    EXPECT_EQ(qm::readFile(path), "as it was");
+    EXPECT_EQ(entries(folder), 1U);
+    OutputFile file(path);
+    file.write("new ");
+    file.write("text");
+    file.commit();
+    EXPECT_EQ(qm::readFile(path), "new text");
+    EXPECT_EQ(entries(folder), 1U);
+}
+
+TEST(OutputFile, FollowsLinksAndKeepsPermissions) {
+    const TemporaryFolder folder;
+    const std::string target = folder.write("target", "old");
+    files::permissions(target,
+                       files::perms::owner_read | files::perms::owner_write | files::perms::group_read);
+    const auto before = files::status(target).permissions();
+    files::create_symlink(target, folder.path("link"));
+    qm::writeFile(folder.path("link"), "new");
+    EXPECT_TRUE(files::is_symlink(folder.path("link")));
+    EXPECT_EQ(qm::readFile(target), "new");
+    EXPECT_EQ(files::status(target).permissions(), before);
+}
+
+TEST(OutputFile, WritesToDevices) {
+    EXPECT_NO_THROW(qm::writeFile("/dev/null", "text"));
+    const std::string message = messageOf([] { qm::writeFile("/dev/full", std::string(1 << 20, 'x')); });
+    EXPECT_EQ(message, "/dev/full: cannot be written: No space left on device");
+}
+
+TEST(OutputFile, SaysEarlyThatAPathIsImpossible) {
+    const TemporaryFolder folder;
+    EXPECT_EQ(messageOf([&] { qm::verifyWritable(folder.path("missing/out")); }),
+              folder.path("missing/out") + ": cannot be written: there is no folder " +
+                  folder.path("missing") + ". Make it first");
+    EXPECT_EQ(messageOf([&] { qm::verifyWritable(folder.path("")); }).find(folder.path("")), 0U);
+    EXPECT_NO_THROW(qm::verifyWritable(folder.path("new")));
+    EXPECT_EQ(entries(folder), 0U);
+}
+
+TEST(ReadFile, NamesWhatCannotBeRead) {
+    const TemporaryFolder folder;
+    EXPECT_EQ(messageOf([&] { (void)qm::readFile(folder.path("none")); }),
+              folder.path("none") + ": cannot be read: No such file or directory");
+    EXPECT_EQ(messageOf([&] { (void)qm::readFile(folder.path("")); }),
+              folder.path("") + ": is a folder. Name a file");
+    const std::string bytes(300000, '\0');
+    EXPECT_EQ(qm::readFile(folder.write("zeros", bytes)), bytes);
+    EXPECT_EQ(qm::readFile(folder.write("empty", "")), "");
+}
+
+TEST(Progress, TellsTheTimeThatIsLeft) {
+    EXPECT_EQ(qm::progressText("cutting", 0.25, 10, 200),
+              "cutting [======                  ] 25%, about 30 s left");
+    EXPECT_EQ(qm::progressText("cutting", 0.5, 100, 200),
+              "cutting [============            ] 50%, about 1 min 40 s left");
+    EXPECT_EQ(qm::progressText("cutting", 0.5, 7300, 200).substr(38), "about 2 h 1 min left");
+    EXPECT_EQ(qm::progressText("cutting", 0, 10, 200), "cutting [                        ] 0%");
+    EXPECT_EQ(qm::progressText("cutting", std::nan(""), 10, 12), "cutting [   ");
+}
+
+TEST(Usage, HelpAndJsonSayTheSame) {
+    qm::Usage usage;
+    usage.tool = "qm-test";
+    usage.summary = "Test something.";
+    usage.operands = {{"DOCUMENT", "a document", false}};
+    usage.writes = "nothing";
+    double value = 0.5;
+    usage.options.push_back(qm::makeOption("rho", value, {0, 3}, "an angle"));
+    usage.options.back().group = "Options";
+    usage.options.back().shortName = "r";
+    usage.examples = {"qm-test --rho 1 part.json"};
+    EXPECT_EQ(qm::helpText(usage), "Test something.\n"
+                                   "\n"
+                                   "Usage: qm-test [OPTION]... [DOCUMENT]\n"
+                                   "\n"
+                                   "DOCUMENT is a document.\n"
+                                   "Writes nothing.\n"
+                                   "\n"
+                                   "Options:\n"
+                                   "  -r, --rho X             an angle (0 to 3; default 0.5)\n"
+                                   "\n"
+                                   "Examples:\n"
+                                   "  qm-test --rho 1 part.json\n");
+    const qm::Json json = qm::parseJson(qm::jsonUsage(usage));
+    EXPECT_EQ(json["name"], "qm-test");
+    EXPECT_EQ(json["options"][0], qm::parseJson(R"({"name": "--rho", "short": "-r", "group": "Options",
+        "type": "number", "placeholder": "X", "minimum": 0, "maximum": 3, "default": "0.5", "help": "an angle"})"));
+    EXPECT_EQ(json["examples"], usage.examples);
+}
+
+/// Runs a tool in this process with output to a file. \return its status
+int runWith(std::vector<std::string> words, const std::function<qm::ToolBody(qm::Tool&)>& declare) {
+    std::vector<char*> argv;
+    for (std::string& word : words)
+        argv.push_back(word.data());
+    argv.push_back(nullptr);
+    return qm::runTool(static_cast<int>(words.size()), argv.data(), "qm-test", "Test.", declare);
+}
+
+TEST(Tool, ReadsItsCommandLineBeforeAnythingElse) {
+    const TemporaryFolder folder;
+    double value = 1;
+    std::string extra;
+    int runs = 0;
+    const auto run = [&](std::vector<std::string> words) {
+        value = 1;
+        extra.clear();
+        words.insert(words.begin(), "qm-test");
+        return runWith(std::move(words), [&](qm::Tool& tool) -> qm::ToolBody {
+            tool.operand("EXTRA", extra, "more");
+            tool.reads("INPUT", "text");
+            tool.writes("the same text");
+            tool.option("value", value, {-5, 5}, "a number");
+            return [&] {
+                ++runs;
+                tool.write(tool.readInput());
+                return qm::exitDone;
+            };
+        });
+    };
+    const std::string input = folder.write("[in]", "text");
+    const std::string output = folder.path("out");
+    EXPECT_EQ(run({"-q", "first", input, "-o", output, "--value", "-3"}), 0);
+    EXPECT_EQ(value, -3);
+    EXPECT_EQ(extra, "first");
+    EXPECT_EQ(qm::readFile(output), "text");
+    EXPECT_EQ(run({"--value=2", "--value", "4", "-qo" + output, "--", "-first", input}), 0);
+    EXPECT_EQ(value, 4);
+    EXPECT_EQ(extra, "-first");
+    EXPECT_EQ(runs, 2);
+    for (const std::vector<std::string>& wrong : {std::vector<std::string>{},
+                                                  {"first", input, "more"},
+                                                  {"first", input, "--unknown"},
+                                                  {"first", input, "-o"},
+                                                  {"first", input, "--value", "6"},
+                                                  {"first", input, "--value", "x"},
+                                                  {"first", input, "--output", ""},
+                                                  {"first", ""}})
+        EXPECT_EQ(run(wrong), 2);
+    EXPECT_EQ(run({"first", folder.path("none")}), 1);
+    EXPECT_EQ(run({"first", input, "-o", folder.path("none/out")}), 1);
+    EXPECT_EQ(runs, 3);
+}
+
+TEST(Tool, TurnsEveryExceptionIntoAStatus) {
+    const auto status = [](const std::function<int()>& body) {
+        return runWith({"qm-test"}, [&](qm::Tool&) -> qm::ToolBody { return body; });
+    };
+    EXPECT_EQ(status([] { return qm::exitUnmet; }), 3);
+    EXPECT_EQ(status([]() -> int { throw qm::Error("place", "what", "Remedy"); }), 1);
+    EXPECT_EQ(status([]() -> int { throw std::bad_alloc(); }), 1);
+    EXPECT_EQ(status([]() -> int { throw std::logic_error("fault"); }), 1);
+    EXPECT_EQ(status([]() -> int { throw qm::UsageError("wrong"); }), 2);
+}
+
+} // namespace
