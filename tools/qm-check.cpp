@@ -31,9 +31,8 @@ int main(int argc, char** argv) {
     bool asJson = false;
     constexpr std::size_t linesShown = 20;
     return qm::runTool(argc, argv, "qm-check", "Verify a document against its mesh.", [&](qm::Tool& tool) {
-        tool.explain("Everything is computed anew from the mesh, by code that shares none with the tools "
-                     "that made the "
-                     "document. Each violation is a line with the JSON pointer of the place and the rule.");
+        tool.explain("Everything is computed anew, by code that shares none with the tools that made the "
+                     "document. Each violation is a line with the JSON pointer of its place and the rule.");
         tool.reads("DOCUMENT", "a document of any kind");
         tool.text("mesh", meshPath, "FILE", "the mesh, if it is not where the document says");
         tool.writes("what was found true, and the verdict");
@@ -48,8 +47,8 @@ int main(int argc, char** argv) {
             report.verify("schema, and mesh of " + std::to_string(mesh.n_vertices()) + " vertices and " +
                           std::to_string(mesh.n_faces()) + " faces");
             qm::check::checkHistory(document.root, report);
-            report = qm::check::checkDocument(pointsAndFaces(mesh), qm::check::readDocument(document.root),
-                                              report);
+            const auto checked = qm::check::readDocument(document.root);
+            report = qm::check::checkDocument(pointsAndFaces(mesh), checked, report);
             for (const std::string& line : qm::check::violationLines(report, linesShown))
                 qm::printMessage(tool.name() + ": " + tool.inputName() + ": " + line);
             tool.write(asJson ? qm::check::reportJson(report) : qm::check::reportText(report));

@@ -133,7 +133,7 @@ private:
         result.cost = sumAlong(mesh_, result.halfedges, context_.edgeCosts);
         verifySource(place, result.halfedges.front());
         verifyWay(vertices, result.halfedges);
-        verifyInside(vertices, result.halfedges, label);
+        verifyStartsInside(vertices, result.halfedges, label);
         return result;
     }
 
@@ -159,13 +159,12 @@ private:
                                                          : "the particle's way does not turn to this vertex");
     }
 
-    void verifyInside(const JsonPlace& vertices, const std::vector<HalfedgeId>& path, int label) const {
+    /// Where a line leaves a sub-mesh and comes back over the same vertex, one track may cover both stretches.
+    void verifyStartsInside(const JsonPlace& vertices, const std::vector<HalfedgeId>& path, int label) const {
         const std::vector<int>& labels = context_.subMeshes.labels;
         if (labels.empty()) return;
-        for (std::size_t i = 0; i < path.size(); ++i)
-            if (labels[static_cast<std::size_t>(mesh_.from_vertex_handle(path[i]).idx())] != label)
-                vertices.failAt(i, i == 0 ? "the track starts in another sub-mesh"
-                                          : "the track goes on beyond the first vertex outside its sub-mesh");
+        if (labels[static_cast<std::size_t>(mesh_.from_vertex_handle(path.front()).idx())] != label)
+            vertices.failAt(0, "the track starts in another sub-mesh");
     }
 
     const EnumerationContext& context_;

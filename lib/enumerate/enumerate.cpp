@@ -96,11 +96,10 @@ public:
 
     [[nodiscard]] MotorcycleGraph graph(const Problem& problem, int subMesh,
                                         const Assignment& assignment) const {
-        std::vector<bool> present(space_.graph.arcs.size(), false), startsInside;
+        std::vector<bool> present(space_.graph.arcs.size(), false);
+        const Walkers walkers = walkersOf(space_, subMesh, present);
         apply(problem, assignment, present);
-        for (const Line& line : space_.graph.lines)
-            startsInside.push_back(space_.arcBegins[line.firstArc.idx()] == subMesh);
-        return graphOf(mesh_, complex_, space_.graph, present, edgeCosts_, startsInside);
+        return graphOf(mesh_, complex_, space_.graph, present, edgeCosts_, walkers);
     }
 
 private:
@@ -136,6 +135,9 @@ private:
         for (const Assignment& assignment : found.graphs)
             result.graphs.push_back(graph(problem, subMesh, assignment));
         if (std::isfinite(found.lowerBound)) result.lowerBound = found.lowerBound;
+        // The bound sums what the search summed, in another order than the tracks' costs.
+        if (!result.graphs.empty() && result.lowerBound)
+            result.lowerBound = std::min(*result.lowerBound, result.graphs.front().cost);
         if (result.graphs.empty() && found.complete && std::isinf(options_.maxCost)) refuse(subMesh);
         if (!found.complete) complete = false;
         if (options_.count) {

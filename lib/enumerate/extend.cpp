@@ -93,7 +93,7 @@ std::vector<Particle> freeParticles(const ArcGraph& graph, const std::vector<boo
 
 bool isMotorcycleGraph(const ArcGraph& graph, const std::vector<bool>& present, bool gaps) {
     const std::vector<double> costs(graph.arcs.size(), 0);
-    Problem problem = makeProblem({graph, costs, std::vector(graph.arcs.size(), ArcState::free), {}, {}});
+    Problem problem = makeProblem({graph, costs, std::vector(graph.arcs.size(), ArcState::free), {}, {}, {}});
     problem.gaps = gaps;
     SearchState state(problem);
     if (!state.consistent()) return false;

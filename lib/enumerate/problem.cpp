@@ -47,7 +47,8 @@ private:
         return true;
     }
 
-    Stretch stretchOf(const Line& line) const {
+    Stretch stretchOf(LineId id) const {
+        const Line& line = graph_.lines[id.idx()];
         Stretch stretch;
         stretch.first = line.arcCount;
         for (int k = 0; k < line.arcCount; ++k)
@@ -57,9 +58,10 @@ private:
             }
         if (stretch.last < 0) return stretch;
         const bool atBegin = stretch.first == 0, atEnd = stretch.last == line.arcCount - 1;
-        const bool sourceAtEnd = line.backward.has_value();
-        stretch.beforeAnchored = allIn(line, 0, stretch.first);
-        stretch.beforeIn = atBegin || state(line, stretch.first - 1) == ArcState::in;
+        const bool sourceAtBegin = input_.walkers.begin(id),
+                   sourceAtEnd = line.backward && input_.walkers.end(id);
+        stretch.beforeAnchored = sourceAtBegin && allIn(line, 0, stretch.first);
+        stretch.beforeIn = atBegin ? sourceAtBegin : state(line, stretch.first - 1) == ArcState::in;
         stretch.afterAnchored = sourceAtEnd && allIn(line, stretch.last + 1, line.arcCount);
         stretch.afterIn = atEnd ? sourceAtEnd : state(line, stretch.last + 1) == ArcState::in;
         return stretch;
@@ -67,23 +69,25 @@ private:
 
     void addChain(LineId id) {
         const Line& line = graph_.lines[id.idx()];
-        const Stretch stretch = stretchOf(line);
+        const Stretch stretch = stretchOf(id);
         if (stretch.last < 0) return;
         chainOf_[id.idx()] = static_cast<int>(problem_.chains.size());
         const int first = problem_.variables();
         for (int k = stretch.first; k <= stretch.last; ++k)
-            addArc(line, k, k > stretch.first, domainOf(line, stretch, k));
+            addArc(line, k, k > stretch.first, domainOf(id, stretch, k));
         problem_.chains.push_back(
             {first, problem_.variables() - first, stretch.beforeAnchored, stretch.afterAnchored});
     }
 
-    ArcState domainOf(const Line& line, const Stretch& stretch, int k) const {
+    ArcState domainOf(LineId id, const Stretch& stretch, int k) const {
+        const Line& line = graph_.lines[id.idx()];
         const ArcId arc(line.firstArc.value() + k);
         // A track that goes on beyond the stretch without a source of its own must be reached from here.
         const bool mustCover =
             (stretch.beforeIn && !stretch.beforeAnchored) || (stretch.afterIn && !stretch.afterAnchored);
         const bool unreachable = !stretch.beforeAnchored && !stretch.afterAnchored && !mustCover;
-        const bool atSource = k == 0 || (k == line.arcCount - 1 && line.backward);
+        const bool atSource = (k == 0 && input_.walkers.begin(id)) ||
+                              (k == line.arcCount - 1 && line.backward && input_.walkers.end(id));
         ArcState domain = state(line, k);
         if (atSource || mustCover) restrict(arc, domain, ArcState::in);
         if (unreachable) restrict(arc, domain, ArcState::out);

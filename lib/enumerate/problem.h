@@ -68,6 +68,15 @@ struct Problem {
 /// A value for every variable and both constants, 0 or 1.
 using Assignment = std::vector<signed char>;
 
+/// Which particles may walk, of every line those of its begin and of its end; where empty, all.
+struct Walkers {
+    std::vector<bool> fromBegin;
+    std::vector<bool> fromEnd;
+
+    [[nodiscard]] bool begin(LineId line) const { return fromBegin.empty() || fromBegin[line.idx()]; }
+    [[nodiscard]] bool end(LineId line) const { return fromEnd.empty() || fromEnd[line.idx()]; }
+};
+
 /// What surrounds a search.
 struct ProblemInput {
     const ArcGraph& graph;
@@ -75,6 +84,7 @@ struct ProblemInput {
     std::vector<ArcState> states;  ///< of every arc; the free ones become variables
     std::vector<ArcState> demands; ///< `in` or `out` where a person demands it, else `free`; may be empty
     std::vector<bool> open; ///< junctions where tracks may end unfinished: those past a cut; may be empty
+    Walkers walkers;        ///< which particles take part
 };
 
 /// Linear in the graph.

@@ -96,9 +96,20 @@ std::vector<ArcId> ownArcs(const SearchSpace& space, int subMesh) {
     return arcs;
 }
 
+Walkers walkersOf(const SearchSpace& space, int subMesh, const std::vector<bool>& present) {
+    Walkers walkers;
+    for (const Line& line : space.graph.lines) {
+        const ArcId first = line.firstArc, last(first.value() + line.arcCount - 1);
+        walkers.fromBegin.push_back(space.arcBegins[first.idx()] == subMesh || present[first.idx()]);
+        walkers.fromEnd.push_back(space.arcEnds[last.idx()] == subMesh || present[last.idx()]);
+    }
+    return walkers;
+}
+
 Problem subMeshProblem(const SearchSpace& space, int subMesh, const std::vector<ArcId>& freeArcs,
                        const std::vector<bool>& present) {
-    ProblemInput input{space.graph, space.arcCosts, {}, space.demands, {}};
+    ProblemInput input{
+        space.graph, space.arcCosts, {}, space.demands, {}, walkersOf(space, subMesh, present)};
     for (const bool in : present)
         input.states.push_back(in ? ArcState::in : ArcState::out);
     for (const ArcId arc : freeArcs)

@@ -31,6 +31,9 @@ void appendWalk(const SearchSpace& space, LineId line, bool fromEnd, int from, i
 /// The arcs that the particles of a sub-mesh can walk before they leave it.
 [[nodiscard]] std::vector<ArcId> ownArcs(const SearchSpace& space, int subMesh);
 
+/// The particles that start in a sub-mesh, and those that have been walking already.
+[[nodiscard]] Walkers walkersOf(const SearchSpace& space, int subMesh, const std::vector<bool>& present);
+
 /// A search in one sub-mesh: the given arcs are free, every other arc stays as it is in `present`. Tracks may
 /// end unfinished at the first vertex outside.
 [[nodiscard]] Problem subMeshProblem(const SearchSpace& space, int subMesh,

@@ -15,12 +15,13 @@ std::size_t at(int index) {
 /// Finds a line for every crossing such that no line serves two: an orientation of a pseudo-forest.
 class Meetings {
 public:
-    Meetings(const ArcGraph& graph, const std::vector<bool>& present)
+    Meetings(const ArcGraph& graph, const std::vector<bool>& present, const Walkers& walkers)
         : graph_(graph), meetingOf_(graph.lines.size()), crossingsOf_(graph.lines.size()) {
-        for (const Line& line : graph.lines) {
+        for (std::size_t i = 0; i < graph.lines.size(); ++i) {
+            const Line& line = graph.lines[i];
             const auto begin = present.begin() + line.firstArc.value();
-            full_.push_back(line.backward &&
-                            std::all_of(begin, begin + line.arcCount, [](bool in) { return in; }));
+            const bool both = line.backward && walkers.begin(LineId(i)) && walkers.end(LineId(i));
+            full_.push_back(both && std::all_of(begin, begin + line.arcCount, [](bool in) { return in; }));
         }
         for (std::size_t j = 0; j < graph.junctions.size(); ++j)
             if (crossed(graph.junctions[j], present)) addCrossing(JunctionId(j));
@@ -125,18 +126,18 @@ Track trackOf(const QuadMesh& mesh, std::span<const HalfedgeId> path, const std:
 } // namespace
 
 std::vector<Coverage> coverLines(const ArcGraph& graph, const std::vector<bool>& present,
-                                 const std::vector<bool>& fromBegin) {
-    const std::vector<ArcId> meetings = Meetings(graph, present).assign();
+                                 const Walkers& walkers) {
+    const std::vector<ArcId> meetings = Meetings(graph, present, walkers).assign();
     std::vector<Coverage> result;
     for (std::size_t i = 0; i < graph.lines.size(); ++i) {
         const Line& line = graph.lines[i];
         const auto in = [&](int k) { return present[at(line.firstArc.value() + k)]; };
         Coverage coverage;
-        if (fromBegin.empty() || fromBegin[i])
+        if (walkers.begin(LineId(i)))
             while (coverage.fromBegin < line.arcCount && in(coverage.fromBegin))
                 ++coverage.fromBegin;
         if (meetings[i].valid()) coverage.fromBegin = meetings[i].value() - line.firstArc.value() + 1;
-        if (line.backward)
+        if (line.backward && walkers.end(LineId(i)))
             while (coverage.fromEnd < line.arcCount - coverage.fromBegin &&
                    in(line.arcCount - 1 - coverage.fromEnd))
                 ++coverage.fromEnd;
@@ -147,8 +148,8 @@ std::vector<Coverage> coverLines(const ArcGraph& graph, const std::vector<bool>&
 
 MotorcycleGraph graphOf(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
                         const std::vector<bool>& present, const std::vector<double>& edgeCosts,
-                        const std::vector<bool>& fromBegin) {
-    const std::vector<Coverage> coverages = coverLines(graph, present, fromBegin);
+                        const Walkers& walkers) {
+    const std::vector<Coverage> coverages = coverLines(graph, present, walkers);
     MotorcycleGraph result;
     const auto add = [&](SeparatrixId separatrix, std::size_t length) {
         if (length == 0) return;

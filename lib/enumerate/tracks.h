@@ -3,6 +3,7 @@
 
 #include "basecomplex/arc_graph.h"
 #include "enumerate/motorcycle_graph.h"
+#include "enumerate/problem.h"
 
 #include <vector>
 
@@ -17,15 +18,15 @@ struct Coverage {
 
 /// How far the particles of every line have walked. A line that is covered throughout is walked by the
 /// particle of its begin, unless a crossing needs a head-on meeting on it (rule 4): then both meet there.
-/// \param present    of every arc; every line's present arcs are a run from each of its sources
-/// \param fromBegin  of every line whether the particle of its begin may walk; empty if all do
+/// \param present  of every arc; every line's present arcs are a run from each of its sources
+/// \param walkers  which particles take part
 [[nodiscard]] std::vector<Coverage> coverLines(const ArcGraph& graph, const std::vector<bool>& present,
-                                               const std::vector<bool>& fromBegin = {});
+                                               const Walkers& walkers = {});
 
 /// The tracks of a graph, by line, with their costs; particles that do not move have none.
 [[nodiscard]] MotorcycleGraph graphOf(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
                                       const std::vector<bool>& present, const std::vector<double>& edgeCosts,
-                                      const std::vector<bool>& fromBegin = {});
+                                      const Walkers& walkers = {});
 
 /// The arcs that tracks cover together; two that meet head-on may do so inside an arc.
 /// \throw Error  if an edge of a track is on no arc that is covered throughout

@@ -10,47 +10,129 @@
 namespace qm {
 namespace {
 
-constexpr double quarterTurn = std::numbers::pi / 2;
+using Place = RoundHole::Place;
 
-/// A quarter circle that leaves a straight line for another at right angles. \param share  of the turn, 0 to 1
-/// \return how far it has gone along the first line, and away from it, in radii
-RoundHole::Place filletAt(double share) {
-    const double angle = share * quarterTurn;
+/// A quarter circle of radius 1 that leaves one line and ends on another at right angles.
+/// \param share  of the turn, 0 to 1 \return x along the first line, y away from it
+Place quarterCircle(double share) {
+    const double angle = share * std::numbers::pi / 2;
     return {std::sin(angle), 1 - std::cos(angle)};
 }
 
 /// Turns the hole through the middle of the block into a round one with filleted rims.
-Point blockPoint(const Point& point, double height) {
+Point blockPoint(const Point& point, double middle, double height) {
     constexpr RoundHole hole{.hole = 0.5, .frame = 1.5, .radius = 0.6};
     constexpr double fillet = 0.35;
-    constexpr double band = 0.4; // of the frame's width that becomes half of the fillet
-    const RoundHole::Place place{point[0] - 1.5, point[1] - 1.5};
+    constexpr double band = 0.4; // of the frame's width becomes half of the fillet
+    const Place place{point[0] - middle, point[1] - middle};
     const double outward = hole.outwardness(place);
+    if (outward >= 1) return point;
     const bool above = 2 * point[2] > height;
     const double depth = above ? height - point[2] : point[2];
-    const auto put = [&](RoundHole::Place at, double down) {
-        return Point(at.x + 1.5, at.y + 1.5, above ? height - down : down);
+    const auto put = [&](Place at, double down) {
+        return Point(at.x + middle, at.y + middle, above ? height - down : down);
     };
-    if (outward >= 1) return point;
-    if (outward >= band) { // the flat part, between the fillet and the outer edges
+    if (outward >= band) { // what remains flat, between the fillet and the outer edges
         RoundHole flat = hole;
         flat.radius += fillet;
-        return put(flat.at(place, (outward - band) / (1 - band)), depth);
+        return put(flat.at(place, (outward - band) / (1 - band)), 0);
     }
     // Half of the fillet lies on what was the frame, half on what was the wall of the hole.
     const double share = outward > 0 ? (1 - outward / band) / 2 : std::min((1 + depth / fillet) / 2, 1.0);
-    const auto [along, down] = filletAt(share);
+    const auto [along, down] = quarterCircle(share);
     RoundHole rim = hole;
     rim.radius += fillet * (1 - along);
     return put(rim.at(place, 0), share < 1 ? fillet * down : depth);
 }
 
-/// Rounds the concave corner at the origin of an L: the solid is where x or z is negative.
-RoundHole::Place cornerPoint(RoundHole::Place place, double radius) {
-    const bool alongX = place.x >= place.z_();
-    (void)alongX;
-    return {place.x * radius, place.y};
+/// Rounds the concave corner of an L at the origin: solid is where x or y is negative, down to -1.
+Place filletedCorner(Place place, double radius) {
+    const double share = std::max({place.x, place.y, 0.0}) / radius;
+    if (share >= 1) return place;
+    const auto [along, away] = quarterCircle((1 + share) / 2);
+    // The surface moves onto the circle, and what lies below it moves less and less.
+    const double depth = std::clamp(-std::min(place.x, place.y), 0.0, 1.0);
+    const double far = (1 - depth) * radius * (away - share), near = (1 - depth) * radius * (1 - along);
+    return place.x >= place.y ? Place{place.x + far, place.y + near} : Place{place.x + near, place.y + far};
+}
+
+Point bracketPoint(Point point) {
+    constexpr RoundHole hole{.hole = 0.5, .frame = 1.5, .radius = 0.75};
+    constexpr double middle = 1.5, far = 4.5, fillet = 1.5;
+    const Place bent = filletedCorner({point[0] - 1, point[2] - 1}, fillet);
+    point[0] = 1 + bent.x;
+    point[2] = 1 + bent.y;
+    if (point[2] <= 1 && point[0] >= far - hole.frame) {
+        const Place place = hole.moved({point[0] - far, point[1] - middle});
+        return {place.x + far, place.y + middle, point[2]};
+    }
+    if (point[0] <= 1 && point[2] >= far - hole.frame) {
+        const Place place = hole.moved({point[1] - middle, point[2] - far});
+        return {point[0], place.x + middle, place.y + far};
+    }
+    return point;
+}
+
+template <class Move> QuadList moved(QuadList list, const Move& move) {
+    for (Point& point : list.points)
+        point = move(point);
+    return list;
 }
 
 } // namespace
+
+QuadList blockShape(int n) {
+    Voxels voxels = voxelBox(3, 3, 2);
+    for (const int level : {0, 1})
+        voxels.erase({1, 1, level});
+    return moved(refined(voxelSurface(voxels), n),
+                 [](const Point& point) { return blockPoint(point, 1.5, 2); });
+}
+
+QuadList bracketShape(int n) {
+    Voxels voxels = voxelBox(6, 3, 1);
+    voxels.merge(voxelBox(1, 3, 6));
+    voxels.erase({4, 1, 0});
+    voxels.erase({0, 1, 4});
+    return moved(refined(voxelSurface(voxels), n), bracketPoint);
+}
+
+QuadList plateShape(int n) {
+    constexpr RoundHole hole{.hole = 0.2, .frame = 0.5, .radius = 0.3};
+    constexpr double middleX = 2.5, middleY = 1.5;
+    const GridTopology grid{.columns = 5, .rows = 3};
+    QuadList sheet{{}, grid.quads()};
+    for (int k = 0; k < grid.width() * grid.height(); ++k)
+        sheet.points.emplace_back(k % grid.width(), k / grid.width(), 0);
+    // A ring of four quads takes the place of the middle one.
+    constexpr std::size_t place = 7;
+    const std::array<int, 4> outer = sheet.quads[place];
+    sheet.quads.erase(sheet.quads.begin() + place);
+    const int inner = static_cast<int>(sheet.points.size());
+    for (int k = 0; k < 4; ++k) {
+        const auto corner = static_cast<std::size_t>(k);
+        const Point& point = sheet.points[static_cast<std::size_t>(outer[corner])];
+        const Point centre(middleX, middleY, 0);
+        sheet.points.push_back(centre + (point - centre) * (hole.hole / hole.frame));
+        sheet.quads.push_back({outer[corner], outer[(corner + 1) % 4], inner + (k + 1) % 4, inner + k});
+    }
+    return moved(refined(sheet, n), [&](const Point& point) {
+        const Place round = hole.moved({point[0] - middleX, point[1] - middleY});
+        return Point(round.x + middleX, round.y + middleY, 0);
+    });
+}
+
+QuadList drilledShape(int n, int holes) {
+    constexpr RoundHole hole{.hole = 0.5, .frame = 1.5, .radius = 0.75};
+    Voxels voxels = voxelBox(3 * holes, 3, 1);
+    for (int k = 0; k < holes; ++k)
+        voxels.erase({3 * k + 1, 1, 0});
+    return moved(refined(voxelSurface(voxels), n), [&](const Point& point) {
+        const double nearest = std::min(std::floor(point[0] / 3), holes - 1.0);
+        const double x = 3 * nearest + 1.5, y = 1.5;
+        const Place round = hole.moved({point[0] - x, point[1] - y});
+        return Point(round.x + x, round.y + y, point[2]);
+    });
+}
+
 } // namespace qm

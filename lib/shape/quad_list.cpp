@@ -21,7 +21,9 @@ public:
 private:
     void divide(const std::array<int, 4>& quad) {
         std::vector<int> grid(static_cast<std::size_t>((n_ + 1) * (n_ + 1)));
-        const auto at = [&](int i, int j) -> int& { return grid[static_cast<std::size_t>(j * (n_ + 1) + i)]; };
+        const auto at = [&](int i, int j) -> int& {
+            return grid[static_cast<std::size_t>(j * (n_ + 1) + i)];
+        };
         const auto [a, b, c, d] = quad;
         for (int k = 0; k <= n_; ++k) {
             at(k, 0) = onEdge(a, b, k);
@@ -51,8 +53,7 @@ private:
         if (k == 0) return a;
         if (k == n_) return b;
         if (a > b) return onEdge(b, a, n_ - k);
-        const auto [entry, isNew] =
-            firstOnEdge_.try_emplace({a, b}, static_cast<int>(fine_.points.size()));
+        const auto [entry, isNew] = firstOnEdge_.try_emplace({a, b}, static_cast<int>(fine_.points.size()));
         if (isNew)
             for (int i = 1; i < n_; ++i)
                 fine_.points.push_back(between(point(a), point(b), i));

@@ -3,8 +3,8 @@
 
 namespace qm {
 
-/// A square hole in a square frame, both centred at the origin; the hole becomes a circle, the frame's outside
-/// stays.
+/// A square hole in a square frame, both centred at the origin; the hole becomes a circle, the frame's
+/// outside stays.
 struct RoundHole {
     double hole = 0.5;   ///< half the side of the hole
     double frame = 1.5;  ///< half the side of the frame

@@ -75,8 +75,7 @@ once() {
 
 sample() {
     local file=$SAMPLES/$1.obj
-    # shellcheck disable=SC2046  # a list of words
-    once "$file" qm-shape $(sample_arguments "$1") && echo "$file"
+    once "$file" qm-shape "$1" && echo "$file"
 }
 
 stage() {

@@ -2,9 +2,9 @@
 #include "base/error.h"
 #include "enumerate/plain.h"
 #include "merge/layout.h"
-#include "mesh/topology.h"
 #include "prune/prune.h"
 #include "prune/removal.h"
+#include "support/layout_fault.h"
 #include "support/random_graph.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
-#include <set>
 
 namespace qm::testing {
 namespace {
@@ -44,78 +43,15 @@ Layout layoutOf(const Case& drawn, const std::vector<Track>& tracks) {
     return buildLayout(drawn.mesh, tracks, drawn.angles, drawn.costs);
 }
 
-std::set<int> borderEdges(const QuadMesh& mesh, const Layout& layout) {
-    std::set<int> edges;
-    for (const EdgeId edge : mesh.edges())
-        if (mesh.is_boundary(edge)) edges.insert(edge.idx());
-    for (const LayoutTrack& track : layout.tracks)
-        for (const HalfedgeId halfedge : track.track.halfedges)
-            EXPECT_TRUE(edges.insert(mesh.edge_handle(halfedge).idx()).second) << "an edge on two tracks";
-    return edges;
-}
-
-void expectFace(const QuadMesh& mesh, FaceId face, std::vector<VertexId> corners) {
-    std::vector<VertexId> vertices;
-    for (const VertexId vertex : mesh.fv_ccw_range(face))
-        vertices.push_back(vertex);
-    const auto first = std::find(vertices.begin(), vertices.end(), corners.front());
-    ASSERT_NE(first, vertices.end());
-    std::rotate(vertices.begin(), first, vertices.end());
-    EXPECT_EQ(vertices, corners);
-}
-
-/// Faces, vertices and sides fit together, and no track runs inside.
-void expectGrid(const QuadMesh& mesh, const Segment& segment, const std::set<int>& borders) {
-    const auto a = static_cast<std::size_t>(segment.size[0]), b = static_cast<std::size_t>(segment.size[1]);
-    ASSERT_EQ(segment.faces.size(), a * b);
-    const std::vector<VertexId> grid = vertexGrid(mesh, segment);
-    const auto at = [&](std::size_t i, std::size_t j) { return grid[j * (a + 1) + i]; };
-    for (std::size_t j = 0; j < b; ++j)
-        for (std::size_t i = 0; i < a; ++i)
-            expectFace(mesh, segment.faces[j * a + i],
-                       {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
-    std::array<std::vector<VertexId>, 4> sides;
-    for (std::size_t i = 0; i <= a; ++i) {
-        sides[0].push_back(at(i, 0));
-        sides[2].push_back(at(a - i, b));
-    }
-    for (std::size_t j = 0; j <= b; ++j) {
-        sides[1].push_back(at(a, j));
-        sides[3].push_back(at(0, b - j));
-    }
-    EXPECT_EQ(segment.sides, sides);
-    const std::set<FaceId> inside(segment.faces.begin(), segment.faces.end());
-    std::size_t onBorder = 0;
-    for (const FaceId face : segment.faces)
-        for (const EdgeId edge : mesh.fe_range(face))
-            onBorder += borders.contains(edge.idx());
-    EXPECT_EQ(onBorder, 2 * (a + b));
-}
-
-void expectLayout(const QuadMesh& mesh, const Layout& layout) {
-    const std::set<int> borders = borderEdges(mesh, layout);
-    std::vector<int> lowest;
-    std::vector<int> times(mesh.n_faces(), 0);
-    for (const Segment& segment : layout.segments) {
-        expectGrid(mesh, segment, borders);
-        for (const FaceId face : segment.faces)
-            ++times[static_cast<std::size_t>(face.idx())];
-        lowest.push_back(std::min_element(segment.faces.begin(), segment.faces.end())->idx());
-    }
-    EXPECT_EQ(std::ranges::count(times, 1), static_cast<std::ptrdiff_t>(mesh.n_faces()));
-    EXPECT_TRUE(std::ranges::is_sorted(lowest));
-}
-
 std::size_t addedTo(const Layout& layout, std::size_t given) {
     return layout.tracks.size() - given;
 }
 
-/// The tracks of a layout that are no transversals, without one of them.
+/// The tracks of a layout that are no transversals, but for one.
 std::vector<Track> tracksWithout(const Layout& layout, std::size_t left) {
-    std::vector<Track> tracks;
-    for (std::size_t t = 0; t < layout.tracks.size(); ++t)
-        if (!layout.tracks[t].transversal && t != left) tracks.push_back(layout.tracks[t].track);
-    return tracks;
+    Layout smaller = layout;
+    smaller.tracks.erase(smaller.tracks.begin() + static_cast<std::ptrdiff_t>(left));
+    return properTracks(smaller);
 }
 
 /// Takes the track out and looks at the whole mesh: every segment is a grid, and no annulus came or went.
@@ -149,7 +85,8 @@ protected:
 };
 
 TEST_P(RandomLayout, IsMadeOfGridsThatTileTheMesh) {
-    forEachCase([](const Case& drawn) { expectLayout(drawn.mesh, layoutOf(drawn, drawn.tracks)); });
+    forEachCase(
+        [](const Case& drawn) { EXPECT_EQ(layoutFault(drawn.mesh, layoutOf(drawn, drawn.tracks)), ""); });
 }
 
 TEST_P(RandomLayout, LocalTestOfARemovalAgreesWithTheWholeMesh) {
@@ -168,7 +105,7 @@ TEST_P(RandomLayout, LocalTestOfARemovalAgreesWithTheWholeMesh) {
 std::vector<Track> pruneSlowly(const Case& drawn, Layout layout) {
     for (bool changed = true; changed;) {
         changed = false;
-        std::vector<Track> order = tracksWithout(layout, layout.tracks.size());
+        std::vector<Track> order = properTracks(layout);
         std::ranges::stable_sort(order, std::greater{}, &Track::cost);
         for (const Track& track : order) {
             const auto t = std::ranges::find_if(layout.tracks,
@@ -181,7 +118,7 @@ std::vector<Track> pruneSlowly(const Case& drawn, Layout layout) {
             changed = true;
         }
     }
-    return tracksWithout(layout, layout.tracks.size());
+    return properTracks(layout);
 }
 
 TEST_P(RandomLayout, IsPrunedAsIfEveryQuestionWereAskedOfTheWholeMesh) {
@@ -191,14 +128,13 @@ TEST_P(RandomLayout, IsPrunedAsIfEveryQuestionWereAskedOfTheWholeMesh) {
     forEachCase([&](const Case& drawn) {
         const Layout layout = layoutOf(drawn, drawn.tracks);
         const PruneResult pruned = pruneLayout(drawn.mesh, layout, drawn.angles, drawn.costs, options);
-        expectLayout(drawn.mesh, pruned.layout);
+        EXPECT_EQ(layoutFault(drawn.mesh, pruned.layout), "");
         const std::vector<Track> expected = pruneSlowly(drawn, layout);
-        const std::vector<Track> kept = tracksWithout(pruned.layout, pruned.layout.tracks.size());
+        const std::vector<Track> kept = properTracks(pruned.layout);
         ASSERT_EQ(kept.size(), expected.size());
         for (std::size_t t = 0; t < kept.size(); ++t)
             EXPECT_EQ(kept[t].halfedges, expected[t].halfedges);
-        EXPECT_EQ(pruned.removedTracks + pruned.keptNotQuadrilateral,
-                  tracksWithout(layout, layout.tracks.size()).size());
+        EXPECT_EQ(pruned.removedTracks + pruned.keptNotQuadrilateral, properTracks(layout).size());
         EXPECT_EQ(pruned.keptNotSmooth, 0U);
     });
 }
@@ -210,7 +146,7 @@ TEST_P(RandomLayout, SmoothPruningLeavesGridsToo) {
     forEachCase([&](const Case& drawn) {
         const Layout layout = layoutOf(drawn, drawn.tracks);
         const PruneResult pruned = pruneLayout(drawn.mesh, layout, drawn.angles, drawn.costs, options);
-        expectLayout(drawn.mesh, pruned.layout);
+        EXPECT_EQ(layoutFault(drawn.mesh, pruned.layout), "");
         EXPECT_LE(pruned.layout.segments.size(), layout.segments.size());
     });
 }

@@ -52,7 +52,7 @@ std::optional<Case> drawCase(unsigned number) {
     drawn.graph = buildArcGraph(drawn.mesh, drawn.complex);
     const auto arcCosts = sumOverArcs(drawn.mesh, drawn.graph, drawn.complex, drawn.costs);
     drawn.problem =
-        makeProblem({drawn.graph, arcCosts, std::vector(drawn.graph.arcs.size(), ArcState::free), {}, {}});
+        makeProblem({drawn.graph, arcCosts, std::vector(drawn.graph.arcs.size(), ArcState::free), {}, {}, {}});
     return drawn;
 }
 
@@ -166,7 +166,7 @@ TEST(SearchProperty, BruteForceAgreesOnSolids) {
         const ArcGraph graph = buildArcGraph(mesh, complex);
         const auto arcCosts = sumOverArcs(mesh, graph, complex, costs);
         const Problem problem =
-            makeProblem({graph, arcCosts, std::vector(graph.arcs.size(), ArcState::free), {}, {}});
+            makeProblem({graph, arcCosts, std::vector(graph.arcs.size(), ArcState::free), {}, {}, {}});
         const auto graphs = allGraphs(problem);
         ASSERT_TRUE(graphs);
         EXPECT_EQ(graphs->size(), all.graphs.size());

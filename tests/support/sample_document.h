@@ -2,6 +2,7 @@
 /// and writing take apart.
 #pragma once
 
+#include "base/error.h"
 #include "document/document.h"
 #include "document/model.h"
 

@@ -1,0 +1,31 @@
+/// \file Sample meshes: all-quad and semi-regular, made by formula.
+#pragma once
+
+#include "mesh/quad_mesh.h"
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace qm {
+
+struct ShapeOptions {
+    int resolution = 0;     ///< how fine, 1 or more; the number of quads grows with its square; 0: as listed
+    std::uint64_t seed = 1; ///< of the random shapes
+    int voxels = 12;        ///< cubes that a random shape is made of, 1 or more
+};
+
+struct ShapeKind {
+    const char* name;
+    const char* summary; ///< what it is a sample of
+    int resolution;      ///< where none is asked for
+};
+
+/// In alphabetical order.
+[[nodiscard]] std::span<const ShapeKind> shapeKinds();
+
+/// The same options make the same mesh everywhere.
+/// \throw Error  if there is no such shape, or it would have more than ten million quads
+[[nodiscard]] QuadMesh makeShape(const std::string& name, const ShapeOptions& options = {});
+
+} // namespace qm

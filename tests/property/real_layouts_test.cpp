@@ -1,0 +1,61 @@
+// Layouts of real meshes, before and after pruning.
+#include "enumerate/plain.h"
+#include "mesh/dihedral.h"
+#include "mesh/read_mesh.h"
+#include "prune/prune.h"
+#include "support/layout_fault.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+namespace qm::testing {
+namespace {
+
+std::vector<std::filesystem::path> realMeshes() {
+    const char* folder = std::getenv("QM_SHARED_MESHES");
+    const std::filesystem::path meshes = std::filesystem::path(folder ? folder : "../shared/meshes") / "dev";
+    std::vector<std::filesystem::path> files;
+    if (std::filesystem::is_directory(meshes))
+        for (const auto& entry : std::filesystem::directory_iterator(meshes))
+            files.push_back(entry.path());
+    std::ranges::sort(files);
+    return files;
+}
+
+class RealMesh : public ::testing::TestWithParam<std::filesystem::path> {};
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(RealMesh);
+
+TEST_P(RealMesh, StaysInGridsHoweverItIsPruned) {
+    std::ifstream file(GetParam(), std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    const QuadMesh mesh = readMesh(bytes, GetParam().filename().string()).mesh;
+    const std::vector<double> angles = dihedralAngles(mesh), costs = edgeCosts(angles, {});
+    const MotorcycleGraph graph = plainMotorcycleGraph(mesh, buildBaseComplex(mesh), costs);
+    const Layout layout = buildLayout(mesh, graph.tracks, angles, costs);
+    ASSERT_EQ(layoutFault(mesh, layout), "");
+    for (const double eta : {1.0, -3.0, -1e9})
+        for (const bool smooth : {false, true}) {
+            PruneOptions options;
+            options.eta = eta;
+            options.smooth = smooth;
+            const PruneResult pruned = pruneLayout(mesh, layout, angles, costs, options);
+            EXPECT_EQ(layoutFault(mesh, pruned.layout), "") << "eta " << eta << ", smooth " << smooth;
+            EXPECT_EQ(pruned.layout.tracks.size() + pruned.removedTracks, layout.tracks.size());
+            EXPECT_LE(pruned.layout.segments.size(), layout.segments.size());
+        }
+}
+
+INSTANTIATE_TEST_SUITE_P(Dev, RealMesh, ::testing::ValuesIn(realMeshes()), [](const auto& mesh) {
+    std::string name = mesh.param.stem().string();
+    std::ranges::replace_if(
+        name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
+    return name;
+});
+
+} // namespace
+} // namespace qm::testing
