@@ -27,6 +27,7 @@ public:
             active[i] = i;
         while (!active.empty())
             active = meet(move(active));
+        settleMeetings();
         return walked_;
     }
 
@@ -83,6 +84,36 @@ private:
         const HalfedgeId fromA = cameFrom(a), fromB = cameFrom(b);
         if (mesh_.ccw_rotated_halfedge_handle(fromA) == fromB) goOn(b, active);
         if (mesh_.ccw_rotated_halfedge_handle(fromB) == fromA) goOn(a, active);
+    }
+
+    /// By vertex: the edges there that a particle could have walked; more than two where lines cross.
+    std::vector<int> countLineEdges() const {
+        std::vector<bool> counted(mesh_.n_edges(), false);
+        std::vector<int> edges(mesh_.n_vertices(), 0);
+        for (const Separatrix& separatrix : complex_.separatrices)
+            for (std::size_t k = 0; k < separatrix.reach; ++k) {
+                const HalfedgeId halfedge = separatrix.halfedges[k];
+                const std::size_t edge = at(mesh_.edge_handle(halfedge).idx());
+                if (counted[edge]) continue;
+                counted[edge] = true;
+                ++edges[at(mesh_.from_vertex_handle(halfedge).idx())];
+                ++edges[at(mesh_.to_vertex_handle(halfedge).idx())];
+            }
+        return edges;
+    }
+
+    /// Tracks end where lines cross: of two that met elsewhere, the lower one gets the rest of the arc.
+    void settleMeetings() {
+        const std::vector<int> lineEdges = countLineEdges();
+        for (std::size_t i = 0; i < walked_.size(); ++i) {
+            const Separatrix& separatrix = complex_.separatrices[i];
+            if (!separatrix.opposite || separatrix.opposite->idx() < i) continue;
+            std::size_t& other = walked_[separatrix.opposite->idx()];
+            if (walked_[i] + other != separatrix.halfedges.size()) continue;
+            for (; walked_[i] > 0 && other > 0; ++walked_[i], --other)
+                if (lineEdges[at(mesh_.to_vertex_handle(separatrix.halfedges[walked_[i] - 1]).idx())] > 2)
+                    break;
+        }
     }
 
     const QuadMesh& mesh_;

@@ -21,7 +21,7 @@ struct Ring {
         const double theta = fullTurn * around, phi = fullTurn * along;
         const double tube = thickness + height;
         const double out = radius + tube * std::cos(theta);
-        return {out * std::cos(phi), out * std::sin(phi), tube * std::sin(theta)};
+        return {out * std::cos(phi), out * std::sin(phi), -tube * std::sin(theta)};
     }
 };
 
@@ -94,7 +94,7 @@ QuadList helixShape(int n) {
         .columns = 4 * n, .rows = 12 * n, .columnsClosed = true, .rowsClosed = true, .shift = 2 * n - 1};
     const Ring ring{.grid = grid};
     QuadList list = surfaceOf(ring);
-    raiseBoss(list, ring, 0, n, n, n);
+    raiseBoss(list, ring, 0, n, n, (n + 1) / 2);
     return list;
 }
 

@@ -17,10 +17,6 @@ for_every_filter() {
 
 # ------------------------------------------------------------------------------------------- bad input
 
-refuses_empty_input() {
-    complains "$1" /dev/null
-    complains bash_pipe "$1" ': |'
-}
 @test "empty input" {
     local tool
     for tool in "${FILTERS[@]}"; do
@@ -151,8 +147,9 @@ refuses_empty_input() {
 @test "a closed pipe is not silence" {
     for tool in "${FILTERS[@]}"; do
         input=$(input_of "$tool" block)
-        run --separate-stderr bash -c "{ $tool '$input'; echo \"status \$?\" >&2; } | head -c 1 >/dev/null"
-        refute_regex "$stderr" 'status 0'
+        # The reader is gone before the first byte is written.
+        run --separate-stderr bash -c "{ sleep 0.2; $tool '$input'; echo \"status \$?\" >&2; } | true"
+        assert_regex "$stderr" 'status [1-9]'
         refute_regex "$stderr" 'terminate called'
     done
 }

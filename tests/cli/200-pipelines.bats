@@ -3,7 +3,7 @@
 load helpers.bash
 
 setup() {
-    cd "$BATS_TEST_TMPDIR" || exit
+    empty_folder
     cp "$(sample block)" part.obj
 }
 

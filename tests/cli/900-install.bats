@@ -42,7 +42,6 @@ config() { if [[ $QM_BIN == */build/*/bin ]]; then basename "$(dirname "$QM_BIN"
 }
 
 @test "the installed pipeline finds the installed tools" {
-    cd "$BATS_TEST_TMPDIR"
     cp "$(sample cube)" part.obj
     PATH=/usr/bin:/bin QM_BIN='' run make --no-print-directory -f "$BATS_FILE_TMPDIR/root/usr/share/quadmesh/pipelines/layout.mk" \
         out/part.surfaces.json

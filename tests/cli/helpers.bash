@@ -4,7 +4,7 @@
 #   complains TOOL ...      must exit with status 1 and exactly one line on standard error that begins with "TOOL: "
 #   misused TOOL ...        must exit with status 2 and say how to get help
 #   stage KIND MODEL        path of a sample document: the pipeline up to KIND on sample mesh MODEL, made once
-#   sample MODEL            path of a sample mesh, made once
+#   sample MODEL            path of a sample mesh of qm-shape, made once
 
 bats_require_minimum_version 1.5.0
 bats_load_library bats-support
@@ -49,9 +49,9 @@ input_of() {
     esac
 }
 
-setup() {
-    cd "$BATS_TEST_TMPDIR" || exit
-}
+# Every test runs in an empty folder of its own.
+setup() { empty_folder; }
+empty_folder() { mkdir "$BATS_TEST_TMPDIR/work" && cd "$BATS_TEST_TMPDIR/work" || exit; }
 
 # ------------------------------------------------------------------------------------------------ samples
 
@@ -75,7 +75,7 @@ once() {
 
 sample() {
     local file=$SAMPLES/$1.obj
-    once "$file" qm-shape "$1" && echo "$file"
+    once "$file" ${QM_SHAPE:-qm-shape} "$1" && echo "$file"
 }
 
 stage() {
