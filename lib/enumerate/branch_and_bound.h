@@ -3,21 +3,32 @@
 
 #include "base/control.h"
 #include "enumerate/incumbents.h"
+#include "enumerate/particle_state.h"
+#include "enumerate/pseudo_costs.h"
 #include "enumerate/relaxation.h"
-#include "enumerate/search_state.h"
 
 #include <queue>
 #include <vector>
 
 namespace qm {
 
+/// What a search of one part is to find.
+struct PartOptions {
+    std::size_t best = 1;
+    double maxCost = std::numeric_limits<double>::infinity(); ///< of the part's variables
+    double gap = 0;
+};
+
 /// Searches the free variables of one independent part; the rest of the state is left as it is.
 class BranchAndBound {
 public:
-    /// \param state      consistent; the same after `run` as before
+    /// \param state      consistent; the same after this object's life as before
     /// \param variables  the free variables of the part
-    BranchAndBound(SearchState& state, std::vector<int> variables, std::size_t best, double maxCost,
-                   double gap, const Control& control);
+    BranchAndBound(SearchState& state, std::vector<int> variables, const PartOptions& options,
+                   const Control& control);
+    ~BranchAndBound() { state_.undo(origin_); }
+    BranchAndBound(const BranchAndBound&) = delete;
+    BranchAndBound& operator=(const BranchAndBound&) = delete;
 
     /// Begins with a known graph; only the part's variables of it count.
     void offer(const Assignment& assignment);
@@ -34,7 +45,6 @@ private:
     struct Node {
         int parent = -1;
         Decision decision;
-        double bound = 0;
     };
     struct OpenNode {
         double bound;
@@ -44,48 +54,66 @@ private:
             return bound != other.bound ? bound > other.bound : node < other.node;
         }
     };
-    /// Mean growth of the bound per unit of infeasibility, when a variable is set in or out.
-    struct PseudoCost {
-        double sum = 0;
-        int count = 0;
-    };
+    /// Two ways to go on from a node; what is too expensive has an infinite bound.
     struct Choice {
-        Decision decision;  ///< its state is free; no variable if nothing is left to decide
-        double boundIn = 0; ///< infinity if that side is empty
+        Decision decision; ///< its state is free; no variable if nothing is left to decide
+        double boundIn = 0;
         double boundOut = 0;
     };
+    enum class RelaxedNode { cut, solved, unfinished };
 
+    void search();
+    bool tightenRoot();
+    void rememberRoot(double bound);
     bool replay(int node);
-    void plunge(int node);
-    bool fixByReducedCosts(double bound);
+    void plunge(int node, double bound);
+    RelaxedNode relax(double& bound);
+    bool fixByReducedCosts(const std::vector<double>& values, const std::vector<double>& reduced,
+                           double bound);
+    [[nodiscard]] bool contradictsRelaxation() const;
+    [[nodiscard]] double simpleBound() const;
+    int addNode(int parent, const Decision& decision);
+    void open(int parent, const Decision& decision, double bound);
+
+    // early_graphs.cpp
     bool acceptIntegral();
-    void dive();
+    void round();
+    void roundAt(double threshold);
+    bool dive(double& bound);
+    void followRelaxation();
+    bool fixSurest();
     void recordLeaf();
-    [[nodiscard]] double partCost() const;
+    [[nodiscard]] bool allDecided() const;
+    [[nodiscard]] double present(int variable) const;
+
+    // branching.cpp
     Choice choose(double bound);
-    Choice probe(int variable, double bound);
-    std::optional<double> probeSide(int variable, ArcState value);
-    [[nodiscard]] double score(int variable) const;
-    void learn(int variable, ArcState value, double growth);
-    int open(int parent, Decision decision, double bound);
-    bool take(const Decision& decision);
+    [[nodiscard]] Choice chooseAnyFree(double bound) const;
+    Choice probe(int column, double value, double bound, double& score);
+    double probeSide(int column, ArcState side, double bound, double& growth);
+    [[nodiscard]] Decision decisionOf(int column) const;
 
     SearchState& state_;
+    SearchState::Mark origin_;
     std::vector<int> variables_;
-    Relaxation relaxation_;
-    Incumbents incumbents_;
-    std::size_t best_;
-    double gap_;
+    PartOptions options_;
     const Control& control_;
+    Incumbents incumbents_;
+    Formulation formulation_;
+    ParticleState particles_;
+    Relaxation relaxation_;
+    PseudoCosts pseudoCosts_;
     std::vector<Node> tree_;
-    std::vector<Decision> path_; ///< from the root to where the state is
     std::priority_queue<OpenNode> queue_;
-    std::vector<PseudoCost> growthIn_; ///< of every variable of the problem
-    std::vector<PseudoCost> growthOut_;
-    SearchState::Mark root_;
+    ParticleState::Mark root_;
+    double rootBound_ = 0; ///< with values and reduced costs of the root's relaxation
+    std::vector<double> rootValues_;
+    std::vector<double> rootReducedCosts_;
+    double rootCutoff_ = std::numeric_limits<double>::infinity(); ///< at the last tightening
     double lowerBound_ = 0;
     bool complete_ = true;
     std::size_t nodes_ = 0;
+    std::size_t nextDive_ = 1;
 };
 
 } // namespace qm

@@ -76,9 +76,8 @@ CoordinateMethod coordinateMethod(Method method) {
 class SubMeshSearch {
 public:
     SubMeshSearch(const QuadMesh& mesh, const BaseComplex& complex, const std::vector<double>& edgeCosts,
-                  const SearchSpace& space, const std::vector<int>& labels, const EnumerationOptions& options)
-        : mesh_(mesh), complex_(complex), edgeCosts_(edgeCosts), space_(space), labels_(labels),
-          options_(options) {}
+                  const SearchSpace& space, const EnumerationOptions& options)
+        : mesh_(mesh), complex_(complex), edgeCosts_(edgeCosts), space_(space), options_(options) {}
 
     [[nodiscard]] Problem problem(int subMesh) const {
         return subMeshProblem(space_, subMesh, ownArcs(space_, subMesh),
@@ -100,31 +99,10 @@ public:
         std::vector<bool> present(space_.graph.arcs.size(), false);
         const Walkers walkers = walkersOf(space_, subMesh, present);
         apply(problem, assignment, present);
-        MotorcycleGraph found = graphOf(mesh_, complex_, space_.graph, present, edgeCosts_, walkers);
-        for (std::size_t t = 0, count = found.tracks.size(); t < count; ++t)
-            splitOutside(subMesh, t, found.tracks);
-        return found;
+        return graphOf(mesh_, complex_, space_.graph, present, edgeCosts_, walkers);
     }
 
 private:
-    /// Where a line leaves the sub-mesh and comes back over one vertex outside, its two particles meet there.
-    void splitOutside(int subMesh, std::size_t t, std::vector<Track>& tracks) const {
-        auto& path = tracks[t].halfedges;
-        if (labels_.empty()) return;
-        const auto outside = std::ranges::find_if(path, [&](HalfedgeId halfedge) {
-            return labels_[static_cast<std::size_t>(mesh_.to_vertex_handle(halfedge).idx())] != subMesh;
-        });
-        if (outside == path.end() || outside + 1 == path.end()) return;
-        Track back;
-        for (auto halfedge = path.end(); halfedge != outside + 1; --halfedge)
-            back.halfedges.push_back(mesh_.opposite_halfedge_handle(*(halfedge - 1)));
-        for (const HalfedgeId halfedge : back.halfedges)
-            back.cost += edgeCosts_[static_cast<std::size_t>(mesh_.edge_handle(halfedge).idx())];
-        path.erase(outside + 1, path.end());
-        tracks[t].cost -= back.cost;
-        tracks.push_back(std::move(back));
-    }
-
     /// Every particle straight on in turn: a graph to begin with, however hard the search.
     [[nodiscard]] std::optional<Assignment> simpleGraph(const Problem& problem, int subMesh) const {
         if (!space_.demands.empty()) return std::nullopt;
@@ -197,7 +175,6 @@ private:
     const BaseComplex& complex_;
     const std::vector<double>& edgeCosts_;
     const SearchSpace& space_;
-    const std::vector<int>& labels_; ///< sub-mesh of every vertex; empty for the whole mesh
     const EnumerationOptions& options_;
 };
 
@@ -223,7 +200,7 @@ Enumeration enumerateGraphs(const QuadMesh& mesh, const BaseComplex& complex,
         result = enumeratePlain(mesh, complex, costs, subMeshes);
     } else {
         const SearchSpace space = makeSearchSpace(mesh, complex, costs, subMeshes, options.constraints);
-        const SubMeshSearch search(mesh, complex, costs, space, subMeshes.labels, options);
+        const SubMeshSearch search(mesh, complex, costs, space, options);
         const auto count = static_cast<std::size_t>(subMeshes.count);
         const Deadline deadline(control, options.timeLimit);
         Finished finished(control, count);
@@ -252,7 +229,7 @@ bool forEachGraph(const QuadMesh& mesh, const BaseComplex& complex, const std::v
                   const Control& control) {
     const std::vector<double> costs = edgeCosts(dihedralAngles, options.cost);
     const SearchSpace space = makeSearchSpace(mesh, complex, costs, subMeshes, options.constraints);
-    const SubMeshSearch search(mesh, complex, costs, space, subMeshes.labels, options);
+    const SubMeshSearch search(mesh, complex, costs, space, options);
     const Deadline deadline(control, options.timeLimit);
     const Control limited = deadline.forSearch();
     for (int i = 0; i < subMeshes.count; ++i) {

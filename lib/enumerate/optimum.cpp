@@ -25,7 +25,7 @@ void searchParts(SearchState& state, const OptimumOptions& options, const Contro
     double done = 0;
     bool found = true;
     for (const auto& part : parts) {
-        BranchAndBound search(state, part, 1, infinity, options.gap / static_cast<double>(parts.size()),
+        BranchAndBound search(state, part, {1, infinity, options.gap / static_cast<double>(parts.size())},
                               control);
         if (options.start) search.offer(*options.start);
         search.run();
@@ -49,7 +49,7 @@ void searchTogether(SearchState& state, const OptimumOptions& options, const Con
     std::vector<int> variables;
     for (int v = 0; v < state.problem().variables(); ++v)
         if (state.isFree(v)) variables.push_back(v);
-    BranchAndBound search(state, variables, options.best, options.maxCost - result.lowerBound, 0, control);
+    BranchAndBound search(state, variables, {options.best, options.maxCost - result.lowerBound, 0}, control);
     if (options.start) search.offer(*options.start);
     search.run();
     result.nodes = search.nodes();

@@ -151,22 +151,11 @@ private:
         return c.coveredBefore && c.coveredAfter;
     }
 
-    /// Both particles leave the sub-mesh over the same vertex outside: there they meet, and nowhere else.
-    bool findComesBack(const Line& line) const {
-        for (int k = 0; k + 1 < line.arcCount; ++k)
-            if (state(line, k) == ArcState::free && state(line, k + 1) == ArcState::free &&
-                isOpen(graph_.junctionAfter[static_cast<std::size_t>(line.firstArc.value() + k)]))
-                return true;
-        return false;
-    }
-
     bool crackable(LineId id) const { return crackable_[id.idx()]; }
 
     void addNodes() {
-        for (std::size_t line = 0; line < graph_.lines.size(); ++line) {
+        for (std::size_t line = 0; line < graph_.lines.size(); ++line)
             crackable_.push_back(findCrackable(LineId(line)));
-            comesBack_.push_back(findComesBack(graph_.lines[line]));
-        }
         std::vector<int> parent(graph_.lines.size());
         std::iota(parent.begin(), parent.end(), 0);
         std::vector<int> capacity(graph_.lines.size(), 1);
@@ -224,7 +213,7 @@ private:
         const Junction& junction = graph_.junctions[id.idx()];
         const LineId line = graph_.arcs[junction.arcs[k].idx()].line;
         const bool ends = junction.seeded && k == 0;
-        const bool meetsElsewhere = !isOpen(id) && comesBack_[line.idx()];
+        const bool meetsElsewhere = !isOpen(id) && input_.walkers.meeting(line).valid();
         return {variable(junction.arcs[k]), variable(junction.arcs[k + 2]),
                 ends || meetsElsewhere ? -1 : nodeOf_[line.idx()]};
     }
@@ -259,7 +248,6 @@ private:
     std::vector<int> chainOf_;
     std::vector<int> nodeOf_;
     std::vector<bool> crackable_; ///< of every line
-    std::vector<bool> comesBack_;
     Problem problem_;
 };
 

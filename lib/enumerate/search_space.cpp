@@ -98,10 +98,16 @@ std::vector<ArcId> ownArcs(const SearchSpace& space, int subMesh) {
 
 Walkers walkersOf(const SearchSpace& space, int subMesh, const std::vector<bool>& present) {
     Walkers walkers;
-    for (const Line& line : space.graph.lines) {
+    for (std::size_t i = 0; i < space.graph.lines.size(); ++i) {
+        const Line& line = space.graph.lines[i];
         const ArcId first = line.firstArc, last(first.value() + line.arcCount - 1);
         walkers.fromBegin.push_back(space.arcBegins[first.idx()] == subMesh || present[first.idx()]);
         walkers.fromEnd.push_back(space.arcEnds[last.idx()] == subMesh || present[last.idx()]);
+        std::vector<ArcId> there, back;
+        appendWalk(space, LineId(i), false, 0, subMesh, there);
+        if (line.backward) appendWalk(space, LineId(i), true, 0, subMesh, back);
+        const bool meet = !there.empty() && !back.empty() && there.size() + back.size() == at(line.arcCount);
+        walkers.meetings.push_back(meet ? there.back() : ArcId{});
     }
     return walkers;
 }

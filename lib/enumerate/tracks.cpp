@@ -22,6 +22,7 @@ public:
             const auto begin = present.begin() + line.firstArc.value();
             const bool both = line.backward && walkers.begin(LineId(i)) && walkers.end(LineId(i));
             full_.push_back(both && std::all_of(begin, begin + line.arcCount, [](bool in) { return in; }));
+            if (full_.back()) meetingOf_[i] = walkers.meeting(LineId(i));
         }
         for (std::size_t j = 0; j < graph.junctions.size(); ++j)
             if (crossed(graph.junctions[j], present)) addCrossing(JunctionId(j));

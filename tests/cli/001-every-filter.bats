@@ -273,7 +273,7 @@ for_every_filter() {
 }
 
 @test "the result does not depend on the number of threads" {
-    for model in block soft; do
+    for model in helix random; do
         for tool in "${FILTERS[@]}"; do
             input=$(input_of "$tool" "$model")
             quietly "$tool" --jobs 1 "$input" -o one

@@ -75,7 +75,7 @@ once() {
 
 sample() {
     local file=$SAMPLES/$1.obj
-    once "$file" ${QM_SHAPE:-qm-shape} "$1" && echo "$file"
+    once "$file" qm-shape "$1" && echo "$file"
 }
 
 stage() {

@@ -1,0 +1,126 @@
+#include "enumerate/branch_and_bound.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace qm {
+namespace {
+
+constexpr double integral = 1e-6;
+constexpr double sure = 0.8; ///< columns above this may be fixed together in a dive
+constexpr int diveIterations = 1000;
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+} // namespace
+
+bool BranchAndBound::allDecided() const {
+    return std::ranges::none_of(variables_, [this](int variable) { return state_.isFree(variable); });
+}
+
+/// A variable's value in the last relaxed solution.
+double BranchAndBound::present(int variable) const {
+    const auto& [fromBefore, fromAfter] = formulation_.columnsOf[at(variable)];
+    const auto value = [this](int column) { return column < 0 ? 0 : relaxation_.values()[at(column)]; };
+    return value(fromBefore) + value(fromAfter);
+}
+
+void BranchAndBound::recordLeaf() {
+    double cost = 0;
+    for (const int variable : variables_)
+        if (state_.value(variable) == ArcState::in) cost += state_.problem().costs[at(variable)];
+    incumbents_.offer(cost, state_.assignment());
+}
+
+/// Takes the relaxed solution if it is integral and obeys all rules.
+bool BranchAndBound::acceptIntegral() {
+    for (const int variable : variables_)
+        if (present(variable) > integral && present(variable) < 1 - integral) return false;
+    const ParticleState::Mark mark = particles_.mark();
+    const bool valid = std::ranges::all_of(variables_, [this](int variable) {
+        const ArcState value = present(variable) > 0.5 ? ArcState::in : ArcState::out;
+        return state_.isFree(variable) ? state_.assign(variable, value) : state_.value(variable) == value;
+    });
+    if (valid) recordLeaf();
+    particles_.undo(mark);
+    return valid;
+}
+
+/// Rounds the relaxed solution to the nearer value, and again up: without rule 3 the latter always gives a
+/// graph.
+void BranchAndBound::round() {
+    roundAt(0.5);
+    if (!state_.problem().gaps) roundAt(integral);
+}
+
+/// Everything above the threshold is in, the surest values first, following every conclusion.
+void BranchAndBound::roundAt(double threshold) {
+    std::vector<std::pair<double, int>> order;
+    for (const int variable : variables_)
+        if (state_.isFree(variable)) order.emplace_back(-std::abs(present(variable) - threshold), variable);
+    std::ranges::sort(order);
+    const ParticleState::Mark mark = particles_.mark();
+    bool valid = true;
+    for (const auto& [doubt, variable] : order) {
+        if (!state_.isFree(variable)) continue;
+        const bool up = present(variable) > threshold;
+        const SearchState::Mark before = state_.mark();
+        if (state_.assign(variable, up ? ArcState::in : ArcState::out)) continue;
+        state_.undo(before);
+        valid = state_.assign(variable, up ? ArcState::out : ArcState::in);
+        if (!valid) break;
+    }
+    if (valid) recordLeaf();
+    particles_.undo(mark);
+}
+
+/// Looks for a graph near the relaxed solution, then comes back to it. \return false if the node is cut now
+bool BranchAndBound::dive(double& bound) {
+    nextDive_ = 4 * nodes_;
+    const ParticleState::Mark mark = particles_.mark();
+    const Relaxation::Basis basis = relaxation_.basis();
+    followRelaxation();
+    particles_.undo(mark);
+    relaxation_.setBasis(basis);
+    if (bound >= incumbents_.cutoff()) return false;
+    return relax(bound) != RelaxedNode::cut;
+}
+
+/// Fixes the columns that are nearly 1 and solves again, until the solution is integral or too expensive.
+void BranchAndBound::followRelaxation() {
+    while (!control_.stopRequested() && fixSurest()) {
+        if (relaxation_.solve(particles_, incumbents_.cutoff(), diveIterations).kind !=
+            Relaxation::Result::Kind::solved)
+            return;
+        if (acceptIntegral()) return;
+        round();
+    }
+}
+
+/// \return false if nothing is left to fix
+bool BranchAndBound::fixSurest() {
+    std::vector<std::pair<double, int>> order;
+    const std::vector<double> values = relaxation_.values();
+    for (int column = 0; column < static_cast<int>(values.size()); ++column) {
+        const double value = values[at(column)];
+        if (value > integral && value < 1 - integral && particles_.column(column) == ArcState::free)
+            order.emplace_back(-value, column);
+    }
+    std::ranges::sort(order);
+    const std::size_t most = 1 + order.size() / 10;
+    std::size_t fixed = 0;
+    for (const auto& [negative, column] : order) {
+        if (fixed == most || (fixed > 0 && -negative < sure)) break;
+        if (particles_.column(column) != ArcState::free) continue;
+        const ParticleState::Mark before = particles_.mark();
+        ++fixed;
+        if (particles_.fixColumn(column, ArcState::in)) continue;
+        particles_.undo(before);
+        if (!particles_.fixColumn(column, ArcState::out)) return false;
+    }
+    return fixed > 0;
+}
+
+} // namespace qm

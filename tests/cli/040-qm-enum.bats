@@ -1,0 +1,145 @@
+# qm-enum: the cheapest graphs, bounds, and counts.
+
+load helpers.bash
+
+search() { quietly qm-enum "${@:2}" "$(stage basecomplex "$1")" -o out.json; }
+cost() { field '.enumeration.subMeshes[0].cost' "${1:-out.json}"; }
+# is EXPRESSION: a jq expression about out.json holds.
+is() { assert_equal "$(field "$1" out.json)" true; }
+
+@test "a cube has one graph, its edges" {
+    search cube --count
+    is '.enumeration.count == "1"'
+    is '.enumeration.complete'
+    is '.enumeration.subMeshes[0].graphs[0].tracks | length == 12'
+    # Twelve edges of eight quads' length that turn by a right angle cost -pi/2 each.
+    is '(.enumeration.subMeshes[0].cost + 12 * 8 * 1.5707963267948966 | fabs) < 1e-9'
+}
+
+@test "the optimum is proved: its bound equals its cost" {
+    for model in cube block helix random; do
+        search "$model"
+        is '.enumeration.subMeshes[0] | (.cost - .lowerBound | fabs) < 1e-6'
+        quietly qm-check out.json
+    done
+}
+
+@test "the best graphs come in order of cost and differ" {
+    search block --best 5
+    is '[.enumeration.subMeshes[0].graphs[].cost] | length == 5 and . == sort'
+    is '.enumeration.subMeshes[0].cost == .enumeration.subMeshes[0].graphs[0].cost'
+    is '[.enumeration.subMeshes[0].graphs[].tracks | map(.vertices) | sort] | length == (unique | length)'
+    cp out.json five.json
+    search block
+    is '.enumeration.subMeshes[0].graphs | length == 1'
+    assert_equal "$(cost)" "$(cost five.json)"
+}
+
+@test "counting, listing and the paper's algorithms agree" {
+    search random --count --all graphs.jsonl
+    count=$(field .enumeration.count out.json)
+    assert_equal "$(wc -l <graphs.jsonl)" "$count"
+    assert_equal "$(jq -c '.tracks | map(.vertices | if .[0] > .[-1] then reverse else . end) | sort' graphs.jsonl | sort -u | wc -l)" "$count"
+    # The cheapest of all is the optimum.
+    assert_equal "$(jq -s 'map(.cost) | min * 1e6 | round' graphs.jsonl)" \
+        "$(field '.enumeration.subMeshes[0].cost * 1e6 | round' out.json)"
+}
+
+@test "the paper's algorithms find the optimum too" {
+    qm-shape random --voxels 3 --resolution 1 -o small.obj
+    qm-basecomplex small.obj -o small.json
+    quietly qm-enum small.json -o expected.json
+    for method in naive bounds improved; do
+        quietly qm-enum --method $method small.json -o out.json
+        assert_equal "$(field '.enumeration.subMeshes[0].cost * 1e6 | round' out.json)" \
+            "$(field '.enumeration.subMeshes[0].cost * 1e6 | round' expected.json)"
+        assert_equal "$(field .enumeration.method out.json)" $method
+    done
+}
+
+@test "the plain motorcycle graph is valid and no cheaper than the optimum" {
+    for model in block helix random plate; do
+        search "$model"
+        best=$(cost)
+        search "$model" --method plain
+        quietly qm-check out.json
+        assert_equal "$(jq -n "$(cost) >= $best - 1e-9")" true
+    done
+}
+
+@test "only graphs up to a cost" {
+    search block --best 100
+    limit=$(field '.enumeration.subMeshes[0].graphs[2].cost' out.json)
+    search block --best 100 --max-cost "$limit"
+    is ".enumeration.subMeshes[0].graphs | length >= 2 and all(.cost <= $limit + 1e-9)"
+}
+
+@test "a limit of time ends the search with a warning and status 0, or 3 on request" {
+    input=$(stage basecomplex bracket)
+    run --separate-stderr qm-enum --time-limit 0 "$input" -o out.json
+    assert_success
+    assert_regex "$stderr" '^qm-enum: '
+    assert_equal "${#stderr_lines[@]}" 1
+    is '.enumeration.complete == false'
+    is '.enumeration.subMeshes[0] | .cost == null or .lowerBound == null or .lowerBound <= .cost'
+    run --separate-stderr qm-enum --time-limit 0 --require-complete "$input" -o out.json
+    assert_equal "$status" 3
+    # The document is written all the same.
+    assert_equal "$(field .kind out.json)" enumeration
+    run --separate-stderr qm-enum --require-complete --require-optimal "$(stage basecomplex cube)" -o out.json
+    assert_success
+}
+
+@test "every graph to standard output needs another place for the document" {
+    misused qm-enum --all - "$(stage basecomplex cube)"
+    run --separate-stderr qm-enum --all - "$(stage basecomplex cube)" -o out.json
+    assert_success
+    assert_equal "${#lines[@]}" 1
+    echo "$output" | jq -e .tracks >/dev/null
+}
+
+@test "sub-meshes are searched one by one, and their counts multiply" {
+    quietly qm-enum --count "$(stage cut random)" -o out.json
+    is '.enumeration.subMeshes | length == 2'
+    is '(.enumeration.count | tonumber) == ([.enumeration.subMeshes[].count | tonumber] | reduce .[] as $n (1; . * $n))'
+}
+
+@test "demands: an edge forbidden, an edge required" {
+    input=$(stage basecomplex block)
+    quietly qm-enum "$input" -o free.json
+    # An edge that the best graph uses, in the middle of its longest track ...
+    edge=$(jq -c '[.enumeration.subMeshes[0].graphs[0].tracks[].vertices] | max_by(length) | .[(length / 2 | floor) - 1:(length / 2 | floor) + 1]' free.json)
+    jq --argjson edge "$edge" '.constraints = {"required": [$edge]}' "$input" >required.json
+    quietly qm-enum required.json -o out.json
+    assert_equal "$(cost)" "$(cost free.json)"
+    # ... and one of a line that it leaves in part: forbidding what it uses costs something.
+    unused=$(jq -c '.enumeration.subMeshes[0].graphs[0].tracks as $tracks
+        | [$tracks[].vertices | [.[:-1], .[1:]] | transpose[] | sort] as $used
+        | [.baseComplex.separatrices[].vertices | [.[:-1], .[1:]] | transpose[] | sort] - $used | first' free.json)
+    assert [ "$unused" != null ]
+    jq --argjson edge "$unused" '.constraints = {"required": [$edge]}' "$input" >required.json
+    quietly qm-enum required.json -o out.json
+    is "[.enumeration.subMeshes[0].graphs[0].tracks[].vertices | [.[:-1], .[1:]] | transpose[] | sort] | index([$unused]) != null"
+    assert_equal "$(jq -n "$(cost) >= $(cost free.json) - 1e-9")" true
+    jq --argjson edge "$unused" '.constraints = {"forbidden": [$edge]}' "$input" >forbidden.json
+    quietly qm-enum forbidden.json -o out.json
+    assert_equal "$(cost)" "$(cost free.json)"
+    quietly qm-check out.json
+}
+
+@test "demands that nothing fulfils, and demands that are not on any line" {
+    input=$(stage basecomplex cube)
+    first=$(jq -c '.baseComplex.separatrices[0].vertices[:2]' "$input")
+    jq --argjson edge "$first" '.constraints = {"forbidden": [$edge]}' "$input" >none.json
+    complains qm-enum none.json
+    jq '.constraints = {"forbidden": [[0, 5000]]}' "$input" >nowhere.json
+    complains qm-enum nowhere.json
+    assert_regex "$stderr" '/constraints/forbidden/0'
+}
+
+@test "options out of range" {
+    for options in '--best 0' '--method best' '--epsilon -1' '--epsilon 4' '--time-limit -1' '--gap -1' '--alpha x'; do
+        # shellcheck disable=SC2086  # a list of words
+        misused qm-enum $options "$(stage basecomplex cube)"
+    done
+}

@@ -1,0 +1,42 @@
+/// \file Tracks and edges by the numbers of their vertices, and numbers from handles.
+#pragma once
+
+#include "enumerate/motorcycle_graph.h"
+#include "mesh/quad_mesh.h"
+
+#include <vector>
+
+namespace qm::testing {
+
+using Path = std::vector<int>;
+
+/// \param path  vertices that edges join
+[[nodiscard]] Track trackAlong(const QuadMesh& mesh, const Path& path, double cost = 0);
+
+/// A value for every edge of the mesh, `rest` but for the edges along some paths.
+class PerEdge {
+public:
+    PerEdge(const QuadMesh& mesh, double rest) : mesh_(mesh), values_(mesh.n_edges(), rest) {}
+
+    PerEdge& along(const Path& path, double value);
+    operator const std::vector<double>&() const { return values_; } // NOLINT: that is what it is
+
+private:
+    const QuadMesh& mesh_;
+    std::vector<double> values_;
+};
+
+template <class Handles> [[nodiscard]] Path numbers(const Handles& handles) {
+    Path result;
+    for (const auto handle : handles)
+        result.push_back(handle.idx());
+    return result;
+}
+
+/// The vertices of a track.
+[[nodiscard]] Path pathOf(const QuadMesh& mesh, const Track& track);
+
+/// Columns x rows squares of the plane; vertex (i, j) has number j * (columns + 1) + i.
+[[nodiscard]] QuadMesh rectangle(int columns, int rows);
+
+} // namespace qm::testing

@@ -1,0 +1,184 @@
+// The exact search against trying everything, on random problems small enough for that.
+#include "enumerate/depth_first.h"
+#include "enumerate/optimum.h"
+#include "support/random_graph.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <random>
+
+namespace qm::testing {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr unsigned cases = 400;
+constexpr std::size_t mostGraphs = 3000;
+
+struct Case {
+    ArcGraph graph;
+    std::vector<double> costs;
+    Problem whole;
+    std::vector<Assignment> graphs; ///< of the whole problem, cheapest first
+};
+
+/// All graphs, cheapest first; nothing if they are too many.
+std::optional<std::vector<Assignment>> tryEverything(const Problem& problem) {
+    std::vector<Assignment> graphs;
+    const bool finished = forEachAssignment(
+        problem, [] { return infinity; },
+        [&](const SearchState& state) {
+            graphs.push_back(state.assignment());
+            return graphs.size() <= mostGraphs;
+        });
+    if (!finished) return std::nullopt;
+    std::ranges::sort(graphs, {},
+                      [&](const Assignment& graph) { return std::pair(costOf(problem, graph), graph); });
+    return graphs;
+}
+
+/// Whole costs make many ties, others none.
+double drawCost(std::mt19937& random, bool whole) {
+    return whole ? std::uniform_int_distribution(-2, 2)(random)
+                 : std::uniform_real_distribution<double>(-1, 1)(random);
+}
+
+std::optional<Case> drawCase(unsigned number) {
+    std::mt19937 random(number + 1000);
+    const auto mesh = randomMesh(random);
+    if (!mesh) return std::nullopt;
+    const BaseComplex complex = buildBaseComplex(*mesh, randomSeeds(*mesh, 3, random));
+    Case drawn;
+    drawn.graph = buildArcGraph(*mesh, complex);
+    for (std::size_t arc = 0; arc < drawn.graph.arcs.size(); ++arc)
+        drawn.costs.push_back(drawCost(random, number % 2 == 0));
+    drawn.whole = makeProblem(
+        {drawn.graph, drawn.costs, std::vector(drawn.graph.arcs.size(), ArcState::free), {}, {}, {}});
+    drawn.whole.gaps = number % 3 != 0;
+    auto graphs = tryEverything(drawn.whole);
+    if (!graphs || graphs->empty()) return std::nullopt;
+    drawn.graphs = std::move(*graphs);
+    return drawn;
+}
+
+/// A window in one of the graphs: some arcs are free, the others stay; at some junctions tracks may end.
+Problem drawWindow(const Case& drawn, std::mt19937& random) {
+    ProblemInput input{drawn.graph, drawn.costs, std::vector(drawn.graph.arcs.size(), ArcState::out),
+                       {},          {},          {}};
+    const Assignment& graph = drawn.graphs[random() % drawn.graphs.size()];
+    for (int v = 0; v < drawn.whole.variables(); ++v) {
+        const ArcRun& run = drawn.whole.arcs[static_cast<std::size_t>(v)];
+        for (int k = 0; k < run.count; ++k)
+            if (graph[static_cast<std::size_t>(v)] == 1)
+                input.states[static_cast<std::size_t>(run.first.value() + k)] = ArcState::in;
+    }
+    for (ArcState& state : input.states)
+        if (random() % 2 == 0) state = ArcState::free;
+    for (std::size_t junction = 0; junction < drawn.graph.junctions.size(); ++junction)
+        input.open.push_back(random() % 5 == 0);
+    Problem problem = makeProblem(input);
+    problem.gaps = drawn.whole.gaps;
+    return problem;
+}
+
+void expectOptimum(const Problem& problem, const std::vector<Assignment>& all) {
+    const OptimumResult result = findOptimum(problem, {});
+    EXPECT_TRUE(result.complete);
+    ASSERT_EQ(result.graphs.size(), all.empty() ? 0U : 1U);
+    if (all.empty()) return;
+    const double least = costOf(problem, all.front());
+    EXPECT_NEAR(costOf(problem, result.graphs.front()), least, 1e-6);
+    EXPECT_NEAR(result.lowerBound, least, 1e-6);
+    EXPECT_NE(std::ranges::find(all, result.graphs.front()), all.end());
+}
+
+void expectBest(const Problem& problem, const std::vector<Assignment>& all, std::size_t best,
+                double maxCost) {
+    OptimumOptions options;
+    options.best = best;
+    options.maxCost = maxCost;
+    const OptimumResult result = findOptimum(problem, options);
+    EXPECT_TRUE(result.complete);
+    const auto cheap = static_cast<std::size_t>(std::ranges::count_if(
+        all, [&](const Assignment& graph) { return costOf(problem, graph) <= maxCost + 1e-9; }));
+    ASSERT_EQ(result.graphs.size(), std::min(best, cheap));
+    for (std::size_t k = 0; k < result.graphs.size(); ++k) {
+        EXPECT_NEAR(costOf(problem, result.graphs[k]), costOf(problem, all[k]), 1e-6);
+        EXPECT_NE(std::ranges::find(all, result.graphs[k]), all.end());
+        EXPECT_EQ(std::ranges::count(result.graphs, result.graphs[k]), 1);
+    }
+    EXPECT_LE(result.lowerBound, all.empty() ? infinity : costOf(problem, all.front()) + 1e-6);
+}
+
+TEST(Optimum, IsTheCheapestOfAllGraphs) {
+    int tried = 0;
+    for (unsigned number = 0; number < cases; ++number) {
+        const auto drawn = drawCase(number);
+        if (!drawn) continue;
+        SCOPED_TRACE(number);
+        ++tried;
+        expectOptimum(drawn->whole, drawn->graphs);
+    }
+    EXPECT_GE(tried, 100);
+}
+
+TEST(Optimum, SeveralAreTheCheapestWithTiesAndLimits) {
+    for (unsigned number = 0; number < cases; number += 2) {
+        const auto drawn = drawCase(number + number % 4 / 2);
+        if (!drawn) continue;
+        SCOPED_TRACE(number);
+        expectBest(drawn->whole, drawn->graphs, 5, infinity);
+        const std::size_t middle = std::min<std::size_t>(drawn->graphs.size() - 1, 3);
+        expectBest(drawn->whole, drawn->graphs, 20, costOf(drawn->whole, drawn->graphs[middle]) + 1e-3);
+    }
+}
+
+TEST(Optimum, WindowsWithWallsAndOpenEnds) {
+    int tried = 0;
+    for (unsigned number = 0; number < cases; ++number) {
+        const auto drawn = drawCase(number);
+        if (!drawn || !drawn->whole.gaps) continue; // a T-mesh may hold pieces that no particle reaches
+        SCOPED_TRACE(number);
+        std::mt19937 random(number);
+        for (int window = 0; window < 3; ++window) {
+            const Problem problem = drawWindow(*drawn, random);
+            const auto all = tryEverything(problem);
+            if (!all) continue;
+            ++tried;
+            expectOptimum(problem, *all);
+            expectBest(problem, *all, 4, infinity);
+        }
+    }
+    EXPECT_GE(tried, 300);
+}
+
+TEST(Optimum, StartsFromAKnownGraphAndStopsWhenAsked) {
+    for (unsigned number = 0; number < cases; number += 5) {
+        const auto drawn = drawCase(number);
+        if (!drawn) continue;
+        SCOPED_TRACE(number);
+        OptimumOptions options;
+        options.start = drawn->graphs.back();
+        const OptimumResult full = findOptimum(drawn->whole, options);
+        const double least = costOf(drawn->whole, drawn->graphs.front());
+        EXPECT_NEAR(costOf(drawn->whole, full.graphs.front()), least, 1e-6);
+        Control control;
+        control.stopRequested = [] { return true; };
+        const OptimumResult stopped = findOptimum(drawn->whole, options, control);
+        ASSERT_EQ(stopped.graphs.size(), 1U);
+        EXPECT_LE(stopped.lowerBound, least + 1e-6);
+    }
+}
+
+TEST(Optimum, IsTheSameEveryTime) {
+    for (unsigned number = 0; number < cases; number += 5) {
+        const auto drawn = drawCase(number);
+        if (!drawn) continue;
+        EXPECT_EQ(findOptimum(drawn->whole, {}).graphs, findOptimum(drawn->whole, {}).graphs);
+    }
+}
+
+} // namespace
+} // namespace qm::testing
