@@ -52,7 +52,7 @@ void checkSharpness(const Angles& angles, std::span<const char> onTrack, const L
     double sharp = 0;
     double captured = 0;
     for (std::size_t edge = 0; edge < onTrack.size(); ++edge) {
-        if (angles.angle[edge] <= part.rho) continue;
+        if (angles.angle[edge] <= *part.quality.rho) continue;
         sharp += angles.angle[edge];
         captured += onTrack[edge] ? angles.angle[edge] : 0;
     }
@@ -75,7 +75,7 @@ void checkQuality(const Neighbourhoods& around, const Angles& angles, std::span<
         const double joints = tJunctions(around, part);
         expect(part.quality.tJunctions, "tJunctions", joints, joints);
     }
-    if (part.quality.capturedSharpness) checkSharpness(angles, onTrack, part, report);
+    if (part.quality.capturedSharpness && part.quality.rho) checkSharpness(angles, onTrack, part, report);
     const auto sorted = aspects(part);
     if (sorted.empty()) return;
     // Between two middle elements any median will do.

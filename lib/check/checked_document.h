@@ -85,6 +85,7 @@ struct LayoutPart {
         std::vector<int> faces;
     };
     struct Quality {
+        std::optional<double> rho; ///< the angle above which an edge counts as sharp
         std::optional<double> segments;
         std::optional<double> tJunctions;
         std::optional<double> capturedSharpness;
@@ -98,7 +99,6 @@ struct LayoutPart {
     bool divided = false; ///< segments are given; they may be left out
     std::vector<Segment> segments;
     Quality quality;
-    double rho = 0; ///< from which angle on an edge counts as sharp
 };
 
 struct SurfacesPart {

@@ -153,9 +153,9 @@ LayoutPart readLayout(const Json& section) {
     part.divided = member(section, "segments").is_array();
     part.segments = all<LayoutPart::Segment>(member(section, "segments"), readSegment);
     const Json& quality = member(section, "quality");
-    part.quality = {number(member(quality, "segments")), number(member(quality, "tJunctions")),
-                    number(member(quality, "capturedSharpness")), number(member(quality, "medianAspect")),
-                    number(member(quality, "maxAspect"))};
+    part.quality = {number(member(quality, "rho")),          number(member(quality, "segments")),
+                    number(member(quality, "tJunctions")),   number(member(quality, "capturedSharpness")),
+                    number(member(quality, "medianAspect")), number(member(quality, "maxAspect"))};
     return part;
 }
 
@@ -267,8 +267,6 @@ CheckedDocument readDocument(const Json& root) {
     if (const Json* value = section("layout")) {
         document.layout = readLayout(*value);
         document.layout->pruned = wasPruned(root);
-        constexpr double usualRho = 0.45;
-        document.layout->rho = number(member(member(root, "features"), "rho")).value_or(usualRho);
     }
     if (const Json* value = section("surfaces"))
         document.surfaces = readSurfaces(*value, optionsOf(root, "qm-bspline"));

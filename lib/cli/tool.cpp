@@ -331,6 +331,9 @@ int Tool::run(int argc, char** argv, const std::function<ToolBody(Tool&)>& decla
         return answer(body);
     } catch (const UsageError& error) {
         return misused(error.what());
+    } catch (const CLI::ArgumentMismatch& error) {
+        const std::string what = error.what(); // "--output: 1 required FILE missing"
+        return misused(what.substr(0, what.find(':')) + ": its value is missing");
     } catch (const CLI::ParseError& error) {
         return misused(firstSmall(error.what()));
     } catch (const FileError& error) {

@@ -1,6 +1,7 @@
 #include "cli/usage.h"
 
 #include "document/json.h"
+#include "document/number_text.h"
 #include "document/version.h"
 
 #include <algorithm>
@@ -82,7 +83,10 @@ Json describeOption(const OptionRecord& option) {
     if (std::isfinite(option.range.most)) entry["maximum"] = option.range.most;
     for (const auto& [name, help] : option.choices)
         entry["choices"].push_back({{"name", name}, {"help", help}});
-    if (!option.defaultText.empty()) entry["default"] = option.defaultText;
+    if (double number = 0; parseNumber(option.defaultText, number))
+        entry["default"] = number;
+    else if (!option.defaultText.empty())
+        entry["default"] = option.defaultText;
     entry["help"] = option.help;
     return entry;
 }
@@ -130,7 +134,11 @@ std::string jsonUsage(const Usage& usage) {
 
 std::string versionText(const std::string& tool) {
     return tool + " (quadmesh) " + version() +
-           "\nbuilt with " __VERSION__
+           "\nbuilt with "
+#ifndef __clang__
+           "g++ "
+#endif
+           __VERSION__
 #ifdef NDEBUG
            ", optimised"
 #endif

@@ -1,12 +1,14 @@
 #include "cut/cut.h"
 
+#include "cut/energy.h"
 #include "cut/measure.h"
 #include "cut/min_cut.h"
 #include "cut/terminals.h"
 #include "mesh/topology.h"
 
 #include <algorithm>
-#include <array>
+#include <iterator>
+#include <utility>
 
 namespace qm {
 namespace {
@@ -17,20 +19,23 @@ std::size_t at(VertexId vertex) {
 
 /// A sub-mesh while it may still be cut.
 struct Piece {
-    std::vector<VertexId> vertices; ///< ascending
-    std::vector<std::size_t> separatrices;
+    std::vector<VertexId> vertices;        ///< ascending
+    std::vector<std::size_t> separatrices; ///< that start inside, ascending: so do their sources
     SubMesh measures;
 };
+
+using Pieces = std::vector<Piece>;
 
 class Cutter {
 public:
     Cutter(const QuadMesh& mesh, const BaseComplex& complex, const std::vector<double>& angles,
            const CutOptions& options, const Control& control)
-        : mesh_(mesh), angles_(angles), options_(options), control_(control), measure_(mesh, complex),
-          labels_(mesh.n_vertices(), 0), geodesics_(mesh, labels_), index_(mesh.n_vertices(), -1) {
+        : mesh_(mesh), options_(options), control_(control), measure_(mesh, complex),
+          labels_(mesh.n_vertices(), 0), geodesics_(mesh, labels_), energy_(mesh, angles, options, labels_),
+          component_(mesh.n_vertices(), -1) {
         Piece whole;
         for (const VertexId vertex : mesh.vertices())
-            whole.vertices.push_back(vertex);
+            if (!mesh.is_isolated(vertex)) whole.vertices.push_back(vertex);
         for (std::size_t i = 0; i < complex.separatrices.size(); ++i)
             whole.separatrices.push_back(i);
         remeasure(whole, 0);
@@ -41,16 +46,11 @@ public:
         while (!pending_.empty() && !control_.stopRequested()) {
             Piece piece = std::move(pending_.back());
             pending_.pop_back();
-            std::vector<Piece> parts;
-            if (piece.measures.quasiComplexity >= options_.chi) {
-                parts = separate(piece);
-                if (parts.size() < 2) parts = bestCut(piece);
-            }
-            if (parts.size() < 2)
+            Pieces parts = simplify(piece);
+            if (parts.empty())
                 done_.push_back(std::move(piece));
             else
-                for (Piece& part : parts)
-                    pending_.push_back(std::move(part));
+                std::ranges::move(parts, std::back_inserter(pending_));
             control_.progress(static_cast<double>(done_.size()) /
                               static_cast<double>(done_.size() + pending_.size()));
         }
@@ -59,165 +59,138 @@ public:
     }
 
 private:
+    /// \return nothing if the piece is simple enough or gets no simpler
+    Pieces simplify(const Piece& piece) {
+        const double complexity = piece.measures.quasiComplexity;
+        if (complexity < options_.chi || complexity == 0) return {};
+        Pieces parts = separate(piece);
+        if (parts.empty()) parts = cutBetween(piece, options_.terminals);
+        for (const Terminals kind : {Terminals::irregular, Terminals::farthest, Terminals::box})
+            if (parts.empty() && kind != options_.terminals) parts = cutBetween(piece, kind);
+        return parts;
+    }
+
     void remeasure(Piece& piece, int label) {
         const SubMesh measured = measure_(piece.separatrices, labels_, label);
         piece.measures.quasiComplexity = measured.quasiComplexity;
         piece.measures.ordinaryJunctions = measured.ordinaryJunctions;
     }
 
-    [[nodiscard]] std::vector<VertexId> sourcesOf(const Piece& piece) const {
-        std::vector<VertexId> sources;
-        for (const std::size_t i : piece.separatrices)
-            if (sources.empty() || sources.back() != measure_.sourceOf(i))
-                sources.push_back(measure_.sourceOf(i));
-        return sources;
+    /// Vertices where particles of a piece start: extraordinary ones and seeds, each ascending.
+    [[nodiscard]] std::pair<std::vector<VertexId>, std::vector<VertexId>>
+    sourcesOf(const Piece& piece) const {
+        std::vector<VertexId> extraordinary, seeds;
+        VertexId last;
+        for (const std::size_t i : piece.separatrices) {
+            const VertexId source = measure_.sourceOf(i);
+            if (source != last) (isRegular(mesh_, source) ? seeds : extraordinary).push_back(source);
+            last = source;
+        }
+        return {std::move(extraordinary), std::move(seeds)};
     }
 
     /// Gives the parts of a piece labels and particles of their own.
-    std::vector<Piece> divide(const Piece& piece, const std::vector<int>& partOf, int parts) {
-        std::vector<Piece> result(static_cast<std::size_t>(parts));
+    Pieces divide(const Piece& piece, const std::vector<int>& partOf, int count) {
+        Pieces parts(static_cast<std::size_t>(count));
         const int base = nextLabel_;
-        nextLabel_ += parts;
+        nextLabel_ += count;
         for (std::size_t k = 0; k < piece.vertices.size(); ++k) {
             labels_[at(piece.vertices[k])] = base + partOf[k];
-            result[static_cast<std::size_t>(partOf[k])].vertices.push_back(piece.vertices[k]);
+            parts[static_cast<std::size_t>(partOf[k])].vertices.push_back(piece.vertices[k]);
         }
         for (const std::size_t i : piece.separatrices)
-            result[static_cast<std::size_t>(labels_[at(measure_.sourceOf(i))] - base)].separatrices.push_back(
+            parts[static_cast<std::size_t>(labels_[at(measure_.sourceOf(i))] - base)].separatrices.push_back(
                 i);
-        for (int part = 0; part < parts; ++part) {
-            result[static_cast<std::size_t>(part)].measures.source = piece.measures.source;
-            result[static_cast<std::size_t>(part)].measures.sink = piece.measures.sink;
-            remeasure(result[static_cast<std::size_t>(part)], base + part);
+        for (int part = 0; part < count; ++part) {
+            Piece& made = parts[static_cast<std::size_t>(part)];
+            made.measures.source = piece.measures.source;
+            made.measures.sink = piece.measures.sink;
+            remeasure(made, base + part);
         }
-        return result;
+        return parts;
     }
 
-    /// What does not hang together is separate already. Isolated vertices stay with the first part.
-    std::vector<Piece> separate(const Piece& piece) {
-        std::vector<int> partOf(piece.vertices.size(), -1);
-        number(piece);
-        int parts = 0;
-        std::vector<std::size_t> pending;
-        for (std::size_t start = 0; start < partOf.size(); ++start) {
-            if (partOf[start] >= 0 || mesh_.is_isolated(piece.vertices[start])) continue;
-            partOf[start] = parts;
+    /// Numbers the connected components of a piece, in `component_`. \return how many there are
+    int numberComponents(const Piece& piece) {
+        int count = 0;
+        for (const VertexId vertex : piece.vertices)
+            component_[at(vertex)] = -1;
+        std::vector<VertexId> pending;
+        for (const VertexId start : piece.vertices) {
+            if (component_[at(start)] >= 0) continue;
+            component_[at(start)] = count;
             pending.assign(1, start);
             while (!pending.empty()) {
-                const VertexId vertex = piece.vertices[pending.back()];
+                const VertexId vertex = pending.back();
                 pending.pop_back();
-                for (const VertexId neighbour : mesh_.vv_range(vertex)) {
-                    if (labels_[at(neighbour)] != labels_[at(vertex)]) continue;
-                    const auto k = static_cast<std::size_t>(index_[at(neighbour)]);
-                    if (partOf[k] >= 0) continue;
-                    partOf[k] = parts;
-                    pending.push_back(k);
+                for (const VertexId next : mesh_.vv_range(vertex)) {
+                    if (labels_[at(next)] != labels_[at(vertex)] || component_[at(next)] >= 0) continue;
+                    component_[at(next)] = count;
+                    pending.push_back(next);
                 }
             }
-            ++parts;
+            ++count;
         }
-        std::ranges::replace(partOf, -1, 0);
-        return parts < 2 ? std::vector<Piece>{} : divide(piece, partOf, parts);
+        return count;
     }
 
-    void number(const Piece& piece) {
-        for (std::size_t k = 0; k < piece.vertices.size(); ++k)
-            index_[at(piece.vertices[k])] = static_cast<int>(k);
+    /// What does not hang together is separate already: every component in which particles start is a part,
+    /// and all the others are one. \return nothing if the piece hangs together
+    Pieces separate(const Piece& piece) {
+        const int components = numberComponents(piece);
+        if (components < 2) return {};
+        std::vector<int> partOfComponent(static_cast<std::size_t>(components), -1);
+        int parts = 0;
+        for (const std::size_t i : piece.separatrices) {
+            int& part = partOfComponent[static_cast<std::size_t>(component_[at(measure_.sourceOf(i))])];
+            if (part < 0) part = parts++;
+        }
+        const bool others = std::ranges::count(partOfComponent, -1) > 0;
+        std::ranges::replace(partOfComponent, -1, parts);
+        std::vector<int> partOf;
+        for (const VertexId vertex : piece.vertices)
+            partOf.push_back(partOfComponent[static_cast<std::size_t>(component_[at(vertex)])]);
+        return divide(piece, partOf, parts + (others ? 1 : 0));
     }
 
-    /// The cut that leaves its more complicated part least complicated; none if that is no simpler than the
-    /// whole.
-    std::vector<Piece> bestCut(const Piece& piece) {
-        std::vector<Piece> best;
-        std::vector<int> bestSides;
-        const auto worst = [](const std::vector<Piece>& parts) {
-            return std::max(parts[0].measures.quasiComplexity, parts[1].measures.quasiComplexity);
-        };
+    /// The cut that leaves its more complicated part least complicated. \return nothing if that is no simpler
+    /// than the whole
+    Pieces cutBetween(const Piece& piece, Terminals kind) {
         const int label = labels_[at(piece.vertices.front())];
-        for (const TerminalPair& pair :
-             chooseTerminals(mesh_, piece.vertices, sourcesOf(piece), options_.terminals, geodesics_)) {
-            const std::vector<int> sides = cutBetween(piece, pair);
-            const auto sinks = static_cast<std::size_t>(std::ranges::count(sides, 1));
-            if (sinks == 0 || sinks == sides.size()) continue;
-            std::vector<Piece> parts = divide(piece, sides, 2);
-            if (worst(parts) < piece.measures.quasiComplexity &&
-                (best.empty() || worst(parts) < worst(best))) {
-                for (Piece& part : parts) {
-                    part.measures.source = pair.source;
-                    part.measures.sink = pair.sink;
-                }
-                best = std::move(parts);
-                bestSides = sides;
-            }
+        const auto [extraordinary, seeds] = sourcesOf(piece);
+        double least = piece.measures.quasiComplexity;
+        std::vector<int> bestSides;
+        TerminalPair bestTerminals;
+        for (TerminalPair& terminals :
+             chooseTerminals(mesh_, piece.vertices, extraordinary, seeds, kind, geodesics_)) {
+            std::vector<int> sides =
+                minimumCut(energy_(piece.vertices, extraordinary, terminals, geodesics_));
+            const Pieces parts = divide(piece, sides, 2);
             for (const VertexId vertex : piece.vertices)
                 labels_[at(vertex)] = label;
+            const double worst =
+                std::max(parts[0].measures.quasiComplexity, parts[1].measures.quasiComplexity);
+            if (worst >= least) continue;
+            least = worst;
+            bestSides = std::move(sides);
+            bestTerminals = std::move(terminals);
         }
-        if (best.empty()) return best;
-        const int base = nextLabel_;
-        nextLabel_ += 2;
-        for (std::size_t k = 0; k < piece.vertices.size(); ++k)
-            labels_[at(piece.vertices[k])] = base + bestSides[k];
-        return best;
-    }
-
-    std::vector<int> cutBetween(const Piece& piece, const TerminalPair& pair) {
-        CutProblem problem;
-        problem.costs = nodeCosts(piece, pair);
-        number(piece);
-        for (const VertexId vertex : piece.vertices)
-            for (const HalfedgeId halfedge : mesh_.voh_range(vertex)) {
-                const VertexId other = mesh_.to_vertex_handle(halfedge);
-                if (other.idx() < vertex.idx() || labels_[at(other)] != labels_[at(vertex)]) continue;
-                problem.edges.push_back({index_[at(vertex)], index_[at(other)], capacity(halfedge)});
-            }
-        return minimumCut(problem);
-    }
-
-    std::vector<std::array<double, 2>> nodeCosts(const Piece& piece, const TerminalPair& pair) {
-        const std::vector<double> fromSource = geodesics_.from(pair.source);
-        const std::vector<double> fromSink = geodesics_.from(pair.sink);
-        const std::vector<double> group1 =
-            pair.groupSource == pair.source ? fromSource : geodesics_.from(pair.groupSource);
-        const std::vector<double> group2 =
-            pair.groupSink == pair.sink ? fromSink : geodesics_.from(pair.groupSink);
-        std::vector<bool> isSource(piece.vertices.size(), false);
-        number(piece);
-        for (const VertexId source : sourcesOf(piece))
-            isSource[static_cast<std::size_t>(index_[at(source)])] = true;
-        std::vector<std::array<double, 2>> costs;
-        for (std::size_t k = 0; k < piece.vertices.size(); ++k) {
-            const std::size_t v = at(piece.vertices[k]);
-            const double sum = fromSource[v] + fromSink[v];
-            double nearness = sum > 0 ? 1 - fromSource[v] / sum : 0.5; // D(S, p); D(T, p) is the rest
-            if (isSource[k]) nearness = group1[v] <= group2[v] ? 1 : 0;
-            costs.push_back({penalty(nearness), penalty(1 - nearness)});
+        if (bestSides.empty()) return {};
+        Pieces parts = divide(piece, bestSides, 2);
+        for (Piece& part : parts) {
+            part.measures.source = bestTerminals.source;
+            part.measures.sink = bestTerminals.sink;
         }
-        return costs;
+        return parts;
     }
 
-    /// G_p.
-    [[nodiscard]] double penalty(double nearness) const {
-        if (nearness <= options_.nearLimit) return options_.highPenalty;
-        if (nearness > options_.farLimit) return options_.lowPenalty;
-        const double slope =
-            (options_.highPenalty - options_.lowPenalty) / (options_.farLimit - options_.nearLimit);
-        return options_.lowPenalty + slope * (options_.farLimit - nearness);
-    }
-
-    [[nodiscard]] double capacity(HalfedgeId halfedge) const {
-        if (!options_.avoidFeatures) return options_.lambda;
-        double sharpest = 0;
-        for (const VertexId end : {mesh_.from_vertex_handle(halfedge), mesh_.to_vertex_handle(halfedge)})
-            for (const EdgeId edge : mesh_.ve_range(end))
-                sharpest = std::max(sharpest, angles_[static_cast<std::size_t>(edge.idx())]);
-        return options_.lambda * (1 + sharpest);
-    }
-
+    /// Numbers the sub-meshes by their lowest vertices. Isolated vertices belong to the first.
     Cut finish() {
-        std::ranges::sort(done_, {}, [](const Piece& piece) { return piece.vertices.front().idx(); });
+        if (done_.size() > 1)
+            std::ranges::sort(done_, {}, [](const Piece& piece) { return piece.vertices.front().idx(); });
         Cut cut;
         cut.options = options_;
-        cut.labels.resize(mesh_.n_vertices());
+        cut.labels.assign(mesh_.n_vertices(), 0);
         for (std::size_t k = 0; k < done_.size(); ++k) {
             for (const VertexId vertex : done_[k].vertices)
                 cut.labels[at(vertex)] = static_cast<int>(k);
@@ -227,15 +200,15 @@ private:
     }
 
     const QuadMesh& mesh_;
-    const std::vector<double>& angles_;
     const CutOptions& options_;
     const Control& control_;
     Measure measure_;
     std::vector<int> labels_; ///< of pieces as they arise, never used twice
     Geodesics geodesics_;
-    std::vector<int> index_; ///< of a vertex in the piece at hand
-    std::vector<Piece> pending_;
-    std::vector<Piece> done_;
+    Energy energy_;
+    std::vector<int> component_; ///< of a vertex in the piece at hand
+    Pieces pending_;
+    Pieces done_;
     int nextLabel_ = 1;
 };
 

@@ -25,8 +25,9 @@ struct CutOptions {
     double lowPenalty = 1;                      ///< Wl
     double nearLimit = 0.4;                     ///< m1
     double farLimit = 0.5;                      ///< m2
-    bool avoidFeatures =
-        false; ///< an edge counts more, by the sharpest angle at its ends: cuts keep off features
+    /// A severed edge counts the more, the sharper the edges at its ends: where they can, cuts cross features
+    /// at one place and do not run along them.
+    bool avoidFeatures = false;
 };
 
 struct SubMesh {
@@ -43,8 +44,13 @@ struct Cut {
     std::vector<SubMesh> subMeshes;
 };
 
-/// Cuts until every sub-mesh has U < chi or does not get simpler.
+/// Cuts until every sub-mesh has U < chi or does not get simpler, that is, no cut leaves both parts with a
+/// smaller U; other terminals are tried before a sub-mesh is given up. A sub-mesh still to be cut that does
+/// not hang together falls into its components first, those without any particle being one sub-mesh. A part
+/// may consist of several pieces if it is simple enough. Sub-meshes are numbered by their lowest vertex;
+/// isolated vertices belong to sub-mesh 0.
 /// \param complex  base complex with the feature seeds
+/// \param control  if it is stopped, what has been cut so far; progress counts sub-meshes
 [[nodiscard]] Cut cutMesh(const QuadMesh& mesh, const BaseComplex& complex,
                           const std::vector<double>& dihedralAngles, const CutOptions& options,
                           const Control& control = {});

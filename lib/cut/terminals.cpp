@@ -1,69 +1,48 @@
 #include "cut/terminals.h"
 
+#include "cut/farthest_pair.h"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <functional>
 #include <numbers>
-#include <optional>
 
 namespace qm {
 namespace {
-
-std::size_t at(VertexId vertex) {
-    return static_cast<std::size_t>(vertex.idx());
-}
 
 VertexId nearestTo(const QuadMesh& mesh, const std::vector<VertexId>& vertices, const Point& place) {
     return *std::ranges::min_element(vertices, std::less{},
                                      [&](VertexId vertex) { return (mesh.point(vertex) - place).sqrnorm(); });
 }
 
-/// The sources farthest apart: eccentricities are bounded by the triangle inequality until none can beat the
-/// best.
-std::pair<VertexId, VertexId> farthestSources(const std::vector<VertexId>& sources, Geodesics& geodesics) {
-    std::vector<double> upper(sources.size(), std::numeric_limits<double>::infinity());
-    std::pair<VertexId, VertexId> best(sources.front(), sources.back());
-    double longest = -1;
-    std::size_t next = 0;
-    for (;;) {
-        const auto& distance = geodesics.from(sources[next]);
-        std::size_t farthest = next;
-        for (std::size_t k = 0; k < sources.size(); ++k)
-            if (distance[at(sources[k])] > distance[at(sources[farthest])]) farthest = k;
-        const double eccentricity = distance[at(sources[farthest])];
-        if (eccentricity > longest) {
-            longest = eccentricity;
-            best = std::minmax(sources[next], sources[farthest],
-                               [](VertexId a, VertexId b) { return a.idx() < b.idx(); });
-        }
-        for (std::size_t k = 0; k < sources.size(); ++k)
-            upper[k] = std::min(upper[k], eccentricity + distance[at(sources[k])]);
-        upper[next] = -1;
-        next = static_cast<std::size_t>(std::ranges::max_element(upper) - upper.begin());
-        // The bound is loose by up to a factor of two: what it can still promise beyond that is not worth a
-        // sweep.
-        if (upper[next] <= longest * 1.05) return best;
-    }
+VertexId farthestFrom(const QuadMesh& mesh, const std::vector<VertexId>& vertices, VertexId from) {
+    return *std::ranges::max_element(vertices, std::less{}, [&](VertexId vertex) {
+        return (mesh.point(vertex) - mesh.point(from)).sqrnorm();
+    });
+}
+
+VertexId centre(const QuadMesh& mesh, const std::vector<VertexId>& vertices,
+                const std::vector<VertexId>& group) {
+    Point sum(0, 0, 0);
+    for (const VertexId vertex : group)
+        sum += mesh.point(vertex);
+    return nearestTo(mesh, vertices, sum / static_cast<double>(group.size()));
 }
 
 std::vector<TerminalPair> irregular(const QuadMesh& mesh, const std::vector<VertexId>& vertices,
-                                    const std::vector<VertexId>& sources, Geodesics& geodesics) {
-    const auto [p1, p2] = farthestSources(sources, geodesics);
-    const std::vector<double> from1 = geodesics.from(p1);
-    const std::vector<double>& from2 = geodesics.from(p2);
-    Point centre1(0, 0, 0), centre2(0, 0, 0);
-    double count1 = 0, count2 = 0;
-    for (const VertexId source : sources)
-        if (from1[at(source)] <= from2[at(source)]) {
-            centre1 += mesh.point(source);
-            ++count1;
-        } else {
-            centre2 += mesh.point(source);
-            ++count2;
-        }
-    if (count2 == 0) return {};
-    return {
-        {nearestTo(mesh, vertices, centre1 / count1), nearestTo(mesh, vertices, centre2 / count2), p1, p2}};
+                                    const std::vector<VertexId>& extraordinary,
+                                    const std::vector<VertexId>& seeds, Geodesics& geodesics) {
+    std::vector<VertexId> members = extraordinary;
+    if (members.size() < 2) members.insert(members.end(), seeds.begin(), seeds.end());
+    if (members.size() < 2) return {};
+    const FarthestPair pair = farthestPair(members, geodesics);
+    TerminalPair result;
+    for (std::size_t k = 0; k < members.size(); ++k)
+        result.groups[pair.fromFirst[k] <= pair.fromSecond[k] ? 0 : 1].push_back(members[k]);
+    if (result.groups[1].empty()) return {}; // all in one place
+    result.source = centre(mesh, vertices, result.groups[0]);
+    result.sink = centre(mesh, vertices, result.groups[1]);
+    return {std::move(result)};
 }
 
 /// Directions spread evenly over half a sphere.
@@ -80,21 +59,38 @@ std::vector<Point> directions(int count) {
 std::vector<TerminalPair> farthest(const QuadMesh& mesh, const std::vector<VertexId>& vertices) {
     std::vector<VertexId> extremes;
     for (const Point& direction : directions(128)) {
-        const auto [low, high] = std::ranges::minmax_element(
-            vertices, std::less{}, [&](VertexId vertex) { return mesh.point(vertex) | direction; });
-        extremes.push_back(*low);
-        extremes.push_back(*high);
-    }
-    std::pair best(extremes[0], extremes[1]);
-    double longest = -1;
-    for (std::size_t i = 0; i < extremes.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j) {
-            const double length = (mesh.point(extremes[i]) - mesh.point(extremes[j])).sqrnorm();
-            if (length <= longest) continue;
-            longest = length;
-            best = {extremes[j], extremes[i]};
+        VertexId lowest = vertices.front(), highest = lowest;
+        double low = mesh.point(lowest) | direction, high = low;
+        for (const VertexId vertex : vertices) {
+            const double height = mesh.point(vertex) | direction;
+            if (height < low) {
+                low = height;
+                lowest = vertex;
+            }
+            if (height > high) {
+                high = height;
+                highest = vertex;
+            }
         }
-    return {{best.first, best.second, best.first, best.second}};
+        extremes.insert(extremes.end(), {lowest, highest});
+    }
+    const auto distance = [&](VertexId a, VertexId b) { return (mesh.point(a) - mesh.point(b)).sqrnorm(); };
+    VertexId a = vertices.front(), b = a;
+    for (const VertexId first : extremes)
+        for (const VertexId second : extremes)
+            if (distance(first, second) > distance(a, b)) {
+                a = first;
+                b = second;
+            }
+    // What the directions missed: on from either end, until the other is the farthest from both.
+    for (int settled = 0; settled < 2; std::swap(a, b)) {
+        const VertexId c = farthestFrom(mesh, vertices, a);
+        const bool farther = distance(a, c) > distance(a, b);
+        if (farther) b = c;
+        settled = farther ? 1 : settled + 1;
+    }
+    if (b.idx() < a.idx()) std::swap(a, b);
+    return {{a, b, {}}};
 }
 
 std::vector<TerminalPair> box(const QuadMesh& mesh, const std::vector<VertexId>& vertices) {
@@ -108,9 +104,7 @@ std::vector<TerminalPair> box(const QuadMesh& mesh, const std::vector<VertexId>&
         Point lowWall = (low + high) / 2, highWall = lowWall;
         lowWall[axis] = low[axis];
         highWall[axis] = high[axis];
-        const VertexId source = nearestTo(mesh, vertices, lowWall),
-                       sink = nearestTo(mesh, vertices, highWall);
-        pairs.push_back({source, sink, source, sink});
+        pairs.push_back({nearestTo(mesh, vertices, lowWall), nearestTo(mesh, vertices, highWall), {}});
     }
     return pairs;
 }
@@ -118,13 +112,16 @@ std::vector<TerminalPair> box(const QuadMesh& mesh, const std::vector<VertexId>&
 } // namespace
 
 std::vector<TerminalPair> chooseTerminals(const QuadMesh& mesh, const std::vector<VertexId>& vertices,
-                                          const std::vector<VertexId>& sources, Terminals kind,
+                                          const std::vector<VertexId>& extraordinary,
+                                          const std::vector<VertexId>& seeds, Terminals kind,
                                           Geodesics& geodesics) {
-    if (sources.size() < 2) return {};
-    std::vector<TerminalPair> pairs = kind == Terminals::irregular
-                                          ? irregular(mesh, vertices, sources, geodesics)
-                                      : kind == Terminals::farthest ? farthest(mesh, vertices)
-                                                                    : box(mesh, vertices);
+    std::vector<TerminalPair> pairs;
+    if (kind == Terminals::irregular)
+        pairs = irregular(mesh, vertices, extraordinary, seeds, geodesics);
+    else if (kind == Terminals::farthest)
+        pairs = farthest(mesh, vertices);
+    else
+        pairs = box(mesh, vertices);
     std::erase_if(pairs, [](const TerminalPair& pair) { return pair.source == pair.sink; });
     return pairs;
 }

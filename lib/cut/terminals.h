@@ -4,25 +4,33 @@
 #include "cut/cut.h"
 #include "cut/geodesics.h"
 
+#include <array>
+#include <vector>
+
 namespace qm {
 
-/// Source and sink of a cut, and to which of them the particles' sources are said to belong.
+/// Source and sink of a cut, which differ, and what is to stay together on either side.
 struct TerminalPair {
     VertexId source;
     VertexId sink;
-    VertexId groupSource; ///< sources nearer to this vertex than to groupSink are of the source's group
-    VertexId groupSink;
+    /// The source's and the sink's group, unless both are empty: then every extraordinary vertex belongs to
+    /// the nearer terminal.
+    std::array<std::vector<VertexId>, 2> groups;
 };
 
-/// Irregular: p1 and p2 are the sources of particles farthest apart over the surface, to within the accuracy
-/// of the distances; the terminals are the vertices nearest to the centroids of the two groups. Farthest: the
-/// two vertices with the largest distance in space among the extreme ones in many directions. Box: the
-/// vertices nearest to the centres of two opposite walls of the bounding box, for each axis. \param vertices
-/// of the sub-mesh, connected \param sources   vertices among them where particles start \return the pairs to
-/// try; none if there are fewer than two sources or the terminals coincide
+/// Irregular: p1 and p2 are the two extraordinary vertices farthest apart over the surface; the others form
+/// groups by the nearer of the two; a terminal is the vertex nearest in space to the mean of its group. Where
+/// there are fewer than two extraordinary vertices, feature seeds count as such. Farthest: the two vertices
+/// farthest apart in space, to within one per cent, and neither has another vertex farther away. Box: the
+/// vertices nearest to the centres of two opposite walls of the bounding box, for each axis.
+/// \param vertices       of the sub-mesh, connected, ascending
+/// \param extraordinary  vertices among them, ascending
+/// \param seeds          vertices among them, ascending
+/// \return the pairs to try; none if the terminals coincide, or there are no two vertices for groups
 [[nodiscard]] std::vector<TerminalPair> chooseTerminals(const QuadMesh& mesh,
                                                         const std::vector<VertexId>& vertices,
-                                                        const std::vector<VertexId>& sources, Terminals kind,
+                                                        const std::vector<VertexId>& extraordinary,
+                                                        const std::vector<VertexId>& seeds, Terminals kind,
                                                         Geodesics& geodesics);
 
 } // namespace qm

@@ -159,7 +159,8 @@ private:
                                                          : "the particle's way does not turn to this vertex");
     }
 
-    /// Where a line leaves a sub-mesh and comes back over the same vertex, one track may cover both stretches.
+    /// Where a line leaves a sub-mesh and comes back over the same vertex, one track may cover both
+    /// stretches.
     void verifyStartsInside(const JsonPlace& vertices, const std::vector<HalfedgeId>& path, int label) const {
         const std::vector<int>& labels = context_.subMeshes.labels;
         if (labels.empty()) return;

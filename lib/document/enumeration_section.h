@@ -40,8 +40,8 @@ struct EnumerationContext {
 };
 
 /// Graphs may have been edited: every track must be the beginning of a separatrix that starts in its
-/// sub-mesh, up to the first vertex outside at most, and no edge may lie on two tracks of a graph. Costs are
-/// added up anew; those that are given must agree.
+/// sub-mesh, and no edge may lie on two tracks of a graph. Costs are added up anew; those that are given must
+/// agree.
 [[nodiscard]] Enumeration readEnumeration(const EnumerationContext& context, const JsonPlace& section);
 
 } // namespace qm

@@ -7,12 +7,27 @@
 
 namespace qm {
 
+namespace {
+
+/// For people: whole numbers in full, others to six digits.
+std::string limitText(double limit) {
+    char buffer[maxNumberText];
+    constexpr double longest = 1e15;
+    const bool whole = limit == std::floor(limit) && std::abs(limit) < longest;
+    const auto end =
+        whole ? std::to_chars(buffer, buffer + maxNumberText, limit, std::chars_format::fixed)
+              : std::to_chars(buffer, buffer + maxNumberText, limit, std::chars_format::general, 6);
+    return {buffer, end.ptr};
+}
+
+} // namespace
+
 std::string rangeText(const Range& range) {
     const bool bounded = std::isfinite(range.most);
     if (std::isfinite(range.least))
-        return bounded ? numberText(range.least) + " to " + numberText(range.most)
-                       : "at least " + numberText(range.least);
-    return bounded ? "at most " + numberText(range.most) : "";
+        return bounded ? limitText(range.least) + " to " + limitText(range.most)
+                       : "at least " + limitText(range.least);
+    return bounded ? "at most " + limitText(range.most) : "";
 }
 
 std::string keyOf(std::string_view optionName) {

@@ -36,6 +36,7 @@ void BranchAndBound::offer(const Assignment& assignment) {
 void BranchAndBound::run() {
     if (particles_.consistent()) {
         queue_.push({simpleBound(), addNode(-1, {})});
+        guess();
         search();
     }
     lowerBound_ = queue_.empty() ? options_.maxCost : queue_.top().bound;

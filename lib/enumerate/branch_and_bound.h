@@ -77,6 +77,7 @@ private:
 
     // early_graphs.cpp
     bool acceptIntegral();
+    void guess();
     void round();
     void roundAt(double threshold);
     bool dive(double& bound);

@@ -55,6 +55,12 @@ void BranchAndBound::round() {
     if (!state_.problem().gaps) roundAt(integral);
 }
 
+/// A graph without asking the relaxation, however long that may take: as much as fits, or as little.
+void BranchAndBound::guess() {
+    for (const double threshold : {2.0, -1.0})
+        if (particles_.consistent()) roundAt(threshold);
+}
+
 /// Everything above the threshold is in, the surest values first, following every conclusion.
 void BranchAndBound::roundAt(double threshold) {
     std::vector<std::pair<double, int>> order;

@@ -41,9 +41,12 @@ public:
         result_.columnsOf.resize(problem_.domains.size());
         result_.coverRowOf.assign(problem_.domains.size(), -1);
         known_.assign(problem_.chains.size(), false);
+        ours_.assign(problem_.domains.size(), false);
     }
 
     Formulation build(const std::vector<int>& variables) {
+        for (const int variable : variables)
+            ours_[at(variable)] = true;
         std::vector<int> crossings = crossingsOf(variables);
         if (problem_.gaps) {
             for (const int variable : variables)
@@ -75,8 +78,21 @@ private:
         return result;
     }
 
+    /// Free, but of another part, which no rule ties to this one.
+    bool isForeign(int variable) const { return state_.isFree(variable) && !ours_[at(variable)]; }
+    bool isForeign(const Chain& chain) const {
+        for (int v = chain.first; v < chain.first + chain.count; ++v)
+            if (isForeign(v)) return true;
+        return false;
+    }
+    bool isForeign(const Crossing& crossing) const {
+        return std::ranges::any_of(crossing.sides, [this](const CrossingSide& side) {
+            return isForeign(side.before) || isForeign(side.after);
+        });
+    }
+
     void knowChain(int chain) {
-        if (chain < 0 || known_[at(chain)]) return;
+        if (chain < 0 || known_[at(chain)] || isForeign(problem_.chains[at(chain)])) return;
         known_[at(chain)] = true;
         fresh_.push_back(chain);
     }
@@ -202,6 +218,7 @@ private:
     }
 
     void addCrossing(const Crossing& crossing) {
+        if (isForeign(crossing)) return;
         if (!crossing.open) {
             for (const std::size_t k : {0U, 1U})
                 addStops(crossing.sides[k], crossing.sides[1 - k]);
@@ -241,6 +258,7 @@ private:
     const SearchState& state_;
     const Problem& problem_;
     Formulation result_;
+    std::vector<bool> ours_;  ///< the variables of the part
     std::vector<bool> known_; ///< chains that get columns
     std::vector<int> fresh_;
 };

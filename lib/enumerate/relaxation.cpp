@@ -117,11 +117,23 @@ void Relaxation::read(const ParticleState& state) {
     }
 }
 
-Relaxation::Result Relaxation::solve(const ParticleState& state, double cutoff, int iterations) {
-    if (columns_.empty()) {
-        read(state);
-        return {fixedCost_ < cutoff ? Result::Kind::solved : Result::Kind::tooExpensive, fixedCost_};
+/// Every column for itself; the solver does not keep its promises about such problems.
+Relaxation::Result Relaxation::solveWithoutRows(const ParticleState& state, double cutoff) {
+    Result result{Result::Kind::solved, 0};
+    for (std::size_t column = 0; column < values_.size(); ++column) {
+        const ArcState known = state.column(static_cast<int>(column));
+        const double cost = formulation_->costs[column];
+        const bool in = known == ArcState::in || (known == ArcState::free && cost < 0);
+        values_[column] = in ? 1 : 0;
+        reducedCosts_[column] = cost;
+        result.bound += in ? cost : 0;
     }
+    if (result.bound >= cutoff) result.kind = Result::Kind::tooExpensive;
+    return result;
+}
+
+Relaxation::Result Relaxation::solve(const ParticleState& state, double cutoff, int iterations) {
+    if (rows_.empty()) return solveWithoutRows(state, cutoff);
     setBounds(state);
     solver_->setDualObjectiveLimit(std::isinf(cutoff) ? COIN_DBL_MAX : cutoff - fixedCost_);
     solver_->setMaximumIterations(iterations);

@@ -45,6 +45,7 @@ public:
     [[nodiscard]] const std::vector<double>& reducedCosts() const { return reducedCosts_; }
 
 private:
+    Result solveWithoutRows(const ParticleState& state, double cutoff);
     void setBounds(const ParticleState& state);
     void read(const ParticleState& state);
 

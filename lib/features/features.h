@@ -26,7 +26,9 @@ struct Features {
     std::vector<FeatureCurve> curves;
 };
 
-/// Finds all maximal curves, in time linear in the mesh; ordered by their lowest edge index.
+/// Finds all maximal curves, in time linear in the mesh; ordered by their lowest edge index. An end that no
+/// extraordinary vertex follows along the line, because the boundary comes first or the line is closed, is
+/// infinitely far from any. A curve without a vertex that may be its seed is left out.
 [[nodiscard]] Features findFeatures(const QuadMesh& mesh, const std::vector<double>& dihedralAngles,
                                     const FeatureOptions& options);
 

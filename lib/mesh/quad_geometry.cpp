@@ -6,11 +6,11 @@
 namespace qm {
 namespace {
 
-/// The vector times a power of two, which is exact, if squares of its squares might underflow otherwise.
+/// The vector times a power of two, which is exact, if its fourth power might leave the range otherwise.
 Point scaled(const Point& vector) {
-    constexpr double small = 1e-70;
+    constexpr double small = 1e-70, large = 1e70;
     const double size = std::max({std::abs(vector[0]), std::abs(vector[1]), std::abs(vector[2])});
-    if (size >= small || size == 0) return vector;
+    if ((size >= small && size <= large) || size == 0) return vector;
     const int exponent = -std::ilogb(size);
     return {std::scalbn(vector[0], exponent), std::scalbn(vector[1], exponent),
             std::scalbn(vector[2], exponent)};

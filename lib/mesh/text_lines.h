@@ -17,11 +17,12 @@ class TextLines {
 public:
     explicit TextLines(std::string_view text) : rest_(text), lineEnd_(lineEndOf(text)) {}
 
-    /// Goes to the next line. \param continued  a backslash at the end joins it with the one after
+    /// Goes to the next line; after the last one there is an empty one. \param continued  a backslash at the
+    /// end joins it with the one after
     bool nextLine(bool continued = false) {
-        if (rest_.empty()) return false;
+        const bool found = !rest_.empty();
         takeLine(continued);
-        return true;
+        return found;
     }
 
     /// The next word of this line; empty at its end.
@@ -69,6 +70,7 @@ private:
     }
 
     void takeLine(bool continued) {
+        if (!rest_.empty()) ++number_;
         const std::size_t end = rest_.find(lineEnd_);
         unfinished_ = end == std::string_view::npos;
         line_ = rest_.substr(0, end);
@@ -78,7 +80,6 @@ private:
             line_.remove_suffix(1);
         joined_ = continued && line_.ends_with('\\');
         if (joined_) line_.remove_suffix(1);
-        ++number_;
     }
 
     std::string_view rest_;

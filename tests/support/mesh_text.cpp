@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <limits>
 
 namespace qm::testing {
 
@@ -25,6 +26,14 @@ std::vector<FaceIndices> facesOf(const QuadMesh& mesh) {
     return faces;
 }
 
+double largestDistance(const QuadMesh& a, const QuadMesh& b) {
+    if (a.n_vertices() != b.n_vertices()) return std::numeric_limits<double>::infinity();
+    double largest = 0;
+    for (const VertexId vertex : a.vertices())
+        largest = std::max(largest, (a.point(vertex) - b.point(vertex)).norm());
+    return largest;
+}
+
 namespace {
 
 void expectConsistentHalfedges(const QuadMesh& mesh) {
@@ -35,8 +44,7 @@ void expectConsistentHalfedges(const QuadMesh& mesh) {
         ASSERT_EQ(mesh.face_handle(next), mesh.face_handle(halfedge));
         ASSERT_EQ(mesh.prev_halfedge_handle(next), halfedge);
         ASSERT_NE(next, mesh.opposite_halfedge_handle(halfedge));
-        if (mesh.is_boundary(halfedge))
-            ASSERT_FALSE(mesh.is_boundary(mesh.opposite_halfedge_handle(halfedge)));
+        ASSERT_FALSE(mesh.is_boundary(halfedge) && mesh.is_boundary(mesh.opposite_halfedge_handle(halfedge)));
     }
 }
 
@@ -48,8 +56,8 @@ void expectConsistent(const QuadMesh& mesh) {
     for (const FaceId face : mesh.faces()) {
         ASSERT_EQ(mesh.valence(face), 4U);
         auto corners = cornersOf(mesh, face);
-        std::ranges::sort(corners);
-        ASSERT_EQ(std::ranges::adjacent_find(corners), corners.end());
+        std::sort(corners.begin(), corners.end());
+        ASSERT_EQ(std::adjacent_find(corners.begin(), corners.end()), corners.end());
     }
     std::size_t leaving = 0;
     for (const VertexId vertex : mesh.vertices()) {

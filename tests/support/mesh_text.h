@@ -15,6 +15,9 @@ using FaceIndices = std::array<int, 4>;
 /// The corners of every face, beginning with the first of the file.
 [[nodiscard]] std::vector<FaceIndices> facesOf(const QuadMesh& mesh);
 
+/// The largest distance between points with the same number.
+[[nodiscard]] double largestDistance(const QuadMesh& a, const QuadMesh& b);
+
 /// Fails the test unless all links between halfedges, edges, faces and vertices fit, every face is a quad,
 /// every vertex has one fan and boundary vertices know it.
 void expectConsistent(const QuadMesh& mesh);

@@ -392,7 +392,9 @@ INSTANTIATE_TEST_SUITE_P(
                "quality"},
         Spoilt{"aspect", twoHolesModel, [](Doc& d) { layout(d).quality.maxAspect = 77; }, "/layout/quality/maxAspect",
                "quality"},
-        Spoilt{"sharpness", cornerModel, [](Doc& d) { layout(d).quality.capturedSharpness = 0.5; },
+        Spoilt{"sharpness", cornerModel, [](Doc& d) {
+ layout(d).quality.rho = 0.45;
+ layout(d).quality.capturedSharpness = 0.5; },
                "/layout/quality/capturedSharpness", "quality"},
         Spoilt{"wholeLine", torusModel, [](Doc& d) { layout(d).tracks[0].vertices.pop_back(); }, "/layout/tracks/0",
                "whole line"},

@@ -26,7 +26,7 @@ Json sample() {
         "enumeration": {"alpha": 0.4, "epsilon": 0.2, "count": "12", "subMeshes": [
             {"id": 0, "cost": -1.5, "lowerBound": null, "count": "12",
              "graphs": [{"cost": -1.5, "tracks": [{"separatrix": 0, "vertices": [3, 4]}]}]}]},
-        "layout": {"cost": -1.5, "lowerBound": -2, "quality": {"segments": 1},
+        "layout": {"cost": -1.5, "lowerBound": -2, "quality": {"rho": 0.5, "segments": 1},
                    "tracks": [{"id": 0, "vertices": [3, 4], "cost": -1.5, "transversal": true}],
                    "segments": [{"id": 0, "size": [1, 2], "corners": [0, 1, 2, 3],
                                  "sides": [[0, 1], [1, 2], [2, 3], [3, 0]], "faces": [0, 1]}]},
@@ -50,7 +50,7 @@ TEST(CheckReadDocument, TakesEveryFigure) {
     EXPECT_EQ(document.enumeration->subMeshes[0].graphs[0].tracks[0].separatrix, 0);
     EXPECT_FALSE(document.enumeration->subMeshes[0].lowerBound.has_value());
     EXPECT_EQ(document.layout->lowerBound, -2);
-    EXPECT_EQ(document.layout->rho, 0.5);
+    EXPECT_EQ(document.layout->quality.rho, 0.5);
     EXPECT_EQ(document.layout->quality.segments, 1);
     EXPECT_TRUE(document.layout->tracks[0].transversal);
     EXPECT_TRUE(document.layout->divided);

@@ -32,6 +32,8 @@ TEST(Options, KeysAreNamesWithoutDashes) {
 TEST(Options, RangesReadLikeText) {
     EXPECT_EQ(qm::rangeText({}), "");
     EXPECT_EQ(qm::rangeText({0, 180}), "0 to 180");
+    EXPECT_EQ(qm::rangeText({1, 1e9}), "1 to 1000000000");
+    EXPECT_EQ(qm::rangeText({0, 3.141592653589793}), "0 to 3.14159");
     EXPECT_EQ(qm::rangeText({1, qm::infinite}), "at least 1");
     EXPECT_EQ(qm::rangeText({-qm::infinite, 2.5}), "at most 2.5");
 }

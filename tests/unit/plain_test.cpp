@@ -1,5 +1,4 @@
 #include "enumerate/plain.h"
-#include "mesh/topology.h"
 #include "support/polycube.h"
 #include "support/random_graph.h"
 #include "support/track_along.h"
@@ -96,10 +95,10 @@ TEST_F(PlainGraph, HeadOnWhereNothingCrossesTheLowerOneTakesTheRest) {
     const std::vector<Path> edgeMeeting = race({{31, 32}, {34, 33}});
     EXPECT_TRUE(contains(edgeMeeting, {31, 32, 33, 34}));
     EXPECT_EQ(edgeMeeting.size(), 3U);
-    // Up to the next crossing, not further: somebody has gone up through 34 before.
+    // Not further than to the next crossing: one from below has stopped at 34.
     const std::vector<Path> crossing = race({{31, 32}, {35, 34}, {24, 34}});
-    EXPECT_TRUE(contains(crossing, {31, 32, 33, 34}));
-    EXPECT_TRUE(contains(crossing, {24, 34, 44, 54, 64}) || contains(crossing, {24, 34}));
+    for (const Path& path : {Path{31, 32, 33, 34}, Path{35, 34}, Path{24, 34}})
+        EXPECT_TRUE(contains(crossing, path));
 }
 
 TEST_F(PlainGraph, OnAnEdgeBetweenTwoSourcesTheLowerOneMoves) {

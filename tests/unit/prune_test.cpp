@@ -140,7 +140,7 @@ TEST(Prune, RestsNothingOnATransversal) {
     // half goes on from there, but will be drawn anew. Without the ring through 0 the track would end in the
     // open.
     const QuadMesh mesh = quadMesh(torus(3, 3));
-    const std::vector<Track> tracks{trackAlong(mesh, {0, 1, 2, 0}, 5), trackAlong(mesh, {6, 7, 8}),
+    const std::vector<Track> tracks{trackAlong(mesh, {1, 2, 0, 1}, 5), trackAlong(mesh, {6, 7, 8}),
                                     trackAlong(mesh, {6, 8}), trackAlong(mesh, {7, 4, 1})};
     PerEdge costs(mesh, 1);
     costs.along({7, 1}, -1);

@@ -38,7 +38,7 @@ std::string refusal(const std::string& text, const std::string& name) {
 
 /// A message contains all the parts, begins with one that has '^' before it, and lacks those with '!'.
 template <class... Parts>::testing::AssertionResult says(const std::string& message, const Parts&... parts) {
-    for (const std::string part : {std::string(parts)...}) {
+    for (const std::string& part : {std::string(parts)...}) {
         const bool fits = part.starts_with('^')   ? message.starts_with(part.substr(1))
                           : part.starts_with('!') ? message.find(part.substr(1)) == std::string::npos
                                                   : message.find(part) != std::string::npos;
@@ -647,7 +647,7 @@ TEST(SharedMeshes, WithUnusualSyntaxAreTheSame) {
     if (!plain) GTEST_SKIP() << "no shared meshes";
     const QuadMesh expected = read(*plain, "a.obj"),
                    found = read(*testing::sharedFile("dev/awkward_valid.obj"), "a.obj");
-    EXPECT_EQ(pointsOf(found), pointsOf(expected));
+    EXPECT_LT(testing::largestDistance(found, expected), 1e-5); // it was written with fewer digits
     EXPECT_EQ(facesOf(found), facesOf(expected));
 }
 

@@ -1,0 +1,92 @@
+#include "cut/energy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace qm {
+namespace {
+
+/// Larger weights than this mean "infinite"; sums of them stay finite.
+constexpr double largestWeight = 1e100;
+
+std::size_t at(VertexId vertex) {
+    return static_cast<std::size_t>(vertex.idx());
+}
+
+std::vector<double> sharpestAtVertices(const QuadMesh& mesh, const std::vector<double>& angles) {
+    std::vector<double> sharpest(mesh.n_vertices(), 0);
+    for (const EdgeId edge : mesh.edges()) {
+        const HalfedgeId halfedge = mesh.halfedge_handle(edge, 0);
+        for (const VertexId end : {mesh.from_vertex_handle(halfedge), mesh.to_vertex_handle(halfedge)})
+            sharpest[at(end)] = std::max(sharpest[at(end)], angles[static_cast<std::size_t>(edge.idx())]);
+    }
+    return sharpest;
+}
+
+} // namespace
+
+Energy::Energy(const QuadMesh& mesh, const std::vector<double>& dihedralAngles, const CutOptions& options,
+               const std::vector<int>& labels)
+    : mesh_(mesh), options_(options), labels_(labels), node_(mesh.n_vertices(), -1) {
+    for (double* weight : {&options_.lambda, &options_.highPenalty, &options_.lowPenalty})
+        *weight = std::min(*weight, largestWeight);
+    if (options.avoidFeatures) sharpest_ = sharpestAtVertices(mesh, dihedralAngles);
+}
+
+CutProblem Energy::operator()(const std::vector<VertexId>& vertices,
+                              const std::vector<VertexId>& extraordinary, const TerminalPair& terminals,
+                              Geodesics& geodesics) {
+    CutProblem problem;
+    std::vector<double> nearness; // D(S, p); D(T, p) is the rest
+    nearness.reserve(vertices.size());
+    for (std::size_t k = 0; k < vertices.size(); ++k)
+        node_[at(vertices[k])] = static_cast<int>(k);
+    const auto nearnessOf = [&](VertexId vertex) -> double& {
+        return nearness[static_cast<std::size_t>(node_[at(vertex)])];
+    };
+
+    const std::vector<double>* distance = &geodesics.from(terminals.source);
+    for (const VertexId vertex : vertices)
+        nearness.push_back((*distance)[at(vertex)]);
+    distance = &geodesics.from(terminals.sink);
+    for (const VertexId vertex : vertices) {
+        const double fromSource = nearnessOf(vertex), sum = fromSource + (*distance)[at(vertex)];
+        nearnessOf(vertex) = sum > 0 && std::isfinite(sum) ? 1 - fromSource / sum : 0.5;
+    }
+    const auto& [sourceGroup, sinkGroup] = terminals.groups;
+    if (sourceGroup.empty() && sinkGroup.empty())
+        for (const VertexId vertex : extraordinary)
+            nearnessOf(vertex) = nearnessOf(vertex) >= 0.5 ? 1 : 0;
+    for (const VertexId vertex : sourceGroup)
+        nearnessOf(vertex) = 1;
+    for (const VertexId vertex : sinkGroup)
+        nearnessOf(vertex) = 0;
+
+    for (const double value : nearness)
+        problem.costs.push_back({penalty(value), penalty(1 - value)});
+    for (const VertexId vertex : vertices)
+        for (const VertexId other : mesh_.vv_range(vertex))
+            if (vertex.idx() < other.idx() && labels_[at(other)] == labels_[at(vertex)])
+                problem.edges.push_back({node_[at(vertex)], node_[at(other)], capacity(vertex, other)});
+    return problem;
+}
+
+/// G_p.
+double Energy::penalty(double nearness) const {
+    const auto& [low, high] = std::pair(options_.lowPenalty, options_.highPenalty);
+    if (nearness <= options_.nearLimit) return high;
+    if (nearness > options_.farLimit) return low;
+    return low + (high - low) * ((options_.farLimit - nearness) / (options_.farLimit - options_.nearLimit));
+}
+
+/// A cut across a feature severs few edges that touch it, one that runs alongside severs one per step. The
+/// penalty is the measure because nothing less moves a cut from where the penalties put it.
+double Energy::capacity(VertexId a, VertexId b) const {
+    if (sharpest_.empty()) return options_.lambda;
+    const double rightAngles = std::max(sharpest_[at(a)], sharpest_[at(b)]) / (std::numbers::pi / 2);
+    return options_.lambda * (1 + options_.highPenalty * rightAngles);
+}
+
+} // namespace qm

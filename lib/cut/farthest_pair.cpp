@@ -1,0 +1,141 @@
+#include "cut/farthest_pair.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace qm {
+namespace {
+
+constexpr float unbounded = std::numeric_limits<float>::infinity();
+constexpr std::size_t exactSweeps = 24;
+/// Bounds are kept for every pair of this many candidates; while there are more, one bound for each.
+constexpr std::size_t pairLimit = 2048;
+
+class Search {
+public:
+    Search(const std::vector<VertexId>& vertices, Geodesics& geodesics)
+        : vertices_(vertices), geodesics_(geodesics), upper_(vertices.size(), unbounded),
+          open_(vertices.size()) {
+        std::iota(open_.begin(), open_.end(), std::size_t{0});
+    }
+
+    FarthestPair run() {
+        for (std::size_t next = 0; next < vertices_.size(); next = promising()) {
+            const std::vector<double> distances = sweep(next);
+            update(next, distances);
+            dropHopeless(next);
+            if (!paired_ && open_.size() <= pairLimit) beginPairs();
+        }
+        best_.fromSecond = sweep(best_.second);
+        if (best_.first > best_.second) {
+            std::swap(best_.first, best_.second);
+            std::swap(best_.fromFirst, best_.fromSecond);
+        }
+        return std::move(best_);
+    }
+
+private:
+    std::vector<double> sweep(std::size_t from) {
+        const std::vector<double>& all = geodesics_.from(vertices_[from]);
+        std::vector<double> distances;
+        distances.reserve(vertices_.size());
+        for (const VertexId vertex : vertices_)
+            distances.push_back(all[static_cast<std::size_t>(vertex.idx())]);
+        return distances;
+    }
+
+    void update(std::size_t from, const std::vector<double>& distances) {
+        ++sweeps_;
+        std::size_t farthest = from == 0 ? 1 : 0;
+        for (std::size_t k = 0; k < distances.size(); ++k)
+            if (distances[k] > distances[farthest]) farthest = k;
+        if (distances[farthest] > longest_) {
+            longest_ = distances[farthest];
+            best_.first = from;
+            best_.second = farthest;
+            best_.fromFirst = distances;
+        }
+        for (const std::size_t k : open_)
+            upper_[k] = std::min(upper_[k], static_cast<float>(distances[farthest] + distances[k]));
+        if (!paired_) {
+            if (sweeps_ <= exactSweeps) kept_.push_back(distances);
+            return;
+        }
+        boundPairs(distances);
+    }
+
+    /// What a pair must be longer than to be worth looking for.
+    [[nodiscard]] float threshold() const {
+        const double slack = sweeps_ <= exactSweeps ? 0 : 0.01 * static_cast<double>(sweeps_ - exactSweeps);
+        return static_cast<float>(longest_ * (1 + slack));
+    }
+
+    /// The vertex just swept has met its farthest partner. Others may be too near to everything.
+    void dropHopeless(std::size_t swept) {
+        const float enough = threshold();
+        const auto hopeless = [&](std::size_t k) { return k == swept || upper_[k] <= enough; };
+        std::erase_if(open_, hopeless);
+    }
+
+    void beginPairs() {
+        paired_ = true;
+        row_.assign(vertices_.size(), 0);
+        rows_ = open_.size();
+        for (std::size_t r = 0; r < rows_; ++r)
+            row_[open_[r]] = r;
+        pairs_.assign(rows_ * rows_, unbounded);
+        for (const std::vector<double>& distances : kept_)
+            boundPairs(distances);
+        kept_.clear();
+    }
+
+    void boundPairs(const std::vector<double>& distances) {
+        for (const std::size_t i : open_)
+            for (const std::size_t j : open_) {
+                float& bound = pairs_[row_[i] * rows_ + row_[j]];
+                bound = std::min(bound, static_cast<float>(distances[i] + distances[j]));
+            }
+    }
+
+    /// The open vertex with most partners that may yet be farther away than the farthest pair so far, at
+    /// first the one that may be farthest; the number of vertices if there is none.
+    [[nodiscard]] std::size_t promising() const {
+        const float enough = threshold();
+        std::size_t best = vertices_.size();
+        float bestValue = 0;
+        for (const std::size_t i : open_) {
+            float partners = 0;
+            if (paired_)
+                for (const std::size_t j : open_)
+                    if (i != j && pairs_[row_[i] * rows_ + row_[j]] > enough) ++partners;
+            const float value = paired_ && partners == 0 ? 0 : !paired_ || sweeps_ < 3 ? upper_[i] : partners;
+            if (value <= bestValue) continue;
+            bestValue = value;
+            best = i;
+        }
+        return best;
+    }
+
+    const std::vector<VertexId>& vertices_;
+    Geodesics& geodesics_;
+    std::vector<float> upper_;              ///< bound on the distance to the farthest partner
+    std::vector<std::size_t> open_;         ///< those that may be one of the farthest pair and were not swept
+    std::vector<std::vector<double>> kept_; ///< what is needed when bounds for pairs begin
+    bool paired_ = false;
+    std::vector<std::size_t> row_; ///< of an open vertex, in the bounds for pairs
+    std::size_t rows_ = 0;
+    std::vector<float> pairs_;
+    FarthestPair best_;
+    double longest_ = -1;
+    std::size_t sweeps_ = 0;
+};
+
+} // namespace
+
+FarthestPair farthestPair(const std::vector<VertexId>& vertices, Geodesics& geodesics) {
+    return Search(vertices, geodesics).run();
+}
+
+} // namespace qm

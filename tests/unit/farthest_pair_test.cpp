@@ -1,0 +1,103 @@
+#include "cut/farthest_pair.h"
+#include "mesh/topology.h"
+#include "mesh/build_mesh.h"
+#include "support/random_graph.h"
+#include "support/track_along.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+namespace qm::testing {
+namespace {
+
+std::size_t at(VertexId vertex) {
+    return static_cast<std::size_t>(vertex.idx());
+}
+
+/// The same by sweeping from every vertex.
+double longestOfAll(const std::vector<VertexId>& vertices, Geodesics& geodesics) {
+    double longest = 0;
+    for (const VertexId from : vertices) {
+        const std::vector<double>& distance = geodesics.from(from);
+        for (const VertexId to : vertices)
+            longest = std::max(longest, distance[at(to)]);
+    }
+    return longest;
+}
+
+std::vector<VertexId> someVertices(const QuadMesh& mesh, std::size_t count, std::mt19937& random) {
+    std::vector<VertexId> all, some;
+    for (const VertexId vertex : mesh.vertices())
+        all.push_back(vertex);
+    std::ranges::sample(all, std::back_inserter(some), static_cast<std::ptrdiff_t>(count), random);
+    return some;
+}
+
+void expectConsistent(const FarthestPair& pair, const std::vector<VertexId>& vertices, Geodesics& geodesics) {
+    ASSERT_LT(pair.first, pair.second);
+    ASSERT_LT(pair.second, vertices.size());
+    ASSERT_EQ(pair.fromFirst.size(), vertices.size());
+    ASSERT_EQ(pair.fromSecond.size(), vertices.size());
+    for (std::size_t k = 0; k < vertices.size(); ++k)
+        EXPECT_EQ(pair.fromFirst[k], geodesics.from(vertices[pair.first])[at(vertices[k])]);
+    for (std::size_t k = 0; k < vertices.size(); ++k)
+        EXPECT_EQ(pair.fromSecond[k], geodesics.from(vertices[pair.second])[at(vertices[k])]);
+}
+
+TEST(FarthestPair, IsThatOfAllPairsInThePlane) {
+    std::mt19937 random(3);
+    const QuadMesh mesh = rectangle(30, 20);
+    const std::vector<int> whole(mesh.n_vertices(), 0);
+    Geodesics geodesics(mesh, whole);
+    for (const std::size_t count : {2U, 3U, 5U, 20U, 60U}) {
+        const std::vector<VertexId> vertices = someVertices(mesh, count, random);
+        const FarthestPair pair = farthestPair(vertices, geodesics);
+        expectConsistent(pair, vertices, geodesics);
+        EXPECT_NEAR(pair.fromFirst[pair.second], longestOfAll(vertices, geodesics), 1e-5) << count;
+    }
+}
+
+TEST(FarthestPair, IsNearlyThatOfAllPairsOnAnySurface) {
+    std::mt19937 random(4);
+    for (int round = 0; round < 60; ++round) {
+        const std::optional<QuadMesh> mesh = randomMesh(random);
+        if (!mesh || mesh->n_vertices() < 8) continue;
+        // What distances there and back differ by on such coarse meshes is all that may be lost.
+        const std::vector<int> part = components(*mesh).ofVertex;
+        Geodesics geodesics(*mesh, part);
+        std::vector<VertexId> vertices;
+        for (const VertexId vertex : mesh->vertices())
+            if (part[at(vertex)] == 0) vertices.push_back(vertex);
+        if (vertices.size() < 2) continue;
+        const FarthestPair pair = farthestPair(vertices, geodesics);
+        EXPECT_GE(std::max(pair.fromFirst[pair.second], pair.fromSecond[pair.first]),
+                  0.9 * longestOfAll(vertices, geodesics));
+    }
+}
+
+TEST(FarthestPair, CopesWithMoreVerticesThanPairsAreKeptFor) {
+    const QuadMesh mesh = rectangle(60, 50);
+    const std::vector<int> whole(mesh.n_vertices(), 0);
+    Geodesics geodesics(mesh, whole);
+    std::vector<VertexId> all;
+    for (const VertexId vertex : mesh.vertices())
+        all.push_back(vertex);
+    ASSERT_GT(all.size(), 2048U);
+    const FarthestPair pair = farthestPair(all, geodesics);
+    EXPECT_NEAR(pair.fromFirst[pair.second], std::hypot(60, 50), 1e-3);
+}
+
+TEST(FarthestPair, OfPointsInOnePlaceIsSome) {
+    const QuadMesh mesh =
+        buildMesh({{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}}, {std::array<int, 4>{0, 1, 2, 3}});
+    const std::vector<int> whole(4, 0);
+    Geodesics geodesics(mesh, whole);
+    const FarthestPair pair = farthestPair({VertexId(0), VertexId(2), VertexId(3)}, geodesics);
+    EXPECT_EQ(pair.fromFirst[pair.second], 0);
+    EXPECT_NE(pair.first, pair.second);
+}
+
+} // namespace
+} // namespace qm::testing

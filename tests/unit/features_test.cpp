@@ -1,0 +1,266 @@
+#include "features/features.h"
+#include "mesh/topology.h"
+#include "support/polycube.h"
+#include "support/random_graph.h"
+#include "support/track_along.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <numeric>
+#include <set>
+
+namespace qm::testing {
+namespace {
+
+constexpr double sharp = 1;
+
+/// All edges sharper than 0.5, at least `tau` of them, more than `zeta` from sources.
+FeatureOptions limits(int tau, int zeta) {
+    return {0.5, tau, zeta};
+}
+
+std::vector<Path> paths(const QuadMesh& mesh, const Features& features) {
+    std::vector<Path> result;
+    for (const FeatureCurve& curve : features.curves)
+        result.push_back(numbers(verticesAlong(mesh, curve.halfedges)));
+    return result;
+}
+
+Path reversed(Path path) {
+    std::ranges::reverse(path);
+    return path;
+}
+
+void expectOneCurve(const QuadMesh& mesh, const Features& features, const Path& path, int seed) {
+    const std::vector<Path> found = paths(mesh, features);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_TRUE(found[0] == path || found[0] == reversed(path));
+    EXPECT_EQ(features.curves[0].seed.idx(), seed);
+}
+
+/// A row of vertices of a rectangle of so many columns.
+Path row(int columns, int j, int first, int last) {
+    Path path;
+    for (int i = first; i <= last; ++i)
+        path.push_back(j * (columns + 1) + i);
+    return path;
+}
+
+TEST(Features, AreRunsOfSharpEdgesOnALine) {
+    const QuadMesh mesh = rectangle(8, 2);
+    const PerEdge angles = PerEdge(mesh, 0.1).along(row(8, 1, 2, 6), sharp);
+    expectOneCurve(mesh, findFeatures(mesh, angles, limits(4, 0)), {11, 12, 13, 14, 15}, 13);
+    EXPECT_TRUE(findFeatures(mesh, angles, limits(5, 0)).curves.empty());
+}
+
+TEST(Features, AreSharperThanRhoNotEquallySharp) {
+    const QuadMesh mesh = rectangle(8, 2);
+    const PerEdge angles = PerEdge(mesh, 0.1).along(row(8, 1, 2, 6), 0.5);
+    EXPECT_TRUE(findFeatures(mesh, angles, limits(1, 0)).curves.empty());
+}
+
+TEST(Features, AreDividedByABluntEdge) {
+    const QuadMesh mesh = rectangle(8, 2);
+    const PerEdge angles = PerEdge(mesh, 0.1).along(row(8, 1, 0, 8), sharp).along(row(8, 1, 4, 5), 0.5);
+    const Features features = findFeatures(mesh, angles, limits(1, 0));
+    EXPECT_EQ(features.curves.size(), 2U);
+    EXPECT_EQ(features.curves[0].halfedges.size() + features.curves[1].halfedges.size(), 7U);
+}
+
+TEST(Features, DoNotTurn) {
+    const QuadMesh mesh = rectangle(4, 4);
+    const PerEdge angles = PerEdge(mesh, 0.1).along({11, 12, 17}, sharp); // along, then up
+    for (const FeatureCurve& curve : findFeatures(mesh, angles, limits(1, 0)).curves)
+        EXPECT_EQ(curve.halfedges.size(), 1U);
+    EXPECT_TRUE(findFeatures(mesh, angles, limits(2, 0)).curves.empty());
+}
+
+TEST(Features, AreFarFromExtraordinaryVerticesWhereTheBoundaryComesFirst) {
+    const QuadMesh mesh = rectangle(8, 2);
+    const PerEdge angles = PerEdge(mesh, 0.1).along(row(8, 1, 0, 8), sharp);
+    expectOneCurve(mesh, findFeatures(mesh, angles, limits(8, 1000)), row(8, 1, 0, 8), 13);
+}
+
+/// A cube of 10 x 10 quads a side: its edges are lines of ten mesh edges between extraordinary vertices.
+struct Cube {
+    QuadMesh mesh = quadMesh(polycube(box(1, 1, 1), 10));
+    Path edge; ///< vertices
+
+    Cube() {
+        for (int k = 0; k <= 10; ++k)
+            for (const VertexId vertex : mesh.vertices())
+                if ((mesh.point(vertex) - Point(k / 10.0, 0, 0)).norm() < 1e-9) edge.push_back(vertex.idx());
+    }
+};
+
+TEST(Features, KeepMoreThanZetaEdgesFromExtraordinaryVertices) {
+    const Cube cube;
+    ASSERT_EQ(cube.edge.size(), 11U);
+    const Path run(cube.edge.begin() + 3, cube.edge.begin() + 8); // 3 edges before it, 3 after it
+    const PerEdge angles = PerEdge(cube.mesh, 0).along(run, sharp);
+    expectOneCurve(cube.mesh, findFeatures(cube.mesh, angles, limits(1, 2)), run, run[2]);
+    EXPECT_TRUE(findFeatures(cube.mesh, angles, limits(1, 3)).curves.empty());
+}
+
+TEST(Features, KeepTheDistanceAtBothEnds) {
+    const Cube cube;
+    const Path run(cube.edge.begin() + 1, cube.edge.begin() + 6); // 1 edge before it, 5 after it
+    const PerEdge angles = PerEdge(cube.mesh, 0).along(run, sharp);
+    EXPECT_EQ(findFeatures(cube.mesh, angles, limits(1, 0)).curves.size(), 1U);
+    EXPECT_TRUE(findFeatures(cube.mesh, angles, limits(1, 1)).curves.empty());
+}
+
+TEST(Features, DoNotEndAtExtraordinaryVertices) {
+    const Cube cube;
+    EXPECT_TRUE(
+        findFeatures(cube.mesh, PerEdge(cube.mesh, 0).along(cube.edge, sharp), limits(1, 0)).curves.empty());
+}
+
+TEST(Features, MayBeClosedLoops) {
+    const QuadMesh mesh = quadMesh(torus(7, 5));
+    {
+        // Any line of a torus is closed.
+        Path loop{0};
+        HalfedgeId halfedge = mesh.halfedge_handle(VertexId(0));
+        do {
+            loop.push_back(mesh.to_vertex_handle(halfedge).idx());
+            halfedge = straightOn(mesh, halfedge);
+        } while (loop.back() != 0);
+        const int length = static_cast<int>(loop.size()) - 1;
+        const Features whole = findFeatures(mesh, PerEdge(mesh, 0).along(loop, sharp), limits(length, 1000));
+        ASSERT_EQ(whole.curves.size(), 1U);
+        EXPECT_EQ(paths(mesh, whole)[0].front(), paths(mesh, whole)[0].back());
+        EXPECT_EQ(whole.curves[0].halfedges.size(), static_cast<std::size_t>(length));
+
+        // One blunt edge, wherever it is, leaves one run that goes round past the loop's first vertex.
+        for (int gap = 0; gap < length; ++gap) {
+            const PerEdge angles =
+                PerEdge(mesh, 0)
+                    .along(loop, sharp)
+                    .along({loop[static_cast<std::size_t>(gap)], loop[static_cast<std::size_t>(gap) + 1]}, 0);
+            const Features open = findFeatures(mesh, angles, limits(1, 1000));
+            ASSERT_EQ(open.curves.size(), 1U) << gap;
+            EXPECT_EQ(open.curves[0].halfedges.size(), static_cast<std::size_t>(length - 1)) << gap;
+        }
+    }
+}
+
+TEST(Features, TakeSeedsThatDiffer) {
+    const QuadMesh mesh = rectangle(6, 6);
+    const PerEdge angles =
+        PerEdge(mesh, 0).along(row(6, 3, 0, 6), sharp).along({3, 10, 17, 24, 31, 38, 45}, sharp);
+    const Features features = findFeatures(mesh, angles, limits(6, 0));
+    ASSERT_EQ(features.curves.size(), 2U);
+    EXPECT_EQ(features.curves[0].seed.idx(), 24); // where they cross
+    EXPECT_NE(features.curves[1].seed.idx(), 24);
+    EXPECT_NO_THROW((void)buildBaseComplex(mesh, seeds(mesh, features)));
+}
+
+TEST(Features, WithoutAPlaceForASeedAreLeftOut) {
+    const QuadMesh mesh = rectangle(1, 3); // every line across has boundary vertices only
+    const PerEdge angles = PerEdge(mesh, 0).along({2, 3}, sharp);
+    EXPECT_TRUE(findFeatures(mesh, angles, limits(1, 0)).curves.empty());
+}
+
+TEST(Features, OfAMeshWithoutFacesAreNone) {
+    EXPECT_TRUE(findFeatures(QuadMesh(), {}, limits(1, 0)).curves.empty());
+}
+
+/// The same by the letter of the method: from every edge, to either side, then on along the line.
+class ByTheLetter {
+public:
+    ByTheLetter(const QuadMesh& mesh, const std::vector<double>& angles, const FeatureOptions& options)
+        : mesh_(mesh), angles_(angles), options_(options) {}
+
+    /// The edges of every curve, whether or not there is a place for its seed.
+    std::set<std::set<int>> curves() const {
+        std::set<std::set<int>> result;
+        for (const EdgeId edge : mesh_.edges()) {
+            if (!isSharp(edge)) continue;
+            std::set<int> run{edge.idx()};
+            const bool ahead = extend(mesh_.halfedge_handle(edge, 0), run);
+            const bool behind = extend(mesh_.halfedge_handle(edge, 1), run);
+            if (ahead && behind && static_cast<int>(run.size()) >= options_.tau) result.insert(run);
+        }
+        return result;
+    }
+
+private:
+    bool isSharp(EdgeId edge) const {
+        return !mesh_.is_boundary(edge) && angles_[static_cast<std::size_t>(edge.idx())] > options_.rho;
+    }
+
+    /// Takes in the sharp edges ahead. \return whether the end is far enough from extraordinary vertices
+    bool extend(HalfedgeId halfedge, std::set<int>& run) const {
+        for (;;) {
+            if (!continuesStraight(mesh_, mesh_.to_vertex_handle(halfedge))) break;
+            const HalfedgeId next = straightOn(mesh_, halfedge);
+            if (!isSharp(mesh_.edge_handle(next))) break;
+            if (!run.insert(mesh_.edge_handle(next).idx()).second) return true; // all the way round
+            halfedge = next;
+        }
+        for (int distance = 0; distance <= options_.zeta; ++distance) {
+            const VertexId vertex = mesh_.to_vertex_handle(halfedge);
+            if (!isRegular(mesh_, vertex)) return false;
+            if (mesh_.is_boundary(vertex)) return true;
+            halfedge = straightOn(mesh_, halfedge);
+        }
+        return true;
+    }
+
+    const QuadMesh& mesh_;
+    const std::vector<double>& angles_;
+    const FeatureOptions& options_;
+};
+
+TEST(Features, AgreeWithTheLetterOfTheMethod) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> angle(0, 1);
+    std::size_t found = 0;
+    for (int round = 0; round < 400; ++round) {
+        const std::optional<QuadMesh> mesh = randomMesh(random);
+        if (!mesh) continue;
+        const double share = angle(random);
+        std::vector<double> angles(mesh->n_edges());
+        for (const EdgeId edge : mesh->edges())
+            angles[static_cast<std::size_t>(edge.idx())] =
+                mesh->is_boundary(edge) || angle(random) > share ? 0 : sharp;
+        const FeatureOptions options = limits(1 + round % 4, round % 3);
+        const Features features = findFeatures(*mesh, angles, options);
+        const std::set<std::set<int>> expected = ByTheLetter(*mesh, angles, options).curves();
+
+        std::set<VertexId> seeded;
+        std::set<std::set<int>> edgeSets;
+        int lowestBefore = -1;
+        for (const FeatureCurve& curve : features.curves) {
+            std::set<int> edges;
+            for (const HalfedgeId halfedge : curve.halfedges)
+                edges.insert(mesh->edge_handle(halfedge).idx());
+            ASSERT_EQ(edges.size(), curve.halfedges.size());
+            ASSERT_GT(*edges.begin(), lowestBefore);
+            lowestBefore = *edges.begin();
+            ASSERT_TRUE(expected.contains(edges));
+            edgeSets.insert(edges);
+            ASSERT_TRUE(continuesStraight(*mesh, curve.seed));
+            ASSERT_TRUE(seeded.insert(curve.seed).second);
+        }
+        // What is missing has no vertex for a seed.
+        for (const std::set<int>& edges : expected) {
+            if (edgeSets.contains(edges)) continue;
+            for (const int edge : edges)
+                for (const unsigned side : {0U, 1U}) {
+                    const VertexId vertex = mesh->to_vertex_handle(mesh->halfedge_handle(EdgeId(edge), side));
+                    EXPECT_TRUE(seeded.contains(vertex) || !continuesStraight(*mesh, vertex));
+                }
+        }
+        found += features.curves.size();
+        EXPECT_NO_THROW((void)buildBaseComplex(*mesh, seeds(*mesh, features)));
+    }
+    EXPECT_GT(found, 200U);
+}
+
+} // namespace
+} // namespace qm::testing
