@@ -11,8 +11,15 @@ std::size_t at(int index) {
 
 /// Finds the particles that walk over a variable.
 struct Owners {
+    std::vector<int> chain;      ///< of every variable; -1 for the constants
     std::vector<int> fromBefore; ///< of every variable and constant; -1 if none
     std::vector<int> fromAfter;
+
+    /// Not so at a feature seed or on a line that is fixed.
+    [[nodiscard]] bool canPass(const CrossingSide& side) const {
+        return chain[at(side.before)] >= 0 && chain[at(side.before)] == chain[at(side.after)] &&
+               side.after == side.before + 1;
+    }
 };
 
 int coordinateAfter(const Problem& problem, const CoordinateParticle& particle, int variable) {
@@ -27,9 +34,7 @@ Stop stopAt(const Problem& problem, const Crossing& crossing, std::size_t side, 
     stop.crossed = true;
     const bool both =
         problem.domains[at(other.before)] == ArcState::in && problem.domains[at(other.after)] == ArcState::in;
-    // Two arcs that do not follow each other on one chain: a feature seed, or a fixed line.
-    const bool passable = other.after == other.before + 1 && other.after < problem.variables();
-    stop.wall = both && !passable;
+    stop.wall = both && !owners.canPass(other);
     if (stop.wall) return stop;
     stop.left.particle = owners.fromBefore[at(other.before)];
     stop.right.particle = owners.fromAfter[at(other.after)];
@@ -46,7 +51,7 @@ void findStops(const Problem& problem, const Owners& owners, std::vector<Coordin
     for (const Crossing& crossing : problem.crossings)
         for (const std::size_t k : {0U, 1U}) {
             const CrossingSide& side = crossing.sides[k];
-            if (side.after != side.before + 1 || side.after >= problem.variables()) continue;
+            if (!owners.canPass(side)) continue;
             const Stop stop = stopAt(problem, crossing, k, owners, particles);
             for (const auto& [owner, variable] : {std::pair(owners.fromBefore[at(side.before)], side.before),
                                                   std::pair(owners.fromAfter[at(side.after)], side.after)})
@@ -83,10 +88,12 @@ bool crashesWell(const Stop& stop, bool met, const std::vector<int>& x) {
 
 std::vector<CoordinateParticle> coordinateParticles(const Problem& problem) {
     std::vector<CoordinateParticle> particles;
-    Owners owners{std::vector(problem.domains.size(), -1), std::vector(problem.domains.size(), -1)};
+    const std::vector<int> nobody(problem.domains.size(), -1);
+    Owners owners{nobody, nobody, nobody};
     for (int c = 0; c < static_cast<int>(problem.chains.size()); ++c) {
         const Chain& chain = problem.chains[at(c)];
         const bool both = chain.coveredBefore && chain.coveredAfter;
+        std::fill_n(owners.chain.begin() + chain.first, chain.count, c);
         for (const bool fromEnd : {false, true}) {
             if (!(fromEnd ? chain.coveredAfter : chain.coveredBefore)) continue;
             const int id = static_cast<int>(particles.size());

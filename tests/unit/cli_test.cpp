@@ -87,7 +87,7 @@ TEST(Progress, TellsTheTimeThatIsLeft) {
               "cutting [======                  ] 25%, about 30 s left");
     EXPECT_EQ(qm::progressText("cutting", 0.5, 100, 200),
               "cutting [============            ] 50%, about 1 min 40 s left");
-    EXPECT_EQ(qm::progressText("cutting", 0.5, 7300, 200).substr(38), "about 2 h 1 min left");
+    EXPECT_EQ(qm::progressText("cutting", 0.5, 7300, 200).substr(40), "about 2 h 1 min left");
     EXPECT_EQ(qm::progressText("cutting", 0, 10, 200), "cutting [                        ] 0%");
     EXPECT_EQ(qm::progressText("cutting", std::nan(""), 10, 12), "cutting [   ");
 }
