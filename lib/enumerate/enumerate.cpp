@@ -5,7 +5,6 @@
 #include "enumerate/coordinates.h"
 #include "enumerate/count.h"
 #include "enumerate/depth_first.h"
-#include "enumerate/extend.h"
 #include "enumerate/incumbents.h"
 #include "enumerate/optimum.h"
 #include "enumerate/plain.h"
@@ -106,15 +105,8 @@ private:
     /// Every particle straight on in turn: a graph to begin with, however hard the search.
     [[nodiscard]] std::optional<Assignment> simpleGraph(const Problem& problem, int subMesh) const {
         if (!space_.demands.empty()) return std::nullopt;
-        std::vector<bool> open, present(space_.graph.arcs.size(), false);
-        for (const int label : space_.junctionLabels)
-            open.push_back(label != subMesh);
-        for (const Particle particle : particlesOf(space_.graph)) {
-            const Line& line = space_.graph.lines[particle.line.idx()];
-            const ArcId first(line.firstArc.value() + (particle.fromEnd ? line.arcCount - 1 : 0));
-            const auto& starts = particle.fromEnd ? space_.arcEnds : space_.arcBegins;
-            if (starts[first.idx()] == subMesh) extendParticle(space_.graph, particle, present, open);
-        }
+        std::vector<bool> present(space_.graph.arcs.size(), false);
+        goStraight(space_, subMesh, present);
         Assignment assignment(problem.domains.size(), 0);
         assignment[static_cast<std::size_t>(problem.in())] = 1;
         for (int v = 0; v < problem.variables(); ++v)

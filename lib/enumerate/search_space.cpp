@@ -1,6 +1,7 @@
 #include "enumerate/search_space.h"
 
 #include "base/error.h"
+#include "enumerate/extend.h"
 
 #include <string>
 
@@ -123,6 +124,22 @@ Problem subMeshProblem(const SearchSpace& space, int subMesh, const std::vector<
     for (const int label : space.junctionLabels)
         input.open.push_back(label != subMesh);
     return makeProblem(input);
+}
+
+void goStraight(const SearchSpace& space, int subMesh, std::vector<bool>& present) {
+    std::vector<bool> open;
+    for (const int label : space.junctionLabels)
+        open.push_back(label != subMesh);
+    std::vector<Particle> own;
+    for (const Particle particle : particlesOf(space.graph)) {
+        const Line& line = space.graph.lines[particle.line.idx()];
+        const std::size_t first = at(line.firstArc.value() + (particle.fromEnd ? line.arcCount - 1 : 0));
+        if ((particle.fromEnd ? space.arcEnds : space.arcBegins)[first] != subMesh) continue;
+        present[first] = true; // nobody is idle: all of these are in before anyone passes a seed
+        own.push_back(particle);
+    }
+    for (const Particle particle : own)
+        extendParticle(space.graph, particle, present, open);
 }
 
 void apply(const Problem& problem, const Assignment& assignment, std::vector<bool>& present) {

@@ -115,21 +115,8 @@ private:
         ++searches_;
         if (improve(subMesh, arcs, result)) return result;
         if (!space_.demands.empty()) throwImpossible(subMesh);
-        goStraight(subMesh, result);
+        goStraight(space_, subMesh, result);
         return result;
-    }
-
-    /// What is always possible: the sub-mesh's own particles straight on, one after the other.
-    void goStraight(int subMesh, std::vector<bool>& present) const {
-        std::vector<bool> open;
-        for (const int label : space_.junctionLabels)
-            open.push_back(label != subMesh);
-        for (const Particle particle : particlesOf(space_.graph)) {
-            const Line& line = space_.graph.lines[particle.line.idx()];
-            const std::size_t first = at(line.firstArc.value() + (particle.fromEnd ? line.arcCount - 1 : 0));
-            if ((particle.fromEnd ? space_.arcEnds : space_.arcBegins)[first] == subMesh)
-                extendParticle(space_.graph, particle, present, open);
-        }
     }
 
     [[noreturn]] static void throwImpossible(int subMesh) {
