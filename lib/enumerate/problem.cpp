@@ -68,13 +68,26 @@ private:
     }
 
     void addChain(LineId id) {
-        const Line& line = graph_.lines[id.idx()];
         const Stretch stretch = stretchOf(id);
         if (stretch.last < 0) return;
         chainOf_[id.idx()] = static_cast<int>(problem_.chains.size());
+        const ArcId meeting = input_.walkers.meeting(id);
+        const int met = meeting.valid() ? meeting.value() - graph_.lines[id.idx()].firstArc.value() : -1;
+        if (met < stretch.first || met >= stretch.last) return addStretch(id, stretch);
+        // Neither particle gets beyond the place where they meet.
+        Stretch first = stretch, second = stretch;
+        first.last = met;
+        first.afterIn = first.afterAnchored = false;
+        second.first = met + 1;
+        second.beforeIn = second.beforeAnchored = false;
+        addStretch(id, first);
+        addStretch(id, second);
+    }
+
+    void addStretch(LineId id, const Stretch& stretch) {
         const int first = problem_.variables();
         for (int k = stretch.first; k <= stretch.last; ++k)
-            addArc(line, k, k > stretch.first, domainOf(id, stretch, k));
+            addArc(graph_.lines[id.idx()], k, k > stretch.first, domainOf(id, stretch, k));
         problem_.chains.push_back(
             {first, problem_.variables() - first, stretch.beforeAnchored, stretch.afterAnchored});
     }
@@ -213,9 +226,7 @@ private:
         const Junction& junction = graph_.junctions[id.idx()];
         const LineId line = graph_.arcs[junction.arcs[k].idx()].line;
         const bool ends = junction.seeded && k == 0;
-        const bool meetsElsewhere = !isOpen(id) && input_.walkers.meeting(line).valid();
-        return {variable(junction.arcs[k]), variable(junction.arcs[k + 2]),
-                ends || meetsElsewhere ? -1 : nodeOf_[line.idx()]};
+        return {variable(junction.arcs[k]), variable(junction.arcs[k + 2]), ends ? -1 : nodeOf_[line.idx()]};
     }
 
     /// Nothing is left to say where one line is out and the other one variable.
@@ -229,9 +240,19 @@ private:
         return false;
     }
 
+    /// Two particles of a line go this far at most, so that nobody passes unless the other line does.
+    bool isMeeting(const Junction& junction) const {
+        for (const std::size_t k : {0U, 1U}) {
+            const ArcId before = std::min(junction.arcs[k], junction.arcs[k + 2]);
+            if (before.valid() && input_.walkers.meeting(graph_.arcs[before.idx()].line) == before)
+                return true;
+        }
+        return false;
+    }
+
     void addCrossing(JunctionId id) {
         const Junction& junction = graph_.junctions[id.idx()];
-        if (!junction.crossed() || sameVariables(junction)) return;
+        if (!junction.crossed() || sameVariables(junction) || isMeeting(junction)) return;
         bool anyFree = false, anyOut = false, onChain = false;
         for (const ArcId arc : junction.arcs) {
             anyFree = anyFree || variable(arc) < problem_.in();

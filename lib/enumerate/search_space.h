@@ -39,8 +39,8 @@ void appendWalk(const SearchSpace& space, LineId line, bool fromEnd, int from, i
 [[nodiscard]] Problem subMeshProblem(const SearchSpace& space, int subMesh,
                                      const std::vector<ArcId>& freeArcs, const std::vector<bool>& present);
 
-/// What is always possible, however hard the search: every particle of the sub-mesh goes straight on in turn, to
-/// the first track or the first vertex outside.
+/// What is always possible, however hard the search: every particle of the sub-mesh goes straight on in turn,
+/// to the first track or the first vertex outside.
 void goStraight(const SearchSpace& space, int subMesh, std::vector<bool>& present);
 
 /// Writes an assignment into the arcs that it speaks of.
