@@ -1,11 +1,13 @@
 #include "enumerate/count.h"
 
+#include "enumerate/diagram_count.h"
 #include "enumerate/independent_parts.h"
 #include "enumerate/search_state.h"
 
 namespace qm {
 namespace {
 
+/// Where a diagram would be too large.
 class Counter {
 public:
     Counter(const Problem& problem, const Control& control) : state_(problem), control_(control) {}
@@ -51,6 +53,12 @@ private:
 } // namespace
 
 std::optional<BigCount> countGraphs(const Problem& problem, const Control& control) {
+    if (const auto diagram = buildDiagram(problem, diagramNodes, control))
+        return countWays(*diagram)[diagram->root];
+    return countByParts(problem, control);
+}
+
+std::optional<BigCount> countByParts(const Problem& problem, const Control& control) {
     return Counter(problem, control).run();
 }
 

@@ -7,8 +7,12 @@
 
 namespace qm {
 
-/// The number of graphs: parts that do not touch are counted one by one and multiplied, and whatever a
-/// decision leaves apart is counted apart again. \return nothing if `control.stopRequested` ended it
+/// The number of graphs: from a decision diagram, or by parts where that would be too large. \return nothing
+/// if `control.stopRequested` ended it
 [[nodiscard]] std::optional<BigCount> countGraphs(const Problem& problem, const Control& control = {});
+
+/// The same by decisions, after each of which the parts that do not touch are counted apart and multiplied:
+/// in memory linear in the problem.
+[[nodiscard]] std::optional<BigCount> countByParts(const Problem& problem, const Control& control = {});
 
 } // namespace qm

@@ -18,6 +18,9 @@ public:
     /// A representative of the line's group.
     [[nodiscard]] int find(int node) const;
 
+    /// Head-on meetings that a group, named by its representative, has left.
+    [[nodiscard]] int left(int root) const { return left_[static_cast<std::size_t>(root)]; }
+
     [[nodiscard]] std::size_t changes() const { return trail_.size(); }
     void undo(std::size_t changes);
 

@@ -62,8 +62,8 @@ SearchState::SearchState(const Problem& problem)
       chainOf_(problem.domains.size(), -1), crossingsOf_(problem.domains.size()),
       nodeOfChain_(problem.chains.size(), -1), crossingsOfNode_(problem.nodes.size()),
       hulls_(problem.chains.size()), inCount_(problem.chains.size(), 0),
-      counted_(problem.crossings.size(), false), cracks_(capacities(problem)),
-      free_(static_cast<int>(problem.domains.size())) {
+      promised_(problem.chains.size(), false), counted_(problem.crossings.size(), false),
+      cracks_(capacities(problem)), free_(static_cast<int>(problem.domains.size())) {
     for (const double cost : problem.costs)
         bound_ += std::min(cost, 0.0);
     for (std::size_t c = 0; c < problem.chains.size(); ++c)
@@ -85,7 +85,8 @@ SearchState::SearchState(const Problem& problem)
 }
 
 SearchState::Mark SearchState::mark() const {
-    return {assigned_.size(), hullTrail_.size(), countedTrail_.size(), cracks_.changes(), bound_};
+    return {assigned_.size(),  hullTrail_.size(),    countedTrail_.size(),
+            cracks_.changes(), promiseTrail_.size(), bound_};
 }
 
 void SearchState::undo(const Mark& mark) {
@@ -106,12 +107,25 @@ void SearchState::undo(const Mark& mark) {
         countedTrail_.pop_back();
     }
     cracks_.undo(mark.cracks);
+    while (promiseTrail_.size() > mark.promises) {
+        promised_[at(promiseTrail_.back())] = false;
+        promiseTrail_.pop_back();
+    }
     propagated_ = assigned_.size();
     bound_ = mark.bound;
 }
 
 bool SearchState::assign(int variable, ArcState value) {
     return set(variable, value) && propagate();
+}
+
+bool SearchState::decideCover(int chain, bool full) {
+    if (full) return coverChain(chain) && propagate();
+    if (coverOfChain(chain) == Cover::full) return false;
+    if (!promised_[at(chain)]) promiseTrail_.push_back(chain);
+    promised_[at(chain)] = true;
+    const int node = nodeOfChain_[at(chain)];
+    return (node < 0 || nodeDecided(node)) && propagate();
 }
 
 bool SearchState::set(int variable, ArcState value) {
@@ -172,6 +186,7 @@ bool SearchState::visitChain(int variable) {
     } else if (!closeOneSided(chain, variable, state)) {
         return false;
     }
+    if (promised_[at(id)] && inCount_[at(id)] == chain.count) return false;
     const int node = nodeOfChain_[at(id)];
     if (node < 0) return true;
     const bool decided = state == ArcState::out || inCount_[at(id)] == chain.count;
@@ -213,19 +228,30 @@ bool SearchState::openGap(int id, int variable) {
 }
 
 SearchState::Cover SearchState::coverOf(int node) const {
-    const int id = problem_.nodes[at(node)].chain;
-    if (id < 0) return Cover::full;
-    const Chain& chain = problem_.chains[at(id)];
-    if (hulls_[at(id)].first <= hulls_[at(id)].last) return Cover::gapped;
-    return inCount_[at(id)] == chain.count ? Cover::full : Cover::open;
+    const int chain = problem_.nodes[at(node)].chain;
+    return chain < 0 ? Cover::full : coverOfChain(chain);
+}
+
+SearchState::Cover SearchState::coverOfChain(int chain) const {
+    if (hasGap(chain) || promised_[at(chain)]) return Cover::gapped;
+    return inCount_[at(chain)] == problem_.chains[at(chain)].count ? Cover::full : Cover::open;
+}
+
+bool SearchState::isCrossed(int crossing) const {
+    return std::ranges::all_of(arcsOf(problem_.crossings[at(crossing)]),
+                               [this](int arc) { return value(arc) == ArcState::in; });
+}
+
+bool SearchState::mayBeCrossed(int crossing) const {
+    return std::ranges::none_of(arcsOf(problem_.crossings[at(crossing)]),
+                                [this](int arc) { return value(arc) == ArcState::out; });
 }
 
 /// Enters a crossing into the crack forest as soon as both lines are known to be full or gapped.
 bool SearchState::countCrossing(int id) {
     if (counted_[at(id)]) return true;
+    if (!isCrossed(id)) return true;
     const Crossing& crossing = problem_.crossings[at(id)];
-    for (const int arc : arcsOf(crossing))
-        if (value(arc) != ArcState::in) return true;
     std::array<Cover, 2> cover{};
     for (const std::size_t k : {0U, 1U})
         cover[k] = crossing.sides[k].node < 0 ? Cover::gapped : coverOf(crossing.sides[k].node);

@@ -31,9 +31,29 @@ public:
     }
     /// A representative of the lines whose cracks depend on each other so far.
     [[nodiscard]] int crackGroup(int node) const { return cracks_.find(node); }
+    /// Head-on meetings that a group of lines has left.
+    [[nodiscard]] int cracksLeft(int group) const { return cracks_.left(group); }
+
+    /// What is known of a line with two sources: covered from end to end, or with a gap.
+    enum class Cover { open, full, gapped };
+    [[nodiscard]] Cover coverOfChain(int chain) const;
+    /// True once a variable of the chain is out.
+    [[nodiscard]] bool hasGap(int chain) const {
+        const Hull& hull = hulls_[static_cast<std::size_t>(chain)];
+        return hull.first <= hull.last;
+    }
     [[nodiscard]] const std::vector<int>& crossingsOf(int variable) const {
         return crossingsOf_[static_cast<std::size_t>(variable)];
     }
+
+    /// All four arcs around a crossing are in.
+    [[nodiscard]] bool isCrossed(int crossing) const;
+    /// It is crossed, and not known yet which of its lines are covered from end to end.
+    [[nodiscard]] bool isPending(int crossing) const {
+        return !counted_[static_cast<std::size_t>(crossing)] && isCrossed(crossing);
+    }
+    /// No arc around a crossing is out.
+    [[nodiscard]] bool mayBeCrossed(int crossing) const;
 
     /// A point to return to.
     struct Mark {
@@ -41,6 +61,7 @@ public:
         std::size_t hulls = 0;
         std::size_t counted = 0;
         std::size_t cracks = 0;
+        std::size_t promises = 0;
         double bound = 0;
     };
     [[nodiscard]] Mark mark() const;
@@ -48,6 +69,9 @@ public:
 
     /// Sets a free variable and everything that follows. \return false on a contradiction; then undo
     bool assign(int variable, ArcState value);
+
+    /// Covers a chain with two sources, or promises that it will have a gap. \return as of `assign`
+    bool decideCover(int chain, bool full);
 
     /// The values set since a mark, in order.
     [[nodiscard]] std::vector<int> assignedSince(const Mark& mark) const;
@@ -74,7 +98,6 @@ private:
     bool nodeDecided(int node);
     bool coverChain(int chain);
 
-    enum class Cover { open, full, gapped };
     [[nodiscard]] Cover coverOf(int node) const;
 
     const Problem& problem_;
@@ -83,13 +106,15 @@ private:
     std::vector<std::vector<int>> crossingsOf_; ///< of every variable
     std::vector<int> nodeOfChain_;
     std::vector<std::vector<int>> crossingsOfNode_;
-    std::vector<Hull> hulls_;   ///< of every chain
-    std::vector<int> inCount_;  ///< variables of a chain that are in
-    std::vector<bool> counted_; ///< crossings that the crack forest knows
+    std::vector<Hull> hulls_;    ///< of every chain
+    std::vector<int> inCount_;   ///< variables of a chain that are in
+    std::vector<bool> promised_; ///< chains that are to have a gap
+    std::vector<bool> counted_;  ///< crossings that the crack forest knows
     CrackForest cracks_;
     std::vector<int> assigned_; ///< trail
     std::vector<HullChange> hullTrail_;
     std::vector<int> countedTrail_;
+    std::vector<int> promiseTrail_;
     std::size_t propagated_ = 0; ///< how far the trail has been followed
     double bound_ = 0;
     int free_ = 0;

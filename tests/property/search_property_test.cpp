@@ -4,6 +4,8 @@
 #include "enumerate/coordinates.h"
 #include "enumerate/count.h"
 #include "enumerate/depth_first.h"
+#include "enumerate/diagram_count.h"
+#include "enumerate/diagram_walk.h"
 #include "enumerate/extend.h"
 #include "enumerate/optimum.h"
 #include "enumerate/search_space.h"
@@ -18,7 +20,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <map>
 #include <random>
 #include <set>
 
@@ -51,8 +55,8 @@ std::optional<Case> drawCase(unsigned number) {
     drawn.complex = buildBaseComplex(drawn.mesh, randomSeeds(drawn.mesh, 2, random));
     drawn.graph = buildArcGraph(drawn.mesh, drawn.complex);
     const auto arcCosts = sumOverArcs(drawn.mesh, drawn.graph, drawn.complex, drawn.costs);
-    drawn.problem =
-        makeProblem({drawn.graph, arcCosts, std::vector(drawn.graph.arcs.size(), ArcState::free), {}, {}, {}});
+    drawn.problem = makeProblem(
+        {drawn.graph, arcCosts, std::vector(drawn.graph.arcs.size(), ArcState::free), {}, {}, {}});
     return drawn;
 }
 
@@ -94,11 +98,82 @@ TEST(SearchProperty, EveryVisitedGraphIsValidAndCounted) {
         ++tried;
         for (const Assignment& graph : *graphs)
             ASSERT_TRUE(isMotorcycleGraph(drawn->graph, presentIn(*drawn, graph))) << "case " << number;
-        const auto count = countGraphs(drawn->problem);
-        ASSERT_TRUE(count);
-        EXPECT_EQ(*count, BigCount(graphs->size())) << "case " << number;
+        EXPECT_EQ(countGraphs(drawn->problem), BigCount(graphs->size())) << "case " << number;
+        EXPECT_EQ(countByParts(drawn->problem), BigCount(graphs->size())) << "case " << number;
     }
     EXPECT_GT(tried, cases / 4);
+}
+
+TEST(SearchProperty, ADiagramHoldsEveryGraphOnce) {
+    int compared = 0;
+    for (const bool gaps : {true, false})
+        for (unsigned number = 0; number < cases; ++number) {
+            auto drawn = drawCase(number);
+            if (!drawn) continue;
+            drawn->problem.gaps = gaps;
+            const auto graphs = allGraphs(drawn->problem);
+            if (!graphs) continue;
+            const auto diagram = buildDiagram(drawn->problem, 1'000'000);
+            ASSERT_TRUE(diagram);
+            Assignment assignment = diagram->fixed;
+            std::set<Assignment> walked;
+            bool twice = false;
+            const auto visit = [&](const Assignment& graph) {
+                return twice = twice || !walked.insert(graph).second, true;
+            };
+            EXPECT_TRUE(walkDiagram(*diagram, diagram->root, assignment, visit));
+            EXPECT_FALSE(twice) << "case " << number;
+            EXPECT_EQ(walked, *graphs) << "case " << number;
+            const auto ways = countWays(*diagram);
+            ASSERT_EQ(ways[diagram->root], BigCount(graphs->size())) << "case " << number;
+            std::set<Assignment> ranked;
+            for (BigCount rank = 0; rank < ways[diagram->root]; ++rank)
+                ranked.insert(graphOfRank(*diagram, ways, rank));
+            EXPECT_EQ(ranked, *graphs) << "case " << number;
+            ++compared;
+        }
+    EXPECT_GT(compared, cases / 2);
+}
+
+/// What is left to decide is compared far from the decisions: rare mistakes need many tries.
+TEST(SearchProperty, ADiagramCountsManyCases) {
+    for (unsigned number = cases; number < 20 * cases; ++number) {
+        const auto drawn = drawCase(number);
+        if (!drawn) continue;
+        const auto graphs = allGraphs(drawn->problem);
+        if (!graphs) continue;
+        const auto diagram = buildDiagram(drawn->problem, 1'000'000);
+        ASSERT_TRUE(diagram);
+        EXPECT_EQ(countWays(*diagram)[diagram->root], BigCount(graphs->size())) << "case " << number;
+    }
+}
+
+/// Pearson's statistic over all graphs of a case, against its mean plus six standard deviations.
+TEST(SearchProperty, DrawnGraphsAreUniform) {
+    int tested = 0;
+    for (unsigned number = 0; number < cases && tested < 5; ++number) {
+        const auto drawn = drawCase(number);
+        if (!drawn) continue;
+        const auto graphs = allGraphs(drawn->problem);
+        if (!graphs || graphs->size() < 20 || graphs->size() > 2000) continue;
+        const auto diagram = buildDiagram(drawn->problem, 1'000'000);
+        ASSERT_TRUE(diagram);
+        const double expected = 40;
+        std::map<Assignment, double> times;
+        for (const Assignment& graph : drawGraphs(*diagram, 40 * graphs->size(), number))
+            ++times[graph];
+        EXPECT_LE(times.size(), graphs->size());
+        double statistic = expected * static_cast<double>(graphs->size() - times.size());
+        for (const auto& [graph, seen] : times) {
+            EXPECT_TRUE(graphs->contains(graph));
+            statistic += (seen - expected) * (seen - expected) / expected;
+        }
+        const auto freedom = static_cast<double>(graphs->size() - 1);
+        EXPECT_LT(statistic, freedom + 6 * std::sqrt(2 * freedom)) << "case " << number;
+        EXPECT_GT(statistic, freedom - 6 * std::sqrt(2 * freedom)) << "case " << number;
+        ++tested;
+    }
+    EXPECT_EQ(tested, 5);
 }
 
 TEST(SearchProperty, TheOptimumAndTheBestAreThoseOfAllGraphs) {

@@ -1,0 +1,23 @@
+/// \file How many graphs a decision diagram holds, and the one of every rank.
+#pragma once
+
+#include "enumerate/diagram.h"
+#include "enumerate/enumeration.h"
+
+#include <vector>
+
+namespace qm {
+
+/// The number of ways from every node to the end.
+[[nodiscard]] std::vector<BigCount> countWays(const Diagram& diagram);
+
+/// The graph of a rank, 0 to the number of graphs less 1; different ranks give different graphs. \param ways
+/// as of `countWays`
+[[nodiscard]] Assignment graphOfRank(const Diagram& diagram, const std::vector<BigCount>& ways,
+                                     BigCount rank);
+
+/// Draws graphs, each as likely as any other, with repetition. The same seed gives the same graphs
+/// everywhere.
+[[nodiscard]] std::vector<Assignment> drawGraphs(const Diagram& diagram, std::size_t count, std::size_t seed);
+
+} // namespace qm

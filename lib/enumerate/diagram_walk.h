@@ -1,0 +1,29 @@
+/// \file Every way through a decision diagram: no search, no dead ends.
+#pragma once
+
+#include "enumerate/diagram.h"
+
+#include <utility>
+
+namespace qm {
+
+/// Calls `visit` with an assignment for every way from a node to the end. The variables that are decided
+/// before the node are left as they are. \return false if `visit` returned false, which ends the walk
+template <class Visit>
+bool walkDiagram(const Diagram& diagram, Diagram::NodeId from, Assignment& assignment, Visit& visit) {
+    if (from == Diagram::none) return true;
+    if (from == Diagram::end) return visit(std::as_const(assignment));
+    const Diagram::Node& node = diagram.nodes[from];
+    const auto decide = [&](signed char value) {
+        if (node.variable >= 0) assignment[static_cast<std::size_t>(node.variable)] = value;
+    };
+    if (node.in != Diagram::none) {
+        decide(1);
+        if (!walkDiagram(diagram, node.in, assignment, visit)) return false;
+    }
+    if (node.out == Diagram::none) return true;
+    decide(0);
+    return walkDiagram(diagram, node.out, assignment, visit);
+}
+
+} // namespace qm
