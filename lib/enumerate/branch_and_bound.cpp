@@ -11,7 +11,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double integral = 1e-6;        ///< closer to 0 or 1 than this is taken for it
 constexpr int iterationsPerSlice = 2000; ///< between questions whether to stop
 constexpr int mostSlices = 10000;
-constexpr std::size_t mostNodes = 20'000'000; ///< what memory allows
 
 std::size_t at(int index) {
     return static_cast<std::size_t>(index);
@@ -47,7 +46,7 @@ void BranchAndBound::search() {
     while (!queue_.empty()) {
         const OpenNode next = queue_.top();
         if (next.bound >= incumbents_.cutoff() - (options_.best == 1 ? options_.gap : 0)) break;
-        if (control_.stopRequested() || tree_.size() > mostNodes) {
+        if (control_.stopRequested() || tree_.size() > options_.nodes) {
             complete_ = false;
             break;
         }

@@ -17,6 +17,7 @@ struct PartOptions {
     std::size_t best = 1;
     double maxCost = std::numeric_limits<double>::infinity(); ///< of the part's variables
     double gap = 0;
+    std::size_t nodes = 20'000'000; ///< of the search tree, at most: what memory allows
 };
 
 /// Searches the free variables of one independent part; the rest of the state is left as it is.

@@ -1,5 +1,6 @@
 #include "enumerate/enumerate.h"
 
+#include "base/deadline.h"
 #include "base/error.h"
 #include "base/parallel.h"
 #include "enumerate/coordinates.h"
@@ -12,7 +13,6 @@
 #include "enumerate/tracks.h"
 
 #include <atomic>
-#include <chrono>
 #include <cmath>
 #include <mutex>
 #include <set>
@@ -20,30 +20,6 @@
 
 namespace qm {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-/// The caller's control with a time limit, for searches on several threads.
-class Deadline {
-public:
-    Deadline(const Control& control, double seconds) : control_(control) {
-        if (seconds < std::chrono::duration<double>(std::chrono::hours(24 * 365)).count())
-            end_ = Clock::now() +
-                   std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
-    }
-
-    [[nodiscard]] Control forSearch() const {
-        Control control;
-        control.stopRequested = [this] {
-            return control_.stopRequested() || (end_ && Clock::now() >= *end_);
-        };
-        return control;
-    }
-
-private:
-    const Control& control_;
-    std::optional<Clock::time_point> end_;
-};
 
 /// Reports finished pieces out of a known number.
 class Finished {
@@ -199,7 +175,7 @@ Enumeration enumerateGraphs(const QuadMesh& mesh, const BaseComplex& complex,
         std::atomic<bool> complete = true;
         result.subMeshes.resize(count);
         parallelFor(count, control.jobs, [&](std::size_t i) {
-            result.subMeshes[i] = search.search(static_cast<int>(i), deadline.forSearch(), complete);
+            result.subMeshes[i] = search.search(static_cast<int>(i), deadline.control(), complete);
             finished.one();
         });
         result.complete = complete;
@@ -223,7 +199,7 @@ bool forEachGraph(const QuadMesh& mesh, const BaseComplex& complex, const std::v
     const SearchSpace space = makeSearchSpace(mesh, complex, costs, subMeshes, options.constraints);
     const SubMeshSearch search(mesh, complex, costs, space, options);
     const Deadline deadline(control, options.timeLimit);
-    const Control limited = deadline.forSearch();
+    const Control limited = deadline.control();
     for (int i = 0; i < subMeshes.count; ++i) {
         const Problem problem = search.problem(i);
         const bool finished = forEachAssignment(

@@ -25,7 +25,8 @@ void searchParts(SearchState& state, const OptimumOptions& options, const Contro
     double done = 0;
     bool found = true;
     for (const auto& part : parts) {
-        BranchAndBound search(state, part, {1, infinity, options.gap / static_cast<double>(parts.size())},
+        BranchAndBound search(state, part,
+                              {1, infinity, options.gap / static_cast<double>(parts.size()), options.nodes},
                               control);
         if (options.start) search.offer(*options.start);
         search.run();
@@ -49,7 +50,8 @@ void searchTogether(SearchState& state, const OptimumOptions& options, const Con
     std::vector<int> variables;
     for (int v = 0; v < state.problem().variables(); ++v)
         if (state.isFree(v)) variables.push_back(v);
-    BranchAndBound search(state, variables, {options.best, options.maxCost - result.lowerBound, 0}, control);
+    BranchAndBound search(state, variables,
+                          {options.best, options.maxCost - result.lowerBound, 0, options.nodes}, control);
     if (options.start) search.offer(*options.start);
     search.run();
     result.nodes = search.nodes();
@@ -62,16 +64,15 @@ void searchTogether(SearchState& state, const OptimumOptions& options, const Con
 } // namespace
 
 OptimumResult findOptimum(const Problem& problem, const OptimumOptions& options, const Control& control) {
-    OptimumResult result;
     SearchState state(problem);
-    if (!state.consistent()) {
-        result.lowerBound = infinity;
-        return result;
-    }
+    if (!state.consistent()) return {{}, infinity, true, 0};
+    return findOptimum(state, options, control);
+}
+
+OptimumResult findOptimum(SearchState& state, const OptimumOptions& options, const Control& control) {
+    OptimumResult result;
     result.lowerBound = fixedCost(state);
-    if (state.freeVariables() == 0)
-        searchParts(state, options, control, result);
-    else if (options.best == 1)
+    if (state.freeVariables() == 0 || options.best == 1)
         searchParts(state, options, control, result);
     else
         searchTogether(state, options, control, result);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/control.h"
-#include "enumerate/problem.h"
+#include "enumerate/search_state.h"
 
 #include <limits>
 #include <optional>
@@ -15,6 +15,7 @@ struct OptimumOptions {
     double maxCost = std::numeric_limits<double>::infinity();
     double gap = 0;                  ///< stop when cost - lower bound is at most this
     std::optional<Assignment> start; ///< a valid graph to begin with
+    std::size_t nodes = 20'000'000;  ///< of the search tree of a part, at most
 };
 
 struct OptimumResult {
@@ -27,6 +28,10 @@ struct OptimumResult {
 /// Splits the problem into parts that do not touch, and searches each best first: propagation, the linear
 /// relaxation, fixing by reduced costs, and diving for early graphs. Stops when `control.stopRequested`.
 [[nodiscard]] OptimumResult findOptimum(const Problem& problem, const OptimumOptions& options,
+                                        const Control& control = {});
+
+/// The same with some variables assigned already. \param state  consistent; the same afterwards as before
+[[nodiscard]] OptimumResult findOptimum(SearchState& state, const OptimumOptions& options,
                                         const Control& control = {});
 
 } // namespace qm

@@ -1,7 +1,6 @@
 #include "enumerate/relaxation.h"
 
 #include <coin/ClpSimplex.hpp>
-#include <coin/CoinPackedMatrix.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -17,35 +16,7 @@ double bounded(double value) {
     return std::isinf(value) ? std::copysign(COIN_DBL_MAX, value) : value;
 }
 
-/// Rows for the solver, without what is fixed.
-struct Rows {
-    std::vector<int> rowOf; ///< of every non-zero
-    std::vector<int> columnOf;
-    std::vector<double> weights;
-    std::vector<double> lower;
-    std::vector<double> upper;
-};
-
-/// The part of a row that is still open.
-struct OpenRow {
-    std::vector<std::size_t> terms;
-    double constant = 0;
-    double least = 0;
-    double most = 0;
-};
-
-OpenRow openPart(const Formulation::Row& row, const ParticleState& state) {
-    OpenRow open;
-    for (std::size_t k = 0; k < row.columns.size(); ++k) {
-        const ArcState value = state.column(row.columns[k]);
-        if (value == ArcState::in) open.constant += row.weights[k];
-        if (value != ArcState::free) continue;
-        open.terms.push_back(k);
-        open.least += std::min(row.weights[k], 0.0);
-        open.most += std::max(row.weights[k], 0.0);
-    }
-    return open;
-}
+constexpr double broken = 1e-6; ///< a row is violated by more than this
 
 } // namespace
 
@@ -53,38 +24,82 @@ Relaxation::Relaxation(const Formulation& formulation, const ParticleState& stat
     : formulation_(&formulation), solver_(std::make_unique<ClpSimplex>()),
       values_(formulation.costs.size(), 0), reducedCosts_(formulation.costs.size(), 0) {
     std::vector<int> indexOf(formulation.costs.size(), -1);
-    std::vector<double> costs;
     for (std::size_t column = 0; column < formulation.costs.size(); ++column) {
         if (state.column(static_cast<int>(column)) == ArcState::in) fixedCost_ += formulation.costs[column];
         if (state.column(static_cast<int>(column)) != ArcState::free) continue;
         indexOf[column] = static_cast<int>(columns_.size());
         columns_.push_back(static_cast<int>(column));
-        costs.push_back(formulation.costs[column]);
     }
-    Rows rows;
-    for (std::size_t id = 0; id < formulation.rows.size(); ++id) {
-        const Formulation::Row& row = formulation.rows[id];
-        const OpenRow open = openPart(row, state);
-        // The lower side of a cover row can rise later.
-        const double lower = row.lower - open.constant, upper = row.upper - open.constant;
-        if (open.terms.size() < 2 || (open.least >= lower && open.most <= upper)) continue;
-        for (const std::size_t k : open.terms) {
-            rows.rowOf.push_back(static_cast<int>(rows_.size()));
-            rows.columnOf.push_back(indexOf[at(row.columns[k])]);
-            rows.weights.push_back(row.weights[k]);
-        }
-        rows_.push_back(static_cast<int>(id));
-        rows.lower.push_back(bounded(state.rowLower(static_cast<int>(id)) - open.constant));
-        rows.upper.push_back(bounded(upper));
-    }
-    CoinPackedMatrix matrix(true, rows.rowOf.data(), rows.columnOf.data(), rows.weights.data(),
-                            static_cast<CoinBigIndex>(rows.weights.size()));
-    matrix.setDimensions(static_cast<int>(rows_.size()), static_cast<int>(columns_.size()));
-    const std::vector<double> lower(costs.size(), 0), upper(costs.size(), 1);
+    for (int id = 0; id < static_cast<int>(formulation.rows.size()); ++id)
+        if (OpenRow row = openPart(id, state, indexOf); row.columns.size() > 1)
+            rows_.push_back(std::move(row));
+    isInSolver_.assign(rows_.size(), false);
     solver_->setLogLevel(0);
-    solver_->loadProblem(matrix, lower.data(), upper.data(), costs.data(), rows.lower.data(),
-                         rows.upper.data());
     solver_->scaling(0);
+    solver_->resize(0, static_cast<int>(columns_.size()));
+    for (std::size_t k = 0; k < columns_.size(); ++k) {
+        solver_->setColumnBounds(static_cast<int>(k), 0, 1);
+        solver_->setObjectiveCoefficient(static_cast<int>(k), formulation.costs[at(columns_[k])]);
+    }
+    std::vector<const OpenRow*> first;
+    for (const OpenRow& row : rows_)
+        if (row.columns.size() == 2) first.push_back(&row);
+    add(first, state);
+}
+
+/// \return a row without columns if it always holds
+Relaxation::OpenRow Relaxation::openPart(int id, const ParticleState& state,
+                                         const std::vector<int>& indexOf) const {
+    const Formulation::Row& row = formulation_->rows[at(id)];
+    OpenRow open;
+    open.row = id;
+    double least = 0, most = 0;
+    for (std::size_t k = 0; k < row.columns.size(); ++k) {
+        const ArcState value = state.column(row.columns[k]);
+        if (value == ArcState::in) open.constant += row.weights[k];
+        if (value != ArcState::free) continue;
+        open.columns.push_back(indexOf[at(row.columns[k])]);
+        open.weights.push_back(row.weights[k]);
+        least += std::min(row.weights[k], 0.0);
+        most += std::max(row.weights[k], 0.0);
+    }
+    // The lower side of a cover row can rise later; its upper side is never idle.
+    if (least >= row.lower - open.constant && most <= row.upper - open.constant) return {};
+    return open;
+}
+
+void Relaxation::add(const std::vector<const OpenRow*>& rows, const ParticleState& state) {
+    std::vector<CoinBigIndex> starts{0};
+    std::vector<int> columns;
+    std::vector<double> weights, lower, upper;
+    for (const OpenRow* row : rows) {
+        columns.insert(columns.end(), row->columns.begin(), row->columns.end());
+        weights.insert(weights.end(), row->weights.begin(), row->weights.end());
+        starts.push_back(static_cast<CoinBigIndex>(columns.size()));
+        lower.push_back(bounded(state.rowLower(row->row) - row->constant));
+        upper.push_back(bounded(formulation_->rows[at(row->row)].upper - row->constant));
+        solverRows_.push_back(static_cast<int>(row - rows_.data()));
+        isInSolver_[at(solverRows_.back())] = true;
+    }
+    solver_->addRows(static_cast<int>(rows.size()), lower.data(), upper.data(), starts.data(), columns.data(),
+                     weights.data());
+}
+
+/// \return whether the solution breaks rows that the solver did not know
+bool Relaxation::addBroken(const ParticleState& state) {
+    const double* values = solver_->primalColumnSolution();
+    std::vector<const OpenRow*> rows;
+    for (std::size_t id = 0; id < rows_.size(); ++id) {
+        if (isInSolver_[id]) continue;
+        const OpenRow& row = rows_[id];
+        double sum = row.constant;
+        for (std::size_t k = 0; k < row.columns.size(); ++k)
+            sum += row.weights[k] * values[row.columns[k]];
+        if (sum < state.rowLower(row.row) - broken || sum > formulation_->rows[at(row.row)].upper + broken)
+            rows.push_back(&row);
+    }
+    if (!rows.empty()) add(rows, state);
+    return !rows.empty();
 }
 
 Relaxation::~Relaxation() = default;
@@ -98,9 +113,10 @@ void Relaxation::setBounds(const ParticleState& state) {
         if (solver_->columnLower()[k] != lower || solver_->columnUpper()[k] != upper)
             solver_->setColumnBounds(static_cast<int>(k), lower, upper);
     }
-    for (std::size_t k = 0; k < rows_.size(); ++k) {
-        if (formulation_->rows[at(rows_[k])].lower > -1e9) continue; // not a cover row
-        const double lower = bounded(state.rowLower(rows_[k]));
+    for (std::size_t k = 0; k < solverRows_.size(); ++k) {
+        const OpenRow& row = rows_[at(solverRows_[k])];
+        if (formulation_->rows[at(row.row)].lower > -1e9) continue; // not a cover row
+        const double lower = bounded(state.rowLower(row.row) - row.constant);
         if (solver_->rowLower()[k] != lower)
             solver_->setRowBounds(static_cast<int>(k), lower, solver_->rowUpper()[k]);
     }
@@ -136,17 +152,20 @@ Relaxation::Result Relaxation::solve(const ParticleState& state, double cutoff, 
     if (rows_.empty()) return solveWithoutRows(state, cutoff);
     setBounds(state);
     solver_->setDualObjectiveLimit(std::isinf(cutoff) ? COIN_DBL_MAX : cutoff - fixedCost_);
-    solver_->setMaximumIterations(iterations);
-    solver_->dual();
-    if (solver_->status() > 3) solver_->primal();
     Result result;
-    if (solver_->status() == 1) {
-        result.kind = Result::Kind::tooExpensive;
-        return result;
+    for (;;) {
+        solver_->setMaximumIterations(iterations);
+        solver_->dual();
+        if (solver_->status() > 3) solver_->primal();
+        iterations -= solver_->numberIterations();
+        if (solver_->status() == 1) return {Result::Kind::tooExpensive, 0};
+        result.bound = solver_->objectiveValue() + fixedCost_;
+        if (solver_->status() != 0) return result;
+        if (result.bound >= cutoff) return {Result::Kind::tooExpensive, result.bound};
+        if (!addBroken(state)) break;
+        if (iterations <= 0) return result;
     }
-    result.bound = solver_->objectiveValue() + fixedCost_;
-    if (solver_->status() != 0) return result;
-    result.kind = result.bound < cutoff ? Result::Kind::solved : Result::Kind::tooExpensive;
+    result.kind = Result::Kind::solved;
     read(state);
     return result;
 }
@@ -160,11 +179,14 @@ double Relaxation::fixedShare(const ParticleState& state) const {
 Relaxation::Basis Relaxation::basis() const {
     if (!solver_->statusExists()) return {};
     const unsigned char* status = solver_->statusArray();
-    return {status, status + columns_.size() + rows_.size()};
+    return {status, status + columns_.size() + solverRows_.size()};
 }
 
 void Relaxation::setBasis(const Basis& basis) {
-    if (!basis.empty()) solver_->copyinStatus(basis.data());
+    if (basis.empty()) return;
+    Basis extended = basis; // rows that came later are not tight
+    extended.resize(columns_.size() + solverRows_.size(), ClpSimplex::basic);
+    solver_->copyinStatus(extended.data());
 }
 
 } // namespace qm

@@ -1,4 +1,7 @@
 /// \file The linear relaxation of a formulation: its bound prunes, its solution guides.
+///
+/// Rows that tie two particles of one line are there from the start, the others as soon as a solution breaks
+/// them: most never do.
 #pragma once
 
 #include "enumerate/particle_state.h"
@@ -45,13 +48,27 @@ public:
     [[nodiscard]] const std::vector<double>& reducedCosts() const { return reducedCosts_; }
 
 private:
+    /// A row without the columns that were fixed.
+    struct OpenRow {
+        int row = 0;              ///< of the formulation
+        std::vector<int> columns; ///< of the solver
+        std::vector<double> weights;
+        double constant = 0; ///< what the fixed columns add
+    };
+
+    [[nodiscard]] OpenRow openPart(int row, const ParticleState& state,
+                                   const std::vector<int>& indexOf) const;
     Result solveWithoutRows(const ParticleState& state, double cutoff);
     void setBounds(const ParticleState& state);
+    void add(const std::vector<const OpenRow*>& rows, const ParticleState& state);
+    bool addBroken(const ParticleState& state);
     void read(const ParticleState& state);
 
     const Formulation* formulation_;
-    std::vector<int> columns_; ///< of the formulation, for every column of the solver
-    std::vector<int> rows_;
+    std::vector<int> columns_;     ///< of the formulation, for every column of the solver
+    std::vector<OpenRow> rows_;    ///< all that may matter
+    std::vector<int> solverRows_;  ///< indices in `rows_` of those that the solver has
+    std::vector<bool> isInSolver_; ///< of every one of `rows_`
     std::unique_ptr<ClpSimplex> solver_;
     double fixedCost_ = 0; ///< of the columns that were left out
     std::vector<double> values_;

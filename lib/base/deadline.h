@@ -1,0 +1,36 @@
+/// \file A caller's control with a time limit.
+#pragma once
+
+#include "base/control.h"
+
+#include <chrono>
+#include <optional>
+
+namespace qm {
+
+/// Outlives the controls that it makes; they may be used on several threads.
+class Deadline {
+public:
+    /// \param seconds  from now on; more than a year means no limit
+    Deadline(const Control& control, double seconds) : control_(control) {
+        using namespace std::chrono;
+        if (seconds < duration<double>(hours(24 * 365)).count())
+            end_ = steady_clock::now() + duration_cast<steady_clock::duration>(duration<double>(seconds));
+    }
+
+    /// Stops when the caller asks for it or the time is up; shows no progress.
+    [[nodiscard]] Control control() const {
+        Control control;
+        control.jobs = control_.jobs;
+        control.stopRequested = [this] { return isOver() || control_.stopRequested(); };
+        return control;
+    }
+
+    [[nodiscard]] bool isOver() const { return end_ && std::chrono::steady_clock::now() >= *end_; }
+
+private:
+    const Control& control_;
+    std::optional<std::chrono::steady_clock::time_point> end_;
+};
+
+} // namespace qm
