@@ -44,7 +44,10 @@ Relaxation::Relaxation(const Formulation& formulation, const ParticleState& stat
     std::vector<const OpenRow*> first;
     for (const OpenRow& row : rows_)
         if (row.columns.size() == 2) first.push_back(&row);
-    add(first, state);
+    if (first.empty()) // the solver does not like to have none
+        for (const OpenRow& row : rows_)
+            first.push_back(&row);
+    if (!first.empty()) add(first, state);
 }
 
 /// \return a row without columns if it always holds
