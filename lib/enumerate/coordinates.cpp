@@ -10,13 +10,28 @@ std::size_t at(int index) {
 }
 
 using Visit = std::function<bool(const Assignment&)>;
+using StopRequested = std::function<bool()>;
+
+/// Asks now and then whether to stop: most of these searches' steps lead to no graph.
+class Patience {
+public:
+    explicit Patience(const StopRequested& stopRequested) : stopRequested_(stopRequested) {}
+
+    bool ended() { return ++steps_ % 4096 == 0 && stopRequested_(); }
+
+private:
+    const StopRequested& stopRequested_;
+    std::size_t steps_ = 0;
+};
 
 class NaiveSearch {
 public:
-    NaiveSearch(const Problem& problem, const Visit& visit)
-        : problem_(problem), visit_(visit), particles_(coordinateParticles(problem)), x_(particles_.size()) {}
+    NaiveSearch(const Problem& problem, const Visit& visit, const StopRequested& stopRequested)
+        : problem_(problem), visit_(visit), patience_(stopRequested),
+          particles_(coordinateParticles(problem)), x_(particles_.size()) {}
 
     bool run(std::size_t i = 0) {
+        if (patience_.ended()) return false;
         if (i == particles_.size())
             return !validCoordinates(particles_, x_) || visit_(assignmentOf(problem_, particles_, x_));
         for (x_[i] = particles_[i].least; x_[i] <= particles_[i].most; ++x_[i])
@@ -27,6 +42,7 @@ public:
 private:
     const Problem& problem_;
     const Visit& visit_;
+    Patience patience_;
     std::vector<CoordinateParticle> particles_;
     std::vector<int> x_;
 };
@@ -34,8 +50,10 @@ private:
 /// Depth first over the particles with bounds L_i <= x_i <= U_i, kept on a stack for undoing.
 class BoundedSearch {
 public:
-    BoundedSearch(const Problem& problem, bool improved, const Visit& visit)
-        : problem_(problem), improved_(improved), visit_(visit), particles_(coordinateParticles(problem)) {
+    BoundedSearch(const Problem& problem, bool improved, const Visit& visit,
+                  const StopRequested& stopRequested)
+        : problem_(problem), improved_(improved), visit_(visit), patience_(stopRequested),
+          particles_(coordinateParticles(problem)) {
         for (const CoordinateParticle& particle : particles_) {
             lower_.push_back(particle.least);
             upper_.push_back(particle.most);
@@ -43,6 +61,7 @@ public:
     }
 
     bool run(std::size_t i = 0) {
+        if (patience_.ended()) return false;
         if (i == particles_.size()) return visit_(assignmentOf(problem_, particles_, lower_));
         for (int j = lower_[i], last = upper_[i]; j <= last; ++j) {
             const std::size_t mark = undo_.size();
@@ -142,6 +161,7 @@ private:
     const Problem& problem_;
     bool improved_;
     const Visit& visit_;
+    Patience patience_;
     std::vector<CoordinateParticle> particles_;
     std::vector<int> lower_;
     std::vector<int> upper_;
@@ -150,9 +170,10 @@ private:
 
 } // namespace
 
-bool forEachCoordinateVector(const Problem& problem, CoordinateMethod method, const Visit& visit) {
-    if (method == CoordinateMethod::naive) return NaiveSearch(problem, visit).run();
-    return BoundedSearch(problem, method == CoordinateMethod::improved, visit).run();
+bool forEachCoordinateVector(const Problem& problem, CoordinateMethod method, const Visit& visit,
+                             const StopRequested& stopRequested) {
+    if (method == CoordinateMethod::naive) return NaiveSearch(problem, visit, stopRequested).run();
+    return BoundedSearch(problem, method == CoordinateMethod::improved, visit, stopRequested).run();
 }
 
 } // namespace qm

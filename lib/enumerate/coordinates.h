@@ -19,9 +19,11 @@ enum class CoordinateMethod {
 };
 
 /// Calls `visit` with the arcs of every coordinate vector found; it ends the search by returning false.
-/// \param problem  a whole mesh or the particles of one sub-mesh
+/// \param problem        a whole mesh or the particles of one sub-mesh
+/// \param stopRequested  asked now and then, as most steps lead to no graph; ends the search too
 /// \return false if the search was ended
-bool forEachCoordinateVector(const Problem& problem, CoordinateMethod method,
-                             const std::function<bool(const Assignment&)>& visit);
+bool forEachCoordinateVector(
+    const Problem& problem, CoordinateMethod method, const std::function<bool(const Assignment&)>& visit,
+    const std::function<bool()>& stopRequested = [] { return false; });
 
 } // namespace qm

@@ -119,12 +119,12 @@ private:
                                     std::atomic<bool>& complete) const {
         std::set<Assignment> seen;
         Incumbents incumbents(options_.best, options_.maxCost);
-        std::size_t steps = 0;
-        const bool finished = forEachCoordinateVector(
-            problem, coordinateMethod(options_.method), [&](const Assignment& assignment) {
-                if (seen.insert(assignment).second) incumbents.offer(costOf(problem, assignment), assignment);
-                return ++steps % 1024 != 0 || !control.stopRequested();
-            });
+        const auto visit = [&](const Assignment& assignment) {
+            if (seen.insert(assignment).second) incumbents.offer(costOf(problem, assignment), assignment);
+            return true;
+        };
+        const bool finished =
+            forEachCoordinateVector(problem, coordinateMethod(options_.method), visit, control.stopRequested);
         if (!finished) complete = false;
         SubMeshGraphs result;
         for (const auto& [cost, assignment] : incumbents.graphs())

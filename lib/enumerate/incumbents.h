@@ -17,7 +17,7 @@ public:
 
     /// \return whether it was new and cheap enough
     bool offer(double cost, const Assignment& assignment) {
-        if (cost > maxCost_ || !graphs_.emplace(cost, assignment).second) return false;
+        if (cost > maxCost_ + tolerance || !graphs_.emplace(cost, assignment).second) return false;
         if (graphs_.size() > capacity_) graphs_.erase(std::prev(graphs_.end()));
         return true;
     }
