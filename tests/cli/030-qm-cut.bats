@@ -56,7 +56,7 @@ parts() { field '.cut.subMeshes | length' out.json; }
 }
 
 @test "options out of range" {
-    for options in '--chi 0' '--chi -3' '--chi x' '--terminals nowhere' '--lambda -1'; do
+    for options in '--chi -3' '--chi nan' '--chi x' '--terminals nowhere' '--lambda -1'; do
         # shellcheck disable=SC2086  # a list of words
         misused qm-cut $options "$(stage features block)"
     done
