@@ -66,7 +66,10 @@ Json mergeFigures(const MergeResult& result) {
             {"freeAfterPartial", result.freeAfterPartial},
             {"linked", result.linked},
             {"extended", result.extended},
-            {"plain", result.plain}};
+            {"plain", result.plain},
+            {"costBefore", result.costBefore},
+            {"windows", result.windows},
+            {"improvements", result.improvements}};
 }
 
 Json pruneFigures(const PruneResult& result) {

@@ -79,6 +79,8 @@ template <class Visitor> void describe(EnumerationOptions& options, Visitor&& op
 template <class Visitor> void describe(MergeOptions& options, Visitor&& option) {
     option("max-rounds", options.maxRounds, Range{0, maxCount},
            "passes of the complete generator before free particles are simply extended");
+    option("improve", options.improve, Range{0, infinite},
+           "improve the layout for up to this many seconds, and bound what the best one costs");
 }
 
 template <class Visitor> void describe(PruneOptions& options, Visitor&& option) {

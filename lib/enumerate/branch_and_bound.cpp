@@ -103,7 +103,7 @@ void BranchAndBound::plunge(int node, double bound) {
             if (isRoot) rememberRoot(bound);
             if (acceptIntegral() && options_.best == 1) return;
             round();
-            if (nodes_ >= nextDive_ && !dive(bound)) return;
+            if (nodes_ >= nextLook_ && !lookAround(bound)) return;
             if (allDecided()) return recordLeaf();
         }
         const Choice choice = relaxed == RelaxedNode::solved ? choose(bound) : chooseAnyFree(bound);
@@ -128,6 +128,7 @@ BranchAndBound::RelaxedNode BranchAndBound::relax(double& bound) {
         Relaxation::Result result;
         for (int slice = 0; slice < mostSlices; ++slice) {
             result = relaxation_.solve(particles_, incumbents_.cutoff(), iterationsPerSlice);
+            bound = std::max(bound, result.proven);
             if (result.kind != Relaxation::Result::Kind::unfinished || control_.stopRequested()) break;
         }
         if (result.kind == Relaxation::Result::Kind::tooExpensive) return RelaxedNode::cut;

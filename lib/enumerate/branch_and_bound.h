@@ -18,6 +18,7 @@ struct PartOptions {
     double maxCost = std::numeric_limits<double>::infinity(); ///< of the part's variables
     double gap = 0;
     std::size_t nodes = 20'000'000; ///< of the search tree, at most: what memory allows
+    bool nearby = true;             ///< look for early graphs by smaller searches
 };
 
 /// Searches the free variables of one independent part; the rest of the state is left as it is.
@@ -81,8 +82,11 @@ private:
     void guess();
     void round();
     void roundAt(double threshold);
-    bool dive(double& bound);
-    void followRelaxation();
+    bool lookAround(double& bound);
+    void searchNearby(bool keepBest);
+    bool takeOver(int variable, bool keepBest);
+    bool searchRest(bool keepBest);
+    void dive();
     bool fixSurest();
     void recordLeaf();
     [[nodiscard]] bool allDecided() const;
@@ -115,7 +119,7 @@ private:
     double lowerBound_ = 0;
     bool complete_ = true;
     std::size_t nodes_ = 0;
-    std::size_t nextDive_ = 1;
+    std::size_t nextLook_ = 1;
 };
 
 } // namespace qm

@@ -1,7 +1,9 @@
 #include "enumerate/branch_and_bound.h"
+#include "enumerate/independent_parts.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace qm {
 namespace {
@@ -9,6 +11,9 @@ namespace {
 constexpr double integral = 1e-6;
 constexpr double sure = 0.8; ///< columns above this may be fixed together in a dive
 constexpr int diveIterations = 1000;
+constexpr std::size_t worthSearching = 1500; ///< variables; fewer are searched as fast as what is near them
+constexpr std::size_t nodesNearby = 100;
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::size_t at(int index) {
     return static_cast<std::size_t>(index);
@@ -82,20 +87,70 @@ void BranchAndBound::roundAt(double threshold) {
     particles_.undo(mark);
 }
 
-/// Looks for a graph near the relaxed solution, then comes back to it. \return false if the node is cut now
-bool BranchAndBound::dive(double& bound) {
-    nextDive_ = 4 * nodes_;
+/// Looks for graphs near the relaxed solution, then comes back to it. \return false if the node is cut now
+bool BranchAndBound::lookAround(double& bound) {
+    nextLook_ = 4 * nodes_;
     const ParticleState::Mark mark = particles_.mark();
     const Relaxation::Basis basis = relaxation_.basis();
-    followRelaxation();
+    if (options_.nearby && variables_.size() >= worthSearching) {
+        if (nodes_ == 1) searchNearby(false);
+        if (!incumbents_.empty()) searchNearby(true);
+    } else {
+        dive();
+    }
     particles_.undo(mark);
     relaxation_.setBasis(basis);
     if (bound >= incumbents_.cutoff()) return false;
     return relax(bound) != RelaxedNode::cut;
 }
 
+/// Takes over what the relaxed solution leaves no doubt about, or what it and the best graph agree on, and
+/// searches the rest.
+void BranchAndBound::searchNearby(bool keepBest) {
+    const ParticleState::Mark mark = particles_.mark();
+    std::size_t open = 0;
+    for (const int variable : variables_)
+        if (state_.isFree(variable) && !takeOver(variable, keepBest)) ++open;
+    if (2 * open < variables_.size() && searchRest(keepBest)) recordLeaf();
+    particles_.undo(mark);
+}
+
+/// \return whether the variable has a value now
+bool BranchAndBound::takeOver(int variable, bool keepBest) {
+    const double value = present(variable);
+    if (value > integral && value < 1 - integral) return false;
+    const bool in = value > 0.5;
+    if (keepBest && (incumbents_.graphs().begin()->second[at(variable)] == 1) != in) return false;
+    const SearchState::Mark before = state_.mark();
+    if (state_.assign(variable, in ? ArcState::in : ArcState::out)) return true;
+    state_.undo(before);
+    return false;
+}
+
+/// Gives the best values to what is still free, part by part. \return false if there are none
+bool BranchAndBound::searchRest(bool keepBest) {
+    std::vector<int> rest;
+    for (const int variable : variables_)
+        if (state_.isFree(variable)) rest.push_back(variable);
+    for (const std::vector<int>& part : independentParts(state_, rest)) {
+        Assignment found;
+        {
+            BranchAndBound search(state_, part, {1, infinity, 0, nodesNearby, false}, control_);
+            if (keepBest) search.offer(incumbents_.graphs().begin()->second);
+            search.run();
+            if (search.incumbents().empty()) return false;
+            found = search.incumbents().graphs().begin()->second;
+        }
+        for (const int variable : part)
+            if (state_.isFree(variable) &&
+                !state_.assign(variable, found[at(variable)] == 1 ? ArcState::in : ArcState::out))
+                return false;
+    }
+    return true;
+}
+
 /// Fixes the columns that are nearly 1 and solves again, until the solution is integral or too expensive.
-void BranchAndBound::followRelaxation() {
+void BranchAndBound::dive() {
     while (!control_.stopRequested() && fixSurest()) {
         if (relaxation_.solve(particles_, incumbents_.cutoff(), diveIterations).kind !=
             Relaxation::Result::Kind::solved)

@@ -161,10 +161,11 @@ Relaxation::Result Relaxation::solve(const ParticleState& state, double cutoff, 
         solver_->dual();
         if (solver_->status() > 3) solver_->primal();
         iterations -= solver_->numberIterations();
-        if (solver_->status() == 1) return {Result::Kind::tooExpensive, 0};
+        if (solver_->status() == 1) return {Result::Kind::tooExpensive};
         result.bound = solver_->objectiveValue() + fixedCost_;
         if (solver_->status() != 0) return result;
         if (result.bound >= cutoff) return {Result::Kind::tooExpensive, result.bound};
+        result.proven = result.bound; // the rows that are missing can only raise it
         if (!addBroken(state)) break;
         if (iterations <= 0) return result;
     }

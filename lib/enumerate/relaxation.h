@@ -6,6 +6,7 @@
 
 #include "enumerate/particle_state.h"
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -27,7 +28,8 @@ public:
     struct Result {
         enum class Kind { solved, tooExpensive, unfinished };
         Kind kind = Kind::unfinished;
-        double bound = 0; ///< only an estimate if unfinished
+        double bound = 0;                                         ///< only an estimate if unfinished
+        double proven = -std::numeric_limits<double>::infinity(); ///< a bound all the same, if unfinished
     };
 
     /// Least relaxed cost under what the state has fixed. Too expensive: infeasible, or at least `cutoff`.

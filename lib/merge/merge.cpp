@@ -2,9 +2,11 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "enumerate/incumbents.h"
 #include "enumerate/optimum.h"
 #include "enumerate/plain.h"
 #include "enumerate/tracks.h"
+#include "merge/improve.h"
 #include "merge/windows.h"
 
 #include <algorithm>
@@ -219,7 +221,17 @@ MergeResult mergeGraphs(const QuadMesh& mesh, const BaseComplex& complex,
         }
     }
     result.graph = graphOf(mesh, complex, space.graph, present, costs);
+    result.costBefore = result.graph.cost;
     if (subMeshes.count == 1) result.lowerBound = enumeration.subMeshes.front().lowerBound;
+    const bool proven = result.lowerBound && result.graph.cost <= *result.lowerBound + Incumbents::tolerance;
+    if (options.improve > 0 && !proven) {
+        Improvement better =
+            improveGraph(mesh, complex, costs, constraints, result.graph, options.improve, control);
+        result.graph = std::move(better.graph);
+        result.lowerBound = std::max(better.lowerBound, result.lowerBound.value_or(better.lowerBound));
+        result.windows = better.windows;
+        result.improvements = better.improvements;
+    }
     return result;
 }
 

@@ -8,6 +8,7 @@ namespace qm {
 
 struct MergeOptions {
     int maxRounds = 100; ///< passes of the complete generator before free particles are simply extended
+    double improve = 0;  ///< seconds to improve the complete graph
 };
 
 struct MergeResult {
@@ -18,10 +19,14 @@ struct MergeResult {
     std::size_t freeAfterPartial = 0; ///< free particles left by the partial generator
     std::size_t linked = 0;           ///< linked particles that took part in a search, in all
     std::size_t extended = 0;         ///< free particles that had to be extended straight on
-    bool plain = false;               ///< the plain motorcycle graph was cheaper and is the result
+    bool plain = false;               ///< the plain motorcycle graph was cheaper than the merged one
+    double costBefore = 0;            ///< of the complete graph before it was improved
+    std::size_t windows = 0;          ///< searched to improve it
+    std::size_t improvements = 0;     ///< of them, those that made it cheaper
 };
 
-/// PMG, then CMG until no particle is free. Always ends in a valid motorcycle graph of the whole mesh.
+/// PMG, then CMG until no particle is free, then improvements if there is time. Always ends in a valid
+/// motorcycle graph of the whole mesh.
 /// \param enumeration  its first graph of every sub-mesh is the starting point; its cost options are used
 /// \param complexityLimit  chi: a closed set of linked particles at least this complex is reduced
 [[nodiscard]] MergeResult mergeGraphs(const QuadMesh& mesh, const BaseComplex& complex,

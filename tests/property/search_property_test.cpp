@@ -7,9 +7,13 @@
 #include "enumerate/diagram_count.h"
 #include "enumerate/diagram_walk.h"
 #include "enumerate/extend.h"
+#include "enumerate/independent_parts.h"
 #include "enumerate/optimum.h"
+#include "enumerate/plain.h"
 #include "enumerate/search_space.h"
 #include "enumerate/tracks.h"
+#include "enumerate/window_search.h"
+#include "merge/improve.h"
 #include "merge/layout.h"
 #include "merge/merge.h"
 #include "mesh/topology.h"
@@ -276,6 +280,64 @@ TEST(SearchProperty, MergingEndsInAValidGraphWhateverTheCut) {
         ++cutMeshes;
     }
     EXPECT_GT(cutMeshes, cases / 4);
+}
+
+TEST(SearchProperty, WindowsImproveAndLargeOnesReachTheOptimum) {
+    std::size_t improvements = 0, fellShort = 0;
+    for (unsigned number = 0; number < cases; ++number) {
+        const auto drawn = drawCase(number);
+        if (!drawn) continue;
+        SearchState state(drawn->problem);
+        if (!state.consistent()) continue;
+        std::mt19937 random(number);
+        const auto graphs = allGraphs(drawn->problem);
+        if (!graphs || graphs->empty()) continue;
+        const Assignment start = *std::next(graphs->begin(), random() % graphs->size());
+        const double least = costOf(drawn->problem, findOptimum(drawn->problem, {}).graphs.front());
+        WindowOptions small;
+        small.leastVariables = small.mostVariables = 4;
+        for (const WindowOptions& options : {small, WindowOptions{}}) {
+            const WindowResult better = improveByWindows(drawn->problem, start, options);
+            EXPECT_TRUE(graphs->contains(better.graph)) << "case " << number;
+            EXPECT_NEAR(better.cost, costOf(drawn->problem, better.graph), 1e-9);
+            EXPECT_LE(better.cost, costOf(drawn->problem, start));
+            Control control;
+            control.jobs = 3;
+            EXPECT_EQ(improveByWindows(drawn->problem, start, options, control).graph, better.graph);
+            improvements += better.improvements;
+            if (better.cost > least + 1e-6) ++fellShort;
+        }
+        Control stopped;
+        stopped.stopRequested = [] { return true; };
+        EXPECT_EQ(improveByWindows(drawn->problem, start, {}, stopped).graph, start);
+        WindowOptions all; // one window holds everything
+        all.leastVariables = drawn->problem.domains.size();
+        if (drawn->problem.chains.size() > 1 && independentParts(state).size() == 1) {
+            EXPECT_NEAR(improveByWindows(drawn->problem, start, all).cost, least, 1e-6) << "case " << number;
+        }
+    }
+    EXPECT_GT(improvements, 20U);
+    EXPECT_GT(fellShort, 0U) << "small windows always reached the optimum: the cases are too easy";
+}
+
+TEST(SearchProperty, ImprovedGraphsAreProvenAndNeverDearer) {
+    std::size_t cheaper = 0;
+    for (unsigned number = 0; number < cases; ++number) {
+        const auto drawn = drawCase(number);
+        if (!drawn || drawn->graph.arcs.empty()) continue;
+        const MotorcycleGraph plain = plainMotorcycleGraph(drawn->mesh, drawn->complex, drawn->costs);
+        const double least = costOf(drawn->problem, findOptimum(drawn->problem, {}).graphs.front());
+        const Improvement better = improveGraph(drawn->mesh, drawn->complex, drawn->costs, {}, plain, 1e9);
+        const auto present = presentArcs(drawn->mesh, drawn->complex, drawn->graph, better.graph.tracks);
+        EXPECT_TRUE(isMotorcycleGraph(drawn->graph, present)) << "case " << number;
+        EXPECT_NEAR(better.graph.cost, least, 1e-6) << "case " << number;
+        EXPECT_NEAR(better.lowerBound, least, 1e-6) << "case " << number;
+        if (better.graph.cost < plain.cost - 1e-6) ++cheaper;
+        const Improvement hurried = improveGraph(drawn->mesh, drawn->complex, drawn->costs, {}, plain, 1e-9);
+        EXPECT_LE(hurried.graph.cost, plain.cost + 1e-9);
+        EXPECT_LE(hurried.lowerBound, least + 1e-6);
+    }
+    EXPECT_GT(cheaper, 10U);
 }
 
 TEST(SearchProperty, ThreadsChangeNothing) {

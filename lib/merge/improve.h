@@ -1,0 +1,30 @@
+/// \file Improving a complete graph, with a bound for the whole mesh (method 5, mobile cuts).
+#pragma once
+
+#include "base/control.h"
+#include "basecomplex/base_complex.h"
+#include "enumerate/constraints.h"
+#include "enumerate/motorcycle_graph.h"
+
+#include <vector>
+
+namespace qm {
+
+struct Improvement {
+    MotorcycleGraph graph;
+    double lowerBound = 0;        ///< no graph of the mesh is cheaper, to rounding; the cost itself if proven
+    std::size_t windows = 0;      ///< searched
+    std::size_t improvements = 0; ///< of them, those that made the graph cheaper
+};
+
+/// Searches the whole mesh for half of the time, which yields the bound and often the proof; if it does not,
+/// windows of the mesh, until none improves the graph or the time is up. The cost never rises and the graph
+/// is valid at every step. \param graph    a valid motorcycle graph of the whole mesh that obeys the
+/// constraints \param seconds  in all; without a limit, the result is proven \param control  if it is
+/// stopped, the best so far
+[[nodiscard]] Improvement improveGraph(const QuadMesh& mesh, const BaseComplex& complex,
+                                       const std::vector<double>& edgeCosts, const Constraints& constraints,
+                                       const MotorcycleGraph& graph, double seconds,
+                                       const Control& control = {});
+
+} // namespace qm
