@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <unordered_map>
+#include <unordered_set>
 
 namespace qm::check {
 
@@ -36,11 +37,11 @@ int seedStep(const Neighbourhoods& around, const std::vector<int>& steps, int se
 std::vector<int> checkFeatures(const Neighbourhoods& around, const FeaturesPart& part, Report& report) {
     std::vector<int> seedSteps;
     std::unordered_map<int, std::size_t> curveOfSeed;
+    std::unordered_set<int> ids;
     for (std::size_t i = 0; i < part.curves.size(); ++i) {
         const auto& curve = part.curves[i];
         const std::string here = at("/features/curves", i);
-        if (curve.id != static_cast<int>(i))
-            report.violate(at(here, "id"), "id", "curves are numbered from 0 in their order");
+        if (!ids.insert(curve.id).second) report.violate(at(here, "id"), "id", "another curve has it too");
         const auto steps = readPath(around, curve.vertices, at(here, "vertices"), report);
         if (!steps) continue;
         checkStraight(around, curve, *steps, at(here, "vertices"), report);

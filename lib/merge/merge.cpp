@@ -220,6 +220,11 @@ MergeResult mergeGraphs(const QuadMesh& mesh, const BaseComplex& complex,
             result.plain = true;
         }
     }
+    // Particles that are extended across a cut look neither right nor left.
+    if (!obeys(space, present))
+        throw Error(
+            "/constraints", "no graph that obeys them was found one sub-mesh after the other",
+            "Lay the cut around these edges, or search the whole mesh with a greater --chi of qm-cut");
     result.graph = graphOf(mesh, complex, space.graph, present, costs);
     result.costBefore = result.graph.cost;
     if (subMeshes.count == 1) result.lowerBound = enumeration.subMeshes.front().lowerBound;

@@ -179,3 +179,15 @@ END
         refute_regex "$stderr" 'out of memory'
     done
 }
+
+@test "real meshes that are not valid, where they are at hand" {
+    [[ -d $SHARED_MESHES/bad ]] || skip "there are none"
+    for mesh in "$SHARED_MESHES"/bad/*.{obj,off,ply}; do
+        [[ -e $mesh ]] || continue
+        echo "# $mesh" >&2
+        complains qm-basecomplex "$mesh" -o out.json
+        assert [ ! -e out.json ]
+        run ls -A
+        assert_output ''
+    done
+}

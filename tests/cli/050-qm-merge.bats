@@ -1,0 +1,65 @@
+# qm-merge: one graph of the whole mesh, and its segments.
+
+load helpers.bash
+
+setup_file() {
+    load helpers.bash
+    stage layout block >/dev/null
+    stage layout random >/dev/null
+}
+
+merge() { quietly qm-merge "${@:2}" "$(stage enumeration "$1")" -o out.json; }
+is() { assert_equal "$(field "$1" out.json)" true; }
+
+@test "the segments tile the mesh, and qm-check accepts them" {
+    for model in cube block random helix plate genus2; do
+        merge "$model"
+        is '[.layout.segments[].faces[]] | sort == [range(length)]'
+        is '([.layout.segments[].faces | length] | add) == .mesh.faces'
+        is '[.layout.segments[] | .size[0] * .size[1] == (.faces | length)] | all'
+        quietly qm-check out.json
+    done
+}
+
+@test "components without extraordinary vertices are laid out too" {
+    for model in torus tube; do
+        merge "$model"
+        is '.layout.segments | length >= 1'
+        quietly qm-check out.json
+    done
+}
+
+@test "the cost is the sum over the tracks, and no higher than the plain motorcycle graph's" {
+    for model in block random helix; do
+        merge "$model"
+        is '([.layout.tracks[] | select(.transversal | not) | .cost] | add) - .layout.cost | fabs < 1e-6'
+        plain=$(qm-enum --quiet --method plain "$(stage features "$model")" | jq '[.enumeration.subMeshes[].cost] | add')
+        is ".layout.cost <= $plain + 1e-6"
+    done
+}
+
+@test "without a cut the layout is the optimum, and says so" {
+    qm-enum --quiet "$(stage features block)" -o enumeration.json
+    quietly qm-merge enumeration.json -o out.json
+    is '.layout.lowerBound - .layout.cost | fabs < 1e-6'
+    is ".layout.cost - $(field '.enumeration.subMeshes[0].cost' enumeration.json) | fabs < 1e-6"
+}
+
+@test "a bound never exceeds the cost" {
+    for model in block random genus2; do
+        merge "$model"
+        is '.layout.lowerBound == null or .layout.lowerBound <= .layout.cost + 1e-6'
+    done
+}
+
+@test "no round at all still gives a valid layout" {
+    merge random --max-rounds 0
+    quietly qm-check out.json
+}
+
+@test "options out of range" {
+    for options in '--max-rounds -1' '--max-rounds x' '--max-rounds 1.5' '--max-rounds'; do
+        # shellcheck disable=SC2086  # a list of words
+        misused qm-merge $options "$(stage enumeration block)"
+    done
+}
