@@ -261,8 +261,9 @@ INSTANTIATE_TEST_SUITE_P(
                                  d.features->curves[1].id = 1;
                              },
                              "/features/curves/1/seed", "seed unique"},
-                      Spoilt{"curveId", seededModel, [](Doc& d) { d.features->curves[0].id = 1; },
-                             "/features/curves/0/id", "id"}),
+                      Spoilt{"curveId", seededModel,
+                             [](Doc& d) { d.features->curves.push_back(d.features->curves[0]); },
+                             "/features/curves/1/id", "id"}),
     nameOf);
 
 INSTANTIATE_TEST_SUITE_P(
@@ -341,7 +342,7 @@ INSTANTIATE_TEST_SUITE_P(
                "cost"},
         Spoilt{"cost", cornerModel, [](Doc& d) { *layout(d).cost += 1; }, "/layout/cost", "G_T"},
         Spoilt{"bound", cornerModel, [](Doc& d) { *layout(d).lowerBound += 1; }, "/layout/lowerBound", "bound"},
-        Spoilt{"id", cornerModel, [](Doc& d) { layout(d).tracks[4].id = 5; }, "/layout/tracks/4/id", "id"},
+        Spoilt{"id", cornerModel, [](Doc& d) { layout(d).tracks[4].id = 3; }, "/layout/tracks/4/id", "id"},
         Spoilt{"idle", cornerModel, [](Doc& d) { layout(d).tracks.pop_back(); }, "/layout/tracks", "A3"},
         Spoilt{"firstArc", cornerModel, [](Doc& d) { layout(d).tracks.pop_back(); }, "/layout/tracks", "arc rule 1"},
         Spoilt{"unmarkedBorder", cornerModel, [](Doc& d) { layout(d).tracks.erase(layout(d).tracks.begin()); },
