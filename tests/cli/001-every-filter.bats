@@ -122,6 +122,7 @@ for_every_filter() {
 }
 
 @test "a terminal as standard input is refused, not waited for" {
+    timeout 20 script --quiet --return --command true /dev/null </dev/null || skip "no terminal can be made here"
     for tool in qm-basecomplex "${FILTERS[@]}"; do
         run timeout 20 script --quiet --return --command "$tool" /dev/null
         assert_equal "$status" 2
