@@ -2,7 +2,7 @@
 #include "cli/stage.h"
 #include "document/features_section.h"
 #include "document/layout_section.h"
-#include "prune/prune.h"
+#include "prune/prune_optimum.h"
 
 int main(int argc, char** argv) {
     qm::PruneOptions options;
@@ -14,17 +14,18 @@ int main(int argc, char** argv) {
                 std::make_shared<qm::Stage>(tool, qm::Kind::layout, qm::Kind::layout, qm::Kind::layout);
             tool.options(options);
             tool.example("qm-prune --eta -3 part.layout.json -o part.pruned.json");
+            tool.example("qm-prune --method optimum --beta 2 --front part.layout.json -o part.pruned.json");
             tool.example("qm-merge part.enumeration.json | qm-prune --no-smooth > part.pruned.json");
             return [&tool, &options, stage] {
                 const qm::Model& model = stage->read();
+                const double rho = qm::sharpAngle(stage->document().root);
                 const qm::PruneResult pruned =
-                    qm::pruneLayout(model.mesh, *model.layout, model.dihedralAngles, model.edgeCosts, options,
-                                    tool.control("pruning"));
+                    qm::prune(model.mesh, model.complex, *model.layout, model.dihedralAngles, model.edgeCosts,
+                              options, rho, tool.control("pruning"));
                 tool.count("segments", static_cast<double>(pruned.layout.segments.size()));
                 tool.count("removedTracks", static_cast<double>(pruned.removedTracks));
                 const qm::Json& before = stage->document().section(qm::Kind::layout).value();
-                qm::Json section = qm::layoutToJson(model.mesh, pruned.layout, model.dihedralAngles,
-                                                    qm::sharpAngle(stage->document().root));
+                qm::Json section = qm::layoutToJson(model.mesh, pruned.layout, model.dihedralAngles, rho);
                 if (before.contains("merge")) section["merge"] = before["merge"];
                 section["prune"] = qm::pruneFigures(pruned);
                 stage->write(options, std::move(section));

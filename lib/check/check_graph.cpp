@@ -54,8 +54,7 @@ std::vector<int> edgesOf(const Neighbourhoods& around, std::span<const ReadTrack
 }
 
 Coordinates coordinatesOf(const Neighbourhoods& around, const LineNetwork& network,
-                          std::span<const ReadTrack> tracks, bool endsAtStops, const std::string& pointer,
-                          Report& report) {
+                          std::span<const ReadTrack> tracks, const std::string& pointer, Report& report) {
     Coordinates found{std::vector<int>(network.ways.size(), 0), std::vector<int>(network.ways.size(), -1),
                       true};
     const auto unsound = [&](const std::string& place, const char* rule, std::string explanation) {
@@ -82,7 +81,7 @@ Coordinates coordinatesOf(const Neighbourhoods& around, const LineNetwork& netwo
             continue;
         }
         const int x = coordinateAfter(way, track.steps.size());
-        if (x < 0 && endsAtStops)
+        if (x < 0)
             unsound(at(path, track.steps.size()), "A4",
                     "it ends where no line crosses, and nothing stops it");
         if (found.trackOf[index(start->second)] >= 0)
@@ -97,7 +96,7 @@ Coordinates coordinatesOf(const Neighbourhoods& around, const LineNetwork& netwo
 void checkGraph(const Neighbourhoods& around, const LineNetwork& network, std::span<const ReadTrack> tracks,
                 std::span<const char> present, std::size_t count, const std::string& pointer,
                 Report& report) {
-    const Coordinates coordinates = coordinatesOf(around, network, tracks, true, pointer, report);
+    const Coordinates coordinates = coordinatesOf(around, network, tracks, pointer, report);
     if (coordinates.sound)
         for (const BrokenTrackRule& broken : brokenTrackRules(network, coordinates.x)) {
             const int track = coordinates.trackOf[index(broken.way)];

@@ -34,11 +34,11 @@ struct Coordinates {
     bool sound = true;        ///< every track ends at a stop of its own way
 };
 
-/// Reports every track that is no beginning of a separatrix, or shares its separatrix with another.
-/// \param endsAtStops  whether tracks must also end where their lines cross others or end
+/// Reports every track that is no beginning of a separatrix, or shares its separatrix with another, or
+/// ends where no line crosses.
 [[nodiscard]] Coordinates coordinatesOf(const Neighbourhoods& around, const LineNetwork& network,
-                                        std::span<const ReadTrack> tracks, bool endsAtStops,
-                                        const std::string& pointer, Report& report);
+                                        std::span<const ReadTrack> tracks, const std::string& pointer,
+                                        Report& report);
 
 /// Tests the tracks by rules A1 to A4 and, apart from that, the set of their edges by the rules on arcs.
 /// \param present  by edge: whether it lies on a track

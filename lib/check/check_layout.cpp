@@ -7,6 +7,7 @@
 #include "check/paths.h"
 
 #include <algorithm>
+#include <unordered_set>
 
 namespace qm::check {
 
@@ -102,10 +103,10 @@ public:
 
 private:
     void ids() {
+        std::unordered_set<int> seen;
         for (std::size_t i = 0; i < part_.tracks.size(); ++i)
-            if (part_.tracks[i].id != static_cast<int>(i))
-                report_.violate(at(at(tracksPlace, i), "id"), "id",
-                                "tracks are numbered from 0 in their order");
+            if (part_.tracks[i].id && !seen.insert(*part_.tracks[i].id).second)
+                report_.violate(at(at(tracksPlace, i), "id"), "id", "another track has it too");
     }
 
     void prices(std::span<const ReadTrack> tracks) {
@@ -130,7 +131,8 @@ private:
 
     void particles(std::span<const ReadTrack> tracks) {
         if (part_.pruned) {
-            (void)coordinatesOf(around_, network_, tracks, false, tracksPlace, report_);
+            for (const ReadTrack& track : tracks)
+                straight(track);
         } else {
             std::vector<char> present(onTrack_.size(), 0);
             std::size_t count = 0;
@@ -141,6 +143,22 @@ private:
                     edge = 1;
                 }
             checkGraph(around_, network_, tracks, present, count, tracksPlace, report_);
+        }
+    }
+
+    /// What pruning leaves may begin and end anywhere; the segments tell whether that is right.
+    void straight(const ReadTrack& track) {
+        const std::string path = at(at(tracksPlace, track.rank), "vertices");
+        for (std::size_t k = 0; k < track.steps.size(); ++k) {
+            if (around_.boundary(track.steps[k]))
+                return report_.violate(at(path, k), "track inside",
+                                       "the track runs along the mesh boundary from here");
+            if (k + 1 == track.steps.size()) return;
+            const int vertex = around_.to(track.steps[k]);
+            if (!around_.passable(vertex) || around_.straightOn(track.steps[k]) != track.steps[k + 1])
+                return report_.violate(at(path, k + 1), "track straight",
+                                       "the track does not go straight on at vertex " +
+                                           std::to_string(vertex));
         }
     }
 

@@ -7,10 +7,10 @@
 
 namespace qm::check {
 
-/// Straight from the merge the tracks must be a motorcycle graph, by both sets of rules. A pruned layout
-/// keeps a part of such tracks, each still from a source straight on. In a component without sources the
-/// tracks make up one whole mesh line. Transversals run straight from one track or boundary to another and
-/// cost nothing.
+/// Straight from the merge the tracks must be a motorcycle graph, by both sets of rules. The tracks
+/// of a pruned layout run straight, from and to wherever the segments allow. In a component without sources
+/// the tracks make up one whole mesh line. Transversals run straight from one track or boundary to another
+/// and cost nothing.
 ///
 /// \param network  the lines of the whole mesh, with the feature seeds
 void checkLayout(const Context& context, const LineNetwork& network, const LayoutPart& part, Report& report);

@@ -73,9 +73,18 @@ Json mergeFigures(const MergeResult& result) {
 }
 
 Json pruneFigures(const PruneResult& result) {
+    Json front = Json::array();
+    for (const FrontPoint& point : result.front)
+        front.push_back({{"beta", point.beta},
+                         {"segments", point.segments},
+                         {"cost", point.cost},
+                         {"capturedSharpness", point.capturedSharpness}});
     return {{"removedTracks", result.removedTracks},
             {"keptNotQuadrilateral", result.keptNotQuadrilateral},
-            {"keptNotSmooth", result.keptNotSmooth}};
+            {"keptNotSmooth", result.keptNotSmooth},
+            {"objectiveBound", result.objectiveBound ? Json(*result.objectiveBound) : Json()},
+            {"proven", result.proven},
+            {"front", std::move(front)}};
 }
 
 namespace {

@@ -31,6 +31,13 @@ template <> struct Choices<Method> {
         Choice<Method>{Method::plain, "plain", "the plain motorcycle graph, as a baseline"}};
 };
 
+template <> struct Choices<PruneMethod> {
+    static constexpr std::array all{
+        Choice<PruneMethod>{PruneMethod::greedy, "greedy", "whole tracks, the most expensive first"},
+        Choice<PruneMethod>{PruneMethod::optimum, "optimum",
+                            "the cheapest layout of grids, over the whole base complex"}};
+};
+
 template <> struct Choices<Fit> {
     static constexpr std::array all{
         Choice<Fit>{Fit::interpolate, "interpolate", "through every vertex"},
@@ -84,10 +91,18 @@ template <class Visitor> void describe(MergeOptions& options, Visitor&& option) 
 }
 
 template <class Visitor> void describe(PruneOptions& options, Visitor&& option) {
+    option("method", options.method, Range{}, "what to remove");
     option("eta", options.eta, Range{}, "remove tracks that cost more than this; -3 suits soft models");
     option("smooth", options.smooth, Range{}, "leave out the smoothness criterion");
     option("max-turn", options.maxTurn, Range{0, 180},
            "P, the most that the boundary may turn where a removed track ended, degrees");
+    option("beta", options.beta, Range{0, infinite}, "with --method optimum: the price of a segment");
+    option("max-segments", options.maxSegments, Range{0, infinite},
+           "with --method optimum: the cheapest layout of so many segments at most, instead of their price");
+    option("time-limit", options.timeLimit, Range{0, infinite},
+           "with --method optimum: stop after this many seconds with the best so far");
+    option("front", options.front, Range{},
+           "list which numbers of segments, G_T and captured sharpness can be had, for prices of 1/16 to 64");
 }
 
 template <class Visitor> void describe(FitOptions& options, Visitor&& option) {

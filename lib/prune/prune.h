@@ -4,12 +4,35 @@
 #include "base/control.h"
 #include "merge/layout.h"
 
+#include <limits>
+#include <optional>
+#include <vector>
+
 namespace qm {
 
+enum class PruneMethod {
+    greedy, ///< the paper's: whole tracks, the most expensive first
+    optimum ///< the cheapest layout of grids, proven if there is time
+};
+
 struct PruneOptions {
-    double eta = 1;      ///< tracks that cost more than this are removed; -3 suits soft models
+    PruneMethod method = PruneMethod::greedy;
+    double eta = 1;      ///< greedy: tracks that cost more than this are removed; -3 suits soft models
     bool smooth = true;  ///< apply the smoothness criterion
     double maxTurn = 25; ///< P, degrees: the most that the boundary may turn where a removed track ended
+    double beta = 1;     ///< optimum: the price of a segment
+    /// optimum: at most so many segments, whatever they cost; then beta does not count
+    double maxSegments = std::numeric_limits<double>::infinity();
+    double timeLimit = 60; ///< optimum: seconds for one layout
+    bool front = false;    ///< list what can be had for how many segments
+};
+
+/// One of the layouts that nothing beats in both segments and G_T.
+struct FrontPoint {
+    double beta = 0;
+    std::size_t segments = 0;
+    double cost = 0;
+    double capturedSharpness = 0;
 };
 
 struct PruneResult {
@@ -17,6 +40,10 @@ struct PruneResult {
     std::size_t removedTracks = 0;
     std::size_t keptNotQuadrilateral = 0; ///< candidates kept because a segment would lose its four corners
     std::size_t keptNotSmooth = 0;        ///< candidates kept because of the smoothness criterion
+    /// Optimum: no layout has a lower G_T + beta * segments (or G_T, if their number is limited).
+    std::optional<double> objectiveBound;
+    bool proven = false;           ///< optimum: the layout attains the bound
+    std::vector<FrontPoint> front; ///< if asked for
 };
 
 /// Greedy: candidates in decreasing order of cost, ties by id; a track goes if every segment stays a grid

@@ -1,9 +1,9 @@
 #include "prune/removal.h"
 
+#include "prune/turn.h"
+
 #include <algorithm>
-#include <cmath>
 #include <map>
-#include <numbers>
 #include <numeric>
 #include <utility>
 
@@ -114,10 +114,7 @@ bool Removal::keepsGrids(const Track& track) {
 
 double Removal::turnAt(HalfedgeId leaving) const {
     const Sector sector = sectorAt(leaving);
-    const Point vertex = mesh_.point(mesh_.from_vertex_handle(leaving));
-    const Point before = vertex - mesh_.point(mesh_.to_vertex_handle(sector.left)),
-                after = mesh_.point(mesh_.to_vertex_handle(sector.right)) - vertex;
-    return std::atan2((before % after).norm(), before | after) * 180 / std::numbers::pi;
+    return turnBetween(mesh_, sector.left, sector.right);
 }
 
 double Removal::largestTurn(const Track& track) const {

@@ -522,7 +522,11 @@ TEST(CheckLayout, LetsAPrunedLayoutLackTracks) {
     part.pruned = true;
     part.tracks[0].vertices = {0, 1};
     EXPECT_TRUE(
-        found(checkDocument(model.mesh, model.document), "/layout/tracks/0/vertices/0", "track start"));
+        found(checkDocument(model.mesh, model.document), "/layout/tracks/0/vertices/0", "track inside"));
+    const auto& path = part.tracks[1].vertices; // and back again
+    part.tracks[0].vertices = {path[0], path[1], path[0]};
+    EXPECT_TRUE(
+        found(checkDocument(model.mesh, model.document), "/layout/tracks/0/vertices/1", "track straight"));
 }
 
 // ---- Meshes that are none.

@@ -15,7 +15,14 @@ using qm::Range;
 TEST(Options, AreRecordedAsTheyAreInEffect) {
     qm::PruneOptions prune;
     prune.eta = -3;
-    EXPECT_EQ(qm::optionsToJson(prune), Json({{"eta", -3.0}, {"smooth", true}, {"maxTurn", 25.0}}));
+    EXPECT_EQ(qm::optionsToJson(prune), Json({{"method", "greedy"},
+                                              {"eta", -3.0},
+                                              {"smooth", true},
+                                              {"maxTurn", 25.0},
+                                              {"beta", 1.0},
+                                              {"maxSegments", nullptr},
+                                              {"timeLimit", 60.0},
+                                              {"front", false}}));
     const Json search = qm::optionsToJson(qm::EnumerationOptions{});
     EXPECT_EQ(search["method"], "optimum");
     EXPECT_TRUE(search["timeLimit"].is_null());

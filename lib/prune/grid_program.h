@@ -1,0 +1,47 @@
+/// \file Which arcs of the base complex keep every segment a grid, as an integer program (method 2, 7, 8).
+///
+/// One binary variable an arc, and one a junction that says whether any track runs over it. A segment takes
+/// at most two quads at any vertex, so that by Gauss-Bonnet it is a grid with four corners or an annulus:
+/// - at a junction where exactly one arc of a line is in, both arcs of the other are;
+/// - of two neighbouring edges at an extraordinary vertex one is in at least.
+/// The number of segments is linear: every corner of one counts a quarter.
+#pragma once
+
+#include "basecomplex/arc_graph.h"
+#include "merge/layout.h"
+
+#include <vector>
+
+namespace qm {
+
+struct IntegerProgram {
+    struct Row {
+        std::vector<int> columns;
+        std::vector<double> weights;
+        double lower = 0;
+        double upper = 0;
+
+        /// An arc can meet a junction twice: weights of the same column add up.
+        void add(int column, double weight);
+    };
+    std::vector<double> costs; ///< of every column; all are 0 or 1
+    std::vector<Row> rows;
+};
+
+/// Columns 0 .. arcs - 1 are the arcs, and after them come the junctions.
+struct GridProgram {
+    IntegerProgram program;       ///< minimises G_T
+    std::vector<double> quarters; ///< corners that every column adds
+    double corners = 0;           ///< that are there anyway
+
+    /// Corners / 4; annuli are not counted.
+    [[nodiscard]] double segments(const std::vector<double>& values) const;
+};
+
+/// \param layout   where its tracks end is where a removal could make a border turn
+/// \param maxTurn  degrees: where a border would turn by more, what supports it must stay
+[[nodiscard]] GridProgram gridProgram(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
+                                      const std::vector<double>& arcCosts, const Layout& layout,
+                                      double maxTurn);
+
+} // namespace qm

@@ -1,0 +1,167 @@
+#include "prune/prune_optimum.h"
+
+#include "base/error.h"
+#include "enumerate/tracks.h"
+#include "prune/grid_program.h"
+#include "prune/solve_program.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace qm {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double flat = 180; ///< degrees: no border turns by more
+
+std::size_t at(EdgeId edge) {
+    return static_cast<std::size_t>(edge.idx());
+}
+
+class Pruner {
+public:
+    Pruner(const QuadMesh& mesh, const BaseComplex& complex, const Layout& layout,
+           const std::vector<double>& dihedralAngles, const std::vector<double>& edgeCosts,
+           const PruneOptions& options, const Control& control)
+        : mesh_(mesh), complex_(complex), dihedralAngles_(dihedralAngles), edgeCosts_(edgeCosts),
+          options_(options), control_(control), graph_(buildArcGraph(mesh, complex)),
+          grids_(gridProgram(mesh, complex, graph_, sumOverArcs(mesh, graph_, complex, edgeCosts), layout,
+                             options.smooth ? options.maxTurn : flat)),
+          start_(valuesOf(layout)) {}
+
+    /// \param beta  price of a segment
+    [[nodiscard]] PruneResult prune(double beta, double maxSegments) const {
+        IntegerProgram program = grids_.program;
+        for (std::size_t column = 0; column < program.costs.size(); ++column)
+            program.costs[column] += beta * grids_.quarters[column] / 4;
+        if (std::isfinite(maxSegments)) program.rows.push_back(limitOn(maxSegments));
+        const bool startObeys = grids_.segments(start_) <= maxSegments + 1e-9;
+        const ProgramSolution solution =
+            solveProgram(program, startObeys ? start_ : std::vector<double>{}, options_.timeLimit, control_);
+        if (!solution.values && !startObeys)
+            throw Error("--max-segments", "no layout of so few segments was found",
+                        "allow more, or more time");
+        const std::vector<double>& values = solution.values ? *solution.values : start_;
+        PruneResult result;
+        result.layout = layoutOf(values);
+        // Components without sources get a loop each, come what may.
+        const std::vector<double>& costs = grids_.program.costs;
+        const double loops =
+            result.layout.cost - std::inner_product(values.begin(), values.end(), costs.begin(), 0.0);
+        result.objectiveBound = solution.lowerBound + beta * grids_.corners / 4 + loops;
+        result.proven = solution.proven;
+        return result;
+    }
+
+private:
+    IntegerProgram::Row limitOn(double segments) const {
+        IntegerProgram::Row row{{}, {}, -infinity, 4 * segments - grids_.corners};
+        for (std::size_t column = 0; column < grids_.quarters.size(); ++column)
+            if (grids_.quarters[column] != 0) {
+                row.columns.push_back(static_cast<int>(column));
+                row.weights.push_back(grids_.quarters[column]);
+            }
+        return row;
+    }
+
+    std::vector<double> valuesOf(const Layout& layout) const {
+        // The loops that components without sources get are on no arc; they are made anew.
+        std::vector<bool> onArc(mesh_.n_edges(), false);
+        for (std::size_t arc = 0; arc < graph_.arcs.size(); ++arc)
+            for (const HalfedgeId halfedge : halfedgesOf(graph_, complex_, ArcId(arc)))
+                onArc[at(mesh_.edge_handle(halfedge))] = true;
+        std::vector<Track> tracks;
+        for (const LayoutTrack& track : layout.tracks)
+            if (!track.transversal && onArc[at(mesh_.edge_handle(track.track.halfedges.front()))])
+                tracks.push_back(track.track);
+        const std::vector<bool> present = presentArcs(mesh_, complex_, graph_, tracks);
+        std::vector<double> values(present.begin(), present.end());
+        for (const Junction& junction : graph_.junctions)
+            values.push_back(std::ranges::any_of(junction.arcs,
+                                                 [&](ArcId arc) { return arc.valid() && present[arc.idx()]; })
+                                 ? 1
+                                 : 0);
+        return values;
+    }
+
+    /// Every run of arcs that are in, along a line, is a track.
+    Layout layoutOf(const std::vector<double>& values) const {
+        std::vector<Track> tracks;
+        for (const Line& line : graph_.lines) {
+            bool running = false;
+            for (int k = 0; k < line.arcCount; ++k) {
+                const ArcId arc(line.firstArc.value() + k);
+                const bool in = values[arc.idx()] > 0.5;
+                if (in && !running) tracks.emplace_back();
+                running = in;
+                if (!in) continue;
+                for (const HalfedgeId halfedge : halfedgesOf(graph_, complex_, arc)) {
+                    tracks.back().halfedges.push_back(halfedge);
+                    tracks.back().cost += edgeCosts_[at(mesh_.edge_handle(halfedge))];
+                }
+            }
+        }
+        return buildLayout(mesh_, tracks, dihedralAngles_, edgeCosts_);
+    }
+
+    const QuadMesh& mesh_;
+    const BaseComplex& complex_;
+    const std::vector<double>& dihedralAngles_;
+    const std::vector<double>& edgeCosts_;
+    const PruneOptions& options_;
+    const Control& control_;
+    ArcGraph graph_;
+    GridProgram grids_;
+    std::vector<double> start_;
+};
+
+bool dominates(const FrontPoint& a, const FrontPoint& b) {
+    return a.segments <= b.segments && a.cost <= b.cost + 1e-9 &&
+           (a.segments < b.segments || a.cost < b.cost - 1e-9);
+}
+
+} // namespace
+
+PruneResult pruneToOptimum(const QuadMesh& mesh, const BaseComplex& complex, const Layout& layout,
+                           const std::vector<double>& dihedralAngles, const std::vector<double>& edgeCosts,
+                           const PruneOptions& options, const Control& control) {
+    const Pruner pruner(mesh, complex, layout, dihedralAngles, edgeCosts, options, control);
+    return pruner.prune(std::isfinite(options.maxSegments) ? 0 : options.beta, options.maxSegments);
+}
+
+std::vector<FrontPoint> pruneFront(const QuadMesh& mesh, const BaseComplex& complex, const Layout& layout,
+                                   const std::vector<double>& dihedralAngles,
+                                   const std::vector<double>& edgeCosts, const PruneOptions& options,
+                                   double rho, const Control& control) {
+    const Pruner pruner(mesh, complex, layout, dihedralAngles, edgeCosts, options, control);
+    std::vector<FrontPoint> points;
+    for (double beta = 1.0 / 16; beta <= 64 && !control.stopRequested(); beta *= 2) {
+        const PruneResult pruned = pruner.prune(beta, infinity);
+        const LayoutQuality quality = measureLayout(mesh, pruned.layout, dihedralAngles, rho);
+        const FrontPoint point{beta, quality.segments, pruned.layout.cost, quality.capturedSharpness};
+        const auto isWorse = [&](const FrontPoint& other) { return dominates(other, point); };
+        if (std::ranges::any_of(points, isWorse)) continue;
+        std::erase_if(points, [&](const FrontPoint& other) {
+            return dominates(point, other) ||
+                   (other.segments == point.segments && std::abs(other.cost - point.cost) < 1e-9);
+        });
+        points.push_back(point);
+    }
+    return points;
+}
+
+PruneResult prune(const QuadMesh& mesh, const BaseComplex& complex, const Layout& layout,
+                  const std::vector<double>& dihedralAngles, const std::vector<double>& edgeCosts,
+                  const PruneOptions& options, double rho, const Control& control) {
+    PruneResult result =
+        options.method == PruneMethod::optimum
+            ? pruneToOptimum(mesh, complex, layout, dihedralAngles, edgeCosts, options, control)
+            : pruneLayout(mesh, layout, dihedralAngles, edgeCosts, options, control);
+    if (options.front)
+        result.front = pruneFront(mesh, complex, layout, dihedralAngles, edgeCosts, options, rho, control);
+    return result;
+}
+
+} // namespace qm

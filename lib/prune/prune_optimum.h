@@ -1,0 +1,35 @@
+/// \file Pruning as an optimum: the cheapest layout of grids, whatever tracks it needs (method 8, and
+/// beyond).
+#pragma once
+
+#include "base/control.h"
+#include "basecomplex/base_complex.h"
+#include "prune/prune.h"
+
+#include <optional>
+#include <vector>
+
+namespace qm {
+
+/// Minimises G_T + beta * segments, or G_T under a number of segments, over all arcs of the base complex.
+/// Extraordinary vertices need tracks only so that no segment has a corner above 180 degrees. Annuli do not
+/// count as segments before they are split.
+/// \param layout  the start, of the same base complex; the result is never worse
+[[nodiscard]] PruneResult pruneToOptimum(const QuadMesh& mesh, const BaseComplex& complex,
+                                         const Layout& layout, const std::vector<double>& dihedralAngles,
+                                         const std::vector<double>& edgeCosts, const PruneOptions& options,
+                                         const Control& control = {});
+
+/// Layouts for a range of beta, from many segments to few; none is as good as another in segments and G_T.
+[[nodiscard]] std::vector<FrontPoint>
+pruneFront(const QuadMesh& mesh, const BaseComplex& complex, const Layout& layout,
+           const std::vector<double>& dihedralAngles, const std::vector<double>& edgeCosts,
+           const PruneOptions& options, double rho, const Control& control = {});
+
+/// What the options ask for: greedy or optimum, with or without the front.
+[[nodiscard]] PruneResult prune(const QuadMesh& mesh, const BaseComplex& complex, const Layout& layout,
+                                const std::vector<double>& dihedralAngles,
+                                const std::vector<double>& edgeCosts, const PruneOptions& options, double rho,
+                                const Control& control = {});
+
+} // namespace qm

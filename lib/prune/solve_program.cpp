@@ -1,0 +1,83 @@
+#include "prune/solve_program.h"
+
+#include <coin/CbcEventHandler.hpp>
+#include <coin/CbcModel.hpp>
+#include <coin/CoinPackedMatrix.hpp>
+#include <coin/OsiClpSolverInterface.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace qm {
+namespace {
+
+class StopHandler : public CbcEventHandler {
+public:
+    explicit StopHandler(const Control& control) : control_(control) {}
+    CbcAction event(CbcEvent) override { return control_.stopRequested() ? stop : noAction; }
+    [[nodiscard]] CbcEventHandler* clone() const override { return new StopHandler(*this); }
+
+private:
+    const Control& control_;
+};
+
+double bounded(double value) {
+    return std::isinf(value) ? std::copysign(COIN_DBL_MAX, value) : value;
+}
+
+void load(const IntegerProgram& program, OsiClpSolverInterface& solver) {
+    std::vector<int> rowOf, columnOf;
+    std::vector<double> weights, lower, upper;
+    for (const IntegerProgram::Row& row : program.rows) {
+        for (std::size_t k = 0; k < row.columns.size(); ++k) {
+            rowOf.push_back(static_cast<int>(lower.size()));
+            columnOf.push_back(row.columns[k]);
+            weights.push_back(row.weights[k]);
+        }
+        lower.push_back(bounded(row.lower));
+        upper.push_back(bounded(row.upper));
+    }
+    CoinPackedMatrix matrix(true, rowOf.data(), columnOf.data(), weights.data(),
+                            static_cast<CoinBigIndex>(weights.size()));
+    matrix.setDimensions(static_cast<int>(lower.size()), static_cast<int>(program.costs.size()));
+    const std::vector<double> zeros(program.costs.size(), 0), ones(program.costs.size(), 1);
+    solver.messageHandler()->setLogLevel(0);
+    solver.loadProblem(matrix, zeros.data(), ones.data(), program.costs.data(), lower.data(), upper.data());
+    for (int column = 0; column < static_cast<int>(program.costs.size()); ++column)
+        solver.setInteger(column);
+}
+
+} // namespace
+
+ProgramSolution solveProgram(const IntegerProgram& program, const std::vector<double>& start, double seconds,
+                             const Control& control) {
+    OsiClpSolverInterface solver;
+    load(program, solver);
+    CbcModel model(solver);
+    CbcMain0(model);
+    model.setLogLevel(0);
+    StopHandler handler(control);
+    model.passInEventHandler(&handler);
+    if (!start.empty()) {
+        double cost = 0;
+        for (std::size_t column = 0; column < start.size(); ++column)
+            cost += start[column] * program.costs[column];
+        model.setBestSolution(start.data(), static_cast<int>(start.size()), cost);
+    }
+    const std::string limit = std::to_string(std::min(seconds, 1e9));
+    const char* arguments[] = {"cbc", "-log", "0", "-sec", limit.c_str(), "-solve", "-quit"};
+    CbcMain1(7, arguments, model);
+    ProgramSolution solution;
+    solution.proven = model.isProvenOptimal();
+    solution.lowerBound = model.getBestPossibleObjValue();
+    if (const double* best = model.bestSolution()) {
+        solution.values.emplace(best, best + program.costs.size());
+        for (double& value : *solution.values)
+            value = std::round(value);
+        if (solution.proven) solution.lowerBound = model.getObjValue();
+    }
+    return solution;
+}
+
+} // namespace qm

@@ -1,0 +1,172 @@
+// Pruning as an integer program against trying every set of arcs, and against the greedy removal.
+#include "enumerate/plain.h"
+#include "mesh/dihedral.h"
+#include "prune/grid_program.h"
+#include "prune/prune_optimum.h"
+#include "prune/solve_program.h"
+#include "support/polycube.h"
+#include "support/random_graph.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <random>
+
+namespace qm::testing {
+namespace {
+
+struct Case {
+    QuadMesh mesh;
+    BaseComplex complex;
+    std::vector<double> angles;
+    std::vector<double> costs;
+    Layout layout;
+};
+
+std::optional<Case> drawCase(unsigned number) {
+    std::mt19937 random(number);
+    std::optional<QuadMesh> mesh = randomMesh(random);
+    if (!mesh) return std::nullopt;
+    Case drawn{std::move(*mesh), {}, {}, {}, {}};
+    std::uniform_real_distribution<double> angle(0, 1);
+    for (std::size_t edge = 0; edge < drawn.mesh.n_edges(); ++edge)
+        drawn.angles.push_back(angle(random));
+    drawn.costs = edgeCosts(drawn.angles, {0.9, 0.7});
+    drawn.complex = buildBaseComplex(drawn.mesh);
+    drawn.layout =
+        buildLayout(drawn.mesh, plainMotorcycleGraph(drawn.mesh, drawn.complex, drawn.costs).tracks,
+                    drawn.angles, drawn.costs);
+    return drawn;
+}
+
+std::size_t transversals(const Layout& layout) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(layout.tracks, [](const LayoutTrack& track) { return track.transversal; }));
+}
+
+PruneOptions optimum(double beta, bool smooth) {
+    PruneOptions options;
+    options.method = PruneMethod::optimum;
+    options.beta = beta;
+    options.smooth = smooth;
+    return options;
+}
+
+/// Tries all sets of arcs. \return the least objective of those that cut the mesh into grids
+double leastOfAll(const Case& drawn, const ArcGraph& graph, double beta) {
+    double least = std::numeric_limits<double>::infinity();
+    for (unsigned bits = 0; bits >> graph.arcs.size() == 0; ++bits) {
+        std::vector<Track> tracks;
+        for (std::size_t arc = 0; arc < graph.arcs.size(); ++arc) {
+            if ((bits >> arc & 1U) == 0) continue;
+            const auto halfedges = halfedgesOf(graph, drawn.complex, ArcId(arc));
+            tracks.push_back({{halfedges.begin(), halfedges.end()}, 0});
+            for (const HalfedgeId halfedge : halfedges)
+                tracks.back().cost +=
+                    drawn.costs[static_cast<std::size_t>(drawn.mesh.edge_handle(halfedge).idx())];
+        }
+        try {
+            const Layout layout = buildLayout(drawn.mesh, tracks, drawn.angles, drawn.costs);
+            const auto grids = static_cast<double>(layout.segments.size() - transversals(layout));
+            least = std::min(least, layout.cost + beta * grids);
+        } catch (const std::exception&) { // no grids
+        }
+    }
+    return least;
+}
+
+TEST(PruneProperty, TheOptimumIsThatOfAllSetsOfArcs) {
+    std::size_t compared = 0, cheaper = 0;
+    for (unsigned number = 0; number < 400 && compared < 40; ++number) {
+        const auto drawn = drawCase(number);
+        if (!drawn) continue;
+        const ArcGraph graph = buildArcGraph(drawn->mesh, drawn->complex);
+        if (graph.arcs.empty() || graph.arcs.size() > 12) continue;
+        const double beta = number % 3 == 0 ? 0 : 0.7;
+        const PruneResult pruned = pruneToOptimum(drawn->mesh, drawn->complex, drawn->layout, drawn->angles,
+                                                  drawn->costs, optimum(beta, false));
+        const auto grids = static_cast<double>(pruned.layout.segments.size() - transversals(pruned.layout));
+        ++compared;
+        EXPECT_TRUE(pruned.proven);
+        EXPECT_NEAR(pruned.layout.cost + beta * grids, leastOfAll(*drawn, graph, beta), 1e-6)
+            << "case " << number;
+        EXPECT_NEAR(*pruned.objectiveBound, pruned.layout.cost + beta * grids, 1e-6) << "case " << number;
+        if (pruned.layout.cost < drawn->layout.cost - 1e-6) ++cheaper;
+    }
+    EXPECT_GT(compared, 10U);
+    EXPECT_GT(cheaper, 3U);
+}
+
+TEST(PruneProperty, TheOptimumIsNeverWorseThanGreedyRemovalAndCountsItsSegments) {
+    for (unsigned number = 0; number < 200; ++number) {
+        const auto drawn = drawCase(number);
+        if (!drawn) continue;
+        for (const bool smooth : {false, true}) {
+            PruneOptions greedy;
+            greedy.eta = -1e9;
+            greedy.smooth = smooth;
+            const PruneResult removed =
+                pruneLayout(drawn->mesh, drawn->layout, drawn->angles, drawn->costs, greedy);
+            const PruneResult best = pruneToOptimum(drawn->mesh, drawn->complex, drawn->layout, drawn->angles,
+                                                    drawn->costs, optimum(0.5, smooth));
+            const auto objective = [](const Layout& layout) {
+                return layout.cost + 0.5 * static_cast<double>(layout.segments.size() - transversals(layout));
+            };
+            EXPECT_LE(objective(best.layout), objective(drawn->layout) + 1e-6) << "case " << number;
+            if (!smooth) {
+                EXPECT_LE(objective(best.layout), objective(removed.layout) + 1e-6) << "case " << number;
+            }
+        }
+    }
+}
+
+TEST(PruneProperty, TheNumberOfSegmentsIsKept) {
+    std::size_t limited = 0;
+    for (unsigned number = 0; number < 200; ++number) {
+        const auto drawn = drawCase(number);
+        if (!drawn) continue;
+        PruneOptions options = optimum(100, false);
+        const std::size_t fewest =
+            pruneToOptimum(drawn->mesh, drawn->complex, drawn->layout, drawn->angles, drawn->costs, options)
+                .layout.segments.size();
+        options.maxSegments = static_cast<double>(fewest);
+        const PruneResult few =
+            pruneToOptimum(drawn->mesh, drawn->complex, drawn->layout, drawn->angles, drawn->costs, options);
+        EXPECT_LE(few.layout.segments.size() - transversals(few.layout), fewest) << "case " << number;
+        if (fewest < drawn->layout.segments.size()) ++limited;
+    }
+    EXPECT_GT(limited, 5U);
+}
+
+TEST(PruneProperty, NothingOnTheFrontIsBeaten) {
+    std::size_t several = 0;
+    for (unsigned number = 0; number < 60; ++number) {
+        const auto drawn = drawCase(number);
+        if (!drawn) continue;
+        const auto front = pruneFront(drawn->mesh, drawn->complex, drawn->layout, drawn->angles, drawn->costs,
+                                      optimum(1, false), 0.7);
+        ASSERT_FALSE(front.empty());
+        for (std::size_t k = 1; k < front.size(); ++k) {
+            EXPECT_LT(front[k].segments, front[k - 1].segments);
+            EXPECT_GT(front[k].cost, front[k - 1].cost);
+        }
+        several += front.size() > 1 ? 1 : 0;
+    }
+    EXPECT_GT(several, 3U);
+}
+
+TEST(PruneProperty, AStoppedSearchKeepsTheLayout) {
+    const QuadMesh mesh = quadMesh(polycube(bump(), 3));
+    const std::vector<double> angles = dihedralAngles(mesh), costs = edgeCosts(angles, {});
+    const BaseComplex complex = buildBaseComplex(mesh);
+    const Layout layout = buildLayout(mesh, plainMotorcycleGraph(mesh, complex, costs).tracks, angles, costs);
+    PruneOptions options = optimum(1, false);
+    options.timeLimit = 0;
+    const PruneResult pruned = pruneToOptimum(mesh, complex, layout, angles, costs, options);
+    EXPECT_LE(pruned.layout.cost + static_cast<double>(pruned.layout.segments.size()),
+              layout.cost + static_cast<double>(layout.segments.size()) + 1e-6);
+}
+
+} // namespace
+} // namespace qm::testing
