@@ -4,8 +4,6 @@
 #include "document/layout_section.h"
 #include "merge/merge.h"
 
-#include <algorithm>
-
 int main(int argc, char** argv) {
     qm::MergeOptions options;
     return qm::runTool(
@@ -25,11 +23,9 @@ int main(int argc, char** argv) {
                     model.constraints, chi, options, tool.control("merging"));
                 qm::Layout layout =
                     qm::buildLayout(model.mesh, merged.graph.tracks, model.dihedralAngles, model.edgeCosts);
-                // The bound knows nothing of seeds that the layout adds where the mesh has no source.
-                const auto given = std::count_if(layout.tracks.begin(), layout.tracks.end(),
-                                                 [](const auto& track) { return !track.transversal; });
-                if (static_cast<std::size_t>(given) == merged.graph.tracks.size())
-                    layout.lowerBound = merged.lowerBound;
+                // The loops that components without sources get are in every layout.
+                if (merged.lowerBound)
+                    layout.lowerBound = *merged.lowerBound + layout.cost - merged.graph.cost;
                 tool.count("segments", static_cast<double>(layout.segments.size()));
                 tool.count("rounds", static_cast<double>(merged.rounds));
                 qm::Json section = qm::layoutToJson(model.mesh, layout, model.dihedralAngles,

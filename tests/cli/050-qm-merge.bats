@@ -57,8 +57,27 @@ is() { assert_equal "$(field "$1" out.json)" true; }
     quietly qm-check out.json
 }
 
+@test "an improved layout is never dearer, and proven where there is time" {
+    for model in block random helix; do
+        merge "$model"
+        before=$(field .layout.cost out.json)
+        merge "$model" --improve 60
+        is ".layout.cost <= $before + 1e-9 and .layout.merge.costBefore - $before == 0"
+        is '.layout.lowerBound - .layout.cost | fabs < 1e-6'
+        optimum=$(qm-enum --quiet "$(stage features "$model")" | jq '.enumeration.subMeshes[0].cost')
+        is ".layout.cost - $optimum | fabs < 1e-6"
+        quietly qm-check out.json
+    done
+}
+
+@test "no time to improve still gives a valid layout with a bound" {
+    merge random --improve 0.000001
+    is '.layout.lowerBound <= .layout.cost'
+    quietly qm-check out.json
+}
+
 @test "options out of range" {
-    for options in '--max-rounds -1' '--max-rounds x' '--max-rounds 1.5' '--max-rounds'; do
+    for options in '--max-rounds -1' '--max-rounds x' '--max-rounds 1.5' '--max-rounds' '--improve -1' '--improve x'; do
         # shellcheck disable=SC2086  # a list of words
         misused qm-merge $options "$(stage enumeration block)"
     done

@@ -51,8 +51,52 @@ is() { assert_equal "$(field "$1" out.json)" true; }
     assert_equal "$(field '.layout.segments | length' out.json)" "$(field '.layout.segments | length' pruned.json)"
 }
 
+objective() { field ".layout.cost + $1 * (.layout.segments | length)" "$2"; }
+
+@test "the optimum beats greedy removal, is proven, and qm-check accepts it" {
+    for model in block bracket random; do
+        prune "$model" --eta -1e9 --no-smooth
+        greedy=$(objective 1 out.json)
+        prune "$model" --method optimum --no-smooth
+        is ".layout.cost + (.layout.segments | length) <= $greedy + 1e-6"
+        is '.layout.prune.proven'
+        is '.layout.prune.objectiveBound <= .layout.cost + (.layout.segments | length) + 1e-6'
+        quietly qm-check out.json
+        quietly qm-bspline out.json -o surfaces.json
+        quietly qm-check surfaces.json
+    done
+}
+
+@test "the smoothness criterion can only make the optimum dearer" {
+    prune random --method optimum --no-smooth
+    rough=$(objective 1 out.json)
+    prune random --method optimum --max-turn 1
+    is ".layout.cost + (.layout.segments | length) >= $rough - 1e-6"
+    quietly qm-check out.json
+}
+
+@test "a higher price of segments leaves fewer, and their number can be limited" {
+    prune random --method optimum --no-smooth --beta 0
+    many=$(field '.layout.segments | length' out.json)
+    prune random --method optimum --no-smooth --beta 50
+    few=$(field '.layout.segments | length' out.json)
+    assert [ "$few" -lt "$many" ]
+    prune random --method optimum --no-smooth --max-segments "$few"
+    is ".layout.segments | length <= $few"
+    run -1 --separate-stderr qm-prune --method optimum --no-smooth --max-segments 1 "$(stage layout random)"
+    assert_equal "${#stderr_lines[@]}" 1
+}
+
+@test "the front trades segments for cost" {
+    prune random --front --no-smooth
+    is '.layout.prune.front | length >= 1'
+    is '[.layout.prune.front | range(1; length) as $k | .[$k].segments < .[$k - 1].segments and .[$k].cost > .[$k - 1].cost] | all'
+    prune random --no-smooth
+    is '.layout.prune.front == []'
+}
+
 @test "options out of range" {
-    for options in '--eta x' '--eta nan' '--max-turn -1' '--max-turn 181' '--max-turn'; do
+    for options in '--eta x' '--eta nan' '--max-turn -1' '--max-turn 181' '--max-turn' '--beta -1' '--max-segments -1' '--method best' '--time-limit x'; do
         # shellcheck disable=SC2086  # a list of words
         misused qm-prune $options "$(stage layout block)"
     done
