@@ -73,6 +73,7 @@ support     := $(patsubst %.cpp,$(O)/%.o,$(wildcard tests/support/*.cpp))
 unit_tests  := $(patsubst %.cpp,$(O)/%.o,$(wildcard tests/unit/*_test.cpp))
 properties  := $(patsubst %.cpp,$(O)/%.o,$(wildcard tests/property/*_test.cpp))
 benchmarks  := $(patsubst %.cpp,$(O)/%.o,$(wildcard tests/bench/*.cpp))
+programs    := $(patsubst tests/programs/%.cpp,$(O)/tests/%,$(wildcard tests/programs/*.cpp))
 fuzzers     := $(patsubst tests/fuzz/%.cpp,$(O)/fuzz/%,$(wildcard tests/fuzz/*_fuzz.cpp))
 parts       := unit property cli layers headers schemas docs
 
@@ -143,6 +144,11 @@ $(library): $(O)/objects
 # ----------------------------------------------------------------------------------------------- tests
 
 gtest = -lgtest_main -lgtest
+
+# Small programs that scripts ask: no tools, and without the library.
+$(programs): $(O)/tests/%: $(O)/tests/programs/%.o
+	@mkdir -p $(@D)
+	$(call quietly,link,$@) $(link) $^ -o $@ $(libraries)
 
 $(O)/tests/unit-tests:     $(unit_tests) $(support) $(library)
 $(O)/tests/property-tests: $(properties) $(support) $(library)
@@ -248,6 +254,12 @@ bench-dev: ## run the pipeline on a folder of real meshes and print a table; onl
 	@scripts/install-dependencies build bench
 	@$(again) all
 	@QM_BIN=$(abspath $(bin)) scripts/bench-dev '$(only)'
+
+.PHONY: bench-surfaces
+bench-surfaces: ## fit and export surfaces for a folder of real meshes and print tables; only=REGEX to filter
+	@scripts/install-dependencies build bench
+	@$(again) all $(programs)
+	@QM_BIN=$(abspath $(bin)) READ_STEP=$(abspath $(O)/tests/read-step) scripts/bench-surfaces '$(only)'
 
 # --------------------------------------------------------------------------------------------- install
 

@@ -13,7 +13,8 @@ namespace qm {
 namespace {
 
 void requireValid(const FitOptions& options) {
-    if (options.fit == Fit::tolerance && !(options.tolerance > 0 && std::isfinite(options.tolerance)))
+    if (options.fit == Fit::tolerance &&
+        !(options.tolerance.value > 0 && std::isfinite(options.tolerance.value)))
         throw Error("tolerance", "must be a positive number", "Give the largest deviation that is allowed");
     if (!(options.rho >= 0)) throw Error("rho", "must not be negative", "Give an angle in radians");
     if (options.samplesPerEdge < 1 || options.samplesPerEdge > 100)
@@ -33,8 +34,7 @@ std::vector<Patch> fittedPatches(const QuadMesh& mesh, const Layout& layout,
                                  const std::vector<double>& dihedralAngles, const FitOptions& options,
                                  const Control& control) {
     if (options.fit == Fit::tolerance) {
-        const double tolerance =
-            options.tolerance * (options.toleranceRelative ? boundingBoxDiagonal(mesh) : 1);
+        const double tolerance = options.tolerance.length(boundingBoxDiagonal(mesh));
         return fitWithinTolerance(mesh, layout, dihedralAngles, options.rho, tolerance, control.jobs);
     }
     if (options.watertight)

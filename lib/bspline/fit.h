@@ -14,12 +14,19 @@ enum class Fit {
     tolerance    ///< as few control points as the tolerance allows
 };
 
+/// A length as users give it: "0.1%" or "0.05".
+struct Tolerance {
+    double value = 0.1;
+    bool percent = true; ///< of the diagonal of the mesh's bounding box; else in the mesh's unit
+
+    [[nodiscard]] double length(double diagonal) const { return percent ? value / 100 * diagonal : value; }
+    friend bool operator==(const Tolerance&, const Tolerance&) = default;
+};
+
 struct FitOptions {
     Fit fit = Fit::interpolate;
     /// Largest deviation from the mesh, between its vertices too; used by Fit::tolerance only.
-    double tolerance = 0.001;
-    /// True: `tolerance` is a fraction of the diagonal of the bounding box; false: in the mesh's unit.
-    bool toleranceRelative = true;
+    Tolerance tolerance;
     /// Neighbouring patches share their borders exactly, across T-joints too, and their tangents wherever the
     /// border is smooth. Fit::tolerance always does; Fit::interpolate, left without, is the paper's method:
     /// every patch by itself, with free ends.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <locale>
+#include <sstream>
 
 namespace qm::check {
 
@@ -187,13 +189,25 @@ const Json& optionsOf(const Json& root, const char* tool) {
     return last == history.rend() ? none : member(*last, "options");
 }
 
+/// A number is a length, a text such as "0.1%" a share of the diagonal.
+void readTolerance(const Json& value, SurfacesPart& part) {
+    part.toleranceRelative = value.is_string();
+    if (!part.toleranceRelative) {
+        part.tolerance = number(value);
+        return;
+    }
+    double percent = 0;
+    std::istringstream stream(text(value).value_or(""));
+    stream.imbue(std::locale::classic());
+    if (stream >> percent) part.tolerance = percent / 100;
+}
+
 SurfacesPart readSurfaces(const Json& section, const Json& options) {
     SurfacesPart part;
     part.patches = all<SurfacesPart::Patch>(member(section, "patches"), readPatch);
     part.interpolates = text(member(options, "fit")) == "interpolate";
     if (text(member(options, "fit")) == "tolerance") {
-        part.tolerance = number(member(options, "tolerance"));
-        part.toleranceRelative = isTrue(member(options, "relative"));
+        readTolerance(member(options, "tolerance"), part);
         part.watertight = true;
     }
     part.watertight = part.watertight || isTrue(member(options, "watertight"));

@@ -1,6 +1,7 @@
 #include "cli/option_record.h"
 
 #include "document/number_text.h"
+#include "document/tolerance_text.h"
 
 #include <cmath>
 
@@ -74,6 +75,18 @@ OptionRecord makeOption(const std::string& name, std::size_t& value, const Range
 
 OptionRecord makeOption(const std::string& name, double& value, const Range& range, const std::string& help) {
     return makeNumber(name, value, range, help);
+}
+
+OptionRecord makeOption(const std::string& name, Tolerance& value, const Range&, const std::string& help) {
+    OptionRecord result = record(OptionRecord::Type::text, name, help);
+    result.placeholder = "X[%]";
+    result.defaultText = toleranceText(value);
+    result.show = [&value] { return toleranceText(value); };
+    result.assign = [&value](const std::string& text) {
+        return parseTolerance(text, value) ? std::string()
+                                           : "'" + text + "' is no positive number, with or without %";
+    };
+    return result;
 }
 
 OptionRecord makeTextOption(const std::string& name, std::string& value, const std::string& placeholder,

@@ -1,6 +1,7 @@
 /// \file An option bound to a variable, in the form that parser, --help and --json-usage share.
 #pragma once
 
+#include "bspline/fit.h"
 #include "document/option.h"
 
 #include <functional>
@@ -36,6 +37,8 @@ struct OptionRecord {
 [[nodiscard]] OptionRecord makeOption(const std::string& name, std::size_t& value, const Range& range,
                                       const std::string& help);
 [[nodiscard]] OptionRecord makeOption(const std::string& name, double& value, const Range& range,
+                                      const std::string& help);
+[[nodiscard]] OptionRecord makeOption(const std::string& name, Tolerance& value, const Range& range,
                                       const std::string& help);
 [[nodiscard]] OptionRecord makeTextOption(const std::string& name, std::string& value,
                                           const std::string& placeholder, const std::string& help);

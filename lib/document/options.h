@@ -107,10 +107,9 @@ template <class Visitor> void describe(PruneOptions& options, Visitor&& option) 
 
 template <class Visitor> void describe(FitOptions& options, Visitor&& option) {
     option("fit", options.fit, Range{}, "how surfaces follow the mesh");
-    option("tolerance", options.tolerance, Range{0, infinite},
-           "with --fit tolerance: the largest deviation from the mesh, as a fraction of the bounding box's "
-           "diagonal");
-    option("relative", options.toleranceRelative, Range{}, "take the tolerance in the mesh's unit instead");
+    option("tolerance", options.tolerance, Range{},
+           "with --fit tolerance: the largest deviation from the mesh, in its unit, or with % as a share of "
+           "the bounding box's diagonal");
     option("watertight", options.watertight, Range{},
            "let neighbouring patches share their borders exactly; --fit tolerance always does");
     option("rho", options.rho, Range{0, std::numbers::pi},

@@ -52,7 +52,7 @@ template <class Options> void verifyTable(Options options) {
         EXPECT_TRUE(names.insert(name).second) << name;
         EXPECT_GT(std::string(help).size(), 5U) << name;
         using Value = std::remove_cvref_t<decltype(value)>;
-        if constexpr (!std::is_enum_v<Value> && !std::is_same_v<Value, bool>) {
+        if constexpr (std::is_arithmetic_v<Value> && !std::is_same_v<Value, bool>) {
             EXPECT_GE(static_cast<double>(value), range.least) << name;
             EXPECT_LE(static_cast<double>(value), range.most) << name;
         }
@@ -73,6 +73,19 @@ TEST(Options, OfEveryModuleAreSound) {
     verifyTable(qm::MergeOptions{});
     verifyTable(qm::PruneOptions{});
     verifyTable(qm::FitOptions{});
+}
+
+TEST(OptionRecord, TakesToleranceAsLengthOrShare) {
+    qm::Tolerance tolerance;
+    const OptionRecord record = qm::makeOption("tolerance", tolerance, {}, "help");
+    EXPECT_EQ(record.defaultText, "0.1%");
+    EXPECT_EQ(record.assign("0.5%"), "");
+    EXPECT_EQ(tolerance.length(200), 1);
+    EXPECT_EQ(record.assign("0.5"), "");
+    EXPECT_EQ(tolerance.length(200), 0.5);
+    for (const char* bad : {"", "%", "0%", "-1", "1 %", "1%%", "inf", "x"})
+        EXPECT_NE(record.assign(bad), "") << bad;
+    EXPECT_EQ(record.show(), "0.5");
 }
 
 TEST(OptionRecord, RefusesWhatIsNoNumberOrOutOfRange) {

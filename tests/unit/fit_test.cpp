@@ -112,8 +112,7 @@ TEST_P(FitLayouts, KeepsEveryTolerance) {
     for (const double tolerance : {0.3, 0.03, 0.01, 0.001}) {
         FitOptions options;
         options.fit = Fit::tolerance;
-        options.tolerance = tolerance;
-        options.toleranceRelative = false;
+        options.tolerance = {tolerance, false};
         options.samplesPerEdge = 4;
         const Surfaces surfaces = fitSurfaces(mesh, layout, angles, options);
         EXPECT_LE(surfaces.deviation.max, tolerance);
@@ -142,7 +141,7 @@ TEST_P(FitLayouts, KeepsEveryTolerance) {
 TEST_P(FitLayouts, TakesAToleranceRelativeToTheDiagonal) {
     FitOptions options;
     options.fit = Fit::tolerance;
-    options.tolerance = 0.002;
+    options.tolerance = {0.2, true};
     const Surfaces surfaces = fitSurfaces(mesh, layout, angles, options);
     EXPECT_LE(surfaces.deviation.maxRelative, 0.002);
 }
@@ -237,7 +236,7 @@ TEST(Fit, RefusesOptionsOutOfRange) {
     options = {};
     options.fit = Fit::tolerance;
     for (const double bad : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
-        options.tolerance = bad;
+        options.tolerance.value = bad;
         EXPECT_THROW((void)fitSurfaces(mesh, layout, angles, options), Error);
     }
 }
@@ -250,7 +249,7 @@ TEST(Fit, MakesFlatPatchesOfSixteenPoints) {
         {{0, 0, 20, 8, 1}, {20, 0, 30, 14, 2}, {10, 14, 30, 20, 3}, {0, 8, 10, 20, 0}, {10, 8, 20, 14, 1}});
     FitOptions options;
     options.fit = Fit::tolerance;
-    options.tolerance = 1e-9;
+    options.tolerance = {1e-7, true};
     const Surfaces surfaces = fitSurfaces(mesh, layout, dihedralAngles(mesh), options);
     EXPECT_EQ(controlPointCount(surfaces), 5U * 16U);
     EXPECT_LT(surfaces.deviation.maxRelative, 1e-12);
@@ -264,8 +263,7 @@ TEST(Fit, PutsKnotsWhereTheErrorIs) {
     const Layout layout = test::makeLayout(bump, {{0, 0, 40, 10}});
     FitOptions options;
     options.fit = Fit::tolerance;
-    options.tolerance = 0.2;
-    options.toleranceRelative = false;
+    options.tolerance = {0.2, false};
     const Surfaces surfaces = fitSurfaces(mesh, layout, dihedralAngles(mesh), options);
     const Patch& patch = surfaces.patches[0];
     EXPECT_EQ(patch.count[1], 4) << "nothing happens along v";
