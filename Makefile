@@ -64,6 +64,8 @@ link    = $(CXX) $(CXXFLAGS) $(LDFLAGS)
 sources     := $(wildcard lib/*/*.cpp)
 headers     := $(wildcard lib/*/*.h)
 schemas     := $(wildcard schemas/*.schema.json)
+three       := /usr/share/javascript/three
+page_parts  := $(wildcard lib/view/page/*) $(three)/three.min.js $(three)/examples/js/controls/OrbitControls.js
 tool_names  := $(patsubst tools/%.cpp,%,$(wildcard tools/qm-*.cpp))
 library     := $(O)/libquadmesh.a
 # The release tools are what people use, so they lie where they are found.
@@ -113,7 +115,7 @@ $(tools): $(bin)/%: $(O)/tools/%.o $(library)
 	@mkdir -p $(@D)
 	$(call quietly,link,$@) $(link) $^ -o $@ $(libraries)
 
-$(library): $(sources:%.cpp=$(O)/%.o) $(O)/gen/schemas.o
+$(library): $(sources:%.cpp=$(O)/%.o) $(O)/gen/schemas.o $(O)/gen/page_parts.o
 	@rm -f $@
 	$(call quietly,archive,$@) $(AR) rcs $@ $^
 
@@ -123,7 +125,11 @@ $(O)/%.o: %.cpp $(O)/flags
 
 $(O)/gen/schemas.cpp: $(schemas) scripts/embed
 	@mkdir -p $(@D)
-	$(call quietly,embed,$@) scripts/embed $(schemas) > $@
+	$(call quietly,embed,$@) scripts/embed document/schemas.h EmbeddedSchema embeddedSchemas $(schemas) > $@
+
+$(O)/gen/page_parts.cpp: $(page_parts) scripts/embed
+	@mkdir -p $(@D)
+	$(call quietly,embed,$@) scripts/embed view/page_parts.h PagePart embeddedPageParts $(page_parts) > $@
 
 $(O)/gen/%.o: $(O)/gen/%.cpp $(O)/flags
 	$(call quietly,compile,$<) $(compile) -MMD -MP -c $< -o $@

@@ -22,10 +22,23 @@ void Stage::declareInput() {
     tool_.group(Tool::ownOptions);
 }
 
-const Model& Stage::read() {
+void Stage::parse() {
     document_ = parseDocument(tool_.readInput(), tool_.inputPath());
     (void)requireKind(document_, least_);
-    model_ = readModel(document_, reads_, meshPath_);
+}
+
+const Model& Stage::read() {
+    parse();
+    return take(readModel(document_, reads_, meshPath_));
+}
+
+const Model& Stage::readWhole() {
+    parse();
+    return take(readWholeModel(document_, meshPath_));
+}
+
+const Model& Stage::take(Model model) {
+    model_ = std::move(model);
     for (const std::string& note : model_.notes)
         tool_.warn(tool_.inputName() + ": " + note);
     tool_.count("vertices", static_cast<double>(model_.mesh.n_vertices()));

@@ -24,6 +24,8 @@ public:
 
     /// Reads the document and its mesh.
     [[nodiscard]] const Model& read();
+    /// The same with all sections that the document has, whatever its kind.
+    [[nodiscard]] const Model& readWhole();
     [[nodiscard]] const Document& document() const { return document_; }
 
     /// Puts the section into the document, and the document out. Reading must have come before, and ends
@@ -34,6 +36,8 @@ public:
 
 private:
     void declareInput();
+    void parse();
+    const Model& take(Model model);
     void writeSection(Json options, Json section);
 
     Tool& tool_;

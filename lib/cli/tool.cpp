@@ -211,7 +211,11 @@ void Tool::assignOperands(const std::vector<std::string>& words) {
     }
     for (std::size_t i = operands.size(); i < s.operands.size(); ++i)
         if (s.usage.operands[i].required) throw UsageError(s.usage.operands[i].name + " is missing");
-    if (s.verify) s.verify();
+    if (s.verify) try {
+            s.verify();
+        } catch (const Error& error) {
+            throw UsageError(error.what()); // options are all that has been read
+        }
     if (s.hasInput && s.input == "-" && isatty(STDIN_FILENO) != 0)
         throw UsageError("standard input is a terminal. Name a file, or pipe one in");
 }

@@ -30,6 +30,16 @@ public:
         return std::move(model_);
     }
 
+    Model readAll() {
+        readBaseComplex();
+        readFeatureCurves();
+        readSubMeshes();
+        if (document_.has(Kind::enumeration)) readGraphs();
+        if (document_.has(Kind::layout)) readSegments();
+        if (document_.has(Kind::surfaces)) readPatches();
+        return std::move(model_);
+    }
+
 private:
     void readBaseComplex() {
         model_.dihedralAngles = dihedralAngles(model_.mesh);
@@ -98,6 +108,10 @@ private:
 
 Model readModel(Document& document, Kind upTo, const std::string& meshPath) {
     return inFile(displayName(document.path), [&] { return ModelReader(document, meshPath).read(upTo); });
+}
+
+Model readWholeModel(Document& document, const std::string& meshPath) {
+    return inFile(displayName(document.path), [&] { return ModelReader(document, meshPath).readAll(); });
 }
 
 } // namespace qm

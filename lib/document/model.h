@@ -43,4 +43,7 @@ struct Model {
 /// of the first rule that is broken
 [[nodiscard]] Model readModel(Document& document, Kind upTo, const std::string& meshPath = {});
 
+/// The same of every section that the document has, cut and graphs too.
+[[nodiscard]] Model readWholeModel(Document& document, const std::string& meshPath = {});
+
 } // namespace qm

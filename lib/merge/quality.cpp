@@ -20,7 +20,8 @@ double capturedSharpness(const QuadMesh& mesh, const Layout& layout, const std::
             const double angle = angles[at(mesh.edge_handle(halfedge).idx())];
             if (angle > rho) captured += angle;
         }
-    return all > 0 ? captured / all : 1;
+    // The two sums are made in another order, so rounding may put the part above the whole.
+    return all > 0 ? std::min(captured / all, 1.0) : 1;
 }
 
 /// Vertices strictly inside a side of one segment that are a corner of another.

@@ -1,0 +1,92 @@
+#include "mesh/topology.h"
+#include "view/items.h"
+#include "view/layers.h"
+#include "view/palette.h"
+
+#include <optional>
+
+namespace qm {
+namespace {
+
+/// The sub-mesh of every quad whose vertices agree; faces in between belong to none.
+std::vector<std::uint32_t> labelsOfQuads(const Shell& shell, const std::vector<int>& labels) {
+    std::vector<std::uint32_t> result;
+    for (std::size_t k = 0; k + 3 < shell.quads.size(); k += 4) {
+        const int label = labels[shell.quads[k]];
+        bool same = true;
+        for (std::size_t corner = 1; corner < 4; ++corner)
+            same = same && labels[shell.quads[k + corner]] == label;
+        result.push_back(same ? static_cast<std::uint32_t>(label) : noItem);
+    }
+    return result;
+}
+
+void addTerminal(PointLayer& layer, const std::optional<VertexId>& vertex, std::size_t subMesh,
+                 const char* which) {
+    if (!vertex) return;
+    addPoint(layer, *vertex);
+    layer.items.pointers.push_back("/cut/subMeshes/" + std::to_string(subMesh) + "/" + which);
+    addFigure(layer.items, "vertex", vertex->idx());
+    addFigure(layer.items, "sub-mesh", static_cast<double>(subMesh));
+}
+
+} // namespace
+
+void addCut(Scene& scene, const QuadMesh& mesh, const Cut& cut) {
+    scene.subMeshOfVertex.assign(cut.labels.begin(), cut.labels.end());
+    FaceLayer faces;
+    faces.name = "submeshes";
+    faces.title = "sub-meshes";
+    faces.groups = labelsOfQuads(scene.shells[static_cast<std::size_t>(Base::mesh)], cut.labels);
+    faces.items.noun = "sub-mesh";
+    faces.items.pointer = "/cut/subMeshes/";
+    faces.items.count = cut.subMeshes.size();
+    PointLayer terminals;
+    terminals.name = "terminals";
+    terminals.title = "terminals of the cuts";
+    terminals.items.noun = "terminal";
+    for (std::size_t k = 0; k < cut.subMeshes.size(); ++k) {
+        addFigure(faces.items, "quasi-complexity", cut.subMeshes[k].quasiComplexity);
+        addFigure(faces.items, "ordinary junctions", static_cast<double>(cut.subMeshes[k].ordinaryJunctions));
+        addTerminal(terminals, cut.subMeshes[k].source, k, "source");
+        addTerminal(terminals, cut.subMeshes[k].sink, k, "sink");
+    }
+
+    LineLayer lines = newLines("cuts", "edges that are cut", "cut edge", "");
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> neighbours;
+    for (const EdgeId edge : mesh.edges()) {
+        const HalfedgeId halfedge = mesh.halfedge_handle(edge, 0);
+        const std::vector<VertexId> ends = {mesh.from_vertex_handle(halfedge),
+                                            mesh.to_vertex_handle(halfedge)};
+        const auto label = [&](std::size_t end) {
+            return static_cast<std::uint32_t>(cut.labels[static_cast<std::size_t>(ends[end].idx())]);
+        };
+        if (label(0) == label(1)) continue;
+        neighbours.emplace_back(label(0), label(1));
+        addItem(lines, ends);
+        addFigure(lines.items, "between sub-mesh", label(0));
+        addFigure(lines.items, "and sub-mesh", label(1));
+    }
+    faces.colours = colourNumbers(cut.subMeshes.size(), neighbours);
+    scene.faces.push_back(std::move(faces));
+    scene.lines.push_back(std::move(lines));
+    if (terminals.items.count > 0) scene.points.push_back(std::move(terminals));
+}
+
+void addGraphs(Scene& scene, const QuadMesh& mesh, const Enumeration& enumeration) {
+    LineLayer lines = newLines("graphs", "best graph of every sub-mesh", "track", "");
+    for (std::size_t k = 0; k < enumeration.subMeshes.size(); ++k) {
+        if (enumeration.subMeshes[k].graphs.empty()) continue;
+        const auto& tracks = enumeration.subMeshes[k].graphs.front().tracks;
+        for (std::size_t i = 0; i < tracks.size(); ++i) {
+            addPath(lines, verticesAlong(mesh, tracks[i].halfedges));
+            lines.items.pointers.push_back("/enumeration/subMeshes/" + std::to_string(k) +
+                                           "/graphs/0/tracks/" + std::to_string(i));
+            addFigure(lines.items, "cost", tracks[i].cost);
+            addFigure(lines.items, "sub-mesh", static_cast<double>(k));
+        }
+    }
+    scene.lines.push_back(std::move(lines));
+}
+
+} // namespace qm

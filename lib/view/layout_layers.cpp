@@ -1,0 +1,68 @@
+#include "mesh/topology.h"
+#include "view/items.h"
+#include "view/layers.h"
+#include "view/palette.h"
+
+#include <limits>
+
+namespace qm {
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+/// Pairs of segments on both sides of an edge.
+std::vector<std::pair<std::uint32_t, std::uint32_t>>
+neighbouringSegments(const QuadMesh& mesh, const std::vector<std::uint32_t>& of) {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+    for (const EdgeId edge : mesh.edges()) {
+        if (mesh.is_boundary(edge)) continue;
+        const auto side = [&](unsigned k) {
+            return of[static_cast<std::size_t>(mesh.face_handle(mesh.halfedge_handle(edge, k)).idx())];
+        };
+        if (side(0) != side(1)) pairs.emplace_back(side(0), side(1));
+    }
+    return pairs;
+}
+
+void addSegments(Scene& scene, const QuadMesh& mesh, const Layout& layout) {
+    FaceLayer faces;
+    faces.name = "segments";
+    faces.title = "segments";
+    faces.groups.assign(mesh.n_faces(), noItem);
+    faces.items.noun = "segment";
+    faces.items.pointer = "/layout/segments/";
+    faces.items.count = layout.segments.size();
+    LineLayer borders = newLines("borders", "borders of segments", "side", "");
+    for (std::size_t k = 0; k < layout.segments.size(); ++k) {
+        const Segment& segment = layout.segments[k];
+        for (const FaceId face : segment.faces)
+            faces.groups[static_cast<std::size_t>(face.idx())] = static_cast<std::uint32_t>(k);
+        addFigure(faces.items, "quads along side 0", segment.size[0]);
+        addFigure(faces.items, "quads along side 1", segment.size[1]);
+        for (std::size_t side = 0; side < 4; ++side) {
+            addFigure(faces.items, "corner " + std::to_string(side), segment.corners[side].idx());
+            addPath(borders, segment.sides[side]);
+            borders.items.pointers.push_back("/layout/segments/" + std::to_string(k) + "/sides/" +
+                                             std::to_string(side));
+            addFigure(borders.items, "of segment", static_cast<double>(k));
+        }
+    }
+    faces.colours = colourNumbers(layout.segments.size(), neighbouringSegments(mesh, faces.groups));
+    scene.faces.push_back(std::move(faces));
+    scene.lines.push_back(std::move(borders));
+}
+
+} // namespace
+
+void addLayout(Scene& scene, const QuadMesh& mesh, const Layout& layout) {
+    addSegments(scene, mesh, layout);
+    LineLayer tracks = newLines("tracks", "tracks", "track", "/layout/tracks/");
+    for (const LayoutTrack& track : layout.tracks) {
+        addPath(tracks, verticesAlong(mesh, track.track.halfedges));
+        addFigure(tracks.items, "cost", track.track.cost);
+        addFigure(tracks.items, "transversal", track.transversal ? 1 : nothing);
+    }
+    scene.lines.push_back(std::move(tracks));
+}
+
+} // namespace qm

@@ -1,0 +1,91 @@
+#include "mesh/topology.h"
+#include "view/items.h"
+#include "view/layers.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace qm {
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+void addEdges(Scene& scene, const QuadMesh& mesh, const std::vector<double>& dihedralAngles) {
+    LineLayer edges = newLines("edges", "mesh edges", "edge", "");
+    for (const EdgeId edge : mesh.edges()) {
+        const HalfedgeId halfedge = mesh.halfedge_handle(edge, 0);
+        addItem(edges, {mesh.from_vertex_handle(halfedge), mesh.to_vertex_handle(halfedge)});
+        addFigure(edges.items, "dihedral angle, degrees",
+                  dihedralAngles[static_cast<std::size_t>(edge.idx())] * 180 / std::numbers::pi);
+    }
+    scene.lines.push_back(std::move(edges));
+}
+
+} // namespace
+
+void appendPosition(std::vector<float>& positions, const Point& point, const Point& centre) {
+    for (unsigned k = 0; k < 3; ++k)
+        positions.push_back(static_cast<float>(point[k] - centre[k]));
+}
+
+void addMesh(Scene& scene, const Viewed& viewed, const Point& centre) {
+    const QuadMesh& mesh = viewed.mesh;
+    Shell& shell = scene.shells[static_cast<std::size_t>(Base::mesh)];
+    for (const VertexId vertex : mesh.vertices())
+        appendPosition(shell.positions, mesh.point(vertex), centre);
+    for (const FaceId face : mesh.faces()) {
+        for (const VertexId vertex : mesh.fv_range(face))
+            shell.quads.push_back(static_cast<std::uint32_t>(vertex.idx()));
+        shell.faces.push_back(static_cast<std::uint32_t>(face.idx()));
+    }
+    FaceLayer faces;
+    faces.name = "mesh";
+    faces.title = "mesh";
+    scene.faces.push_back(std::move(faces));
+    addEdges(scene, mesh, viewed.dihedralAngles);
+}
+
+void addBaseComplex(Scene& scene, const Viewed& viewed) {
+    const QuadMesh& mesh = viewed.mesh;
+    LineLayer lines = newLines("separatrices", "separatrices", "separatrix", "/baseComplex/separatrices/");
+    for (const Separatrix& separatrix : viewed.baseComplex.separatrices) {
+        addPath(lines, verticesAlong(mesh, separatrix.halfedges));
+        addFigure(lines.items, "opposite",
+                  separatrix.opposite ? static_cast<double>(separatrix.opposite->value()) : nothing);
+        addFigure(lines.items, "crosses itself", separatrix.selfCrossing ? 1 : nothing);
+    }
+    scene.lines.push_back(std::move(lines));
+
+    PointLayer points;
+    points.name = "extraordinary";
+    points.title = "extraordinary vertices";
+    points.items.noun = "extraordinary vertex";
+    points.items.pointer = "/baseComplex/extraordinaryVertices/";
+    for (const VertexId vertex : viewed.baseComplex.extraordinaryVertices) {
+        addPoint(points, vertex);
+        addFigure(points.items, "vertex", vertex.idx());
+        addFigure(points.items, "edges", mesh.valence(vertex));
+        addFigure(points.items, "on the boundary", mesh.is_boundary(vertex) ? 1 : nothing);
+    }
+    scene.points.push_back(std::move(points));
+}
+
+void addFeatures(Scene& scene, const Viewed& viewed) {
+    if (viewed.features.curves.empty()) return;
+    LineLayer lines = newLines("features", "feature curves", "feature curve", "/features/curves/");
+    PointLayer seeds;
+    seeds.name = "seeds";
+    seeds.title = "feature seeds";
+    seeds.items.noun = "seed of feature curve";
+    seeds.items.pointer = "/features/curves/";
+    for (const FeatureCurve& curve : viewed.features.curves) {
+        addPath(lines, verticesAlong(viewed.mesh, curve.halfedges));
+        addPoint(seeds, curve.seed);
+        addFigure(seeds.items, "vertex", curve.seed.idx());
+    }
+    scene.lines.push_back(std::move(lines));
+    scene.points.push_back(std::move(seeds));
+}
+
+} // namespace qm

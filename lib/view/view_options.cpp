@@ -1,0 +1,60 @@
+#include "view/view_options.h"
+
+#include "base/error.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace qm {
+namespace {
+
+std::vector<std::string> split(const std::string& text, char mark) {
+    std::vector<std::string> parts(1);
+    for (const char c : text) {
+        if (c == mark)
+            parts.emplace_back();
+        else
+            parts.back() += c;
+    }
+    return parts;
+}
+
+template <class Number> bool parse(const std::string& text, Number& value) {
+    const char* end = text.data() + text.size();
+    const auto [stop, failure] = std::from_chars(text.data(), end, value);
+    return failure == std::errc{} && stop == end;
+}
+
+} // namespace
+
+std::vector<std::string> parseNames(const std::string& text) {
+    std::vector<std::string> names;
+    for (std::string& name : split(text, ','))
+        if (!name.empty()) names.push_back(std::move(name));
+    return names;
+}
+
+std::array<double, 3> parseDirection(const std::string& text) {
+    const auto parts = split(text, ',');
+    std::array<double, 3> direction{};
+    bool sound = parts.size() == direction.size();
+    for (std::size_t k = 0; sound && k < direction.size(); ++k)
+        sound = parse(parts[k], direction[k]) && std::isfinite(direction[k]);
+    if (!sound || std::hypot(direction[0], direction[1], direction[2]) == 0)
+        throw Error("", "'" + text + "' is no direction", "Give three numbers, such as 1,-1,0.5");
+    return direction;
+}
+
+PictureSize parseSize(const std::string& text) {
+    constexpr int least = 16;
+    constexpr int most = 8192;
+    const auto parts = split(text, 'x');
+    PictureSize size;
+    if (parts.size() != 2 || !parse(parts[0], size.width) || !parse(parts[1], size.height) ||
+        std::min(size.width, size.height) < least || std::max(size.width, size.height) > most)
+        throw Error("", "'" + text + "' is no size of a picture", "Give width and height, such as 1200x900");
+    return size;
+}
+
+} // namespace qm

@@ -1,0 +1,26 @@
+/// \file What a user may say about a page, as text.
+#pragma once
+
+#include "view/page.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace qm {
+
+/// "segments,borders" as a list.
+[[nodiscard]] std::vector<std::string> parseNames(const std::string& text);
+
+/// "1,-1.5,0.9" as a direction. \throw Error  if it is not three numbers, or all are zero
+[[nodiscard]] std::array<double, 3> parseDirection(const std::string& text);
+
+struct PictureSize {
+    int width = 1200;
+    int height = 900;
+};
+
+/// "1200x900". \throw Error  if it is not two whole numbers from 16 to 8192
+[[nodiscard]] PictureSize parseSize(const std::string& text);
+
+} // namespace qm

@@ -1,0 +1,131 @@
+# qm-view: a page for a document of any kind. What needs a browser is skipped where there is none.
+
+load helpers.bash
+
+setup_file() {
+    load helpers.bash
+    stage surfaces block >/dev/null
+}
+
+KINDS=(basecomplex features cut enumeration layout surfaces)
+
+# seen PAGE: how many items of each layer a headless Chromium sees, as JSON; fails if the page complains in any way.
+seen() {
+    command -v chromium >/dev/null || skip 'there is no Chromium'
+    local root=()
+    ((EUID != 0)) || root=(--no-sandbox)
+    timeout 120 chromium --headless "${root[@]}" --use-angle=swiftshader --enable-unsafe-swiftshader --window-size=1000,700 \
+        --user-data-dir="$PWD/profile" --virtual-time-budget=5000 --enable-logging=stderr --v=0 \
+        --dump-dom "file://$PWD/$1#census" >dom 2>log
+    # What the graphics driver says about reading pixels back is no fault of the page.
+    ! grep CONSOLE log | grep -v 'GL Driver Message' || return 1
+    grep -q '<output id="status"[^>]*>ready</output>' dom || return 1
+    grep -oP 'data-census="\K[^"]*' dom | sed 's/&quot;/"/g'
+}
+
+@test "a page for every kind of document, in one file that asks nothing of the network" {
+    for kind in "${KINDS[@]}"; do
+        quietly qm-view "$(stage "$kind" block)" -o page.html
+        assert_equal "$(head -n 1 page.html)" '<!doctype html>'
+        assert_equal "$(tail -n 1 page.html)" '</html>'
+        run grep -cE '<(script|img|iframe|link)[^>]+(src|href)="?(https?:)?//' page.html
+        assert_output 0
+    done
+}
+
+@test "the same bytes every time, by name and by pipe" {
+    qm-view "$(stage surfaces block)" >one
+    qm-view --jobs 1 "$(stage surfaces block)" >two
+    assert_same_bytes one two
+    qm-view --mesh "$(sample block)" <"$(stage surfaces block)" >three
+    assert_same_bytes one three
+}
+
+@test "the layers of every kind are seen" {
+    for kind in "${KINDS[@]}"; do
+        qm-view "$(stage "$kind" block)" >page.html
+        census=$(seen page.html)
+        case $kind in
+        basecomplex | features) expected='.mesh > 0 and .separatrices > 0' ;;
+        cut) expected='.submeshes > 0 and .separatrices > 0' ;;
+        enumeration) expected='.submeshes > 0 and .graphs > 0' ;;
+        layout) expected='.segments > 0 and .borders > 0' ;;
+        surfaces) expected='.deviation > 0 and .curves > 0' ;;
+        esac
+        assert_equal "$kind: $(jq "$expected and .extraordinary > 0" <<<"$census")" "$kind: true"
+    done
+}
+
+@test "--show switches layers, and looking from the other side shows other items" {
+    qm-view --show segments,tracks "$(stage layout block)" >page.html
+    assert_equal "$(seen page.html | jq -c 'keys')" '["segments","tracks"]'
+    for view in 0,0,1 0,0,-1; do
+        qm-view --show extraordinary,mesh --view "$view" "$(stage layout block)" >page.html
+        seen page.html | jq .extraordinary
+    done >counts
+    qm-view --show extraordinary "$(stage layout block)" >page.html
+    assert_equal "$(seen page.html | jq .extraordinary)" "$(field '.baseComplex.extraordinaryVertices | length' "$(stage layout block)")"
+    while read -r count; do assert [ "$count" -gt 0 ]; done <counts
+}
+
+@test "pointing, finding and keys work" {
+    qm-view "$(stage layout block)" >page.html
+    cat >>page.html <<'EOF'
+<script>
+const canvas = document.getElementById('canvas');
+const box = canvas.getBoundingClientRect();
+const at = { clientX: box.left + box.width / 2, clientY: box.top + box.height / 2, bubbles: true };
+canvas.dispatchEvent(new PointerEvent('pointermove', at));
+const press = (key) => canvas.dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true }));
+requestAnimationFrame(() => requestAnimationFrame(() => {
+  const say = (name, value) => { document.body.dataset[name] = value; };
+  say('tip', document.getElementById('tip').textContent);
+  document.getElementById('wanted').value = 'separatrix 3';
+  document.getElementById('find').requestSubmit();
+  say('info', document.querySelector('#info code').textContent);
+  document.getElementById('wanted').value = 'separatrix 999999';
+  document.getElementById('find').requestSubmit();
+  say('found', document.getElementById('found').textContent);
+  ['ArrowLeft', 'ArrowUp', '+', '-', 'x', 'y', 'z', '0', 't'].forEach(press);
+  say('transparent', document.getElementById('transparent').checked);
+}));
+</script>
+EOF
+    seen page.html >census
+    grep -qE 'data-tip="[^"]*(segment|side|edge|extraordinary)' dom
+    grep -q 'data-info="/baseComplex/separatrices/3"' dom
+    grep -q 'data-found="There is no separatrix 999999' dom
+    grep -q 'data-transparent="true"' dom
+}
+
+@test "--png takes a picture of the size that was asked for, and writes no page unless told" {
+    command -v chromium >/dev/null || skip 'there is no Chromium'
+    quietly qm-view "$(stage layout block)" --png block.png --size 320x240
+    assert_equal "$output" ''
+    # Width and height stand at byte 16 of a PNG file.
+    assert_equal "$(od -An -tu1 -j16 -N8 block.png | xargs)" '0 0 1 64 0 0 0 240'
+    quietly qm-view "$(stage layout block)" --png mesh.png --size 320x240 --show mesh -o mesh.html
+    assert [ -s mesh.html ]
+    run cmp -s block.png mesh.png
+    assert_failure
+}
+
+@test "without a browser --png says what to install, and writes nothing" {
+    mkdir bare
+    run --separate-stderr env PATH="$PWD/bare" "$QM_BIN/qm-view" "$(stage layout block)" --png block.png
+    assert_complaint qm-view
+    assert_regex "$stderr" 'chromium'
+    assert [ ! -e block.png ]
+}
+
+@test "bad options are usage errors, missing layers are named" {
+    misused qm-view --size 10 "$(stage layout block)"
+    misused qm-view --size 5x5 "$(stage layout block)"
+    misused qm-view --view 0,0,0 "$(stage layout block)"
+    misused qm-view --up 1,2 "$(stage layout block)"
+    misused qm-view --png same -o same "$(stage layout block)"
+    complains qm-view --show segments "$(stage cut block)"
+    assert_regex "$stderr" 'no layer segments'
+    complains qm-view --show mesh,segments "$(stage layout block)"
+    assert_regex "$stderr" 'both colour the faces'
+}
