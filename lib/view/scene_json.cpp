@@ -102,8 +102,9 @@ std::string sceneJson(const Scene& scene, const PageOptions& options) {
                        {"points", list(scene.points)},
                        {"shown", options.shown.empty() ? scene.shown : options.shown}};
     std::string text = root.dump(-1, ' ', false, Json::error_handler_t::replace);
-    for (std::size_t at = text.find("</"); at != std::string::npos; at = text.find("</", at + 3))
-        text.insert(at + 1, 1, '\\');
+    // Of what could end a script's element, or change how it is read, all begins so.
+    for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at))
+        text.replace(at, 1, "\\u003c");
     return text;
 }
 

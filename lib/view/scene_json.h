@@ -7,7 +7,7 @@
 
 namespace qm {
 
-/// Holds no "</", so that it may stand inside an element of a page.
+/// Holds no "<", so that it may stand inside an element of a page.
 [[nodiscard]] std::string sceneJson(const Scene& scene, const PageOptions& options);
 
 } // namespace qm
