@@ -2,10 +2,13 @@
 
 #include "bspline/design_matrix.h"
 #include "bspline/knot_refinement.h"
+#include "bspline/slide.h"
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace qm {
@@ -13,10 +16,10 @@ namespace {
 
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 
-/// Weights of the slopes at the ends, in turn: once knots are found with the first, the others say how far
-/// they can be met for nothing.
+/// Weights of the slopes at the ends: knots are looked for with the first, and with none where that fails;
+/// once they are found, the others, in turn, say how far the slopes can be met for nothing.
 constexpr double firstSlopeWeight = 1;
-constexpr std::array<double, 3> heavierSlopeWeights = {64, 16, 4};
+constexpr std::array<double, 7> slopeWeights = {64, 16, 4, 1, 0.25, 0.0625, 0.015625};
 
 Eigen::RowVector3d row(const Point& point) {
     return {point[0], point[1], point[2]};
@@ -82,8 +85,9 @@ struct Attempt {
 
 class CurveFit {
 public:
-    explicit CurveFit(const CurveFitInput& input)
-        : input_(input), parameters_(sampleParameters(static_cast<int>(input.points.size()) - 1, fitSteps)),
+    CurveFit(const CurveFitInput& input, bool slides)
+        : input_(input), slides_(slides),
+          parameters_(sampleParameters(static_cast<int>(input.points.size()) - 1, fitSteps)),
           target_(target(input)) {}
 
     [[nodiscard]] Attempt attempt(const std::vector<double>& knots, double slopeWeight) const {
@@ -106,7 +110,7 @@ public:
     bool mark(const Attempt& attempt, double tolerance, double exact, KnotRefinement& refinement) const {
         bool found = false;
         for (std::size_t k = 0; k < parameters_.size(); ++k) {
-            const double distance = attempt.error.row(static_cast<int>(k)).norm();
+            const double distance = counted(k, attempt.error.row(static_cast<int>(k)), tolerance);
             if (distance > tolerance) {
                 refinement.addError(parameters_[k], distance);
                 found = true;
@@ -121,6 +125,24 @@ public:
     }
 
 private:
+    /// The error at a sample; at a vertex of the polyline it counts across both edges.
+    [[nodiscard]] double counted(std::size_t sample, const Eigen::RowVector3d& error,
+                                 double tolerance) const {
+        if (!slides_ || error.norm() <= tolerance) return error.norm();
+        const std::size_t edges = input_.points.size() - 1;
+        const std::size_t edge = std::min(sample / fitSteps, edges - 1);
+        const std::size_t first = sample % fitSteps == 0 && edge > 0 ? edge - 1 : edge;
+        double result = 0;
+        for (std::size_t k = first; k <= edge; ++k) {
+            const Eigen::RowVector3d along = row(input_.points[k + 1] - input_.points[k]);
+            if (along.squaredNorm() == 0) return error.norm();
+            const double slide = error.dot(along) / along.squaredNorm();
+            const double off = (error - slide * along).norm();
+            result = std::max(result, countedError(off, std::abs(slide), curveSlide, tolerance));
+        }
+        return result;
+    }
+
     /// The conditions on all control points but the first and the last, which are known.
     [[nodiscard]] std::pair<SparseMatrix, Rows> passThrough(const std::vector<double>& knots,
                                                             const Rows& known) const {
@@ -137,6 +159,7 @@ private:
     }
 
     const CurveFitInput& input_;
+    bool slides_;
     std::vector<double> parameters_;
     Rows target_;
 };
@@ -151,8 +174,8 @@ SplineCurve curveOf(const std::vector<double>& knots, const Rows& control) {
 
 } // namespace
 
-SplineCurve fitCurve(const CurveFitInput& input, double tolerance, double exact) {
-    const CurveFit fit(input);
+SplineCurve fitCurve(const CurveFitInput& input, double tolerance, double exact, bool slides) {
+    const CurveFit fit(input, slides);
     std::vector<double> knots = bareKnots(static_cast<double>(input.points.size() - 1));
     double slopeWeight = firstSlopeWeight;
     while (true) {
@@ -169,10 +192,10 @@ SplineCurve fitCurve(const CurveFitInput& input, double tolerance, double exact)
                 knots = refined;
             continue;
         }
-        for (const double weight : heavierSlopeWeights) {
+        for (const double weight : slopeWeights) {
+            if (!fits) break;
             const Attempt smoother = fit.attempt(knots, weight);
-            if (fits && slopeWeight > 0 && !fit.mark(smoother, tolerance, exact, refinement))
-                return curveOf(knots, smoother.control);
+            if (!fit.mark(smoother, tolerance, exact, refinement)) return curveOf(knots, smoother.control);
         }
         return curveOf(knots, attempt.control);
     }

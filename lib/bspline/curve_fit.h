@@ -17,8 +17,10 @@ struct CurveFitInput {
 
 /// Least squares with the ends and the fixed points met exactly, starting with one cubic; intervals with too
 /// large an error get knots until at every quarter of an edge the distance to the polyline's point of the
-/// same parameter is within the tolerance. Always succeeds: in the end the space holds the polyline.
-/// \param exact  how far from a fixed point the curve may pass for rounding's sake
-[[nodiscard]] SplineCurve fitCurve(const CurveFitInput& input, double tolerance, double exact);
+/// same parameter, or, if it slides, to the polyline's tangent there, is within the tolerance. Always
+/// succeeds: in the end the space holds the polyline. \param exact  how far from a fixed point the curve may
+/// pass for rounding's sake
+[[nodiscard]] SplineCurve fitCurve(const CurveFitInput& input, double tolerance, double exact,
+                                   bool slides = false);
 
 } // namespace qm

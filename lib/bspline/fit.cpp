@@ -7,6 +7,7 @@
 #include "bspline/tolerance.h"
 #include "bspline/watertight.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace qm {
@@ -30,16 +31,37 @@ std::vector<Patch> interpolateSegments(const QuadMesh& mesh, const Layout& layou
     return patches;
 }
 
-std::vector<Patch> fittedPatches(const QuadMesh& mesh, const Layout& layout,
-                                 const std::vector<double>& dihedralAngles, const FitOptions& options,
-                                 const Control& control) {
-    if (options.fit == Fit::tolerance) {
-        const double tolerance = options.tolerance.length(boundingBoxDiagonal(mesh));
-        return fitWithinTolerance(mesh, layout, dihedralAngles, options.rho, tolerance, control.jobs);
-    }
+std::vector<Patch> interpolatedPatches(const QuadMesh& mesh, const Layout& layout,
+                                       const std::vector<double>& dihedralAngles, const FitOptions& options,
+                                       const Control& control) {
     if (options.watertight)
         return interpolateWatertight(mesh, layout, dihedralAngles, options.rho, control.jobs);
     return interpolateSegments(mesh, layout, control);
+}
+
+/// Patches and how far they are from the mesh.
+Surfaces measured(const QuadMesh& mesh, const Layout& layout, const std::vector<double>& dihedralAngles,
+                  std::vector<Patch> patches, const FitOptions& options, const Control& control) {
+    auto deviation = measureDeviation(mesh, layout, dihedralAngles, patches,
+                                      {options.rho, options.samplesPerEdge}, control);
+    return {std::move(patches), deviation.ofAll, std::move(deviation.ofPatch)};
+}
+
+Surfaces fitWithinTolerance(const QuadMesh& mesh, const Layout& layout,
+                            const std::vector<double>& dihedralAngles, const FitOptions& options,
+                            const Control& control) {
+    const double tolerance = options.tolerance.length(boundingBoxDiagonal(mesh));
+    ToleranceFit fit(mesh, layout, dihedralAngles, options.rho, tolerance, control.jobs);
+    constexpr int enough = 6; // by then the fit is certain of the tolerance
+    for (int round = 0;; ++round) {
+        control.progress(0.5);
+        Surfaces surfaces = measured(mesh, layout, dihedralAngles, fit.patches(), options, control);
+        std::vector<bool> missed;
+        for (const Deviation& deviation : surfaces.ofPatch)
+            missed.push_back(deviation.max > tolerance);
+        if (round == enough || std::find(missed.begin(), missed.end(), true) == missed.end()) return surfaces;
+        fit.tighten(missed);
+    }
 }
 
 } // namespace
@@ -47,13 +69,11 @@ std::vector<Patch> fittedPatches(const QuadMesh& mesh, const Layout& layout,
 Surfaces fitSurfaces(const QuadMesh& mesh, const Layout& layout, const std::vector<double>& dihedralAngles,
                      const FitOptions& options, const Control& control) {
     requireValid(options);
-    Surfaces surfaces;
-    surfaces.patches = fittedPatches(mesh, layout, dihedralAngles, options, control);
-    control.progress(0.5);
-    auto measured = measureDeviation(mesh, layout, dihedralAngles, surfaces.patches,
-                                     {options.rho, options.samplesPerEdge}, control);
-    surfaces.deviation = measured.ofAll;
-    surfaces.ofPatch = std::move(measured.ofPatch);
+    Surfaces surfaces =
+        options.fit == Fit::tolerance
+            ? fitWithinTolerance(mesh, layout, dihedralAngles, options, control)
+            : measured(mesh, layout, dihedralAngles,
+                       interpolatedPatches(mesh, layout, dihedralAngles, options, control), options, control);
     control.progress(1);
     return surfaces;
 }

@@ -1,8 +1,10 @@
 #include "bspline/patch_fit.h"
 
 #include "bspline/design_matrix.h"
+#include "bspline/evaluate.h"
 #include "bspline/knot_refinement.h"
 #include "bspline/mesh_distance.h"
+#include "bspline/slide.h"
 
 #include <Eigen/Core>
 
@@ -16,10 +18,10 @@ namespace {
 using Net = std::array<Eigen::MatrixXd, 3>;
 using Factor = Eigen::SimplicialLDLT<SparseMatrix>;
 
-/// Weights of the derivatives across the border, in turn: once knots are found with the first, the others say
-/// how far smoothness can be had for nothing.
+/// Weights of the derivatives across the border: knots are looked for with the first, and with none where
+/// that fails; once they are found, the others, in turn, say how far smoothness can be had for nothing.
 constexpr double firstSlopeWeight = 1;
-constexpr std::array<double, 3> heavierSlopeWeights = {64, 16, 4};
+constexpr std::array<double, 7> slopeWeights = {64, 16, 4, 1, 0.25, 0.0625, 0.015625};
 
 struct Target {
     std::array<std::vector<double>, 2> parameters;
@@ -101,7 +103,8 @@ struct Attempt {
 
 class PatchFit {
 public:
-    explicit PatchFit(const PatchFitInput& input) : input_(input), target_(target(input)) {}
+    PatchFit(const PatchFitInput& input, bool slides)
+        : input_(input), slides_(slides), target_(target(input)) {}
 
     [[nodiscard]] Attempt attempt(const std::array<std::vector<double>, 2>& knots, double slopeWeight) const {
         const Direction u(knots[0], target_.parameters[0], weights(1, slopeWeight));
@@ -139,7 +142,7 @@ public:
         const auto nv = static_cast<Eigen::Index>(target_.parameters[1].size());
         for (Eigen::Index j = 0; j < nv; ++j)
             for (Eigen::Index i = 0; i < nu; ++i) {
-                const double error = get(attempt.error, i, j).norm();
+                const double error = counted(get(attempt.error, i, j), i, j, tolerance);
                 if (!(error > tolerance)) continue;
                 found = true;
                 const std::array<double, 2> at = {target_.parameters[0][static_cast<std::size_t>(i)],
@@ -153,6 +156,37 @@ public:
     }
 
 private:
+    /// The error at a sample; at edges and vertices of the mesh it counts off all quads of the segment there.
+    [[nodiscard]] double counted(const Point& error, Eigen::Index i, Eigen::Index j, double tolerance) const {
+        if (!slides_ || error.norm() <= tolerance) return error.norm();
+        const auto quads = [](Eigen::Index sample, int size) {
+            const auto last = std::min<Eigen::Index>(sample / fitSteps, size - 1);
+            return std::pair(
+                sample % fitSteps == 0 && last > 0 && sample / fitSteps == last ? last - 1 : last, last);
+        };
+        const auto [firstColumn, lastColumn] = quads(i, input_.size[0]);
+        const auto [firstRow, lastRow] = quads(j, input_.size[1]);
+        const auto width = static_cast<std::size_t>(input_.size[0]) + 1;
+        double result = 0;
+        for (Eigen::Index row = firstRow; row <= lastRow; ++row)
+            for (Eigen::Index column = firstColumn; column <= lastColumn; ++column) {
+                const Point* corner = input_.grid.data() + static_cast<std::size_t>(row) * width + column;
+                const double s = static_cast<double>(i) / fitSteps - static_cast<double>(column);
+                const double t = static_cast<double>(j) / fitSteps - static_cast<double>(row);
+                const Point alongU =
+                    (1 - t) * (corner[1] - corner[0]) + t * (corner[width + 1] - corner[width]);
+                const Point alongV =
+                    (1 - s) * (corner[width] - corner[0]) + s * (corner[width + 1] - corner[1]);
+                const Point normal = unitNormal(alongU, alongV);
+                if (normal.sqrnorm() == 0) return error.norm();
+                const double slide = std::max(std::abs(error | alongU) / alongU.sqrnorm(),
+                                              std::abs(error | alongV) / alongV.sqrnorm());
+                result =
+                    std::max(result, countedError(std::abs(error | normal), slide, patchSlide, tolerance));
+            }
+        return result;
+    }
+
     [[nodiscard]] std::array<double, 2> weights(std::size_t across, double slopeWeight) const {
         std::array<double, 2> result{};
         for (std::size_t end = 0; end < 2; ++end)
@@ -178,6 +212,7 @@ private:
     }
 
     const PatchFitInput& input_;
+    bool slides_;
     Target target_;
 };
 
@@ -208,7 +243,7 @@ Patch quadsAsPatch(const PatchFitInput& input) {
 
 /// Of the fits over the patch's knots within the tolerance, the one that aims hardest at the derivatives.
 Patch smoothest(const PatchFit& fit, const Patch& patch, double tolerance) {
-    for (const double weight : heavierSlopeWeights) {
+    for (const double weight : slopeWeights) {
         const Attempt attempt = fit.attempt(patch.knots, weight);
         std::array<KnotRefinement, 2> unused = {KnotRefinement(patch.knots[0]),
                                                 KnotRefinement(patch.knots[1])};
@@ -219,8 +254,8 @@ Patch smoothest(const PatchFit& fit, const Patch& patch, double tolerance) {
 
 } // namespace
 
-Patch fitPatch(const PatchFitInput& input, double tolerance) {
-    const PatchFit fit(input);
+Patch fitPatch(const PatchFitInput& input, double tolerance, bool slides) {
+    const PatchFit fit(input, slides);
     std::array<std::vector<double>, 2> knots;
     for (std::size_t d = 0; d < 2; ++d)
         knots[d] = commonKnots(input.border[d][0].knots, input.border[d][1].knots);
@@ -228,8 +263,7 @@ Patch fitPatch(const PatchFitInput& input, double tolerance) {
     while (true) {
         const Attempt attempt = fit.attempt(knots, slopeWeight);
         std::array<KnotRefinement, 2> refinement = {KnotRefinement(knots[0]), KnotRefinement(knots[1])};
-        if (!fit.mark(attempt, tolerance, refinement))
-            return slopeWeight > 0 ? smoothest(fit, attempt.patch, tolerance) : attempt.patch;
+        if (!fit.mark(attempt, tolerance, refinement)) return smoothest(fit, attempt.patch, tolerance);
         const std::array<std::vector<double>, 2> refined = {refinement[0].refined(), refinement[1].refined()};
         const bool repeats =
             KnotRefinement(refined[0]).hasRepeatedKnots() || KnotRefinement(refined[1]).hasRepeatedKnots();

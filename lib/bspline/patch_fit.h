@@ -22,6 +22,8 @@ struct PatchFitInput {
 
 /// Least squares over a lattice of four samples for every edge, with more knots where an error is too large,
 /// in the direction that causes it. Always succeeds if the border curves are within half the tolerance.
-[[nodiscard]] Patch fitPatch(const PatchFitInput& input, double tolerance);
+/// \param slides  errors are measured from the quads' tangent planes, not from the points of the same
+/// parameters
+[[nodiscard]] Patch fitPatch(const PatchFitInput& input, double tolerance, bool slides = false);
 
 } // namespace qm

@@ -1,20 +1,29 @@
 #include "bspline/tolerance.h"
 
 #include "base/parallel.h"
-#include "bspline/chains.h"
 #include "bspline/curve_fit.h"
 #include "bspline/deviation.h"
 #include "bspline/interpolate.h"
-#include "bspline/line_derivatives.h"
 #include "bspline/patch_fit.h"
 
 #include <algorithm>
+#include <array>
 
 namespace qm {
 namespace {
 
 /// What makes a point of a border curve "exactly" at a vertex, as a fraction of the diagonal.
 constexpr double exactly = 1e-12;
+
+/// How close curves and patches are fitted, as shares of the tolerance, and whether they may slide along the
+/// mesh.
+struct Closeness {
+    double ofCurves;
+    double ofPatches;
+    bool slides;
+};
+/// In the last one every sample is within the tolerance of its own point of the mesh: it cannot be missed.
+constexpr std::array<Closeness, 3> levels = {{{0.7, 1, true}, {0.5, 0.75, true}, {0.5, 1, false}}};
 
 /// How many border edges meet at each vertex, by vertex index.
 std::vector<int> borderValences(const QuadMesh& mesh, const Chains& chains) {
@@ -97,42 +106,92 @@ void setAcross(PatchFitInput& input, std::array<std::vector<Point>, 4> sides) {
 
 } // namespace
 
-std::vector<Patch> fitWithinTolerance(const QuadMesh& mesh, const Layout& layout,
-                                      const std::vector<double>& dihedralAngles, double rho, double tolerance,
-                                      unsigned jobs) {
-    const Chains chains(mesh, layout);
-    const LineDerivatives lines(mesh, dihedralAngles, rho);
-    const auto valences = borderValences(mesh, chains);
-    const double exact = exactly * boundingBoxDiagonal(mesh);
-    std::vector<SplineCurve> curves(chains.all().size());
-    parallelFor(curves.size(), jobs, [&](std::size_t k) {
-        curves[k] = fitCurve(curveInput(mesh, chains.all()[k], lines, valences), tolerance / 2, exact);
-    });
+ToleranceFit::ToleranceFit(const QuadMesh& mesh, const Layout& layout,
+                           const std::vector<double>& dihedralAngles, double rho, double tolerance,
+                           unsigned jobs)
+    : mesh_(mesh), layout_(layout), tolerance_(tolerance), jobs_(jobs), chains_(mesh, layout),
+      lines_(mesh, dihedralAngles, rho), valences_(borderValences(mesh, chains_)),
+      exact_(exactly * boundingBoxDiagonal(mesh)), levels_(layout.segments.size(), 0),
+      curves_(chains_.all().size()), patches_(layout.segments.size()) {
+    fitCurves(std::vector<bool>(curves_.size(), true));
+    fitPatches(std::vector<bool>(patches_.size(), true));
+}
 
-    std::vector<Patch> patches(layout.segments.size());
-    parallelFor(patches.size(), jobs, [&](std::size_t k) {
-        const Segment& segment = layout.segments[k];
-        const auto grid = pointGrid(mesh, segment);
-        PatchFitInput input;
-        input.size = segment.size;
-        input.grid = grid;
-        std::array<SplineCurve, 4> border;
-        std::array<std::vector<Point>, 4> across;
-        std::array<Point, 4> twists;
-        for (std::size_t side = 0; side < 4; ++side) {
-            border[side] = sideCurve(chains, curves, k, static_cast<int>(side));
-            const auto halfedges = sideHalfedges(chains, k, static_cast<int>(side));
-            across[side] = inwards(mesh, lines, halfedges);
-            twists[side] = lines.twist(halfedges.front());
-        }
-        input.border = {{{border[0], reversed(border[2])}, {reversed(border[3]), border[1]}}};
-        setAcross(input, std::move(across));
-        // The edges that leave corners 1 and 3 run against one of the parameters: the sign turns.
-        input.twists = {twists[0], -twists[1], -twists[3], twists[2]};
-        patches[k] = fitPatch(input, tolerance);
-        patches[k].segment = SegmentId(k);
+void ToleranceFit::tighten(const std::vector<bool>& missed) {
+    constexpr int fewCalls = 3;
+    const auto before = chainLevels();
+    ++calls_;
+    for (std::size_t k = 0; k < levels_.size(); ++k)
+        if (calls_ > fewCalls)
+            levels_[k] = levels.size() - 1; // neighbours may go on passing it back and forth: no longer
+        else if (missed[k])
+            levels_[k] = std::min(levels_[k] + 1, levels.size() - 1);
+    const auto after = chainLevels();
+    std::vector<bool> chains(curves_.size());
+    for (std::size_t k = 0; k < chains.size(); ++k)
+        chains[k] = after[k] != before[k];
+    fitCurves(chains);
+    std::vector<bool> patches(patches_.size());
+    for (std::size_t k = 0; k < patches.size(); ++k)
+        patches[k] = missed[k] || calls_ > fewCalls || touches(k, chains);
+    fitPatches(patches);
+}
+
+/// A curve is fitted as closely as the closest patch beside it.
+std::vector<std::size_t> ToleranceFit::chainLevels() const {
+    std::vector<std::size_t> result(curves_.size(), 0);
+    for (std::size_t k = 0; k < levels_.size(); ++k)
+        for (int side = 0; side < 4; ++side)
+            for (const SidePiece& piece : chains_.pieces(k, side))
+                result[piece.place.chain] = std::max(result[piece.place.chain], levels_[k]);
+    return result;
+}
+
+bool ToleranceFit::touches(std::size_t patch, const std::vector<bool>& chains) const {
+    for (int side = 0; side < 4; ++side)
+        for (const SidePiece& piece : chains_.pieces(patch, side))
+            if (chains[piece.place.chain]) return true;
+    return false;
+}
+
+void ToleranceFit::fitCurves(const std::vector<bool>& which) {
+    const auto chainLevel = chainLevels();
+    parallelFor(curves_.size(), jobs_, [&](std::size_t k) {
+        if (!which[k]) return;
+        const Closeness& closeness = levels.at(chainLevel[k]);
+        curves_[k] = fitCurve(curveInput(mesh_, chains_.all()[k], lines_, valences_),
+                              closeness.ofCurves * tolerance_, exact_, closeness.slides);
     });
-    return patches;
+}
+
+void ToleranceFit::fitPatches(const std::vector<bool>& which) {
+    parallelFor(patches_.size(), jobs_, [&](std::size_t k) {
+        if (which[k]) fitOne(k);
+    });
+}
+
+void ToleranceFit::fitOne(std::size_t patch) {
+    const Segment& segment = layout_.segments[patch];
+    const auto grid = pointGrid(mesh_, segment);
+    PatchFitInput input;
+    input.size = segment.size;
+    input.grid = grid;
+    std::array<SplineCurve, 4> border;
+    std::array<std::vector<Point>, 4> across;
+    std::array<Point, 4> twists;
+    for (std::size_t side = 0; side < 4; ++side) {
+        border[side] = sideCurve(chains_, curves_, patch, static_cast<int>(side));
+        const auto halfedges = sideHalfedges(chains_, patch, static_cast<int>(side));
+        across[side] = inwards(mesh_, lines_, halfedges);
+        twists[side] = lines_.twist(halfedges.front());
+    }
+    input.border = {{{border[0], reversed(border[2])}, {reversed(border[3]), border[1]}}};
+    setAcross(input, std::move(across));
+    // The edges that leave corners 1 and 3 run against one of the parameters: the sign turns.
+    input.twists = {twists[0], -twists[1], -twists[3], twists[2]};
+    const Closeness& closeness = levels.at(levels_[patch]);
+    patches_[patch] = fitPatch(input, closeness.ofPatches * tolerance_, closeness.slides);
+    patches_[patch].segment = SegmentId(patch);
 }
 
 } // namespace qm

@@ -1,0 +1,20 @@
+/// \file Errors of a fit as distances: sliding along what is fitted hardly counts.
+#pragma once
+
+#include <algorithm>
+
+namespace qm {
+
+/// How far a point may slide, as a share of an edge. More would leave the neighbourhood in which the distance
+/// from the tangent tells the distance from the thing itself. A patch has more room than the curves of its
+/// border, so that it can follow them.
+constexpr double curveSlide = 0.1;
+constexpr double patchSlide = 0.12;
+
+/// An error that exceeds the tolerance exactly if the point is too far off, or slides too far.
+/// \param off  the error's part across what is fitted \param slide  its part along, as a share of an edge
+[[nodiscard]] inline double countedError(double off, double slide, double mostSlide, double tolerance) {
+    return std::max(off, slide / mostSlide * tolerance);
+}
+
+} // namespace qm
