@@ -122,6 +122,6 @@ class View {
     this.camera.near = Math.max(distance - radius, 0.002 * radius);
     this.camera.far = distance + radius;
     this.camera.updateProjectionMatrix();
-    shared.liftUnit.value = Math.min(0.0008 * this.scene.radius / this.camera.position.distanceTo(this.controls.target), 0.02);
+    shared.liftUnit.value = Math.min(0.002 * this.scene.radius / this.camera.position.distanceTo(this.controls.target), 0.02);
   }
 }
