@@ -42,16 +42,25 @@ is() { assert_equal "$(field "$1" out.json)" true; }
 
 @test "a tolerance is kept, and a looser one takes no more control points" {
     control_points() { field '[.surfaces.patches[].controlPoints[] | length] | add' out.json; }
-    fit block --fit tolerance --tolerance 0.002
+    fit block --fit tolerance --tolerance 0.2%
     is '.surfaces.deviation.maxRelative <= 0.002'
+    quietly qm-check out.json -o verdict
     strict=$(control_points)
-    fit block --fit tolerance --tolerance 0.02
+    fit block --fit tolerance --tolerance 2%
     is '.surfaces.deviation.maxRelative <= 0.02'
     assert [ "$(control_points)" -le "$strict" ]
 }
 
+@test "a tolerance is a length, or with % a share of the diagonal; the document says which" {
+    fit block --fit tolerance --tolerance 0.1%
+    is '.history[-1].options.tolerance == "0.1%"'
+    fit block --fit tolerance --tolerance 0.05
+    is '.history[-1].options.tolerance == 0.05 and .surfaces.deviation.max <= 0.05'
+    quietly qm-check out.json -o verdict
+}
+
 @test "options out of range" {
-    for options in '--fit loosely' '--tolerance -1' '--tolerance x' '--rho 4' '--samples-per-edge 0'; do
+    for options in '--fit loosely' '--tolerance -1' '--tolerance x' '--tolerance 0%' '--tolerance 1%%' '--rho 4' '--samples-per-edge 0'; do
         # shellcheck disable=SC2086  # a list of words
         misused qm-bspline $options "$(stage pruned block)"
     done

@@ -256,6 +256,21 @@ TEST(Fit, MakesFlatPatchesOfSixteenPoints) {
     EXPECT_LT(surfaces.deviation.largestKink, 1e-6);
 }
 
+TEST(Fit, SlidesAlongTheMeshForFewerPoints) {
+    // Flat, but its lines are up to a twentieth of an edge from where equal steps would put them.
+    const Grid uneven{24, 16, [](double i, double j) {
+                          return Point(i + 0.05 * std::sin(2.1 * i), j + 0.05 * std::cos(1.7 * j), 0);
+                      }};
+    const QuadMesh mesh = test::makeMesh(uneven);
+    const Layout layout = test::makeLayout(uneven, {{0, 0, 14, 16}, {14, 0, 24, 16}});
+    FitOptions options;
+    options.fit = Fit::tolerance;
+    options.tolerance = {1e-4, false};
+    const Surfaces surfaces = fitSurfaces(mesh, layout, dihedralAngles(mesh), options);
+    EXPECT_EQ(controlPointCount(surfaces), 2U * 16U);
+    EXPECT_LE(surfaces.deviation.max, 1e-4);
+}
+
 TEST(Fit, PutsKnotsWhereTheErrorIs) {
     const Grid bump{40, 10,
                     [](double i, double j) { return Point(i, j, 3 * std::exp(-(i - 9) * (i - 9) / 8)); }};
