@@ -267,6 +267,12 @@ bench-surfaces: ## fit and export surfaces for a folder of real meshes and print
 	@$(again) all $(programs)
 	@QM_BIN=$(abspath $(bin)) READ_STEP=$(abspath $(O)/tests/read-step) scripts/bench-surfaces '$(only)'
 
+.PHONY: pictures
+pictures: ## make the pictures of README.md anew
+	@scripts/install-dependencies build view
+	@$(again) all
+	@QM_BIN=$(abspath $(bin)) scripts/pictures docs/pictures
+
 # --------------------------------------------------------------------------------------------- install
 
 man_pages   := $(tool_names:%=$(O)/man/%.1)
