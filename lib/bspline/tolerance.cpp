@@ -23,7 +23,7 @@ struct Closeness {
     bool slides;
 };
 /// In the last one every sample is within the tolerance of its own point of the mesh: it cannot be missed.
-constexpr std::array<Closeness, 3> levels = {{{0.7, 1, true}, {0.5, 0.75, true}, {0.5, 1, false}}};
+constexpr std::array<Closeness, 2> levels = {{{0.65, 1, true}, {0.5, 1, false}}};
 
 /// How many border edges meet at each vertex, by vertex index.
 std::vector<int> borderValences(const QuadMesh& mesh, const Chains& chains) {
