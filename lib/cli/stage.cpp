@@ -22,18 +22,18 @@ void Stage::declareInput() {
     tool_.group(Tool::ownOptions);
 }
 
-void Stage::parse() {
+void Stage::parse(Kind least) {
     document_ = parseDocument(tool_.readInput(), tool_.inputPath());
-    (void)requireKind(document_, least_);
+    (void)requireKind(document_, least);
 }
 
-const Model& Stage::read() {
-    parse();
-    return take(readModel(document_, reads_, meshPath_));
+const Model& Stage::read(Kind least, Kind reads) {
+    parse(least);
+    return take(readModel(document_, reads, meshPath_));
 }
 
 const Model& Stage::readWhole() {
-    parse();
+    parse(least_);
     return take(readWholeModel(document_, meshPath_));
 }
 

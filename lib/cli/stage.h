@@ -23,7 +23,9 @@ public:
     Stage& operator=(const Stage&) = delete;
 
     /// Reads the document and its mesh.
-    [[nodiscard]] const Model& read();
+    [[nodiscard]] const Model& read() { return read(least_, reads_); }
+    /// Where options decide what is needed.
+    [[nodiscard]] const Model& read(Kind needed) { return read(needed, needed); }
     /// The same with all sections that the document has, whatever its kind.
     [[nodiscard]] const Model& readWhole();
     [[nodiscard]] const Document& document() const { return document_; }
@@ -36,7 +38,8 @@ public:
 
 private:
     void declareInput();
-    void parse();
+    const Model& read(Kind least, Kind reads);
+    void parse(Kind least);
     const Model& take(Model model);
     void writeSection(Json options, Json section);
 

@@ -1,0 +1,32 @@
+#include "cli/export_choices.h"
+
+#include "cli/tool.h"
+
+#include <filesystem>
+#include <map>
+
+namespace qm {
+
+ExportFormat exportFormat(NamedFormat format, const std::string& outputPath) {
+    using enum ExportFormat;
+    static const std::map<std::string, ExportFormat> ofEnding = {
+        {".step", step}, {".stp", step}, {".iges", iges}, {".igs", iges},
+        {".obj", obj},   {".ply", ply},  {".glb", glb}};
+    const std::string ending = format == NamedFormat::ending
+                                   ? std::filesystem::path(outputPath).extension().string()
+                                   : "." + std::string(choiceName(format));
+    const auto found = ofEnding.find(ending);
+    if (found == ofEnding.end())
+        throw UsageError("the output's name does not tell the format. Give --format, or a name such as "
+                         "part.step, part.iges, part.obj, part.ply or part.glb");
+    return found->second;
+}
+
+Kind neededKind(const ExportOptions& options) {
+    using enum ExportFormat;
+    const bool quads = options.format == obj || options.format == ply || options.format == glb;
+    const bool coloured = options.format != obj && options.colour == ColourBy::deviation;
+    return quads && !coloured ? Kind::layout : Kind::surfaces;
+}
+
+} // namespace qm
