@@ -30,10 +30,9 @@ int main(int argc, char** argv) {
         auto stage = std::make_shared<qm::Stage>(tool, qm::Kind::basecomplex, qm::Kind::basecomplex);
         tool.writes("one HTML page that needs no other file and no network");
         tool.explain(
-            "The page shows the mesh and what each stage found as layers that are switched on and off, "
-            "and names what is pointed at by its number in the document.");
-        tool.text("show", show, "LAYER,...",
-                  "layers that are on at first, such as segments,borders,extraordinary");
+            "What each stage found is a layer that is switched on and off; what is pointed at is named by "
+            "its number in the document.");
+        tool.text("show", show, "LAYER,...", "layers that are on at first, such as segments,borders");
         tool.text("view", from, "X,Y,Z", "look from this direction");
         tool.text("up", up, "X,Y,Z", "what is up");
         tool.text("png", png, "FILE", "write a picture, taken by Chromium; the page only if -o is given too");
@@ -48,8 +47,7 @@ int main(int argc, char** argv) {
         return [&, stage] {
             const qm::Model& model = stage->readWhole();
             const qm::Scene scene = sceneOf(stage->document(), model, tool.jobs());
-            qm::PageOptions options{qm::parseNames(show), qm::parseDirection(from), qm::parseDirection(up),
-                                    false};
+            qm::PageOptions options{qm::parseNames(show), qm::parseDirection(from), qm::parseDirection(up)};
             if (png.empty() || tool.given("output")) tool.write(qm::printPage(scene, options));
             if (png.empty()) return qm::exitDone;
             options.still = true;
