@@ -15,17 +15,20 @@ int main(int argc, char** argv) {
                 "Without a section cut the whole mesh is searched at once. An interrupt ends the search "
                 "with the best graphs so far.");
             tool.options(options);
-            qm::declareRequests(tool, requests);
+            qm::declareRequests(tool, requests, options);
             tool.stopsGracefully();
             tool.example("qm-enum part.cut.json -o part.enumeration.json");
             tool.example("qm-basecomplex part.obj | qm-enum --best 3 --count > part.enumeration.json");
             tool.example("qm-enum --all graphs.jsonl part.features.json -o part.enumeration.json");
+            tool.example("qm-enum --cost dihedral+0.5*segments --best 1000 --list best.jsonl "
+                         "part.basecomplex.json -o part.enumeration.json");
+            tool.example("qm-enum --class tmesh --sample 10 part.basecomplex.json > part.enumeration.json");
             return [&, stage] {
                 const qm::Model& model = stage->read();
                 options.constraints = model.constraints;
                 const qm::Enumeration enumeration =
                     qm::enumerateGraphs(model.mesh, model.complex, model.dihedralAngles, model.subMeshes,
-                                        options, tool.control("searching"));
+                                        qm::forDocument(options, requests), tool.control("searching"));
                 qm::streamGraphs(tool, model, options, requests);
                 const int status = qm::judge(tool, enumeration, requests);
                 const qm::SeparatrixIndex separatrices(model.mesh, model.baseComplex);

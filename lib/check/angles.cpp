@@ -87,6 +87,28 @@ EdgeCosts edgeCosts(const Angles& angles, double alpha, double epsilon) {
     return costs;
 }
 
+EdgeCosts edgeCosts(const CheckedMesh& mesh, const Neighbourhoods& around, const Angles& angles,
+                    const CostWeights& weights, const ConstraintsPart& constraints) {
+    EdgeCosts costs = edgeCosts(angles, weights.alpha, weights.epsilon);
+    for (std::size_t edge = 0; edge < costs.cost.size(); ++edge) {
+        costs.cost[edge] *= weights.dihedral;
+        costs.doubt[edge] *= std::abs(weights.dihedral);
+    }
+    for (int step = 0; step < around.steps(); ++step) {
+        if (around.boundary(step) || around.from(step) > around.to(step)) continue;
+        const auto along = minus(mesh.points[static_cast<std::size_t>(around.to(step))],
+                                 mesh.points[static_cast<std::size_t>(around.from(step))]);
+        costs.cost[static_cast<std::size_t>(around.edge(step))] +=
+            weights.length * std::sqrt(dot(along, along));
+    }
+    for (const ConstraintsPart::Weight& entry : constraints.weights)
+        for (std::size_t i = 1; i < entry.vertices.size(); ++i)
+            costs.cost[static_cast<std::size_t>(
+                around.edge(around.stepBetween(entry.vertices[i - 1], entry.vertices[i])))] +=
+                weights.custom * entry.weight;
+    return costs;
+}
+
 bool CostSum::equals(double claimed) const {
     return std::abs(cost_ - claimed) <= 1e-6 * std::max(1.0, std::abs(cost_)) + doubt_;
 }

@@ -1,6 +1,7 @@
 /// \file Dihedral angles and edge costs, computed anew (method 3).
 #pragma once
 
+#include "check/checked_document.h"
 #include "check/neighbourhoods.h"
 
 #include <vector>
@@ -26,6 +27,10 @@ struct EdgeCosts {
 };
 [[nodiscard]] EdgeCosts edgeCosts(const Angles& angles, double alpha, double epsilon);
 
+/// The same with all terms of the cost but the segments.
+[[nodiscard]] EdgeCosts edgeCosts(const CheckedMesh& mesh, const Neighbourhoods& around, const Angles& angles,
+                                  const CostWeights& weights, const ConstraintsPart& constraints);
+
 /// A sum over edges, to be compared with a figure of the document.
 class CostSum {
 public:
@@ -38,6 +43,7 @@ public:
         cost_ += other.cost_;
         doubt_ += other.doubt_;
     }
+    void addCost(double cost) { cost_ += cost; }
     [[nodiscard]] double value() const { return cost_; }
     /// Equal to 1e-6, relative for large sums.
     [[nodiscard]] bool equals(double claimed) const;

@@ -63,7 +63,7 @@ public:
     ArcRules(const Neighbourhoods& around, const LineNetwork& network, std::span<const char> present)
         : around_(around), network_(network), present_(present), sides_(network.crossings.size()) {}
 
-    std::vector<BrokenArcRule> run(std::size_t count) {
+    std::vector<BrokenArcRule> run(std::size_t count, bool tmesh) {
         readLines();
         if (edgesOnLines_ != count)
             broken("whole arcs",
@@ -71,6 +71,7 @@ public:
         everySource();
         for (std::size_t c = 0; c < sides_.size(); ++c)
             junction(static_cast<int>(c));
+        if (tmesh) return std::move(broken_);
         for (const ArcLine& line : lines_)
             oneGap(line);
         cracks();
@@ -181,8 +182,8 @@ private:
 } // namespace
 
 std::vector<BrokenArcRule> brokenArcRules(const Neighbourhoods& around, const LineNetwork& network,
-                                          std::span<const char> present, std::size_t count) {
-    return ArcRules(around, network, present).run(count);
+                                          std::span<const char> present, std::size_t count, bool tmesh) {
+    return ArcRules(around, network, present).run(count, tmesh);
 }
 
 } // namespace qm::check

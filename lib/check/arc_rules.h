@@ -18,9 +18,11 @@ struct BrokenArcRule {
 
 /// \param present  by edge: whether it belongs to the graph
 /// \param count    how many edges do
+/// \param tmesh    whether rules 1 and 2 alone are asked for
 /// \return         all breaches; empty if the set is a motorcycle graph. Linear in the network.
 [[nodiscard]] std::vector<BrokenArcRule> brokenArcRules(const Neighbourhoods& around,
                                                         const LineNetwork& network,
-                                                        std::span<const char> present, std::size_t count);
+                                                        std::span<const char> present, std::size_t count,
+                                                        bool tmesh = false);
 
 } // namespace qm::check

@@ -41,6 +41,10 @@ bool checkConstraintPaths(const Neighbourhoods& around, const ConstraintsPart& c
     };
     readAll(constraints.required, "/constraints/required");
     readAll(constraints.forbidden, "/constraints/forbidden");
+    std::vector<std::vector<int>> weighed;
+    for (const ConstraintsPart::Weight& entry : constraints.weights)
+        weighed.push_back(entry.vertices);
+    readAll(weighed, "/constraints/weights");
     return report.total() == before;
 }
 

@@ -76,10 +76,11 @@ private:
 
     void priced(const TraceInput& sources) {
         const Angles angles = dihedralAngles(mesh_, around_);
-        const EdgeCosts costs = edgeCosts(angles, document_.weights->alpha, document_.weights->epsilon);
-        const Context context{mesh_, around_, angles, costs,
-                              document_.constraints.value_or(ConstraintsPart{})};
-        if (!checkConstraintPaths(around_, context.constraints, report_)) return;
+        const ConstraintsPart constraints = document_.constraints.value_or(ConstraintsPart{});
+        if (!checkConstraintPaths(around_, constraints, report_)) return;
+        const EdgeCosts costs = edgeCosts(mesh_, around_, angles, *document_.weights, constraints);
+        const Context context{mesh_,         around_, angles, costs, constraints, document_.weights->segments,
+                              sources.labels};
         if (document_.enumeration) enumeration(context);
         if (!document_.layout) return;
         if (document_.cut) networks_ = traceLines(around_, {sources.seedSteps, {}, 1});

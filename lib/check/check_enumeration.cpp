@@ -24,6 +24,8 @@ public:
           report_(report), present_(static_cast<std::size_t>(around_.edges()), 0) {}
 
     void run() {
+        if (part_.tmesh && networks_.size() != 1)
+            report_.violate("/enumeration/class", "class", "a T-mesh is that of a whole mesh");
         if (part_.subMeshes.size() != networks_.size()) {
             report_.violate("/enumeration/subMeshes", "sub-meshes",
                             "the mesh is cut into " + std::to_string(networks_.size()));
@@ -44,17 +46,41 @@ private:
         double before = -std::numeric_limits<double>::infinity();
         for (std::size_t g = 0; g < subMesh.graphs.size(); ++g) {
             const std::string place = at(at(here, "graphs"), g);
-            const CostSum cost = graph(networks_[k], subMesh.graphs[g], place);
+            const CostSum cost = graph(k, subMesh.graphs[g], place);
             if (cost.value() < before && !cost.equals(before))
                 report_.violate(place, "sorted", "the graph before it costs more");
             before = cost.value();
             if (g == 0) best(subMesh, cost, here);
         }
+        for (std::size_t s = 0; s < subMesh.samples.size(); ++s)
+            (void)graph(k, subMesh.samples[s], at(at(here, "samples"), s), true);
         count(subMesh, here);
     }
 
+    /// Corners of faces, at the sub-mesh's vertices, that have the graph or the mesh boundary on both sides.
+    [[nodiscard]] double corners(std::size_t subMesh) const {
+        const auto bounds = [&](int step) {
+            return around_.boundary(step) || present_[static_cast<std::size_t>(around_.edge(step))] != 0;
+        };
+        double sum = 0;
+        for (int vertex = 0; vertex < around_.vertices(); ++vertex) {
+            if (!context_.labels.empty() &&
+                context_.labels[static_cast<std::size_t>(vertex)] != static_cast<int>(subMesh))
+                continue;
+            const int valence = around_.valence(vertex);
+            for (int i = 0; i < valence; ++i) {
+                const int step = around_.firstStep(vertex) + i;
+                const int next = around_.firstStep(vertex) + (i + 1) % valence;
+                if (around_.leftFace(step) >= 0 && bounds(step) && bounds(next)) ++sum;
+            }
+        }
+        return sum;
+    }
+
     /// \return its cost
-    CostSum graph(const LineNetwork& network, const EnumerationPart::Graph& graph, const std::string& here) {
+    CostSum graph(std::size_t subMesh, const EnumerationPart::Graph& graph, const std::string& here,
+                  bool maybeTwice = false) {
+        const LineNetwork& network = networks_[subMesh];
         const std::string list = at(here, "tracks");
         const auto tracks = readTracks(around_, graph.tracks, list, report_);
         for (const ReadTrack& track : tracks)
@@ -62,17 +88,19 @@ private:
         auto edges = edgesOf(around_, tracks, list, report_);
         for (const int edge : edges)
             present_[static_cast<std::size_t>(edge)] = 1;
-        checkGraph(around_, network, tracks, present_, edges.size(), list, report_);
+        checkGraph(around_, network, tracks, present_, edges.size(), part_.tmesh, list, report_);
         checkConstraints(around_, context_.constraints, present_, networks_.size() == 1, list, report_);
+        CostSum cost(context_.costs);
+        if (context_.segmentCost != 0) cost.addCost(context_.segmentCost * corners(subMesh) / 4);
         for (const int edge : edges)
             present_[static_cast<std::size_t>(edge)] = 0;
 
-        CostSum cost(context_.costs);
         for (const int edge : edges)
             cost.add(edge);
         if (graph.cost && !cost.equals(*graph.cost))
             report_.violate(at(here, "cost"), "cost",
                             "the edges of its tracks cost " + decimal(cost.value()));
+        if (maybeTwice) return cost;
         const auto [same, unique] = known_.emplace(std::move(edges), here);
         if (!unique) report_.violate(here, "distinct", "it has the same edges as " + same->second);
         return cost;

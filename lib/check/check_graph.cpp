@@ -22,6 +22,14 @@ int coordinateAfter(const Way& way, std::size_t steps) {
     return found ? static_cast<int>(stop - way.stopSteps.begin()) + 1 : -1;
 }
 
+void straight(const Neighbourhoods& around, std::span<const ReadTrack> tracks, const std::string& pointer,
+              Report& report) {
+    for (const ReadTrack& track : tracks)
+        if (const std::size_t bend = firstBend(around, track.steps); bend < track.steps.size())
+            report.violate(at(at(at(pointer, track.rank), "vertices"), bend + 1), "track straight",
+                           "it does not go straight on to this vertex");
+}
+
 } // namespace
 
 std::vector<ReadTrack> readTracks(const Neighbourhoods& around, const std::vector<TrackPart>& tracks,
@@ -94,8 +102,14 @@ Coordinates coordinatesOf(const Neighbourhoods& around, const LineNetwork& netwo
 }
 
 void checkGraph(const Neighbourhoods& around, const LineNetwork& network, std::span<const ReadTrack> tracks,
-                std::span<const char> present, std::size_t count, const std::string& pointer,
+                std::span<const char> present, std::size_t count, bool tmesh, const std::string& pointer,
                 Report& report) {
+    if (tmesh) {
+        straight(around, tracks, pointer, report);
+        for (const BrokenArcRule& broken : brokenArcRules(around, network, present, count, tmesh))
+            report.violate(pointer, broken.rule, broken.explanation);
+        return;
+    }
     const Coordinates coordinates = coordinatesOf(around, network, tracks, pointer, report);
     if (coordinates.sound)
         for (const BrokenTrackRule& broken : brokenTrackRules(network, coordinates.x)) {
@@ -107,7 +121,7 @@ void checkGraph(const Neighbourhoods& around, const LineNetwork& network, std::s
                            particle + broken.explanation);
         }
 
-    for (const BrokenArcRule& broken : brokenArcRules(around, network, present, count))
+    for (const BrokenArcRule& broken : brokenArcRules(around, network, present, count, tmesh))
         report.violate(pointer, broken.rule, broken.explanation);
 }
 

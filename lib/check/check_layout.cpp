@@ -130,6 +130,7 @@ private:
     }
 
     void particles(std::span<const ReadTrack> tracks) {
+        if (part_.tmesh && part_.pruned) return; // any stretches of lines
         if (part_.pruned) {
             for (const ReadTrack& track : tracks)
                 straight(track);
@@ -142,7 +143,7 @@ private:
                     count += edge == 0;
                     edge = 1;
                 }
-            checkGraph(around_, network_, tracks, present, count, tracksPlace, report_);
+            checkGraph(around_, network_, tracks, present, count, part_.tmesh, tracksPlace, report_);
         }
     }
 

@@ -65,7 +65,9 @@ struct EnumerationPart {
         std::optional<double> lowerBound;
         std::optional<std::string> count;
         std::vector<Graph> graphs;
+        std::vector<Graph> samples; ///< in any order, perhaps some twice
     };
+    bool tmesh = false; ///< tracks may begin and end on others
     std::optional<std::string> count;
     std::vector<SubMesh> subMeshes;
 };
@@ -74,6 +76,10 @@ struct EnumerationPart {
 struct CostWeights {
     double alpha = 0;
     double epsilon = 0;
+    double dihedral = 1;
+    double length = 0;
+    double segments = 0;
+    double custom = 1;
 };
 
 struct LayoutPart {
@@ -95,6 +101,7 @@ struct LayoutPart {
     std::optional<double> cost;
     std::optional<double> lowerBound;
     bool pruned = false; ///< the last tool that wrote it removed tracks
+    bool tmesh = false;  ///< it was made from a T-mesh
     std::vector<TrackPart> tracks;
     bool divided = false; ///< segments are given; they may be left out
     std::vector<Segment> segments;
@@ -123,6 +130,11 @@ struct SurfacesPart {
 struct ConstraintsPart {
     std::vector<std::vector<int>> required;
     std::vector<std::vector<int>> forbidden;
+    struct Weight {
+        std::vector<int> vertices;
+        double weight = 0;
+    };
+    std::vector<Weight> weights = {};
 };
 
 struct CheckedDocument {

@@ -13,6 +13,8 @@ struct Context {
     Angles angles;
     EdgeCosts costs;
     ConstraintsPart constraints; ///< with sound paths
+    double segmentCost = 0;      ///< of every segment
+    std::vector<int> labels;     ///< sub-mesh of every vertex; empty if the mesh is not cut
 };
 
 } // namespace qm::check

@@ -125,13 +125,34 @@ EnumerationPart readEnumeration(const Json& section) {
                                       all<TrackPart>(member(graph, "tracks"), readTrack)};
     };
     EnumerationPart part;
+    part.tmesh = text(member(section, "class")) == "tmesh";
     part.count = text(member(section, "count"));
     part.subMeshes = all<EnumerationPart::SubMesh>(member(section, "subMeshes"), [&](const Json& subMesh) {
-        return EnumerationPart::SubMesh{whole(member(subMesh, "id")), number(member(subMesh, "cost")),
-                                        number(member(subMesh, "lowerBound")), text(member(subMesh, "count")),
-                                        all<EnumerationPart::Graph>(member(subMesh, "graphs"), readGraph)};
+        return EnumerationPart::SubMesh{whole(member(subMesh, "id")),
+                                        number(member(subMesh, "cost")),
+                                        number(member(subMesh, "lowerBound")),
+                                        text(member(subMesh, "count")),
+                                        all<EnumerationPart::Graph>(member(subMesh, "graphs"), readGraph),
+                                        all<EnumerationPart::Graph>(member(subMesh, "samples"), readGraph)};
     });
     return part;
+}
+
+CostWeights readWeights(const Json& section) {
+    CostWeights weights{numberOrNan(member(section, "alpha")), numberOrNan(member(section, "epsilon"))};
+    const Json& terms = member(section, "terms");
+    const auto read = [&](const char* name, double& weight) {
+        if (!member(terms, name).is_null()) weight = numberOrNan(member(terms, name));
+    };
+    read("dihedral", weights.dihedral);
+    read("length", weights.length);
+    read("segments", weights.segments);
+    read("custom", weights.custom);
+    return weights;
+}
+
+ConstraintsPart::Weight readWeight(const Json& entry) {
+    return {wholes(member(entry, "vertices")), numberOrNan(member(entry, "weight"))};
 }
 
 LayoutPart::Segment readSegment(const Json& segment) {
@@ -269,18 +290,19 @@ CheckedDocument readDocument(const Json& root) {
         return value.is_object() ? &value : nullptr;
     };
     if (const Json* value = section("constraints"))
-        document.constraints = {readPaths(member(*value, "required")),
-                                readPaths(member(*value, "forbidden"))};
+        document.constraints = {readPaths(member(*value, "required")), readPaths(member(*value, "forbidden")),
+                                all<ConstraintsPart::Weight>(member(*value, "weights"), readWeight)};
     if (const Json* value = section("baseComplex")) document.baseComplex = readBaseComplex(*value);
     if (const Json* value = section("features")) document.features = readFeatures(*value);
     if (const Json* value = section("cut")) document.cut = readCut(*value);
     if (const Json* value = section("enumeration")) {
         document.enumeration = readEnumeration(*value);
-        document.weights = {numberOrNan(member(*value, "alpha")), numberOrNan(member(*value, "epsilon"))};
+        document.weights = readWeights(*value);
     }
     if (const Json* value = section("layout")) {
         document.layout = readLayout(*value);
         document.layout->pruned = wasPruned(root);
+        document.layout->tmesh = document.enumeration && document.enumeration->tmesh;
     }
     if (const Json* value = section("surfaces"))
         document.surfaces = readSurfaces(*value, optionsOf(root, "qm-bspline"));

@@ -10,14 +10,19 @@
 namespace qm {
 
 struct EnumerationRequests {
-    std::string allGraphs; ///< file for every graph; empty: none
+    std::string allGraphs;  ///< file for every graph; empty: none
+    std::string bestGraphs; ///< file for the best graphs, which the document then does not hold
     bool requireComplete = false;
     bool requireOptimal = false;
 };
 
-void declareRequests(Tool& tool, EnumerationRequests& requests);
+void declareRequests(Tool& tool, EnumerationRequests& requests, const EnumerationOptions& options);
 
-/// If it was asked for, writes every graph as one line of JSON: {"subMesh", "cost", "tracks"}.
+/// What the search is to keep for the document: only the best graph where all of them go to a file.
+[[nodiscard]] EnumerationOptions forDocument(const EnumerationOptions& options,
+                                             const EnumerationRequests& requests);
+
+/// If it was asked for, writes every graph, or the best, as one line of JSON: {"subMesh", "cost", "tracks"}.
 void streamGraphs(const Tool& tool, const Model& model, const EnumerationOptions& options,
                   const EnumerationRequests& requests);
 

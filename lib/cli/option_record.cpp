@@ -103,6 +103,15 @@ OptionRecord makeTextOption(const std::string& name, std::string& value, const s
     return result;
 }
 
+OptionRecord makeOption(const std::string& name, CostTerms& value, const Range&, const std::string& help) {
+    OptionRecord result = record(OptionRecord::Type::text, name, help);
+    result.placeholder = "SUM";
+    result.defaultText = costText(value);
+    result.show = [&value] { return costText(value); };
+    result.assign = [&value](const std::string& text) { return parseCost(text, value); };
+    return result;
+}
+
 OptionRecord makeChoiceOption(const std::string& name, const std::string& help,
                               std::vector<std::pair<std::string, std::string>> choices,
                               std::function<bool(std::string_view)> assign,

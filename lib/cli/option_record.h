@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bspline/fit.h"
+#include "document/cost_text.h"
 #include "document/option.h"
 
 #include <functional>
@@ -42,6 +43,8 @@ struct OptionRecord {
                                       const std::string& help);
 [[nodiscard]] OptionRecord makeTextOption(const std::string& name, std::string& value,
                                           const std::string& placeholder, const std::string& help);
+[[nodiscard]] OptionRecord makeOption(const std::string& name, CostTerms& value, const Range& range,
+                                      const std::string& help);
 /// The part of an enumeration's record that does not depend on its type.
 [[nodiscard]] OptionRecord makeChoiceOption(const std::string& name, const std::string& help,
                                             std::vector<std::pair<std::string, std::string>> choices,

@@ -43,6 +43,27 @@ public:
         return edges;
     }
 
+    std::vector<std::pair<EdgeId, double>> readWeights(const JsonPlace& list) {
+        std::vector<bool> known(mesh_.n_edges());
+        std::vector<std::pair<EdgeId, double>> weights;
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            const JsonPlace vertices = list[i]["vertices"];
+            const double weight = list[i]["weight"].number();
+            const std::vector<HalfedgeId> path = pathAt(mesh_, vertices);
+            for (std::size_t k = 0; k < path.size(); ++k) {
+                const EdgeId edge = mesh_.edge_handle(path[k]);
+                if (!onLine_[index(edge)])
+                    vertices.failAt(
+                        k + 1, "the edge to this vertex lies on no separatrix, so no patch can end there");
+                if (known[index(edge)])
+                    vertices.failAt(k + 1, "the edge to this vertex has a weight already");
+                known[index(edge)] = true;
+                weights.emplace_back(edge, weight);
+            }
+        }
+        return weights;
+    }
+
 private:
     static std::size_t index(EdgeId edge) { return static_cast<std::size_t>(edge.idx()); }
 
@@ -59,6 +80,7 @@ Constraints readConstraints(const QuadMesh& mesh, const BaseComplex& complex, co
     Constraints constraints;
     if (const auto list = section.find("required")) constraints.required = reader.read(*list, true);
     if (const auto list = section.find("forbidden")) constraints.forbidden = reader.read(*list, false);
+    if (const auto list = section.find("weights")) constraints.weights = reader.readWeights(*list);
     return constraints;
 }
 

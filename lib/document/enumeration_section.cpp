@@ -49,14 +49,21 @@ Json enumerationToJson(const QuadMesh& mesh, const SeparatrixIndex& baseComplex,
         Json::array_t graphs;
         for (const MotorcycleGraph& graph : subMesh.graphs)
             graphs.push_back(graphToJson(mesh, baseComplex, graph));
-        subMeshes.push_back({{"id", subMeshes.size()},
-                             {"cost", optional(subMesh.cost)},
-                             {"lowerBound", optional(subMesh.lowerBound)},
-                             {"count", optional(subMesh.count)},
-                             {"graphs", std::move(graphs)}});
+        Json entry{{"id", subMeshes.size()},
+                   {"cost", optional(subMesh.cost)},
+                   {"lowerBound", optional(subMesh.lowerBound)},
+                   {"count", optional(subMesh.count)},
+                   {"graphs", std::move(graphs)}};
+        for (const MotorcycleGraph& graph : subMesh.samples)
+            entry["samples"].push_back(graphToJson(mesh, baseComplex, graph));
+        subMeshes.push_back(std::move(entry));
     }
+    Json terms = Json::object();
+    forEachTerm(enumeration.cost.terms, [&](const char* name, double weight) { terms[name] = weight; });
     return {{"alpha", enumeration.cost.alpha},
             {"epsilon", enumeration.cost.epsilon},
+            {"terms", std::move(terms)},
+            {"class", std::string(choiceName(enumeration.graphClass))},
             {"method", std::string(choiceName(enumeration.method))},
             {"count", optional(enumeration.count)},
             {"complete", enumeration.complete},
@@ -79,9 +86,14 @@ std::optional<BigCount> readCount(const JsonPlace& place) {
 
 class Reader {
 public:
-    explicit Reader(const EnumerationContext& context)
-        : context_(context), mesh_(context.mesh), ofBaseComplex_(mesh_, context.baseComplex),
-          ofComplex_(mesh_, context.complex) {}
+    Reader(const EnumerationContext& context, GraphClass graphClass)
+        : context_(context), mesh_(context.mesh), graphClass_(graphClass),
+          ofBaseComplex_(mesh_, context.baseComplex), ofComplex_(mesh_, context.complex),
+          onLine_(mesh_.n_edges()) {
+        for (const Separatrix& separatrix : context.complex.separatrices)
+            for (const HalfedgeId halfedge : separatrix.halfedges)
+                onLine_[edgeIndex(halfedge)] = true;
+    }
 
     SubMeshGraphs subMesh(const JsonPlace& place, int label) {
         SubMeshGraphs result;
@@ -96,6 +108,9 @@ public:
         }
         if (!result.graphs.empty()) result.cost = result.graphs.front().cost;
         verifyCost(place, result.cost);
+        if (const auto samples = place.find("samples"))
+            for (std::size_t i = 0; i < samples->size(); ++i)
+                result.samples.push_back(graph((*samples)[i], label));
         return result;
     }
 
@@ -122,6 +137,7 @@ private:
                     tracks[i]["vertices"].failAt(k + 1, "the edge to this vertex lies on a track already");
             result.cost += result.tracks.back().cost;
         }
+        result.cost += costOfCorners(mesh_, context_.terms, result.tracks, context_.subMeshes.labels, label);
         verifyCost(place, result.cost);
         return result;
     }
@@ -132,7 +148,10 @@ private:
         result.halfedges = pathAt(mesh_, vertices);
         result.cost = sumAlong(mesh_, result.halfedges, context_.edgeCosts);
         verifySource(place, result.halfedges.front());
-        verifyWay(vertices, result.halfedges);
+        if (graphClass_ == GraphClass::tmesh)
+            verifyOnLines(vertices, result.halfedges);
+        else
+            verifyWay(vertices, result.halfedges);
         verifyStartsInside(vertices, result.halfedges, label);
         return result;
     }
@@ -159,6 +178,17 @@ private:
                                                          : "the particle's way does not turn to this vertex");
     }
 
+    [[nodiscard]] std::size_t edgeIndex(HalfedgeId halfedge) const {
+        return static_cast<std::size_t>(mesh_.edge_handle(halfedge).idx());
+    }
+
+    void verifyOnLines(const JsonPlace& vertices, const std::vector<HalfedgeId>& path) const {
+        requireStraight(mesh_, path, vertices);
+        for (std::size_t k = 0; k < path.size(); ++k)
+            if (!onLine_[edgeIndex(path[k])])
+                vertices.failAt(k + 1, "the edge to this vertex lies on no separatrix");
+    }
+
     /// Where a line leaves a sub-mesh and comes back over the same vertex, one track may cover both
     /// stretches.
     void verifyStartsInside(const JsonPlace& vertices, const std::vector<HalfedgeId>& path, int label) const {
@@ -170,19 +200,30 @@ private:
 
     const EnumerationContext& context_;
     const QuadMesh& mesh_;
+    GraphClass graphClass_;
     SeparatrixIndex ofBaseComplex_;
     SeparatrixIndex ofComplex_;
+    std::vector<bool> onLine_; ///< edges of separatrices
 };
 
 } // namespace
 
-CostOptions readCostOptions(const JsonPlace& section) {
-    return {section["alpha"].number(), section["epsilon"].number()};
+GraphCost readCost(const JsonPlace& section) {
+    GraphCost cost{{section["alpha"].number(), section["epsilon"].number()}, {}};
+    if (const auto terms = section.find("terms"))
+        forEachTerm(cost.terms, [&](const char* name, double& weight) {
+            if (const auto given = terms->find(name)) weight = given->number();
+        });
+    return cost;
 }
 
 Enumeration readEnumeration(const EnumerationContext& context, const JsonPlace& section) {
     Enumeration result;
-    result.cost = readCostOptions(section);
+    result.cost = readCost(section);
+    if (const auto given = section.find("class"); given && !choiceValue(given->text(), result.graphClass))
+        given->fail("'" + given->text() + "' is not known");
+    if (result.graphClass == GraphClass::tmesh && context.subMeshes.count != 1)
+        section["class"].fail("is tmesh, but the mesh is cut", "Run qm-enum again");
     const JsonPlace method = section["method"];
     if (!choiceValue(method.text(), result.method)) method.fail("'" + method.text() + "' is not known");
     result.count = readCount(section["count"]);
@@ -192,7 +233,7 @@ Enumeration readEnumeration(const EnumerationContext& context, const JsonPlace& 
     if (subMeshes.size() != static_cast<std::size_t>(context.subMeshes.count))
         subMeshes.fail("has " + std::to_string(subMeshes.size()) + " entries, the mesh is cut into " +
                        std::to_string(context.subMeshes.count));
-    Reader reader(context);
+    Reader reader(context, result.graphClass);
     for (std::size_t i = 0; i < subMeshes.size(); ++i) {
         verifyPositionId(subMeshes[i], i);
         result.subMeshes.push_back(reader.subMesh(subMeshes[i], static_cast<int>(i)));

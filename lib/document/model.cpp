@@ -25,7 +25,10 @@ public:
         if (upTo >= Kind::features) readFeatureCurves();
         if (upTo == Kind::cut || upTo == Kind::enumeration) readSubMeshes();
         if (upTo == Kind::enumeration) readGraphs();
-        if (upTo >= Kind::layout) readSegments();
+        if (upTo >= Kind::layout) {
+            readDemands();
+            readSegments();
+        }
         if (upTo == Kind::surfaces) readPatches();
         return std::move(model_);
     }
@@ -66,20 +69,24 @@ private:
             }
         }
         model_.subMeshes = subMeshesOf(model_.cut);
+        readDemands();
+    }
+
+    void readDemands() {
         if (const auto section = JsonPlace(document_.root).find("constraints"))
             model_.constraints = readConstraints(model_.mesh, model_.complex, *section);
     }
 
     void readCosts() {
-        model_.cost = readCostOptions(document_.section(Kind::enumeration));
-        model_.edgeCosts = edgeCosts(model_.dihedralAngles, model_.cost);
+        model_.cost = readCost(document_.section(Kind::enumeration));
+        model_.edgeCosts = edgeCosts(model_.mesh, model_.dihedralAngles, model_.cost, model_.constraints);
     }
 
     void readGraphs() {
         readCosts();
-        model_.enumeration = readEnumeration(
-            {model_.mesh, model_.baseComplex, model_.complex, model_.edgeCosts, model_.subMeshes},
-            document_.section(Kind::enumeration));
+        model_.enumeration = readEnumeration({model_.mesh, model_.baseComplex, model_.complex,
+                                              model_.edgeCosts, model_.cost.terms, model_.subMeshes},
+                                             document_.section(Kind::enumeration));
     }
 
     void readSegments() {

@@ -26,7 +26,7 @@ struct Model {
     Constraints constraints;
     std::optional<Cut> cut;
     SubMeshes subMeshes; ///< of the cut; else the whole mesh
-    CostOptions cost;    ///< from the enumeration
+    GraphCost cost;      ///< from the enumeration
     std::vector<double> edgeCosts;
     std::optional<Enumeration> enumeration;
     std::optional<Layout> layout;

@@ -3,6 +3,7 @@
 
 #include "bspline/fit.h"
 #include "cut/cut.h"
+#include "document/cost_text.h"
 #include "document/option.h"
 #include "enumerate/enumerate.h"
 #include "features/features.h"
@@ -36,6 +37,13 @@ template <> struct Choices<PruneMethod> {
         Choice<PruneMethod>{PruneMethod::greedy, "greedy", "whole tracks, the most expensive first"},
         Choice<PruneMethod>{PruneMethod::optimum, "optimum",
                             "the cheapest layout of grids, over the whole base complex"}};
+};
+
+template <> struct Choices<GraphClass> {
+    static constexpr std::array all{
+        Choice<GraphClass>{GraphClass::motorcycle, "motorcycle", "every track begins at a source"},
+        Choice<GraphClass>{GraphClass::tmesh, "tmesh",
+                           "tracks may begin and end on others, of the whole mesh only: often much cheaper"}};
 };
 
 template <> struct Choices<Fit> {
@@ -73,10 +81,19 @@ template <class Visitor> void describe(EnumerationOptions& options, Visitor&& op
     option("alpha", options.cost.alpha, Range{}, "penalty of a flat edge");
     option("epsilon", options.cost.epsilon, Range{0, std::numbers::pi},
            "an edge is flat below this dihedral angle, radians; 1 suits models with sharp edges");
+    option("cost", options.cost.terms, Range{},
+           "what to minimise, a sum such as dihedral+0.5*segments of the terms dihedral (of edges, with "
+           "alpha and "
+           "epsilon), length (of edges), segments (their number) and custom (what the document gives edges)");
+    option("class", options.graphClass, Range{}, "which graphs");
     option("method", options.method, Range{}, "how to search");
     option("best", options.best, Range{1, maxCount}, "keep this many graphs of every sub-mesh, the cheapest");
-    option("count", options.count, Range{}, "count the motorcycle graphs of every sub-mesh exactly");
-    option("max-cost", options.maxCost, Range{}, "only graphs up to this cost");
+    option("count", options.count, Range{},
+           "count the graphs of every sub-mesh exactly: those up to --max-cost");
+    option("sample", options.sample, Range{0, maxCount},
+           "draw this many graphs of every sub-mesh, each as likely as any other");
+    option("seed", options.seed, Range{0, maxCount}, "of the draws: another one draws other graphs");
+    option("max-cost", options.maxCost, Range{}, "only graphs up to this cost in every sub-mesh");
     option("time-limit", options.timeLimit, Range{0, infinite},
            "stop after this many seconds with the best so far");
     option("gap", options.gap, Range{0, infinite},

@@ -23,6 +23,8 @@ template <class Options> [[nodiscard]] Json optionsToJson(Options options) {
             entry = value.percent ? Json(toleranceText(value)) : Json(value.value);
         else if constexpr (std::is_floating_point_v<Value>)
             entry = std::isfinite(value) ? Json(value) : Json();
+        else if constexpr (std::is_same_v<Value, CostTerms>)
+            entry = costText(value);
         else
             entry = value;
     });

@@ -20,21 +20,18 @@ std::size_t at(int index) {
 
 BranchAndBound::BranchAndBound(SearchState& state, std::vector<int> variables, const PartOptions& options,
                                const Control& control)
-    : state_(state), origin_(state.mark()), variables_(std::move(variables)), options_(options),
-      control_(control), incumbents_(options.best, options.maxCost),
+    : state_(state), origin_(state.mark()), variables_(std::move(variables)), cost_(state, variables_),
+      options_(options), control_(control), incumbents_(options.best, options.maxCost),
       formulation_(formulate(state, variables_)), particles_(state, formulation_),
       relaxation_(formulation_, particles_), pseudoCosts_(formulation_.costs), root_(particles_.mark()) {}
 
 void BranchAndBound::offer(const Assignment& assignment) {
-    double cost = 0;
-    for (const int variable : variables_)
-        if (assignment[at(variable)] == 1) cost += state_.problem().costs[at(variable)];
-    incumbents_.offer(cost, assignment);
+    incumbents_.offer(cost_.of([&](int variable) { return assignment[at(variable)] == 1; }), assignment);
 }
 
 void BranchAndBound::run() {
     if (particles_.consistent()) {
-        queue_.push({simpleBound(), addNode(-1, {})});
+        queue_.push({cost_.atLeast(state_), addNode(-1, {})});
         guess();
         search();
     }
@@ -56,16 +53,6 @@ void BranchAndBound::search() {
         else if (replay(next.node))
             plunge(next.node, next.bound);
     }
-}
-
-/// What every graph costs at least, without the relaxation.
-double BranchAndBound::simpleBound() const {
-    double bound = 0;
-    for (const int variable : variables_) {
-        const double cost = state_.problem().costs[at(variable)];
-        if (state_.value(variable) == ArcState::in || (state_.isFree(variable) && cost < 0)) bound += cost;
-    }
-    return bound;
 }
 
 int BranchAndBound::addNode(int parent, const Decision& decision) {

@@ -3,6 +3,7 @@
 
 #include "base/control.h"
 #include "enumerate/incumbents.h"
+#include "enumerate/part_cost.h"
 #include "enumerate/particle_state.h"
 #include "enumerate/pseudo_costs.h"
 #include "enumerate/relaxation.h"
@@ -73,7 +74,6 @@ private:
     bool fixByReducedCosts(const std::vector<double>& values, const std::vector<double>& reduced,
                            double bound);
     [[nodiscard]] bool contradictsRelaxation() const;
-    [[nodiscard]] double simpleBound() const;
     int addNode(int parent, const Decision& decision);
     void open(int parent, const Decision& decision, double bound);
 
@@ -102,6 +102,7 @@ private:
     SearchState& state_;
     SearchState::Mark origin_;
     std::vector<int> variables_;
+    PartCost cost_;
     PartOptions options_;
     const Control& control_;
     Incumbents incumbents_;

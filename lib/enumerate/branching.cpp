@@ -39,7 +39,7 @@ BranchAndBound::Choice BranchAndBound::choose(double bound) {
     std::vector<std::pair<double, int>> candidates;
     for (int column = 0; column < static_cast<int>(values.size()); ++column)
         if (values[at(column)] > integral && values[at(column)] < 1 - integral &&
-            particles_.column(column) == ArcState::free)
+            formulation_.variableOf[at(column)] >= 0 && particles_.column(column) == ArcState::free)
             candidates.emplace_back(-pseudoCosts_.score(column, values[at(column)]), column);
     if (candidates.empty()) return chooseAnyFree(bound);
     std::ranges::sort(candidates);

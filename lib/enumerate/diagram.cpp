@@ -57,17 +57,20 @@ private:
 class Builder {
 public:
     Builder(const Problem& problem, std::size_t mostNodes, const Control& control)
-        : state_(problem), mostNodes_(mostNodes), control_(control) {}
+        : problem_(problem), state_(problem), mostNodes_(mostNodes), control_(control) {}
 
     std::optional<Diagram> run() {
         diagram_.nodes.resize(2);
         if (!state_.consistent()) return std::move(diagram_);
         diagram_.fixed = state_.assignment();
-        diagram_.fixedCost = costOf(state_.problem(), diagram_.fixed);
+        diagram_.fixedCost = qm::costOf(problem_, diagram_.fixed);
         steps_ = eliminationOrder(state_);
         if (steps_.size() > mostSteps) return std::nullopt;
         border_.emplace(state_, steps_);
         known_.resize(steps_.size());
+        stepOf_.assign(problem_.domains.size(), -1);
+        for (std::size_t k = 0; k < steps_.size(); ++k)
+            if (steps_[k].variable >= 0) stepOf_[at(steps_[k].variable)] = static_cast<int>(k);
         diagram_.root = build(0);
         if (stopped_) return std::nullopt;
         return std::move(diagram_);
@@ -83,8 +86,8 @@ private:
         std::vector<std::uint64_t> key(words);
         border_->describe(state_, step, key.data());
         if (const Diagram::NodeId* node = known_[step].find(key.data(), words)) return *node;
-        const double cost = decision.variable >= 0 ? state_.problem().costs[at(decision.variable)] : 0;
-        const Diagram::Node node{decision.variable, follow(step, true), follow(step, false), cost};
+        const Diagram::Node node{decision.variable, follow(step, true), follow(step, false),
+                                 decision.variable >= 0 ? costOf(decision.variable, step) : 0};
         if (stopped_) return Diagram::none;
         const Diagram::NodeId id = add(node);
         known_[step].insert(key.data(), words, id);
@@ -95,6 +98,26 @@ private:
     [[nodiscard]] bool needsCover(const Step& decision) const {
         return state_.coverOfChain(decision.chain) == SearchState::Cover::open &&
                state_.isCrossed(decision.crossing);
+    }
+
+    /// Of a variable when it is in, with its corners next to arcs that have been decided before.
+    [[nodiscard]] double costOf(int variable, std::size_t step) const {
+        double cost = problem_.costs[at(variable)];
+        const auto decidedIn = [&](int arc) {
+            return state_.value(arc) == ArcState::in && stepOf_[at(arc)] < static_cast<int>(step);
+        };
+        for (const int id : state_.crossingsOf(variable)) {
+            const Crossing& crossing = problem_.crossings[at(id)];
+            if (crossing.cornerCost == 0) continue;
+            for (const std::size_t k : {0U, 1U}) {
+                const CrossingSide& own = crossing.sides[k];
+                const CrossingSide& other = crossing.sides[1 - k];
+                const int arcs = (own.before == variable ? 1 : 0) + (own.after == variable ? 1 : 0);
+                const int others = (decidedIn(other.before) ? 1 : 0) + (decidedIn(other.after) ? 1 : 0);
+                cost += crossing.cornerCost * cornersAt(arcs, others);
+            }
+        }
+        return cost;
     }
 
     Diagram::NodeId follow(std::size_t step, bool in) {
@@ -116,10 +139,12 @@ private:
         return static_cast<Diagram::NodeId>(diagram_.nodes.size() - 1);
     }
 
+    const Problem& problem_;
     SearchState state_;
     std::size_t mostNodes_;
     const Control& control_;
     std::vector<Step> steps_;
+    std::vector<int> stepOf_; ///< of every variable; -1 if it is the same in every graph
     std::optional<DiagramBorder> border_;
     std::vector<KnownNodes> known_; ///< before every step
     Diagram diagram_;

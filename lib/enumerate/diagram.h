@@ -33,6 +33,9 @@ struct Diagram {
 /// What a search may spend on a diagram: about a gigabyte.
 constexpr std::size_t diagramNodes = 10'000'000;
 
+/// What it may spend on one where it can do without.
+constexpr std::size_t smallDiagram = 1'000'000;
+
 /// Decides step by step (elimination_order.h); two ways on which the same remains to be decided meet in one
 /// node. What remains shows at the border between decided and undecided crossings alone, so that the number
 /// of nodes depends on how wide that border is and not on how many graphs there are.

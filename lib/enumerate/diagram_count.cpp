@@ -1,5 +1,9 @@
 #include "enumerate/diagram_count.h"
 
+#include "enumerate/ranked_graphs.h"
+
+#include <algorithm>
+#include <limits>
 #include <random>
 
 namespace qm {
@@ -21,6 +25,46 @@ BigCount drawBelow(const BigCount& limit, std::mt19937_64& random) {
     }
 }
 
+class CostlyWays {
+public:
+    CostlyWays(const Diagram& diagram, const Control& control)
+        : diagram_(diagram), control_(control), ways_(countWays(diagram)), cheapest_(cheapestWays(diagram)),
+          dearest_(diagram.nodes.size(), -std::numeric_limits<double>::infinity()) {
+        dearest_[Diagram::end] = 0;
+        for (std::size_t id = Diagram::end + 1; id < dearest_.size(); ++id) {
+            const Diagram::Node& node = diagram.nodes[id];
+            dearest_[id] = std::max(node.cost + dearest_[node.in], dearest_[node.out]);
+        }
+    }
+
+    std::optional<BigCount> count(double maxCost) {
+        countFrom(diagram_.root, maxCost - diagram_.fixedCost);
+        return stopped_ ? std::nullopt : std::optional(sum_);
+    }
+
+private:
+    void countFrom(Diagram::NodeId id, double left) {
+        if (stopped_ || cheapest_[id] > left) return;
+        if (dearest_[id] <= left) {
+            sum_ += ways_[id];
+            return;
+        }
+        stopped_ = ++steps_ % 4096 == 0 && control_.stopRequested();
+        const Diagram::Node& node = diagram_.nodes[id];
+        countFrom(node.in, left - node.cost);
+        countFrom(node.out, left);
+    }
+
+    const Diagram& diagram_;
+    const Control& control_;
+    std::vector<BigCount> ways_;
+    std::vector<double> cheapest_;
+    std::vector<double> dearest_;
+    BigCount sum_ = 0;
+    std::size_t steps_ = 0;
+    bool stopped_ = false;
+};
+
 } // namespace
 
 std::vector<BigCount> countWays(const Diagram& diagram) {
@@ -29,6 +73,10 @@ std::vector<BigCount> countWays(const Diagram& diagram) {
     for (std::size_t node = Diagram::end + 1; node < ways.size(); ++node)
         ways[node] = ways[diagram.nodes[node].in] + ways[diagram.nodes[node].out];
     return ways;
+}
+
+std::optional<BigCount> countUpTo(const Diagram& diagram, double maxCost, const Control& control) {
+    return CostlyWays(diagram, control).count(maxCost);
 }
 
 Assignment graphOfRank(const Diagram& diagram, const std::vector<BigCount>& ways, BigCount rank) {

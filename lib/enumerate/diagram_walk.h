@@ -1,8 +1,9 @@
 /// \file Every way through a decision diagram: no search, no dead ends.
 #pragma once
 
-#include "enumerate/diagram.h"
+#include "enumerate/ranked_graphs.h"
 
+#include <cmath>
 #include <utility>
 
 namespace qm {
@@ -24,6 +25,26 @@ bool walkDiagram(const Diagram& diagram, Diagram::NodeId from, Assignment& assig
     if (node.out == Diagram::none) return true;
     decide(0);
     return walkDiagram(diagram, node.out, assignment, visit);
+}
+
+/// The same for all graphs that cost at most `maxCost`: parts of the diagram without any are not entered.
+template <class Visit> bool walkDiagramUpTo(const Diagram& diagram, double maxCost, Visit& visit) {
+    Assignment assignment = diagram.fixed;
+    if (std::isinf(maxCost)) return walkDiagram(diagram, diagram.root, assignment, visit);
+    const std::vector<double> cheapest = cheapestWays(diagram);
+    const auto walk = [&](const auto& self, Diagram::NodeId id, double left) -> bool {
+        if (cheapest[id] > left) return true;
+        if (id == Diagram::end) return visit(std::as_const(assignment));
+        const Diagram::Node& node = diagram.nodes[id];
+        const auto decide = [&](signed char value) {
+            if (node.variable >= 0) assignment[static_cast<std::size_t>(node.variable)] = value;
+        };
+        decide(1);
+        if (!self(self, node.in, left - node.cost)) return false;
+        decide(0);
+        return self(self, node.out, left);
+    };
+    return walk(walk, diagram.root, maxCost - diagram.fixedCost);
 }
 
 } // namespace qm

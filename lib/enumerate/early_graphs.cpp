@@ -33,10 +33,8 @@ double BranchAndBound::present(int variable) const {
 }
 
 void BranchAndBound::recordLeaf() {
-    double cost = 0;
-    for (const int variable : variables_)
-        if (state_.value(variable) == ArcState::in) cost += state_.problem().costs[at(variable)];
-    incumbents_.offer(cost, state_.assignment());
+    incumbents_.offer(cost_.of([this](int variable) { return state_.value(variable) == ArcState::in; }),
+                      state_.assignment());
 }
 
 /// Takes the relaxed solution if it is integral and obeys all rules.
@@ -166,7 +164,8 @@ bool BranchAndBound::fixSurest() {
     const std::vector<double> values = relaxation_.values();
     for (int column = 0; column < static_cast<int>(values.size()); ++column) {
         const double value = values[at(column)];
-        if (value > integral && value < 1 - integral && particles_.column(column) == ArcState::free)
+        if (value > integral && value < 1 - integral && formulation_.variableOf[at(column)] >= 0 &&
+            particles_.column(column) == ArcState::free)
             order.emplace_back(-value, column);
     }
     std::ranges::sort(order);

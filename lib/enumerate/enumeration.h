@@ -1,8 +1,8 @@
 /// \file The graphs of every sub-mesh: the result of a search (method 2 to 5).
 #pragma once
 
+#include "enumerate/cost.h"
 #include "enumerate/motorcycle_graph.h"
-#include "mesh/dihedral.h"
 
 #include <boost/multiprecision/cpp_int.hpp>
 
@@ -22,16 +22,24 @@ enum class Method {
     plain     ///< the plain motorcycle graph (Eppstein et al. 2008; method 10)
 };
 
+/// What a track may begin and end on.
+enum class GraphClass {
+    motorcycle, ///< rules 1 to 4: every track begins at a source
+    tmesh       ///< rules 1 and 2 only: it may begin and end on others
+};
+
 /// The graphs of one sub-mesh, cheapest first.
 struct SubMeshGraphs {
     std::optional<double> cost;       ///< of the best graph; none if no graph was found
     std::optional<double> lowerBound; ///< no graph is cheaper; equals cost when proven
     std::optional<BigCount> count;    ///< number of motorcycle graphs, where it was asked for
     std::vector<MotorcycleGraph> graphs;
+    std::vector<MotorcycleGraph> samples; ///< drawn uniformly, where that was asked for
 };
 
 struct Enumeration {
-    CostOptions cost;
+    GraphCost cost;
+    GraphClass graphClass = GraphClass::motorcycle;
     Method method = Method::optimum;
     std::optional<BigCount> count; ///< product over the sub-meshes
     bool complete = true;          ///< no limit ended a search early

@@ -223,28 +223,87 @@ private:
             for (const std::size_t k : {0U, 1U})
                 addStops(crossing.sides[k], crossing.sides[1 - k]);
         }
+        if (crossing.cornerCost != 0 && anyFree(crossing)) addCorners(crossing);
         if (!problem_.gaps) return;
         Expression passes = surePass(crossing.sides[0]);
         passes.add(surePass(crossing.sides[1]), 1);
         atLeast(Expression{}.add(passes, -1), -1);
     }
 
+    bool anyFree(const Crossing& crossing) const {
+        return std::ranges::any_of(crossing.sides, [this](const CrossingSide& side) {
+            return state_.isFree(side.before) || state_.isFree(side.after);
+        });
+    }
+
+    /// The corners at a crossing beyond those between arcs that are in already.
+    void addCorners(const Crossing& crossing) {
+        const auto known = [this](const CrossingSide& side) {
+            return (isIn(side.before) ? 1 : 0) + (isIn(side.after) ? 1 : 0);
+        };
+        Expression corners = problem_.gaps ? cornersByStops(crossing) : cornersByArcs(crossing);
+        corners.constant -= cornersAt(known(crossing.sides[0]), known(crossing.sides[1]));
+        for (const auto& [column, weight] : corners.terms)
+            result_.costs[at(column)] += crossing.cornerCost * weight;
+        result_.constant += crossing.cornerCost * corners.constant;
+    }
+
+    /// Two for every particle that stops.
+    Expression cornersByStops(const Crossing& crossing) const {
+        Expression corners;
+        for (const CrossingSide& side : crossing.sides) {
+            if (consecutive(side)) {
+                for (const Expression& stop : particleStops(side))
+                    corners.add(stop, 2);
+                continue;
+            }
+            // One of the arcs is known, or both are in.
+            const bool beforeKnown = !columns(side.before).any();
+            const int sign = isIn(beforeKnown ? side.before : side.after) ? 1 : -1;
+            if (isWall(side)) continue;
+            corners.add(present(beforeKnown ? side.before : side.after), 2 * sign);
+            corners.add(present(beforeKnown ? side.after : side.before), -2 * sign);
+        }
+        return corners;
+    }
+
+    /// Two for every arc beyond the second; a new column tells when there is none.
+    Expression cornersByArcs(const Crossing& crossing) {
+        const int empty = static_cast<int>(result_.costs.size());
+        result_.costs.push_back(0);
+        result_.variableOf.push_back(-1);
+        Expression corners;
+        corners.constant = -4;
+        corners.add(empty, 4);
+        for (const CrossingSide& side : crossing.sides)
+            for (const int arc : {side.before, side.after}) {
+                corners.add(present(arc), 2);
+                atLeast(Expression{}.add(empty, -1).add(present(arc), -1), -1);
+            }
+        const auto& [a, b] = crossing.sides;
+        for (const int one : {a.before, a.after})
+            for (const int other : {b.before, b.after})
+                atLeast(Expression{}.add(empty, 1).add(present(one), 1).add(present(other), 1), 1);
+        return corners;
+    }
+
+    /// The particle from before stops here, and the particle from after.
+    std::array<Expression, 2> particleStops(const CrossingSide& side) const {
+        const auto& before = columns(side.before);
+        const auto& after = columns(side.after);
+        std::array<Expression, 2> stops;
+        if (before.fromBefore >= 0) stops[0].add(before.fromBefore, 1);
+        if (after.fromBefore >= 0) stops[0].add(after.fromBefore, -1);
+        if (after.fromAfter >= 0) stops[1].add(after.fromAfter, 1);
+        if (before.fromAfter >= 0) stops[1].add(before.fromAfter, -1);
+        return stops;
+    }
+
     /// Where a track ends, the other line goes through.
     void addStops(const CrossingSide& side, const CrossingSide& wall) {
-        std::vector<Expression> stops;
-        if (problem_.gaps && consecutive(side)) {
-            const auto& before = columns(side.before);
-            const auto& after = columns(side.after);
-            Expression forward, backward;
-            if (before.fromBefore >= 0) forward.add(before.fromBefore, 1);
-            if (after.fromBefore >= 0) forward.add(after.fromBefore, -1);
-            if (after.fromAfter >= 0) backward.add(after.fromAfter, 1);
-            if (before.fromAfter >= 0) backward.add(before.fromAfter, -1);
-            stops = {forward, backward};
-        } else {
-            stops = {present(side.before).add(present(side.after), -1),
-                     present(side.after).add(present(side.before), -1)};
-        }
+        std::array<Expression, 2> stops{present(side.before).add(present(side.after), -1),
+                                        present(side.after).add(present(side.before), -1)};
+        if (problem_.gaps && consecutive(side)) stops = particleStops(side);
         std::vector<Expression> walls;
         if (problem_.gaps && consecutive(wall))
             walls = {pass(wall)};

@@ -4,7 +4,7 @@
 /// from after. Along a chain p falls and s rises, which is rule 3. A head-on meeting that nothing passes
 /// through can be moved to an end of its line without changing the graph; so a particle stops at a junction
 /// only where the other line is passed by one particle, and that is rule 2. Of two crossing lines at most one
-/// is passed (A2), which is rule 4.
+/// is passed (A2), which is rule 4. Every stop brings two corners of segments.
 #pragma once
 
 #include "enumerate/search_state.h"
@@ -29,8 +29,9 @@ struct Formulation {
     };
     std::vector<Columns> columnsOf; ///< of every variable of the problem and both constants
     std::vector<int> coverRowOf;    ///< row p + s <= 1, where a variable has both; else -1
-    std::vector<int> variableOf;    ///< of every column
+    std::vector<int> variableOf;    ///< of every column; -1 of one that says that a junction is empty
     std::vector<double> costs;      ///< of every column
+    double constant = 0;            ///< of the cost
     std::vector<Row> rows;
 };
 

@@ -2,6 +2,7 @@
 
 #include "enumerate/branch_and_bound.h"
 #include "enumerate/independent_parts.h"
+#include "enumerate/ranked_graphs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,11 +12,9 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+/// Of what is in already.
 double fixedCost(const SearchState& state) {
-    double cost = 0;
-    for (int v = 0; v < state.problem().variables(); ++v)
-        if (state.value(v) == ArcState::in) cost += state.problem().costs[static_cast<std::size_t>(v)];
-    return cost;
+    return costOf(state.problem(), state.assignment());
 }
 
 /// One graph: every part on its own, the best of each put together.
@@ -79,6 +78,20 @@ OptimumResult findOptimum(SearchState& state, const OptimumOptions& options, con
         searchParts(state, options, control, result);
     else
         searchTogether(state, options, control, result);
+    return result;
+}
+
+OptimumResult findBest(const Problem& problem, const OptimumOptions& options, const Control& control) {
+    if (options.best == 1) return findOptimum(problem, options, control);
+    const auto diagram = buildDiagram(problem, smallDiagram, control);
+    if (!diagram) return findOptimum(problem, options, control);
+    OptimumResult result;
+    result.lowerBound = diagram->fixedCost + cheapestWays(*diagram)[diagram->root];
+    forEachRankedGraph(*diagram, [&](double cost, const Assignment& graph) {
+        if (cost > options.maxCost + Incumbents::tolerance) return false;
+        result.graphs.push_back(graph);
+        return result.graphs.size() < options.best;
+    });
     return result;
 }
 

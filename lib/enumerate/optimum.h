@@ -34,4 +34,8 @@ struct OptimumResult {
 [[nodiscard]] OptimumResult findOptimum(SearchState& state, const OptimumOptions& options,
                                         const Control& control = {});
 
+/// The same; several graphs are read off a decision diagram where that is small.
+[[nodiscard]] OptimumResult findBest(const Problem& problem, const OptimumOptions& options,
+                                     const Control& control = {});
+
 } // namespace qm

@@ -107,6 +107,7 @@ bool ParticleState::columnsToArcs() {
     while (told_ < columnTrail_.size()) {
         const int column = columnTrail_[told_++];
         const int variable = formulation_.variableOf[at(column)];
+        if (variable < 0) continue; // follows from the arcs
         const auto& [fromBefore, fromAfter] = formulation_.columnsOf[at(variable)];
         const auto isOut = [this](int c) { return c < 0 || columns_[at(c)] == ArcState::out; };
         ArcState value = ArcState::free;

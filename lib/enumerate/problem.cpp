@@ -260,7 +260,8 @@ private:
             onChain = onChain || (arc.valid() && chainOfArc(arc) >= 0);
         }
         if (isOpen(id) ? !anyOut && onChain : anyFree || (!anyOut && onChain))
-            problem_.crossings.push_back({{side(id, 0), side(id, 1)}, isOpen(id)});
+            problem_.crossings.push_back(
+                {{side(id, 0), side(id, 1)}, isOpen(id), isOpen(id) ? 0 : input_.cornerCost});
     }
 
     const ProblemInput& input_;
@@ -282,6 +283,13 @@ double costOf(const Problem& problem, const Assignment& assignment) {
     double cost = 0;
     for (int i = 0; i < problem.variables(); ++i)
         if (assignment[static_cast<std::size_t>(i)] == 1) cost += problem.costs[static_cast<std::size_t>(i)];
+    const auto present = [&](const CrossingSide& side) {
+        return assignment[static_cast<std::size_t>(side.before)] +
+               assignment[static_cast<std::size_t>(side.after)];
+    };
+    for (const Crossing& crossing : problem.crossings)
+        if (crossing.cornerCost != 0)
+            cost += crossing.cornerCost * cornersAt(present(crossing.sides[0]), present(crossing.sides[1]));
     return cost;
 }
 

@@ -42,6 +42,8 @@ struct CrossingSide {
 struct Crossing {
     std::array<CrossingSide, 2> sides;
     bool open = false; ///< past a cut, where tracks may end unfinished: only rule 4 holds
+    double cornerCost =
+        0; ///< of each segment's corner here: of every arc of one line next to one of the other
 };
 
 /// Consecutive arcs of one line that can only be in or out together.
@@ -53,7 +55,7 @@ struct ArcRun {
 /// Variable indices 0 .. variables() - 1, and after them two constants: in() is present, out() is absent.
 struct Problem {
     std::vector<ArcRun> arcs;      ///< the arcs of every variable
-    std::vector<double> costs;     ///< of every variable; 0 for the two constants
+    std::vector<double> costs;     ///< of every variable when it is in; 0 for the two constants
     std::vector<ArcState> domains; ///< of every variable and the two constants
     std::vector<Chain> chains;
     std::vector<Crossing> crossings;
@@ -67,6 +69,11 @@ struct Problem {
 
 /// A value for every variable and both constants, 0 or 1.
 using Assignment = std::vector<signed char>;
+
+/// The segments' corners at a crossing, by how many arcs of each line are in.
+constexpr int cornersAt(int arcsOfOne, int arcsOfOther) {
+    return arcsOfOne * arcsOfOther;
+}
 
 /// Which particles may walk, of every line those of its begin and of its end; where empty, all.
 struct Walkers {
@@ -91,13 +98,14 @@ struct ProblemInput {
     std::vector<ArcState> demands; ///< `in` or `out` where a person demands it, else `free`; may be empty
     std::vector<bool> open; ///< junctions where tracks may end unfinished: those past a cut; may be empty
     Walkers walkers;        ///< which particles take part
+    double cornerCost = 0;  ///< of every segment's corner at a junction that is not open
 };
 
 /// Linear in the graph.
 /// \throw Error  if the demands contradict rule 1 or fixed arcs
 [[nodiscard]] Problem makeProblem(const ProblemInput& input);
 
-/// G_T of the variables that are in.
+/// What the variables that are in cost, with the corners around crossings.
 [[nodiscard]] double costOf(const Problem& problem, const Assignment& assignment);
 
 } // namespace qm

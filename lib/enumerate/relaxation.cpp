@@ -23,6 +23,7 @@ constexpr double broken = 1e-6; ///< a row is violated by more than this
 Relaxation::Relaxation(const Formulation& formulation, const ParticleState& state)
     : formulation_(&formulation), solver_(std::make_unique<ClpSimplex>()),
       values_(formulation.costs.size(), 0), reducedCosts_(formulation.costs.size(), 0) {
+    fixedCost_ = formulation.constant;
     std::vector<int> indexOf(formulation.costs.size(), -1);
     for (std::size_t column = 0; column < formulation.costs.size(); ++column) {
         if (state.column(static_cast<int>(column)) == ArcState::in) fixedCost_ += formulation.costs[column];
@@ -138,7 +139,7 @@ void Relaxation::read(const ParticleState& state) {
 
 /// Every column for itself; the solver does not keep its promises about such problems.
 Relaxation::Result Relaxation::solveWithoutRows(const ParticleState& state, double cutoff) {
-    Result result{Result::Kind::solved, 0};
+    Result result{Result::Kind::solved, formulation_->constant};
     for (std::size_t column = 0; column < values_.size(); ++column) {
         const ArcState known = state.column(static_cast<int>(column));
         const double cost = formulation_->costs[column];

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "enumerate/extend.h"
+#include "mesh/topology.h"
 
 #include <string>
 
@@ -59,8 +60,9 @@ std::vector<ArcState> demandsOf(const QuadMesh& mesh, const BaseComplex& complex
 
 SearchSpace makeSearchSpace(const QuadMesh& mesh, const BaseComplex& complex,
                             const std::vector<double>& edgeCosts, const SubMeshes& subMeshes,
-                            const Constraints& constraints) {
+                            const Constraints& constraints, double cornerCost) {
     SearchSpace space;
+    space.cornerCost = cornerCost;
     space.graph = buildArcGraph(mesh, complex, subMeshes.labels);
     space.arcCosts = sumOverArcs(mesh, space.graph, complex, edgeCosts);
     space.demands = demandsOf(mesh, complex, space.graph, constraints);
@@ -72,9 +74,27 @@ SearchSpace makeSearchSpace(const QuadMesh& mesh, const BaseComplex& complex,
         space.arcBegins.push_back(label(mesh.from_vertex_handle(halfedges.front())));
         space.arcEnds.push_back(label(mesh.to_vertex_handle(halfedges.back())));
     }
+    // A track that ends on the boundary makes two corners there.
+    for (const Line& line : space.graph.lines) {
+        const ArcId last(line.firstArc.value() + line.arcCount - 1);
+        const VertexId end = mesh.to_vertex_handle(halfedgesOf(space.graph, complex, last).back());
+        if (!line.backward && mesh.is_boundary(end) && isRegular(mesh, end))
+            space.arcCosts[last.idx()] += 2 * cornerCost;
+    }
     for (const Junction& junction : space.graph.junctions)
         space.junctionLabels.push_back(label(junction.vertex));
     return space;
+}
+
+double costOf(const SearchSpace& space, const std::vector<bool>& present) {
+    double cost = 0;
+    for (std::size_t arc = 0; arc < present.size(); ++arc)
+        if (present[arc]) cost += space.arcCosts[arc];
+    const auto in = [&](ArcId arc) { return arc.valid() && present[arc.idx()] ? 1 : 0; };
+    for (const Junction& junction : space.graph.junctions)
+        cost += space.cornerCost * cornersAt(in(junction.arcs[0]) + in(junction.arcs[2]),
+                                             in(junction.arcs[1]) + in(junction.arcs[3]));
+    return cost;
 }
 
 void appendWalk(const SearchSpace& space, LineId id, bool fromEnd, int from, int subMesh,
@@ -123,6 +143,7 @@ Problem subMeshProblem(const SearchSpace& space, int subMesh, const std::vector<
         input.states[arc.idx()] = ArcState::free;
     for (const int label : space.junctionLabels)
         input.open.push_back(label != subMesh);
+    input.cornerCost = space.cornerCost;
     return makeProblem(input);
 }
 

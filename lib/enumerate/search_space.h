@@ -16,12 +16,16 @@ struct SearchSpace {
     std::vector<int> arcBegins;    ///< sub-mesh of the vertex where an arc begins, in its line's direction
     std::vector<int> arcEnds;      ///< likewise where it ends
     std::vector<int> junctionLabels;
+    double cornerCost = 0; ///< of every corner of a segment
 };
 
 /// \throw Error  if a constraint names an edge on no separatrix, or forbids an edge of the mesh boundary
 [[nodiscard]] SearchSpace makeSearchSpace(const QuadMesh& mesh, const BaseComplex& complex,
                                           const std::vector<double>& edgeCosts, const SubMeshes& subMeshes,
-                                          const Constraints& constraints);
+                                          const Constraints& constraints, double cornerCost = 0);
+
+/// What the arcs of a graph cost, with the corners that depend on them.
+[[nodiscard]] double costOf(const SearchSpace& space, const std::vector<bool>& present);
 
 /// Appends the arcs that a particle can walk in a sub-mesh: from position `from`, counted from its source, up
 /// to and including the arc that leaves the sub-mesh.

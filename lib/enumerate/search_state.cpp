@@ -66,6 +66,10 @@ SearchState::SearchState(const Problem& problem)
       cracks_(capacities(problem)), free_(static_cast<int>(problem.domains.size())) {
     for (const double cost : problem.costs)
         bound_ += std::min(cost, 0.0);
+    for (std::size_t c = 0; c < problem.crossings.size(); ++c) {
+        bound_ += cornerBound(static_cast<int>(c));
+        cornersCost_ = cornersCost_ || problem.crossings[c].cornerCost != 0;
+    }
     for (std::size_t c = 0; c < problem.chains.size(); ++c)
         for (int k = 0; k < problem.chains[c].count; ++k)
             chainOf_[at(problem.chains[c].first + k)] = static_cast<int>(c);
@@ -131,13 +135,33 @@ bool SearchState::decideCover(int chain, bool full) {
 bool SearchState::set(int variable, ArcState value) {
     ArcState& current = values_[at(variable)];
     if (current != ArcState::free) return current == value;
+    const double cornersBefore = cornersCost_ ? cornerBounds(variable) : 0;
     current = value;
     assigned_.push_back(variable);
     --free_;
+    if (cornersCost_) bound_ += cornerBounds(variable) - cornersBefore;
     const double cost = problem_.costs[at(variable)];
     bound_ += value == ArcState::in ? std::max(cost, 0.0) : -std::min(cost, 0.0);
     if (value == ArcState::in && chainOf_[at(variable)] >= 0) ++inCount_[at(chainOf_[at(variable)])];
     return true;
+}
+
+double SearchState::cornerBound(int id) const {
+    const Crossing& crossing = problem_.crossings[at(id)];
+    const auto arcs = [&](const CrossingSide& side) {
+        const auto counts = [&](int arc) {
+            return crossing.cornerCost < 0 ? value(arc) != ArcState::out : value(arc) == ArcState::in;
+        };
+        return (counts(side.before) ? 1 : 0) + (counts(side.after) ? 1 : 0);
+    };
+    return crossing.cornerCost * cornersAt(arcs(crossing.sides[0]), arcs(crossing.sides[1]));
+}
+
+double SearchState::cornerBounds(int variable) const {
+    double sum = 0;
+    for (const int crossing : crossingsOf_[at(variable)])
+        sum += cornerBound(crossing);
+    return sum;
 }
 
 bool SearchState::propagate() {

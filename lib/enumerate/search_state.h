@@ -22,6 +22,8 @@ public:
     [[nodiscard]] int freeVariables() const { return free_; }
     /// No completion costs less; G_T itself, but for rounding, when no variable is free.
     [[nodiscard]] double bound() const { return bound_; }
+    /// The part of the bound that the corners at a crossing make up.
+    [[nodiscard]] double cornerBound(int crossing) const;
     [[nodiscard]] const Problem& problem() const { return problem_; }
     [[nodiscard]] int chainOf(int variable) const { return chainOf_[static_cast<std::size_t>(variable)]; }
     /// The crack node of a chain; -1 if its line cannot be cracked.
@@ -99,6 +101,7 @@ private:
     bool coverChain(int chain);
 
     [[nodiscard]] Cover coverOf(int node) const;
+    [[nodiscard]] double cornerBounds(int variable) const;
 
     const Problem& problem_;
     std::vector<ArcState> values_;
@@ -118,6 +121,7 @@ private:
     std::size_t propagated_ = 0; ///< how far the trail has been followed
     double bound_ = 0;
     int free_ = 0;
+    bool cornersCost_ = false;
     bool consistent_ = true;
 };
 

@@ -173,6 +173,28 @@ MotorcycleGraph graphOf(const QuadMesh& mesh, const BaseComplex& complex, const 
     return result;
 }
 
+MotorcycleGraph tMeshOf(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
+                        const std::vector<bool>& present, const std::vector<double>& edgeCosts) {
+    MotorcycleGraph result;
+    for (const Line& line : graph.lines) {
+        const auto in = [&](int k) { return k < line.arcCount && present[at(line.firstArc.value() + k)]; };
+        for (int first = 0, last = 0; first < line.arcCount; first = last + 1) {
+            for (last = first; in(last);)
+                ++last;
+            if (first == last) continue;
+            const auto begin = at(graph.arcs[at(line.firstArc.value() + first)].begin),
+                       end = at(graph.arcs[at(line.firstArc.value() + last - 1)].end);
+            const bool fromEnd = first > 0 && last == line.arcCount && line.backward;
+            const auto& way = complex.separatrices[(fromEnd ? *line.backward : line.forward).idx()].halfedges;
+            const std::span path(way);
+            result.tracks.push_back(trackOf(
+                mesh, fromEnd ? path.first(end - begin) : path.subspan(begin, end - begin), edgeCosts));
+            result.cost += result.tracks.back().cost;
+        }
+    }
+    return result;
+}
+
 std::vector<bool> presentArcs(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
                               const std::vector<Track>& tracks) {
     enum class Cover : char { none, track, arc };

@@ -28,6 +28,11 @@ struct Coverage {
                                       const std::vector<bool>& present, const std::vector<double>& edgeCosts,
                                       const Walkers& walkers = {});
 
+/// The same for rules 1 and 2 alone: every run of arcs on a line is a track, and begins at a source if it
+/// touches one.
+[[nodiscard]] MotorcycleGraph tMeshOf(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
+                                      const std::vector<bool>& present, const std::vector<double>& edgeCosts);
+
 /// The arcs that tracks cover together; two that meet head-on may do so inside an arc.
 /// \throw Error  if an edge of a track is on no arc that is covered throughout
 [[nodiscard]] std::vector<bool> presentArcs(const QuadMesh& mesh, const BaseComplex& complex,

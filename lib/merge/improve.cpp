@@ -25,10 +25,11 @@ Assignment assignmentOf(const Problem& problem, const std::vector<bool>& present
 } // namespace
 
 Improvement improveGraph(const QuadMesh& mesh, const BaseComplex& complex,
-                         const std::vector<double>& edgeCosts, const Constraints& constraints,
-                         const MotorcycleGraph& graph, double seconds, const Control& control) {
+                         const std::vector<double>& edgeCosts, double cornerCost,
+                         const Constraints& constraints, const MotorcycleGraph& graph, double seconds,
+                         const Control& control) {
     const SubMeshes whole{std::vector<int>(mesh.n_vertices(), 0), 1};
-    const SearchSpace space = makeSearchSpace(mesh, complex, edgeCosts, whole, constraints);
+    const SearchSpace space = makeSearchSpace(mesh, complex, edgeCosts, whole, constraints, cornerCost);
     const std::vector<bool> nothing(space.graph.arcs.size(), false);
     const Problem problem = subMeshProblem(space, 0, ownArcs(space, 0), nothing);
     const Deadline half(control, shareOfTree * seconds), end(control, seconds);

@@ -20,11 +20,11 @@ struct Improvement {
 /// Searches the whole mesh for half of the time, which yields the bound and often the proof; if it does not,
 /// windows of the mesh, until none improves the graph or the time is up. The cost never rises and the graph
 /// is valid at every step. \param graph    a valid motorcycle graph of the whole mesh that obeys the
-/// constraints \param seconds  in all; without a limit, the result is proven \param control  if it is
-/// stopped, the best so far
+/// constraints \param cornerCost  of every corner of a segment \param seconds  in all; without a limit, the
+/// result is proven \param control  if it is stopped, the best so far
 [[nodiscard]] Improvement improveGraph(const QuadMesh& mesh, const BaseComplex& complex,
-                                       const std::vector<double>& edgeCosts, const Constraints& constraints,
-                                       const MotorcycleGraph& graph, double seconds,
-                                       const Control& control = {});
+                                       const std::vector<double>& edgeCosts, double cornerCost,
+                                       const Constraints& constraints, const MotorcycleGraph& graph,
+                                       double seconds, const Control& control = {});
 
 } // namespace qm

@@ -191,11 +191,15 @@ bool obeys(const SearchSpace& space, const std::vector<bool>& present) {
     return true;
 }
 
-double costOf(const SearchSpace& space, const std::vector<bool>& present) {
-    double cost = 0;
-    for (std::size_t arc = 0; arc < present.size(); ++arc)
-        if (present[arc]) cost += space.arcCosts[arc];
-    return cost;
+/// There is nothing to merge: a T-mesh is that of the whole mesh.
+MergeResult wholeGraph(const Enumeration& enumeration) {
+    const SubMeshGraphs& found = enumeration.subMeshes.front();
+    if (found.graphs.empty())
+        throw Error("/enumeration/subMeshes/0/graphs", "no graph was found", "give qm-enum more time");
+    MergeResult result;
+    result.graph = found.graphs.front();
+    if (enumeration.cost.terms.segments == 0) result.lowerBound = found.lowerBound;
+    return result;
 }
 
 } // namespace
@@ -204,8 +208,10 @@ MergeResult mergeGraphs(const QuadMesh& mesh, const BaseComplex& complex,
                         const std::vector<double>& dihedralAngles, const SubMeshes& subMeshes,
                         const Enumeration& enumeration, const Constraints& constraints,
                         double complexityLimit, const MergeOptions& options, const Control& control) {
-    const std::vector<double> costs = edgeCosts(dihedralAngles, enumeration.cost);
-    const SearchSpace space = makeSearchSpace(mesh, complex, costs, subMeshes, constraints);
+    if (enumeration.graphClass == GraphClass::tmesh) return wholeGraph(enumeration);
+    const std::vector<double> costs = edgeCosts(mesh, dihedralAngles, enumeration.cost, constraints);
+    const SearchSpace space =
+        makeSearchSpace(mesh, complex, costs, subMeshes, constraints, cornerCost(enumeration.cost.terms));
     Generator generator(mesh, complex, space, enumeration, subMeshes.count, complexityLimit, control);
     generator.partial();
     generator.complete(options.maxRounds);
@@ -227,13 +233,16 @@ MergeResult mergeGraphs(const QuadMesh& mesh, const BaseComplex& complex,
             "Lay the cut around these edges, or search the whole mesh with a greater --chi of qm-cut");
     result.graph = graphOf(mesh, complex, space.graph, present, costs);
     result.costBefore = result.graph.cost;
-    if (subMeshes.count == 1) result.lowerBound = enumeration.subMeshes.front().lowerBound;
+    // The bound of a cost that counts segments is none of the edges' costs.
+    const bool bounds = enumeration.cost.terms.segments == 0;
+    if (subMeshes.count == 1 && bounds) result.lowerBound = enumeration.subMeshes.front().lowerBound;
     const bool proven = result.lowerBound && result.graph.cost <= *result.lowerBound + Incumbents::tolerance;
     if (options.improve > 0 && !proven) {
-        Improvement better =
-            improveGraph(mesh, complex, costs, constraints, result.graph, options.improve, control);
+        Improvement better = improveGraph(mesh, complex, costs, cornerCost(enumeration.cost.terms),
+                                          constraints, result.graph, options.improve, control);
         result.graph = std::move(better.graph);
-        result.lowerBound = std::max(better.lowerBound, result.lowerBound.value_or(better.lowerBound));
+        if (bounds)
+            result.lowerBound = std::max(better.lowerBound, result.lowerBound.value_or(better.lowerBound));
         result.windows = better.windows;
         result.improvements = better.improvements;
     }

@@ -52,12 +52,83 @@ is() { assert_equal "$(field "$1" out.json)" true; }
     qm-basecomplex --quiet small.obj -o small.json
     assert_equal "$(field '.baseComplex.ordinaryJunctions > 0' small.json)" true
     quietly qm-enum small.json -o expected.json
-    for method in naive bounds improved; do
+    for method in bounds improved; do
         quietly qm-enum --method $method small.json -o out.json
         assert_equal "$(field '.enumeration.subMeshes[0].cost * 1e6 | round' out.json)" \
             "$(field '.enumeration.subMeshes[0].cost * 1e6 | round' expected.json)"
         assert_equal "$(field .enumeration.method out.json)" $method
     done
+    # Trying every vector is for the smallest models only.
+    search cube --method naive
+    is '.enumeration.count == "1"'
+}
+
+@test "T-meshes contain the motorcycle graphs, and go on to segments" {
+    for model in block helix random; do
+        input=$(stage basecomplex "$model")
+        quietly qm-enum --count "$input" -o motorcycle.json
+        quietly qm-enum --count --class tmesh --sample 3 "$input" -o out.json
+        is '.enumeration.class == "tmesh" and (.enumeration.subMeshes[0].samples | length == 3)'
+        is '.enumeration.subMeshes[0] | (.cost - .lowerBound | fabs) < 1e-6'
+        assert_equal "$(jq -n "$(cost) <= $(cost motorcycle.json) + 1e-9")" true
+        assert_equal "$(jq -n "$(field .enumeration.count out.json) >= $(field .enumeration.count motorcycle.json)")" true
+        quietly qm-check out.json
+        qm-merge out.json | qm-prune -o layout.json
+        quietly qm-check layout.json
+    done
+}
+
+@test "T-meshes of a cut mesh are refused, and so are the paper's algorithms for them" {
+    complains qm-enum --class tmesh "$(stage cut random)"
+    misused qm-enum --class tmesh --method improved "$(stage basecomplex cube)"
+}
+
+@test "a cost is a sum of terms, and the document is checked against it" {
+    input=$(stage basecomplex random)
+    for sum in length segments dihedral+0.5*segments 2*length-0.1*segments+dihedral; do
+        quietly qm-enum --cost "$sum" --best 3 "$input" -o out.json
+        is '.enumeration.subMeshes[0] | (.cost - .lowerBound | fabs) < 1e-6'
+        quietly qm-check out.json
+        qm-merge out.json -o layout.json
+        quietly qm-check layout.json
+    done
+    # Nothing but segments: their number.
+    quietly qm-enum --cost segments "$input" -o out.json
+    qm-merge out.json -o layout.json
+    is '.enumeration.subMeshes[0].cost | . == floor'
+    assert_equal "$(field '.layout.segments | length' layout.json)" "$(field '.enumeration.subMeshes[0].cost' out.json)"
+    for sum in area '' '+' dihedral+ 2*dihedral*length x*length; do
+        misused qm-enum --cost "$sum" "$input"
+    done
+}
+
+@test "weights of edges under constraints" {
+    input=$(stage basecomplex random)
+    path=$(jq -c '.baseComplex.separatrices[0].vertices' "$input")
+    jq --argjson path "$path" '.constraints = {"weights": [{"vertices": $path, "weight": -100}]}' "$input" >weighed.json
+    quietly qm-enum weighed.json -o out.json
+    quietly qm-check out.json
+    is ".enumeration.subMeshes[0].cost < -100 * ($path | length - 1) + 100"
+    quietly qm-enum --cost dihedral weighed.json -o plain.json
+    quietly qm-enum "$input" -o out.json
+    assert_equal "$(cost plain.json)" "$(cost)"
+    jq '.constraints.weights[0].weight = "x"' weighed.json >wrong.json
+    complains qm-enum wrong.json
+}
+
+@test "the best graphs as a list, in order of cost" {
+    input=$(stage basecomplex random)
+    quietly qm-enum --all all.jsonl --best 50 --list best.jsonl "$input" -o out.json
+    is '.enumeration.subMeshes[0].graphs | length == 1'
+    quietly qm-enum --best 50 "$input" -o fifty.json
+    assert_equal "$(jq -s 'map(.cost * 1e6 | round)' -c best.jsonl)" \
+        "$(field '[.enumeration.subMeshes[0].graphs[].cost * 1e6 | round]' fifty.json | jq -c .)"
+    assert_equal "$(jq -s 'map(.cost * 1e6 | round) | sort | .[:50]' -c all.jsonl)" \
+        "$(jq -s 'map(.cost * 1e6 | round)' -c best.jsonl)"
+    limit=$(jq -s '.[20].cost' best.jsonl)
+    quietly qm-enum --count --max-cost "$limit" --all below.jsonl "$input" -o out.json
+    assert_equal "$(wc -l <below.jsonl)" "$(field .enumeration.count out.json)"
+    assert_equal "$(jq -s "map(select(.cost <= $limit + 1e-7)) | length" all.jsonl)" "$(wc -l <below.jsonl)"
 }
 
 @test "the plain motorcycle graph is valid and no cheaper than the optimum" {

@@ -2,6 +2,7 @@
 // costs.
 #include "base/error.h"
 #include "enumerate/coordinates.h"
+#include "enumerate/cost.h"
 #include "enumerate/count.h"
 #include "enumerate/depth_first.h"
 #include "enumerate/diagram_count.h"
@@ -108,6 +109,40 @@ TEST(SearchProperty, EveryVisitedGraphIsValidAndCounted) {
     EXPECT_GT(tried, cases / 4);
 }
 
+/// The mesh edges of a graph.
+std::vector<bool> edgesOf(const Case& drawn, const Assignment& graph) {
+    const std::vector<bool> present = presentIn(drawn, graph);
+    std::vector<bool> edges(drawn.mesh.n_edges(), false);
+    for (std::size_t arc = 0; arc < present.size(); ++arc)
+        for (const HalfedgeId halfedge : halfedgesOf(drawn.graph, drawn.complex, ArcId(arc)))
+            if (present[arc]) edges[static_cast<std::size_t>(drawn.mesh.edge_handle(halfedge).idx())] = true;
+    return edges;
+}
+
+TEST(SearchProperty, CornersOfSegmentsAreThoseOfTheMesh) {
+    int compared = 0;
+    for (const bool gaps : {true, false})
+        for (unsigned number = 0; number < cases; ++number) {
+            auto drawn = drawCase(number);
+            if (!drawn) continue;
+            const SearchSpace space = makeSearchSpace(drawn->mesh, drawn->complex,
+                                                      std::vector(drawn->mesh.n_edges(), 0.0), {}, {}, 1);
+            drawn->problem =
+                subMeshProblem(space, 0, ownArcs(space, 0), std::vector(space.graph.arcs.size(), false));
+            drawn->problem.gaps = gaps;
+            const auto graphs = allGraphs(drawn->problem);
+            if (!graphs) continue;
+            const auto sure = static_cast<double>(countSureCorners(drawn->mesh, {}, 0));
+            for (const Assignment& graph : *graphs) {
+                const auto all = static_cast<double>(countCorners(drawn->mesh, edgesOf(*drawn, graph)));
+                ASSERT_NEAR(costOf(drawn->problem, graph) + sure, all, 1e-9) << "case " << number;
+                ASSERT_NEAR(costOf(space, presentIn(*drawn, graph)) + sure, all, 1e-9) << "case " << number;
+            }
+            ++compared;
+        }
+    EXPECT_GT(compared, cases / 2);
+}
+
 TEST(SearchProperty, ADiagramHoldsEveryGraphOnce) {
     int compared = 0;
     for (const bool gaps : {true, false})
@@ -181,29 +216,33 @@ TEST(SearchProperty, DrawnGraphsAreUniform) {
 }
 
 TEST(SearchProperty, TheOptimumAndTheBestAreThoseOfAllGraphs) {
-    for (const bool gaps : {true, false})
-        for (unsigned number = 0; number < cases; ++number) {
-            auto drawn = drawCase(number);
-            if (!drawn) continue;
-            drawn->problem.gaps = gaps;
-            const auto graphs = allGraphs(drawn->problem);
-            if (!graphs || graphs->size() > 2000) continue;
-            const std::vector<double> costs = sortedCosts(drawn->problem, *graphs);
-            const OptimumResult one = findOptimum(drawn->problem, {});
-            ASSERT_EQ(one.graphs.size(), costs.empty() ? 0U : 1U) << "case " << number;
-            if (costs.empty()) continue;
-            EXPECT_NEAR(costOf(drawn->problem, one.graphs[0]), costs[0], 1e-6) << "case " << number;
-            EXPECT_NEAR(one.lowerBound, costs[0], 1e-6) << "case " << number;
-            EXPECT_TRUE(one.complete);
-            OptimumOptions options;
-            options.best = 7;
-            const OptimumResult several = findOptimum(drawn->problem, options);
-            ASSERT_EQ(several.graphs.size(), std::min<std::size_t>(7, costs.size())) << "case " << number;
-            for (std::size_t k = 0; k < several.graphs.size(); ++k) {
-                EXPECT_TRUE(graphs->contains(several.graphs[k]));
-                EXPECT_NEAR(costOf(drawn->problem, several.graphs[k]), costs[k], 1e-6) << "case " << number;
+    for (const double cornerCost : {0.0, 0.3, -0.2})
+        for (const bool gaps : {true, false})
+            for (unsigned number = 0; number < cases; ++number) {
+                auto drawn = drawCase(number);
+                if (!drawn) continue;
+                drawn->problem.gaps = gaps;
+                for (Crossing& crossing : drawn->problem.crossings)
+                    crossing.cornerCost = cornerCost;
+                const auto graphs = allGraphs(drawn->problem);
+                if (!graphs || graphs->size() > 2000) continue;
+                const std::vector<double> costs = sortedCosts(drawn->problem, *graphs);
+                const OptimumResult one = findOptimum(drawn->problem, {});
+                ASSERT_EQ(one.graphs.size(), costs.empty() ? 0U : 1U) << "case " << number;
+                if (costs.empty()) continue;
+                EXPECT_NEAR(costOf(drawn->problem, one.graphs[0]), costs[0], 1e-6) << "case " << number;
+                EXPECT_NEAR(one.lowerBound, costs[0], 1e-6) << "case " << number;
+                EXPECT_TRUE(one.complete);
+                OptimumOptions options;
+                options.best = 7;
+                const OptimumResult several = findOptimum(drawn->problem, options);
+                ASSERT_EQ(several.graphs.size(), std::min<std::size_t>(7, costs.size())) << "case " << number;
+                for (std::size_t k = 0; k < several.graphs.size(); ++k) {
+                    EXPECT_TRUE(graphs->contains(several.graphs[k]));
+                    EXPECT_NEAR(costOf(drawn->problem, several.graphs[k]), costs[k], 1e-6)
+                        << "case " << number;
+                }
             }
-        }
 }
 
 TEST(SearchProperty, ThePapersAlgorithmsFindTheSameGraphs) {
@@ -327,13 +366,14 @@ TEST(SearchProperty, ImprovedGraphsAreProvenAndNeverDearer) {
         if (!drawn || drawn->graph.arcs.empty()) continue;
         const MotorcycleGraph plain = plainMotorcycleGraph(drawn->mesh, drawn->complex, drawn->costs);
         const double least = costOf(drawn->problem, findOptimum(drawn->problem, {}).graphs.front());
-        const Improvement better = improveGraph(drawn->mesh, drawn->complex, drawn->costs, {}, plain, 1e9);
+        const Improvement better = improveGraph(drawn->mesh, drawn->complex, drawn->costs, 0, {}, plain, 1e9);
         const auto present = presentArcs(drawn->mesh, drawn->complex, drawn->graph, better.graph.tracks);
         EXPECT_TRUE(isMotorcycleGraph(drawn->graph, present)) << "case " << number;
         EXPECT_NEAR(better.graph.cost, least, 1e-6) << "case " << number;
         EXPECT_NEAR(better.lowerBound, least, 1e-6) << "case " << number;
         if (better.graph.cost < plain.cost - 1e-6) ++cheaper;
-        const Improvement hurried = improveGraph(drawn->mesh, drawn->complex, drawn->costs, {}, plain, 1e-9);
+        const Improvement hurried =
+            improveGraph(drawn->mesh, drawn->complex, drawn->costs, 0, {}, plain, 1e-9);
         EXPECT_LE(hurried.graph.cost, plain.cost + 1e-9);
         EXPECT_LE(hurried.lowerBound, least + 1e-6);
     }

@@ -330,7 +330,7 @@ INSTANTIATE_TEST_SUITE_P(
                "/enumeration/subMeshes/0/graphs/0/tracks", "forbidden"},
         Spoilt{"constraintPath", cornerModel,
                [](Doc& d) {
-                   d.constraints = {{{0, 0}}, {}};
+                   d.constraints = {{{0, 0}}, {}, {}};
                },
                "/constraints/required/0/vertices/1", "path"}),
     nameOf);
@@ -352,7 +352,7 @@ INSTANTIATE_TEST_SUITE_P(
                    // The other graphs have edges that the layout lacks.
                    std::vector<std::vector<int>> paths;
                    for (const auto& track : first(d).graphs[3].tracks) paths.push_back(track.vertices);
-                   d.constraints = {paths, {}};
+                   d.constraints = {paths, {}, {}};
                },
                "/layout/tracks", "required"},
         Spoilt{"overlap", cornerModel,
