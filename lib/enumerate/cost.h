@@ -20,7 +20,7 @@ struct CostTerms {
 };
 
 struct GraphCost : CostOptions {
-    CostTerms terms;
+    CostTerms terms = {};
 };
 
 /// Of every edge, all terms but the segments; 0 on the mesh boundary for lengths.
