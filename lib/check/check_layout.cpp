@@ -130,7 +130,6 @@ private:
     }
 
     void particles(std::span<const ReadTrack> tracks) {
-        if (part_.tmesh && part_.pruned) return; // any stretches of lines
         if (part_.pruned) {
             for (const ReadTrack& track : tracks)
                 straight(track);
