@@ -86,8 +86,8 @@ public:
     /// The first interrupt asks the body through `Control::stopRequested` to end with the best so far; the
     /// second ends the tool. Without this the first one does.
     void stopsGracefully();
-    /// Called when the command line has been read and before anything else. What it throws, UsageError or Error,
-    /// is a usage error.
+    /// Called when the command line has been read and before anything else. What it throws, UsageError or
+    /// Error, is a usage error.
     void verify(std::function<void()> check);
 
     // ---- What the body may use.

@@ -38,7 +38,7 @@ public:
 
 private:
     ArcState state(const Line& line, int position) const {
-        return input_.states[static_cast<std::size_t>(line.firstArc.value() + position)];
+        return input_.states[ArcId(line.firstArc.value() + position).idx()];
     }
 
     bool allIn(const Line& line, int begin, int end) const {

@@ -10,7 +10,7 @@ namespace {
 using Lattice = std::array<int, 3>;
 
 /// The unit cells (x, y, z) below a sloping plane.
-bool isSolid(int steps, const Lattice &cell) {
+bool isSolid(int steps, const Lattice& cell) {
     const auto [x, y, z] = cell;
     return x >= 0 && y >= 0 && z >= 0 && x + y + z < steps;
 }

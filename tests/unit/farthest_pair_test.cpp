@@ -1,6 +1,6 @@
 #include "cut/farthest_pair.h"
-#include "mesh/topology.h"
 #include "mesh/build_mesh.h"
+#include "mesh/topology.h"
 #include "support/random_graph.h"
 #include "support/track_along.h"
 
