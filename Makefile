@@ -63,6 +63,7 @@ link    = $(CXX) $(CXXFLAGS) $(LDFLAGS)
 
 sources     := $(wildcard lib/*/*.cpp)
 headers     := $(wildcard lib/*/*.h)
+own_headers := $(filter $(sources:.cpp=.h),$(headers))
 schemas     := $(wildcard schemas/*.schema.json)
 three       := /usr/share/javascript/three
 page_parts  := $(wildcard lib/view/page/*) $(three)/three.min.js $(three)/examples/js/controls/OrbitControls.js
@@ -183,7 +184,12 @@ check-layers: ## no module includes what lib/LAYERS does not allow
 check-headers: $(headers:%=$(O)/%.ok) ## every header compiles on its own
 	@echo 'headers: $(words $(headers)) passed, 0 failed'
 
-$(O)/%.h.ok: %.h $(O)/flags
+# A source that includes its own header first has proven it by being compiled; other headers are compiled alone.
+$(own_headers:%=$(O)/%.ok): $(O)/%.h.ok: %.cpp $(O)/%.o
+	@first=$$(grep -m 1 '^#include' $<); [[ $$first == '#include "$(<:lib/%.cpp=%.h)"' ]] || \
+	    { echo "$<: include $(<:lib/%.cpp=%.h) before anything else" >&2; exit 1; }
+	@touch $@
+$(patsubst %,$(O)/%.ok,$(filter-out $(own_headers),$(headers))): $(O)/%.h.ok: %.h $(O)/flags
 	@mkdir -p $(@D)
 	$(call quietly,header,$<) echo '#include "$(<:lib/%=%)"' | $(compile) -MMD -MP -MF $(@:.ok=.d) -MT $@ -fsyntax-only -x c++ -
 	@touch $@
