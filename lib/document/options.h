@@ -114,8 +114,10 @@ template <class Visitor> void describe(PruneOptions& options, Visitor&& option) 
     option("max-turn", options.maxTurn, Range{0, 180},
            "P, the most that the boundary may turn where a removed track ended, degrees");
     option("beta", options.beta, Range{0, infinite}, "with --method optimum: the price of a segment");
-    option("max-segments", options.maxSegments, Range{0, infinite},
-           "with --method optimum: the cheapest layout of so many segments at most, instead of their price");
+    option(
+        "max-segments", options.maxSegments, Range{0, infinite},
+        "with --method optimum: the cheapest layout of so many segments at most, annuli not counted, instead "
+        "of their price");
     option("time-limit", options.timeLimit, Range{0, infinite},
            "with --method optimum: stop after this many seconds with the best so far");
     option("front", options.front, Range{},

@@ -27,7 +27,7 @@ struct PruneOptions {
     bool front = false;    ///< list what can be had for how many segments
 };
 
-/// One of the layouts that nothing beats in both segments and G_T.
+/// One of the layouts that no other found is as good as in segments, G_T and captured sharpness together.
 struct FrontPoint {
     double beta = 0;
     std::size_t segments = 0;

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "enumerate/tracks.h"
 #include "prune/grid_program.h"
+#include "prune/neighbourhood_search.h"
 #include "prune/solve_program.h"
 
 #include <algorithm>
@@ -29,33 +30,78 @@ public:
           options_(options), control_(control), graph_(buildArcGraph(mesh, complex)),
           grids_(gridProgram(mesh, complex, graph_, sumOverArcs(mesh, graph_, complex, edgeCosts), layout,
                              options.smooth ? options.maxTurn : flat)),
-          start_(valuesOf(layout)) {}
+          known_{valuesOf(layout)} {}
 
     /// \param beta  price of a segment
-    [[nodiscard]] PruneResult prune(double beta, double maxSegments) const {
-        IntegerProgram program = grids_.program;
-        for (std::size_t column = 0; column < program.costs.size(); ++column)
-            program.costs[column] += beta * grids_.quarters[column] / 4;
+    [[nodiscard]] PruneResult prune(double beta, double maxSegments) {
+        if (!bestKnown(pricedAt(0), maxSegments)) approach(maxSegments);
+        IntegerProgram program = pricedAt(beta);
         if (std::isfinite(maxSegments)) program.rows.push_back(limitOn(maxSegments));
-        const bool startObeys = grids_.segments(start_) <= maxSegments + 1e-9;
-        const ProgramSolution solution =
-            solveProgram(program, startObeys ? start_ : std::vector<double>{}, options_.timeLimit, control_);
-        if (!solution.values && !startObeys)
+        const std::optional<Values> start = bestKnown(program, maxSegments);
+        // Half of the time to prove the optimum; otherwise the rest for the best without a proof.
+        ProgramSolution solution =
+            solveProgram(program, start.value_or(Values{}), options_.timeLimit / 2, control_);
+        if (!solution.values && !start)
             throw Error("--max-segments", "no layout of so few segments was found",
                         "allow more, or more time");
-        const std::vector<double>& values = solution.values ? *solution.values : start_;
+        Values values = solution.values ? std::move(*solution.values) : *start;
+        if (!solution.proven)
+            values = improveByNeighbourhoods(program, std::move(values), lines(), options_.timeLimit / 2,
+                                             control_);
         PruneResult result;
         result.layout = layoutOf(values);
         // Components without sources get a loop each, come what may.
-        const std::vector<double>& costs = grids_.program.costs;
-        const double loops =
-            result.layout.cost - std::inner_product(values.begin(), values.end(), costs.begin(), 0.0);
+        const double loops = result.layout.cost - costOf(grids_.program, values);
         result.objectiveBound = solution.lowerBound + beta * grids_.corners / 4 + loops;
         result.proven = solution.proven;
+        known_.push_back(std::move(values));
         return result;
     }
 
 private:
+    using Values = std::vector<double>; ///< of every column of the program
+
+    static double costOf(const IntegerProgram& program, const Values& values) {
+        return std::inner_product(values.begin(), values.end(), program.costs.begin(), 0.0);
+    }
+
+    IntegerProgram pricedAt(double beta) const {
+        IntegerProgram program = grids_.program;
+        for (std::size_t column = 0; column < program.costs.size(); ++column)
+            program.costs[column] += beta * grids_.quarters[column] / 4;
+        return program;
+    }
+
+    /// Of the solutions that were found so far.
+    std::optional<Values> bestKnown(const IntegerProgram& program, double maxSegments) const {
+        const Values* best = nullptr;
+        for (const Values& values : known_)
+            if (grids_.segments(values) <= maxSegments + 1e-9 &&
+                (!best || costOf(program, values) < costOf(program, *best)))
+                best = &values;
+        return best ? std::optional(*best) : std::nullopt;
+    }
+
+    /// Looks for a first layout of so few segments, by making them dearer and dearer.
+    void approach(double maxSegments) {
+        constexpr double dearest = 1024;
+        for (double beta = 1; beta <= dearest && !bestKnown(grids_.program, maxSegments); beta *= 4) {
+            const IntegerProgram program = pricedAt(beta);
+            known_.push_back(improveByNeighbourhoods(program, *bestKnown(program, infinity), lines(),
+                                                     options_.timeLimit / 12, control_));
+        }
+    }
+
+    /// The columns of every line's arcs.
+    std::vector<std::vector<int>> lines() const {
+        std::vector<std::vector<int>> columns;
+        for (const Line& line : graph_.lines) {
+            columns.emplace_back(static_cast<std::size_t>(line.arcCount));
+            std::iota(columns.back().begin(), columns.back().end(), line.firstArc.value());
+        }
+        return columns;
+    }
+
     IntegerProgram::Row limitOn(double segments) const {
         IntegerProgram::Row row{{}, {}, -infinity, 4 * segments - grids_.corners};
         for (std::size_t column = 0; column < grids_.quarters.size(); ++column)
@@ -66,7 +112,7 @@ private:
         return row;
     }
 
-    std::vector<double> valuesOf(const Layout& layout) const {
+    Values valuesOf(const Layout& layout) const {
         // The loops that components without sources get are on no arc; they are made anew.
         std::vector<bool> onArc(mesh_.n_edges(), false);
         for (std::size_t arc = 0; arc < graph_.arcs.size(); ++arc)
@@ -77,7 +123,7 @@ private:
             if (!track.transversal && onArc[at(mesh_.edge_handle(track.track.halfedges.front()))])
                 tracks.push_back(track.track);
         const std::vector<bool> present = presentArcs(mesh_, complex_, graph_, tracks);
-        std::vector<double> values(present.begin(), present.end());
+        Values values(present.begin(), present.end());
         for (const Junction& junction : graph_.junctions)
             values.push_back(std::ranges::any_of(junction.arcs,
                                                  [&](ArcId arc) { return arc.valid() && present[arc.idx()]; })
@@ -87,7 +133,7 @@ private:
     }
 
     /// Every run of arcs that are in, along a line, is a track.
-    Layout layoutOf(const std::vector<double>& values) const {
+    Layout layoutOf(const Values& values) const {
         std::vector<Track> tracks;
         for (const Line& line : graph_.lines) {
             bool running = false;
@@ -114,12 +160,14 @@ private:
     const Control& control_;
     ArcGraph graph_;
     GridProgram grids_;
-    std::vector<double> start_;
+    std::vector<Values> known_; ///< solutions, whatever they cost
 };
 
-bool dominates(const FrontPoint& a, const FrontPoint& b) {
-    return a.segments <= b.segments && a.cost <= b.cost + 1e-9 &&
-           (a.segments < b.segments || a.cost < b.cost - 1e-9);
+/// Whether the first is as good in everything.
+bool covers(const FrontPoint& a, const FrontPoint& b) {
+    constexpr double tiny = 1e-9;
+    return a.segments <= b.segments && a.cost <= b.cost + tiny &&
+           a.capturedSharpness >= b.capturedSharpness - tiny;
 }
 
 } // namespace
@@ -127,7 +175,7 @@ bool dominates(const FrontPoint& a, const FrontPoint& b) {
 PruneResult pruneToOptimum(const QuadMesh& mesh, const BaseComplex& complex, const Layout& layout,
                            const std::vector<double>& dihedralAngles, const std::vector<double>& edgeCosts,
                            const PruneOptions& options, const Control& control) {
-    const Pruner pruner(mesh, complex, layout, dihedralAngles, edgeCosts, options, control);
+    Pruner pruner(mesh, complex, layout, dihedralAngles, edgeCosts, options, control);
     return pruner.prune(std::isfinite(options.maxSegments) ? 0 : options.beta, options.maxSegments);
 }
 
@@ -135,20 +183,18 @@ std::vector<FrontPoint> pruneFront(const QuadMesh& mesh, const BaseComplex& comp
                                    const std::vector<double>& dihedralAngles,
                                    const std::vector<double>& edgeCosts, const PruneOptions& options,
                                    double rho, const Control& control) {
-    const Pruner pruner(mesh, complex, layout, dihedralAngles, edgeCosts, options, control);
+    Pruner pruner(mesh, complex, layout, dihedralAngles, edgeCosts, options, control);
     std::vector<FrontPoint> points;
     for (double beta = 1.0 / 16; beta <= 64 && !control.stopRequested(); beta *= 2) {
         const PruneResult pruned = pruner.prune(beta, infinity);
         const LayoutQuality quality = measureLayout(mesh, pruned.layout, dihedralAngles, rho);
         const FrontPoint point{beta, quality.segments, pruned.layout.cost, quality.capturedSharpness};
-        const auto isWorse = [&](const FrontPoint& other) { return dominates(other, point); };
-        if (std::ranges::any_of(points, isWorse)) continue;
-        std::erase_if(points, [&](const FrontPoint& other) {
-            return dominates(point, other) ||
-                   (other.segments == point.segments && std::abs(other.cost - point.cost) < 1e-9);
-        });
+        if (std::ranges::any_of(points, [&](const FrontPoint& other) { return covers(other, point); }))
+            continue;
+        std::erase_if(points, [&](const FrontPoint& other) { return covers(point, other); });
         points.push_back(point);
     }
+    std::ranges::sort(points, std::ranges::greater{}, &FrontPoint::segments);
     return points;
 }
 

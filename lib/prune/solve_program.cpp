@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 
 namespace qm {
@@ -52,6 +53,7 @@ void load(const IntegerProgram& program, OsiClpSolverInterface& solver) {
 
 ProgramSolution solveProgram(const IntegerProgram& program, const std::vector<double>& start, double seconds,
                              const Control& control) {
+    if (program.costs.empty()) return {std::vector<double>{}, 0, true}; // CBC proves nothing about nothing
     OsiClpSolverInterface solver;
     load(program, solver);
     CbcModel model(solver);
@@ -66,8 +68,10 @@ ProgramSolution solveProgram(const IntegerProgram& program, const std::vector<do
         model.setBestSolution(start.data(), static_cast<int>(start.size()), cost);
     }
     const std::string limit = std::to_string(std::min(seconds, 1e9));
-    const char* arguments[] = {"cbc", "-log", "0", "-sec", limit.c_str(), "-solve", "-quit"};
-    CbcMain1(7, arguments, model);
+    // CBC's own presolve crashes when it is interrupted.
+    const char* arguments[] = {"cbc",         "-log",        "0",   "-timeMode", "elapsed", "-sec",
+                               limit.c_str(), "-preprocess", "off", "-solve",    "-quit"};
+    CbcMain1(static_cast<int>(std::size(arguments)), arguments, model);
     ProgramSolution solution;
     solution.proven = model.isProvenOptimal();
     solution.lowerBound = model.getBestPossibleObjValue();
