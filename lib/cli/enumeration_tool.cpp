@@ -1,5 +1,6 @@
 #include "cli/enumeration_tool.h"
 
+#include "cli/graph_line.h"
 #include "cli/output_file.h"
 #include "document/enumeration_section.h"
 
@@ -23,19 +24,20 @@ void writeGraphs(const Tool& tool, const Model& model, const EnumerationOptions&
     if (path.empty()) return;
     const SeparatrixIndex separatrices(model.mesh, model.baseComplex);
     OutputFile file(path);
-    double graphs = 0;
-    const bool all = forEachGraph(
-        model.mesh, model.complex, model.dihedralAngles, model.subMeshes, options, ranked,
-        [&](int subMesh, const MotorcycleGraph& graph) {
-            Json line{{"subMesh", subMesh}};
-            line.update(graphToJson(model.mesh, separatrices, graph));
-            file.write(printJsonLine(line));
-            ++graphs;
-            return !tool.interrupted();
-        },
-        tool.control(ranked ? "writing the best graphs" : "writing every graph"));
+    std::size_t written = 0;
+    const GraphListing listing{[&](int subMesh, const MotorcycleGraph& graph, std::string& text) {
+                                   appendGraphLine(model.mesh, separatrices, subMesh, graph, text);
+                               },
+                               [&](std::string_view text, std::size_t graphs) {
+                                   file.write(text);
+                                   written += graphs;
+                                   return true;
+                               }};
+    const bool all =
+        listGraphs(model.mesh, model.complex, model.dihedralAngles, model.subMeshes, options, ranked, listing,
+                   tool.control(ranked ? "writing the best graphs" : "writing every graph"));
     file.commit();
-    tool.count(ranked ? "bestGraphsWritten" : "graphsWritten", graphs);
+    tool.count(ranked ? "bestGraphsWritten" : "graphsWritten", static_cast<double>(written));
     if (!all)
         tool.warn(tool.inputName() + ": the search was ended early; not every graph was written to " + path);
 }

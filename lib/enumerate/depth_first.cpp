@@ -44,13 +44,15 @@ std::vector<int> branchingOrder(const Problem& problem) {
 }
 
 bool forEachAssignment(const Problem& problem, const std::function<double()>& costLimit,
-                       const std::function<bool(const SearchState&)>& visit) {
+                       const std::function<bool(const SearchState&)>& visit, const Control& control) {
     SearchState state(problem);
     if (!state.consistent()) return true;
     const std::vector<int> order = branchingOrder(problem);
     std::vector<Branch> branches;
     bool possible = true;
+    std::size_t steps = 0;
     for (std::size_t next = 0;;) {
+        if (++steps % 1024 == 0 && control.stopRequested()) return false;
         // Invariant: every assignment that is not consistent with the trail has been visited or cannot be
         // valid, or lies behind an open branch.
         if (possible && state.bound() <= costLimit()) {

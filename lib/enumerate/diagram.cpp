@@ -64,8 +64,9 @@ public:
         if (!state_.consistent()) return std::move(diagram_);
         diagram_.fixed = state_.assignment();
         diagram_.fixedCost = qm::costOf(problem_, diagram_.fixed);
-        steps_ = eliminationOrder(state_);
-        if (steps_.size() > mostSteps) return std::nullopt;
+        auto steps = eliminationOrder(state_, control_);
+        if (!steps || steps->size() > mostSteps) return std::nullopt;
+        steps_ = std::move(*steps);
         border_.emplace(state_, steps_);
         known_.resize(steps_.size());
         stepOf_.assign(problem_.domains.size(), -1);

@@ -8,7 +8,8 @@ namespace qm {
 namespace {
 
 constexpr std::size_t mostStarts = 100;
-constexpr double growth = 1.6; ///< states that another open item brings, roughly
+constexpr double growth = 1.6;    ///< states that another open item brings, roughly
+constexpr double hopeless = 1e15; ///< by that measure, which is far too high for wide borders
 
 std::size_t at(int index) {
     return static_cast<std::size_t>(index);
@@ -102,24 +103,39 @@ private:
     std::vector<Seen> state_;
 };
 
-/// The crossings that hang together, part by part, each in the order of its best sweep.
-std::vector<int> crossingOrder(const Ties& ties) {
+/// The crossings that hang together with one.
+std::vector<int> partOf(const Ties& ties, int first, std::vector<bool>& seen) {
+    std::vector<int> part{first};
+    seen[at(first)] = true;
+    for (std::size_t next = 0; next < part.size(); ++next)
+        for (const int item : ties.itemsOf[at(part[next])])
+            for (const int other : ties.crossingsOf[at(item)]) {
+                if (seen[at(other)]) continue;
+                seen[at(other)] = true;
+                part.push_back(other);
+            }
+    return part;
+}
+
+/// The crossings, part by part, each in the order of its best sweep. Nothing if one has none that is worth
+/// it, or on request.
+std::optional<std::vector<int>> crossingOrder(const Ties& ties, const Control& control) {
     Sweep sweep(ties);
-    std::vector<bool> placed(ties.itemsOf.size(), false);
-    std::vector<int> order, part, best;
+    std::vector<bool> seen(ties.itemsOf.size(), false);
+    std::vector<int> order, tried, best;
     for (int first = 0; first < static_cast<int>(ties.itemsOf.size()); ++first) {
-        if (placed[at(first)]) continue;
-        double least = sweep.run(first, std::numeric_limits<double>::infinity(), best);
-        const std::vector<int> members = best;
-        const std::size_t stride = 1 + members.size() / mostStarts;
-        for (std::size_t k = 0; k < members.size(); k += stride) {
-            const double cost = sweep.run(members[k], least, part);
+        if (seen[at(first)]) continue;
+        const std::vector<int> part = partOf(ties, first, seen);
+        const std::size_t stride = 1 + part.size() / mostStarts;
+        double least = hopeless;
+        for (std::size_t k = 0; k < part.size(); k += stride) {
+            if (control.stopRequested()) return std::nullopt;
+            const double cost = sweep.run(part[k], least, tried);
             if (cost >= least) continue;
             least = cost;
-            best.swap(part);
+            best.swap(tried);
         }
-        for (const int crossing : best)
-            placed[at(crossing)] = true;
+        if (least == hopeless) return std::nullopt;
         order.insert(order.end(), best.begin(), best.end());
     }
     return order;
@@ -127,7 +143,7 @@ std::vector<int> crossingOrder(const Ties& ties) {
 
 } // namespace
 
-std::vector<Step> eliminationOrder(const SearchState& state) {
+std::optional<std::vector<Step>> eliminationOrder(const SearchState& state, const Control& control) {
     const Ties ties(state);
     const int variables = static_cast<int>(state.problem().domains.size());
     std::vector<bool> placed(at(variables), false);
@@ -136,7 +152,9 @@ std::vector<Step> eliminationOrder(const SearchState& state) {
         if (!placed[at(variable)]) steps.push_back({variable, -1, -1});
         placed[at(variable)] = true;
     };
-    for (const int crossing : crossingOrder(ties)) {
+    const auto order = crossingOrder(ties, control);
+    if (!order) return std::nullopt;
+    for (const int crossing : *order) {
         const std::vector<int>& items = ties.itemsOf[at(crossing)];
         for (const int item : items)
             if (item < variables) place(item);

@@ -1,8 +1,10 @@
 /// \file In which order a decision diagram decides: such that little of what is decided matters later.
 #pragma once
 
+#include "base/control.h"
 #include "enumerate/search_state.h"
 
+#include <optional>
 #include <vector>
 
 namespace qm {
@@ -17,7 +19,9 @@ struct Step {
 
 /// Every free variable once, and every open chain after the arcs of each of its crossings, so that rule 4 is
 /// settled there and then. Crossing by crossing, always the neighbour that leaves the fewest items with one
-/// end behind and one ahead; from the best of many starts.
-[[nodiscard]] std::vector<Step> eliminationOrder(const SearchState& state);
+/// end behind and one ahead; from the best of many starts. \return nothing if no order promises a diagram
+/// that memory could hold, or `control.stopRequested`
+[[nodiscard]] std::optional<std::vector<Step>> eliminationOrder(const SearchState& state,
+                                                                const Control& control = {});
 
 } // namespace qm

@@ -89,18 +89,16 @@ Enumeration enumerateGraphs(const QuadMesh& mesh, const BaseComplex& complex,
     return result;
 }
 
-bool forEachGraph(const QuadMesh& mesh, const BaseComplex& complex, const std::vector<double>& dihedralAngles,
-                  const SubMeshes& subMeshes, const EnumerationOptions& options, bool ranked,
-                  const std::function<bool(int subMesh, const MotorcycleGraph& graph)>& visit,
-                  const Control& control) {
+bool listGraphs(const QuadMesh& mesh, const BaseComplex& complex, const std::vector<double>& dihedralAngles,
+                const SubMeshes& subMeshes, const EnumerationOptions& options, bool ranked,
+                const GraphListing& listing, const Control& control) {
     verifyAsked(subMeshes, options);
     const std::vector<double> costs = edgeCosts(mesh, dihedralAngles, options.cost, options.constraints);
     const SubMeshSearch search(mesh, complex, costs, subMeshes, options);
     const Deadline deadline(control, options.timeLimit);
     const Control limited = deadline.control();
     for (int i = 0; i < subMeshes.count; ++i) {
-        const auto hand = [&](const MotorcycleGraph& graph) { return visit(i, graph); };
-        if (!search.forEach(i, ranked, hand, limited)) return false;
+        if (!search.list(i, ranked, listing, limited)) return false;
         control.progress(static_cast<double>(i + 1) / static_cast<double>(subMeshes.count));
     }
     return true;

@@ -8,6 +8,8 @@
 
 #include <functional>
 #include <limits>
+#include <string>
+#include <string_view>
 
 namespace qm {
 
@@ -41,12 +43,20 @@ struct SubMeshes {
                                           const SubMeshes& subMeshes, const EnumerationOptions& options,
                                           const Control& control = {});
 
-/// Hands every graph to `visit` exactly once, sub-mesh by sub-mesh, in bounded memory; or, ranked, the best
-/// of each sub-mesh, the cheapest first. The search ends early when `visit` returns false. \return false if
-/// it was ended early
-bool forEachGraph(const QuadMesh& mesh, const BaseComplex& complex, const std::vector<double>& dihedralAngles,
-                  const SubMeshes& subMeshes, const EnumerationOptions& options, bool ranked,
-                  const std::function<bool(int subMesh, const MotorcycleGraph& graph)>& visit,
-                  const Control& control = {});
+/// What becomes of the graphs of a list.
+struct GraphListing {
+    /// Appends what is to be said of a graph to a text; called on several threads.
+    std::function<void(int subMesh, const MotorcycleGraph& graph, std::string& text)> append;
+    /// Takes the text of some graphs, in the order of the list; never twice at the same time, but on any
+    /// thread. The search ends early when it returns false.
+    std::function<bool(std::string_view text, std::size_t graphs)> take;
+};
+
+/// Lists every graph exactly once, sub-mesh by sub-mesh, in bounded memory; or, ranked, the best of each
+/// sub-mesh, the cheapest first. Works on `control.jobs` threads; the list does not depend on how many.
+/// \return false if it was ended early
+bool listGraphs(const QuadMesh& mesh, const BaseComplex& complex, const std::vector<double>& dihedralAngles,
+                const SubMeshes& subMeshes, const EnumerationOptions& options, bool ranked,
+                const GraphListing& listing, const Control& control = {});
 
 } // namespace qm

@@ -3,6 +3,7 @@
 
 #include "enumerate/problem.h"
 
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <set>
@@ -30,15 +31,26 @@ public:
 
     [[nodiscard]] bool empty() const { return graphs_.empty(); }
     [[nodiscard]] double bestCost() const { return graphs_.begin()->first; }
-    [[nodiscard]] const std::set<std::pair<double, Assignment>>& graphs() const { return graphs_; }
 
-    /// Costs closer than this are the same.
+    /// Orders by cost, and by variables where only rounding tells costs apart.
+    struct Order {
+        using Graph = std::pair<double, Assignment>;
+        bool operator()(const Graph& a, const Graph& b) const {
+            const double costA = std::round(a.first / rounding), costB = std::round(b.first / rounding);
+            return costA != costB ? costA < costB : a.second < b.second;
+        }
+    };
+    [[nodiscard]] const std::set<std::pair<double, Assignment>, Order>& graphs() const { return graphs_; }
+
+    /// A proof need not tell costs apart that are closer than this.
     static constexpr double tolerance = 1e-7;
+    /// Sums of the same costs in another order are closer than this.
+    static constexpr double rounding = 1e-9;
 
 private:
     std::size_t capacity_;
     double maxCost_;
-    std::set<std::pair<double, Assignment>> graphs_;
+    std::set<std::pair<double, Assignment>, Order> graphs_;
 };
 
 } // namespace qm

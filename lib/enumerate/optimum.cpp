@@ -63,6 +63,18 @@ void searchTogether(SearchState& state, const OptimumOptions& options, const Con
         result.graphs.push_back(graph);
 }
 
+/// \return false if `visit` returned false
+template <class Visit> bool rank(const Diagram& diagram, const OptimumOptions& options, const Visit& visit) {
+    std::size_t left = options.best;
+    bool ended = false;
+    forEachRankedGraph(diagram, [&](double cost, const Assignment& graph) {
+        if (left-- == 0 || cost > options.maxCost + Incumbents::tolerance) return false;
+        ended = !visit(graph);
+        return !ended;
+    });
+    return !ended;
+}
+
 } // namespace
 
 OptimumResult findOptimum(const Problem& problem, const OptimumOptions& options, const Control& control) {
@@ -87,12 +99,19 @@ OptimumResult findBest(const Problem& problem, const OptimumOptions& options, co
     if (!diagram) return findOptimum(problem, options, control);
     OptimumResult result;
     result.lowerBound = diagram->fixedCost + cheapestWays(*diagram)[diagram->root];
-    forEachRankedGraph(*diagram, [&](double cost, const Assignment& graph) {
-        if (cost > options.maxCost + Incumbents::tolerance) return false;
+    rank(*diagram, options, [&](const Assignment& graph) {
         result.graphs.push_back(graph);
-        return result.graphs.size() < options.best;
+        return true;
     });
     return result;
+}
+
+bool forEachBest(const Problem& problem, const OptimumOptions& options,
+                 const std::function<bool(const Assignment&)>& visit, const Control& control) {
+    if (const auto diagram = buildDiagram(problem, smallDiagram, control))
+        return rank(*diagram, options, visit);
+    const OptimumResult found = findOptimum(problem, options, control);
+    return std::ranges::all_of(found.graphs, visit) && found.complete;
 }
 
 } // namespace qm

@@ -4,6 +4,7 @@
 #include "base/control.h"
 #include "enumerate/search_state.h"
 
+#include <functional>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -37,5 +38,10 @@ struct OptimumResult {
 /// The same; several graphs are read off a decision diagram where that is small.
 [[nodiscard]] OptimumResult findBest(const Problem& problem, const OptimumOptions& options,
                                      const Control& control = {});
+
+/// Calls `visit` with these graphs in the same order; where there is a diagram, as soon as they are known.
+/// \return false if `visit` returned false, or not all graphs were found
+bool forEachBest(const Problem& problem, const OptimumOptions& options,
+                 const std::function<bool(const Assignment&)>& visit, const Control& control = {});
 
 } // namespace qm

@@ -1,8 +1,11 @@
 #include "enumerate/ranked_graphs.h"
 
+#include "enumerate/incumbents.h"
+
 #include <algorithm>
 #include <limits>
 #include <queue>
+#include <utility>
 
 namespace qm {
 namespace {
@@ -27,15 +30,15 @@ public:
         heaps_[Diagram::end] = 0;
     }
 
-    void run(const std::function<bool(double, const Assignment&)>& visit) {
-        if (diagram_.root == Diagram::none) return;
+    /// \return false if `visit` returned false
+    template <class Visit> bool run(const Visit& visit) {
         offer(cheapest_[diagram_.root], 0, -1);
         while (!open_.empty()) {
             const Way way = open_.top();
             open_.pop();
             ways_.push_back(way);
             const auto id = static_cast<std::int64_t>(ways_.size()) - 1;
-            if (!visit(diagram_.fixedCost + way.cost, graphOf(id))) return;
+            if (!visit(diagram_.fixedCost + way.cost, graphOf(id))) return false;
             const Detour& last = detours_[way.detour];
             for (const std::uint32_t other : {last.left, last.right})
                 if (way.detour != 0 && other != 0)
@@ -43,6 +46,7 @@ public:
             const std::uint32_t next = heapAfter(way.detour == 0 ? diagram_.root : dearer(last.node));
             if (next != 0) offer(way.cost + detours_[next].extra, next, id);
         }
+        return true;
     }
 
 private:
@@ -133,6 +137,36 @@ private:
     Assignment graph_;
 };
 
+/// Puts graphs of equal cost into the order of their variables: rounding, and how the diagram looks, would
+/// settle it otherwise.
+class Ties {
+public:
+    using Visit = std::function<bool(double cost, const Assignment& graph)>;
+    explicit Ties(const Visit& visit) : visit_(visit) {}
+
+    /// \return false if the visitor returned false
+    bool add(double cost, const Assignment& graph) {
+        const bool tied = !graphs_.empty() && cost <= least_ + Incumbents::rounding;
+        if ((!tied || graphs_.size() == mostTies) && !handOver()) return false;
+        if (graphs_.empty()) least_ = cost;
+        graphs_.emplace_back(graph, cost);
+        return true;
+    }
+
+    bool handOver() {
+        std::ranges::sort(graphs_);
+        for (const auto& [graph, cost] : std::exchange(graphs_, {}))
+            if (!visit_(cost, graph)) return false;
+        return true;
+    }
+
+private:
+    static constexpr std::size_t mostTies = 65536; ///< in memory
+    const Visit& visit_;
+    double least_ = 0;
+    std::vector<std::pair<Assignment, double>> graphs_;
+};
+
 } // namespace
 
 std::vector<double> cheapestWays(const Diagram& diagram) {
@@ -147,7 +181,10 @@ std::vector<double> cheapestWays(const Diagram& diagram) {
 
 void forEachRankedGraph(const Diagram& diagram,
                         const std::function<bool(double cost, const Assignment& graph)>& visit) {
-    Ranking(diagram).run(visit);
+    if (diagram.root == Diagram::none) return;
+    Ties ties(visit);
+    if (Ranking(diagram).run([&](double cost, const Assignment& graph) { return ties.add(cost, graph); }))
+        ties.handOver();
 }
 
 } // namespace qm

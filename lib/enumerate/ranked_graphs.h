@@ -12,7 +12,8 @@ namespace qm {
 /// What the cheapest way from every node to the end costs; infinity from `none`.
 [[nodiscard]] std::vector<double> cheapestWays(const Diagram& diagram);
 
-/// Calls `visit` with every graph, the cheapest first, until it returns false. Time per graph is linear in
+/// Calls `visit` with every graph, the cheapest first, ties (up to 65,536 of them) in lexicographic order of
+/// the variables, until it returns false. Time per graph is linear in
 /// its length, but for a logarithm; memory grows by a few words per graph. Costs are true to rounding.
 void forEachRankedGraph(const Diagram& diagram,
                         const std::function<bool(double cost, const Assignment& graph)>& visit);

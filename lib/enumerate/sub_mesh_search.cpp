@@ -8,7 +8,6 @@
 #include "enumerate/diagram_walk.h"
 #include "enumerate/incumbents.h"
 #include "enumerate/optimum.h"
-#include "enumerate/ranked_graphs.h"
 #include "enumerate/tracks.h"
 
 #include <cmath>
@@ -53,11 +52,12 @@ SubMeshSearch::SubMeshSearch(const QuadMesh& mesh, const BaseComplex& complex,
                                        static_cast<double>(countSureCorners(mesh, subMeshes.labels, label)));
 }
 
-Problem SubMeshSearch::problem(int subMesh) const {
-    Problem problem = subMeshProblem(space_, subMesh, ownArcs(space_, subMesh),
-                                     std::vector(space_.graph.arcs.size(), false));
-    problem.gaps = options_.graphClass == GraphClass::motorcycle;
-    return problem;
+SubMeshSearch::Task SubMeshSearch::task(int subMesh) const {
+    const std::vector<bool> none(space_.graph.arcs.size(), false);
+    Task task{subMesh, subMeshProblem(space_, subMesh, ownArcs(space_, subMesh), none),
+              walkersOf(space_, subMesh, none)};
+    task.problem.gaps = options_.graphClass == GraphClass::motorcycle;
+    return task;
 }
 
 /// Of the variables of a sub-mesh's problem.
@@ -65,60 +65,67 @@ double SubMeshSearch::maxCost(int subMesh) const {
     return options_.maxCost - sureCosts_[at(subMesh)];
 }
 
-MotorcycleGraph SubMeshSearch::graph(const Problem& problem, int subMesh,
-                                     const Assignment& assignment) const {
+MotorcycleGraph SubMeshSearch::graph(const Task& task, const Assignment& assignment) const {
     std::vector<bool> present(space_.graph.arcs.size(), false);
-    const Walkers walkers = walkersOf(space_, subMesh, present);
-    apply(problem, assignment, present);
-    MotorcycleGraph result = problem.gaps
-                                 ? graphOf(mesh_, complex_, space_.graph, present, edgeCosts_, walkers)
+    apply(task.problem, assignment, present);
+    MotorcycleGraph result = task.problem.gaps
+                                 ? graphOf(mesh_, complex_, space_.graph, present, edgeCosts_, task.walkers)
                                  : tMeshOf(mesh_, complex_, space_.graph, present, edgeCosts_);
-    if (space_.cornerCost != 0) result.cost = costOf(problem, assignment) + sureCosts_[at(subMesh)];
+    if (space_.cornerCost != 0) result.cost = costOf(task.problem, assignment) + sureCosts_[at(task.subMesh)];
     return result;
 }
 
 SubMeshGraphs SubMeshSearch::search(int subMesh, const Control& control, std::atomic<bool>& complete) const {
-    const Problem problem = this->problem(subMesh);
-    SubMeshGraphs result = options_.method == Method::optimum
-                               ? searchOptimum(problem, subMesh, control, complete)
-                               : searchCoordinates(problem, subMesh, control, complete);
+    const Task task = this->task(subMesh);
+    SubMeshGraphs result = options_.method == Method::optimum ? searchOptimum(task, control, complete)
+                                                              : searchCoordinates(task, control, complete);
     if (!result.graphs.empty()) result.cost = result.graphs.front().cost;
     return result;
 }
 
-bool SubMeshSearch::forEach(int subMesh, bool ranked, const Visit& visit, const Control& control) const {
-    const Problem problem = this->problem(subMesh);
-    const auto hand = [&](const Assignment& assignment) {
-        return visit(graph(problem, subMesh, assignment)) && !control.stopRequested();
-    };
-    const double limit = maxCost(subMesh) + Incumbents::tolerance;
-    const auto diagram = buildDiagram(problem, smallDiagram, control);
-    if (ranked && diagram) {
-        std::size_t left = options_.best;
-        bool ended = false;
-        forEachRankedGraph(*diagram, [&](double cost, const Assignment& assignment) {
-            if (cost > limit || left-- == 0) return false;
-            ended = !hand(assignment);
-            return !ended;
-        });
-        return !ended;
-    }
-    if (ranked) {
-        std::atomic<bool> complete = true;
-        for (const MotorcycleGraph& each : searchOptimum(problem, subMesh, control, complete).graphs)
-            if (!visit(each)) return false;
-        return complete;
-    }
-    if (diagram) return walkDiagramUpTo(*diagram, limit, hand);
+bool SubMeshSearch::list(int subMesh, bool ranked, const GraphListing& listing,
+                         const Control& control) const {
+    const Task task = this->task(subMesh);
+    GraphPipeline pipeline({[&](const Assignment& assignment, std::string& text) {
+                                listing.append(subMesh, graph(task, assignment), text);
+                            },
+                            [&](std::string_view text, std::size_t graphs) {
+                                return listing.take(text, graphs) && !control.stopRequested();
+                            }},
+                           control.jobs);
+    const auto put = [&](const Assignment& assignment) { return pipeline.put(assignment); };
+    const bool found = ranked ? findRanked(task, put, control) : find(task, put, control);
+    const bool taken = pipeline.finish();
+    return found && taken;
+}
+
+/// \return false if `visit` or a limit ended it early
+bool SubMeshSearch::find(const Task& task, const std::function<bool(const Assignment&)>& visit,
+                         const Control& control) const {
+    const double limit = maxCost(task.subMesh) + Incumbents::tolerance;
+    if (const auto diagram = buildDiagram(task.problem, smallDiagram, control))
+        return walkDiagramUpTo(*diagram, limit, visit);
     return forEachAssignment(
-        problem, [&] { return limit; }, [&](const SearchState& state) { return hand(state.assignment()); });
+        task.problem, [&] { return limit; },
+        [&](const SearchState& state) { return visit(state.assignment()); }, control);
+}
+
+/// The cheapest first.
+bool SubMeshSearch::findRanked(const Task& task, const std::function<bool(const Assignment&)>& visit,
+                               const Control& control) const {
+    OptimumOptions options;
+    options.best = options_.best;
+    options.maxCost = maxCost(task.subMesh);
+    options.start = simpleGraph(task);
+    return forEachBest(task.problem, options, visit, control);
 }
 
 /// Every particle straight on in turn: a graph to begin with, however hard the search.
-std::optional<Assignment> SubMeshSearch::simpleGraph(const Problem& problem, int subMesh) const {
+std::optional<Assignment> SubMeshSearch::simpleGraph(const Task& task) const {
     if (!space_.demands.empty()) return std::nullopt;
     std::vector<bool> present(space_.graph.arcs.size(), false);
-    goStraight(space_, subMesh, present);
+    goStraight(space_, task.subMesh, present);
+    const Problem& problem = task.problem;
     Assignment assignment(problem.domains.size(), 0);
     assignment[static_cast<std::size_t>(problem.in())] = 1;
     for (int v = 0; v < problem.variables(); ++v)
@@ -127,59 +134,59 @@ std::optional<Assignment> SubMeshSearch::simpleGraph(const Problem& problem, int
     return assignment;
 }
 
-SubMeshGraphs SubMeshSearch::searchOptimum(const Problem& problem, int subMesh, const Control& control,
+SubMeshGraphs SubMeshSearch::searchOptimum(const Task& task, const Control& control,
                                            std::atomic<bool>& complete) const {
     OptimumOptions options;
     options.best = options_.best;
-    options.maxCost = maxCost(subMesh);
+    options.maxCost = maxCost(task.subMesh);
     options.gap = options_.gap;
-    options.start = simpleGraph(problem, subMesh);
-    const OptimumResult found = findBest(problem, options, control);
+    options.start = simpleGraph(task);
+    const OptimumResult found = findBest(task.problem, options, control);
     SubMeshGraphs result;
     for (const Assignment& assignment : found.graphs)
-        result.graphs.push_back(graph(problem, subMesh, assignment));
-    if (std::isfinite(found.lowerBound)) result.lowerBound = found.lowerBound + sureCosts_[at(subMesh)];
+        result.graphs.push_back(graph(task, assignment));
+    if (std::isfinite(found.lowerBound)) result.lowerBound = found.lowerBound + sureCosts_[at(task.subMesh)];
     // The bound sums what the search summed, in another order than the tracks' costs.
     if (!result.graphs.empty() && result.lowerBound)
         result.lowerBound = std::min(*result.lowerBound, result.graphs.front().cost);
-    if (result.graphs.empty() && found.complete && std::isinf(options_.maxCost)) refuse(subMesh);
+    if (result.graphs.empty() && found.complete && std::isinf(options_.maxCost)) refuse(task.subMesh);
     if (!found.complete) complete = false;
-    countAndDraw(problem, subMesh, result, control, complete);
+    countAndDraw(task, result, control, complete);
     return result;
 }
 
 /// What only a diagram of all graphs can tell.
-void SubMeshSearch::countAndDraw(const Problem& problem, int subMesh, SubMeshGraphs& result,
-                                 const Control& control, std::atomic<bool>& complete) const {
+void SubMeshSearch::countAndDraw(const Task& task, SubMeshGraphs& result, const Control& control,
+                                 std::atomic<bool>& complete) const {
     const bool limited = std::isfinite(options_.maxCost);
-    if (options_.count && !limited) result.count = countGraphs(problem, control);
+    if (options_.count && !limited) result.count = countGraphs(task.problem, control);
     if (options_.sample > 0 || (options_.count && limited)) {
-        const auto diagram = buildDiagram(problem, diagramNodes, control);
+        const auto diagram = buildDiagram(task.problem, diagramNodes, control);
         if (diagram && options_.count && limited)
-            result.count = countUpTo(*diagram, maxCost(subMesh) + Incumbents::tolerance, control);
+            result.count = countUpTo(*diagram, maxCost(task.subMesh) + Incumbents::tolerance, control);
         if (diagram)
             for (const Assignment& drawn : drawGraphs(*diagram, options_.sample, options_.seed))
-                result.samples.push_back(graph(problem, subMesh, drawn));
+                result.samples.push_back(graph(task, drawn));
         else if (options_.sample > 0)
             complete = false;
     }
     if (options_.count && !result.count) complete = false;
 }
 
-SubMeshGraphs SubMeshSearch::searchCoordinates(const Problem& problem, int subMesh, const Control& control,
+SubMeshGraphs SubMeshSearch::searchCoordinates(const Task& task, const Control& control,
                                                std::atomic<bool>& complete) const {
     std::set<Assignment> seen;
-    Incumbents incumbents(options_.best, maxCost(subMesh));
+    Incumbents incumbents(options_.best, maxCost(task.subMesh));
     const auto visit = [&](const Assignment& assignment) {
-        if (seen.insert(assignment).second) incumbents.offer(costOf(problem, assignment), assignment);
+        if (seen.insert(assignment).second) incumbents.offer(costOf(task.problem, assignment), assignment);
         return true;
     };
-    const bool finished =
-        forEachCoordinateVector(problem, coordinateMethod(options_.method), visit, control.stopRequested);
+    const bool finished = forEachCoordinateVector(task.problem, coordinateMethod(options_.method), visit,
+                                                  control.stopRequested);
     if (!finished) complete = false;
     SubMeshGraphs result;
     for (const auto& [cost, assignment] : incumbents.graphs())
-        result.graphs.push_back(graph(problem, subMesh, assignment));
+        result.graphs.push_back(graph(task, assignment));
     if (finished && !incumbents.empty()) result.lowerBound = result.graphs.front().cost;
     if (finished) result.count = BigCount(seen.size());
     return result;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "enumerate/enumerate.h"
+#include "enumerate/graph_pipeline.h"
 #include "enumerate/search_space.h"
 
 #include <atomic>
@@ -20,23 +21,31 @@ public:
     [[nodiscard]] SubMeshGraphs search(int subMesh, const Control& control,
                                        std::atomic<bool>& complete) const;
 
-    /// Hands over every graph; ranked, the cheapest first and as many as are to be kept.
-    /// \return false if `visit` or a limit ended it early
-    using Visit = std::function<bool(const MotorcycleGraph&)>;
-    bool forEach(int subMesh, bool ranked, const Visit& visit, const Control& control) const;
+    /// Lists every graph; ranked, the cheapest first and as many as are to be kept.
+    /// \return false if `listing` or a limit ended it early
+    bool list(int subMesh, bool ranked, const GraphListing& listing, const Control& control) const;
 
 private:
-    [[nodiscard]] Problem problem(int subMesh) const;
+    struct Task {
+        int subMesh;
+        Problem problem;
+        Walkers walkers;
+    };
+
+    [[nodiscard]] Task task(int subMesh) const;
     [[nodiscard]] double maxCost(int subMesh) const;
-    [[nodiscard]] MotorcycleGraph graph(const Problem& problem, int subMesh,
-                                        const Assignment& assignment) const;
-    [[nodiscard]] std::optional<Assignment> simpleGraph(const Problem& problem, int subMesh) const;
-    [[nodiscard]] SubMeshGraphs searchOptimum(const Problem& problem, int subMesh, const Control& control,
+    [[nodiscard]] MotorcycleGraph graph(const Task& task, const Assignment& assignment) const;
+    [[nodiscard]] std::optional<Assignment> simpleGraph(const Task& task) const;
+    [[nodiscard]] SubMeshGraphs searchOptimum(const Task& task, const Control& control,
                                               std::atomic<bool>& complete) const;
-    [[nodiscard]] SubMeshGraphs searchCoordinates(const Problem& problem, int subMesh, const Control& control,
+    [[nodiscard]] SubMeshGraphs searchCoordinates(const Task& task, const Control& control,
                                                   std::atomic<bool>& complete) const;
-    void countAndDraw(const Problem& problem, int subMesh, SubMeshGraphs& result, const Control& control,
+    void countAndDraw(const Task& task, SubMeshGraphs& result, const Control& control,
                       std::atomic<bool>& complete) const;
+    bool find(const Task& task, const std::function<bool(const Assignment&)>& visit,
+              const Control& control) const;
+    bool findRanked(const Task& task, const std::function<bool(const Assignment&)>& visit,
+                    const Control& control) const;
 
     const QuadMesh& mesh_;
     const BaseComplex& complex_;

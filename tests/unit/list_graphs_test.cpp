@@ -1,0 +1,101 @@
+// Lists of graphs: each once, in one order whatever the number of threads, and ended when asked.
+#include "cli/graph_line.h"
+#include "enumerate/enumerate.h"
+#include "support/polycube.h"
+#include "support/random_graph.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace qm::testing {
+namespace {
+
+class ListGraphs : public ::testing::Test {
+protected:
+    /// \return false if the list was ended early
+    bool list(unsigned jobs, bool ranked, GraphListing listing, std::function<bool()> stop = {}) {
+        Control control;
+        control.jobs = jobs;
+        if (stop) control.stopRequested = std::move(stop);
+        if (!listing.append)
+            listing.append = [this](int subMesh, const MotorcycleGraph& graph, std::string& text) {
+                appendGraphLine(mesh_, separatrices_, subMesh, graph, text);
+            };
+        return listGraphs(mesh_, complex_, angles_, {}, options_, ranked, listing, control);
+    }
+
+    std::string listed(unsigned jobs, bool ranked) {
+        std::string all;
+        std::size_t graphs = 0;
+        EXPECT_TRUE(list(jobs, ranked, {{}, [&](std::string_view text, std::size_t count) {
+                                            all += text;
+                                            graphs += count;
+                                            return true;
+                                        }}));
+        EXPECT_EQ(graphs, static_cast<std::size_t>(std::ranges::count(all, '\n')));
+        return all;
+    }
+
+    QuadMesh mesh_ = quadMesh(polycube(bump(), 2));
+    BaseComplex complex_ = buildBaseComplex(mesh_);
+    SeparatrixIndex separatrices_{mesh_, complex_};
+    std::vector<double> angles_ = dihedralAngles(mesh_);
+    EnumerationOptions options_;
+};
+
+TEST_F(ListGraphs, TheOrderDoesNotDependOnThreads) {
+    options_.best = 500;
+    for (const bool ranked : {false, true}) {
+        const std::string one = listed(1, ranked);
+        EXPECT_GT(std::ranges::count(one, '\n'), 300); // several batches
+        for (const unsigned jobs : {2U, 5U})
+            EXPECT_EQ(listed(jobs, ranked), one);
+    }
+}
+
+TEST_F(ListGraphs, LinesAreThoseOfDocuments) {
+    options_.best = 3;
+    const Enumeration found = enumerateGraphs(mesh_, complex_, angles_, {}, options_);
+    const BaseComplex none; // without it, every track begins at a source of its own
+    for (const SeparatrixIndex& separatrices : {separatrices_, SeparatrixIndex(mesh_, none)})
+        for (const MotorcycleGraph& graph : found.subMeshes.front().graphs) {
+            Json line{{"subMesh", 7}};
+            line.update(graphToJson(mesh_, separatrices, graph));
+            std::string text = "before ";
+            appendGraphLine(mesh_, separatrices, 7, graph, text);
+            EXPECT_EQ(text, "before " + printJsonLine(line));
+        }
+}
+
+TEST_F(ListGraphs, EndsWhenTheTakerHasEnough) {
+    for (const unsigned jobs : {1U, 3U}) {
+        int taken = 0;
+        EXPECT_FALSE(list(jobs, false, {{}, [&](std::string_view, std::size_t) { return ++taken < 2; }}));
+        EXPECT_EQ(taken, 2);
+    }
+}
+
+TEST_F(ListGraphs, HandsFailuresOn) {
+    for (const unsigned jobs : {1U, 3U}) {
+        EXPECT_THROW(
+            list(jobs, false,
+                 {{}, [](std::string_view, std::size_t) -> bool { throw std::runtime_error("full"); }}),
+            std::runtime_error);
+        EXPECT_THROW(list(jobs, false,
+                          {[](int, const MotorcycleGraph&, std::string&) { throw std::runtime_error("bad"); },
+                           [](std::string_view, std::size_t) { return true; }}),
+                     std::runtime_error);
+    }
+}
+
+TEST_F(ListGraphs, AsksWhetherToStopThroughout) {
+    for (const bool ranked : {false, true}) {
+        EXPECT_FALSE(
+            list(2, ranked, {{}, [](std::string_view, std::size_t) { return true; }}, [] { return true; }));
+    }
+}
+
+} // namespace
+} // namespace qm::testing
