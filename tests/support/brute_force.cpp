@@ -31,8 +31,9 @@ constexpr int notChosen = -1;
 class Search {
 public:
     Search(const check::Neighbourhoods& around, const check::LineNetwork& network,
-           const check::EdgeCosts& costs)
-        : around_(around), network_(network), costs_(costs), x_(network.ways.size(), notChosen) {
+           const check::EdgeCosts& costs, std::uint64_t mostSteps)
+        : around_(around), network_(network), costs_(costs), stepsLeft_(mostSteps),
+          x_(network.ways.size(), notChosen) {
         orderWays();
     }
 
@@ -80,6 +81,8 @@ private:
     }
 
     void choose(std::size_t depth) {
+        result_.complete = result_.complete && stepsLeft_-- > 0;
+        if (!result_.complete) return;
         if (depth == order_.size()) {
             record();
             return;
@@ -156,6 +159,7 @@ private:
     const check::Neighbourhoods& around_;
     const check::LineNetwork& network_;
     const check::EdgeCosts& costs_;
+    std::uint64_t stepsLeft_;
     std::vector<int> x_;
     std::vector<int> order_;
     BruteForce result_;
@@ -164,8 +168,8 @@ private:
 } // namespace
 
 BruteForce bruteForce(const check::Neighbourhoods& around, const check::LineNetwork& network,
-                      const check::EdgeCosts& costs) {
-    return Search(around, network, costs).run();
+                      const check::EdgeCosts& costs, std::uint64_t mostSteps) {
+    return Search(around, network, costs, mostSteps).run();
 }
 
 } // namespace qm::testing

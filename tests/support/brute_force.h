@@ -5,6 +5,7 @@
 #include "check/lines.h"
 
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <vector>
 
@@ -20,11 +21,13 @@ struct BruteForce {
     /// sources doubles the number of vectors and changes nothing else.
     std::uint64_t vectors = 0;
     int uncrossedLines = 0; ///< how many lines there are of that kind
+    bool complete = true;   ///< the limit has not ended the search
 };
 
 /// Depth first over the coordinates, in the plain words of rules A1 to A4 (method 2). For small meshes only:
-/// the time grows with the number of valid vectors.
+/// the time grows with the number of valid vectors. \param mostSteps  of the search, then it ends
 [[nodiscard]] BruteForce bruteForce(const check::Neighbourhoods& around, const check::LineNetwork& network,
-                                    const check::EdgeCosts& costs);
+                                    const check::EdgeCosts& costs,
+                                    std::uint64_t mostSteps = std::numeric_limits<std::uint64_t>::max());
 
 } // namespace qm::testing
