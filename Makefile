@@ -80,6 +80,8 @@ support     := $(patsubst %.cpp,$(O)/%.o,$(wildcard tests/support/*.cpp))
 unit_tests  := $(patsubst %.cpp,$(O)/%.o,$(wildcard tests/unit/*_test.cpp))
 properties  := $(patsubst %.cpp,$(O)/%.o,$(wildcard tests/property/*_test.cpp))
 benchmarks  := $(patsubst %.cpp,$(O)/%.o,$(wildcard tests/bench/*.cpp))
+tables      := $(patsubst %.cpp,$(O)/%.o,$(wildcard tests/bench/search/*.cpp))
+bench_parts := $(addprefix $(O)/tests/bench/,plain_cbc.o sample_models.o search_problem.o staircase.o)
 programs    := $(patsubst tests/programs/%.cpp,$(O)/tests/%,$(wildcard tests/programs/*.cpp))
 fuzzers     := $(patsubst tests/fuzz/%.cpp,$(O)/fuzz/%,$(wildcard tests/fuzz/*_fuzz.cpp))
 parts       := unit property cli layers headers schemas docs
@@ -253,17 +255,30 @@ coverage: ## run the tests with config=coverage and print the lines that they re
 	@scripts/coverage build/coverage
 
 .PHONY: bench
-bench: ## time the kernels (Google Benchmark); only=REGEX to filter
-	@scripts/install-dependencies build bench
+bench: ## time the kernels (Google Benchmark; only=REGEX to filter) and print the tables of bench-search
+	@scripts/install-dependencies build bench check
 	@$(again) run-benchmarks only='$(only)'
+	@$(if $(only),,$(again) run-search-tables)
 
-.PHONY: run-benchmarks
+.PHONY: bench-search
+bench-search: ## the search beside plain CBC and the paper's algorithms, as tables; only=REGEX to filter meshes
+	@scripts/install-dependencies build bench check
+	@$(again) run-search-tables only='$(only)'
+
+.PHONY: run-benchmarks run-search-tables
 run-benchmarks: $(O)/tests/benchmarks
 	$< $(if $(only),--benchmark_filter='$(only)')
+run-search-tables: $(O)/tests/search-tables
+	$< '$(only)'
 
+# What tests share needs gtest.
 $(O)/tests/benchmarks: $(benchmarks) $(support) $(library)
 	@mkdir -p $(@D)
-	$(call quietly,link,$@) $(link) $^ -o $@ -lbenchmark_main -lbenchmark $(libraries)
+	$(call quietly,link,$@) $(link) $^ -o $@ -lbenchmark_main -lbenchmark -lgtest $(libraries)
+
+$(O)/tests/search-tables: $(tables) $(bench_parts) $(support) $(library)
+	@mkdir -p $(@D)
+	$(call quietly,link,$@) $(link) $^ -o $@ -lgtest $(libraries)
 
 .PHONY: bench-dev
 bench-dev: ## run the pipeline on a folder of real meshes and print a table; only=REGEX to filter

@@ -2,10 +2,9 @@
 
 #include "enumerate/optimum.h"
 
-#include "basecomplex/arc_graph.h"
 #include "bench/plain_cbc.h"
+#include "bench/search_problem.h"
 #include "bench/staircase.h"
-#include "mesh/dihedral.h"
 
 #include <benchmark/benchmark.h>
 
@@ -13,11 +12,7 @@ namespace qm::bench {
 namespace {
 
 Problem problem(const benchmark::State& state) {
-    const QuadMesh mesh = staircase(static_cast<int>(state.range(0)), 2);
-    const BaseComplex complex = buildBaseComplex(mesh);
-    const ArcGraph graph = buildArcGraph(mesh, complex);
-    const auto costs = sumOverArcs(mesh, graph, complex, edgeCosts(dihedralAngles(mesh), {}));
-    return makeProblem({graph, costs, std::vector(graph.arcs.size(), ArcState::free), {}, {}, {}});
+    return searchProblem(staircase(static_cast<int>(state.range(0)), 2));
 }
 
 void exactOptimum(benchmark::State& state) {

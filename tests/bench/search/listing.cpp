@@ -1,0 +1,85 @@
+#include "base/parallel.h"
+#include "bench/sample_models.h"
+#include "bench/search/stopwatch.h"
+#include "bench/search/tables.h"
+#include "bench/search_problem.h"
+#include "cli/graph_line.h"
+#include "enumerate/diagram_walk.h"
+
+#include <atomic>
+#include <cstdint>
+#include <cstdio>
+
+namespace qm::bench {
+namespace {
+
+constexpr double enough = 10; ///< seconds, after which a measurement is not repeated
+
+/// Looks at every graph. \return how many
+std::uint64_t visitAll(const Problem& problem, unsigned jobs) {
+    const auto diagram = buildDiagram(problem, diagramNodes);
+    const auto parts = splitDiagram(*diagram, 256);
+    std::atomic<std::uint64_t> graphs = 0;
+    parallelFor(parts.size(), jobs, [&](std::size_t k) {
+        Assignment assignment = parts[k].before;
+        std::uint64_t seen = 0;
+        const auto visit = [&seen](const Assignment& graph) {
+            asm volatile("" : : "g"(graph.data()) : "memory"); // its values count as read
+            return ++seen > 0;
+        };
+        walkDiagram(*diagram, parts[k].node, assignment, visit);
+        graphs += seen;
+    });
+    return graphs;
+}
+
+struct Written {
+    std::uint64_t graphs = 0;
+    std::uint64_t bytes = 0;
+};
+
+/// Writes every graph as a line of JSON, to nowhere.
+Written writeAll(const QuadMesh& mesh, unsigned jobs) {
+    const BaseComplex complex = buildBaseComplex(mesh);
+    const SeparatrixIndex separatrices(mesh, complex);
+    Written written;
+    const GraphListing listing{[&](int subMesh, const MotorcycleGraph& graph, std::string& text) {
+                                   appendGraphLine(mesh, separatrices, subMesh, graph, text);
+                               },
+                               [&](std::string_view text, std::size_t graphs) {
+                                   written.graphs += graphs;
+                                   written.bytes += text.size();
+                                   return true;
+                               }};
+    Control control;
+    control.jobs = jobs;
+    listGraphs(mesh, complex, dihedralAngles(mesh), {}, {}, false, listing, control);
+    return written;
+}
+
+void printRates(const char* what, double graphs, double one, double two) {
+    std::printf("%-24s %12.0f %9.3f %9.3f %14.0f %13.0f %%\n", what, graphs, one, two, graphs / one,
+                100 * one / (2 * two));
+}
+
+} // namespace
+
+void printListing() {
+    std::puts("All graphs, on one thread and on two");
+    std::printf("%-24s %12s %9s %9s %14s %15s\n", "", "graphs", "one s", "two s", "graphs/s", "efficiency");
+    const Problem problem = searchProblem(studs(5));
+    std::uint64_t graphs = 0;
+    const double one = shortestOf(3, enough, [&] { graphs = visitAll(problem, 1); });
+    const double two = shortestOf(3, enough, [&] { graphs = visitAll(problem, 2); });
+    printRates("visited (studs 5)", static_cast<double>(graphs), one, two);
+    const QuadMesh mesh = studs(3);
+    Written written;
+    const double oneWrites = shortestOf(3, enough, [&] { written = writeAll(mesh, 1); });
+    const double twoWrite = shortestOf(3, enough, [&] { written = writeAll(mesh, 2); });
+    printRates("as JSON lines (studs 3)", static_cast<double>(written.graphs), oneWrites, twoWrite);
+    std::printf("JSON: %.0f bytes a line, %.0f MB/s on one thread\n\n",
+                static_cast<double>(written.bytes) / static_cast<double>(written.graphs),
+                static_cast<double>(written.bytes) / oneWrites / 1e6);
+}
+
+} // namespace qm::bench

@@ -1,0 +1,31 @@
+/// \file search-tables [REGEX]: what the search can do, as tables; only meshes whose name matches.
+///
+/// Environment: QM_SHARED_MESHES, the folder of real meshes; CBC_SECONDS, GAP_SECONDS and TORUS_SECONDS, the
+/// limits of what may take long (60; 0 leaves the table of gaps out).
+#include "bench/search/tables.h"
+
+#include <cstdlib>
+
+namespace {
+
+double seconds(const char* variable) {
+    const char* text = std::getenv(variable);
+    return text != nullptr ? std::strtod(text, nullptr) : 60;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    using namespace qm::bench;
+    const bool chosen = argc > 1 && *argv[1] != '\0';
+    const TableOptions options{std::regex(chosen ? argv[1] : "."), seconds("CBC_SECONDS"),
+                               seconds("GAP_SECONDS"), seconds("TORUS_SECONDS")};
+    bool good = printOptima(options);
+    good = printCounts(options) && good;
+    if (!chosen) {
+        printListing();
+        printTorus(options);
+    }
+    printGaps(options);
+    return good ? 0 : 1;
+}

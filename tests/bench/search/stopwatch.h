@@ -1,0 +1,24 @@
+/// \file Seconds that something takes.
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+
+namespace qm::bench {
+
+template <class Work> double secondsOf(const Work& work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// The shortest of several times; once is enough for what takes longer than `enough` seconds.
+template <class Work> double shortestOf(int times, double enough, const Work& work) {
+    double shortest = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < times && (k == 0 || shortest < enough); ++k)
+        shortest = std::min(shortest, secondsOf(work));
+    return shortest;
+}
+
+} // namespace qm::bench
