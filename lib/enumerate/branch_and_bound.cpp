@@ -154,6 +154,8 @@ bool BranchAndBound::contradictsRelaxation() const {
 void BranchAndBound::rememberRoot(double bound) {
     rootBound_ = bound;
     rootValues_ = relaxation_.values();
+    for (const int variable : variables_)
+        rootPresence_.push_back(present(variable));
     rootReducedCosts_ = relaxation_.reducedCosts();
     rootCutoff_ = incumbents_.cutoff();
     root_ = particles_.mark();

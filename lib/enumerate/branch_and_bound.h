@@ -42,6 +42,8 @@ public:
     [[nodiscard]] double lowerBound() const { return lowerBound_; }
     [[nodiscard]] bool complete() const { return complete_; }
     [[nodiscard]] std::size_t nodes() const { return nodes_; }
+    /// Of the part's variables, in the relaxed solution of the root; empty if there was none.
+    [[nodiscard]] const std::vector<double>& rootPresence() const { return rootPresence_; }
 
 private:
     /// A decision and what led to it; the root has no variable.
@@ -115,6 +117,7 @@ private:
     ParticleState::Mark root_;
     double rootBound_ = 0; ///< with values and reduced costs of the root's relaxation
     std::vector<double> rootValues_;
+    std::vector<double> rootPresence_;
     std::vector<double> rootReducedCosts_;
     double rootCutoff_ = std::numeric_limits<double>::infinity(); ///< at the last tightening
     double lowerBound_ = 0;

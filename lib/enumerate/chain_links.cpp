@@ -35,13 +35,14 @@ ChainLinks::ChainLinks(const Problem& problem)
         }
 }
 
-std::vector<int> ChainLinks::cluster(int start, std::size_t variables) const {
+std::vector<int> ChainLinks::cluster(int start, std::size_t variables,
+                                     const std::vector<double>& weights) const {
     std::vector<int> members;
     std::map<int, int> waiting{{start, 1}};
     std::vector<bool> taken(lengths_.size(), false);
     for (std::size_t size = 0; size < variables && !waiting.empty();) {
         const auto closeness = [&](const auto& entry) {
-            return static_cast<double>(entry.second) / lengths_[at(entry.first)];
+            return entry.second * weights[at(entry.first)] / lengths_[at(entry.first)];
         };
         const auto next = std::ranges::max_element(waiting, {}, closeness);
         const int chain = next->first;

@@ -18,7 +18,9 @@ public:
 
     /// The chain and others, always the one next that crosses the cluster most for its length, until they
     /// have this many variables.
-    [[nodiscard]] std::vector<int> cluster(int chain, std::size_t variables) const;
+    /// \param weights  of every chain: how much rather than others it is taken
+    [[nodiscard]] std::vector<int> cluster(int chain, std::size_t variables,
+                                           const std::vector<double>& weights) const;
 
 private:
     std::vector<int> lengths_;

@@ -21,6 +21,7 @@ double fixedCost(const SearchState& state) {
 void searchParts(SearchState& state, const OptimumOptions& options, const Control& control,
                  OptimumResult& result) {
     Assignment graph = state.assignment();
+    if (options.start) result.relaxed.assign(options.start->begin(), options.start->end());
     auto parts = independentParts(state);
     // The hardest last: what is cut short then loses least of the bound.
     std::ranges::stable_sort(parts, {}, [](const auto& part) { return part.size(); });
@@ -34,6 +35,8 @@ void searchParts(SearchState& state, const OptimumOptions& options, const Contro
         search.run();
         result.nodes += search.nodes();
         result.lowerBound += search.lowerBound();
+        for (std::size_t k = 0; k < search.rootPresence().size() && options.start; ++k)
+            result.relaxed[static_cast<std::size_t>(part[k])] = search.rootPresence()[k];
         result.complete = result.complete && search.complete();
         found = found && !search.incumbents().empty();
         if (!search.incumbents().empty())
@@ -79,7 +82,7 @@ template <class Visit> bool rank(const Diagram& diagram, const OptimumOptions& o
 
 OptimumResult findOptimum(const Problem& problem, const OptimumOptions& options, const Control& control) {
     SearchState state(problem);
-    if (!state.consistent()) return {{}, infinity, true, 0};
+    if (!state.consistent()) return {{}, infinity, true, 0, {}};
     return findOptimum(state, options, control);
 }
 

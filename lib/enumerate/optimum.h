@@ -24,6 +24,9 @@ struct OptimumResult {
     double lowerBound = 0;          ///< no graph is cheaper; infinity if there is none at all
     bool complete = true;           ///< all graphs that were asked for are found and proven
     std::size_t nodes = 0;          ///< of the search tree
+    /// Of every variable its value at the root of the search, or in `start` where that was not reached;
+    /// empty without a start.
+    std::vector<double> relaxed;
 };
 
 /// Splits the problem into parts that do not touch, and searches each best first: propagation, the linear

@@ -163,6 +163,14 @@ void goStraight(const SearchSpace& space, int subMesh, std::vector<bool>& presen
         extendParticle(space.graph, particle, present, open);
 }
 
+Assignment assignmentOf(const Problem& problem, const std::vector<bool>& present) {
+    Assignment assignment(problem.domains.size(), 0);
+    assignment[at(problem.in())] = 1;
+    for (int v = 0; v < problem.variables(); ++v)
+        assignment[at(v)] = present[problem.arcs[at(v)].first.idx()] ? 1 : 0;
+    return assignment;
+}
+
 void apply(const Problem& problem, const Assignment& assignment, std::vector<bool>& present) {
     for (int v = 0; v < problem.variables(); ++v) {
         const ArcRun& run = problem.arcs[at(v)];

@@ -47,6 +47,9 @@ void appendWalk(const SearchSpace& space, LineId line, bool fromEnd, int from, i
 /// to the first track or the first vertex outside.
 void goStraight(const SearchSpace& space, int subMesh, std::vector<bool>& present);
 
+/// The values that variables have where these arcs are present.
+[[nodiscard]] Assignment assignmentOf(const Problem& problem, const std::vector<bool>& present);
+
 /// Writes an assignment into the arcs that it speaks of.
 void apply(const Problem& problem, const Assignment& assignment, std::vector<bool>& present);
 

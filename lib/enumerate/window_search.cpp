@@ -4,9 +4,11 @@
 #include "enumerate/chain_links.h"
 #include "enumerate/incumbents.h"
 #include "enumerate/optimum.h"
+#include "enumerate/search_space.h"
 
 #include <algorithm>
-#include <memory>
+#include <cmath>
+#include <functional>
 #include <numeric>
 
 namespace qm {
@@ -18,24 +20,30 @@ std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }
 
+bool isValid(const Problem& problem, const Assignment& graph) {
+    SearchState state(problem);
+    if (!state.consistent()) return false;
+    for (int v = 0; v < problem.variables(); ++v) {
+        const ArcState wanted = graph[at(v)] == 1 ? ArcState::in : ArcState::out;
+        if (state.isFree(v) ? !state.assign(v, wanted) : state.value(v) != wanted) return false;
+    }
+    return true;
+}
+
 class WindowSearch {
 public:
-    WindowSearch(const Problem& problem, const Assignment& start, const WindowOptions& options,
+    WindowSearch(const ProblemInput& input, const std::vector<bool>& present, const WindowOptions& options,
                  const Control& control)
-        : problem_(problem), options_(options), control_(control), links_(problem),
-          changed_(problem.chains.size(), 1), searched_(problem.chains.size(), 0) {
-        result_.graph = start;
-        result_.cost = costOf(problem, start);
-        for (std::size_t k = 0; k < batch; ++k)
-            states_.push_back(std::make_unique<SearchState>(problem));
+        : input_(input), whole_(makeProblem(input)), options_(options), control_(control), links_(whole_),
+          changed_(whole_.chains.size(), 1), searched_(whole_.chains.size(), 0) {
+        result_.present = present;
     }
 
     WindowResult run() {
-        if (!states_.front()->consistent()) return std::move(result_);
-        const std::size_t most = std::min<std::size_t>(options_.mostVariables, at(problem_.variables()));
-        for (std::size_t size = options_.leastVariables; !control_.stopRequested(); size *= 2) {
+        const std::size_t most = std::min<std::size_t>(options_.mostVariables, at(whole_.variables()));
+        for (std::size_t size = options_.leastVariables; !isOver(); size *= 2) {
             std::ranges::fill(searched_, 0);
-            while (pass(size) && !control_.stopRequested()) {
+            while (pass(size) && !isOver()) {
             }
             if (size >= most) break;
         }
@@ -46,106 +54,124 @@ private:
     struct Window {
         int chain = 0;
         std::vector<int> chains;
-        Assignment graph; ///< empty unless it is cheaper
+        std::vector<bool> present; ///< empty unless it is cheaper
     };
+
+    [[nodiscard]] bool isOver() const {
+        return result_.windows >= options_.mostWindows || control_.stopRequested();
+    }
+
+    /// How much the graph and the relaxed solution disagree about every chain.
+    [[nodiscard]] std::vector<double> disagreements() const {
+        std::vector<double> sums(whole_.chains.size(), 1);
+        if (options_.relaxed.empty()) return sums;
+        constexpr double slight = 0.01; // of an arc: chains that agree follow last
+        for (std::size_t c = 0; c < sums.size(); ++c) {
+            sums[c] = slight * whole_.chains[c].count;
+            forEachArc(static_cast<int>(c), [&](std::size_t arc) {
+                sums[c] += std::abs(options_.relaxed[arc] - (result_.present[arc] ? 1 : 0));
+            });
+        }
+        return sums;
+    }
 
     /// Searches all windows of a size in which something has changed since. \return whether one improved
     bool pass(std::size_t size) {
         const std::size_t before = result_.improvements;
+        const std::vector<double> weights = disagreements();
+        std::vector<int> order(whole_.chains.size());
+        std::iota(order.begin(), order.end(), 0);
+        std::ranges::stable_sort(order, std::greater{}, [&](int chain) { return weights[at(chain)]; });
         std::vector<Window> windows;
-        for (int chain = 0; chain < static_cast<int>(problem_.chains.size()); ++chain) {
-            std::vector<int> chains = links_.cluster(chain, size);
+        for (const int chain : order) {
+            std::vector<int> chains = links_.cluster(chain, size, weights);
             const bool stale =
                 std::ranges::any_of(chains, [&](int c) { return changed_[at(c)] > searched_[at(chain)]; });
             if (stale) windows.push_back({chain, std::move(chains), {}});
             if (windows.size() == batch) searchBatch(windows);
-            if (control_.stopRequested()) return false;
+            if (isOver()) return false;
         }
         searchBatch(windows);
         return result_.improvements > before;
     }
 
     void searchBatch(std::vector<Window>& windows) {
-        parallelFor(windows.size(), control_.jobs, [&](std::size_t k) { search(*states_[k], windows[k]); });
+        parallelFor(windows.size(), control_.jobs, [&](std::size_t k) { search(windows[k]); });
         ++clock_;
+        const std::size_t before = result_.improvements;
         for (Window& window : windows) {
             ++result_.windows;
             searched_[at(window.chain)] = clock_;
-            if (!window.graph.empty()) accept(window);
+            if (!window.present.empty()) accept(window, result_.improvements == before);
         }
         windows.clear();
     }
 
-    void search(SearchState& state, Window& window) const {
-        const SearchState::Mark mark = state.mark();
-        if (fixOutside(state, window.chains, result_.graph)) {
-            OptimumOptions options;
-            options.start = result_.graph;
-            options.nodes = options_.nodes;
-            const OptimumResult found = findOptimum(state, options, control_);
-            if (!found.graphs.empty() &&
-                costOf(problem_, found.graphs.front()) < result_.cost - Incumbents::tolerance)
-                window.graph = found.graphs.front();
-        }
-        state.undo(mark);
+    /// The arcs of a chain are free in its windows.
+    template <class Visit> void forEachArc(int chain, const Visit& visit) const {
+        const Chain& c = whole_.chains[at(chain)];
+        for (int v = c.first; v < c.first + c.count; ++v)
+            for (int k = 0; k < whole_.arcs[at(v)].count; ++k)
+                visit(at(whole_.arcs[at(v)].first.value() + k));
     }
 
-    /// Everything that is not in the window stays as it is in the graph.
-    bool fixOutside(SearchState& state, const std::vector<int>& chains, const Assignment& graph) const {
-        std::vector<bool> inside(problem_.chains.size(), false);
-        for (const int chain : chains)
-            inside[at(chain)] = true;
-        for (int v = 0; v < problem_.variables(); ++v)
-            if (!inside[at(state.chainOf(v))] && !agree(state, v, graph)) return false;
-        return true;
+    /// The search of a window: everything outside stays as it is, so that little of the mesh remains.
+    [[nodiscard]] Problem problemOf(const Window& window) const {
+        ProblemInput input = input_;
+        for (std::size_t arc = 0; arc < input.states.size(); ++arc)
+            if (input.states[arc] == ArcState::free)
+                input.states[arc] = result_.present[arc] ? ArcState::in : ArcState::out;
+        for (const int chain : window.chains)
+            forEachArc(chain, [&](std::size_t arc) { input.states[arc] = ArcState::free; });
+        return makeProblem(input);
     }
 
-    static bool agree(SearchState& state, int variable, const Assignment& graph) {
-        const ArcState wanted = graph[at(variable)] == 1 ? ArcState::in : ArcState::out;
-        if (!state.isFree(variable)) return state.value(variable) == wanted;
-        return state.assign(variable, wanted);
+    void search(Window& window) const {
+        const Problem problem = problemOf(window);
+        OptimumOptions options;
+        options.start = assignmentOf(problem, result_.present);
+        options.nodes = options_.nodes;
+        const OptimumResult found = findOptimum(problem, options, control_);
+        if (found.graphs.empty() ||
+            costOf(problem, found.graphs.front()) >= costOf(problem, *options.start) - Incumbents::tolerance)
+            return;
+        window.present = result_.present;
+        apply(problem, found.graphs.front(), window.present);
     }
 
     /// Takes the window's arcs over, unless an earlier window of the batch forbids it.
-    void accept(const Window& window) {
-        Assignment merged = result_.graph;
-        std::vector<int> different;
-        for (const int c : window.chains) {
-            const Chain& chain = problem_.chains[at(c)];
-            for (int v = chain.first; v < chain.first + chain.count; ++v)
-                merged[at(v)] = window.graph[at(v)];
-        }
-        const double cost = costOf(problem_, merged);
-        if (cost >= result_.cost - Incumbents::tolerance || !isValid(merged)) return;
+    void accept(const Window& window, bool first) {
+        std::vector<bool> merged = result_.present;
+        for (const int chain : window.chains)
+            forEachArc(chain, [&](std::size_t arc) { merged[arc] = window.present[arc]; });
+        if (!first && !improves(window, merged)) return;
         ++clock_;
-        for (const int c : window.chains) {
-            const Chain& chain = problem_.chains[at(c)];
-            const auto span = [&](const Assignment& graph) { return graph.begin() + chain.first; };
-            if (!std::equal(span(merged), span(merged) + chain.count, span(result_.graph)))
-                for (const int neighbour : links_.neighbours(c))
-                    changed_[at(neighbour)] = clock_;
-            changed_[at(c)] = std::max(changed_[at(c)], changed_[at(c)]);
+        for (const int chain : window.chains) {
+            bool same = true;
+            forEachArc(chain, [&](std::size_t arc) { same = same && merged[arc] == result_.present[arc]; });
+            if (same) continue;
+            changed_[at(chain)] = clock_;
+            for (const int neighbour : links_.neighbours(chain))
+                changed_[at(neighbour)] = clock_;
         }
-        result_.graph = std::move(merged);
-        result_.cost = cost;
+        result_.present = std::move(merged);
         ++result_.improvements;
     }
 
-    bool isValid(const Assignment& graph) const {
-        SearchState& state = *states_.front();
-        const SearchState::Mark mark = state.mark();
-        bool valid = true;
-        for (int v = 0; v < problem_.variables() && valid; ++v)
-            valid = agree(state, v, graph);
-        state.undo(mark);
-        return valid;
+    /// Whether the window's arcs are valid and cheaper beside what has become of the others.
+    [[nodiscard]] bool improves(const Window& window, const std::vector<bool>& merged) const {
+        const Problem problem = problemOf(window);
+        const Assignment graph = assignmentOf(problem, merged);
+        return costOf(problem, graph) <
+                   costOf(problem, assignmentOf(problem, result_.present)) - Incumbents::tolerance &&
+               isValid(problem, graph);
     }
 
-    const Problem& problem_;
+    const ProblemInput& input_;
+    const Problem whole_;
     const WindowOptions& options_;
     const Control& control_;
     ChainLinks links_;
-    std::vector<std::unique_ptr<SearchState>> states_;
     std::vector<std::size_t> changed_;  ///< when a chain or one that crosses it changed last
     std::vector<std::size_t> searched_; ///< when the window around a chain was searched last
     std::size_t clock_ = 1;
@@ -154,9 +180,9 @@ private:
 
 } // namespace
 
-WindowResult improveByWindows(const Problem& problem, const Assignment& start, const WindowOptions& options,
-                              const Control& control) {
-    return WindowSearch(problem, start, options, control).run();
+WindowResult improveByWindows(const ProblemInput& input, const std::vector<bool>& present,
+                              const WindowOptions& options, const Control& control) {
+    return WindowSearch(input, present, options, control).run();
 }
 
 } // namespace qm

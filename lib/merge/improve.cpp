@@ -11,15 +11,30 @@
 namespace qm {
 namespace {
 
-constexpr double shareOfTree = 0.5; ///< of the time; what is near the relaxed solution is good already
+constexpr double shareOfTree = 0.3; ///< of the time; windows are the surer way to something better
 
-/// \param present  arcs of a valid graph
-Assignment assignmentOf(const Problem& problem, const std::vector<bool>& present) {
-    Assignment assignment(problem.domains.size(), 0);
-    assignment[static_cast<std::size_t>(problem.in())] = 1;
-    for (std::size_t v = 0; v < problem.arcs.size(); ++v)
-        assignment[v] = present[problem.arcs[v].first.idx()] ? 1 : 0;
-    return assignment;
+ProblemInput wholeInput(const SearchSpace& space) {
+    return {
+        space.graph, space.arcCosts,  std::vector(space.graph.arcs.size(), ArcState::free), space.demands, {},
+        {},          space.cornerCost};
+}
+
+/// Takes what it finds over into `present`.
+OptimumResult searchWhole(const Problem& problem, std::vector<bool>& present, const Control& control) {
+    OptimumOptions options;
+    options.start = assignmentOf(problem, present);
+    OptimumResult found = findOptimum(problem, options, control);
+    if (!found.graphs.empty()) apply(problem, found.graphs.front(), present);
+    return found;
+}
+
+/// \return of every arc its value in the relaxed solution
+std::vector<double> relaxedArcs(const Problem& problem, const OptimumResult& found) {
+    std::vector<double> values;
+    for (int v = 0; v < problem.variables() && !found.relaxed.empty(); ++v)
+        values.insert(values.end(), static_cast<std::size_t>(problem.arcs[static_cast<std::size_t>(v)].count),
+                      found.relaxed[static_cast<std::size_t>(v)]);
+    return values;
 }
 
 } // namespace
@@ -30,28 +45,43 @@ Improvement improveGraph(const QuadMesh& mesh, const BaseComplex& complex,
                          const Control& control) {
     const SubMeshes whole{std::vector<int>(mesh.n_vertices(), 0), 1};
     const SearchSpace space = makeSearchSpace(mesh, complex, edgeCosts, whole, constraints, cornerCost);
-    const std::vector<bool> nothing(space.graph.arcs.size(), false);
-    const Problem problem = subMeshProblem(space, 0, ownArcs(space, 0), nothing);
-    const Deadline half(control, shareOfTree * seconds), end(control, seconds);
+    const ProblemInput input = wholeInput(space);
+    const Problem problem = makeProblem(input);
+    std::vector<bool> present = presentArcs(mesh, complex, space.graph, graph.tracks);
+    const Deadline tree(control, shareOfTree * seconds), end(control, seconds);
 
-    OptimumOptions options;
-    options.start = assignmentOf(problem, presentArcs(mesh, complex, space.graph, graph.tracks));
-    const OptimumResult found = findOptimum(problem, options, half.control());
-    control.progress(shareOfTree);
-    WindowResult windows;
-    windows.graph = found.graphs.empty() ? *options.start : found.graphs.front();
-    if (!found.complete) windows = improveByWindows(problem, windows.graph, {}, end.control());
-    control.progress(1);
-
-    std::vector<bool> present = nothing;
-    apply(problem, windows.graph, present);
     Improvement result;
+    OptimumResult found = searchWhole(problem, present, tree.control());
+    result.lowerBound = found.lowerBound;
+    control.progress(shareOfTree);
+    if (!found.complete) {
+        WindowOptions options;
+        options.relaxed = relaxedArcs(problem, found);
+        WindowResult windows = improveByWindows(input, present, options, end.control());
+        present = std::move(windows.present);
+        result.windows = windows.windows;
+        result.improvements = windows.improvements;
+        if (!end.isOver() && !control.stopRequested()) {
+            found = searchWhole(problem, present, end.control());
+            result.lowerBound = std::max(result.lowerBound, found.lowerBound);
+        }
+    }
+    control.progress(1);
     result.graph = graphOf(mesh, complex, space.graph, present, edgeCosts);
     // The bound sums what the search summed, in another order than the tracks' costs.
-    result.lowerBound = std::min(found.lowerBound, result.graph.cost);
-    result.windows = windows.windows;
-    result.improvements = windows.improvements;
+    result.lowerBound = std::min(result.lowerBound, result.graph.cost);
     return result;
+}
+
+WindowResult moveCuts(const SearchSpace& space, const std::vector<bool>& present, double complexity,
+                      const Control& control) {
+    constexpr double variablesPerBit = 4; // log2 of the stops of a line as long as they usually are
+    constexpr double mostVariables = 1000;
+    WindowOptions options;
+    options.leastVariables = options.mostVariables =
+        static_cast<std::size_t>(std::clamp(variablesPerBit * complexity, 1.0, mostVariables));
+    options.mostWindows = 2000;
+    return improveByWindows(wholeInput(space), present, options, control);
 }
 
 } // namespace qm

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "base/control.h"
-#include "basecomplex/base_complex.h"
-#include "enumerate/constraints.h"
 #include "enumerate/motorcycle_graph.h"
+#include "enumerate/search_space.h"
+#include "enumerate/window_search.h"
 
 #include <vector>
 
@@ -17,14 +17,22 @@ struct Improvement {
     std::size_t improvements = 0; ///< of them, those that made the graph cheaper
 };
 
-/// Searches the whole mesh for half of the time, which yields the bound and often the proof; if it does not,
-/// windows of the mesh, until none improves the graph or the time is up. The cost never rises and the graph
-/// is valid at every step. \param graph    a valid motorcycle graph of the whole mesh that obeys the
-/// constraints \param cornerCost  of every corner of a segment \param seconds  in all; without a limit, the
-/// result is proven \param control  if it is stopped, the best so far
+/// Searches the whole mesh for a share of the time, which yields the bound and often the proof; if it does
+/// not, windows of the mesh, until none improves the graph, and the whole again from there. The cost never
+/// rises and the graph is valid at every step.
+/// \param graph       a valid motorcycle graph of the whole mesh that obeys the constraints
+/// \param cornerCost  of every corner of a segment
+/// \param seconds     in all; without a limit, the result is proven
+/// \param control     if it is stopped, the best so far
 [[nodiscard]] Improvement improveGraph(const QuadMesh& mesh, const BaseComplex& complex,
                                        const std::vector<double>& edgeCosts, double cornerCost,
                                        const Constraints& constraints, const MotorcycleGraph& graph,
                                        double seconds, const Control& control = {});
+
+/// Searches windows that are no harder than a sub-mesh, wherever the cut runs; of very many, the first.
+/// \param present     the arcs of a valid graph of the whole mesh
+/// \param complexity  chi, of the sub-meshes
+[[nodiscard]] WindowResult moveCuts(const SearchSpace& space, const std::vector<bool>& present,
+                                    double complexity, const Control& control = {});
 
 } // namespace qm

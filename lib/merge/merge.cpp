@@ -231,6 +231,12 @@ MergeResult mergeGraphs(const QuadMesh& mesh, const BaseComplex& complex,
         throw Error(
             "/constraints", "no graph that obeys them was found one sub-mesh after the other",
             "Lay the cut around these edges, or search the whole mesh with a greater --chi of qm-cut");
+    if (subMeshes.count > 1) {
+        WindowResult moved = moveCuts(space, present, complexityLimit, control);
+        present = std::move(moved.present);
+        result.windows = moved.windows;
+        result.improvements = moved.improvements;
+    }
     result.graph = graphOf(mesh, complex, space.graph, present, costs);
     result.costBefore = result.graph.cost;
     // The bound of a cost that counts segments is none of the edges' costs.
@@ -243,8 +249,8 @@ MergeResult mergeGraphs(const QuadMesh& mesh, const BaseComplex& complex,
         result.graph = std::move(better.graph);
         if (bounds)
             result.lowerBound = std::max(better.lowerBound, result.lowerBound.value_or(better.lowerBound));
-        result.windows = better.windows;
-        result.improvements = better.improvements;
+        result.windows += better.windows;
+        result.improvements += better.improvements;
     }
     return result;
 }
