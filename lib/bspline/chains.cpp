@@ -62,7 +62,7 @@ void Chains::trace(const std::vector<BorderEdge>& borders, const Layout& layout)
 
     for (const BorderEdge& border : borders) {
         if (isBorder(mesh_->edge_handle(border.halfedge))) continue;
-        Chain chain;
+        BorderChain chain;
         HalfedgeId first = border.halfedge;
         while (true) {
             const HalfedgeId before = next[mesh_->opposite_halfedge_handle(first)];
@@ -107,7 +107,7 @@ ChainPlace Chains::place(HalfedgeId halfedge) const {
 }
 
 HalfedgeId Chains::halfedge(const ChainPlace& place) const {
-    const Chain& chain = chains_[place.chain];
+    const BorderChain& chain = chains_[place.chain];
     if (place.way == 0) return chain.halfedges[static_cast<std::size_t>(place.position)];
     return mesh_->opposite_halfedge_handle(
         chain.halfedges[static_cast<std::size_t>(chain.length() - 1 - place.position)]);

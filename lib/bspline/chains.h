@@ -13,7 +13,7 @@ namespace qm {
 /// A maximal run of border edges of which every two successive ones follow each other on a side of some
 /// patch, at a regular vertex. So a chain passes T-joints of its own sides and ends on others. One that
 /// returns to its beginning is open there all the same, at a patch's corner.
-struct Chain {
+struct BorderChain {
     std::vector<HalfedgeId> halfedges;
     bool closed = false;
 
@@ -37,7 +37,7 @@ class Chains {
 public:
     Chains(const QuadMesh& mesh, const Layout& layout);
 
-    [[nodiscard]] const std::vector<Chain>& all() const { return chains_; }
+    [[nodiscard]] const std::vector<BorderChain>& all() const { return chains_; }
     /// The pieces of each side of each patch, in the side's direction; one, unless the side passes an
     /// extraordinary vertex or the place where a closed chain is open.
     [[nodiscard]] const std::vector<SidePiece>& pieces(std::size_t patch, int side) const {
@@ -57,7 +57,7 @@ private:
     void trace(const std::vector<BorderEdge>& borders, const Layout& layout);
 
     const QuadMesh* mesh_;
-    std::vector<Chain> chains_;
+    std::vector<BorderChain> chains_;
     std::vector<std::array<std::vector<SidePiece>, 4>> pieces_;
     std::vector<std::ptrdiff_t> chainOf_; ///< by edge index, -1 if the edge is no border
     std::vector<int> positionOf_;         ///< by edge index, counted forwards

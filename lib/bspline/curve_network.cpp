@@ -19,7 +19,7 @@ CurveNetwork::CurveNetwork(const QuadMesh& mesh, const Chains& chains, const Lin
 }
 
 void CurveNetwork::fitPositions() {
-    for (const Chain& chain : chains_.all()) {
+    for (const BorderChain& chain : chains_.all()) {
         std::vector<Point> points = {mesh_.point(mesh_.from_vertex_handle(chain.halfedges.front()))};
         for (const HalfedgeId halfedge : chain.halfedges)
             points.push_back(mesh_.point(mesh_.to_vertex_handle(halfedge)));

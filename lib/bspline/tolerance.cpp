@@ -28,7 +28,7 @@ constexpr std::array<Closeness, 2> levels = {{{0.65, 1, true}, {0.5, 1, false}}}
 /// How many border edges meet at each vertex, by vertex index.
 std::vector<int> borderValences(const QuadMesh& mesh, const Chains& chains) {
     std::vector<int> valences(mesh.n_vertices(), 0);
-    for (const Chain& chain : chains.all())
+    for (const BorderChain& chain : chains.all())
         for (const HalfedgeId halfedge : chain.halfedges) {
             ++valences[static_cast<std::size_t>(mesh.from_vertex_handle(halfedge).idx())];
             ++valences[static_cast<std::size_t>(mesh.to_vertex_handle(halfedge).idx())];
@@ -36,7 +36,7 @@ std::vector<int> borderValences(const QuadMesh& mesh, const Chains& chains) {
     return valences;
 }
 
-CurveFitInput curveInput(const QuadMesh& mesh, const Chain& chain, const LineDerivatives& lines,
+CurveFitInput curveInput(const QuadMesh& mesh, const BorderChain& chain, const LineDerivatives& lines,
                          const std::vector<int>& valences) {
     CurveFitInput input;
     input.points.push_back(mesh.point(mesh.from_vertex_handle(chain.halfedges.front())));
