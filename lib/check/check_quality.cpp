@@ -76,6 +76,10 @@ void checkQuality(const Neighbourhoods& around, const Angles& angles, std::span<
         expect(part.quality.tJunctions, "tJunctions", joints, joints);
     }
     if (part.quality.capturedSharpness && part.quality.rho) checkSharpness(angles, onTrack, part, report);
+    if (part.cost && part.lowerBound) {
+        const double gap = *part.cost - *part.lowerBound;
+        expect(part.quality.gap, "gap", gap, gap);
+    }
     const auto sorted = aspects(part);
     if (sorted.empty()) return;
     // Between two middle elements any median will do.

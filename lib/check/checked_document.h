@@ -97,6 +97,7 @@ struct LayoutPart {
         std::optional<double> capturedSharpness;
         std::optional<double> medianAspect;
         std::optional<double> maxAspect;
+        std::optional<double> gap;
     };
     std::optional<double> cost;
     std::optional<double> lowerBound;

@@ -178,7 +178,8 @@ LayoutPart readLayout(const Json& section) {
     const Json& quality = member(section, "quality");
     part.quality = {number(member(quality, "rho")),          number(member(quality, "segments")),
                     number(member(quality, "tJunctions")),   number(member(quality, "capturedSharpness")),
-                    number(member(quality, "medianAspect")), number(member(quality, "maxAspect"))};
+                    number(member(quality, "medianAspect")), number(member(quality, "maxAspect")),
+                    number(member(quality, "gap"))};
     return part;
 }
 

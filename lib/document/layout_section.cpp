@@ -57,7 +57,8 @@ Json layoutToJson(const QuadMesh& mesh, const Layout& layout, const std::vector<
               {"tJunctions", quality.tJunctions},
               {"capturedSharpness", quality.capturedSharpness},
               {"medianAspect", quality.medianAspect},
-              {"maxAspect", quality.maxAspect}}}};
+              {"maxAspect", quality.maxAspect},
+              {"gap", layout.lowerBound ? Json(layout.cost - *layout.lowerBound) : Json()}}}};
 }
 
 Json mergeFigures(const MergeResult& result) {

@@ -64,6 +64,7 @@ is() { assert_equal "$(field "$1" out.json)" true; }
         merge "$model" --improve 60
         is ".layout.cost <= $before + 1e-9 and .layout.merge.costBefore - $before == 0"
         is '.layout.lowerBound - .layout.cost | fabs < 1e-6'
+        is '.layout.quality.gap | fabs < 1e-6'
         optimum=$(qm-enum --quiet "$(stage features "$model")" | jq '.enumeration.subMeshes[0].cost')
         is ".layout.cost - $optimum | fabs < 1e-6"
         quietly qm-check out.json

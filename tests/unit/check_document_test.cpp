@@ -393,6 +393,10 @@ INSTANTIATE_TEST_SUITE_P(
                "quality"},
         Spoilt{"aspect", twoHolesModel, [](Doc& d) { layout(d).quality.maxAspect = 77; }, "/layout/quality/maxAspect",
                "quality"},
+        Spoilt{"gap", cornerModel, [](Doc& d) {
+ layout(d).lowerBound = layout(d).cost;
+ layout(d).quality.gap = 3; },
+               "/layout/quality/gap", "quality"},
         Spoilt{"sharpness", cornerModel, [](Doc& d) {
  layout(d).quality.rho = 0.45;
  layout(d).quality.capturedSharpness = 0.5; },
