@@ -1,8 +1,8 @@
 #include "enumerate/problem.h"
 
 #include "base/error.h"
+#include "enumerate/crack_nodes.h"
 
-#include <numeric>
 #include <string>
 
 namespace qm {
@@ -22,7 +22,7 @@ class Maker {
 public:
     explicit Maker(const ProblemInput& input)
         : input_(input), graph_(input.graph), variableOf_(graph_.arcs.size(), -1),
-          chainOf_(graph_.lines.size(), -1), nodeOf_(graph_.lines.size(), -1) {}
+          chainOf_(graph_.lines.size(), -1) {}
 
     Problem make() {
         for (std::size_t line = 0; line < graph_.lines.size(); ++line)
@@ -30,7 +30,9 @@ public:
         problem_.domains.push_back(ArcState::in);
         problem_.domains.push_back(ArcState::out);
         problem_.costs.insert(problem_.costs.end(), {0.0, 0.0});
-        addNodes();
+        CrackNodes nodes = crackNodes(input_, problem_.chains, chainOf_);
+        problem_.nodes = std::move(nodes.nodes);
+        nodeOf_ = std::move(nodes.nodeOf);
         for (std::size_t junction = 0; junction < graph_.junctions.size(); ++junction)
             addCrossing(JunctionId(junction));
         return std::move(problem_);
@@ -154,64 +156,6 @@ private:
                     "take the edge out of /constraints");
     }
 
-    /// A line can be cracked if two particles run on it and everything outside its chain is in.
-    bool findCrackable(LineId id) const {
-        const Line& line = graph_.lines[id.idx()];
-        if (!line.backward) return false;
-        const int chain = chainOf_[id.idx()];
-        if (chain < 0) return allIn(line, 0, line.arcCount);
-        const Chain& c = problem_.chains[static_cast<std::size_t>(chain)];
-        return c.coveredBefore && c.coveredAfter;
-    }
-
-    bool crackable(LineId id) const { return crackable_[id.idx()]; }
-
-    void addNodes() {
-        for (std::size_t line = 0; line < graph_.lines.size(); ++line)
-            crackable_.push_back(findCrackable(LineId(line)));
-        std::vector<int> parent(graph_.lines.size());
-        std::iota(parent.begin(), parent.end(), 0);
-        std::vector<int> capacity(graph_.lines.size(), 1);
-        const auto find = [&](int line) {
-            while (parent[static_cast<std::size_t>(line)] != line)
-                line = parent[static_cast<std::size_t>(line)];
-            return line;
-        };
-        for (std::size_t line = 0; line < graph_.lines.size(); ++line)
-            if (!crackable(LineId(line))) capacity[line] = 0;
-        for (std::size_t j = 0; j < graph_.junctions.size(); ++j)
-            joinFixed(JunctionId(j), parent, capacity, find);
-        for (std::size_t line = 0; line < graph_.lines.size(); ++line) {
-            if (!crackable(LineId(line))) continue;
-            const auto root = static_cast<std::size_t>(find(static_cast<int>(line)));
-            if (nodeOf_[root] < 0) {
-                nodeOf_[root] = static_cast<int>(problem_.nodes.size());
-                problem_.nodes.push_back({chainOf_[root], capacity[root]});
-            }
-            nodeOf_[line] = nodeOf_[root];
-        }
-    }
-
-    /// Fixed crossings of fixed lines use up their capacity once and for all.
-    template <class Find>
-    void joinFixed(JunctionId id, std::vector<int>& parent, std::vector<int>& capacity,
-                   const Find& find) const {
-        const Junction& junction = graph_.junctions[id.idx()];
-        if (!junction.crossed()) return;
-        for (const ArcId arc : junction.arcs)
-            if (!arc.valid() || chainOfArc(arc) >= 0 || input_.states[arc.idx()] != ArcState::in) return;
-        const int a = junction.seeded ? -1 : graph_.arcs[junction.arcs[0].idx()].line.value();
-        const int b = graph_.arcs[junction.arcs[1].idx()].line.value();
-        const auto at = [&](int line) { return static_cast<std::size_t>(find(line)); };
-        const bool aFull = a >= 0 && crackable(LineId(a)), bFull = crackable(LineId(b));
-        if (aFull && bFull && find(a) != find(b)) {
-            capacity[at(b)] += capacity[at(a)] - 1;
-            parent[at(a)] = find(b);
-        } else if (aFull || bFull) {
-            --capacity[at(bFull ? b : a)];
-        }
-    }
-
     int chainOfArc(ArcId arc) const { return chainOf_[graph_.arcs[arc.idx()].line.idx()]; }
     bool isOpen(JunctionId id) const { return !input_.open.empty() && input_.open[id.idx()]; }
 
@@ -269,7 +213,6 @@ private:
     std::vector<int> variableOf_;
     std::vector<int> chainOf_;
     std::vector<int> nodeOf_;
-    std::vector<bool> crackable_; ///< of every line
     Problem problem_;
 };
 

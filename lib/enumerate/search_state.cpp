@@ -1,5 +1,7 @@
 #include "enumerate/search_state.h"
 
+#include "enumerate/junction_rule.h"
+
 #include <algorithm>
 
 namespace qm {
@@ -9,50 +11,11 @@ std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }
 
-/// What rule 2 concludes from the four arcs around a junction: bit k of a mask stands for arc k in the order
-/// before and after of side 0, before and after of side 1.
-struct Conclusion {
-    unsigned forcedIn = 0;
-    unsigned forcedOut = 0;
-    bool possible = false;
-};
-
-constexpr bool allowedPattern(unsigned pattern) {
-    const bool a0 = pattern & 1, a1 = pattern & 2, b0 = pattern & 4, b1 = pattern & 8;
-    return (a0 == a1 || (b0 && b1)) && (b0 == b1 || (a0 && a1));
-}
-
-/// Indexed by the four states in base 3: out, in, free.
-constexpr auto makeConclusions() {
-    std::array<Conclusion, 81> table{};
-    for (unsigned index = 0; index < 81; ++index) {
-        unsigned all = 15, any = 0;
-        for (unsigned pattern = 0; pattern < 16; ++pattern) {
-            bool fits = allowedPattern(pattern);
-            for (unsigned k = 0, rest = index; k < 4; ++k, rest /= 3)
-                fits = fits && (rest % 3 == 2 || rest % 3 == ((pattern >> k) & 1));
-            if (!fits) continue;
-            table[index].possible = true;
-            all &= pattern;
-            any |= pattern;
-        }
-        table[index].forcedIn = all;
-        table[index].forcedOut = ~any & 15;
-    }
-    return table;
-}
-constexpr auto conclusions = makeConclusions();
-
 std::vector<int> capacities(const Problem& problem) {
     std::vector<int> result;
     for (const CrackNode& node : problem.nodes)
         result.push_back(node.capacity);
     return result;
-}
-
-std::array<int, 4> arcsOf(const Crossing& crossing) {
-    const auto& [a, b] = crossing.sides;
-    return {a.before, a.after, b.before, b.after};
 }
 
 } // namespace
@@ -123,15 +86,6 @@ bool SearchState::assign(int variable, ArcState value) {
     return set(variable, value) && propagate();
 }
 
-bool SearchState::decideCover(int chain, bool full) {
-    if (full) return coverChain(chain) && propagate();
-    if (coverOfChain(chain) == Cover::full) return false;
-    if (!promised_[at(chain)]) promiseTrail_.push_back(chain);
-    promised_[at(chain)] = true;
-    const int node = nodeOfChain_[at(chain)];
-    return (node < 0 || nodeDecided(node)) && propagate();
-}
-
 bool SearchState::set(int variable, ArcState value) {
     ArcState& current = values_[at(variable)];
     if (current != ArcState::free) return current == value;
@@ -185,124 +139,12 @@ bool SearchState::applyRule2(int id) {
         const ArcState state = value(arcs[at(k)]);
         index = index * 3 + (state == ArcState::free ? 2U : static_cast<unsigned>(state));
     }
-    const Conclusion& conclusion = conclusions[index];
+    const JunctionConclusion& conclusion = concludeAtJunction(index);
     if (!conclusion.possible) return false;
     for (unsigned k = 0; k < 4; ++k) {
         if ((conclusion.forcedIn >> k & 1) && !set(arcs[k], ArcState::in)) return false;
         if ((conclusion.forcedOut >> k & 1) && !set(arcs[k], ArcState::out)) return false;
     }
-    return true;
-}
-
-bool SearchState::visitChain(int variable) {
-    const int id = chainOf_[at(variable)];
-    const Chain& chain = problem_.chains[at(id)];
-    const ArcState state = value(variable);
-    if (chain.coveredBefore && chain.coveredAfter) {
-        const Hull& hull = hulls_[at(id)];
-        if (state == ArcState::out) {
-            if (!openGap(id, variable)) return false;
-        } else if (hull.first <= hull.last) {
-            const int step = variable < hull.first ? -1 : 1;
-            for (int v = variable + step; v >= chain.first && v < chain.first + chain.count; v += step)
-                if (!set(v, ArcState::in)) return false;
-        }
-    } else if (!closeOneSided(chain, variable, state)) {
-        return false;
-    }
-    if (promised_[at(id)] && inCount_[at(id)] == chain.count) return false;
-    const int node = nodeOfChain_[at(id)];
-    if (node < 0) return true;
-    const bool decided = state == ArcState::out || inCount_[at(id)] == chain.count;
-    return !decided || nodeDecided(node);
-}
-
-/// Covered from one side: what is in reaches back to that side, what is out goes on to the other.
-bool SearchState::closeOneSided(const Chain& chain, int variable, ArcState state) {
-    const bool towardsBegin = chain.coveredBefore == (state == ArcState::in);
-    const int step = towardsBegin ? -1 : 1;
-    for (int v = variable + step; v >= chain.first && v < chain.first + chain.count; v += step) {
-        if (value(v) == state) break;
-        if (!set(v, state)) return false;
-    }
-    return true;
-}
-
-/// Covered from both sides: the variables that are out form one gap.
-bool SearchState::openGap(int id, int variable) {
-    const Chain& chain = problem_.chains[at(id)];
-    Hull& hull = hulls_[at(id)];
-    const Hull before = hull;
-    if (hull.first <= hull.last && variable >= hull.first && variable <= hull.last) return true;
-    hullTrail_.push_back({id, before});
-    const bool first = before.first > before.last;
-    hull = first ? Hull{variable, variable}
-                 : Hull{std::min(before.first, variable), std::max(before.last, variable)};
-    for (int v = hull.first; v <= hull.last; ++v)
-        if (!set(v, ArcState::out)) return false;
-    if (!first) return true;
-    for (const int step : {-1, 1}) {
-        bool seenIn = false;
-        for (int v = variable + step; v >= chain.first && v < chain.first + chain.count; v += step) {
-            seenIn = seenIn || value(v) == ArcState::in;
-            if (seenIn && !set(v, ArcState::in)) return false;
-        }
-    }
-    return true;
-}
-
-SearchState::Cover SearchState::coverOf(int node) const {
-    const int chain = problem_.nodes[at(node)].chain;
-    return chain < 0 ? Cover::full : coverOfChain(chain);
-}
-
-SearchState::Cover SearchState::coverOfChain(int chain) const {
-    if (hasGap(chain) || promised_[at(chain)]) return Cover::gapped;
-    return inCount_[at(chain)] == problem_.chains[at(chain)].count ? Cover::full : Cover::open;
-}
-
-bool SearchState::isCrossed(int crossing) const {
-    return std::ranges::all_of(arcsOf(problem_.crossings[at(crossing)]),
-                               [this](int arc) { return value(arc) == ArcState::in; });
-}
-
-bool SearchState::mayBeCrossed(int crossing) const {
-    return std::ranges::none_of(arcsOf(problem_.crossings[at(crossing)]),
-                                [this](int arc) { return value(arc) == ArcState::out; });
-}
-
-/// Enters a crossing into the crack forest as soon as both lines are known to be full or gapped.
-bool SearchState::countCrossing(int id) {
-    if (counted_[at(id)]) return true;
-    if (!isCrossed(id)) return true;
-    const Crossing& crossing = problem_.crossings[at(id)];
-    std::array<Cover, 2> cover{};
-    for (const std::size_t k : {0U, 1U})
-        cover[k] = crossing.sides[k].node < 0 ? Cover::gapped : coverOf(crossing.sides[k].node);
-    for (const std::size_t k : {0U, 1U})
-        if (cover[k] == Cover::gapped) {
-            if (cover[1 - k] == Cover::gapped) return false;
-            if (cover[1 - k] == Cover::open)
-                return coverChain(problem_.nodes[at(crossing.sides[1 - k].node)].chain);
-        }
-    if (cover[0] == Cover::open || cover[1] == Cover::open) return true;
-    counted_[at(id)] = true;
-    countedTrail_.push_back(id);
-    const int a = crossing.sides[cover[0] == Cover::full ? 0 : 1].node;
-    const int b = crossing.sides[cover[1] == Cover::full ? 1 : 0].node;
-    return cracks_.cross(a, b);
-}
-
-bool SearchState::nodeDecided(int node) {
-    return std::ranges::all_of(crossingsOfNode_[at(node)],
-                               [this](int crossing) { return countCrossing(crossing); });
-}
-
-/// Only a line that is covered from end to end can crack a crossing with a gapped one.
-bool SearchState::coverChain(int id) {
-    const Chain& chain = problem_.chains[at(id)];
-    for (int v = chain.first; v < chain.first + chain.count; ++v)
-        if (!set(v, ArcState::in)) return false;
     return true;
 }
 
