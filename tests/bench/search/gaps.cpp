@@ -24,7 +24,6 @@ void printGap(const std::string& name, const QuadMesh& mesh, GraphClass graphCla
     std::printf("%-24s %-10s %6zu %14.6f %14.6f %9.4f %9.2f\n", name.c_str(),
                 graphClass == GraphClass::motorcycle ? "motorcycle" : "tmesh", complex.ordinaryJunctions,
                 best, bound, 100 * (best - bound) / std::abs(best), taken);
-    std::fflush(stdout);
 }
 
 } // namespace

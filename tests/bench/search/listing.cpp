@@ -67,16 +67,16 @@ void printRates(const char* what, double graphs, double one, double two) {
 void printListing() {
     std::puts("All graphs, on one thread and on two");
     std::printf("%-24s %12s %9s %9s %14s %15s\n", "", "graphs", "one s", "two s", "graphs/s", "efficiency");
-    const Problem problem = searchProblem(studs(5));
+    const Problem problem = searchProblem(studs(4));
     std::uint64_t graphs = 0;
     const double one = shortestOf(3, enough, [&] { graphs = visitAll(problem, 1); });
     const double two = shortestOf(3, enough, [&] { graphs = visitAll(problem, 2); });
-    printRates("visited (studs 5)", static_cast<double>(graphs), one, two);
-    const QuadMesh mesh = studs(3);
+    printRates("visited (studs 4)", static_cast<double>(graphs), one, two);
+    const QuadMesh mesh = studs(2);
     Written written;
     const double oneWrites = shortestOf(3, enough, [&] { written = writeAll(mesh, 1); });
     const double twoWrite = shortestOf(3, enough, [&] { written = writeAll(mesh, 2); });
-    printRates("as JSON lines (studs 3)", static_cast<double>(written.graphs), oneWrites, twoWrite);
+    printRates("as JSON lines (studs 2)", static_cast<double>(written.graphs), oneWrites, twoWrite);
     std::printf("JSON: %.0f bytes a line, %.0f MB/s on one thread\n\n",
                 static_cast<double>(written.bytes) / static_cast<double>(written.graphs),
                 static_cast<double>(written.bytes) / oneWrites / 1e6);

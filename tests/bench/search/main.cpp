@@ -4,6 +4,7 @@
 /// limits of what may take long (60; 0 leaves the table of gaps out).
 #include "bench/search/tables.h"
 
+#include <cstdio>
 #include <cstdlib>
 
 namespace {
@@ -17,6 +18,7 @@ double seconds(const char* variable) {
 
 int main(int argc, char** argv) {
     using namespace qm::bench;
+    std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ); // rows appear as they are measured
     const bool chosen = argc > 1 && *argv[1] != '\0';
     const TableOptions options{std::regex(chosen ? argv[1] : "."), seconds("CBC_SECONDS"),
                                seconds("GAP_SECONDS"), seconds("TORUS_SECONDS")};

@@ -71,7 +71,6 @@ public:
             std::printf("%-24s %-10s %5zu %6zu %9.4f %9.4f %8.2f %14.6f  %s\n", name.c_str(),
                         gaps ? "motorcycle" : "tmesh", complex.extraordinaryVertices.size(),
                         complex.ordinaryJunctions, row.ours, row.cbc, ratio, row.cost, remark.c_str());
-            std::fflush(stdout);
             logarithms_ += std::log(ratio);
             slower_ = std::max(slower_, row.ours - row.cbc);
             good_ = good_ && row.proven && row.agrees && asKnown;

@@ -47,7 +47,6 @@ void print(const char* algorithm, const char* what, const Visited& visited, doub
     std::printf("%-12s %2s%13llu %-8s %2s%9.3f s %2s%8.0f times ours\n", algorithm, more,
                 static_cast<unsigned long long>(visited.count), what, more, visited.seconds, more,
                 visited.seconds / ours);
-    std::fflush(stdout);
 }
 
 } // namespace
