@@ -146,9 +146,11 @@ SubMeshGraphs SubMeshSearch::searchOptimum(const Task& task, const Control& cont
     for (const Assignment& assignment : found.graphs)
         result.graphs.push_back(graph(task, assignment));
     if (std::isfinite(found.lowerBound)) result.lowerBound = found.lowerBound + sureCosts_[at(task.subMesh)];
-    // The bound sums what the search summed, in another order than the tracks' costs.
-    if (!result.graphs.empty() && result.lowerBound)
-        result.lowerBound = std::min(*result.lowerBound, result.graphs.front().cost);
+    // The bound sums what the search summed, in another order than the tracks' costs, and a proof goes no
+    // further than the tolerance.
+    if (!result.graphs.empty() && result.lowerBound &&
+        *result.lowerBound >= result.graphs.front().cost - Incumbents::tolerance)
+        result.lowerBound = result.graphs.front().cost;
     if (result.graphs.empty() && found.complete && std::isinf(options_.maxCost)) refuse(task.subMesh);
     if (!found.complete) complete = false;
     countAndDraw(task, result, control, complete);
