@@ -3,24 +3,39 @@
 
 #include "bspline/spline_curve.h"
 
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace qm {
 
+/// The curve's derivative at a point of the polyline is to be orthogonal to a unit vector.
+struct TangentPlane {
+    int point = 0;
+    Point normal{0, 0, 0};
+};
+
 struct CurveFitInput {
-    std::vector<Point> points; ///< the polyline; point k lies at parameter k; at least two
-    std::vector<int> fixed;    ///< inner points the curve must pass through
-    Point startSlope{0, 0, 0}; ///< derivatives that the curve should have at its ends
-    Point endSlope{0, 0, 0};   ///<
+    std::vector<Point> points;        ///< the polyline; point k lies at parameter k; at least two
+    std::vector<int> fixed;           ///< inner points the curve must pass through
+    Point startSlope{0, 0, 0};        ///< derivatives that the curve should have at its ends
+    Point endSlope{0, 0, 0};          ///<
+    std::vector<TangentPlane> planes; ///< at fixed points and at the ends
 };
 
 /// Least squares with the ends and the fixed points met exactly, starting with one cubic; intervals with too
 /// large an error get knots until at every quarter of an edge the distance to the polyline's point of the
-/// same parameter, or, if it slides, to the polyline's tangent there, is within the tolerance. Always
-/// succeeds: in the end the space holds the polyline. \param exact  how far from a fixed point the curve may
-/// pass for rounding's sake
+/// same parameter, or, if it slides, to the polyline's tangent there, is within the tolerance; then knots
+/// that turn out not to be needed go. The tangents' planes are met too, unless that cannot be done within the
+/// tolerance. Always succeeds: in the end the space holds the polyline. \param exact  how far from a fixed
+/// point the curve may pass for rounding's sake
 [[nodiscard]] SplineCurve fitCurve(const CurveFitInput& input, double tolerance, double exact,
                                    bool slides = false);
+
+/// The same with given knots: those of a known fit and more; as many of the places as possible are done
+/// without, tried in their order. None if not even all of them are enough.
+[[nodiscard]] std::optional<SplineCurve> fitCurveOver(const CurveFitInput& input, double tolerance,
+                                                      double exact, bool slides, const SplineCurve& known,
+                                                      std::span<const double> places);
 
 } // namespace qm

@@ -101,7 +101,7 @@ private:
 double distanceToPatch(const Patch& patch, const Point& point, double u, double v, SurfacePoint on) {
     const auto range = domain(patch);
     double best = (on.position - point).norm();
-    for (int k = 0; k < 6; ++k) {
+    for (int k = 0; k < 10; ++k) {
         const Point away = on.position - point;
         const double uu = on.du | on.du;
         const double vv = on.dv | on.dv;
@@ -110,17 +110,23 @@ double distanceToPatch(const Patch& patch, const Point& point, double u, double 
         const double gv = away | on.dv;
         const double determinant = uu * vv - uv * uv;
         if (!(determinant > 1e-12 * uu * vv)) break;
-        const double nextU = std::clamp(u + (uv * gv - vv * gu) / determinant, range[0][0], range[0][1]);
-        const double nextV = std::clamp(v + (uv * gu - uu * gv) / determinant, range[1][0], range[1][1]);
-        const double moved = std::abs(nextU - u) + std::abs(nextV - v);
-        if (moved < 1e-6) break;
-        u = nextU;
-        v = nextV;
-        on = evaluate(patch, u, v);
-        const double distance = (on.position - point).norm();
+        const double stepU = std::clamp(u + (uv * gv - vv * gu) / determinant, range[0][0], range[0][1]) - u;
+        const double stepV = std::clamp(v + (uv * gu - uu * gv) / determinant, range[1][0], range[1][1]) - v;
+        if (std::abs(stepU) + std::abs(stepV) < 1e-6) break;
+        double distance = best;
+        SurfacePoint next = on;
+        double share = 1;
+        for (; share > 0.05; share /= 2) {
+            next = evaluate(patch, u + share * stepU, v + share * stepV);
+            distance = (next.position - point).norm();
+            if (distance < best) break;
+        }
         const bool settled = distance > 0.999 * best;
         best = std::min(best, distance);
         if (settled) break;
+        u += share * stepU;
+        v += share * stepV;
+        on = next;
     }
     return best;
 }

@@ -52,15 +52,15 @@ Surfaces fitWithinTolerance(const QuadMesh& mesh, const Layout& layout,
                             const Control& control) {
     const double tolerance = options.tolerance.length(boundingBoxDiagonal(mesh));
     ToleranceFit fit(mesh, layout, dihedralAngles, options.rho, tolerance, control.jobs);
-    constexpr int enough = 6; // by then the fit is certain of the tolerance
+    constexpr int enough = 10; // by then the fit is certain of the tolerance
     for (int round = 0;; ++round) {
         control.progress(0.5);
         Surfaces surfaces = measured(mesh, layout, dihedralAngles, fit.patches(), options, control);
-        std::vector<bool> missed;
+        std::vector<double> deviations;
         for (const Deviation& deviation : surfaces.ofPatch)
-            missed.push_back(deviation.max > tolerance);
-        if (round == enough || std::find(missed.begin(), missed.end(), true) == missed.end()) return surfaces;
-        fit.tighten(missed);
+            deviations.push_back(deviation.max);
+        if (round == enough || surfaces.deviation.max <= tolerance) return surfaces;
+        fit.tighten(deviations);
     }
 }
 

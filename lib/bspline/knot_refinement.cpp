@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace qm {
 
-KnotRefinement::KnotRefinement(std::vector<double> knots) {
+KnotRefinement::KnotRefinement(const std::vector<double>& knots, KnotRules rules) : rules_(std::move(rules)) {
     for (const double knot : knots) {
         if (places_.empty() || knot > places_.back()) {
             places_.push_back(knot);
@@ -22,12 +23,24 @@ std::size_t KnotRefinement::intervalOf(double parameter) const {
 }
 
 bool KnotRefinement::canRaise(std::size_t place) const {
-    return multiplicity_[place] < 3;
+    return multiplicity_[place] < 3 && (rules_.everywhere || raisesFirst(place)) &&
+           places_[place] == std::round(places_[place]);
+}
+
+/// Whether an edge of the shape has not yet got its knots.
+bool KnotRefinement::raisesFirst(std::size_t place) const {
+    const double at = places_[place];
+    return multiplicity_[place] < 3 && at == std::round(at) &&
+           static_cast<std::size_t>(at) < rules_.sharp.size() && rules_.sharp[static_cast<std::size_t>(at)];
+}
+
+bool KnotRefinement::canSplit(std::size_t interval) const {
+    return places_[interval + 1] - places_[interval] > rules_.finest;
 }
 
 bool KnotRefinement::canRefine(double parameter) const {
     const std::size_t k = intervalOf(parameter);
-    return places_[k + 1] - places_[k] > 1 || canRaise(k) || canRaise(k + 1);
+    return canSplit(k) || canRaise(k) || canRaise(k + 1);
 }
 
 void KnotRefinement::addError(double parameter, double error) {
@@ -47,7 +60,13 @@ std::vector<double> KnotRefinement::refined() const {
         if (!(intervals_[k].weight > 0)) continue;
         if (places_[k + 1] - places_[k] > 1) {
             const double centre = std::round(intervals_[k].moment / intervals_[k].weight);
-            added.push_back(std::clamp(centre, places_[k] + 1, places_[k + 1] - 1));
+            const double first = std::floor(places_[k]) + 1;
+            const double last = std::ceil(places_[k + 1]) - 1;
+            added.push_back(std::clamp(centre, first, last));
+            continue;
+        }
+        if (canSplit(k) && !raisesFirst(k) && !raisesFirst(k + 1)) {
+            added.push_back((places_[k] + places_[k + 1]) / 2);
             continue;
         }
         for (const std::size_t end : {k, k + 1})
@@ -67,10 +86,6 @@ std::vector<double> KnotRefinement::refined() const {
         added.insert(added.end(), static_cast<std::size_t>(raised[k]), places_[k]);
     std::sort(added.begin(), added.end());
     return added;
-}
-
-bool KnotRefinement::hasRepeatedKnots() const {
-    return std::any_of(multiplicity_.begin() + 1, multiplicity_.end() - 1, [](int m) { return m > 1; });
 }
 
 std::vector<double> bareKnots(double length) {

@@ -6,12 +6,24 @@
 
 namespace qm {
 
-/// Works on clamped cubic knots at integers. An interval is split at the integer nearest to its errors'
-/// centre of gravity; one of length one gets more continuity taken from its ends: there are up to three knots
-/// at one place, and with three everywhere any polyline is in the space.
+/// As fine as knots get where the shape is smooth; finer ones would follow the mesh's facets.
+constexpr double finestKnots = 0.25;
+
+/// Where knots may go besides integers.
+struct KnotRules {
+    double finest = 1;      ///< intervals of length one are halved down to this
+    bool everywhere = true; ///< continuity may be taken from any integer, at last
+    std::vector<bool>
+        sharp; ///< by integer: the shape itself has an edge there, which costs continuity at once
+};
+
+/// Works on clamped cubic knots. An interval is split at the integer nearest to its errors' centre of
+/// gravity, or in the middle if there is none inside; one that is short enough gets more continuity taken
+/// from its ends: there are up to three knots at one place, and with three at every integer any polyline is
+/// in the space.
 class KnotRefinement {
 public:
-    explicit KnotRefinement(std::vector<double> knots);
+    KnotRefinement(const std::vector<double>& knots, KnotRules rules);
 
     /// False if nothing can be gained at this parameter any more.
     [[nodiscard]] bool canRefine(double parameter) const;
@@ -21,8 +33,6 @@ public:
     /// The knots with all that was asked for.
     [[nodiscard]] std::vector<double> refined() const;
 
-    [[nodiscard]] bool hasRepeatedKnots() const;
-
 private:
     struct Interval {
         double weight = 0;
@@ -30,7 +40,10 @@ private:
     };
     [[nodiscard]] std::size_t intervalOf(double parameter) const;
     [[nodiscard]] bool canRaise(std::size_t place) const;
+    [[nodiscard]] bool raisesFirst(std::size_t place) const;
+    [[nodiscard]] bool canSplit(std::size_t interval) const;
 
+    KnotRules rules_;
     std::vector<double> places_;    ///< the different knots
     std::vector<int> multiplicity_; ///< of each
     std::vector<Interval> intervals_;

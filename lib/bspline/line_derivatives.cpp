@@ -137,8 +137,6 @@ Point LineDerivatives::inTangentPlane(HalfedgeId halfedge, const Point& tangent)
     return unlessSpoilt(turned, tangent);
 }
 
-/// The mean normal, around the vertex that `halfedge` leaves, of all faces from its left to the next sharp
-/// edges; zero where there is none.
 Point LineDerivatives::normalOnLeft(HalfedgeId halfedge) const {
     // Back, clockwise, to where the sector begins; then count its faces.
     const auto onLeft = [&](HalfedgeId h) { return opposite(mesh_.prev_halfedge_handle(h)); };

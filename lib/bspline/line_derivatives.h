@@ -26,12 +26,15 @@ public:
 
     [[nodiscard]] bool isSmooth(EdgeId edge) const;
 
+    /// The mean normal, around the vertex that `halfedge` leaves, of all faces from its left to the next
+    /// sharp edges; zero where there is none.
+    [[nodiscard]] Point normalOnLeft(HalfedgeId halfedge) const;
+
 private:
     [[nodiscard]] std::optional<HalfedgeId> goOn(HalfedgeId halfedge) const;
     [[nodiscard]] Point oneSided(HalfedgeId halfedge) const;
     [[nodiscard]] bool bendsSharply(HalfedgeId halfedge, const Point& forwards, const Point& backwards) const;
     [[nodiscard]] Point inTangentPlane(HalfedgeId halfedge, const Point& tangent) const;
-    [[nodiscard]] Point normalOnLeft(HalfedgeId halfedge) const;
     [[nodiscard]] const Point& end(HalfedgeId halfedge) const;
     [[nodiscard]] const Point& start(HalfedgeId halfedge) const;
     [[nodiscard]] HalfedgeId opposite(HalfedgeId halfedge) const;

@@ -12,16 +12,20 @@ namespace qm {
 struct PatchFitInput {
     std::array<int, 2> size{};
     std::span<const Point> grid; ///< row by row as in `vertexGrid`
-    /// The border curves, met exactly; the derivatives across them are only aimed at.
+    /// The border curves, met exactly.
     std::array<std::array<SplineCurve, 2>, 2> border; ///< along u, along v
-    /// Derivatives across the border at its vertices: S_v along u, S_u along v; empty where none is asked
-    /// for.
-    std::array<std::array<std::vector<Point>, 2>, 2> across;
-    std::array<Point, 4> twists{}; ///< S_uv at (0, 0), (m, 0), (0, n), (m, n)
+    /// Normals that the patch should have on its border, at `normalParameters` along u and v; zero where none
+    /// is asked for. Only their parts across the curves count.
+    std::array<std::array<std::vector<Point>, 2>, 2> normals;
 };
 
-/// Least squares over a lattice of four samples for every edge, with more knots where an error is too large,
-/// in the direction that causes it. Always succeeds if the border curves are within half the tolerance.
+/// Where a patch's normals on a border of so many edges are prescribed.
+[[nodiscard]] std::vector<double> normalParameters(int edges);
+
+/// Least squares over a lattice of samples, with more knots where an error is too large, in the direction
+/// that causes it; then without those that turn out not to be needed; then with the normals as close to the
+/// prescribed ones as the tolerance allows. Always succeeds if the border curves are within half the
+/// tolerance.
 /// \param slides  errors are measured from the quads' tangent planes, not from the points of the same
 /// parameters
 [[nodiscard]] Patch fitPatch(const PatchFitInput& input, double tolerance, bool slides = false);

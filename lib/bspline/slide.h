@@ -8,8 +8,11 @@ namespace qm {
 /// How far a point may slide, as a share of an edge. More would leave the neighbourhood in which the distance
 /// from the tangent tells the distance from the thing itself. A patch has more room than the curves of its
 /// border, so that it can follow them.
-constexpr double curveSlide = 0.1;
-constexpr double patchSlide = 0.12;
+constexpr double curveSlide = 0.12;
+constexpr double patchSlide = 0.15;
+
+/// Sliding counts at least this much as an error, so that the parametrisation stays even.
+constexpr double leastSlideWeight = 0.25;
 
 /// An error that exceeds the tolerance exactly if the point is too far off, or slides too far.
 /// \param off  the error's part across what is fitted \param slide  its part along, as a share of an edge

@@ -15,15 +15,10 @@ namespace {
 /// What makes a point of a border curve "exactly" at a vertex, as a fraction of the diagonal.
 constexpr double exactly = 1e-12;
 
-/// How close curves and patches are fitted, as shares of the tolerance, and whether they may slide along the
-/// mesh.
-struct Closeness {
-    double ofCurves;
-    double ofPatches;
-    bool slides;
-};
-/// In the last one every sample is within the tolerance of its own point of the mesh: it cannot be missed.
-constexpr std::array<Closeness, 2> levels = {{{0.65, 1, true}, {0.5, 1, false}}};
+/// How close curves are fitted, as shares of what their patches are; the second where nothing may slide:
+/// then every sample is within the tolerance of its own point of the mesh, and it cannot be missed.
+constexpr double curveShare = 0.95;
+constexpr double certainCurveShare = 0.5;
 
 /// How many border edges meet at each vertex, by vertex index.
 std::vector<int> borderValences(const QuadMesh& mesh, const Chains& chains) {
@@ -37,6 +32,7 @@ std::vector<int> borderValences(const QuadMesh& mesh, const Chains& chains) {
 }
 
 CurveFitInput curveInput(const QuadMesh& mesh, const BorderChain& chain, const LineDerivatives& lines,
+                         const NormalField& field, const CornerDirections& corners,
                          const std::vector<int>& valences) {
     CurveFitInput input;
     input.points.push_back(mesh.point(mesh.from_vertex_handle(chain.halfedges.front())));
@@ -49,7 +45,25 @@ CurveFitInput curveInput(const QuadMesh& mesh, const BorderChain& chain, const L
     if (!input.fixed.empty() && input.fixed.back() == chain.length())
         input.fixed.pop_back(); // ends are met anyway
     input.startSlope = lines.tangent(chain.halfedges.front());
-    input.endSlope = -lines.tangent(mesh.opposite_halfedge_handle(chain.halfedges.back()));
+    const HalfedgeId back = mesh.opposite_halfedge_handle(chain.halfedges.back());
+    input.endSlope = -lines.tangent(back);
+    const auto add = [&](int point, HalfedgeId halfedge) {
+        if (field.isTJoint(mesh.from_vertex_handle(halfedge))) return;
+        for (const Point& normal : field.tangentPlanes(halfedge))
+            input.planes.push_back({point, normal});
+        const Point direction = corners[halfedge];
+        if (direction.sqrnorm() == 0) return;
+        const Point normal = lines.normalOnLeft(halfedge);
+        input.planes.push_back({point, normal % direction});
+        if (point == 0)
+            input.startSlope = input.startSlope.norm() * direction;
+        else
+            input.endSlope = -input.endSlope.norm() * direction;
+    };
+    add(0, chain.halfedges.front());
+    for (const int fixed : input.fixed)
+        add(fixed, chain.halfedges[static_cast<std::size_t>(fixed)]);
+    add(chain.length(), back);
     return input;
 }
 
@@ -67,41 +81,16 @@ SplineCurve sideCurve(const Chains& chains, const std::vector<SplineCurve>& curv
     return joined(parts);
 }
 
-/// The halfedges of a side, in its direction.
-std::vector<HalfedgeId> sideHalfedges(const Chains& chains, std::size_t patch, int side) {
-    std::vector<HalfedgeId> halfedges;
+/// Normals along a side, in its direction, at `normalParameters`.
+std::vector<Point> sideNormals(const Chains& chains, const NormalField& field, std::size_t patch, int side) {
+    const std::vector<double> shares = normalParameters(1);
+    std::vector<Point> normals;
     for (const SidePiece& piece : chains.pieces(patch, side))
         for (int k = 0; k < piece.length; ++k)
-            halfedges.push_back(
-                chains.halfedge({piece.place.chain, piece.place.way, piece.place.position + k}));
-    return halfedges;
-}
-
-/// Derivatives into the patch at the vertices of a side; none if the side has no smooth edge with a
-/// neighbour.
-std::vector<Point> inwards(const QuadMesh& mesh, const LineDerivatives& lines,
-                           const std::vector<HalfedgeId>& side) {
-    bool smooth = false;
-    for (const HalfedgeId halfedge : side) {
-        const EdgeId edge = mesh.edge_handle(halfedge);
-        smooth = smooth || (!mesh.is_boundary(edge) && lines.isSmooth(edge));
-    }
-    std::vector<Point> result;
-    if (!smooth) return result;
-    for (const HalfedgeId halfedge : side)
-        result.push_back(lines.tangent(mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(halfedge))));
-    result.push_back(lines.tangent(mesh.next_halfedge_handle(side.back())));
-    return result;
-}
-
-/// From the derivatives into the patch along its sides to partial derivatives along its parameters.
-void setAcross(PatchFitInput& input, std::array<std::vector<Point>, 4> sides) {
-    for (const std::size_t turned : {2U, 3U})
-        std::reverse(sides[turned].begin(), sides[turned].end());
-    for (const std::size_t farther : {1U, 2U})
-        for (Point& point : sides[farther])
-            point = -point;
-    input.across = {{{sides[0], sides[2]}, {sides[3], sides[1]}}};
+            for (const double share : shares)
+                normals.push_back(
+                    field.at({piece.place.chain, piece.place.way, piece.place.position + k}, share));
+    return normals;
 }
 
 } // namespace
@@ -110,40 +99,51 @@ ToleranceFit::ToleranceFit(const QuadMesh& mesh, const Layout& layout,
                            const std::vector<double>& dihedralAngles, double rho, double tolerance,
                            unsigned jobs)
     : mesh_(mesh), layout_(layout), tolerance_(tolerance), jobs_(jobs), chains_(mesh, layout),
-      lines_(mesh, dihedralAngles, rho), valences_(borderValences(mesh, chains_)),
-      exact_(exactly * boundingBoxDiagonal(mesh)), levels_(layout.segments.size(), 0),
+      lines_(mesh, dihedralAngles, rho), field_(mesh, chains_, lines_), corners_(mesh, chains_, lines_),
+      sharing_(chains_, layout), valences_(borderValences(mesh, chains_)),
+      exact_(exactly * boundingBoxDiagonal(mesh)), closeness_(layout.segments.size()),
       curves_(chains_.all().size()), patches_(layout.segments.size()) {
     fitCurves(std::vector<bool>(curves_.size(), true));
     fitPatches(std::vector<bool>(patches_.size(), true));
 }
 
-void ToleranceFit::tighten(const std::vector<bool>& missed) {
-    constexpr int fewCalls = 3;
-    const auto before = chainLevels();
+void ToleranceFit::tighten(const std::vector<double>& deviations) {
+    constexpr int fewCalls = 5;
+    constexpr double least = 0.5;
+    const auto before = chainCloseness();
     ++calls_;
-    for (std::size_t k = 0; k < levels_.size(); ++k)
-        if (calls_ > fewCalls)
-            levels_[k] = levels.size() - 1; // neighbours may go on passing it back and forth: no longer
-        else if (missed[k])
-            levels_[k] = std::min(levels_[k] + 1, levels.size() - 1);
-    const auto after = chainLevels();
+    std::vector<bool> patches(patches_.size());
+    for (std::size_t k = 0; k < patches.size(); ++k) {
+        Closeness& closeness = closeness_[k];
+        const double excess = deviations[k] / tolerance_;
+        patches[k] = excess > 1;
+        if (patches[k]) closeness.share *= std::max(0.96 / excess, 0.7);
+        const bool impatient = calls_ > fewCalls + 3 || (patches[k] && calls_ > fewCalls);
+        if (impatient || closeness.share < least) closeness = {1, false};
+    }
+    const auto after = chainCloseness();
     std::vector<bool> chains(curves_.size());
     for (std::size_t k = 0; k < chains.size(); ++k)
         chains[k] = after[k] != before[k];
     fitCurves(chains);
-    std::vector<bool> patches(patches_.size());
     for (std::size_t k = 0; k < patches.size(); ++k)
-        patches[k] = missed[k] || calls_ > fewCalls || touches(k, chains);
+        patches[k] = patches[k] || calls_ > fewCalls + 3 || touches(k, chains);
     fitPatches(patches);
 }
 
 /// A curve is fitted as closely as the closest patch beside it.
-std::vector<std::size_t> ToleranceFit::chainLevels() const {
-    std::vector<std::size_t> result(curves_.size(), 0);
-    for (std::size_t k = 0; k < levels_.size(); ++k)
+std::vector<ToleranceFit::Closeness> ToleranceFit::chainCloseness() const {
+    std::vector<Closeness> result(curves_.size(), {curveShare, true});
+    for (std::size_t k = 0; k < closeness_.size(); ++k) {
+        const Closeness& patch = closeness_[k];
         for (int side = 0; side < 4; ++side)
-            for (const SidePiece& piece : chains_.pieces(k, side))
-                result[piece.place.chain] = std::max(result[piece.place.chain], levels_[k]);
+            for (const SidePiece& piece : chains_.pieces(k, side)) {
+                Closeness& chain = result[piece.place.chain];
+                chain.share =
+                    std::min(chain.share, patch.slides ? curveShare * patch.share : certainCurveShare);
+                chain.slides = chain.slides && patch.slides;
+            }
+    }
     return result;
 }
 
@@ -155,13 +155,32 @@ bool ToleranceFit::touches(std::size_t patch, const std::vector<bool>& chains) c
 }
 
 void ToleranceFit::fitCurves(const std::vector<bool>& which) {
-    const auto chainLevel = chainLevels();
+    const auto closeness = chainCloseness();
     parallelFor(curves_.size(), jobs_, [&](std::size_t k) {
         if (!which[k]) return;
-        const Closeness& closeness = levels.at(chainLevel[k]);
-        curves_[k] = fitCurve(curveInput(mesh_, chains_.all()[k], lines_, valences_),
-                              closeness.ofCurves * tolerance_, exact_, closeness.slides);
+        curves_[k] = fitCurve(curveInput(mesh_, chains_.all()[k], lines_, field_, corners_, valences_),
+                              closeness[k].share * tolerance_, exact_, closeness[k].slides);
     });
+    constexpr int rounds = 3;
+    for (int round = 0; round < rounds; ++round)
+        shareKnots(which);
+    field_.setCurves(curves_);
+}
+
+/// One curve after another: each may take over knots that its patches have anyway, in exchange for others.
+void ToleranceFit::shareKnots(const std::vector<bool>& which) {
+    const auto closeness = chainCloseness();
+    for (std::size_t k = 0; k < curves_.size(); ++k) {
+        if (!which[k]) continue;
+        std::vector<double> places;
+        for (const KnotPlace& place : sharing_.places(k, curves_))
+            places.push_back(place.parameter);
+        if (places.empty()) continue;
+        if (auto curve = fitCurveOver(
+                curveInput(mesh_, chains_.all()[k], lines_, field_, corners_, valences_),
+                closeness[k].share * tolerance_, exact_, closeness[k].slides, curves_[k], places))
+            curves_[k] = std::move(*curve);
+    }
 }
 
 void ToleranceFit::fitPatches(const std::vector<bool>& which) {
@@ -177,20 +196,17 @@ void ToleranceFit::fitOne(std::size_t patch) {
     input.size = segment.size;
     input.grid = grid;
     std::array<SplineCurve, 4> border;
-    std::array<std::vector<Point>, 4> across;
-    std::array<Point, 4> twists;
+    std::array<std::vector<Point>, 4> normals;
     for (std::size_t side = 0; side < 4; ++side) {
         border[side] = sideCurve(chains_, curves_, patch, static_cast<int>(side));
-        const auto halfedges = sideHalfedges(chains_, patch, static_cast<int>(side));
-        across[side] = inwards(mesh_, lines_, halfedges);
-        twists[side] = lines_.twist(halfedges.front());
+        normals[side] = sideNormals(chains_, field_, patch, static_cast<int>(side));
     }
+    for (const std::size_t turned : {2U, 3U})
+        std::reverse(normals[turned].begin(), normals[turned].end());
     input.border = {{{border[0], reversed(border[2])}, {reversed(border[3]), border[1]}}};
-    setAcross(input, std::move(across));
-    // The edges that leave corners 1 and 3 run against one of the parameters: the sign turns.
-    input.twists = {twists[0], -twists[1], -twists[3], twists[2]};
-    const Closeness& closeness = levels.at(levels_[patch]);
-    patches_[patch] = fitPatch(input, closeness.ofPatches * tolerance_, closeness.slides);
+    input.normals = {{{normals[0], normals[2]}, {normals[3], normals[1]}}};
+    const Closeness& closeness = closeness_[patch];
+    patches_[patch] = fitPatch(input, closeness.share * tolerance_, closeness.slides);
     patches_[patch].segment = SegmentId(patch);
 }
 

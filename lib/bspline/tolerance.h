@@ -2,7 +2,10 @@
 #pragma once
 
 #include "bspline/chains.h"
+#include "bspline/corner_directions.h"
+#include "bspline/knot_sharing.h"
 #include "bspline/line_derivatives.h"
+#include "bspline/normal_field.h"
 #include "bspline/spline_curve.h"
 #include "bspline/surfaces.h"
 #include "merge/layout.h"
@@ -12,10 +15,11 @@
 
 namespace qm {
 
-/// First the curves of all chains of border edges, through every vertex where borders meet; then every patch
-/// between its curves. Distances are first told from tangent planes, which takes the fewest control points
-/// but does not promise the tolerance; patches that turn out to miss it are fitted closer until it is
-/// certain.
+/// First the curves of all chains of border edges, through every vertex where borders meet; they take over
+/// one another's knots, since a patch needs those of all its sides. Then every patch between its curves, with
+/// the normals that both sides of a smooth border are to have. Distances are first told from tangent planes,
+/// which takes the fewest control points but does not promise the tolerance; patches that turn out to miss it
+/// are fitted closer until it is certain.
 class ToleranceFit {
 public:
     /// Fits everything. All that is passed must outlive the fit. \param tolerance  in the mesh's unit
@@ -26,14 +30,21 @@ public:
     [[nodiscard]] const std::vector<Patch>& patches() const { return patches_; }
 
     /// Fits the patches that miss the tolerance anew, with the curves about them and the neighbours that
-    /// share those. After a few calls every patch keeps the tolerance for certain. \param missed  for every
-    /// patch
-    void tighten(const std::vector<bool>& missed);
+    /// share those. After a few calls every patch keeps the tolerance for certain.
+    /// \param deviations  of every patch
+    void tighten(const std::vector<double>& deviations);
 
 private:
-    [[nodiscard]] std::vector<std::size_t> chainLevels() const;
+    /// How closely something is fitted.
+    struct Closeness {
+        double share = 1;   ///< of the tolerance
+        bool slides = true; ///< distances are told from tangent planes
+        friend bool operator==(const Closeness&, const Closeness&) = default;
+    };
+    [[nodiscard]] std::vector<Closeness> chainCloseness() const;
     [[nodiscard]] bool touches(std::size_t patch, const std::vector<bool>& chains) const;
     void fitCurves(const std::vector<bool>& which);
+    void shareKnots(const std::vector<bool>& which);
     void fitPatches(const std::vector<bool>& which);
     void fitOne(std::size_t patch);
 
@@ -43,9 +54,12 @@ private:
     unsigned jobs_;
     Chains chains_;
     LineDerivatives lines_;
+    NormalField field_;
+    CornerDirections corners_;
+    KnotSharing sharing_;
     std::vector<int> valences_;
-    double exact_;                    ///< how near is at a vertex
-    std::vector<std::size_t> levels_; ///< of patches: how close they are fitted
+    double exact_;                     ///< how near is at a vertex
+    std::vector<Closeness> closeness_; ///< of patches
     int calls_ = 0;
     std::vector<SplineCurve> curves_;
     std::vector<Patch> patches_;

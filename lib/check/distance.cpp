@@ -7,7 +7,7 @@ namespace qm::check {
 
 namespace {
 
-constexpr int iterations = 12;
+constexpr int iterations = 24;
 
 double dot(const Place& a, const Place& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -21,13 +21,23 @@ using Parameters = std::array<double, 2>;
 /// Walks towards the parameters in the box [0, most] whose point is nearest; returns the least distance seen.
 template <class Surface>
 double nearest(const Surface& surface, Parameters at, const Parameters& most, const Place& point) {
+    constexpr int mostHalvings = 5;
+    int halvings = 0;
     double least = HUGE_VAL;
+    Parameters before = at;
     for (int i = 0; i < iterations; ++i) {
         const SurfacePoint here = surface(at);
         const Place away = minus(point, here.point);
         const double now = std::sqrt(dot(away, away));
-        if (!(now < least)) break;
+        if (!(now < least)) {
+            // The step was too long: half as long, from where it began.
+            if (++halvings > mostHalvings) break;
+            at = {(at[0] + before[0]) / 2, (at[1] + before[1]) / 2};
+            continue;
+        }
         least = now;
+        halvings = 0;
+        before = at;
         const double uu = dot(here.alongU, here.alongU);
         const double uv = dot(here.alongU, here.alongV);
         const double vv = dot(here.alongV, here.alongV);

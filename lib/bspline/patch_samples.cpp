@@ -1,0 +1,127 @@
+#include "bspline/patch_samples.h"
+
+#include "bspline/design_matrix.h"
+#include "bspline/evaluate.h"
+#include "bspline/mesh_distance.h"
+#include "bspline/slide.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace qm {
+namespace {
+
+/// More of them get fewer samples each, as long as the result is measured later.
+constexpr int manyQuads = 100;
+
+} // namespace
+
+PatchSamples::PatchSamples(const std::array<int, 2>& size, std::span<const Point> grid, double tolerance,
+                           bool slides)
+    : size_(size), grid_(grid), tolerance_(tolerance), slides_(slides),
+      steps_(slides && size[0] * size[1] > manyQuads ? 2 : fitSteps), parameters_{
+                                                                          sampleParameters(size[0], steps_),
+                                                                          sampleParameters(size[1], steps_)} {
+    for (std::size_t j = 0; j < parameters_[1].size(); ++j)
+        for (std::size_t i = 0; i < parameters_[0].size(); ++i)
+            samples_.push_back(sampleAt(i, j));
+    findSharpLines();
+}
+
+std::array<double, 2> PatchSamples::at(std::size_t sample) const {
+    const std::size_t width = parameters_[0].size();
+    return {parameters_[0][sample % width], parameters_[1][sample / width]};
+}
+
+PatchSamples::Sample PatchSamples::sampleAt(std::size_t i, std::size_t j) const {
+    const auto quads = [&](std::size_t sample, int size) {
+        const int at = static_cast<int>(sample) / steps_;
+        const int last = std::min(at, size - 1);
+        const bool between = static_cast<int>(sample) % steps_ == 0 && last > 0 && at == last;
+        return std::pair(between ? last - 1 : last, last);
+    };
+    const auto [firstColumn, lastColumn] = quads(i, size_[0]);
+    const auto [firstRow, lastRow] = quads(j, size_[1]);
+    const auto width = static_cast<std::size_t>(size_[0]) + 1;
+    Sample sample;
+    sample.onBorder = i == 0 || j == 0 || i + 1 == parameters_[0].size() || j + 1 == parameters_[1].size();
+    for (int row = firstRow; row <= lastRow; ++row)
+        for (int column = firstColumn; column <= lastColumn; ++column) {
+            const Point* corner =
+                grid_.data() + static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column);
+            const double s = parameters_[0][i] - column;
+            const double t = parameters_[1][j] - row;
+            const Point alongU = (1 - t) * (corner[1] - corner[0]) + t * (corner[width + 1] - corner[width]);
+            const Point alongV = (1 - s) * (corner[width] - corner[0]) + s * (corner[width + 1] - corner[1]);
+            const Point normal = unitNormal(alongU, alongV);
+            sample.target = bilinear({corner[0], corner[1], corner[width + 1], corner[width]}, s, t);
+            sample.normals[sample.quads] = normal;
+            sample.steps[sample.quads++] = {alongU, alongV};
+            sample.degenerate = sample.degenerate || normal.sqrnorm() == 0;
+        }
+    sample.metric = metricOf(sample);
+    return sample;
+}
+
+/// Off the mean plane of the quads an error counts in full, along it as little as it may slide there.
+Eigen::Matrix3d PatchSamples::metricOf(const Sample& sample) const {
+    Point normal{0, 0, 0};
+    double shortest = HUGE_VAL;
+    for (std::size_t k = 0; k < sample.quads; ++k) {
+        normal += sample.normals[k];
+        for (const Point& step : sample.steps[k])
+            shortest = std::min(shortest, step.norm());
+    }
+    const double length = normal.norm();
+    const double slide = std::max(tolerance_ / (patchSlide * shortest), leastSlideWeight);
+    if (!slides_ || !(slide < 1) || !(length > 0.5)) return Eigen::Matrix3d::Identity();
+    const Eigen::Vector3d direction = Eigen::Vector3d(normal[0], normal[1], normal[2]) / length;
+    return slide * slide * Eigen::Matrix3d::Identity() +
+           (1 - slide * slide) * direction * direction.transpose();
+}
+
+void PatchSamples::findSharpLines() {
+    constexpr double cosine = 0.85;
+    for (std::size_t d = 0; d < 2; ++d)
+        sharp_[d].assign(static_cast<std::size_t>(size_[d]) + 1, false);
+    const std::size_t width = parameters_[0].size();
+    for (std::size_t k = 0; k < samples_.size(); ++k) {
+        const Sample& sample = samples_[k];
+        for (std::size_t a = 1; a < sample.quads; ++a) {
+            if ((sample.normals[0] | sample.normals[a]) > cosine || sample.quads != 2) continue;
+            const std::size_t i = k % width;
+            const std::size_t j = k / width;
+            const auto steps = static_cast<std::size_t>(steps_);
+            const bool acrossU = i % steps == 0 && j % steps != 0;
+            sharp_[acrossU ? 0 : 1][(acrossU ? i : j) / steps] = true;
+        }
+    }
+}
+
+double PatchSamples::counted(std::size_t sample, const Point& error) const {
+    const Sample& here = samples_[sample];
+    const double length = error.norm();
+    if (!slides_ || length <= tolerance_ || here.degenerate) return length / tolerance_;
+    double result = 0;
+    for (std::size_t k = 0; k < here.quads; ++k) {
+        result = std::max(result, std::abs(error | here.normals[k]) / tolerance_);
+        for (const Point& along : here.steps[k]) {
+            const double step = along.norm();
+            const double slide = std::abs(error | along) / step;
+            result = std::max(result, slide / std::max(patchSlide * step, tolerance_));
+        }
+    }
+    return result;
+}
+
+Point PatchSamples::onQuads(double u, double v) const {
+    const int column = std::min(static_cast<int>(u), size_[0] - 1);
+    const int row = std::min(static_cast<int>(v), size_[1] - 1);
+    const auto width = static_cast<std::size_t>(size_[0]) + 1;
+    const Point* corner =
+        grid_.data() + static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column);
+    return bilinear({corner[0], corner[1], corner[width + 1], corner[width]}, u - column, v - row);
+}
+
+} // namespace qm
