@@ -47,19 +47,29 @@ Surfaces measured(const QuadMesh& mesh, const Layout& layout, const std::vector<
     return {std::move(patches), deviation.ofAll, std::move(deviation.ofPatch)};
 }
 
+/// A patch that turns away from its quads misses the tolerance, however close to them it is.
+double asMiss(const Deviation& deviation, double tolerance) {
+    constexpr double mostBent = 30; // degrees
+    constexpr double excess = 1.5;
+    const bool bent = deviation.largestNormalDeviation > mostBent;
+    return bent ? std::max(deviation.max, excess * tolerance) : deviation.max;
+}
+
 Surfaces fitWithinTolerance(const QuadMesh& mesh, const Layout& layout,
                             const std::vector<double>& dihedralAngles, const FitOptions& options,
                             const Control& control) {
     const double tolerance = options.tolerance.length(boundingBoxDiagonal(mesh));
     ToleranceFit fit(mesh, layout, dihedralAngles, options.rho, tolerance, control.jobs);
-    constexpr int enough = 10; // by then the fit is certain of the tolerance
+    constexpr int enough = 10;  // by then the fit is certain of the tolerance
+    constexpr int hopeless = 4; // folded quads have folded patches
     for (int round = 0;; ++round) {
         control.progress(0.5);
         Surfaces surfaces = measured(mesh, layout, dihedralAngles, fit.patches(), options, control);
         std::vector<double> deviations;
         for (const Deviation& deviation : surfaces.ofPatch)
-            deviations.push_back(deviation.max);
-        if (round == enough || surfaces.deviation.max <= tolerance) return surfaces;
+            deviations.push_back(round < hopeless ? asMiss(deviation, tolerance) : deviation.max);
+        const bool close = std::ranges::all_of(deviations, [&](double d) { return d <= tolerance; });
+        if (close || round == enough) return surfaces;
         fit.tighten(deviations);
     }
 }

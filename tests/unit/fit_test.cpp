@@ -117,6 +117,7 @@ TEST_P(FitLayouts, KeepsEveryTolerance) {
         options.samplesPerEdge = 4;
         const Surfaces surfaces = fitSurfaces(mesh, layout, angles, options);
         EXPECT_LE(surfaces.deviation.max, tolerance);
+        EXPECT_LT(surfaces.deviation.largestNormalDeviation, 60) << "patches do not fold";
         EXPECT_LT(surfaces.deviation.largestGapRelative, 1e-11);
         EXPECT_GE(controlPointCount(surfaces), last) << "a closer fit takes no fewer points";
         last = controlPointCount(surfaces);
