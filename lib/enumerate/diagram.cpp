@@ -38,7 +38,7 @@ private:
             hash ^= hash >> 32;
         }
         std::size_t slot = hash & (slots_.size() - 1);
-        while (slots_[slot] != 0 && !std::equal(key, key + words, &keys_[(slots_[slot] - 1) * words]))
+        while (slots_[slot] != 0 && !std::equal(key, key + words, keys_.data() + (slots_[slot] - 1) * words))
             slot = (slot + 1) & (slots_.size() - 1);
         return slot;
     }
@@ -46,7 +46,7 @@ private:
     void grow(std::size_t words) {
         slots_.assign(std::max<std::size_t>(8, 2 * slots_.size()), 0);
         for (std::size_t k = 0; k < nodes_.size(); ++k)
-            slots_[slotOf(&keys_[k * words], words)] = static_cast<std::uint32_t>(k + 1);
+            slots_[slotOf(keys_.data() + k * words, words)] = static_cast<std::uint32_t>(k + 1);
     }
 
     std::vector<std::uint32_t> slots_; ///< number of the entry plus 1; 0 is empty
