@@ -29,9 +29,12 @@ class Bundler {
 public:
     explicit Bundler(const std::string& file) : file_(file), root_(embedded(file)) { files_[file] = root_; }
 
+    /// Leaves a key out of the bundle.
+    void forget(const char* key) { root_.erase(key); }
+
+    /// Ends with an insertion, which tells every member again what it is a member of: erasing forgets that.
     Json bundle() {
-        Json own = root_.value("definitions", Json::object());
-        root_.erase("definitions");
+        forget("definitions");
         localise(root_, file_);
         root_["definitions"] = definitions_;
         return root_;
@@ -176,9 +179,9 @@ void validate(const Json& root, const Json& schema) {
 }
 
 void validateAgainstSchema(const Json& root, const std::string& kind) {
-    Json schema = bundledSchema(kind);
-    schema.erase("$id"); // nothing is to be fetched
-    validate(root, schema);
+    Bundler bundler(kind + ".schema.json");
+    bundler.forget("$id"); // nothing is to be fetched
+    validate(root, bundler.bundle());
 }
 
 } // namespace qm

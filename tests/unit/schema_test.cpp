@@ -90,7 +90,8 @@ TEST(Schemas, DescribeTheDocumentsThatTheToolsWrite) {
         EXPECT_NO_THROW(qm::validateAgainstSchema(root, kind)) << kind;
         EXPECT_EQ(root.at("kind"), kind);
         // Nothing that is required may be missing.
-        for (const Json& key : qm::bundledSchema(kind).at("required")) {
+        const Json schema = qm::bundledSchema(kind);
+        for (const Json& key : schema.at("required")) {
             Json less = root;
             less.erase(key.get<std::string>());
             EXPECT_EQ(messageOf([&] { qm::validateAgainstSchema(less, kind); }),
