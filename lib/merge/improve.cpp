@@ -2,9 +2,7 @@
 
 #include "base/deadline.h"
 #include "enumerate/optimum.h"
-#include "enumerate/search_space.h"
 #include "enumerate/tracks.h"
-#include "enumerate/window_search.h"
 
 #include <algorithm>
 
@@ -28,12 +26,13 @@ OptimumResult searchWhole(const Problem& problem, std::vector<bool>& present, co
     return found;
 }
 
-/// \return of every arc its value in the relaxed solution
-std::vector<double> relaxedArcs(const Problem& problem, const OptimumResult& found) {
-    std::vector<double> values;
-    for (int v = 0; v < problem.variables() && !found.relaxed.empty(); ++v)
-        values.insert(values.end(), static_cast<std::size_t>(problem.arcs[static_cast<std::size_t>(v)].count),
-                      found.relaxed[static_cast<std::size_t>(v)]);
+/// \return of every arc its value in the relaxed solution; nothing if there was none
+std::vector<double> relaxedArcs(const SearchSpace& space, const Problem& problem,
+                                const OptimumResult& found) {
+    if (found.relaxed.empty()) return {};
+    std::vector<double> values(space.graph.arcs.size(), 0);
+    for (std::size_t v = 0; v < problem.arcs.size(); ++v)
+        std::fill_n(values.begin() + problem.arcs[v].first.value(), problem.arcs[v].count, found.relaxed[v]);
     return values;
 }
 
@@ -56,7 +55,7 @@ Improvement improveGraph(const QuadMesh& mesh, const BaseComplex& complex,
     control.progress(shareOfTree);
     if (!found.complete) {
         WindowOptions options;
-        options.relaxed = relaxedArcs(problem, found);
+        options.relaxed = relaxedArcs(space, problem, found);
         WindowResult windows = improveByWindows(input, present, options, end.control());
         present = std::move(windows.present);
         result.windows = windows.windows;

@@ -34,7 +34,7 @@ public:
 
     /// \param beta  price of a segment
     [[nodiscard]] PruneResult prune(double beta, double maxSegments) {
-        if (!bestKnown(pricedAt(0), maxSegments)) approach(maxSegments);
+        if (!bestKnown(grids_.program, maxSegments)) approach(maxSegments);
         IntegerProgram program = pricedAt(beta);
         if (std::isfinite(maxSegments)) program.rows.push_back(limitOn(maxSegments));
         const std::optional<Values> start = bestKnown(program, maxSegments);

@@ -6,6 +6,7 @@
 #include "enumerate/ranked_graphs.h"
 #include "mesh/dihedral.h"
 #include "support/brute_force.h"
+#include "support/checked_mesh.h"
 #include "support/random_graph.h"
 
 #include <gtest/gtest.h>
@@ -23,18 +24,6 @@ constexpr std::uint64_t mostSteps = 10000;
 double costOf(int one, int other) {
     const auto [less, more] = std::minmax(one, other);
     return std::sin(12.9898 * less + 78.233 * more + 1);
-}
-
-check::CheckedMesh checkedMesh(const QuadMesh& mesh) {
-    check::CheckedMesh result;
-    for (const auto vertex : mesh.vertices())
-        result.points.push_back({mesh.point(vertex)[0], mesh.point(vertex)[1], mesh.point(vertex)[2]});
-    for (const auto face : mesh.faces()) {
-        auto corner = result.quads.emplace_back().begin();
-        for (const auto vertex : mesh.fv_range(face))
-            *corner++ = vertex.idx();
-    }
-    return result;
 }
 
 /// What all graphs cost, ascending; nothing where trying everything would take too long.

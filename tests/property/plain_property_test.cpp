@@ -2,6 +2,7 @@
 #include "check/check_graph.h"
 #include "enumerate/plain.h"
 #include "mesh/topology.h"
+#include "support/checked_mesh.h"
 #include "support/random_graph.h"
 
 #include <gtest/gtest.h>
@@ -10,18 +11,6 @@
 
 namespace qm::testing {
 namespace {
-
-check::CheckedMesh listed(const QuadMesh& mesh) {
-    check::CheckedMesh result;
-    for (const VertexId vertex : mesh.vertices())
-        result.points.push_back({mesh.point(vertex)[0], mesh.point(vertex)[1], mesh.point(vertex)[2]});
-    for (const FaceId face : mesh.faces()) {
-        auto corner = result.quads.emplace_back().begin();
-        for (const VertexId vertex : mesh.fv_ccw_range(face))
-            *corner++ = vertex.idx();
-    }
-    return result;
-}
 
 std::vector<check::ReadTrack> read(const QuadMesh& mesh, const check::Neighbourhoods& around,
                                    const std::vector<Track>& tracks) {
@@ -38,7 +27,7 @@ std::vector<check::ReadTrack> read(const QuadMesh& mesh, const check::Neighbourh
 /// Every rule that the graph breaks, one a line.
 std::string brokenRules(const QuadMesh& mesh, const std::vector<Seed>& seeds,
                         const std::vector<Track>& tracks) {
-    const check::Neighbourhoods around(listed(mesh));
+    const check::Neighbourhoods around(checkedMesh(mesh));
     check::TraceInput input;
     for (const Seed& seed : seeds)
         input.seedSteps.push_back(around.stepBetween(mesh.from_vertex_handle(seed.direction).idx(),

@@ -3,6 +3,7 @@
 #include "mesh/build_mesh.h"
 #include "mesh/dihedral.h"
 #include "mesh/topology.h"
+#include "support/checked_mesh.h"
 #include "support/polycube.h"
 #include "support/random_graph.h"
 #include "support/shared_meshes.h"
@@ -33,18 +34,6 @@ CutOptions cutOptions(double chi, Terminals kind = Terminals::irregular) {
 Cut cutAt(const QuadMesh& mesh, const CutOptions& options, std::span<const Seed> seeds = {},
           const Control& control = {}) {
     return cutMesh(mesh, buildBaseComplex(mesh, seeds), dihedralAngles(mesh), options, control);
-}
-
-check::CheckedMesh checkedMesh(const QuadMesh& mesh) {
-    check::CheckedMesh result;
-    for (const VertexId vertex : mesh.vertices())
-        result.points.push_back({mesh.point(vertex)[0], mesh.point(vertex)[1], mesh.point(vertex)[2]});
-    for (const FaceId face : mesh.faces()) {
-        auto corner = result.quads.emplace_back().begin();
-        for (const VertexId vertex : mesh.fv_range(face))
-            *corner++ = vertex.idx();
-    }
-    return result;
 }
 
 /// U and n_j are what the checker, which traces lines of its own, makes of the labels.

@@ -13,7 +13,7 @@
 namespace qm::bench {
 namespace {
 
-constexpr int mostJunctions = 130;
+constexpr std::size_t mostJunctions = 130;
 
 /// \return whether it is as known
 bool printCount(const std::string& name, const QuadMesh& mesh, const std::string& known) {

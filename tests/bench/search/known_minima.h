@@ -1,14 +1,15 @@
 /// \file Real meshes whose cheapest graphs are known from elsewhere.
 #pragma once
 
+#include <cstddef>
 #include <span>
 
 namespace qm::bench {
 
 struct KnownMinima {
     const char* mesh;
-    int extraordinaryVertices;
-    int ordinaryJunctions;
+    std::size_t extraordinaryVertices;
+    std::size_t ordinaryJunctions;
     const char* graphs;      ///< how many; "" if only we know
     double minimum;          ///< G_T, to a millionth
     double minimumTMesh;     ///< likewise of class tmesh

@@ -64,7 +64,9 @@ public:
                     gaps
                         ? 2e-6
                         : known->precision * std::max(1.0, known->precision > 1e-5 ? std::abs(minimum) : 1.0);
-                asKnown = std::abs(row.cost - minimum) <= precision;
+                asKnown = std::abs(row.cost - minimum) <= precision &&
+                          complex.extraordinaryVertices.size() == known->extraordinaryVertices &&
+                          complex.ordinaryJunctions == known->ordinaryJunctions;
                 remark += asKnown ? ", as known" : ", NOT AS KNOWN";
             }
             const double ratio = std::max(row.cbc, leastTime) / std::max(row.ours, leastTime);
