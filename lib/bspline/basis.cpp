@@ -4,6 +4,10 @@
 
 namespace qm {
 
+int clampedDegree(std::span<const double> knots) {
+    return static_cast<int>(std::ranges::count(knots, knots.front())) - 1;
+}
+
 std::array<double, 2> domain(std::span<const double> knots, int degree) {
     const auto p = static_cast<std::size_t>(degree);
     return {knots[p], knots[knots.size() - p - 1]};

@@ -10,6 +10,9 @@ namespace qm {
 
 constexpr int maxDegree = 9;
 
+/// Of clamped knots: one less than how often the first is there.
+[[nodiscard]] int clampedDegree(std::span<const double> knots);
+
 /// The basis functions that do not vanish at a parameter: numbers first ... first + degree, with their
 /// values and first derivatives.
 struct BasisValues {

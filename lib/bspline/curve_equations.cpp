@@ -1,8 +1,10 @@
 #include "bspline/curve_equations.h"
 
-#include <Eigen/LU>
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseCore>
+#include "bspline/profile_factor.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
 
 namespace qm {
 namespace {
@@ -10,8 +12,6 @@ namespace {
 /// Makes the matrix quasi-definite, so that it can be factorised even where conditions depend on one another;
 /// repetition takes its effect away.
 constexpr double regularisation = 1e-6;
-
-using SparseMatrix = Eigen::SparseMatrix<double>;
 
 Eigen::Vector3d vector(const Point& point) {
     return {point[0], point[1], point[2]};
@@ -47,62 +47,59 @@ void CurveEquations::require(std::size_t first, const CurveWeights& weights, con
     conditions_.push_back(condition);
 }
 
-/// Calls visit(row, column, value) for all entries of the lower triangle.
-template <class Visitor> void CurveEquations::visitLower(const Visitor& visit) const {
+std::vector<Point> CurveEquations::solve() const {
+    // Every condition follows the last control point that it concerns: that keeps rows short.
+    std::vector<std::size_t> order(conditions_.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::ranges::stable_sort(order, {}, [&](std::size_t k) { return conditions_[k].first; });
+    std::vector<std::size_t> rowOfPoint(points_);
+    std::vector<std::size_t> rowOfCondition(conditions_.size());
+    std::vector<std::size_t> first;
+    auto next = order.begin();
+    for (std::size_t point = 0; point < points_; ++point) {
+        rowOfPoint[point] = first.size();
+        first.insert(first.end(), 3, rowOfPoint[point < 3 ? 0 : point - 3]);
+        for (; next != order.end() && conditions_[*next].first + 3 == point; ++next) {
+            rowOfCondition[*next] = first.size();
+            first.push_back(rowOfPoint[point - 3]);
+        }
+    }
+
+    const std::size_t size = first.size();
+    ProfileFactor matrix(std::move(first));
     for (std::size_t point = 0; point < points_; ++point)
         for (std::size_t off = 0; off < 4 && point + off < points_; ++off)
-            for (Eigen::Index r = 0; r < 3; ++r)
-                for (Eigen::Index c = 0; c < (off == 0 ? r + 1 : 3); ++c)
-                    visit(static_cast<Eigen::Index>(3 * (point + off)) + r,
-                          static_cast<Eigen::Index>(3 * point) + c, blocks_[4 * point + off](r, c));
-    Eigen::Index row = right_.size();
-    for (const Condition& condition : conditions_) {
-        for (Eigen::Index k = 0; k < condition.coefficients.size(); ++k)
-            if (condition.coefficients[k] != 0)
-                visit(row, static_cast<Eigen::Index>(3 * condition.first) + k, condition.coefficients[k]);
-        visit(row, row, -regularisation);
-        ++row;
+            for (std::size_t r = 0; r < 3; ++r)
+                for (std::size_t c = 0; c < (off == 0 ? r + 1 : 3); ++c)
+                    matrix.at(rowOfPoint[point + off] + r, rowOfPoint[point] + c) =
+                        blocks_[4 * point + off](static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c));
+    for (std::size_t k = 0; k < conditions_.size(); ++k) {
+        const Condition& condition = conditions_[k];
+        for (std::size_t m = 0; m < 12; ++m)
+            matrix.at(rowOfCondition[k], rowOfPoint[condition.first + m / 3] + m % 3) =
+                condition.coefficients[static_cast<Eigen::Index>(m)];
+        matrix.at(rowOfCondition[k], rowOfCondition[k]) = -regularisation;
     }
-}
+    matrix.factorise();
 
-template <class Factor> std::vector<Point> CurveEquations::solve(const Factor& factor) const {
-    const Eigen::Index unknowns = right_.size();
-    const auto conditions = static_cast<Eigen::Index>(conditions_.size());
-    Eigen::VectorXd right(unknowns + conditions);
-    right.head(unknowns) = right_;
-    Eigen::VectorXd multipliers = Eigen::VectorXd::Zero(conditions);
-    Eigen::VectorXd solution;
+    Eigen::VectorXd right(static_cast<Eigen::Index>(size));
+    for (std::size_t point = 0; point < points_; ++point)
+        right.segment<3>(static_cast<Eigen::Index>(rowOfPoint[point])) =
+            right_.segment<3>(static_cast<Eigen::Index>(3 * point));
+    Eigen::VectorXd solution = Eigen::VectorXd::Zero(right.size());
     for (int round = 0; round < 4; ++round) {
-        for (Eigen::Index k = 0; k < conditions; ++k)
-            right[unknowns + k] =
-                conditions_[static_cast<std::size_t>(k)].value - regularisation * multipliers[k];
-        solution = factor.solve(right);
-        multipliers = solution.tail(conditions);
+        for (std::size_t k = 0; k < conditions_.size(); ++k) {
+            const auto row = static_cast<Eigen::Index>(rowOfCondition[k]);
+            right[row] = conditions_[k].value - regularisation * solution[row];
+        }
+        solution = matrix.solve(right);
     }
     std::vector<Point> points;
-    for (Eigen::Index k = 0; k < unknowns; k += 3)
-        points.emplace_back(solution[k], solution[k + 1], solution[k + 2]);
-    return points;
-}
-
-std::vector<Point> CurveEquations::solve() const {
-    constexpr Eigen::Index few = 100;
-    const Eigen::Index size = right_.size() + static_cast<Eigen::Index>(conditions_.size());
-    if (size <= few) {
-        Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size, size);
-        visitLower([&](Eigen::Index row, Eigen::Index column, double value) {
-            matrix(row, column) = value;
-            matrix(column, row) = value;
-        });
-        return solve(Eigen::PartialPivLU<Eigen::MatrixXd>(matrix));
+    for (const std::size_t row : rowOfPoint) {
+        const auto at = static_cast<Eigen::Index>(row);
+        points.emplace_back(solution[at], solution[at + 1], solution[at + 2]);
     }
-    std::vector<Eigen::Triplet<double, int>> entries;
-    visitLower([&](Eigen::Index row, Eigen::Index column, double value) {
-        entries.emplace_back(static_cast<int>(row), static_cast<int>(column), value);
-    });
-    SparseMatrix matrix(static_cast<int>(size), static_cast<int>(size));
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    return solve(Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower>(matrix));
+    return points;
 }
 
 } // namespace qm

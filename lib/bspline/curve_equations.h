@@ -37,9 +37,6 @@ private:
         double value;
     };
 
-    template <class Factor> [[nodiscard]] std::vector<Point> solve(const Factor& factor) const;
-    template <class Visitor> void visitLower(const Visitor& visit) const;
-
     std::size_t points_;
     std::vector<Eigen::Matrix3d> blocks_; ///< that couple a point with itself and the next three
     Eigen::VectorXd right_;               ///< coordinate c of control point k is unknown 3 k + c

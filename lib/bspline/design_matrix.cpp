@@ -9,28 +9,17 @@ std::vector<double> sampleParameters(int edges, int steps) {
     return parameters;
 }
 
-SparseMatrix designMatrix(std::span<const double> knots, std::span<const double> parameters,
-                          double startWeight, double endWeight) {
+SparseMatrix designMatrix(std::span<const double> knots, std::span<const double> parameters) {
+    const int degree = clampedDegree(knots);
     std::vector<Eigen::Triplet<double, int>> entries;
-    entries.reserve(4 * parameters.size() + 8);
+    entries.reserve(4 * parameters.size());
     int row = 0;
-    for (const double parameter : parameters) {
-        const BasisValues basis = basisValues(knots, 3, parameter);
-        for (std::size_t k = 0; k < 4; ++k)
-            if (basis.value[k] != 0)
-                entries.emplace_back(row, static_cast<int>(basis.first + k), basis.value[k]);
+    for (const BasisValues& basis : basisTable(knots, degree, parameters)) {
+        for (std::size_t k = 0; k <= static_cast<std::size_t>(degree); ++k)
+            entries.emplace_back(row, static_cast<int>(basis.first + k), basis.value[k]);
         ++row;
     }
-    const auto addDerivative = [&](double parameter, double weight) {
-        const BasisValues basis = basisValues(knots, 3, parameter);
-        for (std::size_t k = 0; k < 4 && weight > 0; ++k)
-            if (basis.derivative[k] != 0)
-                entries.emplace_back(row, static_cast<int>(basis.first + k), weight * basis.derivative[k]);
-        ++row;
-    };
-    addDerivative(parameters.front(), startWeight);
-    addDerivative(parameters.back(), endWeight);
-    SparseMatrix matrix(row, static_cast<int>(knots.size()) - 4);
+    SparseMatrix matrix(row, static_cast<int>(knots.size()) - degree - 1);
     matrix.setFromTriplets(entries.begin(), entries.end());
     return matrix;
 }

@@ -19,9 +19,7 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 /// Samples for every edge in all fits. Four determine every polyline's spline, whatever the knots.
 constexpr int fitSteps = 4;
 
-/// One row for every parameter, with the values of all basis functions there; then two rows with their
-/// derivatives at the two ends, multiplied by weights.
-[[nodiscard]] SparseMatrix designMatrix(std::span<const double> knots, std::span<const double> parameters,
-                                        double startWeight, double endWeight);
+/// One row for every parameter, with the values there of all basis functions over clamped knots.
+[[nodiscard]] SparseMatrix designMatrix(std::span<const double> knots, std::span<const double> parameters);
 
 } // namespace qm

@@ -23,6 +23,7 @@ struct Samples {
     std::vector<double> kinks;
     double gap = 0;
     double normalDeviation = 0;
+    std::vector<DeviatingPlace> places;
 };
 
 double rootMeanSquare(const std::vector<double>& values) {
@@ -132,9 +133,9 @@ double distanceToPatch(const Patch& patch, const Point& point, double u, double 
 }
 
 void measurePatch(const Patch& patch, const Segment& segment, const QuadGrid& quads, const MeshDistance& mesh,
-                  int steps, double negligible, Samples& samples) {
-    const auto us = latticeParameters(segment.size[0], steps);
-    const auto vs = latticeParameters(segment.size[1], steps);
+                  const DeviationOptions& options, double negligible, Samples& samples) {
+    const auto us = latticeParameters(segment.size[0], options.samplesPerEdge);
+    const auto vs = latticeParameters(segment.size[1], options.samplesPerEdge);
     const auto points = evaluateLattice(patch, us, vs);
     samples.distances.reserve(2 * points.size());
     std::size_t k = 0;
@@ -147,12 +148,16 @@ void measurePatch(const Patch& patch, const Segment& segment, const QuadGrid& qu
                 samples.distances.insert(samples.distances.end(), 2, bound);
                 continue;
             }
-            samples.distances.push_back(mesh(on.position, bound));
-            samples.distances.push_back(distanceToPatch(patch, of, u, v, on));
+            const double there = mesh(on.position, bound);
+            const double back = distanceToPatch(patch, of, u, v, on);
+            samples.distances.insert(samples.distances.end(), {there, back});
+            if (!(std::max(there, back) <= options.farthest))
+                samples.places.push_back({{u, v}, std::max(there, back)});
         }
 }
 
-double largestNormalDeviation(const Patch& patch, const Segment& segment, const QuadGrid& quads) {
+void measureNormals(const Patch& patch, const Segment& segment, const QuadGrid& quads, double mostBent,
+                    Samples& samples) {
     const auto centres = [](int edges) {
         std::vector<double> parameters;
         for (int k = 0; k < edges; ++k)
@@ -160,13 +165,14 @@ double largestNormalDeviation(const Patch& patch, const Segment& segment, const 
         return parameters;
     };
     const auto points = evaluateLattice(patch, centres(segment.size[0]), centres(segment.size[1]));
-    double result = 0;
     std::size_t k = 0;
     for (int j = 0; j < segment.size[1]; ++j)
-        for (int i = 0; i < segment.size[0]; ++i, ++k)
-            result = std::max(
-                result, angleInDegrees(unitNormal(points[k].du, points[k].dv), quads.normalAtCentre(i, j)));
-    return result;
+        for (int i = 0; i < segment.size[0]; ++i, ++k) {
+            const double angle =
+                angleInDegrees(unitNormal(points[k].du, points[k].dv), quads.normalAtCentre(i, j));
+            samples.normalDeviation = std::max(samples.normalDeviation, angle);
+            if (angle > mostBent) samples.places.push_back({{i + 0.5, j + 0.5}, 0});
+        }
 }
 
 /// Gap and kinks along one edge of the layout.
@@ -232,9 +238,8 @@ MeasuredDeviation measureDeviation(const QuadMesh& mesh, const Layout& layout,
     parallelFor(patches.size(), control.jobs, [&](std::size_t k) {
         const Segment& segment = layout.segments[k];
         const QuadGrid quads(pointGrid(mesh, segment), segment.size);
-        measurePatch(patches[k], segment, quads, distance, options.samplesPerEdge, 1e-14 * diagonal,
-                     ofPatch[k]);
-        ofPatch[k].normalDeviation = largestNormalDeviation(patches[k], segment, quads);
+        measurePatch(patches[k], segment, quads, distance, options, 1e-14 * diagonal, ofPatch[k]);
+        measureNormals(patches[k], segment, quads, options.mostBent, ofPatch[k]);
     });
 
     const auto borders = borderEdges(mesh, layout);
@@ -253,6 +258,7 @@ MeasuredDeviation measureDeviation(const QuadMesh& mesh, const Layout& layout,
     }
     for (Samples& samples : ofPatch) {
         result.ofPatch.push_back(summary(samples, diagonal));
+        result.places.push_back(std::move(samples.places));
         gather(samples, all);
     }
     result.ofAll = summary(all, diagonal);

@@ -5,18 +5,29 @@
 #include "bspline/surfaces.h"
 #include "merge/layout.h"
 
+#include <array>
+#include <cmath>
 #include <vector>
 
 namespace qm {
 
 struct DeviationOptions {
-    double rho = 0.45;      ///< kinks count across border edges of at most this dihedral angle, radians
-    int samplesPerEdge = 2; ///< steps of the lattice of samples along every mesh edge; at least 1
+    double rho = 0.45;          ///< kinks count across border edges of at most this dihedral angle, radians
+    int samplesPerEdge = 2;     ///< steps of the lattice of samples along every mesh edge; at least 1
+    double farthest = HUGE_VAL; ///< what is farther is told with its place
+    double mostBent = 180;      ///< so are larger normal deviations, degrees
+};
+
+/// Where a patch is too far from its quads, or turned away from them.
+struct DeviatingPlace {
+    std::array<double, 2> at{}; ///< u and v
+    double distance = 0;        ///< 0 if the normal alone is to blame
 };
 
 struct MeasuredDeviation {
     Deviation ofAll;
-    std::vector<Deviation> ofPatch; ///< in the order of the patches
+    std::vector<Deviation> ofPatch;                  ///< in the order of the patches
+    std::vector<std::vector<DeviatingPlace>> places; ///< of every patch
 };
 
 /// Samples every quad at the same lattice on surface and mesh. From the surface to the mesh the distance is

@@ -39,38 +39,29 @@ std::vector<Patch> interpolatedPatches(const QuadMesh& mesh, const Layout& layou
     return interpolateSegments(mesh, layout, control);
 }
 
-/// Patches and how far they are from the mesh.
-Surfaces measured(const QuadMesh& mesh, const Layout& layout, const std::vector<double>& dihedralAngles,
-                  std::vector<Patch> patches, const FitOptions& options, const Control& control) {
-    auto deviation = measureDeviation(mesh, layout, dihedralAngles, patches,
-                                      {options.rho, options.samplesPerEdge}, control);
+Surfaces withDeviation(std::vector<Patch> patches, MeasuredDeviation deviation) {
     return {std::move(patches), deviation.ofAll, std::move(deviation.ofPatch)};
-}
-
-/// A patch that turns away from its quads misses the tolerance, however close to them it is.
-double asMiss(const Deviation& deviation, double tolerance) {
-    constexpr double mostBent = 30; // degrees
-    constexpr double excess = 1.5;
-    const bool bent = deviation.largestNormalDeviation > mostBent;
-    return bent ? std::max(deviation.max, excess * tolerance) : deviation.max;
 }
 
 Surfaces fitWithinTolerance(const QuadMesh& mesh, const Layout& layout,
                             const std::vector<double>& dihedralAngles, const FitOptions& options,
                             const Control& control) {
     const double tolerance = options.tolerance.length(boundingBoxDiagonal(mesh));
+    constexpr double mostBent = 30; // degrees that a patch may turn away from its quads
+    constexpr int enough = 10;      // by then the fit is certain of the tolerance
+    constexpr int hopeless = 6;     // folded quads have folded patches
+    DeviationOptions measure{options.rho, options.samplesPerEdge, tolerance, mostBent};
     ToleranceFit fit(mesh, layout, dihedralAngles, options.rho, tolerance, control.jobs);
-    constexpr int enough = 10;  // by then the fit is certain of the tolerance
-    constexpr int hopeless = 4; // folded quads have folded patches
     for (int round = 0;; ++round) {
         control.progress(0.5);
-        Surfaces surfaces = measured(mesh, layout, dihedralAngles, fit.patches(), options, control);
-        std::vector<double> deviations;
-        for (const Deviation& deviation : surfaces.ofPatch)
-            deviations.push_back(round < hopeless ? asMiss(deviation, tolerance) : deviation.max);
-        const bool close = std::ranges::all_of(deviations, [&](double d) { return d <= tolerance; });
-        if (close || round == enough) return surfaces;
-        fit.tighten(deviations);
+        if (round == hopeless) measure.mostBent = 180;
+        auto deviation = measureDeviation(mesh, layout, dihedralAngles, fit.patches(), measure, control);
+        const bool close = std::ranges::all_of(deviation.places, [](const auto& p) { return p.empty(); });
+        if (close || round == enough) {
+            control.progress(1);
+            return withDeviation(fit.patches(), std::move(deviation));
+        }
+        fit.tighten(deviation.places);
     }
 }
 
@@ -79,13 +70,13 @@ Surfaces fitWithinTolerance(const QuadMesh& mesh, const Layout& layout,
 Surfaces fitSurfaces(const QuadMesh& mesh, const Layout& layout, const std::vector<double>& dihedralAngles,
                      const FitOptions& options, const Control& control) {
     requireValid(options);
-    Surfaces surfaces =
-        options.fit == Fit::tolerance
-            ? fitWithinTolerance(mesh, layout, dihedralAngles, options, control)
-            : measured(mesh, layout, dihedralAngles,
-                       interpolatedPatches(mesh, layout, dihedralAngles, options, control), options, control);
+    if (options.fit == Fit::tolerance)
+        return fitWithinTolerance(mesh, layout, dihedralAngles, options, control);
+    auto patches = interpolatedPatches(mesh, layout, dihedralAngles, options, control);
+    auto deviation = measureDeviation(mesh, layout, dihedralAngles, patches,
+                                      {options.rho, options.samplesPerEdge}, control);
     control.progress(1);
-    return surfaces;
+    return withDeviation(std::move(patches), std::move(deviation));
 }
 
 } // namespace qm

@@ -143,6 +143,7 @@ Eigen::VectorXd PatchEquations::solveSeparately() const {
 }
 
 Patch PatchEquations::solve() const {
+    if (right_.size() == 0) return patch_;
     constexpr Eigen::Index fewUnknowns = 300;
     const Eigen::VectorXd points = right_.size() <= fewUnknowns ? solveDense()
                                    : isSeparate()               ? solveSeparately()

@@ -10,12 +10,29 @@
 namespace qm {
 namespace {
 
-/// What the patch needs so that its border is that of the curves.
+/// What the patch needs so that its border is that of the curves: their knots, or their degree where there
+/// are none inside.
 Knots borderKnots(const PatchFitInput& input) {
     Knots knots;
-    for (std::size_t d = 0; d < 2; ++d)
-        knots[d] = commonKnots(input.border[d][0].knots, input.border[d][1].knots);
+    for (std::size_t d = 0; d < 2; ++d) {
+        const auto& [one, other] = input.border[d];
+        const auto degree = static_cast<std::size_t>(std::max(one.degree, other.degree));
+        knots[d] = commonKnots(one.knots, other.knots);
+        if (degree == 3) continue;
+        knots[d].assign(degree + 1, 0);
+        knots[d].insert(knots[d].end(), degree + 1, one.length());
+    }
     return knots;
+}
+
+/// Before a direction gets knots, its degree rises to three.
+std::vector<double> enriched(const std::vector<double>& knots, const KnotRefinement& refinement) {
+    auto more = refinement.refined();
+    if (more == knots || clampedDegree(knots) == 3) return more;
+    more = knots;
+    more.insert(more.begin(), knots.front());
+    more.push_back(knots.back());
+    return more;
 }
 
 /// Takes out knots for as long as the patch still fits; in a large patch, some.
@@ -49,7 +66,7 @@ std::optional<PatchAttempt> refined(const PatchSolver& solver, Knots knots, bool
         std::array<KnotRefinement, 2> refinement = {KnotRefinement(knots[0], rules[0]),
                                                     KnotRefinement(knots[1], rules[1])};
         solver.mark(attempt, refinement);
-        const Knots more = {refinement[0].refined(), refinement[1].refined()};
+        const Knots more = {enriched(knots[0], refinement[0]), enriched(knots[1], refinement[1])};
         if (more == knots || more[0].size() * more[1].size() > most) return std::nullopt;
         knots = more;
     }
@@ -65,18 +82,18 @@ std::vector<double> normalParameters(int edges) {
     return parameters;
 }
 
-Patch fitPatch(const PatchFitInput& input, double tolerance, bool slides) {
-    const PatchSolver solver(input, tolerance, slides);
+Patch fitPatch(const PatchFitInput& input, double tolerance) {
+    const PatchSolver solver(input, tolerance, input.closeness);
     const Knots needed = borderKnots(input);
     const auto edges = [&](std::size_t d) { return static_cast<std::size_t>(input.size[d]); };
     const std::size_t most = 4 * (edges(0) + 7) * (edges(1) + 7);
     const auto& sharp = solver.samples().sharpLines();
     auto found =
         refined(solver, needed, true,
-                {KnotRules{finestKnots, false, sharp[0]}, KnotRules{finestKnots, false, sharp[1]}}, most);
+                {KnotRules{finestKnots, true, sharp[0]}, KnotRules{finestKnots, true, sharp[1]}}, most);
     if (found) return solver.smoothest(withoutNeedlessKnots(solver, std::move(*found), needed)).patch;
     // Closeness goes before smoothness. Without sliding, the coordinates are independent: that is fast.
-    const PatchSolver close(input, tolerance, false);
+    const PatchSolver close(input, tolerance, {});
     found = refined(close, needed, false, {}, std::numeric_limits<std::size_t>::max());
     return found ? close.smoothest(*found).patch : facetedPatch(input);
 }

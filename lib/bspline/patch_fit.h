@@ -1,6 +1,7 @@
 /// \file A patch with few control points within a tolerance of its quads, between given border curves.
 #pragma once
 
+#include "bspline/closeness.h"
 #include "bspline/patch_frame.h"
 #include "bspline/surfaces.h"
 
@@ -11,7 +12,8 @@ namespace qm {
 
 struct PatchFitInput {
     std::array<int, 2> size{};
-    std::span<const Point> grid; ///< row by row as in `vertexGrid`
+    std::span<const Point> grid;          ///< row by row as in `vertexGrid`
+    std::span<const Closeness> closeness; ///< at the same vertices
     /// The border curves, met exactly.
     std::array<std::array<SplineCurve, 2>, 2> border; ///< along u, along v
     /// Normals that the patch should have on its border, at `normalParameters` along u and v; zero where none
@@ -24,10 +26,9 @@ struct PatchFitInput {
 
 /// Least squares over a lattice of samples, with more knots where an error is too large, in the direction
 /// that causes it; then without those that turn out not to be needed; then with the normals as close to the
-/// prescribed ones as the tolerance allows. Always succeeds if the border curves are within half the
+/// prescribed ones as the tolerance allows. Errors are measured from the points of the same parameters, or,
+/// where they slide, from the quads' tangent planes. Always succeeds if the border curves are within half the
 /// tolerance.
-/// \param slides  errors are measured from the quads' tangent planes, not from the points of the same
-/// parameters
-[[nodiscard]] Patch fitPatch(const PatchFitInput& input, double tolerance, bool slides = false);
+[[nodiscard]] Patch fitPatch(const PatchFitInput& input, double tolerance);
 
 } // namespace qm

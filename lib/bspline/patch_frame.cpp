@@ -1,5 +1,7 @@
 #include "bspline/patch_frame.h"
 
+#include "bspline/basis.h"
+
 #include <utility>
 
 namespace qm {
@@ -15,7 +17,9 @@ PatchFrame patchFrame(const std::array<SideCurves, 4>& sides) {
 
 Patch emptyPatch(std::vector<double> knotsU, std::vector<double> knotsV) {
     Patch patch;
-    patch.count = {static_cast<int>(knotsU.size()) - 4, static_cast<int>(knotsV.size()) - 4};
+    patch.degree = {clampedDegree(knotsU), clampedDegree(knotsV)};
+    patch.count = {static_cast<int>(knotsU.size()) - patch.degree[0] - 1,
+                   static_cast<int>(knotsV.size()) - patch.degree[1] - 1};
     patch.knots = {std::move(knotsU), std::move(knotsV)};
     patch.controlPoints.assign(
         static_cast<std::size_t>(patch.count[0]) * static_cast<std::size_t>(patch.count[1]), Point(0, 0, 0));
@@ -25,13 +29,17 @@ Patch emptyPatch(std::vector<double> knotsU, std::vector<double> knotsV) {
 void setBorder(Patch& patch, const PatchFrame& frame) {
     const auto columns = static_cast<std::size_t>(patch.count[0]);
     const auto rows = static_cast<std::size_t>(patch.count[1]);
+    const auto pointsOf = [&](const SplineCurve& curve, std::size_t d) {
+        return patch.degree[d] < 3 ? lowered(curve, patch.degree[d])
+                                   : withKnots(curve, patch.knots[d]).points;
+    };
     for (std::size_t end = 0; end < 2; ++end) {
-        const SplineCurve alongU = withKnots(frame.alongU[end], patch.knots[0]);
+        const auto alongU = pointsOf(frame.alongU[end], 0);
         for (std::size_t i = 0; i < columns; ++i)
-            patch.controlPoints[end * (rows - 1) * columns + i] = alongU.points[i];
-        const SplineCurve alongV = withKnots(frame.alongV[end], patch.knots[1]);
+            patch.controlPoints[end * (rows - 1) * columns + i] = alongU[i];
+        const auto alongV = pointsOf(frame.alongV[end], 1);
         for (std::size_t j = 0; j < rows; ++j)
-            patch.controlPoints[j * columns + end * (columns - 1)] = alongV.points[j];
+            patch.controlPoints[j * columns + end * (columns - 1)] = alongV[j];
     }
 }
 

@@ -20,7 +20,8 @@ struct PatchFrame {
 /// \param sides  counter-clockwise from side 0
 [[nodiscard]] PatchFrame patchFrame(const std::array<SideCurves, 4>& sides);
 
-/// A clamped patch over the given knots with its control points still to be filled in.
+/// A clamped patch over the given knots, cubic or, where there are none inside, of a lower degree, with its
+/// control points still to be filled in.
 [[nodiscard]] Patch emptyPatch(std::vector<double> knotsU, std::vector<double> knotsV);
 
 /// Sets the outermost control points to those of the frame's curves, which the patch's knots must contain.

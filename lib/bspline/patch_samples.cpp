@@ -15,14 +15,17 @@ namespace {
 /// More of them get fewer samples each, as long as the result is measured later.
 constexpr int manyQuads = 100;
 
+bool isLenient(std::span<const Closeness> closeness) {
+    return !closeness.empty() && std::ranges::all_of(closeness, &Closeness::slides);
+}
+
 } // namespace
 
 PatchSamples::PatchSamples(const std::array<int, 2>& size, std::span<const Point> grid, double tolerance,
-                           bool slides)
-    : size_(size), grid_(grid), tolerance_(tolerance), slides_(slides),
-      steps_(slides && size[0] * size[1] > manyQuads ? 2 : fitSteps), parameters_{
-                                                                          sampleParameters(size[0], steps_),
-                                                                          sampleParameters(size[1], steps_)} {
+                           std::span<const Closeness> closeness)
+    : size_(size), grid_(grid), closeness_(closeness), tolerance_(tolerance),
+      steps_(isLenient(closeness) && size[0] * size[1] > manyQuads ? 2 : fitSteps),
+      parameters_{sampleParameters(size[0], steps_), sampleParameters(size[1], steps_)} {
     for (std::size_t j = 0; j < parameters_[1].size(); ++j)
         for (std::size_t i = 0; i < parameters_[0].size(); ++i)
             samples_.push_back(sampleAt(i, j));
@@ -60,8 +63,22 @@ PatchSamples::Sample PatchSamples::sampleAt(std::size_t i, std::size_t j) const 
             sample.steps[sample.quads++] = {alongU, alongV};
             sample.degenerate = sample.degenerate || normal.sqrnorm() == 0;
         }
+    const Closeness closeness = closenessAt(parameters_[0][i], parameters_[1][j]);
+    sample.tolerance = closeness.share * tolerance_;
+    sample.slides = closeness.slides;
     sample.metric = metricOf(sample);
     return sample;
+}
+
+Closeness PatchSamples::closenessAt(double u, double v) const {
+    if (closeness_.empty()) return {1, false};
+    const int column = std::min(static_cast<int>(u), size_[0] - 1);
+    const int row = std::min(static_cast<int>(v), size_[1] - 1);
+    const auto width = static_cast<std::size_t>(size_[0]) + 1;
+    const Closeness* corner =
+        closeness_.data() + static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column);
+    return between(between(corner[0], corner[1], u - column),
+                   between(corner[width], corner[width + 1], u - column), v - row);
 }
 
 /// Off the mean plane of the quads an error counts in full, along it as little as it may slide there.
@@ -74,8 +91,8 @@ Eigen::Matrix3d PatchSamples::metricOf(const Sample& sample) const {
             shortest = std::min(shortest, step.norm());
     }
     const double length = normal.norm();
-    const double slide = std::max(tolerance_ / (patchSlide * shortest), leastSlideWeight);
-    if (!slides_ || !(slide < 1) || !(length > 0.5)) return Eigen::Matrix3d::Identity();
+    const double slide = std::max(sample.tolerance / (patchSlide * shortest), leastSlideWeight);
+    if (!sample.slides || !(slide < 1) || !(length > 0.5)) return Eigen::Matrix3d::Identity();
     const Eigen::Vector3d direction = Eigen::Vector3d(normal[0], normal[1], normal[2]) / length;
     return slide * slide * Eigen::Matrix3d::Identity() +
            (1 - slide * slide) * direction * direction.transpose();
@@ -102,14 +119,14 @@ void PatchSamples::findSharpLines() {
 double PatchSamples::counted(std::size_t sample, const Point& error) const {
     const Sample& here = samples_[sample];
     const double length = error.norm();
-    if (!slides_ || length <= tolerance_ || here.degenerate) return length / tolerance_;
+    if (!here.slides || length <= here.tolerance || here.degenerate) return length / here.tolerance;
     double result = 0;
     for (std::size_t k = 0; k < here.quads; ++k) {
-        result = std::max(result, std::abs(error | here.normals[k]) / tolerance_);
+        result = std::max(result, std::abs(error | here.normals[k]) / here.tolerance);
         for (const Point& along : here.steps[k]) {
             const double step = along.norm();
             const double slide = std::abs(error | along) / step;
-            result = std::max(result, slide / std::max(patchSlide * step, tolerance_));
+            result = std::max(result, slide / std::max(patchSlide * step, here.tolerance));
         }
     }
     return result;

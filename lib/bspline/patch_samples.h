@@ -1,6 +1,7 @@
 /// \file The points of a segment's quads that a patch is fitted to, and what an error there counts.
 #pragma once
 
+#include "bspline/closeness.h"
 #include "bspline/surfaces.h"
 
 #include <Eigen/Core>
@@ -13,11 +14,13 @@
 namespace qm {
 
 /// A lattice over a segment's quads, row by row: four steps for every edge, two where there are many quads.
-/// If errors may slide, only their parts across the quads count in full.
+/// Where errors may slide, only their parts across the quads count in full.
 class PatchSamples {
 public:
-    /// \param grid  row by row as in `vertexGrid`; it must outlive the samples
-    PatchSamples(const std::array<int, 2>& size, std::span<const Point> grid, double tolerance, bool slides);
+    /// \param grid  row by row as in `vertexGrid`; it must outlive the samples \param closeness  at the same
+    /// vertices; if it is empty, nothing slides
+    PatchSamples(const std::array<int, 2>& size, std::span<const Point> grid, double tolerance,
+                 std::span<const Closeness> closeness);
 
     [[nodiscard]] std::size_t size() const { return samples_.size(); }
     /// Parameters of the lattice along u (0) or v (1).
@@ -48,18 +51,21 @@ private:
         std::array<Point, 4> normals;              ///< of the quads there
         std::array<std::array<Point, 2>, 4> steps; ///< along u and v
         std::size_t quads = 0;
+        double tolerance = 0;
+        bool slides = false;
         bool degenerate = false;
         bool onBorder = false;
     };
 
     [[nodiscard]] Sample sampleAt(std::size_t i, std::size_t j) const;
+    [[nodiscard]] Closeness closenessAt(double u, double v) const;
     [[nodiscard]] Eigen::Matrix3d metricOf(const Sample& sample) const;
     void findSharpLines();
 
     std::array<int, 2> size_;
     std::span<const Point> grid_;
+    std::span<const Closeness> closeness_;
     double tolerance_;
-    bool slides_;
     int steps_; ///< of the lattice along every edge
     std::array<std::vector<double>, 2> parameters_;
     std::vector<Sample> samples_;

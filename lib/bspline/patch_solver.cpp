@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace qm {
 namespace {
@@ -28,10 +29,12 @@ Eigen::Vector3d vector(const Point& point) {
 Point position(const Patch& patch, const BasisValues& u, const BasisValues& v) {
     const auto columns = static_cast<std::size_t>(patch.count[0]);
     Point result{0, 0, 0};
-    for (std::size_t j = 0; j < 4; ++j) {
+    for (std::size_t j = 0; j <= static_cast<std::size_t>(patch.degree[1]); ++j) {
         const Point* row = patch.controlPoints.data() + (v.first + j) * columns + u.first;
-        result += v.value[j] *
-                  (u.value[0] * row[0] + u.value[1] * row[1] + u.value[2] * row[2] + u.value[3] * row[3]);
+        Point onRow = u.value[0] * row[0];
+        for (std::size_t i = 1; i <= static_cast<std::size_t>(patch.degree[0]); ++i)
+            onRow += u.value[i] * row[i];
+        result += v.value[j] * onRow;
     }
     return result;
 }
@@ -48,8 +51,7 @@ Point unitNormalAcross(const Point& normal, const Point& tangent) {
 /// What least squares over the knots leaves of every column.
 Eigen::MatrixXd leftOver(const std::vector<double>& knots, const std::vector<double>& parameters,
                          const Eigen::MatrixXd& values) {
-    const auto rows = static_cast<Eigen::Index>(parameters.size());
-    const SparseMatrix design = designMatrix(knots, parameters, 0, 0).topRows(rows);
+    const SparseMatrix design = designMatrix(knots, parameters);
     SparseMatrix normal = design.transpose() * design;
     for (int k = 0; k < normal.rows(); ++k)
         normal.coeffRef(k, k) += 1e-9;
@@ -61,10 +63,10 @@ Eigen::MatrixXd leftOver(const std::vector<double>& knots, const std::vector<dou
 
 } // namespace
 
-PatchSolver::PatchSolver(const PatchFitInput& input, double tolerance, bool slides)
+PatchSolver::PatchSolver(const PatchFitInput& input, double tolerance, std::span<const Closeness> closeness)
     : input_(input),
-      samples_(input.size, input.grid, tolerance, slides), normalAt_{normalParameters(input.size[0]),
-                                                                     normalParameters(input.size[1])} {}
+      samples_(input.size, input.grid, tolerance, closeness), normalAt_{normalParameters(input.size[0]),
+                                                                        normalParameters(input.size[1])} {}
 
 bool PatchSolver::isLarge() const {
     return input_.size[0] * input_.size[1] > largePatch;
@@ -146,8 +148,8 @@ PatchAttempt PatchSolver::solve(const Knots& knots, const std::vector<double>& w
     Patch frame = emptyPatch(knots[0], knots[1]);
     setBorder(frame, {input_.border[0], input_.border[1], {}, {}});
     PatchEquations equations(frame);
-    const auto tableU = basisTable(knots[0], 3, samples_.parameters(0));
-    const auto tableV = basisTable(knots[1], 3, samples_.parameters(1));
+    const auto tableU = basisTable(knots[0], frame.degree[0], samples_.parameters(0));
+    const auto tableV = basisTable(knots[1], frame.degree[1], samples_.parameters(1));
     std::size_t k = 0;
     for (const BasisValues& v : tableV) {
         const BasisWeights weightsV = valueWeights(v);
@@ -177,8 +179,8 @@ PatchAttempt PatchSolver::solve(const Knots& knots, const std::vector<double>& w
 void PatchSolver::addPull(PatchEquations& equations, const Patch& frame) const {
     constexpr double weight = 1e-4;
     const auto greville = [&](std::size_t d, std::size_t k) {
-        const auto& knots = frame.knots[d];
-        return (knots[k + 1] + knots[k + 2] + knots[k + 3]) / 3;
+        const auto first = frame.knots[d].begin() + static_cast<std::ptrdiff_t>(k) + 1;
+        return std::accumulate(first, first + frame.degree[d], 0.0) / frame.degree[d];
     };
     const auto one = [](std::size_t k) {
         return k < 3 ? BasisWeights{0, {k == 0 ? 1.0 : 0, k == 1 ? 1.0 : 0, k == 2 ? 1.0 : 0, 0}}
@@ -199,12 +201,12 @@ void PatchSolver::addNormals(PatchEquations& equations, const Patch& frame,
         for (std::size_t end = 0; end < 2; ++end) {
             const auto& normals = input_.normals[d][end];
             if (normals.empty()) continue;
-            const BasisWeights across =
-                derivativeWeights(basisValues(frame.knots[1 - d], 3, end == 0 ? 0 : input_.size[1 - d]));
+            const BasisWeights across = derivativeWeights(
+                basisValues(frame.knots[1 - d], frame.degree[1 - d], end == 0 ? 0 : input_.size[1 - d]));
             for (std::size_t k = 0; k < normals.size(); ++k) {
                 const double weight = weights[d][end][k];
                 if (normals[k].sqrnorm() == 0 || weight == 0) continue;
-                const BasisValues basis = basisValues(frame.knots[d], 3, normalAt_[d][k]);
+                const BasisValues basis = basisValues(frame.knots[d], frame.degree[d], normalAt_[d][k]);
                 const Point normal =
                     unitNormalAcross(normals[k], derivative(input_.border[d][end], normalAt_[d][k]));
                 if (normal.sqrnorm() == 0) continue;

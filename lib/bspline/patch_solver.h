@@ -25,7 +25,8 @@ struct PatchAttempt {
 /// the same is solved again: that makes the largest error smaller than least squares alone would.
 class PatchSolver {
 public:
-    PatchSolver(const PatchFitInput& input, double tolerance, bool slides);
+    /// \param closeness  as for `PatchSamples`
+    PatchSolver(const PatchFitInput& input, double tolerance, std::span<const Closeness> closeness);
 
     [[nodiscard]] const PatchSamples& samples() const { return samples_; }
 

@@ -1,8 +1,6 @@
 /// \file Errors of a fit as distances: sliding along what is fitted hardly counts.
 #pragma once
 
-#include <algorithm>
-
 namespace qm {
 
 /// How far a point may slide, as a share of an edge. More would leave the neighbourhood in which the distance
@@ -13,11 +11,5 @@ constexpr double patchSlide = 0.15;
 
 /// Sliding counts at least this much as an error, so that the parametrisation stays even.
 constexpr double leastSlideWeight = 0.25;
-
-/// An error that exceeds the tolerance exactly if the point is too far off, or slides too far.
-/// \param off  the error's part across what is fitted \param slide  its part along, as a share of an edge
-[[nodiscard]] inline double countedError(double off, double slide, double mostSlide, double tolerance) {
-    return std::max(off, slide / mostSlide * tolerance);
-}
 
 } // namespace qm

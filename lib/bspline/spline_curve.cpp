@@ -82,6 +82,7 @@ Point derivative(const SplineCurve& curve, double t) {
 SplineCurve withKnots(const SplineCurve& curve, const std::vector<double>& knots) {
     SplineCurve result;
     result.knots = knots;
+    result.degree = curve.degree;
     result.points.reserve(knots.size() - 4);
     for (std::size_t k = 0; k + 4 < knots.size(); ++k) {
         std::size_t interval = k; // a non-empty one on which this control point counts
@@ -107,11 +108,34 @@ SplineCurve restricted(const SplineCurve& curve, double begin, double end) {
 
 SplineCurve reversed(const SplineCurve& curve) {
     SplineCurve result;
+    result.degree = curve.degree;
     result.points.assign(curve.points.rbegin(), curve.points.rend());
     result.knots.reserve(curve.knots.size());
     for (auto knot = curve.knots.rbegin(); knot != curve.knots.rend(); ++knot)
         result.knots.push_back(curve.length() - *knot);
     return result;
+}
+
+std::vector<Point> lowered(const SplineCurve& curve, int degree) {
+    const auto& p = curve.points;
+    if (degree == 1) return {p[0], p[3]};
+    if (degree == 2) return {p[0], (3.0 * (p[1] + p[2]) - p[0] - p[3]) / 4.0, p[3]};
+    return p;
+}
+
+SplineCurve bezier(std::span<const Point> points, double length) {
+    SplineCurve curve;
+    curve.degree = static_cast<int>(points.size()) - 1;
+    curve.knots = {0, 0, 0, 0, length, length, length, length};
+    const Point& p = points.front();
+    const Point& q = points.back();
+    if (curve.degree == 1)
+        curve.points = {p, (2.0 * p + q) / 3.0, (p + 2.0 * q) / 3.0, q};
+    else if (curve.degree == 2)
+        curve.points = {p, (p + 2.0 * points[1]) / 3.0, (2.0 * points[1] + q) / 3.0, q};
+    else
+        curve.points.assign(points.begin(), points.end());
+    return curve;
 }
 
 SplineCurve scaled(SplineCurve curve, double factor) {
@@ -122,6 +146,7 @@ SplineCurve scaled(SplineCurve curve, double factor) {
 
 SplineCurve joined(std::span<const SplineCurve> curves) {
     SplineCurve result = curves.front();
+    if (curves.size() > 1) result.degree = 3;
     for (const SplineCurve& curve : curves.subspan(1)) {
         const double offset = result.length();
         result.knots.pop_back();

@@ -13,6 +13,7 @@ namespace qm {
 struct SplineCurve {
     std::vector<double> knots;
     std::vector<Point> points;
+    int degree = 3; ///< less if the curve, then without inner knots, is known to be of a lower degree
 
     [[nodiscard]] double length() const { return knots.empty() ? 0 : knots.back(); }
 };
@@ -39,6 +40,14 @@ struct SplineCurve {
 
 /// The curve walked the other way.
 [[nodiscard]] SplineCurve reversed(const SplineCurve& curve);
+
+/// The curve over [0, length] without inner knots that has two, three or four control points as a curve of
+/// degree one, two or three.
+[[nodiscard]] SplineCurve bezier(std::span<const Point> points, double length);
+
+/// Control points of a curve without inner knots as a curve of a degree from 1 to 3 that is not below its
+/// own.
+[[nodiscard]] std::vector<Point> lowered(const SplineCurve& curve, int degree);
 
 /// The curve with every control point multiplied by a factor.
 [[nodiscard]] SplineCurve scaled(SplineCurve curve, double factor);

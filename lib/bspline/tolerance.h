@@ -2,7 +2,10 @@
 #pragma once
 
 #include "bspline/chains.h"
+#include "bspline/closeness.h"
 #include "bspline/corner_directions.h"
+#include "bspline/curve_fit.h"
+#include "bspline/deviation.h"
 #include "bspline/knot_sharing.h"
 #include "bspline/line_derivatives.h"
 #include "bspline/normal_field.h"
@@ -29,22 +32,17 @@ public:
     /// One for every segment, in their order.
     [[nodiscard]] const std::vector<Patch>& patches() const { return patches_; }
 
-    /// Fits the patches that miss the tolerance anew, with the curves about them and the neighbours that
-    /// share those. After a few calls every patch keeps the tolerance for certain.
-    /// \param deviations  of every patch
-    void tighten(const std::vector<double>& deviations);
+    /// Fits the patches that miss the tolerance anew, closer around the places where they do, with the curves
+    /// there and the neighbours that share those. After a few calls every patch keeps the tolerance for
+    /// certain. \param places  of every patch
+    void tighten(const std::vector<std::vector<DeviatingPlace>>& places);
 
 private:
-    /// How closely something is fitted.
-    struct Closeness {
-        double share = 1;   ///< of the tolerance
-        bool slides = true; ///< distances are told from tangent planes
-        friend bool operator==(const Closeness&, const Closeness&) = default;
-    };
-    [[nodiscard]] std::vector<Closeness> chainCloseness() const;
     [[nodiscard]] bool touches(std::size_t patch, const std::vector<bool>& chains) const;
+    [[nodiscard]] CurveFitInput curveInput(std::size_t chain) const;
     void fitCurves(const std::vector<bool>& which);
     void shareKnots(const std::vector<bool>& which);
+    void lowerDegrees(const std::vector<bool>& which);
     void fitPatches(const std::vector<bool>& which);
     void fitOne(std::size_t patch);
 
@@ -59,7 +57,7 @@ private:
     KnotSharing sharing_;
     std::vector<int> valences_;
     double exact_;                     ///< how near is at a vertex
-    std::vector<Closeness> closeness_; ///< of patches
+    std::vector<Closeness> closeness_; ///< by vertex
     int calls_ = 0;
     std::vector<SplineCurve> curves_;
     std::vector<Patch> patches_;

@@ -60,7 +60,8 @@ Handle(Geom_BSplineSurface) surface(const Patch& patch) {
                                                      static_cast<std::size_t>(i)]));
     const KnotTable u = knotTable(patch.knots[0]);
     const KnotTable v = knotTable(patch.knots[1]);
-    return new Geom_BSplineSurface(poles, u.values, v.values, u.multiplicities, v.multiplicities, 3, 3);
+    return new Geom_BSplineSurface(poles, u.values, v.values, u.multiplicities, v.multiplicities,
+                                   patch.degree[0], patch.degree[1]);
 }
 
 Handle(Geom_BSplineCurve) curve(const SplineCurve& spline) {
@@ -80,13 +81,18 @@ void requireMatching(const Layout& layout, const std::vector<Patch>& patches) {
     for (std::size_t k = 0; k < patches.size(); ++k) {
         const Patch& patch = patches[k];
         const std::string name = "patch " + std::to_string(k);
-        if (patch.degree != std::array{3, 3}) throw Error(name, "is not bicubic", "Fit the surfaces anew");
         for (std::size_t d = 0; d < 2; ++d) {
             const auto& knots = patch.knots[d];
-            const bool counts =
-                patch.count[d] >= 4 && knots.size() == static_cast<std::size_t>(patch.count[d]) + 4;
-            if (!counts || !std::is_sorted(knots.begin(), knots.end()) ||
-                domain(knots, 3) != std::array<double, 2>{0, static_cast<double>(layout.segments[k].size[d])})
+            const int degree = patch.degree[d];
+            const bool cubic = degree == 3 && patch.count[d] >= 4;
+            const bool lower = degree > 0 && degree < 3 && patch.count[d] == degree + 1;
+            if (!cubic && !lower)
+                throw Error(name, "is neither cubic nor of a lower degree without inner knots",
+                            "Fit the surfaces anew");
+            if (knots.size() != static_cast<std::size_t>(patch.count[d] + degree + 1) ||
+                !std::is_sorted(knots.begin(), knots.end()) || (lower && clampedDegree(knots) != degree) ||
+                domain(knots, degree) !=
+                    std::array<double, 2>{0, static_cast<double>(layout.segments[k].size[d])})
                 throw Error(name, "has knots that do not belong to its segment", "Fit the surfaces anew");
         }
         if (patch.controlPoints.size() !=

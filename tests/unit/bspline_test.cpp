@@ -1,7 +1,9 @@
 #include "bspline/basis.h"
 #include "bspline/evaluate.h"
+#include "bspline/profile_factor.h"
 #include "bspline/spline_curve.h"
 
+#include <Eigen/Core>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -148,6 +150,43 @@ TEST(SplineCurve, IsTheSameAfterRestrictionReversalAndRefinement) {
         EXPECT_LT((evaluate(back, 3 - t) - expected).norm(), 1e-13) << t;
         EXPECT_LT((evaluate(fine, t) - expected).norm(), 1e-13) << t;
     }
+}
+
+TEST(SplineCurve, IsTheSameInALowerDegree) {
+    const std::vector<Point> points = {{0, 0, 0}, {1, 3, -1}, {4, 1, 2}};
+    const SplineCurve parabola = bezier(points, 5);
+    EXPECT_EQ(parabola.degree, 2);
+    for (const double t : {0.0, 0.3, 0.5, 1.0}) {
+        const Point expected =
+            (1 - t) * (1 - t) * points[0] + 2 * t * (1 - t) * points[1] + t * t * points[2];
+        EXPECT_LT((evaluate(parabola, 5 * t) - expected).norm(), 1e-14);
+    }
+    EXPECT_LT((lowered(parabola, 2)[1] - points[1]).norm(), 1e-14);
+    const SplineCurve line = bezier(std::vector<Point>{points[0], points[2]}, 2);
+    EXPECT_EQ(line.degree, 1);
+    EXPECT_LT((evaluate(line, 0.5) - 0.25 * points[2]).norm(), 1e-14);
+    EXPECT_LT((lowered(line, 2)[1] - 0.5 * points[2]).norm(), 1e-14);
+    EXPECT_EQ(restricted(parabola, 1, 2).degree, 2);
+    const std::vector<SplineCurve> both = {line, line};
+    EXPECT_EQ(joined(both).degree, 3);
+}
+
+TEST(ProfileFactor, SolvesQuasiDefiniteSystems) {
+    // Two unknowns with an equation between them, then a third unknown.
+    ProfileFactor matrix({0, 0, 0, 2});
+    matrix.at(0, 0) = 2;
+    matrix.at(1, 0) = 1;
+    matrix.at(1, 1) = 3;
+    matrix.at(2, 0) = 1;
+    matrix.at(2, 1) = -1;
+    matrix.at(2, 2) = -0.5;
+    matrix.at(3, 2) = 4;
+    matrix.at(3, 3) = 1;
+    Eigen::Matrix4d full;
+    full << 2, 1, 1, 0, 1, 3, -1, 0, 1, -1, -0.5, 4, 0, 0, 4, 1;
+    const Eigen::Vector4d solution(1, -2, 0.5, 3);
+    matrix.factorise();
+    EXPECT_LT((matrix.solve(full * solution) - solution).norm(), 1e-13);
 }
 
 TEST(SplineCurve, JoinsWithACorner) {

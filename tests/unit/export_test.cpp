@@ -146,6 +146,19 @@ TEST(Shape, IsASolidIfTheMeshIsClosed) {
     }
 }
 
+TEST(Shape, TakesPatchesOfLowerDegrees) {
+    const Grid ruled{10, 8, [](double i, double j) { return Point(i, j, std::sin(0.5 * i)); }};
+    FitOptions options;
+    options.fit = Fit::tolerance;
+    const Model model = fitted(ruled, tJoint, options);
+    ASSERT_TRUE(std::ranges::any_of(model.surfaces.patches, [](const Patch& patch) {
+        return patch.degree == std::array{3, 1};
+    }));
+    const BoundaryShape made = buildShape(model.mesh, model.layout, model.surfaces.patches);
+    EXPECT_TRUE(made.report.valid);
+    EXPECT_LT(made.report.largestTolerance, 1e-6);
+}
+
 TEST(Shape, RefusesPatchesThatDoNotBelong) {
     Model model = fitted(sheet, tJoint, {});
     auto patches = model.surfaces.patches;

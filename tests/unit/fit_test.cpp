@@ -1,5 +1,6 @@
 #include "base/error.h"
 #include "bspline/chains.h"
+#include "bspline/closeness.h"
 #include "bspline/curve_fit.h"
 #include "bspline/deviation.h"
 #include "bspline/evaluate.h"
@@ -16,6 +17,7 @@
 #include <functional>
 #include <numbers>
 #include <ostream>
+#include <utility>
 
 namespace qm {
 namespace {
@@ -131,7 +133,8 @@ TEST_P(FitLayouts, KeepsEveryTolerance) {
             EXPECT_EQ(domain(patch)[0][1], a);
             EXPECT_EQ(domain(patch)[1][1], b);
             for (std::size_t d = 0; d < 2; ++d)
-                EXPECT_EQ(patch.knots[d].size(), static_cast<std::size_t>(patch.count[d]) + 4);
+                EXPECT_EQ(patch.knots[d].size(),
+                          static_cast<std::size_t>(patch.count[d] + patch.degree[d]) + 1);
             EXPECT_LT((evaluate(patch, 0, 0).position - mesh.point(layout.segments[s].corners[0])).norm(),
                       1e-10);
             EXPECT_LT((evaluate(patch, a, b).position - mesh.point(layout.segments[s].corners[2])).norm(),
@@ -143,9 +146,9 @@ TEST_P(FitLayouts, KeepsEveryTolerance) {
 TEST_P(FitLayouts, TakesAToleranceRelativeToTheDiagonalAndIsSmoothWithinIt) {
     FitOptions options;
     options.fit = Fit::tolerance;
-    options.tolerance = {1, true};
+    options.tolerance = {0.3, true};
     const Surfaces surfaces = fitSurfaces(mesh, layout, angles, options);
-    EXPECT_LE(surfaces.deviation.maxRelative, 0.01);
+    EXPECT_LE(surfaces.deviation.maxRelative, 0.003);
     EXPECT_LT(surfaces.deviation.largestKink, 8);
 }
 
@@ -263,7 +266,7 @@ TEST(Fit, RefusesOptionsOutOfRange) {
     }
 }
 
-TEST(Fit, MakesFlatPatchesOfSixteenPoints) {
+TEST(Fit, MakesFlatPatchesOfFourPoints) {
     const Grid flat{30, 20, [](double i, double j) { return Point(i, 2 * j, 0.5 * i); }};
     const QuadMesh mesh = test::makeMesh(flat);
     const Layout layout = test::makeLayout(
@@ -273,7 +276,7 @@ TEST(Fit, MakesFlatPatchesOfSixteenPoints) {
     options.fit = Fit::tolerance;
     options.tolerance = {1e-7, true};
     const Surfaces surfaces = fitSurfaces(mesh, layout, dihedralAngles(mesh), options);
-    EXPECT_EQ(controlPointCount(surfaces), 5U * 16U);
+    EXPECT_EQ(controlPointCount(surfaces), 5U * 4U);
     EXPECT_LT(surfaces.deviation.maxRelative, 1e-12);
     EXPECT_LT(surfaces.deviation.largestKink, 1e-6);
 }
@@ -289,7 +292,7 @@ TEST(Fit, SlidesAlongTheMeshForFewerPoints) {
     options.fit = Fit::tolerance;
     options.tolerance = {1e-4, false};
     const Surfaces surfaces = fitSurfaces(mesh, layout, dihedralAngles(mesh), options);
-    EXPECT_EQ(controlPointCount(surfaces), 2U * 16U);
+    EXPECT_EQ(controlPointCount(surfaces), 2U * 4U);
     EXPECT_LE(surfaces.deviation.max, 1e-4);
 }
 
@@ -303,7 +306,8 @@ TEST(Fit, PutsKnotsWhereTheErrorIs) {
     options.tolerance = {0.2, false};
     const Surfaces surfaces = fitSurfaces(mesh, layout, dihedralAngles(mesh), options);
     const Patch& patch = surfaces.patches[0];
-    EXPECT_EQ(patch.count[1], 4) << "nothing happens along v";
+    EXPECT_EQ(patch.degree[1], 1) << "nothing happens along v";
+    EXPECT_EQ(patch.count[1], 2);
     int left = 0;
     for (const double knot : patch.knots[0])
         left += knot > 0 && knot < 20 ? 1 : 0;
@@ -330,6 +334,57 @@ TEST(CurveFit, PassesThroughFixedPointsAndKeepsTheTolerance) {
             EXPECT_LE((evaluate(curve, t) - onLine).norm(), tolerance);
         }
     }
+}
+
+TEST(CurveFit, LowersTheDegreeWhereThatFits) {
+    CurveFitInput input;
+    for (int k = 0; k <= 10; ++k)
+        input.points.emplace_back(k, 0.01 * k * k, 0);
+    input.startSlope = {1, 0, 0};
+    input.endSlope = {1, 0.2, 0};
+    for (const auto& [tolerance, degree] : {std::pair(0.01, 2), std::pair(0.3, 1)}) {
+        const SplineCurve cubic = fitCurve(input, tolerance, 1e-12);
+        ASSERT_EQ(cubic.points.size(), 4U);
+        const SplineCurve curve = withLeastDegree(input, tolerance, 1e-12, cubic, 1);
+        EXPECT_EQ(curve.degree, degree);
+        EXPECT_EQ(withLeastDegree(input, tolerance, 1e-12, cubic, 2).degree, 2);
+        EXPECT_EQ(lowered(curve, degree).size(), static_cast<std::size_t>(degree) + 1);
+        for (int k = 0; k <= 10; ++k)
+            EXPECT_LE((evaluate(curve, k) - input.points[static_cast<std::size_t>(k)]).norm(), tolerance);
+    }
+}
+
+TEST(CurveFit, IsCloserWhereItIsAsked) {
+    CurveFitInput input;
+    for (int k = 0; k <= 60; ++k)
+        input.points.emplace_back(k, std::sin(0.5 * k), 0);
+    input.closeness.assign(61, {});
+    for (std::size_t k = 40; k <= 50; ++k)
+        input.closeness[k] = {0.01, true};
+    const SplineCurve curve = fitCurve(input, 0.5, 1e-12);
+    const auto inner = [&](double begin, double end) {
+        return std::ranges::count_if(curve.knots, [&](double knot) { return knot > begin && knot < end; });
+    };
+    for (int k = 40; k <= 50; ++k)
+        EXPECT_LT(std::abs(evaluate(curve, k)[1] - input.points[static_cast<std::size_t>(k)][1]), 0.01);
+    EXPECT_GT(inner(39, 51), inner(0, 39)) << "and nowhere else";
+}
+
+TEST(Closeness, GrowsFromShareToNoSlidingToAWiderCircle) {
+    const QuadMesh mesh = test::makeMesh(sheet);
+    const Layout layout = test::makeLayout(sheet, {{0, 0, 16, 12}});
+    std::vector<Closeness> closeness(mesh.n_vertices());
+    const std::vector<std::vector<DeviatingPlace>> places = {{{{5.5, 4}, 1.25}}};
+    const auto count = [&](const auto& is) { return std::ranges::count_if(closeness, is); };
+    const auto slides = [](const Closeness& c) { return c.slides; };
+    const auto all = static_cast<std::ptrdiff_t>(closeness.size());
+    comeCloser(mesh, layout, places, 1, closeness);
+    EXPECT_EQ(count([](const Closeness& c) { return std::abs(c.share - 0.96 / 1.25) < 1e-12; }), 2);
+    EXPECT_EQ(count(slides), all);
+    comeCloser(mesh, layout, places, 1, closeness);
+    EXPECT_EQ(count(slides), all - 2);
+    comeCloser(mesh, layout, places, 1, closeness);
+    EXPECT_EQ(count(slides), all - 4 * 3);
 }
 
 TEST(CurveFit, FollowsACornerWithATripleKnot) {
