@@ -70,6 +70,20 @@ std::vector<double> latticeParameters(int edges, int steps) {
     return parameters;
 }
 
+/// The angle between the quads on both sides of an edge, at a share of it: bilinear quads turn along an edge,
+/// and fold at a corner that is concave.
+double kinkOfQuads(const QuadMesh& mesh, HalfedgeId halfedge, double along) {
+    const auto normal = [&](HalfedgeId h, double share) {
+        const Point& start = mesh.point(mesh.from_vertex_handle(h));
+        const Point& end = mesh.point(mesh.to_vertex_handle(h));
+        const Point atStart = mesh.point(mesh.from_vertex_handle(mesh.prev_halfedge_handle(h))) - start;
+        const Point atEnd = mesh.point(mesh.to_vertex_handle(mesh.next_halfedge_handle(h))) - end;
+        return unitNormal(end - start, (1 - share) * atStart + share * atEnd);
+    };
+    return angleInDegrees(normal(halfedge, along),
+                          normal(mesh.opposite_halfedge_handle(halfedge), 1 - along));
+}
+
 /// A segment's vertices as a piecewise bilinear surface over the patch's parameters.
 class QuadGrid {
 public:
@@ -179,10 +193,11 @@ void measureNormals(const Patch& patch, const Segment& segment, const QuadGrid& 
 struct Meeting {
     double gap = 0;
     std::vector<double> kinks;
+    std::vector<double> bent; ///< shares of the edge at which a kink is too large
 };
 
-Meeting measureMeeting(const BorderEdge& border, const Layout& layout, const std::vector<Patch>& patches,
-                       bool smooth) {
+Meeting measureMeeting(const QuadMesh& mesh, const BorderEdge& border, const Layout& layout,
+                       const std::vector<Patch>& patches, bool smooth, double mostKinked) {
     Meeting meeting;
     if (border.places.size() != 2) return meeting;
     for (const double along : borderSamples) {
@@ -194,9 +209,11 @@ Meeting measureMeeting(const BorderEdge& border, const Layout& layout, const std
             points[p] = evaluate(patches[place.patch], u, v);
         }
         meeting.gap = std::max(meeting.gap, (points[0].position - points[1].position).norm());
-        if (smooth && along > 0 && along < 1)
-            meeting.kinks.push_back(angleInDegrees(unitNormal(points[0].du, points[0].dv),
-                                                   unitNormal(points[1].du, points[1].dv)));
+        if (!smooth || along == 0 || along == 1) continue;
+        meeting.kinks.push_back(
+            angleInDegrees(unitNormal(points[0].du, points[0].dv), unitNormal(points[1].du, points[1].dv)));
+        if (meeting.kinks.back() > mostKinked && kinkOfQuads(mesh, border.halfedge, along) < mostKinked)
+            meeting.bent.push_back(along);
     }
     return meeting;
 }
@@ -246,15 +263,23 @@ MeasuredDeviation measureDeviation(const QuadMesh& mesh, const Layout& layout,
     std::vector<Meeting> meetings(borders.size());
     parallelFor(borders.size(), control.jobs, [&](std::size_t k) {
         const auto edge = static_cast<std::size_t>(mesh.edge_handle(borders[k].halfedge).idx());
-        meetings[k] = measureMeeting(borders[k], layout, patches, dihedralAngles[edge] <= options.rho);
+        meetings[k] = measureMeeting(mesh, borders[k], layout, patches, dihedralAngles[edge] <= options.rho,
+                                     options.mostKinked);
     });
 
     MeasuredDeviation result;
     Samples all;
     for (std::size_t k = 0; k < borders.size(); ++k) {
         addMeeting(meetings[k], all);
-        for (const BorderPlace& place : borders[k].places)
+        for (std::size_t p = 0; p < borders[k].places.size(); ++p) {
+            const BorderPlace& place = borders[k].places[p];
             addMeeting(meetings[k], ofPatch[place.patch]);
+            for (const double along : meetings[k].bent)
+                ofPatch[place.patch].places.push_back(
+                    {parametersOnSide(layout.segments[place.patch].size, place.side,
+                                      place.position + (p == 0 ? along : 1 - along)),
+                     0});
+        }
     }
     for (Samples& samples : ofPatch) {
         result.ofPatch.push_back(summary(samples, diagonal));

@@ -16,9 +16,10 @@ struct DeviationOptions {
     int samplesPerEdge = 2;     ///< steps of the lattice of samples along every mesh edge; at least 1
     double farthest = HUGE_VAL; ///< what is farther is told with its place
     double mostBent = 180;      ///< so are larger normal deviations, degrees
+    double mostKinked = 180;    ///< and larger kinks that the quads do not have, degrees
 };
 
-/// Where a patch is too far from its quads, or turned away from them.
+/// Where a patch is too far from its quads, or turned away from them or from its neighbour.
 struct DeviatingPlace {
     std::array<double, 2> at{}; ///< u and v
     double distance = 0;        ///< 0 if the normal alone is to blame

@@ -47,14 +47,15 @@ Surfaces fitWithinTolerance(const QuadMesh& mesh, const Layout& layout,
                             const std::vector<double>& dihedralAngles, const FitOptions& options,
                             const Control& control) {
     const double tolerance = options.tolerance.length(boundingBoxDiagonal(mesh));
-    constexpr double mostBent = 30; // degrees that a patch may turn away from its quads
-    constexpr int enough = 10;      // by then the fit is certain of the tolerance
-    constexpr int hopeless = 6;     // folded quads have folded patches
-    DeviationOptions measure{options.rho, options.samplesPerEdge, tolerance, mostBent};
+    constexpr double mostBent = 30;   // degrees that a patch may turn away from its quads,
+    constexpr double mostKinked = 45; // and from its neighbour
+    constexpr int enough = 10;        // by then the fit is certain of the tolerance
+    constexpr int hopeless = 4;       // folded quads have folded patches
+    DeviationOptions measure{options.rho, options.samplesPerEdge, tolerance, mostBent, mostKinked};
     ToleranceFit fit(mesh, layout, dihedralAngles, options.rho, tolerance, control.jobs);
     for (int round = 0;; ++round) {
         control.progress(0.5);
-        if (round == hopeless) measure.mostBent = 180;
+        if (round == hopeless) measure.mostBent = measure.mostKinked = 180;
         auto deviation = measureDeviation(mesh, layout, dihedralAngles, fit.patches(), measure, control);
         const bool close = std::ranges::all_of(deviation.places, [](const auto& p) { return p.empty(); });
         if (close || round == enough) {

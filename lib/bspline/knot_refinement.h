@@ -7,7 +7,7 @@
 namespace qm {
 
 /// As fine as knots get where the shape is smooth; finer ones would follow the mesh's facets.
-constexpr double finestKnots = 0.25;
+constexpr double finestKnots = 0.5;
 
 /// Where knots may go besides integers.
 struct KnotRules {
