@@ -6,7 +6,8 @@
 
 namespace qm {
 
-/// As fine as knots get where the shape is smooth; finer ones would follow the mesh's facets.
+/// As fine as knots get where the shape is smooth; finer ones would follow the mesh's facets, and wave unseen
+/// between the samples of a fit.
 constexpr double finestKnots = 0.5;
 
 /// Where knots may go besides integers.

@@ -105,6 +105,37 @@ TEST(Deviation, SeesOscillationBetweenVertices) {
     EXPECT_GT(measured.ofAll.largestNormalDeviation, 5);
 }
 
+TEST(Deviation, TellsWherePatchesAreTooFarOrKinked) {
+    const QuadMesh mesh = test::makeMesh(plane);
+    const Layout layout = test::makeLayout(plane, tJoint);
+    auto patches = interpolateAll(mesh, layout);
+    for (Point& point : patches[1].controlPoints)
+        point += Point(0, 0, 0.5);
+    DeviationOptions options;
+    options.farthest = 0.1;
+    const auto places = measureDeviation(mesh, layout, allSmooth(mesh), patches, options).places;
+    EXPECT_TRUE(places[0].empty());
+    ASSERT_FALSE(places[1].empty());
+    for (const DeviatingPlace& place : places[1])
+        EXPECT_NEAR(place.distance, 0.5, 0.05);
+
+    const Grid roof{8, 4, [](double i, double j) { return Point(i, j, -std::abs(i - 4)); }};
+    const Grid flat{8, 4, [](double i, double j) { return Point(i, j, 0); }};
+    const Layout halves = test::makeLayout(roof, {{0, 0, 4, 4}, {4, 0, 8, 4}});
+    const QuadMesh bent = test::makeMesh(roof);
+    const auto kinked = interpolateAll(bent, halves);
+    options = {};
+    options.mostKinked = 45;
+    const auto own = measureDeviation(bent, halves, allSmooth(bent), kinked, options);
+    EXPECT_TRUE(own.places[0].empty()) << "the quads have that kink as well";
+    const QuadMesh even = test::makeMesh(flat);
+    const auto strange = measureDeviation(even, halves, allSmooth(even), kinked, options);
+    ASSERT_FALSE(strange.places[0].empty());
+    EXPECT_EQ(strange.places[0][0].at[0], 4);
+    EXPECT_EQ(strange.places[1][0].at[0], 0);
+    EXPECT_EQ(strange.places[1][0].distance, 0);
+}
+
 TEST(Deviation, MeasuresKinksOnSmoothBordersOnly) {
     const Grid roof{8, 4, [](double i, double j) { return Point(i, j, -std::abs(i - 4)); }};
     const QuadMesh mesh = test::makeMesh(roof);
