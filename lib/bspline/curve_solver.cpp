@@ -55,6 +55,7 @@ CurveSolver::CurveSolver(const CurveFitInput& input, double tolerance, double ex
 
 SplineCurve CurveSolver::attempt(const std::vector<double>& knots, double planes, int degree) const {
     constexpr int rounds = 4;
+    constexpr double hopeless = 1.7; // an error that weights do not mend
     const auto table = basisTable(knots, 3, parameters_);
     std::vector<double> weights(parameters_.size(), 1);
     SplineCurve best;
@@ -71,7 +72,7 @@ SplineCurve CurveSolver::attempt(const std::vector<double>& knots, double planes
             best = std::move(curve);
             least = most;
         }
-        if (most <= 1 || most > 3) break;
+        if (most <= 1 || most > hopeless) break;
     }
     return best;
 }
@@ -92,7 +93,7 @@ bool CurveSolver::mark(const SplineCurve& curve, KnotRefinement& refinement) con
             found = true;
         }
     for (const TangentPlane& plane : input_.planes) {
-        constexpr double slightly = 0.2; // sine
+        constexpr double slightly = 0.15; // sine
         const Point tangent = derivative(curve, plane.point);
         if (!nearPlanes_ || std::abs(tangent | plane.normal) <= slightly * tangent.norm()) continue;
         found = true;

@@ -81,7 +81,7 @@ PatchSolver::NormalWeights PatchSolver::normalWeights(double weight) const {
 }
 
 PatchAttempt PatchSolver::attempt(const Knots& knots, bool aimsAtNormals) const {
-    constexpr double hopeless = 3;
+    const double hopeless = isLarge() ? 1.5 : 2; // errors that weights do not mend
     const NormalWeights normals = normalWeights(aimsAtNormals ? searchWeight : 0);
     std::vector<double> weights(samples_.size(), 1);
     PatchAttempt best;
@@ -98,6 +98,7 @@ PatchAttempt PatchSolver::attempt(const Knots& knots, bool aimsAtNormals) const 
 
 PatchAttempt PatchSolver::smoothest(const PatchAttempt& known) const {
     for (const double most : mostWeights) {
+        if (isLarge() && most == mostWeights.front()) continue; // seldom enough to take the time
         std::vector<double> weights(samples_.size(), 1);
         NormalWeights normals = normalWeights(most);
         for (int round = 0; round < (isLarge() ? 2 : 5); ++round) {
