@@ -49,7 +49,8 @@ CurveSolver::CurveSolver(const CurveFitInput& input, double tolerance, double ex
         targets_.push_back(onPolyline(parameters_[k]));
         closeness_.push_back(closenessAt(parameters_[k]));
         closeness_.back().share *= tolerance;
-        metrics_.push_back(metric(k));
+        const double nearer = tolerance / closeness_.back().share;
+        metrics_.push_back(nearer * nearer * metric(k));
     }
 }
 

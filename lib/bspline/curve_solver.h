@@ -50,7 +50,7 @@ private:
     std::vector<double> parameters_;
     std::vector<Point> targets_;           ///< by sample
     std::vector<Closeness> closeness_;     ///< with the tolerance itself for its share
-    std::vector<Eigen::Matrix3d> metrics_; ///< how much an error counts
+    std::vector<Eigen::Matrix3d> metrics_; ///< how much an error counts, more where less is allowed
 };
 
 } // namespace qm

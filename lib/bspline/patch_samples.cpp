@@ -66,7 +66,7 @@ PatchSamples::Sample PatchSamples::sampleAt(std::size_t i, std::size_t j) const 
     const Closeness closeness = closenessAt(parameters_[0][i], parameters_[1][j]);
     sample.tolerance = closeness.share * tolerance_;
     sample.slides = closeness.slides;
-    sample.metric = metricOf(sample);
+    sample.metric = metricOf(sample) / (closeness.share * closeness.share);
     return sample;
 }
 
