@@ -251,8 +251,10 @@ MeasuredDeviation measureDeviation(const QuadMesh& mesh, const Layout& layout,
                                    const Control& control) {
     const double diagonal = boundingBoxDiagonal(mesh);
     const MeshDistance distance(mesh);
+    const auto counts = [&](std::size_t patch) { return options.only.empty() || options.only[patch]; };
     std::vector<Samples> ofPatch(patches.size());
     parallelFor(patches.size(), control.jobs, [&](std::size_t k) {
+        if (!counts(k)) return;
         const Segment& segment = layout.segments[k];
         const QuadGrid quads(pointGrid(mesh, segment), segment.size);
         measurePatch(patches[k], segment, quads, distance, options, 1e-14 * diagonal, ofPatch[k]);
@@ -262,6 +264,7 @@ MeasuredDeviation measureDeviation(const QuadMesh& mesh, const Layout& layout,
     const auto borders = borderEdges(mesh, layout);
     std::vector<Meeting> meetings(borders.size());
     parallelFor(borders.size(), control.jobs, [&](std::size_t k) {
+        if (std::ranges::none_of(borders[k].places, counts, &BorderPlace::patch)) return;
         const auto edge = static_cast<std::size_t>(mesh.edge_handle(borders[k].halfedge).idx());
         meetings[k] = measureMeeting(mesh, borders[k], layout, patches, dihedralAngles[edge] <= options.rho,
                                      options.mostKinked);

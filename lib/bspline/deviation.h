@@ -12,11 +12,12 @@
 namespace qm {
 
 struct DeviationOptions {
-    double rho = 0.45;          ///< kinks count across border edges of at most this dihedral angle, radians
-    int samplesPerEdge = 2;     ///< steps of the lattice of samples along every mesh edge; at least 1
-    double farthest = HUGE_VAL; ///< what is farther is told with its place
-    double mostBent = 180;      ///< so are larger normal deviations, degrees
-    double mostKinked = 180;    ///< and larger kinks that the quads do not have, degrees
+    double rho = 0.45;           ///< kinks count across border edges of at most this dihedral angle, radians
+    int samplesPerEdge = 2;      ///< steps of the lattice of samples along every mesh edge; at least 1
+    double farthest = HUGE_VAL;  ///< what is farther is told with its place
+    double mostBent = 180;       ///< so are larger normal deviations, degrees
+    double mostKinked = 180;     ///< and larger kinks that the quads do not have, degrees
+    std::vector<bool> only = {}; ///< patches to be measured, with their borders; all if it is empty
 };
 
 /// Where a patch is too far from its quads, or turned away from them or from its neighbour.

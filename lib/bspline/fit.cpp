@@ -59,10 +59,16 @@ Surfaces fitWithinTolerance(const QuadMesh& mesh, const Layout& layout,
         auto deviation = measureDeviation(mesh, layout, dihedralAngles, fit.patches(), measure, control);
         const bool close = std::ranges::all_of(deviation.places, [](const auto& p) { return p.empty(); });
         if (close || round == enough) {
+            if (!measure.only.empty()) {
+                measure.only.clear();
+                deviation = measureDeviation(mesh, layout, dihedralAngles, fit.patches(), measure, control);
+            }
             control.progress(1);
             return withDeviation(fit.patches(), std::move(deviation));
         }
-        fit.tighten(deviation.places);
+        measure.only = fit.tighten(deviation.places);
+        for (std::size_t k = 0; k < measure.only.size(); ++k)
+            measure.only[k] = measure.only[k] || !deviation.places[k].empty();
     }
 }
 

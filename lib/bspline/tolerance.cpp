@@ -71,7 +71,7 @@ ToleranceFit::ToleranceFit(const QuadMesh& mesh, const Layout& layout,
     fitPatches(std::vector<bool>(patches_.size(), true));
 }
 
-void ToleranceFit::tighten(const std::vector<std::vector<DeviatingPlace>>& places) {
+std::vector<bool> ToleranceFit::tighten(const std::vector<std::vector<DeviatingPlace>>& places) {
     constexpr int fewCalls = 5;
     ++calls_;
     const auto before = closeness_;
@@ -96,6 +96,7 @@ void ToleranceFit::tighten(const std::vector<std::vector<DeviatingPlace>>& place
         patches[k] =
             touches(k, chains) || std::ranges::any_of(vertexGrid(mesh_, layout_.segments[k]), changed);
     fitPatches(patches);
+    return patches;
 }
 
 bool ToleranceFit::touches(std::size_t patch, const std::vector<bool>& chains) const {

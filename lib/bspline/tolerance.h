@@ -34,8 +34,8 @@ public:
 
     /// Fits the patches that miss the tolerance anew, closer around the places where they do, with the curves
     /// there and the neighbours that share those. After a few calls every patch keeps the tolerance for
-    /// certain. \param places  of every patch
-    void tighten(const std::vector<std::vector<DeviatingPlace>>& places);
+    /// certain. \param places  of every patch \return which patches were fitted
+    std::vector<bool> tighten(const std::vector<std::vector<DeviatingPlace>>& places);
 
 private:
     [[nodiscard]] bool touches(std::size_t patch, const std::vector<bool>& chains) const;
