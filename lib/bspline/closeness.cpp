@@ -14,12 +14,13 @@ std::vector<std::size_t> around(const std::vector<VertexId>& grid, const std::ar
     for (std::size_t d = 0; d < 2; ++d)
         range[d] = {std::max(static_cast<int>(std::ceil(at[d])) - reach, 0),
                     std::min(static_cast<int>(std::floor(at[d])) + reach, size[d])};
+    const auto width = static_cast<std::size_t>(size[0]) + 1;
     std::vector<std::size_t> vertices;
     for (int j = range[1][0]; j <= range[1][1]; ++j)
         for (int i = range[0][0]; i <= range[0][1]; ++i)
             if (std::abs(i - at[0]) < reach && std::abs(j - at[1]) < reach)
-                vertices.push_back(
-                    static_cast<std::size_t>(grid[static_cast<std::size_t>(j * (size[0] + 1) + i)].idx()));
+                vertices.push_back(static_cast<std::size_t>(
+                    grid[static_cast<std::size_t>(j) * width + static_cast<std::size_t>(i)].idx()));
     return vertices;
 }
 

@@ -24,7 +24,9 @@ CurveWeights derivativesOf(const BasisValues& basis) {
     return {basis.derivative[0], basis.derivative[1], basis.derivative[2], basis.derivative[3]};
 }
 
-const std::array<Point, 3> axes = {Point(1, 0, 0), Point(0, 1, 0), Point(0, 0, 1)};
+std::array<Point, 3> axes() {
+    return {Point(1, 0, 0), Point(0, 1, 0), Point(0, 0, 1)};
+}
 
 Point on(const SplineCurve& curve, const BasisValues& basis) {
     Point result{0, 0, 0};
@@ -50,7 +52,7 @@ CurveSolver::CurveSolver(const CurveFitInput& input, double tolerance, double ex
         closeness_.push_back(closenessAt(parameters_[k]));
         closeness_.back().share *= tolerance;
         const double nearer = tolerance / closeness_.back().share;
-        metrics_.push_back(nearer * nearer * metric(k));
+        metrics_.emplace_back(nearer * nearer * metric(k));
     }
 }
 
@@ -167,11 +169,11 @@ SplineCurve CurveSolver::solve(const std::vector<double>& knots, const std::vect
     }
     const auto passThrough = [&](int fixed) {
         const BasisValues basis = basisValues(knots, 3, fixed);
-        for (const Point& axis : axes)
+        for (const Point& axis : axes())
             equations.require(basis.first, valuesOf(basis), axis, point(fixed) | axis);
     };
     for (const CurveWeights& difference : vanishing(degree))
-        for (const Point& axis : axes)
+        for (const Point& axis : axes())
             equations.require(0, difference, axis, 0);
     passThrough(0);
     for (const int fixed : input_.fixed)

@@ -385,7 +385,7 @@ TEST(Closeness, GrowsFromShareToNoSlidingToAWiderCircle) {
     comeCloser(mesh, layout, places, 1, closeness);
     EXPECT_EQ(count(slides), all - 2);
     comeCloser(mesh, layout, places, 1, closeness);
-    EXPECT_EQ(count(slides), all - 4 * 3);
+    EXPECT_EQ(count(slides), all - 12);
 }
 
 TEST(CurveFit, FollowsACornerWithATripleKnot) {
