@@ -8,6 +8,7 @@
 #include "enumerate/pseudo_costs.h"
 #include "enumerate/relaxation.h"
 
+#include <functional>
 #include <queue>
 #include <vector>
 
@@ -20,6 +21,8 @@ struct PartOptions {
     double gap = 0;
     std::size_t nodes = 20'000'000; ///< of the search tree, at most: what memory allows
     bool nearby = true;             ///< look for early graphs by smaller searches
+    /// Makes a graph cheaper if it can; `relaxed` are the values of the part's variables, in their order.
+    std::function<Assignment(const Assignment& graph, const std::vector<double>& relaxed)> polish = {};
 };
 
 /// Searches the free variables of one independent part; the rest of the state is left as it is.
@@ -85,14 +88,20 @@ private:
     void round();
     void roundAt(double threshold);
     bool lookAround(double& bound);
-    void searchNearby(bool keepBest);
-    bool takeOver(int variable, bool keepBest);
-    bool searchRest(bool keepBest);
-    void dive();
-    bool fixSurest();
+    bool comeBack(ParticleState::Mark mark, const Relaxation::Basis& basis, double& bound);
+    void polish();
     void recordLeaf();
     [[nodiscard]] bool allDecided() const;
     [[nodiscard]] double present(int variable) const;
+
+    // diving.cpp
+    void dive();
+    void diveToRest();
+    bool fixSurest();
+    std::size_t takeOverAll(bool keepBest);
+    bool takeOver(int variable, bool keepBest);
+    void searchNearby();
+    bool searchRest(bool keepBest);
 
     // branching.cpp
     Choice choose(double bound);

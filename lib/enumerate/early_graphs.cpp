@@ -1,19 +1,13 @@
 #include "enumerate/branch_and_bound.h"
-#include "enumerate/independent_parts.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace qm {
 namespace {
 
 constexpr double integral = 1e-6;
-constexpr double sure = 0.8; ///< columns above this may be fixed together in a dive
-constexpr int diveIterations = 1000;
 constexpr std::size_t worthSearching = 1500; ///< variables; fewer are searched as fast as what is near them
-constexpr std::size_t nodesNearby = 100;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::size_t at(int index) {
     return static_cast<std::size_t>(index);
@@ -90,97 +84,27 @@ bool BranchAndBound::lookAround(double& bound) {
     nextLook_ = 4 * nodes_;
     const ParticleState::Mark mark = particles_.mark();
     const Relaxation::Basis basis = relaxation_.basis();
-    if (options_.nearby && variables_.size() >= worthSearching) {
-        if (nodes_ == 1) searchNearby(false);
-        if (!incumbents_.empty()) searchNearby(true);
-    } else {
+    if (!options_.nearby || variables_.size() < worthSearching) {
         dive();
+    } else {
+        diveToRest();
+        polish();
+        if (!comeBack(mark, basis, bound)) return false;
+        searchNearby();
     }
+    return comeBack(mark, basis, bound);
+}
+
+/// \return false if the node is cut by what has been found since
+bool BranchAndBound::comeBack(ParticleState::Mark mark, const Relaxation::Basis& basis, double& bound) {
     particles_.undo(mark);
     relaxation_.setBasis(basis);
-    if (bound >= incumbents_.cutoff()) return false;
-    return relax(bound) != RelaxedNode::cut;
+    return bound < incumbents_.cutoff() && relax(bound) != RelaxedNode::cut;
 }
 
-/// Takes over what the relaxed solution leaves no doubt about, or what it and the best graph agree on, and
-/// searches the rest.
-void BranchAndBound::searchNearby(bool keepBest) {
-    const ParticleState::Mark mark = particles_.mark();
-    std::size_t open = 0;
-    for (const int variable : variables_)
-        if (state_.isFree(variable) && !takeOver(variable, keepBest)) ++open;
-    if (2 * open < variables_.size() && searchRest(keepBest)) recordLeaf();
-    particles_.undo(mark);
-}
-
-/// \return whether the variable has a value now
-bool BranchAndBound::takeOver(int variable, bool keepBest) {
-    const double value = present(variable);
-    if (value > integral && value < 1 - integral) return false;
-    const bool in = value > 0.5;
-    if (keepBest && (incumbents_.graphs().begin()->second[at(variable)] == 1) != in) return false;
-    const SearchState::Mark before = state_.mark();
-    if (state_.assign(variable, in ? ArcState::in : ArcState::out)) return true;
-    state_.undo(before);
-    return false;
-}
-
-/// Gives the best values to what is still free, part by part. \return false if there are none
-bool BranchAndBound::searchRest(bool keepBest) {
-    std::vector<int> rest;
-    for (const int variable : variables_)
-        if (state_.isFree(variable)) rest.push_back(variable);
-    for (const std::vector<int>& part : independentParts(state_, rest)) {
-        Assignment found;
-        {
-            BranchAndBound search(state_, part, {1, infinity, 0, nodesNearby, false}, control_);
-            if (keepBest) search.offer(incumbents_.graphs().begin()->second);
-            search.run();
-            if (search.incumbents().empty()) return false;
-            found = search.incumbents().graphs().begin()->second;
-        }
-        for (const int variable : part)
-            if (state_.isFree(variable) &&
-                !state_.assign(variable, found[at(variable)] == 1 ? ArcState::in : ArcState::out))
-                return false;
-    }
-    return true;
-}
-
-/// Fixes the columns that are nearly 1 and solves again, until the solution is integral or too expensive.
-void BranchAndBound::dive() {
-    while (!control_.stopRequested() && fixSurest()) {
-        if (relaxation_.solve(particles_, incumbents_.cutoff(), diveIterations).kind !=
-            Relaxation::Result::Kind::solved)
-            return;
-        if (acceptIntegral()) return;
-        round();
-    }
-}
-
-/// \return false if nothing is left to fix
-bool BranchAndBound::fixSurest() {
-    std::vector<std::pair<double, int>> order;
-    const std::vector<double> values = relaxation_.values();
-    for (int column = 0; column < static_cast<int>(values.size()); ++column) {
-        const double value = values[at(column)];
-        if (value > integral && value < 1 - integral && formulation_.variableOf[at(column)] >= 0 &&
-            particles_.column(column) == ArcState::free)
-            order.emplace_back(-value, column);
-    }
-    std::ranges::sort(order);
-    const std::size_t most = 1 + order.size() / 10;
-    std::size_t fixed = 0;
-    for (const auto& [negative, column] : order) {
-        if (fixed == most || (fixed > 0 && -negative < sure)) break;
-        if (particles_.column(column) != ArcState::free) continue;
-        const ParticleState::Mark before = particles_.mark();
-        ++fixed;
-        if (particles_.fixColumn(column, ArcState::in)) continue;
-        particles_.undo(before);
-        if (!particles_.fixColumn(column, ArcState::out)) return false;
-    }
-    return fixed > 0;
+void BranchAndBound::polish() {
+    if (options_.polish && !incumbents_.empty() && !rootPresence_.empty())
+        offer(options_.polish(incumbents_.graphs().begin()->second, rootPresence_));
 }
 
 } // namespace qm

@@ -17,6 +17,19 @@ double fixedCost(const SearchState& state) {
     return costOf(state.problem(), state.assignment());
 }
 
+/// Shows the polisher a graph of one part as one of the whole.
+Assignment polishPart(const std::vector<int>& part, const Assignment& best,
+                      const std::vector<double>& relaxedPart, const OptimumOptions& options,
+                      std::vector<double> relaxed) {
+    Assignment graph = *options.start;
+    for (std::size_t k = 0; k < part.size(); ++k) {
+        const auto v = static_cast<std::size_t>(part[k]);
+        graph[v] = best[v];
+        relaxed[v] = relaxedPart[k];
+    }
+    return options.polish(graph, relaxed);
+}
+
 /// One graph: every part on its own, the best of each put together.
 void searchParts(SearchState& state, const OptimumOptions& options, const Control& control,
                  OptimumResult& result) {
@@ -28,9 +41,12 @@ void searchParts(SearchState& state, const OptimumOptions& options, const Contro
     double done = 0;
     bool found = true;
     for (const auto& part : parts) {
-        BranchAndBound search(state, part,
-                              {1, infinity, options.gap / static_cast<double>(parts.size()), options.nodes},
-                              control);
+        PartOptions partOptions{1, infinity, options.gap / static_cast<double>(parts.size()), options.nodes};
+        if (options.start && options.polish)
+            partOptions.polish = [&](const Assignment& best, const std::vector<double>& relaxed) {
+                return polishPart(part, best, relaxed, options, result.relaxed);
+            };
+        BranchAndBound search(state, part, partOptions, control);
         if (options.start) search.offer(*options.start);
         search.run();
         result.nodes += search.nodes();

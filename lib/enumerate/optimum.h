@@ -17,6 +17,9 @@ struct OptimumOptions {
     double gap = 0;                  ///< stop when cost - lower bound is at most this
     std::optional<Assignment> start; ///< a valid graph to begin with
     std::size_t nodes = 20'000'000;  ///< of the search tree of a part, at most
+    /// Makes a valid graph cheaper if it can, by a search of its own; needs a start. Asked where a part is
+    /// hard, once that has been relaxed: `relaxed` has of every variable its value.
+    std::function<Assignment(const Assignment& graph, const std::vector<double>& relaxed)> polish = {};
 };
 
 struct OptimumResult {

@@ -9,7 +9,9 @@
 namespace qm {
 namespace {
 
-constexpr double shareOfTree = 0.3; ///< of the time; windows are the surer way to something better
+// Of the time.
+constexpr double shareOfTree = 0.7;
+constexpr double shareOfPolish = 0.15; ///< each time that the tree asks for it
 
 ProblemInput wholeInput(const SearchSpace& space) {
     return {
@@ -17,24 +19,55 @@ ProblemInput wholeInput(const SearchSpace& space) {
         {},          space.cornerCost};
 }
 
-/// Takes what it finds over into `present`.
-OptimumResult searchWhole(const Problem& problem, std::vector<bool>& present, const Control& control) {
-    OptimumOptions options;
-    options.start = assignmentOf(problem, present);
-    OptimumResult found = findOptimum(problem, options, control);
-    if (!found.graphs.empty()) apply(problem, found.graphs.front(), present);
-    return found;
-}
+/// One graph that becomes cheaper, by a search of the whole and by windows.
+class Improver {
+public:
+    Improver(const SearchSpace& space, std::vector<bool> present)
+        : space_(space), input_(wholeInput(space)), problem_(makeProblem(input_)),
+          present_(std::move(present)) {}
 
-/// \return of every arc its value in the relaxed solution; nothing if there was none
-std::vector<double> relaxedArcs(const SearchSpace& space, const Problem& problem,
-                                const OptimumResult& found) {
-    if (found.relaxed.empty()) return {};
-    std::vector<double> values(space.graph.arcs.size(), 0);
-    for (std::size_t v = 0; v < problem.arcs.size(); ++v)
-        std::fill_n(values.begin() + problem.arcs[v].first.value(), problem.arcs[v].count, found.relaxed[v]);
-    return values;
-}
+    /// \return with the bound
+    OptimumResult searchTree(const Control& control, double polishSeconds, Improvement& counters) {
+        OptimumOptions options;
+        options.start = assignmentOf(problem_, present_);
+        options.polish = [&](const Assignment& graph, const std::vector<double>& relaxed) {
+            apply(problem_, graph, present_);
+            const Deadline end(control, polishSeconds);
+            searchWindows(relaxed, end.control(), counters);
+            return assignmentOf(problem_, present_);
+        };
+        OptimumResult found = findOptimum(problem_, options, control);
+        if (!found.graphs.empty()) apply(problem_, found.graphs.front(), present_);
+        return found;
+    }
+
+    /// \param relaxed  of every variable, or empty
+    void searchWindows(const std::vector<double>& relaxed, const Control& control, Improvement& counters) {
+        WindowOptions options;
+        options.relaxed = relaxedArcs(relaxed);
+        WindowResult windows = improveByWindows(input_, present_, options, control);
+        present_ = std::move(windows.present);
+        counters.windows += windows.windows;
+        counters.improvements += windows.improvements;
+    }
+
+    [[nodiscard]] const std::vector<bool>& present() const { return present_; }
+
+private:
+    /// The same of every arc.
+    [[nodiscard]] std::vector<double> relaxedArcs(const std::vector<double>& relaxed) const {
+        if (relaxed.empty()) return {};
+        std::vector<double> values(space_.graph.arcs.size(), 0);
+        for (std::size_t v = 0; v < problem_.arcs.size(); ++v)
+            std::fill_n(values.begin() + problem_.arcs[v].first.value(), problem_.arcs[v].count, relaxed[v]);
+        return values;
+    }
+
+    const SearchSpace& space_;
+    const ProblemInput input_;
+    const Problem problem_;
+    std::vector<bool> present_;
+};
 
 } // namespace
 
@@ -44,29 +77,16 @@ Improvement improveGraph(const QuadMesh& mesh, const BaseComplex& complex,
                          const Control& control) {
     const SubMeshes whole{std::vector<int>(mesh.n_vertices(), 0), 1};
     const SearchSpace space = makeSearchSpace(mesh, complex, edgeCosts, whole, constraints, cornerCost);
-    const ProblemInput input = wholeInput(space);
-    const Problem problem = makeProblem(input);
-    std::vector<bool> present = presentArcs(mesh, complex, space.graph, graph.tracks);
     const Deadline tree(control, shareOfTree * seconds), end(control, seconds);
+    Improver improver(space, presentArcs(mesh, complex, space.graph, graph.tracks));
 
     Improvement result;
-    OptimumResult found = searchWhole(problem, present, tree.control());
+    const OptimumResult found = improver.searchTree(tree.control(), shareOfPolish * seconds, result);
     result.lowerBound = found.lowerBound;
     control.progress(shareOfTree);
-    if (!found.complete) {
-        WindowOptions options;
-        options.relaxed = relaxedArcs(space, problem, found);
-        WindowResult windows = improveByWindows(input, present, options, end.control());
-        present = std::move(windows.present);
-        result.windows = windows.windows;
-        result.improvements = windows.improvements;
-        if (!end.isOver() && !control.stopRequested()) {
-            found = searchWhole(problem, present, end.control());
-            result.lowerBound = std::max(result.lowerBound, found.lowerBound);
-        }
-    }
+    if (!found.complete) improver.searchWindows(found.relaxed, end.control(), result);
     control.progress(1);
-    result.graph = graphOf(mesh, complex, space.graph, present, edgeCosts);
+    result.graph = graphOf(mesh, complex, space.graph, improver.present(), edgeCosts);
     // The bound sums what the search summed, in another order than the tracks' costs.
     result.lowerBound = std::min(result.lowerBound, result.graph.cost);
     return result;
