@@ -3,7 +3,9 @@
 
 #include "base/control.h"
 
+#include <algorithm>
 #include <chrono>
+#include <limits>
 #include <optional>
 
 namespace qm {
@@ -24,6 +26,13 @@ public:
         control.jobs = control_.jobs;
         control.stopRequested = [this] { return isOver() || control_.stopRequested(); };
         return control;
+    }
+
+    /// Not negative.
+    [[nodiscard]] double secondsLeft() const {
+        using namespace std::chrono;
+        if (!end_) return std::numeric_limits<double>::infinity();
+        return std::max(0.0, duration<double>(*end_ - steady_clock::now()).count());
     }
 
     [[nodiscard]] bool isOver() const { return end_ && std::chrono::steady_clock::now() >= *end_; }

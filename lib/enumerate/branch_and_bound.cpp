@@ -157,6 +157,7 @@ void BranchAndBound::rememberRoot(double bound) {
     for (const int variable : variables_)
         rootPresence_.push_back(present(variable));
     rootReducedCosts_ = relaxation_.reducedCosts();
+    rootBasis_ = relaxation_.basis();
     rootCutoff_ = incumbents_.cutoff();
     root_ = particles_.mark();
 }
@@ -168,8 +169,34 @@ bool BranchAndBound::tightenRoot() {
     particles_.undo(root_);
     if (!fixByReducedCosts(rootValues_, rootReducedCosts_, rootBound_)) return false;
     root_ = particles_.mark();
-    if (relaxation_.fixedShare(particles_) > 0.3) relaxation_ = Relaxation(formulation_, particles_);
+    if (relaxation_.fixedShare(particles_) > 0.3) {
+        relaxation_ = Relaxation(formulation_, particles_);
+        rootBasis_ = {};
+    }
     return true;
+}
+
+std::optional<RelaxedProgram> BranchAndBound::relaxedRoot() {
+    if (rootValues_.empty()) return {};
+    constexpr int slices = 20; // it was optimal but for what has been fixed since
+    Relaxation::Result result{Relaxation::Result::Kind::tooExpensive};
+    if (tightenRoot()) {
+        particles_.undo(root_);
+        relaxation_.setBasis(rootBasis_);
+        for (int slice = 0; slice < slices; ++slice) {
+            result = relaxation_.solve(particles_, incumbents_.cutoff(), iterationsPerSlice);
+            if (result.kind != Relaxation::Result::Kind::unfinished) break;
+        }
+    }
+    if (result.kind == Relaxation::Result::Kind::tooExpensive) {
+        lowerBound_ = incumbents_.bestCost();
+        complete_ = true;
+    }
+    if (result.kind != Relaxation::Result::Kind::solved) return {};
+    lowerBound_ = std::max(lowerBound_, std::min(result.bound, incumbents_.bestCost()));
+    RelaxedProgram root = relaxation_.program(particles_);
+    if (!incumbents_.empty()) root.cutoff = incumbents_.bestCost();
+    return root;
 }
 
 } // namespace qm

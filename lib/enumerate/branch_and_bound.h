@@ -9,6 +9,7 @@
 #include "enumerate/relaxation.h"
 
 #include <functional>
+#include <optional>
 #include <queue>
 #include <vector>
 
@@ -20,7 +21,7 @@ struct PartOptions {
     double maxCost = std::numeric_limits<double>::infinity(); ///< of the part's variables
     double gap = 0;
     std::size_t nodes = 20'000'000; ///< of the search tree, at most: what memory allows
-    bool nearby = true;             ///< look for early graphs by smaller searches
+    std::size_t hard = 1500; ///< variables from which on early graphs are looked for by smaller searches
     /// Makes a graph cheaper if it can; `relaxed` are the values of the part's variables, in their order.
     std::function<Assignment(const Assignment& graph, const std::vector<double>& relaxed)> polish = {};
 };
@@ -45,6 +46,9 @@ public:
     [[nodiscard]] double lowerBound() const { return lowerBound_; }
     [[nodiscard]] bool complete() const { return complete_; }
     [[nodiscard]] std::size_t nodes() const { return nodes_; }
+    /// After a search that is not complete: what is left to decide at the root, relaxed. The bound may grow,
+    /// and the search be complete after all.
+    [[nodiscard]] std::optional<RelaxedProgram> relaxedRoot();
     /// Of the part's variables, in the relaxed solution of the root; empty if there was none.
     [[nodiscard]] const std::vector<double>& rootPresence() const { return rootPresence_; }
 
@@ -128,6 +132,7 @@ private:
     std::vector<double> rootValues_;
     std::vector<double> rootPresence_;
     std::vector<double> rootReducedCosts_;
+    Relaxation::Basis rootBasis_;
     double rootCutoff_ = std::numeric_limits<double>::infinity(); ///< at the last tightening
     double lowerBound_ = 0;
     bool complete_ = true;

@@ -13,6 +13,7 @@ constexpr int diveIterations = 1000;
 constexpr std::size_t smallRest = 1500; ///< variables that a dive leaves to a search
 constexpr std::size_t largeRest = 5000; ///< more take as long as the whole
 constexpr std::size_t nodesNearby = 100;
+constexpr std::size_t never = std::numeric_limits<std::size_t>::max(); ///< hard: searches do not nest
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::size_t at(int index) {
@@ -111,7 +112,7 @@ bool BranchAndBound::searchRest(bool keepBest) {
     for (const std::vector<int>& part : independentParts(state_, rest)) {
         Assignment found;
         {
-            BranchAndBound search(state_, part, {1, infinity, 0, nodesNearby, false}, control_);
+            BranchAndBound search(state_, part, {1, infinity, 0, nodesNearby, never}, control_);
             if (keepBest) search.offer(incumbents_.graphs().begin()->second);
             search.run();
             if (search.incumbents().empty()) return false;

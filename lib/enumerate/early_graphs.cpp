@@ -7,7 +7,6 @@ namespace qm {
 namespace {
 
 constexpr double integral = 1e-6;
-constexpr std::size_t worthSearching = 1500; ///< variables; fewer are searched as fast as what is near them
 
 std::size_t at(int index) {
     return static_cast<std::size_t>(index);
@@ -84,7 +83,7 @@ bool BranchAndBound::lookAround(double& bound) {
     nextLook_ = 4 * nodes_;
     const ParticleState::Mark mark = particles_.mark();
     const Relaxation::Basis basis = relaxation_.basis();
-    if (!options_.nearby || variables_.size() < worthSearching) {
+    if (variables_.size() < options_.hard) {
         dive();
     } else {
         diveToRest();

@@ -7,6 +7,7 @@
 /// is passed (A2), which is rule 4. Every stop brings two corners of segments.
 #pragma once
 
+#include "enumerate/integer_program.h"
 #include "enumerate/search_state.h"
 
 #include <vector>
@@ -21,12 +22,7 @@ struct Formulation {
         int fromAfter = -1;
         [[nodiscard]] bool any() const { return fromBefore >= 0 || fromAfter >= 0; }
     };
-    struct Row {
-        std::vector<int> columns;
-        std::vector<double> weights;
-        double lower = 0;
-        double upper = 0;
-    };
+    using Row = IntegerProgram::Row;
     std::vector<Columns> columnsOf; ///< of every variable of the problem and both constants
     std::vector<int> coverRowOf;    ///< row p + s <= 1, where a variable has both; else -1
     std::vector<int> variableOf;    ///< of every column; -1 of one that says that a junction is empty

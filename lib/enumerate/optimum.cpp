@@ -41,7 +41,8 @@ void searchParts(SearchState& state, const OptimumOptions& options, const Contro
     double done = 0;
     bool found = true;
     for (const auto& part : parts) {
-        PartOptions partOptions{1, infinity, options.gap / static_cast<double>(parts.size()), options.nodes};
+        PartOptions partOptions{1, infinity, options.gap / static_cast<double>(parts.size()), options.nodes,
+                                options.hard};
         if (options.start && options.polish)
             partOptions.polish = [&](const Assignment& best, const std::vector<double>& relaxed) {
                 return polishPart(part, best, relaxed, options, result.relaxed);
@@ -49,6 +50,9 @@ void searchParts(SearchState& state, const OptimumOptions& options, const Contro
         BranchAndBound search(state, part, partOptions, control);
         if (options.start) search.offer(*options.start);
         search.run();
+        if (options.keepOpenParts && !search.complete())
+            if (auto root = search.relaxedRoot())
+                result.openParts.push_back({std::move(*root), search.lowerBound()});
         result.nodes += search.nodes();
         result.lowerBound += search.lowerBound();
         for (std::size_t k = 0; k < search.rootPresence().size() && options.start; ++k)
@@ -72,7 +76,8 @@ void searchTogether(SearchState& state, const OptimumOptions& options, const Con
     for (int v = 0; v < state.problem().variables(); ++v)
         if (state.isFree(v)) variables.push_back(v);
     BranchAndBound search(state, variables,
-                          {options.best, options.maxCost - result.lowerBound, 0, options.nodes}, control);
+                          {options.best, options.maxCost - result.lowerBound, 0, options.nodes, options.hard},
+                          control);
     if (options.start) search.offer(*options.start);
     search.run();
     result.nodes = search.nodes();
@@ -98,7 +103,7 @@ template <class Visit> bool rank(const Diagram& diagram, const OptimumOptions& o
 
 OptimumResult findOptimum(const Problem& problem, const OptimumOptions& options, const Control& control) {
     SearchState state(problem);
-    if (!state.consistent()) return {{}, infinity, true, 0, {}};
+    if (!state.consistent()) return {{}, infinity, true, 0, {}, {}};
     return findOptimum(state, options, control);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/control.h"
+#include "enumerate/decomposition_bound.h"
 #include "enumerate/search_state.h"
 
 #include <functional>
@@ -20,6 +21,14 @@ struct OptimumOptions {
     /// Makes a valid graph cheaper if it can, by a search of its own; needs a start. Asked where a part is
     /// hard, once that has been relaxed: `relaxed` has of every variable its value.
     std::function<Assignment(const Assignment& graph, const std::vector<double>& relaxed)> polish = {};
+    std::size_t hard = 1500; ///< variables; fewer are searched as fast as what lies near the relaxed solution
+    bool keepOpenParts = false; ///< return what is not proven, see OptimumResult
+};
+
+/// An independent part of a search without a proof.
+struct OpenPart {
+    RelaxedProgram relaxed;
+    double lowerBound = 0; ///< of its cost
 };
 
 struct OptimumResult {
@@ -30,6 +39,7 @@ struct OptimumResult {
     /// Of every variable its value at the root of the search, or in `start` where that was not reached;
     /// empty without a start.
     std::vector<double> relaxed;
+    std::vector<OpenPart> openParts; ///< if wanted: those that have been relaxed, but not proven
 };
 
 /// Splits the problem into parts that do not touch, and searches each best first: propagation, the linear

@@ -175,6 +175,42 @@ Relaxation::Result Relaxation::solve(const ParticleState& state, double cutoff, 
     return result;
 }
 
+RelaxedProgram Relaxation::program(const ParticleState& state) const {
+    RelaxedProgram relaxed;
+    relaxed.constant = fixedCost_;
+    std::vector<int> indexOf(columns_.size(), -1);
+    for (std::size_t k = 0; k < columns_.size(); ++k) {
+        const ArcState value = state.column(columns_[k]);
+        const double cost = formulation_->costs[at(columns_[k])];
+        if (value == ArcState::in) relaxed.constant += cost;
+        if (value != ArcState::free) continue;
+        indexOf[k] = static_cast<int>(relaxed.values.size());
+        relaxed.values.push_back(values_[at(columns_[k])]);
+        relaxed.program.costs.push_back(cost);
+    }
+    std::vector<double> duals(rows_.size(), 0);
+    for (std::size_t k = 0; k < solverRows_.size(); ++k)
+        duals[at(solverRows_[k])] = solver_->dualRowSolution()[k];
+    for (std::size_t id = 0; id < rows_.size(); ++id) {
+        const OpenRow& row = rows_[id];
+        double constant = row.constant;
+        IntegerProgram::Row open;
+        for (std::size_t k = 0; k < row.columns.size(); ++k) {
+            const int column = row.columns[k];
+            if (state.column(columns_[at(column)]) == ArcState::in) constant += row.weights[k];
+            if (indexOf[at(column)] < 0) continue;
+            open.columns.push_back(indexOf[at(column)]);
+            open.weights.push_back(row.weights[k]);
+        }
+        if (open.columns.empty()) continue;
+        open.lower = state.rowLower(row.row) - constant;
+        open.upper = formulation_->rows[at(row.row)].upper - constant;
+        relaxed.program.rows.push_back(std::move(open));
+        relaxed.duals.push_back(duals[id]);
+    }
+    return relaxed;
+}
+
 double Relaxation::fixedShare(const ParticleState& state) const {
     const auto fixed =
         std::ranges::count_if(columns_, [&](int column) { return state.column(column) != ArcState::free; });

@@ -4,6 +4,7 @@
 /// them: most never do.
 #pragma once
 
+#include "enumerate/decomposition_bound.h"
 #include "enumerate/particle_state.h"
 
 #include <limits>
@@ -43,6 +44,10 @@ public:
     using Basis = std::vector<unsigned char>;
     [[nodiscard]] Basis basis() const;
     void setBasis(const Basis& basis);
+
+    /// The integer program of what the state leaves open, with the last solution, which was of the same
+    /// state.
+    [[nodiscard]] RelaxedProgram program(const ParticleState& state) const;
 
     /// Of every column in the last solution; 0 and 1 where it was fixed.
     [[nodiscard]] const std::vector<double>& values() const { return values_; }

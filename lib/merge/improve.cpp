@@ -10,8 +10,9 @@ namespace qm {
 namespace {
 
 // Of the time.
-constexpr double shareOfTree = 0.7;
+constexpr double shareOfTree = 0.55;
 constexpr double shareOfPolish = 0.15; ///< each time that the tree asks for it
+constexpr double shareOfGraph = 0.65;  ///< from here on the bound is improved, not the graph
 
 ProblemInput wholeInput(const SearchSpace& space) {
     return {
@@ -30,6 +31,7 @@ public:
     OptimumResult searchTree(const Control& control, double polishSeconds, Improvement& counters) {
         OptimumOptions options;
         options.start = assignmentOf(problem_, present_);
+        options.keepOpenParts = true;
         options.polish = [&](const Assignment& graph, const std::vector<double>& relaxed) {
             apply(problem_, graph, present_);
             const Deadline end(control, polishSeconds);
@@ -77,16 +79,23 @@ Improvement improveGraph(const QuadMesh& mesh, const BaseComplex& complex,
                          const Control& control) {
     const SubMeshes whole{std::vector<int>(mesh.n_vertices(), 0), 1};
     const SearchSpace space = makeSearchSpace(mesh, complex, edgeCosts, whole, constraints, cornerCost);
-    const Deadline tree(control, shareOfTree * seconds), end(control, seconds);
+    const Deadline tree(control, shareOfTree * seconds), windows(control, shareOfGraph * seconds),
+        end(control, seconds);
     Improver improver(space, presentArcs(mesh, complex, space.graph, graph.tracks));
 
     Improvement result;
     const OptimumResult found = improver.searchTree(tree.control(), shareOfPolish * seconds, result);
     result.lowerBound = found.lowerBound;
     control.progress(shareOfTree);
-    if (!found.complete) improver.searchWindows(found.relaxed, end.control(), result);
-    control.progress(1);
+    if (!found.complete) improver.searchWindows(found.relaxed, windows.control(), result);
     result.graph = graphOf(mesh, complex, space.graph, improver.present(), edgeCosts);
+    for (const OpenPart& part : found.openParts) {
+        DecompositionOptions options;
+        options.seconds = end.secondsLeft();
+        const double bound = decompositionBound(part.relaxed, options, control);
+        result.lowerBound += std::max(0.0, bound - part.lowerBound);
+    }
+    control.progress(1);
     // The bound sums what the search summed, in another order than the tracks' costs.
     result.lowerBound = std::min(result.lowerBound, result.graph.cost);
     return result;

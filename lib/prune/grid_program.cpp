@@ -141,16 +141,6 @@ private:
 
 } // namespace
 
-void IntegerProgram::Row::add(int column, double weight) {
-    const auto known = std::ranges::find(columns, column);
-    if (known == columns.end()) {
-        columns.push_back(column);
-        weights.push_back(weight);
-    } else {
-        weights[static_cast<std::size_t>(known - columns.begin())] += weight;
-    }
-}
-
 double GridProgram::segments(const std::vector<double>& values) const {
     double sum = corners;
     for (std::size_t column = 0; column < values.size(); ++column)

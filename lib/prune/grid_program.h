@@ -8,25 +8,12 @@
 #pragma once
 
 #include "basecomplex/arc_graph.h"
+#include "enumerate/integer_program.h"
 #include "merge/layout.h"
 
 #include <vector>
 
 namespace qm {
-
-struct IntegerProgram {
-    struct Row {
-        std::vector<int> columns;
-        std::vector<double> weights;
-        double lower = 0;
-        double upper = 0;
-
-        /// An arc can meet a junction twice: weights of the same column add up.
-        void add(int column, double weight);
-    };
-    std::vector<double> costs; ///< of every column; all are 0 or 1
-    std::vector<Row> rows;
-};
 
 /// Columns 0 .. arcs - 1 are the arcs, and after them come the junctions.
 struct GridProgram {

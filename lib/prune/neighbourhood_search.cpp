@@ -1,7 +1,7 @@
 #include "prune/neighbourhood_search.h"
 
 #include "base/deadline.h"
-#include "prune/solve_program.h"
+#include "enumerate/solve_program.h"
 
 #include <algorithm>
 #include <numeric>

@@ -4,7 +4,7 @@
 #include "enumerate/tracks.h"
 #include "prune/grid_program.h"
 #include "prune/neighbourhood_search.h"
-#include "prune/solve_program.h"
+#include "enumerate/solve_program.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 // Pruning as an integer program against trying every set of arcs, and against the greedy removal.
 #include "enumerate/plain.h"
+#include "enumerate/solve_program.h"
 #include "mesh/dihedral.h"
 #include "prune/neighbourhood_search.h"
 #include "prune/prune_optimum.h"
-#include "prune/solve_program.h"
 #include "support/polycube.h"
 #include "support/random_graph.h"
 

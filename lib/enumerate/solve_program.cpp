@@ -1,5 +1,6 @@
-#include "prune/solve_program.h"
+#include "enumerate/solve_program.h"
 
+#include <coin/CbcCompareObjective.hpp>
 #include <coin/CbcEventHandler.hpp>
 #include <coin/CbcModel.hpp>
 #include <coin/CoinPackedMatrix.hpp>
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <string>
 
 namespace qm {
@@ -82,6 +84,29 @@ ProgramSolution solveProgram(const IntegerProgram& program, const std::vector<do
         if (solution.proven) solution.lowerBound = model.getObjValue();
     }
     return solution;
+}
+
+double boundProgram(const IntegerProgram& program, double seconds, const Control& control) {
+    if (program.costs.empty()) return 0;
+    OsiClpSolverInterface solver;
+    load(program, solver);
+    // Not CbcMain1, which keeps its parameters in globals. Cuts and heuristics only cost time in programs
+    // this small.
+    CbcModel model(solver);
+    model.setLogLevel(0);
+    model.solver()->setHintParam(OsiDoReducePrint, true);
+    StopHandler handler(control);
+    model.passInEventHandler(&handler);
+    CbcCompareObjective leastBoundFirst;
+    model.setNodeComparison(leastBoundFirst);
+    model.setUseElapsedTime(true);
+    model.setMaximumSeconds(std::min(seconds, 1e9));
+    // The solver looks at no clock of ours.
+    dynamic_cast<OsiClpSolverInterface&>(*model.solver()).getModelPtr()->setMaximumWallSeconds(seconds);
+    model.initialSolve();
+    if (!model.isInitialSolveProvenOptimal()) return -std::numeric_limits<double>::infinity();
+    model.branchAndBound();
+    return model.isProvenOptimal() ? model.getObjValue() : model.getBestPossibleObjValue();
 }
 
 } // namespace qm

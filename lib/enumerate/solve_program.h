@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/control.h"
-#include "prune/grid_program.h"
+#include "enumerate/integer_program.h"
 
 #include <optional>
 #include <vector>
@@ -19,5 +19,9 @@ struct ProgramSolution {
 /// \param start  values to begin with that obey all rows; may be empty
 [[nodiscard]] ProgramSolution solveProgram(const IntegerProgram& program, const std::vector<double>& start,
                                            double seconds, const Control& control = {});
+
+/// A bound of the least cost, the least cost itself if there is time enough; minus infinity if there was
+/// none. May run on several threads.
+[[nodiscard]] double boundProgram(const IntegerProgram& program, double seconds, const Control& control = {});
 
 } // namespace qm

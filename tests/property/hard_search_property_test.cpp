@@ -1,0 +1,96 @@
+// What the search does where the relaxation leaves much in doubt: lines that cross each other all over a
+// torus, and that cost something everywhere.
+#include "enumerate/cost.h"
+#include "enumerate/decomposition_bound.h"
+#include "enumerate/optimum.h"
+#include "enumerate/plain.h"
+#include "enumerate/search_space.h"
+#include "enumerate/tracks.h"
+#include "support/polycube.h"
+#include "support/random_graph.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+namespace qm::testing {
+namespace {
+
+constexpr unsigned cases = 60;
+constexpr double longTime = 1e9;
+
+struct Torus {
+    ArcGraph graph;
+    Problem problem;
+    Assignment plain; ///< the plain motorcycle graph
+    double least = 0; ///< cost of all graphs
+};
+
+Torus drawTorus(unsigned number) {
+    std::mt19937 random(number);
+    const QuadMesh mesh = quadMesh(torus(14, 15));
+    std::uniform_real_distribution<double> cost(0.1, 1);
+    std::vector<double> costs(mesh.n_edges());
+    std::ranges::generate(costs, [&] { return cost(random); });
+    const BaseComplex complex = buildBaseComplex(mesh, randomSeeds(mesh, 60, random));
+    Torus drawn{buildArcGraph(mesh, complex), {}, {}, 0};
+    const auto arcCosts = sumOverArcs(mesh, drawn.graph, complex, costs);
+    drawn.problem = makeProblem(
+        {drawn.graph, arcCosts, std::vector(drawn.graph.arcs.size(), ArcState::free), {}, {}, {}});
+    drawn.plain = assignmentOf(drawn.problem, presentArcs(mesh, complex, drawn.graph,
+                                                          plainMotorcycleGraph(mesh, complex, costs).tracks));
+    drawn.least = costOf(drawn.problem, findOptimum(drawn.problem, {}).graphs.front());
+    return drawn;
+}
+
+TEST(HardSearchProperty, DivesAndPolishingEndInTheOptimum) {
+    std::size_t polished = 0;
+    for (unsigned number = 0; number < cases; ++number) {
+        const Torus drawn = drawTorus(number);
+        OptimumOptions options;
+        options.hard = 1;
+        options.start = drawn.plain;
+        options.polish = [&](const Assignment& graph, const std::vector<double>& relaxed) {
+            EXPECT_EQ(relaxed.size(), graph.size());
+            EXPECT_GE(costOf(drawn.problem, graph), drawn.least - 1e-6);
+            ++polished;
+            return graph;
+        };
+        const OptimumResult found = findOptimum(drawn.problem, options);
+        ASSERT_TRUE(found.complete);
+        EXPECT_NEAR(costOf(drawn.problem, found.graphs.front()), drawn.least, 1e-6) << "case " << number;
+        EXPECT_NEAR(found.lowerBound, drawn.least, 1e-6) << "case " << number;
+    }
+    EXPECT_GT(polished, cases / 10);
+}
+
+TEST(HardSearchProperty, DecompositionBoundsLieBetweenTheRelaxationAndTheOptimum) {
+    std::size_t raised = 0;
+    for (unsigned number = 0; number < cases; ++number) {
+        const Torus drawn = drawTorus(number);
+        OptimumOptions rootOnly;
+        rootOnly.nodes = 1;
+        rootOnly.keepOpenParts = true;
+        OptimumResult root = findOptimum(drawn.problem, rootOnly);
+        double clusters = root.lowerBound, whole = root.lowerBound, free = root.lowerBound;
+        for (OpenPart& part : root.openParts) {
+            const auto gain = [&part](std::size_t columns) {
+                return std::max(0.0, decompositionBound(part.relaxed, {columns, columns, longTime}) -
+                                         part.lowerBound);
+            };
+            clusters += gain(40);
+            whole += gain(1'000'000);
+            std::ranges::fill(part.relaxed.duals, 0);
+            free += gain(10);
+        }
+        EXPECT_LE(clusters, drawn.least + 1e-6) << "case " << number;
+        EXPECT_LE(free, drawn.least + 1e-6) << "case " << number;
+        EXPECT_NEAR(whole, drawn.least, 1e-6) << "case " << number;
+        if (clusters > root.lowerBound + 1e-6) ++raised;
+    }
+    EXPECT_GT(raised, 3U);
+}
+
+} // namespace
+} // namespace qm::testing
