@@ -41,7 +41,8 @@ public:
 
     WindowResult run() {
         const std::size_t most = std::min<std::size_t>(options_.mostVariables, at(whole_.variables()));
-        for (std::size_t size = options_.leastVariables; !isOver(); size *= 2) {
+        for (std::size_t size = std::min(options_.leastVariables, most); !isOver();
+             size = std::min(2 * size, most)) {
             std::ranges::fill(searched_, 0);
             while (pass(size) && !isOver()) {
             }

@@ -14,7 +14,8 @@ namespace qm {
 
 struct WindowOptions {
     std::size_t leastVariables = 60;  ///< of the smallest windows
-    std::size_t mostVariables = 2000; ///< of the largest; a single line may have more
+    std::size_t mostVariables =
+        std::numeric_limits<std::size_t>::max(); ///< of the largest; a single line may have more
     std::size_t mostWindows = std::numeric_limits<std::size_t>::max(); ///< in all
     std::size_t nodes = 50;                                            ///< of the search tree of one window
     std::vector<double> relaxed; ///< of every arc its value in the relaxed solution; empty if there is none

@@ -103,7 +103,7 @@ Improvement improveGraph(const QuadMesh& mesh, const BaseComplex& complex,
 
 WindowResult moveCuts(const SearchSpace& space, const std::vector<bool>& present, double complexity,
                       const Control& control) {
-    constexpr double variablesPerBit = 4; // log2 of the stops of a line as long as they usually are
+    constexpr double variablesPerBit = 6; // log2 of the stops of a line as long as they usually are
     constexpr double mostVariables = 1000;
     WindowOptions options;
     options.leastVariables = options.mostVariables =
