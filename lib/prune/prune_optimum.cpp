@@ -1,10 +1,10 @@
 #include "prune/prune_optimum.h"
 
 #include "base/error.h"
+#include "enumerate/solve_program.h"
 #include "enumerate/tracks.h"
 #include "prune/grid_program.h"
 #include "prune/neighbourhood_search.h"
-#include "enumerate/solve_program.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,12 +30,15 @@ public:
           options_(options), control_(control), graph_(buildArcGraph(mesh, complex)),
           grids_(gridProgram(mesh, complex, graph_, sumOverArcs(mesh, graph_, complex, edgeCosts), layout,
                              options.smooth ? options.maxTurn : flat)),
-          known_{valuesOf(layout)} {}
+          layout_(layout), known_{valuesOf(layout)} {}
 
     /// \param beta  price of a segment
     [[nodiscard]] PruneResult prune(double beta, double maxSegments) {
-        if (!bestKnown(grids_.program, maxSegments)) approach(maxSegments);
         IntegerProgram program = pricedAt(beta);
+        const double worth = std::isfinite(maxSegments) ? infinity : beta;
+        removeTracks(layout_, worth);
+        removeTracks(layoutOf(*bestKnown(program, infinity)), worth);
+        if (!bestKnown(grids_.program, maxSegments)) approach(maxSegments);
         if (std::isfinite(maxSegments)) program.rows.push_back(limitOn(maxSegments));
         const std::optional<Values> start = bestKnown(program, maxSegments);
         // Half of the time to prove the optimum; otherwise the rest for the best without a proof.
@@ -80,6 +83,25 @@ private:
                 (!best || costOf(program, values) < costOf(program, *best)))
                 best = &values;
         return best ? std::optional(*best) : std::nullopt;
+    }
+
+    /// What greedy removal makes of a layout where a segment is worth so much: a track between two segments.
+    void removeTracks(const Layout& layout, double worth) {
+        PruneOptions greedy = options_;
+        greedy.eta = -worth;
+        Values values =
+            valuesOf(pruneLayout(mesh_, layout, dihedralAngles_, edgeCosts_, greedy, control_).layout);
+        if (obeys(grids_.program, values)) known_.push_back(std::move(values));
+    }
+
+    static bool obeys(const IntegerProgram& program, const Values& values) {
+        constexpr double rounding = 1e-6;
+        return std::ranges::all_of(program.rows, [&](const IntegerProgram::Row& row) {
+            double sum = 0;
+            for (std::size_t k = 0; k < row.columns.size(); ++k)
+                sum += row.weights[k] * values[static_cast<std::size_t>(row.columns[k])];
+            return sum > row.lower - rounding && sum < row.upper + rounding;
+        });
     }
 
     /// Looks for a first layout of so few segments, by making them dearer and dearer.
@@ -160,6 +182,7 @@ private:
     const Control& control_;
     ArcGraph graph_;
     GridProgram grids_;
+    const Layout& layout_;
     std::vector<Values> known_; ///< solutions, whatever they cost
 };
 
