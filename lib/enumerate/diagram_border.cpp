@@ -99,7 +99,8 @@ DiagramBorder::DiagramBorder(const SearchState& state, const std::vector<Step>& 
         nodes[node].watch(watches_, static_cast<int>(node), &Watch::nodes);
     for (Watch& watch : watches_) {
         std::ranges::sort(watch.variables);
-        watch.variables.erase(std::ranges::unique(watch.variables).begin(), watch.variables.end());
+        watch.variables.erase(std::unique(watch.variables.begin(), watch.variables.end()),
+                              watch.variables.end());
         watch.words = wordsFor(watch.variables.size() + watch.chains.size(), watch.nodes.size());
     }
 }

@@ -19,7 +19,7 @@ public:
                 if (problem_.crossings[static_cast<std::size_t>(crossing)].cornerCost != 0)
                     crossings.push_back(crossing);
         std::ranges::sort(crossings);
-        crossings.erase(std::ranges::unique(crossings).begin(), crossings.end());
+        crossings.erase(std::unique(crossings.begin(), crossings.end()), crossings.end());
         crossings_ = std::move(crossings);
         fixed_ = corners([&](int variable) { return state.value(variable) == ArcState::in; });
     }

@@ -13,7 +13,7 @@
 namespace qm {
 
 struct WindowOptions {
-    std::size_t leastVariables = 60;  ///< of the smallest windows
+    std::size_t leastVariables = 60; ///< of the smallest windows
     std::size_t mostVariables =
         std::numeric_limits<std::size_t>::max(); ///< of the largest; a single line may have more
     std::size_t mostWindows = std::numeric_limits<std::size_t>::max(); ///< in all

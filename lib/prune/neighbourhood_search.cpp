@@ -74,7 +74,7 @@ private:
             rows.insert(rows.end(), rowsOf_[column].begin(), rowsOf_[column].end());
         }
         std::ranges::sort(rows);
-        rows.erase(std::ranges::unique(rows).begin(), rows.end());
+        rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
         for (const std::size_t row : rows)
             part.rows.push_back(restricted(program_.rows[row]));
         for (const int column : free)

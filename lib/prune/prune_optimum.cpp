@@ -47,7 +47,8 @@ public:
         if (!solution.values && !start)
             throw Error("--max-segments", "no layout of so few segments was found",
                         "allow more, or more time");
-        Values values = solution.values ? std::move(*solution.values) : *start;
+        Values values = start.value_or(Values{});
+        if (solution.values) values = std::move(*solution.values);
         if (!solution.proven)
             values = improveByNeighbourhoods(program, std::move(values), lines(), options_.timeLimit / 2,
                                              control_);
