@@ -138,6 +138,7 @@ private:
     bool complete_ = true;
     std::size_t nodes_ = 0;
     std::size_t nextLook_ = 1;
+    double polished_ = std::numeric_limits<double>::infinity(); ///< cost of the last graph that was
 };
 
 } // namespace qm

@@ -102,8 +102,11 @@ bool BranchAndBound::comeBack(ParticleState::Mark mark, const Relaxation::Basis&
 }
 
 void BranchAndBound::polish() {
-    if (options_.polish && !incumbents_.empty() && !rootPresence_.empty())
-        offer(options_.polish(incumbents_.graphs().begin()->second, rootPresence_));
+    if (!options_.polish || rootPresence_.empty() || incumbents_.empty() ||
+        incumbents_.bestCost() >= polished_)
+        return;
+    offer(options_.polish(incumbents_.graphs().begin()->second, rootPresence_));
+    polished_ = incumbents_.bestCost();
 }
 
 } // namespace qm

@@ -35,19 +35,18 @@ public:
     WindowSearch(const ProblemInput& input, const std::vector<bool>& present, const WindowOptions& options,
                  const Control& control)
         : input_(input), whole_(makeProblem(input)), options_(options), control_(control), links_(whole_),
-          changed_(whole_.chains.size(), 1), searched_(whole_.chains.size(), 0) {
+          changed_(whole_.chains.size(), 1), searched_(whole_.chains.size(), 0), nodes_(options.nodes) {
         result_.present = present;
     }
 
     WindowResult run() {
-        const std::size_t most = std::min<std::size_t>(options_.mostVariables, at(whole_.variables()));
-        for (std::size_t size = std::min(options_.leastVariables, most); !isOver();
-             size = std::min(2 * size, most)) {
-            std::ranges::fill(searched_, 0);
-            while (pass(size) && !isOver()) {
-            }
-            if (size >= most) break;
-        }
+        std::size_t smallest = options_.leastVariables;
+        do {
+            hard_ = 0;
+            growWindows(smallest);
+            smallest = hard_;
+            nodes_ *= 4;
+        } while (options_.patient && hard_ > 0 && !isOver());
         return std::move(result_);
     }
 
@@ -56,10 +55,22 @@ private:
         int chain = 0;
         std::vector<int> chains;
         std::vector<bool> present; ///< empty unless it is cheaper
+        bool complete = false;     ///< its search ended with a proof
     };
 
     [[nodiscard]] bool isOver() const {
         return result_.windows >= options_.mostWindows || control_.stopRequested();
+    }
+
+    /// Searches windows of one size, then of twice that size, and so on.
+    void growWindows(std::size_t smallest) {
+        const std::size_t most = std::min<std::size_t>(options_.mostVariables, at(whole_.variables()));
+        for (size_ = std::min(smallest, most); !isOver(); size_ = std::min(2 * size_, most)) {
+            std::ranges::fill(searched_, 0);
+            while (pass() && !isOver()) {
+            }
+            if (size_ >= most) break;
+        }
     }
 
     /// How much the graph and the relaxed solution disagree about every chain.
@@ -77,7 +88,7 @@ private:
     }
 
     /// Searches all windows of a size in which something has changed since. \return whether one improved
-    bool pass(std::size_t size) {
+    bool pass() {
         const std::size_t before = result_.improvements;
         const std::vector<double> weights = disagreements();
         std::vector<int> order(whole_.chains.size());
@@ -85,10 +96,10 @@ private:
         std::ranges::stable_sort(order, std::greater{}, [&](int chain) { return weights[at(chain)]; });
         std::vector<Window> windows;
         for (const int chain : order) {
-            std::vector<int> chains = links_.cluster(chain, size, weights);
+            std::vector<int> chains = links_.cluster(chain, size_, weights);
             const bool stale =
                 std::ranges::any_of(chains, [&](int c) { return changed_[at(c)] > searched_[at(chain)]; });
-            if (stale) windows.push_back({chain, std::move(chains), {}});
+            if (stale) windows.push_back({chain, std::move(chains), {}, false});
             if (windows.size() == batch) searchBatch(windows);
             if (isOver()) return false;
         }
@@ -102,6 +113,7 @@ private:
         const std::size_t before = result_.improvements;
         for (Window& window : windows) {
             ++result_.windows;
+            if (!window.complete && hard_ == 0) hard_ = size_;
             searched_[at(window.chain)] = clock_;
             if (!window.present.empty()) accept(window, result_.improvements == before);
         }
@@ -131,8 +143,9 @@ private:
         const Problem problem = problemOf(window);
         OptimumOptions options;
         options.start = assignmentOf(problem, result_.present);
-        options.nodes = options_.nodes;
+        options.nodes = nodes_;
         const OptimumResult found = findOptimum(problem, options, control_);
+        window.complete = found.complete;
         if (found.graphs.empty() ||
             costOf(problem, found.graphs.front()) >= costOf(problem, *options.start) - Incumbents::tolerance)
             return;
@@ -176,6 +189,9 @@ private:
     std::vector<std::size_t> changed_;  ///< when a chain or one that crosses it changed last
     std::vector<std::size_t> searched_; ///< when the window around a chain was searched last
     std::size_t clock_ = 1;
+    std::size_t nodes_;
+    std::size_t size_ = 0; ///< of the windows that are being searched
+    std::size_t hard_ = 0; ///< the first size at which a search ended without a proof; 0 if none did
     WindowResult result_;
 };
 

@@ -17,7 +17,8 @@ struct WindowOptions {
     std::size_t mostVariables =
         std::numeric_limits<std::size_t>::max(); ///< of the largest; a single line may have more
     std::size_t mostWindows = std::numeric_limits<std::size_t>::max(); ///< in all
-    std::size_t nodes = 50;                                            ///< of the search tree of one window
+    std::size_t nodes = 50;      ///< of the search tree of one window, at first
+    bool patient = false;        ///< when nothing helps any more, begin again with larger trees
     std::vector<double> relaxed; ///< of every arc its value in the relaxed solution; empty if there is none
 };
 
@@ -27,9 +28,9 @@ struct WindowResult {
     std::size_t improvements = 0; ///< of them, those that led to a cheaper graph
 };
 
-/// Ends when no window improves the graph, or when `control.stopRequested`; the graph is valid at every step
-/// and its cost never rises. The result does not depend on `control.jobs`. What a window takes beside its
-/// search is linear in the arc graph.
+/// Ends when no window improves the graph (patient: when none could), or when `control.stopRequested`. The
+/// graph is valid at every step and its cost never rises. The result does not depend on `control.jobs`. What
+/// a window takes beside its search is linear in the arc graph.
 /// \param input    the whole search; its free arcs are those that windows are made of
 /// \param present  the arcs of a graph that is valid in it
 [[nodiscard]] WindowResult improveByWindows(const ProblemInput& input, const std::vector<bool>& present,

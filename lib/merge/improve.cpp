@@ -35,7 +35,7 @@ public:
         options.polish = [&](const Assignment& graph, const std::vector<double>& relaxed) {
             apply(problem_, graph, present_);
             const Deadline end(control, polishSeconds);
-            searchWindows(relaxed, end.control(), counters);
+            searchWindows(relaxed, false, end.control(), counters);
             return assignmentOf(problem_, present_);
         };
         OptimumResult found = findOptimum(problem_, options, control);
@@ -44,8 +44,10 @@ public:
     }
 
     /// \param relaxed  of every variable, or empty
-    void searchWindows(const std::vector<double>& relaxed, const Control& control, Improvement& counters) {
+    void searchWindows(const std::vector<double>& relaxed, bool patient, const Control& control,
+                       Improvement& counters) {
         WindowOptions options;
+        options.patient = patient;
         options.relaxed = relaxedArcs(relaxed);
         WindowResult windows = improveByWindows(input_, present_, options, control);
         present_ = std::move(windows.present);
@@ -87,7 +89,7 @@ Improvement improveGraph(const QuadMesh& mesh, const BaseComplex& complex,
     const OptimumResult found = improver.searchTree(tree.control(), shareOfPolish * seconds, result);
     result.lowerBound = found.lowerBound;
     control.progress(shareOfTree);
-    if (!found.complete) improver.searchWindows(found.relaxed, windows.control(), result);
+    if (!found.complete) improver.searchWindows(found.relaxed, true, windows.control(), result);
     result.graph = graphOf(mesh, complex, space.graph, improver.present(), edgeCosts);
     for (const OpenPart& part : found.openParts) {
         DecompositionOptions options;
