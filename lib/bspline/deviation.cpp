@@ -118,8 +118,8 @@ double distanceToPatch(const Patch& patch, const Point& point, double u, double 
     double best = (on.position - point).norm();
     for (int k = 0; k < 10; ++k) {
         const Point away = on.position - point;
-        const double uu = on.du | on.du;
-        const double vv = on.dv | on.dv;
+        const double uu = on.du.sqrnorm();
+        const double vv = on.dv.sqrnorm();
         const double uv = on.du | on.dv;
         const double gu = away | on.du;
         const double gv = away | on.dv;
@@ -131,7 +131,7 @@ double distanceToPatch(const Patch& patch, const Point& point, double u, double 
         double distance = best;
         SurfacePoint next = on;
         double share = 1;
-        for (; share > 0.05; share /= 2) {
+        for (int halving = 0; halving < 5; ++halving, share /= 2) {
             next = evaluate(patch, u + share * stepU, v + share * stepV);
             distance = (next.position - point).norm();
             if (distance < best) break;
@@ -173,9 +173,9 @@ void measurePatch(const Patch& patch, const Segment& segment, const QuadGrid& qu
 void measureNormals(const Patch& patch, const Segment& segment, const QuadGrid& quads, double mostBent,
                     Samples& samples) {
     const auto centres = [](int edges) {
-        std::vector<double> parameters;
+        std::vector<double> parameters(static_cast<std::size_t>(edges), 0.5);
         for (int k = 0; k < edges; ++k)
-            parameters.push_back(k + 0.5);
+            parameters[static_cast<std::size_t>(k)] += k;
         return parameters;
     };
     const auto points = evaluateLattice(patch, centres(segment.size[0]), centres(segment.size[1]));

@@ -91,6 +91,7 @@ std::vector<KnotPlace> KnotSharing::places(std::size_t chain, const std::vector<
                 place->second += facing.cost;
         }
     std::vector<KnotPlace> result;
+    result.reserve(costs.size());
     for (const auto& [parameter, cost] : costs)
         result.push_back({parameter, cost});
     std::stable_sort(result.begin(), result.end(),

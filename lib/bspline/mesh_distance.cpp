@@ -45,8 +45,8 @@ double squaredDistanceInside(const QuadCorners& corners, const Point& point) {
         const Point away = corners[0] + s * alongS + t * dt - point;
         const double gs = away | ds;
         const double gt = away | dt;
-        const double ss = ds | ds;
-        const double tt = dt | dt;
+        const double ss = ds.sqrnorm();
+        const double tt = dt.sqrnorm();
         const double st = (ds | dt) + (away | twist);
         const double determinant = ss * tt - st * st;
         if (!(determinant > 0)) break;
