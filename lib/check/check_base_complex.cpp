@@ -8,7 +8,7 @@ namespace qm::check {
 
 namespace {
 
-const std::string place = "/baseComplex";
+constexpr const char* place = "/baseComplex";
 
 void checkExtraordinaryVertices(const Neighbourhoods& around, const BaseComplexPart& part, Report& report) {
     const std::string list = at(place, "extraordinaryVertices");

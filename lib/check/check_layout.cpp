@@ -13,7 +13,7 @@ namespace qm::check {
 
 namespace {
 
-const std::string tracksPlace = "/layout/tracks";
+constexpr const char* tracksPlace = "/layout/tracks";
 
 std::size_t index(int i) {
     return static_cast<std::size_t>(i);

@@ -8,7 +8,7 @@ namespace qm::check {
 
 namespace {
 
-const std::string place = "/layout/quality";
+constexpr const char* place = "/layout/quality";
 
 std::size_t index(int i) {
     return static_cast<std::size_t>(i);

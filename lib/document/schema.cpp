@@ -16,7 +16,7 @@ namespace qm {
 
 namespace {
 
-const std::string localPrefix = "#/definitions/";
+constexpr std::string_view localPrefix = "#/definitions/";
 
 Json embedded(const std::string& file) {
     for (const EmbeddedSchema& schema : embeddedSchemas())
@@ -56,7 +56,7 @@ private:
             if (mark == std::string::npos) throw std::logic_error("unknown form of reference: " + reference);
             const std::string name = reference.substr(mark + localPrefix.size());
             include(mark == 0 ? file : reference.substr(0, mark), name);
-            value = localPrefix + name;
+            value = std::string(localPrefix) + name;
         }
     }
 
