@@ -128,8 +128,9 @@ private:
         const auto vertices = grid(p);
         const std::size_t width = index(layout_.segments[p].size[0]) + 1;
         for (std::size_t i = 0; i < vertices.size(); ++i) {
+            const std::size_t column = i % width, row = i / width;
             const auto here =
-                evaluate(part_.patches[p], static_cast<double>(i % width), static_cast<double>(i / width));
+                evaluate(part_.patches[p], static_cast<double>(column), static_cast<double>(row));
             const double error = distance(here.point, mesh_.points[index(vertices[i])]);
             if (error <= 1e-9 * diagonal_) continue;
             report_.violate(pointer(p), "interpolation",
