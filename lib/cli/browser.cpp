@@ -16,7 +16,7 @@
 #include <unistd.h>
 #include <vector>
 
-extern char** environ; // NOLINT(readability-identifier-naming): POSIX calls it so
+extern char** environ; // NOLINT(readability-*): POSIX calls it so, and some systems declare it
 
 namespace qm {
 namespace {
@@ -73,6 +73,7 @@ private:
 /// Starts a program in a process group of its own, mute. \return 0 if there is no such program
 pid_t start(std::vector<std::string> words, const sigset_t& signals) {
     std::vector<char*> arguments;
+    arguments.reserve(words.size() + 1);
     for (std::string& word : words)
         arguments.push_back(word.data());
     arguments.push_back(nullptr);

@@ -46,7 +46,7 @@ std::string explanation(const OptionRecord& option) {
     std::string text = option.help;
     std::string facts;
     const auto add = [&facts](const std::string& fact) {
-        if (!fact.empty()) facts += (facts.empty() ? "" : "; ") + fact;
+        if (!fact.empty()) facts.append(facts.empty() ? "" : "; ").append(fact);
     };
     for (const auto& [name, help] : option.choices)
         add(help.empty() ? name : name + ": " + help);
