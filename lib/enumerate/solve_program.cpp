@@ -10,6 +10,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <numeric>
 #include <string>
 
 namespace qm {
@@ -51,6 +52,22 @@ void load(const IntegerProgram& program, OsiClpSolverInterface& solver) {
         solver.setInteger(column);
 }
 
+/// The bound that needs no row.
+double leastOfColumns(const IntegerProgram& program) {
+    return std::accumulate(program.costs.begin(), program.costs.end(), 0.0,
+                           [](double sum, double cost) { return sum + std::min(cost, 0.0); });
+}
+
+/// CBC would not look at the clock before the relaxation is solved. \return whether it is
+bool relax(OsiClpSolverInterface& solver, double seconds) {
+    ClpSimplex& simplex = *solver.getModelPtr();
+    simplex.setMaximumWallSeconds(seconds);
+    solver.setHintParam(OsiDoDualInInitial, true);
+    solver.resolve();
+    simplex.setMaximumWallSeconds(-1);
+    return solver.isProvenOptimal();
+}
+
 } // namespace
 
 ProgramSolution solveProgram(const IntegerProgram& program, const std::vector<double>& start, double seconds,
@@ -58,6 +75,7 @@ ProgramSolution solveProgram(const IntegerProgram& program, const std::vector<do
     if (program.costs.empty()) return {std::vector<double>{}, 0, true}; // CBC proves nothing about nothing
     OsiClpSolverInterface solver;
     load(program, solver);
+    if (!relax(solver, seconds)) return {{}, leastOfColumns(program), false};
     CbcModel model(solver);
     CbcMain0(model);
     model.setLogLevel(0);

@@ -11,8 +11,7 @@ namespace {
 
 // Of the time.
 constexpr double shareOfTree = 0.55;
-constexpr double shareOfPolish = 0.15; ///< each time that the tree asks for it
-constexpr double shareOfGraph = 0.65;  ///< from here on the bound is improved, not the graph
+constexpr double shareOfGraph = 0.65; ///< from here on the bound is improved, not the graph
 
 ProblemInput wholeInput(const SearchSpace& space) {
     return {
@@ -28,14 +27,13 @@ public:
           present_(std::move(present)) {}
 
     /// \return with the bound
-    OptimumResult searchTree(const Control& control, double polishSeconds, Improvement& counters) {
+    OptimumResult searchTree(const Control& control, Improvement& counters) {
         OptimumOptions options;
         options.start = assignmentOf(problem_, present_);
         options.keepOpenParts = true;
         options.polish = [&](const Assignment& graph, const std::vector<double>& relaxed) {
             apply(problem_, graph, present_);
-            const Deadline end(control, polishSeconds);
-            searchWindows(relaxed, false, end.control(), counters);
+            searchWindows(relaxed, fastWindows(), control, counters);
             return assignmentOf(problem_, present_);
         };
         OptimumResult found = findOptimum(problem_, options, control);
@@ -44,10 +42,8 @@ public:
     }
 
     /// \param relaxed  of every variable, or empty
-    void searchWindows(const std::vector<double>& relaxed, bool patient, const Control& control,
+    void searchWindows(const std::vector<double>& relaxed, WindowOptions options, const Control& control,
                        Improvement& counters) {
-        WindowOptions options;
-        options.patient = patient;
         options.relaxed = relaxedArcs(relaxed);
         WindowResult windows = improveByWindows(input_, present_, options, control);
         present_ = std::move(windows.present);
@@ -58,6 +54,14 @@ public:
     [[nodiscard]] const std::vector<bool>& present() const { return present_; }
 
 private:
+    /// Those that the tree can wait for.
+    [[nodiscard]] WindowOptions fastWindows() const {
+        constexpr std::size_t always = 500, share = 8;
+        WindowOptions options;
+        options.mostVariables = std::max(always, static_cast<std::size_t>(problem_.variables()) / share);
+        return options;
+    }
+
     /// The same of every arc.
     [[nodiscard]] std::vector<double> relaxedArcs(const std::vector<double>& relaxed) const {
         if (relaxed.empty()) return {};
@@ -86,10 +90,14 @@ Improvement improveGraph(const QuadMesh& mesh, const BaseComplex& complex,
     Improver improver(space, presentArcs(mesh, complex, space.graph, graph.tracks));
 
     Improvement result;
-    const OptimumResult found = improver.searchTree(tree.control(), shareOfPolish * seconds, result);
+    const OptimumResult found = improver.searchTree(tree.control(), result);
     result.lowerBound = found.lowerBound;
     control.progress(shareOfTree);
-    if (!found.complete) improver.searchWindows(found.relaxed, true, windows.control(), result);
+    if (!found.complete) {
+        WindowOptions allSizes;
+        allSizes.patient = true;
+        improver.searchWindows(found.relaxed, allSizes, windows.control(), result);
+    }
     result.graph = graphOf(mesh, complex, space.graph, improver.present(), edgeCosts);
     for (const OpenPart& part : found.openParts) {
         DecompositionOptions options;
