@@ -77,6 +77,7 @@ std::vector<SubMesh> measureSubMeshes(const QuadMesh& mesh, const BaseComplex& c
     for (std::size_t i = 0; i < complex.separatrices.size(); ++i)
         separatrices[static_cast<std::size_t>(labels[at(measure.sourceOf(i))])].push_back(i);
     std::vector<SubMesh> result;
+    result.reserve(separatrices.size());
     for (int label = 0; label < count; ++label)
         result.push_back(measure(separatrices[static_cast<std::size_t>(label)], labels, label));
     return result;

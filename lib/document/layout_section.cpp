@@ -129,6 +129,7 @@ Layout divide(const QuadMesh& mesh, const std::vector<double>& dihedralAngles,
               const std::vector<double>& edgeCosts, const std::vector<LayoutTrack>& tracks,
               const JsonPlace& place) {
     std::vector<Track> plain;
+    plain.reserve(tracks.size());
     for (const LayoutTrack& entry : tracks)
         plain.push_back(entry.track);
     Layout layout;

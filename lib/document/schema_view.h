@@ -39,7 +39,7 @@ struct Place {
 
 class Array {
 public:
-    class const_iterator {
+    class const_iterator { // NOLINT(readability-identifier-naming): as containers call it
     public:
         const_iterator(const Array* array, std::size_t rank) : array_(array), rank_(rank) {}
         Adapter operator*() const;
@@ -82,7 +82,7 @@ using ObjectMember = std::pair<std::string, Adapter>;
 
 class Object {
 public:
-    class const_iterator {
+    class const_iterator { // NOLINT(readability-identifier-naming): as containers call it
     public:
         const_iterator(Place place, std::size_t rank) : place_(place), rank_(rank) {}
         ObjectMember operator*() const;
