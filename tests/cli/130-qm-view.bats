@@ -75,11 +75,18 @@ seen() {
 const canvas = document.getElementById('canvas');
 const box = canvas.getBoundingClientRect();
 const at = { clientX: box.left + box.width / 2, clientY: box.top + box.height / 2, bubbles: true };
-canvas.dispatchEvent(new PointerEvent('pointermove', at));
 const press = (key) => canvas.dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true }));
-requestAnimationFrame(() => requestAnimationFrame(() => {
+const tip = () => document.getElementById('tip').textContent;
+let frames = 200; // a busy machine takes some until there is something to point at
+const untilTipped = () => {
+  if (tip() || --frames == 0) return tipped();
+  canvas.dispatchEvent(new PointerEvent('pointermove', at));
+  requestAnimationFrame(untilTipped);
+};
+untilTipped();
+function tipped() {
   const say = (name, value) => { document.body.dataset[name] = value; };
-  say('tip', document.getElementById('tip').textContent);
+  say('tip', tip());
   document.getElementById('wanted').value = 'separatrix 3';
   document.getElementById('find').requestSubmit();
   say('info', document.querySelector('#info code').textContent);
@@ -88,7 +95,7 @@ requestAnimationFrame(() => requestAnimationFrame(() => {
   say('found', document.getElementById('found').textContent);
   ['ArrowLeft', 'ArrowUp', '+', '-', 'x', 'y', 'z', '0', 't'].forEach(press);
   say('transparent', document.getElementById('transparent').checked);
-}));
+}
 </script>
 EOF
     seen page.html >census
