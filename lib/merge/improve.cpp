@@ -96,7 +96,8 @@ Improvement improveGraph(const QuadMesh& mesh, const BaseComplex& complex,
     if (!found.complete) {
         WindowOptions allSizes;
         allSizes.patient = true;
-        improver.searchWindows(found.relaxed, allSizes, windows.control(), result);
+        const Deadline& last = found.openParts.empty() ? end : windows; // nothing else may be left to do
+        improver.searchWindows(found.relaxed, allSizes, last.control(), result);
     }
     result.graph = graphOf(mesh, complex, space.graph, improver.present(), edgeCosts);
     for (const OpenPart& part : found.openParts) {
