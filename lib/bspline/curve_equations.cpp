@@ -1,5 +1,6 @@
 #include "bspline/curve_equations.h"
 
+#include "bspline/eigen_point.h"
 #include "bspline/profile_factor.h"
 
 #include <algorithm>
@@ -12,10 +13,6 @@ namespace {
 /// Makes the matrix quasi-definite, so that it can be factorised even where conditions depend on one another;
 /// repetition takes its effect away.
 constexpr double regularisation = 1e-6;
-
-Eigen::Vector3d vector(const Point& point) {
-    return {point[0], point[1], point[2]};
-}
 
 } // namespace
 

@@ -66,7 +66,6 @@ std::optional<SplineCurve> fitCurveOver(const CurveFitInput& input, double toler
 SplineCurve withLeastDegree(const CurveFitInput& input, double tolerance, double exact,
                             const SplineCurve& known, int least) {
     const CurveSolver solver(input, tolerance, exact, true);
-
     const bool bare = known.points.size() == 4;
     for (int degree = least; bare && degree < 3; ++degree)
         if (SplineCurve curve = solver.attempt(known.knots, searchWeight, degree); solver.fits(curve))

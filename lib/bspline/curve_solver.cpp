@@ -2,6 +2,7 @@
 
 #include "bspline/curve_equations.h"
 #include "bspline/design_matrix.h"
+#include "bspline/eigen_point.h"
 #include "bspline/slide.h"
 
 #include <algorithm>
@@ -11,10 +12,6 @@
 
 namespace qm {
 namespace {
-
-Eigen::Vector3d vector(const Point& point) {
-    return {point[0], point[1], point[2]};
-}
 
 CurveWeights valuesOf(const BasisValues& basis) {
     return {basis.value[0], basis.value[1], basis.value[2], basis.value[3]};

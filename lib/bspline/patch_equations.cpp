@@ -1,5 +1,7 @@
 #include "bspline/patch_equations.h"
 
+#include "bspline/eigen_point.h"
+
 #include <Eigen/Cholesky>
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
@@ -7,13 +9,6 @@
 #include <algorithm>
 
 namespace qm {
-namespace {
-
-Eigen::Vector3d vector(const Point& point) {
-    return {point[0], point[1], point[2]};
-}
-
-} // namespace
 
 BasisWeights valueWeights(const BasisValues& basis) {
     return {basis.first, {basis.value[0], basis.value[1], basis.value[2], basis.value[3]}};

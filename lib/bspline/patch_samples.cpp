@@ -1,6 +1,7 @@
 #include "bspline/patch_samples.h"
 
 #include "bspline/design_matrix.h"
+#include "bspline/eigen_point.h"
 #include "bspline/evaluate.h"
 #include "bspline/mesh_distance.h"
 #include "bspline/slide.h"
@@ -93,7 +94,7 @@ Eigen::Matrix3d PatchSamples::metricOf(const Sample& sample) const {
     const double length = normal.norm();
     const double slide = std::max(sample.tolerance / (patchSlide * shortest), leastSlideWeight);
     if (!sample.slides || !(slide < 1) || !(length > 0.5)) return Eigen::Matrix3d::Identity();
-    const Eigen::Vector3d direction = Eigen::Vector3d(normal[0], normal[1], normal[2]) / length;
+    const Eigen::Vector3d direction = vector(normal) / length;
     return slide * slide * Eigen::Matrix3d::Identity() +
            (1 - slide * slide) * direction * direction.transpose();
 }

@@ -1,6 +1,7 @@
 #include "bspline/patch_solver.h"
 
 #include "bspline/design_matrix.h"
+#include "bspline/eigen_point.h"
 #include "bspline/evaluate.h"
 
 #include <algorithm>
@@ -20,10 +21,6 @@ constexpr double lengthShare = 0.5;
 
 /// Patches with more quads than this get fewer rounds.
 constexpr int largePatch = 800;
-
-Eigen::Vector3d vector(const Point& point) {
-    return {point[0], point[1], point[2]};
-}
 
 /// `evaluate` without derivatives; errors are told far more often than anything else.
 Point position(const Patch& patch, const BasisValues& u, const BasisValues& v) {

@@ -121,7 +121,8 @@ template <class Visitor> void describe(PruneOptions& options, Visitor&& option) 
     option("time-limit", options.timeLimit, Range{0, infinite},
            "with --method optimum: stop after this many seconds with the best so far");
     option("front", options.front, Range{},
-           "list which numbers of segments, G_T and captured sharpness can be had, for prices of 1/16 to 64");
+           "list which numbers of segments, G_T and captured sharpness can be had, for prices of 1/16 to 64, "
+           "each within the time limit");
 }
 
 template <class Visitor> void describe(FitOptions& options, Visitor&& option) {

@@ -71,7 +71,7 @@ Deviation readDeviation(const JsonPlace& place) {
 
 /// \param count  control points in this direction \param size  of the segment, in edges
 std::vector<double> readKnots(const JsonPlace& place, int degree, int count, int size) {
-    const std::size_t due = static_cast<std::size_t>(count + degree + 1);
+    const std::size_t due = static_cast<std::size_t>(count) + static_cast<std::size_t>(degree) + 1;
     if (place.size() != due)
         place.fail("has " + std::to_string(place.size()) + " knots; control points and degree need " +
                    std::to_string(due));

@@ -8,7 +8,6 @@ namespace qm {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double integral = 1e-6;        ///< closer to 0 or 1 than this is taken for it
 constexpr int iterationsPerSlice = 2000; ///< between questions whether to stop
 constexpr int mostSlices = 10000;
 
@@ -178,6 +177,7 @@ bool BranchAndBound::tightenRoot() {
 
 std::optional<RelaxedProgram> BranchAndBound::relaxedRoot() {
     if (rootValues_.empty()) return {};
+    const double best = incumbents_.empty() ? options_.maxCost : incumbents_.bestCost();
     constexpr int slices = 20; // it was optimal but for what has been fixed since
     Relaxation::Result result{Relaxation::Result::Kind::tooExpensive};
     if (tightenRoot()) {
@@ -189,13 +189,13 @@ std::optional<RelaxedProgram> BranchAndBound::relaxedRoot() {
         }
     }
     if (result.kind == Relaxation::Result::Kind::tooExpensive) {
-        lowerBound_ = incumbents_.bestCost();
+        lowerBound_ = best;
         complete_ = true;
     }
     if (result.kind != Relaxation::Result::Kind::solved) return {};
-    lowerBound_ = std::max(lowerBound_, std::min(result.bound, incumbents_.bestCost()));
+    lowerBound_ = std::max(lowerBound_, std::min(result.bound, best));
     RelaxedProgram root = relaxation_.program(particles_);
-    if (!incumbents_.empty()) root.cutoff = incumbents_.bestCost();
+    root.cutoff = best;
     return root;
 }
 

@@ -6,7 +6,6 @@ namespace qm {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double integral = 1e-6;
 constexpr int reliable = 4; ///< probes after which a pseudo-cost is trusted
 constexpr int probesPerNode = 10;
 constexpr int disappointments = 4; ///< probes in a row without a better choice, then it is enough
@@ -38,8 +37,8 @@ BranchAndBound::Choice BranchAndBound::choose(double bound) {
     const std::vector<double> values = relaxation_.values();
     std::vector<std::pair<double, int>> candidates;
     for (int column = 0; column < static_cast<int>(values.size()); ++column)
-        if (values[at(column)] > integral && values[at(column)] < 1 - integral &&
-            formulation_.variableOf[at(column)] >= 0 && particles_.column(column) == ArcState::free)
+        if (isFractional(values[at(column)]) && formulation_.variableOf[at(column)] >= 0 &&
+            particles_.column(column) == ArcState::free)
             candidates.emplace_back(-pseudoCosts_.score(column, values[at(column)]), column);
     if (candidates.empty()) return chooseAnyFree(bound);
     std::ranges::sort(candidates);

@@ -16,11 +16,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-bool isFractional(double value) {
-    constexpr double integral = 1e-6;
-    return value > integral && value < 1 - integral;
-}
-
 std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }
@@ -29,6 +24,7 @@ std::size_t at(int index) {
 struct Clusters {
     std::vector<std::vector<int>> members;
     std::vector<std::size_t> clusterOf; ///< of every column
+    std::vector<int> indexOf;           ///< of every column among its cluster's members
 };
 
 class ClusterBuilder {
@@ -51,9 +47,12 @@ public:
                                          [this](int c) { return isFractional(relaxed_.values[at(c)]); });
         });
         clusters.clusterOf.resize(taken_.size());
+        clusters.indexOf.resize(taken_.size());
         for (std::size_t k = 0; k < clusters.members.size(); ++k)
-            for (const int column : clusters.members[k])
+            for (int index = 0; const int column : clusters.members[k]) {
                 clusters.clusterOf[at(column)] = k;
+                clusters.indexOf[at(column)] = index++;
+            }
         return clusters;
     }
 
@@ -151,16 +150,13 @@ private:
         if (control.stopRequested() ||
             std::ranges::none_of(members, [&](int c) { return isFractional(relaxed_.values[at(c)]); }))
             return 0;
-        std::vector<int> indexOf(costs_.size(), -1);
         IntegerProgram program;
-        for (const int column : members) {
-            indexOf[at(column)] = static_cast<int>(program.costs.size());
+        for (const int column : members)
             program.costs.push_back(costs_[at(column)]);
-        }
         for (const std::size_t row : rowsOf_[cluster]) {
             program.rows.push_back(relaxed_.program.rows[row]);
             for (int& column : program.rows.back().columns)
-                column = indexOf[at(column)];
+                column = clusters_.indexOf[at(column)];
         }
         return std::max(0.0, boundProgram(program, seconds, control) - relaxedCost(cluster));
     }

@@ -149,7 +149,7 @@ void DiagramBorder::describe(const SearchState& state, std::size_t step, std::ui
         // Groups that have nothing left are all alike.
         if (left > 0 && labelOf_[at(group)] == 0) labelOf_[at(group)] = ++labels;
         groups.put(labelOf_[at(group)], groupBits);
-        groups.put(static_cast<std::uint64_t>(left + 1), groupBits);
+        groups.put(static_cast<std::uint64_t>(left) + 1, groupBits);
     }
     for (const int node : watch.nodes)
         labelOf_[at(state.crackGroup(node))] = 0;

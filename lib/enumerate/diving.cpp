@@ -7,7 +7,6 @@
 namespace qm {
 namespace {
 
-constexpr double integral = 1e-6;
 constexpr double sure = 0.8; ///< columns above this may be fixed together in a dive
 constexpr int diveIterations = 1000;
 constexpr std::size_t smallRest = 1500; ///< variables that a dive leaves to a search
@@ -36,10 +35,9 @@ void BranchAndBound::dive() {
 /// The same, until what the relaxed solution leaves in doubt is small enough to be searched. Values that the
 /// relaxed solution is sure of may contradict each other; then it goes on.
 void BranchAndBound::diveToRest() {
-    bool found = false;
-    while (!found && !control_.stopRequested()) {
+    while (!control_.stopRequested()) {
         const ParticleState::Mark mark = particles_.mark();
-        found = takeOverAll(false) <= smallRest && searchRest(false);
+        const bool found = takeOverAll(false) <= smallRest && searchRest(false);
         if (found) recordLeaf();
         particles_.undo(mark);
         if (found || !fixSurest() ||
@@ -55,7 +53,7 @@ bool BranchAndBound::fixSurest() {
     const std::vector<double> values = relaxation_.values();
     for (int column = 0; column < static_cast<int>(values.size()); ++column) {
         const double value = values[at(column)];
-        if (value > integral && value < 1 - integral && formulation_.variableOf[at(column)] >= 0 &&
+        if (isFractional(value) && formulation_.variableOf[at(column)] >= 0 &&
             particles_.column(column) == ArcState::free)
             order.emplace_back(-value, column);
     }
@@ -95,7 +93,7 @@ std::size_t BranchAndBound::takeOverAll(bool keepBest) {
 /// \return whether the variable has a value now
 bool BranchAndBound::takeOver(int variable, bool keepBest) {
     const double value = present(variable);
-    if (value > integral && value < 1 - integral) return false;
+    if (isFractional(value)) return false;
     const bool in = value > 0.5;
     if (keepBest && (incumbents_.graphs().begin()->second[at(variable)] == 1) != in) return false;
     const SearchState::Mark before = state_.mark();

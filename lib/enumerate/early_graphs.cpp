@@ -6,8 +6,6 @@
 namespace qm {
 namespace {
 
-constexpr double integral = 1e-6;
-
 std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }
@@ -33,7 +31,7 @@ void BranchAndBound::recordLeaf() {
 /// Takes the relaxed solution if it is integral and obeys all rules.
 bool BranchAndBound::acceptIntegral() {
     for (const int variable : variables_)
-        if (present(variable) > integral && present(variable) < 1 - integral) return false;
+        if (isFractional(present(variable))) return false;
     const ParticleState::Mark mark = particles_.mark();
     const bool valid = std::ranges::all_of(variables_, [this](int variable) {
         const ArcState value = present(variable) > 0.5 ? ArcState::in : ArcState::out;

@@ -1,5 +1,7 @@
 #include "enumerate/solve_program.h"
 
+#include "base/deadline.h"
+
 #include <coin/CbcCompareObjective.hpp>
 #include <coin/CbcEventHandler.hpp>
 #include <coin/CbcModel.hpp>
@@ -73,6 +75,7 @@ bool relax(OsiClpSolverInterface& solver, double seconds) {
 ProgramSolution solveProgram(const IntegerProgram& program, const std::vector<double>& start, double seconds,
                              const Control& control) {
     if (program.costs.empty()) return {std::vector<double>{}, 0, true}; // CBC proves nothing about nothing
+    const Deadline end(control, seconds);
     OsiClpSolverInterface solver;
     load(program, solver);
     if (!relax(solver, seconds)) return {{}, leastOfColumns(program), false};
@@ -81,13 +84,9 @@ ProgramSolution solveProgram(const IntegerProgram& program, const std::vector<do
     model.setLogLevel(0);
     StopHandler handler(control);
     model.passInEventHandler(&handler);
-    if (!start.empty()) {
-        double cost = 0;
-        for (std::size_t column = 0; column < start.size(); ++column)
-            cost += start[column] * program.costs[column];
-        model.setBestSolution(start.data(), static_cast<int>(start.size()), cost);
-    }
-    const std::string limit = std::to_string(std::min(seconds, 1e9));
+    if (!start.empty())
+        model.setBestSolution(start.data(), static_cast<int>(start.size()), program.cost(start));
+    const std::string limit = std::to_string(std::min(end.secondsLeft(), 1e9));
     // CBC's own presolve crashes when it is interrupted.
     const char* arguments[] = {"cbc",         "-log",        "0",   "-timeMode", "elapsed", "-sec",
                                limit.c_str(), "-preprocess", "off", "-solve",    "-quit"};

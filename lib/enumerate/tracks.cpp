@@ -31,7 +31,7 @@ public:
     /// The arc after which the particles of each line meet; invalid where they need not.
     std::vector<ArcId> assign() {
         for (std::size_t line = 0; line < crossingsOf_.size(); ++line)
-            waiting_.push_back(LineId(line));
+            waiting_.emplace_back(line);
         settleLeaves();
         // Only cycles are left: either way round serves.
         for (std::size_t c = 0; c < crossings_.size(); ++c)

@@ -22,18 +22,19 @@ ProblemInput wholeInput(const SearchSpace& space) {
 /// One graph that becomes cheaper, by a search of the whole and by windows.
 class Improver {
 public:
-    Improver(const SearchSpace& space, std::vector<bool> present)
+    /// \param counters  what to count windows and improvements in
+    Improver(const SearchSpace& space, std::vector<bool> present, Improvement& counters)
         : space_(space), input_(wholeInput(space)), problem_(makeProblem(input_)),
-          present_(std::move(present)) {}
+          present_(std::move(present)), counters_(counters) {}
 
     /// \return with the bound
-    OptimumResult searchTree(const Control& control, Improvement& counters) {
+    OptimumResult searchTree(const Control& control) {
         OptimumOptions options;
         options.start = assignmentOf(problem_, present_);
         options.keepOpenParts = true;
         options.polish = [&](const Assignment& graph, const std::vector<double>& relaxed) {
             apply(problem_, graph, present_);
-            searchWindows(relaxed, fastWindows(), control, counters);
+            searchWindows(relaxed, fastWindows(), control);
             return assignmentOf(problem_, present_);
         };
         OptimumResult found = findOptimum(problem_, options, control);
@@ -42,13 +43,12 @@ public:
     }
 
     /// \param relaxed  of every variable, or empty
-    void searchWindows(const std::vector<double>& relaxed, WindowOptions options, const Control& control,
-                       Improvement& counters) {
+    void searchWindows(const std::vector<double>& relaxed, WindowOptions options, const Control& control) {
         options.relaxed = relaxedArcs(relaxed);
         WindowResult windows = improveByWindows(input_, present_, options, control);
         present_ = std::move(windows.present);
-        counters.windows += windows.windows;
-        counters.improvements += windows.improvements;
+        counters_.windows += windows.windows;
+        counters_.improvements += windows.improvements;
     }
 
     [[nodiscard]] const std::vector<bool>& present() const { return present_; }
@@ -75,6 +75,7 @@ private:
     const ProblemInput input_;
     const Problem problem_;
     std::vector<bool> present_;
+    Improvement& counters_;
 };
 
 } // namespace
@@ -87,17 +88,17 @@ Improvement improveGraph(const QuadMesh& mesh, const BaseComplex& complex,
     const SearchSpace space = makeSearchSpace(mesh, complex, edgeCosts, whole, constraints, cornerCost);
     const Deadline tree(control, shareOfTree * seconds), windows(control, shareOfGraph * seconds),
         end(control, seconds);
-    Improver improver(space, presentArcs(mesh, complex, space.graph, graph.tracks));
-
     Improvement result;
-    const OptimumResult found = improver.searchTree(tree.control(), result);
+    Improver improver(space, presentArcs(mesh, complex, space.graph, graph.tracks), result);
+
+    const OptimumResult found = improver.searchTree(tree.control());
     result.lowerBound = found.lowerBound;
     control.progress(shareOfTree);
     if (!found.complete) {
         WindowOptions allSizes;
         allSizes.patient = true;
         const Deadline& last = found.openParts.empty() ? end : windows; // nothing else may be left to do
-        improver.searchWindows(found.relaxed, allSizes, last.control(), result);
+        improver.searchWindows(found.relaxed, allSizes, last.control());
     }
     result.graph = graphOf(mesh, complex, space.graph, improver.present(), edgeCosts);
     for (const OpenPart& part : found.openParts) {

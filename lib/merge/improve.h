@@ -17,8 +17,8 @@ struct Improvement {
     std::size_t improvements = 0; ///< of them, those that made the graph cheaper
 };
 
-/// Searches the whole mesh for a share of the time, which yields the bound and often the proof; if it does
-/// not, windows of the mesh, until none improves the graph, and the whole again from there. The cost never
+/// Searches the whole mesh for a share of the time, with fast windows on the way, which often yields the
+/// proof. If it does not, windows of all sizes; the rest of the time goes into the bound. The cost never
 /// rises and the graph is valid at every step.
 /// \param graph       a valid motorcycle graph of the whole mesh that obeys the constraints
 /// \param cornerCost  of every corner of a segment

@@ -143,7 +143,7 @@ private:
         const double count = next(element, k, *property.countType);
         if (!(count >= 0) || count > static_cast<double>(size_) || count != std::floor(count))
             throw Error(placeOf(element, k), "its list has an impossible length", "Get the file anew");
-        for (double i = 0; i < count; ++i) {
+        for (auto left = static_cast<std::size_t>(count); left > 0; --left) {
             const double value = next(element, k, property.type);
             if (property.role == PlyRole::corners) soup_.corners.push_back(indexOf(value, element, k));
         }

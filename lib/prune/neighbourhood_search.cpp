@@ -4,7 +4,6 @@
 #include "enumerate/solve_program.h"
 
 #include <algorithm>
-#include <numeric>
 #include <random>
 
 namespace qm {
@@ -48,14 +47,14 @@ public:
     /// \return whether the values became better
     bool solve(const std::vector<int>& free, double seconds, const Control& control) {
         std::vector<double> start;
+        start.reserve(free.size());
         for (const int column : free)
             start.push_back(values_[static_cast<std::size_t>(column)]);
         const IntegerProgram part = restrictedTo(free);
-        const double before = std::inner_product(start.begin(), start.end(), part.costs.begin(), 0.0);
+        const double before = part.cost(start);
         const ProgramSolution solution = solveProgram(part, start, seconds, control);
         if (!solution.values) return false;
-        const double after =
-            std::inner_product(part.costs.begin(), part.costs.end(), solution.values->begin(), 0.0);
+        const double after = part.cost(*solution.values);
         if (after > before - 1e-9) return false;
         for (std::size_t k = 0; k < free.size(); ++k)
             values_[static_cast<std::size_t>(free[k])] = (*solution.values)[k];

@@ -55,7 +55,7 @@ public:
         PruneResult result;
         result.layout = layoutOf(values);
         // Components without sources get a loop each, come what may.
-        const double loops = result.layout.cost - costOf(grids_.program, values);
+        const double loops = result.layout.cost - grids_.program.cost(values);
         result.objectiveBound = solution.lowerBound + beta * grids_.corners / 4 + loops;
         result.proven = solution.proven;
         known_.push_back(std::move(values));
@@ -64,10 +64,6 @@ public:
 
 private:
     using Values = std::vector<double>; ///< of every column of the program
-
-    static double costOf(const IntegerProgram& program, const Values& values) {
-        return std::inner_product(values.begin(), values.end(), program.costs.begin(), 0.0);
-    }
 
     IntegerProgram pricedAt(double beta) const {
         IntegerProgram program = grids_.program;
@@ -81,7 +77,7 @@ private:
         const Values* best = nullptr;
         for (const Values& values : known_)
             if (grids_.segments(values) <= maxSegments + 1e-9 &&
-                (!best || costOf(program, values) < costOf(program, *best)))
+                (!best || program.cost(values) < program.cost(*best)))
                 best = &values;
         return best ? std::optional(*best) : std::nullopt;
     }
@@ -92,17 +88,7 @@ private:
         greedy.eta = -worth;
         Values values =
             valuesOf(pruneLayout(mesh_, layout, dihedralAngles_, edgeCosts_, greedy, control_).layout);
-        if (obeys(grids_.program, values)) known_.push_back(std::move(values));
-    }
-
-    static bool obeys(const IntegerProgram& program, const Values& values) {
-        constexpr double rounding = 1e-6;
-        return std::ranges::all_of(program.rows, [&](const IntegerProgram::Row& row) {
-            double sum = 0;
-            for (std::size_t k = 0; k < row.columns.size(); ++k)
-                sum += row.weights[k] * values[static_cast<std::size_t>(row.columns[k])];
-            return sum > row.lower - rounding && sum < row.upper + rounding;
-        });
+        if (grids_.program.allows(values)) known_.push_back(std::move(values));
     }
 
     /// Looks for a first layout of so few segments, by making them dearer and dearer.

@@ -112,7 +112,7 @@ TEST_P(FitLayouts, InterpolatesWatertightAndSmooth) {
 TEST_P(FitLayouts, KeepsEveryTolerance) {
     const Surfaces interpolated = fitSurfaces(mesh, layout, angles, {});
     std::size_t last = 0;
-    for (const double tolerance : {0.3, 0.1, 0.03}) {
+    for (const double tolerance : {0.3, 0.1, 0.03, 0.01, 0.001}) {
         FitOptions options;
         options.fit = Fit::tolerance;
         options.tolerance = {tolerance, false};
@@ -121,8 +121,10 @@ TEST_P(FitLayouts, KeepsEveryTolerance) {
         EXPECT_LE(surfaces.deviation.max, tolerance);
         EXPECT_LT(surfaces.deviation.largestNormalDeviation, 60) << "patches do not fold";
         EXPECT_LT(surfaces.deviation.largestGapRelative, 1e-11);
-        EXPECT_GE(1.05 * static_cast<double>(controlPointCount(surfaces)), static_cast<double>(last))
-            << "a closer fit takes no fewer points, or hardly";
+        if (tolerance >= 0.03) { // closer, the facets are followed, in which there is more luck
+            EXPECT_GE(1.05 * static_cast<double>(controlPointCount(surfaces)), static_cast<double>(last))
+                << "a closer fit takes no fewer points, or hardly";
+        }
         last = controlPointCount(surfaces);
         if (tolerance == 0.3) {
             EXPECT_LE(last, controlPointCount(interpolated));
