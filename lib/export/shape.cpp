@@ -10,6 +10,7 @@
 #include <BRep_Builder.hxx>
 #include <GProp_GProps.hxx>
 #include <Geom2d_Line.hxx>
+#include <Geom2d_TrimmedCurve.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Precision.hxx>
@@ -145,14 +146,18 @@ private:
         return result;
     }
 
-    /// An edge in the parameter plane of a patch that uses it; it runs in the edge's own direction.
-    [[nodiscard]] Handle(Geom2d_Line) inPlane(const SharedEdge& edge, std::size_t use) const {
+    /// An edge in the parameter plane of a patch that uses it; it runs in the edge's own direction. It is
+    /// bounded, and so keeps its ends in a file: those of a bare line would be sought along the whole side,
+    /// which may pass one and the same vertex twice.
+    [[nodiscard]] Handle(Geom2d_Curve) inPlane(const SharedEdge& edge, std::size_t use) const {
         const BorderPlace& at = edge.places[use];
         const auto& size = layout_.segments[at.patch].size;
         auto from = parametersOnSide(size, at.side, at.position);
         auto to = parametersOnSide(size, at.side, at.position + edge.length);
         if (use > 0) std::swap(from, to);
-        return new Geom2d_Line(gp_Pnt2d(from[0], from[1]), gp_Dir2d(to[0] - from[0], to[1] - from[1]));
+        const Handle(Geom2d_Line) line =
+            new Geom2d_Line(gp_Pnt2d(from[0], from[1]), gp_Dir2d(to[0] - from[0], to[1] - from[1]));
+        return new Geom2d_TrimmedCurve(line, 0, edge.length);
     }
 
     TopoDS_Face makeFace(std::size_t patch) {
@@ -173,8 +178,7 @@ private:
         const SharedEdge& edge = shared_.edges[use.edge];
         const TopoDS_Edge& made = edges_[use.edge];
         const double tolerance = toleranceFor(edge.gap);
-        const bool seam = edge.places.size() == 2 && edge.places[0].patch == edge.places[1].patch;
-        if (seam)
+        if (isSeam(edge))
             builder_.UpdateEdge(made, inPlane(edge, 0), inPlane(edge, 1), face, tolerance);
         else
             builder_.UpdateEdge(made, inPlane(edge, use.forwards ? 0 : 1), face, tolerance);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace qm {
 namespace {
@@ -75,6 +76,31 @@ SharedEdges cutSides(const QuadMesh& mesh, const Layout& layout) {
     return result;
 }
 
+/// Which of the two curves of a seam belongs to which use, a STEP file does not say. OpenCASCADE guesses from
+/// the first curve's direction and which of them lies further up or to the right, but takes the last use to
+/// walk the edge forwards. So that is how it has to be, except where both lie on one line and the guess, too,
+/// goes wrong: along side 0 and side 1.
+bool walkedForwardsAtLast(const SharedEdge& seam) {
+    return seam.places[0].side != seam.places[1].side || seam.places[0].side > 1;
+}
+
+void turn(SharedEdge& edge) {
+    std::swap(edge.places[0], edge.places[1]);
+    std::swap(edge.start, edge.end);
+}
+
+/// Each seam runs, so far, as its first use walks it.
+void turnSeams(SharedEdges& shared) {
+    std::vector<bool> turned(shared.edges.size(), false);
+    for (std::size_t e = 0; e < turned.size(); ++e) {
+        turned[e] = isSeam(shared.edges[e]) && walkedForwardsAtLast(shared.edges[e]);
+        if (turned[e]) turn(shared.edges[e]);
+    }
+    for (std::vector<EdgeUse>& uses : shared.ofPatch)
+        for (EdgeUse& use : uses)
+            if (turned[use.edge]) use.forwards = !use.forwards;
+}
+
 Point pointOn(const Layout& layout, const std::vector<Patch>& patches, const BorderPlace& at, double along) {
     const auto [u, v] = parametersOnSide(layout.segments[at.patch].size, at.side, at.position + along);
     return evaluate(patches[at.patch], u, v).position;
@@ -92,8 +118,13 @@ double gapAlong(const Layout& layout, const std::vector<Patch>& patches, const S
 
 } // namespace
 
+bool isSeam(const SharedEdge& edge) {
+    return edge.places.size() == 2 && edge.places[0].patch == edge.places[1].patch;
+}
+
 SharedEdges shareEdges(const QuadMesh& mesh, const Layout& layout, const std::vector<Patch>& patches) {
     SharedEdges result = cutSides(mesh, layout);
+    turnSeams(result);
     result.vertexGap.assign(mesh.n_vertices(), 0);
     for (SharedEdge& edge : result.edges) {
         edge.gap = gapAlong(layout, patches, edge);

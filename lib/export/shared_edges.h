@@ -20,6 +20,9 @@ struct SharedEdge {
     double gap = 0; ///< between the two patches
 };
 
+/// Whether both places belong to one patch.
+[[nodiscard]] bool isSeam(const SharedEdge& edge);
+
 /// One use of a shared edge by a side of a patch.
 struct EdgeUse {
     std::size_t edge = 0;

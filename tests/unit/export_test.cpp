@@ -21,9 +21,11 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <numbers>
 #include <regex>
 #include <sstream>
+#include <tuple>
 
 namespace qm {
 namespace {
@@ -91,6 +93,66 @@ Model torus(const std::vector<std::array<int, 4>>& rectangles) {
     model.surfaces = fitSurfaces(model.mesh, model.layout, angles, watertight());
     return model;
 }
+
+/// A grid of which vertices at the same place are the same, as one patch. \param turned  as in
+/// test::Rectangle
+Model glued(const Grid& grid, int turned) {
+    const QuadMesh flat = test::makeMesh(grid);
+    Model model;
+    std::map<std::array<long, 3>, VertexId> known;
+    std::vector<VertexId> merged;
+    for (const VertexId vertex : flat.vertices()) {
+        const Point point = flat.point(vertex);
+        const auto key = [&](unsigned k) { return std::lround(point[k] * 1e6); };
+        const auto [at, isNew] = known.try_emplace({key(0), key(1), key(2)});
+        if (isNew) at->second = model.mesh.add_vertex(point);
+        merged.push_back(at->second);
+    }
+    for (int j = 0; j < grid.rows; ++j)
+        for (int i = 0; i < grid.columns; ++i) {
+            const auto at = [&](int di, int dj) {
+                return merged[static_cast<std::size_t>((j + dj) * (grid.columns + 1) + i + di)];
+            };
+            model.mesh.add_face({at(0, 0), at(1, 0), at(1, 1), at(0, 1)});
+        }
+    model.layout = test::makeLayout(grid, {{0, 0, grid.columns, grid.rows, turned}});
+    for (Segment& segment : model.layout.segments) {
+        for (auto& side : segment.sides)
+            for (VertexId& vertex : side)
+                vertex = merged[static_cast<std::size_t>(vertex.idx())];
+        for (std::size_t k = 0; k < 4; ++k)
+            segment.corners[k] = segment.sides[k].front();
+    }
+    const std::vector<double> angles(model.mesh.n_edges(), 0.1);
+    model.surfaces = fitSurfaces(model.mesh, model.layout, angles, watertight());
+    return model;
+}
+
+/// A strip that goes round in a loop until it passes its own beginning: like the letter rho.
+const Grid loop{
+    1, 10, [](double i, double j) {
+        const double side = i - 0.5;
+        const double t = std::clamp(j - 1, 0.0, 6.0) * std::numbers::pi / 4;
+        const double up = std::array{0.0, 1.5, 2.5, 3.5}[static_cast<std::size_t>(std::max(j - 7, 0.0))];
+        const double back = j == 0 ? -1.5 : 0;
+        const double radius = 2 - side;
+        return Point(back + radius * std::sin(t), -2 + radius * std::cos(t) + up, 0.1 * std::sin(2 * t));
+    }};
+
+/// A strip that winds round a cylinder, side by side.
+const Grid helix{2, 14, [](double i, double j) {
+                     const double t = std::numbers::pi * j / 3;
+                     return Point(2 * std::cos(t), 2 * std::sin(t), i + j / 3);
+                 }};
+
+/// A sheet whose side 0 is folded: its two ends are one line, its middle the rim of a hole.
+const Grid pocket{10, 2, [](double i, double j) {
+                      const double k = std::min(i, 10 - i);
+                      const double side = i < 5 ? 1 : -1;
+                      if (k <= 3) return Point(side * j, k, 0.2 * j);
+                      if (k < 5) return Point(side * 0.7 * (1 + j), 3.7 + 0.3 * j, 0.2 * j);
+                      return Point(0, 4.4 + j, 0.2 * j);
+                  }};
 
 TEST(ClampedPatch, IsTheSameSurface) {
     const Model model = fitted(sheet, tJoint, {});
@@ -191,18 +253,50 @@ std::string exported(const Model& model, ExportFormat format, const ExportOption
     return exportModel(model.mesh, model.layout, &model.surfaces, options).bytes;
 }
 
+TopoDS_Shape readStep(const std::string& text) {
+    STEPControl_Reader reader;
+    std::istringstream stream(text);
+    EXPECT_EQ(reader.ReadStream("shape.step", stream), IFSelect_RetDone);
+    EXPECT_GT(reader.TransferRoots(), 0);
+    return reader.OneShape();
+}
+
+TopoDS_Shape readIges(const std::string& text) {
+    const auto path = std::filesystem::temp_directory_path() / "quadmesh-export-test.iges";
+    std::ofstream(path) << text;
+    IGESControl_Reader reader;
+    EXPECT_EQ(reader.ReadFile(path.c_str()), IFSelect_RetDone);
+    reader.TransferRoots();
+    std::filesystem::remove(path);
+    return reader.OneShape();
+}
+
 TEST(Step, IsReadBackAsTheSameSolid) {
     const Model model = torus({{0, 0, 9, 12}, {9, 0, 16, 4}, {9, 4, 16, 12}});
     const std::string text = exported(model, ExportFormat::step);
-    STEPControl_Reader reader;
-    std::istringstream stream(text);
-    ASSERT_EQ(reader.ReadStream("torus.step", stream), IFSelect_RetDone);
-    ASSERT_GT(reader.TransferRoots(), 0);
-    const TopoDS_Shape shape = reader.OneShape();
+    const TopoDS_Shape shape = readStep(text);
     EXPECT_TRUE(BRepCheck_Analyzer(shape).IsValid());
     EXPECT_EQ(countShapes(shape, TopAbs_FACE), 3U);
     EXPECT_EQ(countShapes(shape, TopAbs_SOLID), 1U);
 }
+
+class Seams : public testing::TestWithParam<std::tuple<const Grid*, int>> {};
+
+TEST_P(Seams, AreReadBackAsTheyAre) {
+    const auto& [grid, turned] = GetParam();
+    const Model model = glued(*grid, turned);
+    const BoundaryShape made = buildShape(model.mesh, model.layout, model.surfaces.patches);
+    EXPECT_TRUE(made.report.valid);
+    for (const TopoDS_Shape& shape :
+         {readStep(exported(model, ExportFormat::step)), readIges(exported(model, ExportFormat::iges))}) {
+        EXPECT_TRUE(BRepCheck_Analyzer(shape).IsValid());
+        EXPECT_EQ(countShapes(shape, TopAbs_FACE), 1U);
+        EXPECT_EQ(countShapes(shape, TopAbs_EDGE), made.report.edges + 1) << "the seam is met twice";
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Turned, Seams,
+                         testing::Combine(testing::Values(&loop, &helix, &pocket), testing::Range(0, 4)));
 
 TEST(Step, NamesFacesAndDeclaresTheUnitWithoutConverting) {
     const Model model = fitted(sheet, tJoint, watertight());
@@ -235,15 +329,9 @@ TEST(Iges, IsReadBackWithAllFaces) {
     const Model model = fitted(sheet, tJoint, watertight());
     const std::string text = exported(model, ExportFormat::iges);
     EXPECT_NE(text.find("S2"), std::string::npos);
-    const auto path = std::filesystem::temp_directory_path() / "quadmesh-export-test.iges";
-    std::ofstream(path) << text;
-    IGESControl_Reader reader;
-    ASSERT_EQ(reader.ReadFile(path.c_str()), IFSelect_RetDone);
-    reader.TransferRoots();
-    const TopoDS_Shape shape = reader.OneShape();
+    const TopoDS_Shape shape = readIges(text);
     EXPECT_EQ(countShapes(shape, TopAbs_FACE), 3U);
     EXPECT_TRUE(BRepCheck_Analyzer(shape).IsValid());
-    std::filesystem::remove(path);
 }
 
 class Units : public testing::TestWithParam<LengthUnit> {};
