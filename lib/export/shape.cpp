@@ -102,11 +102,19 @@ void requireMatching(const Layout& layout, const std::vector<Patch>& patches) {
     }
 }
 
+/// The smallest tolerance. Files have 13 digits: points that are one may be that far apart when read back.
+double resolution(const QuadMesh& mesh) {
+    double largest = 0;
+    for (const VertexId vertex : mesh.vertices())
+        largest = std::max(largest, mesh.point(vertex).max_abs());
+    return std::max(Precision::Confusion(), 4e-12 * largest);
+}
+
 class ShapeBuilder {
 public:
     ShapeBuilder(const QuadMesh& mesh, const Layout& layout, const std::vector<Patch>& patches)
-        : mesh_(mesh), layout_(layout), shared_(shareEdges(mesh, layout, patches)),
-          vertices_(mesh.n_vertices()) {
+        : mesh_(mesh), layout_(layout), resolution_(resolution(mesh)),
+          shared_(shareEdges(mesh, layout, patches)), vertices_(mesh.n_vertices()) {
         for (const Patch& patch : patches)
             patches_.push_back(clamped(patch));
         for (const SharedEdge& edge : shared_.edges)
@@ -123,7 +131,7 @@ public:
 
 private:
     /// A tolerance has to cover a gap, with a margin for what lies between the samples.
-    static double toleranceFor(double gap) { return std::max(1.1 * gap, Precision::Confusion()); }
+    [[nodiscard]] double toleranceFor(double gap) const { return std::max(1.1 * gap, resolution_); }
 
     const TopoDS_Vertex& vertexAt(VertexId vertex) {
         const auto index = static_cast<std::size_t>(vertex.idx());
@@ -162,7 +170,7 @@ private:
 
     TopoDS_Face makeFace(std::size_t patch) {
         TopoDS_Face face;
-        builder_.MakeFace(face, surface(patches_[patch]), Precision::Confusion());
+        builder_.MakeFace(face, surface(patches_[patch]), resolution_);
         TopoDS_Wire wire;
         builder_.MakeWire(wire);
         for (const EdgeUse& use : shared_.ofPatch[patch]) {
@@ -234,6 +242,7 @@ private:
 
     const QuadMesh& mesh_;
     const Layout& layout_;
+    double resolution_;
     SharedEdges shared_;
     std::vector<Patch> patches_; ///< clamped
     std::vector<TopoDS_Vertex> vertices_;

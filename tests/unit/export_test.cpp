@@ -280,6 +280,18 @@ TEST(Step, IsReadBackAsTheSameSolid) {
     EXPECT_EQ(countShapes(shape, TopAbs_SOLID), 1U);
 }
 
+TEST(Step, IsReadBackFarFromTheOrigin) {
+    Model model = glued(loop, 0);
+    for (const VertexId vertex : model.mesh.vertices())
+        model.mesh.point(vertex) += Point(4.5e6, 5e6, 0);
+    for (Point& point : model.surfaces.patches[0].controlPoints)
+        point += Point(4.5e6, 5e6, 0);
+    const BoundaryShape made = buildShape(model.mesh, model.layout, model.surfaces.patches);
+    EXPECT_TRUE(made.report.valid);
+    EXPECT_LT(made.report.largestTolerance, 1e-4);
+    EXPECT_TRUE(BRepCheck_Analyzer(readStep(exported(model, ExportFormat::step))).IsValid());
+}
+
 class Seams : public testing::TestWithParam<std::tuple<const Grid*, int>> {};
 
 TEST_P(Seams, AreReadBackAsTheyAre) {
