@@ -4,7 +4,7 @@
 
 namespace {
 
-void report(qm::Tool& tool, const qm::ShapeReport& shape) {
+void report(qm::Tool& tool, const qm::ShapeReport& shape, qm::LengthUnit unit) {
     tool.count("solids", static_cast<double>(shape.solids));
     tool.count("openEdges", static_cast<double>(shape.openEdges));
     tool.count("valid", shape.valid ? 1 : 0);
@@ -12,6 +12,9 @@ void report(qm::Tool& tool, const qm::ShapeReport& shape) {
     if (!shape.valid)
         tool.warn("OpenCASCADE finds faults in the boundary representation. Fit the surfaces with "
                   "--watertight, or with a smaller tolerance");
+    else if (shape.largestTolerance * qm::inMillimetres(unit) > 1)
+        tool.warn("Patches are more than a millimetre apart, which programs that read the file may find too "
+                  "much. Fit the surfaces with --watertight");
 }
 
 } // namespace
@@ -39,7 +42,7 @@ int main(int argc, char** argv) {
                 const qm::Surfaces* surfaces = model.surfaces ? &*model.surfaces : nullptr;
                 const qm::Exported result = qm::exportModel(model.mesh, *model.layout, surfaces, options);
                 tool.count("segments", static_cast<double>(model.layout->segments.size()));
-                if (result.shape) report(tool, *result.shape);
+                if (result.shape) report(tool, *result.shape, options.unit);
                 tool.write(result.bytes);
                 return qm::exitDone;
             };

@@ -25,6 +25,19 @@ Exported exportShape(const QuadMesh& mesh, const Layout& layout, const Surfaces&
 
 } // namespace
 
+double inMillimetres(LengthUnit unit) {
+    switch (unit) {
+    case LengthUnit::cm:
+        return 10;
+    case LengthUnit::m:
+        return 1000;
+    case LengthUnit::inch:
+        return 25.4;
+    default:
+        return 1;
+    }
+}
+
 Exported exportModel(const QuadMesh& mesh, const Layout& layout, const Surfaces* surfaces,
                      const ExportOptions& options) {
     if (options.format == ExportFormat::step || options.format == ExportFormat::iges)

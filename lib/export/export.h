@@ -21,6 +21,8 @@ enum class ExportFormat {
 /// What one unit of the mesh's coordinates means in STEP and IGES; numbers are never converted.
 enum class LengthUnit { mm, cm, m, inch };
 
+[[nodiscard]] double inMillimetres(LengthUnit unit);
+
 enum class ColourBy {
     segment,  ///< another colour for every segment
     deviation ///< blue to red by the patch's largest deviation; needs surfaces
@@ -40,7 +42,9 @@ struct ShapeReport {
     std::size_t solids = 0;    ///< closed components
     std::size_t shells = 0;    ///< open components
     bool valid = false;
-    double largestTolerance = 0; ///< of an edge or vertex: the largest gap that had to be bridged
+    /// Of an edge or vertex: the largest gap that had to be bridged. Where it is above one millimetre,
+    /// readers that are made with OpenCASCADE look for the edge on the surfaces anew, and may not find it.
+    double largestTolerance = 0;
 };
 
 struct Exported {

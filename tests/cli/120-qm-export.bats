@@ -18,8 +18,16 @@ patches() { field '.surfaces.patches | length' "$(stage surfaces "$1")"; }
 }
 
 @test "the unit is declared" {
-    quietly qm-export --unit m "$(stage surfaces block)" -o block.stp
-    grep -q "SI_UNIT(\$,.METRE.)" block.stp
+    quietly qm-export --unit cm "$(stage surfaces block)" -o block.stp
+    grep -q "SI_UNIT(.CENTI.,.METRE.)" block.stp
+}
+
+@test "gaps of more than a millimetre are worth a warning" {
+    run --separate-stderr qm-export --unit m "$(stage surfaces block)" -o block.step
+    assert_success
+    assert_regex "$stderr" 'millimetre.*--watertight'
+    quietly qm-bspline --watertight "$(stage pruned block)" -o block.json
+    quietly qm-export --unit m block.json -o block.step
 }
 
 @test "IGES, by the output's name or by request" {
