@@ -22,8 +22,10 @@
 #include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace qm {
 namespace {
@@ -39,14 +41,17 @@ struct KnotTable {
 };
 
 KnotTable knotTable(const std::vector<double>& knots) {
-    std::vector<double> distinct = knots;
-    distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
+    std::vector<std::pair<double, int>> distinct;
+    for (const double knot : knots) {
+        if (distinct.empty() || distinct.back().first != knot) distinct.emplace_back(knot, 0);
+        ++distinct.back().second;
+    }
     const auto size = static_cast<int>(distinct.size());
     KnotTable table{TColStd_Array1OfReal(1, size), TColStd_Array1OfInteger(1, size)};
     for (int k = 0; k < size; ++k) {
-        const double knot = distinct[static_cast<std::size_t>(k)];
+        const auto& [knot, multiplicity] = distinct[static_cast<std::size_t>(k)];
         table.values.SetValue(k + 1, knot);
-        table.multiplicities.SetValue(k + 1, static_cast<int>(std::count(knots.begin(), knots.end(), knot)));
+        table.multiplicities.SetValue(k + 1, multiplicity);
     }
     return table;
 }
@@ -117,6 +122,7 @@ public:
           shared_(shareEdges(mesh, layout, patches)), vertices_(mesh.n_vertices()) {
         for (const Patch& patch : patches)
             patches_.push_back(clamped(patch));
+        borders_.resize(patches.size());
         for (const SharedEdge& edge : shared_.edges)
             edges_.push_back(makeEdge(edge));
     }
@@ -141,11 +147,18 @@ private:
         return vertices_[index];
     }
 
+    /// Made once, as one side may be many edges.
+    const SplineCurve& border(std::size_t patch, int side) {
+        SplineCurve& curve = borders_[patch][static_cast<std::size_t>(side)];
+        if (curve.points.empty()) curve = borderCurve(patches_[patch], side);
+        return curve;
+    }
+
     /// Its curve is the border of the first patch that uses it.
     TopoDS_Edge makeEdge(const SharedEdge& edge) {
         const BorderPlace& at = edge.places.front();
         const SplineCurve part =
-            restricted(borderCurve(patches_[at.patch], at.side), at.position, at.position + edge.length);
+            restricted(border(at.patch, at.side), at.position, at.position + edge.length);
         TopoDS_Edge result;
         builder_.MakeEdge(result, curve(part), toleranceFor(edge.gap));
         builder_.Add(result, vertexAt(edge.start).Oriented(TopAbs_FORWARD));
@@ -244,7 +257,8 @@ private:
     const Layout& layout_;
     double resolution_;
     SharedEdges shared_;
-    std::vector<Patch> patches_; ///< clamped
+    std::vector<Patch> patches_;                      ///< clamped
+    std::vector<std::array<SplineCurve, 4>> borders_; ///< of the sides; empty until they are needed
     std::vector<TopoDS_Vertex> vertices_;
     std::vector<TopoDS_Edge> edges_;
     BRep_Builder builder_;
