@@ -6,6 +6,8 @@
 #include "export/quads.h"
 #include "export/shape.h"
 
+#include <Standard_Failure.hxx>
+
 namespace qm {
 namespace {
 
@@ -17,10 +19,16 @@ const Surfaces& required(const Surfaces* surfaces, const std::string& forWhat) {
 
 Exported exportShape(const QuadMesh& mesh, const Layout& layout, const Surfaces& surfaces,
                      const ExportOptions& options) {
-    const BoundaryShape shape = buildShape(mesh, layout, surfaces.patches);
-    return {options.format == ExportFormat::step ? shapeAsStep(shape, options.unit)
-                                                 : shapeAsIges(shape, options.unit),
-            shape.report};
+    try {
+        const BoundaryShape shape = buildShape(mesh, layout, surfaces.patches);
+        return {options.format == ExportFormat::step ? shapeAsStep(shape, options.unit)
+                                                     : shapeAsIges(shape, options.unit),
+                shape.report};
+    } catch (const Standard_Failure& failure) {
+        throw Error("surfaces",
+                    std::string("are nothing that OpenCASCADE takes: ") + failure.DynamicType()->Name(),
+                    "Fit the surfaces anew");
+    }
 }
 
 } // namespace

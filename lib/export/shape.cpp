@@ -78,6 +78,16 @@ Handle(Geom_BSplineCurve) curve(const SplineCurve& spline) {
     return new Geom_BSplineCurve(poles, knots.values, knots.multiplicities, 3);
 }
 
+/// Whether no inner knot is there more often than the degree allows, and none of them at an end.
+bool isContinuous(const std::vector<double>& knots, int degree) {
+    const auto order = static_cast<std::size_t>(degree) + 1;
+    const std::size_t count = knots.size() - order;
+    for (std::size_t k = order; k < count; ++k)
+        if (knots[k] <= knots[order - 1] || knots[k] >= knots[count] || knots[k] >= knots[k + order - 1])
+            return false;
+    return true;
+}
+
 void requireMatching(const Layout& layout, const std::vector<Patch>& patches) {
     if (layout.segments.size() != patches.size())
         throw Error("surfaces",
@@ -100,6 +110,8 @@ void requireMatching(const Layout& layout, const std::vector<Patch>& patches) {
                 domain(knots, degree) !=
                     std::array<double, 2>{0, static_cast<double>(layout.segments[k].size[d])})
                 throw Error(name, "has knots that do not belong to its segment", "Fit the surfaces anew");
+            if (!isContinuous(knots, degree))
+                throw Error(name, "has one knot so often that it falls apart there", "Fit the surfaces anew");
         }
         if (patch.controlPoints.size() !=
             static_cast<std::size_t>(patch.count[0]) * static_cast<std::size_t>(patch.count[1]))

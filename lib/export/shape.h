@@ -20,8 +20,8 @@ struct BoundaryShape {
 /// The topology is the layout's: one face for every patch, an edge between any two vertices where borders
 /// meet, used by the patches on both sides. So nothing has to be sewn, and a gap between patches becomes the
 /// tolerance of the edge that they share.
-/// \throw Error  if patches are not of degrees 1 to 3, those below 3 without inner knots, or do not belong to
-/// the layout
+/// \throw Error  if patches are not of degrees 1 to 3, those below 3 without inner knots, are not continuous,
+/// or do not belong to the layout
 [[nodiscard]] BoundaryShape buildShape(const QuadMesh& mesh, const Layout& layout,
                                        const std::vector<Patch>& patches);
 

@@ -238,6 +238,13 @@ TEST(Shape, RefusesPatchesThatDoNotBelong) {
     patches = model.surfaces.patches;
     patches[2].knots[1].clear();
     EXPECT_THROW((void)buildShape(model.mesh, model.layout, patches), Error);
+    for (const std::size_t first : {2U, 4U}) {
+        patches = model.surfaces.patches;
+        auto& knots = patches[2].knots[0];
+        ASSERT_GE(knots.size(), 11U);
+        std::fill_n(knots.begin() + static_cast<std::ptrdiff_t>(first), 4, knots[first]);
+        EXPECT_THROW((void)buildShape(model.mesh, model.layout, patches), Error) << first;
+    }
 }
 
 std::size_t countShapes(const TopoDS_Shape& shape, TopAbs_ShapeEnum type) {
@@ -463,6 +470,14 @@ TEST(Export, AsksForSurfacesWhereItNeedsThem) {
     EXPECT_FALSE(exportModel(model.mesh, model.layout, nullptr, options).bytes.empty());
     options.colour = ColourBy::deviation;
     EXPECT_THROW((void)exportModel(model.mesh, model.layout, nullptr, options), Error);
+}
+
+TEST(Export, RefusesWhatOpenCascadeRefuses) {
+    Model model = fitted(sheet, tJoint, {});
+    auto& knots = model.surfaces.patches[1].knots[0];
+    ASSERT_LT(knots[4], knots[5]);
+    knots[5] = std::nextafter(knots[4], knots[5]);
+    EXPECT_THROW((void)exported(model, ExportFormat::step), Error);
 }
 
 TEST(Bytes, AreTheShortestTextThatReadsBack) {
