@@ -102,13 +102,17 @@ void nameFaces(const BoundaryShape& shape, const Handle(Transfer_FinderProcess) 
     }
 }
 
-/// OpenCASCADE numbers the products of a process.
+/// Names of products differ, as programs that read the file tell the parts of an assembly by them.
+/// OpenCASCADE would number those of a whole process.
 void nameProducts(const Handle(StepData_StepModel) & model) {
+    int number = 0;
     for (int k = 1; k <= model->NbEntities(); ++k) {
         const auto product = Handle(StepBasic_Product)::DownCast(model->Value(k));
         if (product.IsNull()) continue;
-        product->SetId(text("quadmesh"));
-        product->SetName(text("quadmesh"));
+        const std::string name = number == 0 ? "quadmesh" : "quadmesh " + std::to_string(number);
+        product->SetId(text(name));
+        product->SetName(text(name));
+        ++number;
     }
 }
 

@@ -17,6 +17,16 @@ patches() { field '.surfaces.patches | length' "$(stage surfaces "$1")"; }
     grep -q "SI_UNIT(.MILLI.,.METRE.)" block.step
 }
 
+@test "the parts of a mesh are parts of the STEP file, each with a name" {
+    printf '%s\n' 'v 0 0 0' 'v 1 0 0' 'v 1 1 0' 'v 0 1 0' 'v 5 0 0' 'v 6 0 0' 'v 6 1 0' 'v 5 1 0' 'f 1 2 3 4' 'f 5 6 7 8' >two.obj
+    qm-basecomplex -q two.obj | qm-features | qm-cut | qm-enum -q | qm-merge -q | qm-bspline | qm-export --format step >two.step
+    run grep -o "PRODUCT('[^']*'" two.step
+    assert_output "PRODUCT('quadmesh'
+PRODUCT('quadmesh 1'
+PRODUCT('quadmesh 2'"
+    assert_equal "$(grep -c "ADVANCED_FACE('segment " two.step)" 2
+}
+
 @test "the unit is declared" {
     quietly qm-export --unit cm "$(stage surfaces block)" -o block.stp
     grep -q "SI_UNIT(.CENTI.,.METRE.)" block.stp
