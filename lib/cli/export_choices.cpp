@@ -12,9 +12,11 @@ ExportFormat exportFormat(NamedFormat format, const std::string& outputPath) {
     static const std::map<std::string, ExportFormat> ofEnding = {
         {".step", step}, {".stp", step}, {".iges", iges}, {".igs", iges},
         {".obj", obj},   {".ply", ply},  {".glb", glb}};
-    const std::string ending = format == NamedFormat::ending
-                                   ? std::filesystem::path(outputPath).extension().string()
-                                   : "." + std::string(choiceName(format));
+    std::string ending = format == NamedFormat::ending
+                             ? std::filesystem::path(outputPath).extension().string()
+                             : "." + std::string(choiceName(format));
+    for (char& letter : ending) // many programs write them large
+        if (letter >= 'A' && letter <= 'Z') letter += 'a' - 'A';
     const auto found = ofEnding.find(ending);
     if (found == ofEnding.end())
         throw UsageError("the output's name does not tell the format. Give --format, or a name such as "

@@ -44,6 +44,8 @@ PRODUCT('quadmesh 2'"
     quietly qm-export "$(stage surfaces block)" -o block.igs
     qm-export --format iges <"$(stage surfaces block)" >same.igs
     assert_same_bytes block.igs same.igs
+    quietly qm-export "$(stage surfaces block)" -o BLOCK.IGS
+    assert_same_bytes block.igs BLOCK.IGS
 }
 
 @test "OBJ has a group for every segment and all quads" {
