@@ -78,7 +78,7 @@ Handle(TCollection_HAsciiString) text(const std::string& value) {
 /// OpenCASCADE keeps its settings for the whole program, and reports on standard output.
 class Session {
 public:
-    explicit Session(LengthUnit unit) : lock_(mutex_) {
+    explicit Session(LengthUnit unit) : lock_(mutex) {
         Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_Printer));
         STEPControl_Controller::Init();
         IGESControl_Controller::Init();
@@ -91,7 +91,7 @@ public:
     }
 
 private:
-    static inline std::mutex mutex_;
+    static inline std::mutex mutex;
     std::lock_guard<std::mutex> lock_;
 };
 

@@ -80,11 +80,10 @@ Handle(Geom_BSplineCurve) curve(const SplineCurve& spline) {
 
 /// Whether no inner knot is there more often than the degree allows, and none of them at an end.
 bool isContinuous(const std::vector<double>& knots, int degree) {
-    const auto order = static_cast<std::size_t>(degree) + 1;
-    const std::size_t count = knots.size() - order;
-    for (std::size_t k = order; k < count; ++k)
-        if (knots[k] <= knots[order - 1] || knots[k] >= knots[count] || knots[k] >= knots[k + order - 1])
-            return false;
+    const auto first = static_cast<std::size_t>(degree);
+    const std::size_t last = knots.size() - first - 1;
+    for (std::size_t k = first + 1; k < last; ++k)
+        if (knots[k] <= knots[first] || knots[k] >= knots[last] || knots[k] >= knots[k + first]) return false;
     return true;
 }
 
@@ -105,8 +104,10 @@ void requireMatching(const Layout& layout, const std::vector<Patch>& patches) {
             if (!cubic && !lower)
                 throw Error(name, "is neither cubic nor of a lower degree without inner knots",
                             "Fit the surfaces anew");
-            if (knots.size() != static_cast<std::size_t>(patch.count[d] + degree + 1) ||
-                !std::is_sorted(knots.begin(), knots.end()) || (lower && clampedDegree(knots) != degree) ||
+            const std::size_t due =
+                static_cast<std::size_t>(patch.count[d]) + static_cast<std::size_t>(degree) + 1;
+            if (knots.size() != due || !std::is_sorted(knots.begin(), knots.end()) ||
+                (lower && clampedDegree(knots) != degree) ||
                 domain(knots, degree) !=
                     std::array<double, 2>{0, static_cast<double>(layout.segments[k].size[d])})
                 throw Error(name, "has knots that do not belong to its segment", "Fit the surfaces anew");

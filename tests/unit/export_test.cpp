@@ -45,9 +45,13 @@ Model fitted(const Grid& grid, const std::vector<test::Rectangle>& rectangles, c
     return model;
 }
 
-const Grid sheet{10, 8,
-                 [](double i, double j) { return Point(i, j, std::sin(0.5 * i) + std::cos(0.4 * j)); }};
-const std::vector<test::Rectangle> tJoint = {{0, 0, 10, 3, 2}, {0, 3, 6, 8, 1}, {6, 3, 10, 8, 3}};
+Grid sheet() {
+    return {10, 8, [](double i, double j) { return Point(i, j, std::sin(0.5 * i) + std::cos(0.4 * j)); }};
+}
+
+std::vector<test::Rectangle> tJoint() {
+    return {{0, 0, 10, 3, 2}, {0, 3, 6, 8, 1}, {6, 3, 10, 8, 3}};
+}
 
 FitOptions watertight() {
     FitOptions options;
@@ -108,13 +112,12 @@ Model glued(const Grid& grid, int turned) {
         if (isNew) at->second = model.mesh.add_vertex(point);
         merged.push_back(at->second);
     }
-    for (int j = 0; j < grid.rows; ++j)
-        for (int i = 0; i < grid.columns; ++i) {
-            const auto at = [&](int di, int dj) {
-                return merged[static_cast<std::size_t>((j + dj) * (grid.columns + 1) + i + di)];
-            };
-            model.mesh.add_face({at(0, 0), at(1, 0), at(1, 1), at(0, 1)});
-        }
+    for (const FaceId face : flat.faces()) {
+        std::vector<VertexId> corners;
+        for (const VertexId vertex : flat.fv_range(face))
+            corners.push_back(merged[static_cast<std::size_t>(vertex.idx())]);
+        model.mesh.add_face(corners);
+    }
     model.layout = test::makeLayout(grid, {{0, 0, grid.columns, grid.rows, turned}});
     for (Segment& segment : model.layout.segments) {
         for (auto& side : segment.sides)
@@ -129,33 +132,39 @@ Model glued(const Grid& grid, int turned) {
 }
 
 /// A strip that goes round in a loop until it passes its own beginning: like the letter rho.
-const Grid loop{
-    1, 10, [](double i, double j) {
-        const double side = i - 0.5;
-        const double t = std::clamp(j - 1, 0.0, 6.0) * std::numbers::pi / 4;
-        const double up = std::array{0.0, 1.5, 2.5, 3.5}[static_cast<std::size_t>(std::max(j - 7, 0.0))];
-        const double back = j == 0 ? -1.5 : 0;
-        const double radius = 2 - side;
-        return Point(back + radius * std::sin(t), -2 + radius * std::cos(t) + up, 0.1 * std::sin(2 * t));
-    }};
+Grid loop() {
+    return {
+        1, 10, [](double i, double j) {
+            const double side = i - 0.5;
+            const double t = std::clamp(j - 1, 0.0, 6.0) * std::numbers::pi / 4;
+            const double up = std::array{0.0, 1.5, 2.5, 3.5}[static_cast<std::size_t>(std::max(j - 7, 0.0))];
+            const double back = j == 0 ? -1.5 : 0;
+            const double radius = 2 - side;
+            return Point(back + radius * std::sin(t), -2 + radius * std::cos(t) + up, 0.1 * std::sin(2 * t));
+        }};
+}
 
 /// A strip that winds round a cylinder, side by side.
-const Grid helix{2, 14, [](double i, double j) {
-                     const double t = std::numbers::pi * j / 3;
-                     return Point(2 * std::cos(t), 2 * std::sin(t), i + j / 3);
-                 }};
+Grid helix() {
+    return {2, 14, [](double i, double j) {
+                const double t = std::numbers::pi * j / 3;
+                return Point(2 * std::cos(t), 2 * std::sin(t), i + j / 3);
+            }};
+}
 
 /// A sheet whose side 0 is folded: its two ends are one line, its middle the rim of a hole.
-const Grid pocket{10, 2, [](double i, double j) {
-                      const double k = std::min(i, 10 - i);
-                      const double side = i < 5 ? 1 : -1;
-                      if (k <= 3) return Point(side * j, k, 0.2 * j);
-                      if (k < 5) return Point(side * 0.7 * (1 + j), 3.7 + 0.3 * j, 0.2 * j);
-                      return Point(0, 4.4 + j, 0.2 * j);
-                  }};
+Grid pocket() {
+    return {10, 2, [](double i, double j) {
+                const double k = std::min(i, 10 - i);
+                const double side = i < 5 ? 1 : -1;
+                if (k <= 3) return Point(side * j, k, 0.2 * j);
+                if (k < 5) return Point(side * 0.7 * (1 + j), 3.7 + 0.3 * j, 0.2 * j);
+                return Point(0, 4.4 + j, 0.2 * j);
+            }};
+}
 
 TEST(ClampedPatch, IsTheSameSurface) {
-    const Model model = fitted(sheet, tJoint, {});
+    const Model model = fitted(sheet(), tJoint(), {});
     const Patch& patch = model.surfaces.patches[1];
     const Patch clampedPatch = clamped(patch);
     EXPECT_EQ(clampedPatch.count, patch.count);
@@ -170,7 +179,7 @@ TEST(ClampedPatch, IsTheSameSurface) {
 }
 
 TEST(Shape, IsAnOpenShellWithSharedEdges) {
-    const Model model = fitted(sheet, tJoint, watertight());
+    const Model model = fitted(sheet(), tJoint(), watertight());
     const BoundaryShape shape = buildShape(model.mesh, model.layout, model.surfaces.patches);
     EXPECT_TRUE(shape.report.valid);
     EXPECT_EQ(shape.report.faces, 3U);
@@ -183,7 +192,7 @@ TEST(Shape, IsAnOpenShellWithSharedEdges) {
 }
 
 TEST(Shape, BridgesTheGapsOfIndependentPatchesByTolerance) {
-    const Model model = fitted(sheet, tJoint, {});
+    const Model model = fitted(sheet(), tJoint(), {});
     const BoundaryShape shape = buildShape(model.mesh, model.layout, model.surfaces.patches);
     EXPECT_TRUE(shape.report.valid);
     EXPECT_EQ(shape.report.edges, 10U);
@@ -212,7 +221,7 @@ TEST(Shape, TakesPatchesOfLowerDegrees) {
     const Grid ruled{10, 8, [](double i, double j) { return Point(i, j, std::sin(0.5 * i)); }};
     FitOptions options;
     options.fit = Fit::tolerance;
-    const Model model = fitted(ruled, tJoint, options);
+    const Model model = fitted(ruled, tJoint(), options);
     ASSERT_TRUE(std::ranges::any_of(model.surfaces.patches, [](const Patch& patch) {
         return patch.degree == std::array{3, 1};
     }));
@@ -222,7 +231,7 @@ TEST(Shape, TakesPatchesOfLowerDegrees) {
 }
 
 TEST(Shape, RefusesPatchesThatDoNotBelong) {
-    Model model = fitted(sheet, tJoint, {});
+    Model model = fitted(sheet(), tJoint(), {});
     auto patches = model.surfaces.patches;
     patches.pop_back();
     EXPECT_THROW((void)buildShape(model.mesh, model.layout, patches), Error);
@@ -288,7 +297,7 @@ TEST(Step, IsReadBackAsTheSameSolid) {
 }
 
 TEST(Step, IsReadBackFarFromTheOrigin) {
-    Model model = glued(loop, 0);
+    Model model = glued(loop(), 0);
     for (const VertexId vertex : model.mesh.vertices())
         model.mesh.point(vertex) += Point(4.5e6, 5e6, 0);
     for (Point& point : model.surfaces.patches[0].controlPoints)
@@ -299,11 +308,11 @@ TEST(Step, IsReadBackFarFromTheOrigin) {
     EXPECT_TRUE(BRepCheck_Analyzer(readStep(exported(model, ExportFormat::step))).IsValid());
 }
 
-class Seams : public testing::TestWithParam<std::tuple<const Grid*, int>> {};
+class Seams : public testing::TestWithParam<std::tuple<Grid (*)(), int>> {};
 
 TEST_P(Seams, AreReadBackAsTheyAre) {
     const auto& [grid, turned] = GetParam();
-    const Model model = glued(*grid, turned);
+    const Model model = glued(grid(), turned);
     const BoundaryShape made = buildShape(model.mesh, model.layout, model.surfaces.patches);
     EXPECT_TRUE(made.report.valid);
     for (const TopoDS_Shape& shape :
@@ -318,7 +327,7 @@ INSTANTIATE_TEST_SUITE_P(Turned, Seams,
                          testing::Combine(testing::Values(&loop, &helix, &pocket), testing::Range(0, 4)));
 
 TEST(Step, NamesFacesAndDeclaresTheUnitWithoutConverting) {
-    const Model model = fitted(sheet, tJoint, watertight());
+    const Model model = fitted(sheet(), tJoint(), watertight());
     const std::string millimetres = exported(model, ExportFormat::step);
     for (const char* name :
          {"ADVANCED_FACE('segment 0'", "ADVANCED_FACE('segment 1'", "ADVANCED_FACE('segment 2'"})
@@ -339,13 +348,13 @@ TEST(Step, NamesFacesAndDeclaresTheUnitWithoutConverting) {
 }
 
 TEST(Step, IsTheSameEveryTime) {
-    const Model model = fitted(sheet, tJoint, watertight());
+    const Model model = fitted(sheet(), tJoint(), watertight());
     EXPECT_EQ(exported(model, ExportFormat::step), exported(model, ExportFormat::step));
     EXPECT_EQ(exported(model, ExportFormat::iges), exported(model, ExportFormat::iges));
 }
 
 TEST(Iges, IsReadBackWithAllFaces) {
-    const Model model = fitted(sheet, tJoint, watertight());
+    const Model model = fitted(sheet(), tJoint(), watertight());
     const std::string text = exported(model, ExportFormat::iges);
     EXPECT_NE(text.find("S2"), std::string::npos);
     const TopoDS_Shape shape = readIges(text);
@@ -402,14 +411,14 @@ template <class Number> Number numberAt(const std::string& bytes, std::size_t of
 }
 
 TEST(Ply, HasColoursAndSegments) {
-    const Model model = fitted(sheet, tJoint, {});
+    const Model model = fitted(sheet(), tJoint(), {});
     const std::string bytes = exported(model, ExportFormat::ply);
     const std::string end = "end_header\n";
     const std::size_t header = bytes.find(end) + end.size();
     const std::size_t faces = header + 24 * model.mesh.n_vertices();
     constexpr std::size_t faceSize = 1 + 16 + 3 + 4;
     ASSERT_EQ(bytes.size(), faces + faceSize * model.mesh.n_faces());
-    EXPECT_EQ(numberAt<double>(bytes, header + 24 * 13 + 8), model.mesh.point(VertexId(13))[1]);
+    EXPECT_EQ(numberAt<double>(bytes, header + std::size_t{24} * 13 + 8), model.mesh.point(VertexId(13))[1]);
     std::array<int, 3> count{};
     std::array<std::string, 3> colours;
     for (std::size_t f = 0; f < model.mesh.n_faces(); ++f) {
@@ -427,7 +436,7 @@ TEST(Ply, HasColoursAndSegments) {
 }
 
 TEST(Ply, ColoursByDeviationFromBlueToRed) {
-    Model model = fitted(sheet, tJoint, {});
+    Model model = fitted(sheet(), tJoint(), {});
     model.surfaces.deviation.max = 4;
     model.surfaces.ofPatch[0].max = 4;
     model.surfaces.ofPatch[1].max = 0;
@@ -443,7 +452,7 @@ TEST(Ply, ColoursByDeviationFromBlueToRed) {
 }
 
 TEST(Glb, IsWellFormed) {
-    const Model model = fitted(sheet, tJoint, {});
+    const Model model = fitted(sheet(), tJoint(), {});
     const std::string bytes = exported(model, ExportFormat::glb);
     EXPECT_EQ(bytes.substr(0, 4), "glTF");
     EXPECT_EQ(numberAt<std::uint32_t>(bytes, 4), 2U);
@@ -463,7 +472,7 @@ TEST(Glb, IsWellFormed) {
 }
 
 TEST(Export, AsksForSurfacesWhereItNeedsThem) {
-    const Model model = fitted(sheet, tJoint, {});
+    const Model model = fitted(sheet(), tJoint(), {});
     ExportOptions options;
     EXPECT_THROW((void)exportModel(model.mesh, model.layout, nullptr, options), Error);
     options.format = ExportFormat::glb;
@@ -473,7 +482,7 @@ TEST(Export, AsksForSurfacesWhereItNeedsThem) {
 }
 
 TEST(Export, RefusesWhatOpenCascadeRefuses) {
-    Model model = fitted(sheet, tJoint, {});
+    Model model = fitted(sheet(), tJoint(), {});
     auto& knots = model.surfaces.patches[1].knots[0];
     ASSERT_LT(knots[4], knots[5]);
     knots[5] = std::nextafter(knots[4], knots[5]);
