@@ -1,3 +1,4 @@
+#include "base/error.h"
 #include "bspline/evaluate.h"
 #include "export/bytes.h"
 #include "export/quads.h"
@@ -5,10 +6,18 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 namespace qm {
 namespace {
+
+/// glTF has single precision.
+float single(double coordinate) {
+    if (std::abs(coordinate) > std::numeric_limits<float>::max())
+        throw Error("mesh", "has coordinates that are too large for glTF", "Scale the model");
+    return static_cast<float>(coordinate);
+}
 
 /// The one buffer of the file, and the JSON text that explains it. Every segment has its own vertices, so
 /// that colours and normals end at its border.
@@ -56,7 +65,7 @@ private:
                 Point normal = unitNormal(alongU, alongV);
                 if (normal.sqrnorm() == 0) normal = {0, 0, 1}; // glTF asks for unit vectors
                 for (unsigned k = 0; k < 3; ++k) {
-                    const auto coordinate = static_cast<float>(point(i, j)[k]);
+                    const float coordinate = single(point(i, j)[k]);
                     low_[k] = std::min(low_[k], coordinate);
                     high_[k] = std::max(high_[k], coordinate);
                     appendBytes(positions_, coordinate);

@@ -13,6 +13,7 @@ namespace qm {
 [[nodiscard]] std::string quadsAsObj(const QuadMesh& mesh, const Layout& layout);
 [[nodiscard]] std::string quadsAsPly(const QuadMesh& mesh, const Layout& layout,
                                      const std::vector<Colour>& colours);
+/// \throw Error  if coordinates exceed single precision
 [[nodiscard]] std::string quadsAsGlb(const QuadMesh& mesh, const Layout& layout,
                                      const std::vector<Colour>& colours);
 

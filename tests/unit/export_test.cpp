@@ -471,6 +471,12 @@ TEST(Glb, IsWellFormed) {
     EXPECT_NE(text.find(R"("byteLength":)" + std::to_string(binary) + "}]"), std::string::npos);
 }
 
+TEST(Glb, RefusesWhatSinglePrecisionCannotHold) {
+    Model model = fitted(sheet(), tJoint(), {});
+    model.mesh.point(VertexId(0))[0] = -1e39;
+    EXPECT_THROW((void)exported(model, ExportFormat::glb), Error);
+}
+
 TEST(Export, AsksForSurfacesWhereItNeedsThem) {
     const Model model = fitted(sheet(), tJoint(), {});
     ExportOptions options;
