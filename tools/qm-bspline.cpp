@@ -19,7 +19,7 @@ int main(int argc, char** argv) {
                 const qm::Surfaces surfaces = qm::fitSurfaces(model.mesh, *model.layout, model.dihedralAngles,
                                                               options, tool.control("fitting"));
                 tool.count("patches", static_cast<double>(surfaces.patches.size()));
-                tool.count("controlPoints", static_cast<double>(qm::controlPointCount(surfaces)));
+                tool.count("controlPoints", static_cast<double>(qm::controlPointCount(surfaces.patches)));
                 tool.count("maxDeviation", surfaces.deviation.max);
                 stage->write(options, qm::surfacesToJson(surfaces));
                 return qm::exitDone;

@@ -26,8 +26,7 @@ std::vector<std::size_t> around(const std::vector<VertexId>& grid, const std::ar
 
 } // namespace
 
-void comeCloser(const QuadMesh& mesh, const Layout& layout,
-                const std::vector<std::vector<DeviatingPlace>>& places, double tolerance,
+void comeCloser(const QuadMesh& mesh, const Layout& layout, const DeviatingPlaces& places, double tolerance,
                 std::vector<Closeness>& closeness) {
     constexpr double leastShare = 0.7;
     constexpr double mostShare = 0.9;

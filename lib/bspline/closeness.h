@@ -25,8 +25,7 @@ struct Closeness {
 
 /// Asks for more around places where patches deviate: first for a smaller share, then for an end of sliding,
 /// then for that farther around. \param places  of every patch \param closeness  by vertex index
-void comeCloser(const QuadMesh& mesh, const Layout& layout,
-                const std::vector<std::vector<DeviatingPlace>>& places, double tolerance,
+void comeCloser(const QuadMesh& mesh, const Layout& layout, const DeviatingPlaces& places, double tolerance,
                 std::vector<Closeness>& closeness);
 
 } // namespace qm

@@ -29,6 +29,10 @@ struct SurfacePoint {
 [[nodiscard]] std::vector<SurfacePoint> evaluateLattice(const Patch& patch, std::span<const double> us,
                                                         std::span<const double> vs);
 
+/// Positions alone, at less than half the cost, from the basis at the columns' and the rows' parameters.
+[[nodiscard]] std::vector<Point> positionLattice(const Patch& patch, const std::vector<BasisValues>& us,
+                                                 const std::vector<BasisValues>& vs);
+
 /// Unit length, on the side from which u turns to v counter-clockwise; zero where the patch is degenerate.
 [[nodiscard]] Point unitNormal(const Point& du, const Point& dv);
 

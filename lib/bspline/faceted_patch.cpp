@@ -1,6 +1,7 @@
 #include "bspline/faceted_patch.h"
 
 #include "bspline/mesh_distance.h"
+#include "bspline/patch_frame.h"
 
 #include <algorithm>
 #include <utility>

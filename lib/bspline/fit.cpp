@@ -4,11 +4,13 @@
 #include "base/parallel.h"
 #include "bspline/deviation.h"
 #include "bspline/interpolate.h"
+#include "bspline/kink_reduction.h"
 #include "bspline/tolerance.h"
 #include "bspline/watertight.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace qm {
 namespace {
@@ -17,6 +19,9 @@ void requireValid(const FitOptions& options) {
     if (options.fit == Fit::tolerance &&
         !(options.tolerance.value > 0 && std::isfinite(options.tolerance.value)))
         throw Error("tolerance", "must be a positive number", "Give the largest deviation that is allowed");
+    if (!(options.maxKink >= 0)) throw Error("kink", "must not be negative", "Give an angle in degrees");
+    if (!(options.kinkBudget >= 0 && options.kinkBudget <= 10))
+        throw Error("kink budget", "must be from 0 to 10", "Give a share of interpolation's control points");
     if (!(options.rho >= 0)) throw Error("rho", "must not be negative", "Give an angle in radians");
     if (options.samplesPerEdge < 1 || options.samplesPerEdge > 100)
         throw Error("samples per edge", "must be from 1 to 100", "2 is a good choice");
@@ -43,33 +48,48 @@ Surfaces withDeviation(std::vector<Patch> patches, MeasuredDeviation deviation) 
     return {std::move(patches), deviation.ofAll, std::move(deviation.ofPatch)};
 }
 
+bool isEmpty(const DeviatingPlaces& places) {
+    return std::ranges::all_of(places, [](const auto& ofPatch) { return ofPatch.empty(); });
+}
+
+/// Fits closer until nothing is beyond the limits. Those of the normals are given up where they cannot be
+/// kept: folded quads have folded patches.
+void keepLimits(ToleranceFit& fit, const DeviationMeter& meter, DeviationLimits& limits,
+                const Control& control) {
+    constexpr int enough = 10; // by then the fit is certain of the tolerance
+    constexpr int hopeless = 4;
+    std::vector<bool> only;
+    for (int round = 0; round < enough; ++round) {
+        control.progress(0.5 * round / enough);
+        if (round == hopeless) limits = {limits.farthest};
+        const DeviatingPlaces places = meter.find(fit.patches(), limits, only, control);
+        if (isEmpty(places)) return;
+        only = fit.tighten(places);
+        for (std::size_t k = 0; k < only.size(); ++k)
+            only[k] = only[k] || !places[k].empty();
+    }
+}
+
+std::size_t interpolatedPoints(const Layout& layout) {
+    std::size_t points = 0;
+    for (const Segment& segment : layout.segments)
+        points +=
+            static_cast<std::size_t>(segment.size[0] + 3) * static_cast<std::size_t>(segment.size[1] + 3);
+    return points;
+}
+
 Surfaces fitWithinTolerance(const QuadMesh& mesh, const Layout& layout,
                             const std::vector<double>& dihedralAngles, const FitOptions& options,
-                            const Control& control) {
-    const double tolerance = options.tolerance.length(boundingBoxDiagonal(mesh));
+                            const DeviationMeter& meter, const Control& control) {
+    const double tolerance = options.tolerance.length(meter.diagonal());
     constexpr double mostBent = 30;   // degrees that a patch may turn away from its quads,
     constexpr double mostKinked = 45; // and from its neighbour
-    constexpr int enough = 10;        // by then the fit is certain of the tolerance
-    constexpr int hopeless = 4;       // folded quads have folded patches
-    DeviationOptions measure{options.rho, options.samplesPerEdge, tolerance, mostBent, mostKinked};
+    DeviationLimits limits{tolerance, mostBent, mostKinked};
     ToleranceFit fit(mesh, layout, dihedralAngles, options.rho, tolerance, control.jobs);
-    for (int round = 0;; ++round) {
-        control.progress(0.5);
-        if (round == hopeless) measure.mostBent = measure.mostKinked = 180;
-        auto deviation = measureDeviation(mesh, layout, dihedralAngles, fit.patches(), measure, control);
-        const bool close = std::ranges::all_of(deviation.places, [](const auto& p) { return p.empty(); });
-        if (close || round == enough) {
-            if (!measure.only.empty()) {
-                measure.only.clear();
-                deviation = measureDeviation(mesh, layout, dihedralAngles, fit.patches(), measure, control);
-            }
-            control.progress(1);
-            return withDeviation(fit.patches(), std::move(deviation));
-        }
-        measure.only = fit.tighten(deviation.places);
-        for (std::size_t k = 0; k < measure.only.size(); ++k)
-            measure.only[k] = measure.only[k] || !deviation.places[k].empty();
-    }
+    keepLimits(fit, meter, limits, control);
+    const double most = options.kinkBudget * static_cast<double>(interpolatedPoints(layout));
+    reduceKinks(mesh, layout, fit, {options.maxKink, static_cast<std::size_t>(most)}, meter, limits, control);
+    return withDeviation(fit.patches(), meter.measure(fit.patches(), control));
 }
 
 } // namespace
@@ -77,13 +97,17 @@ Surfaces fitWithinTolerance(const QuadMesh& mesh, const Layout& layout,
 Surfaces fitSurfaces(const QuadMesh& mesh, const Layout& layout, const std::vector<double>& dihedralAngles,
                      const FitOptions& options, const Control& control) {
     requireValid(options);
-    if (options.fit == Fit::tolerance)
-        return fitWithinTolerance(mesh, layout, dihedralAngles, options, control);
-    auto patches = interpolatedPatches(mesh, layout, dihedralAngles, options, control);
-    auto deviation = measureDeviation(mesh, layout, dihedralAngles, patches,
-                                      {options.rho, options.samplesPerEdge}, control);
+    const DeviationMeter meter(mesh, layout, dihedralAngles, {options.rho, options.samplesPerEdge});
+    Surfaces surfaces;
+    if (options.fit == Fit::tolerance) {
+        surfaces = fitWithinTolerance(mesh, layout, dihedralAngles, options, meter, control);
+    } else {
+        auto patches = interpolatedPatches(mesh, layout, dihedralAngles, options, control);
+        auto deviation = meter.measure(patches, control);
+        surfaces = withDeviation(std::move(patches), std::move(deviation));
+    }
     control.progress(1);
-    return withDeviation(std::move(patches), std::move(deviation));
+    return surfaces;
 }
 
 } // namespace qm

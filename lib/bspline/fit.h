@@ -27,6 +27,11 @@ struct FitOptions {
     Fit fit = Fit::interpolate;
     /// Largest deviation from the mesh, between its vertices too; used by Fit::tolerance only.
     Tolerance tolerance;
+    /// Across smooth borders, neighbours' normals should differ by at most so many degrees; used by
+    /// Fit::tolerance only. Patches get control points for that as long as all together have no more than
+    /// this share of interpolation's. What the tolerance itself takes, they have in any case.
+    double maxKink = 1;
+    double kinkBudget = 0.5;
     /// Neighbouring patches share their borders exactly, across T-joints too, and their tangents wherever the
     /// border is smooth. Fit::tolerance always does; Fit::interpolate, left without, is the paper's method:
     /// every patch by itself, with free ends.

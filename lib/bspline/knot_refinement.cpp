@@ -88,6 +88,15 @@ std::vector<double> KnotRefinement::refined() const {
     return added;
 }
 
+std::vector<double> KnotRefinement::enriched() const {
+    const auto more = refined();
+    const auto order = static_cast<std::size_t>(multiplicity_.front());
+    if (order == 4 || more.size() == 2 * order) return more;
+    std::vector<double> raised(order + 1, places_.front());
+    raised.insert(raised.end(), order + 1, places_.back());
+    return raised;
+}
+
 std::vector<double> bareKnots(double length) {
     return {0, 0, 0, 0, length, length, length, length};
 }

@@ -33,6 +33,8 @@ public:
     void addKnot(double parameter);
     /// The knots with all that was asked for.
     [[nodiscard]] std::vector<double> refined() const;
+    /// The same for knots of degree one or two without any inside: there the degree rises first.
+    [[nodiscard]] std::vector<double> enriched() const;
 
 private:
     struct Interval {

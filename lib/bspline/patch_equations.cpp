@@ -1,8 +1,8 @@
 #include "bspline/patch_equations.h"
 
 #include "bspline/eigen_point.h"
+#include "bspline/profile_factor.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
@@ -51,8 +51,7 @@ void PatchEquations::add(const BasisWeights& u, const BasisWeights& v, const Eig
             if (weight == 0) continue;
             const std::size_t i = u.first + a;
             const std::size_t j = v.first + b;
-            const bool known = i == 0 || j == 0 || i > inner_[0] || j > inner_[1];
-            if (known)
+            if (isKnown(i, j))
                 rest -= weight * patch_.controlPoints[j * columns + i];
             else
                 terms[size++] = {f, s, unknown(i - 1, j - 1), weight};
@@ -68,6 +67,60 @@ void PatchEquations::add(const BasisWeights& u, const BasisWeights& v, const Eig
             // Blocks 0 to 3 lie on the own line, seven on each of the next three.
             const std::size_t block = (other.slow - one.slow) * reach + other.fast - one.fast;
             row[block] += other.weight * weighted;
+        }
+    }
+}
+
+void PatchEquations::addLattice(const std::vector<BasisValues>& us, const std::vector<BasisValues>& vs,
+                                std::span<const double> weights, std::span<const Eigen::Matrix3d> metrics,
+                                std::span<const Point> targets) {
+    const std::size_t columns = static_cast<std::size_t>(patch_.count[0]) + span; // room for weights of zero
+    Row row;
+    std::size_t k = 0;
+    for (const BasisValues& v : vs) {
+        row.pairs.assign(columns * span, Eigen::Matrix3d::Zero());
+        row.right.assign(columns, Eigen::Vector3d::Zero());
+        for (const BasisValues& u : us) {
+            const Eigen::Matrix3d metric = weights[k] * metrics[k];
+            const Eigen::Vector3d right = metric * vector(targets[k]);
+            ++k;
+            for (std::size_t a = 0; a < span; ++a) {
+                const Eigen::Matrix3d weighted = u.value[a] * metric;
+                row.right[u.first + a] += u.value[a] * right;
+                for (std::size_t b = a; b < span; ++b)
+                    row.pairs[(u.first + a) * span + b - a] += u.value[b] * weighted;
+            }
+        }
+        addRow(valueWeights(v), row);
+    }
+}
+
+void PatchEquations::addRow(const BasisWeights& v, const Row& row) {
+    const auto columns = static_cast<std::size_t>(patch_.count[0]);
+    const bool uIsFast = inner_[0] <= inner_[1];
+    for (std::size_t a = 0; a < span; ++a) {
+        const std::size_t j = v.first + a;
+        if (v.weight[a] == 0) continue;
+        for (std::size_t i = 1; i <= inner_[0] && !isKnown(i, j); ++i) {
+            const std::size_t one = unknown(i - 1, j - 1);
+            auto right = right_.segment<3>(static_cast<Eigen::Index>(3 * one));
+            right += v.weight[a] * row.right[i];
+            for (std::size_t b = 0; b < span; ++b) {
+                const std::size_t jb = v.first + b;
+                const double weight = v.weight[a] * v.weight[b];
+                if (weight == 0) continue;
+                for (std::size_t ib = i < span ? 0 : i - span + 1; ib < std::min(i + span, columns); ++ib) {
+                    const Eigen::Matrix3d& pair =
+                        row.pairs[std::min(i, ib) * span + (i < ib ? ib - i : i - ib)];
+                    if (isKnown(ib, jb))
+                        right -= weight * (pair * vector(patch_.controlPoints[jb * columns + ib]));
+                    else if (const std::size_t other = unknown(ib - 1, jb - 1); other >= one) {
+                        const std::size_t line = uIsFast ? jb - j : ib - i;
+                        const std::size_t step = uIsFast ? ib - i : jb - j; // wraps where it is negative
+                        matrix_[one * blocks + line * reach + step] += weight * pair;
+                    }
+                }
+            }
         }
     }
 }
@@ -91,23 +144,20 @@ template <class Visitor> void PatchEquations::visitLower(const Visitor& visit) c
             }
 }
 
-Eigen::VectorXd PatchEquations::solveDense() const {
-    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(right_.size(), right_.size());
-    visitLower([&](Eigen::Index row, Eigen::Index column, double value) { matrix(row, column) = value; });
-    return matrix.selfadjointView<Eigen::Lower>().ldlt().solve(right_);
-}
-
-Eigen::VectorXd PatchEquations::solveSparse() const {
-    using Matrix = Eigen::SparseMatrix<double>;
-    std::vector<Eigen::Triplet<double, int>> entries;
-    entries.reserve(9 * matrix_.size());
+Eigen::VectorXd PatchEquations::solveTogether() const {
+    // Row by row from the first entry: its blocks reach back `span` - 1 lines and steps.
+    const std::size_t fast = std::min(inner_[0], inner_[1]);
+    std::vector<std::size_t> first;
+    for (std::size_t k = 0; k < inner_[0] * inner_[1]; ++k) {
+        const std::size_t back = std::min(k, (span - 1) * (fast + 1));
+        first.insert(first.end(), 3, 3 * (k - back));
+    }
+    ProfileFactor matrix(std::move(first));
     visitLower([&](Eigen::Index row, Eigen::Index column, double value) {
-        entries.emplace_back(static_cast<int>(row), static_cast<int>(column), value);
+        matrix.at(static_cast<std::size_t>(row), static_cast<std::size_t>(column)) = value;
     });
-    const auto size = static_cast<int>(right_.size());
-    Matrix matrix(size, size);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    return Eigen::SimplicialLDLT<Matrix, Eigen::Lower>(matrix).solve(right_);
+    matrix.factorise();
+    return matrix.solve(right_);
 }
 
 /// Whether the coordinates do not depend on one another, and count alike.
@@ -139,10 +189,7 @@ Eigen::VectorXd PatchEquations::solveSeparately() const {
 
 Patch PatchEquations::solve() const {
     if (right_.size() == 0) return patch_;
-    constexpr Eigen::Index fewUnknowns = 300;
-    const Eigen::VectorXd points = right_.size() <= fewUnknowns ? solveDense()
-                                   : isSeparate()               ? solveSeparately()
-                                                                : solveSparse();
+    const Eigen::VectorXd points = isSeparate() ? solveSeparately() : solveTogether();
     Patch result = patch_;
     const auto columns = static_cast<std::size_t>(patch_.count[0]);
     for (std::size_t j = 0; j < inner_[1]; ++j)

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace qm {
@@ -32,6 +33,13 @@ public:
     void add(const BasisWeights& u, const BasisWeights& v, const Eigen::Matrix3d& metric,
              const Point& target);
 
+    /// The same for the values at all points of a lattice, row by row, at a fraction of the cost: what the
+    /// points of a row have in common is gathered first. \param us  the basis at the columns' parameters
+    /// \param vs  at the rows' \param weights  of the metrics
+    void addLattice(const std::vector<BasisValues>& us, const std::vector<BasisValues>& vs,
+                    std::span<const double> weights, std::span<const Eigen::Matrix3d> metrics,
+                    std::span<const Point> targets);
+
     /// The patch with the best inner control points. The terms must determine them.
     [[nodiscard]] Patch solve() const;
 
@@ -40,9 +48,17 @@ private:
     static constexpr std::size_t reach = 7;   ///< of a control point along a direction, both ways
     static constexpr std::size_t blocks = 25; ///< that couple a control point with itself and later ones
 
+    /// What the points of a row ask of combinations of columns of control points.
+    struct Row {
+        std::vector<Eigen::Matrix3d> pairs; ///< `span` for every column, with itself and the next ones
+        std::vector<Eigen::Vector3d> right;
+    };
+    void addRow(const BasisWeights& v, const Row& row);
+    [[nodiscard]] bool isKnown(std::size_t i, std::size_t j) const {
+        return i == 0 || j == 0 || i > inner_[0] || j > inner_[1];
+    }
     [[nodiscard]] std::size_t unknown(std::size_t i, std::size_t j) const;
-    [[nodiscard]] Eigen::VectorXd solveDense() const;
-    [[nodiscard]] Eigen::VectorXd solveSparse() const;
+    [[nodiscard]] Eigen::VectorXd solveTogether() const;
     [[nodiscard]] bool isSeparate() const;
     [[nodiscard]] Eigen::VectorXd solveSeparately() const;
     template <class Visitor> void visitLower(const Visitor& visit) const;

@@ -25,16 +25,6 @@ Knots borderKnots(const PatchFitInput& input) {
     return knots;
 }
 
-/// Before a direction gets knots, its degree rises to three.
-std::vector<double> enriched(const std::vector<double>& knots, const KnotRefinement& refinement) {
-    auto more = refinement.refined();
-    if (more == knots || clampedDegree(knots) == 3) return more;
-    more = knots;
-    more.insert(more.begin(), knots.front());
-    more.push_back(knots.back());
-    return more;
-}
-
 /// Takes out knots for as long as the patch still fits; in a large patch, some.
 PatchAttempt withoutNeedlessKnots(const PatchSolver& solver, PatchAttempt best, const Knots& needed) {
     constexpr int effort = 3000; // control points of all attempts together
@@ -66,21 +56,18 @@ std::optional<PatchAttempt> refined(const PatchSolver& solver, Knots knots, bool
         std::array<KnotRefinement, 2> refinement = {KnotRefinement(knots[0], rules[0]),
                                                     KnotRefinement(knots[1], rules[1])};
         solver.mark(attempt, refinement);
-        const Knots more = {enriched(knots[0], refinement[0]), enriched(knots[1], refinement[1])};
+        const Knots more = {refinement[0].enriched(), refinement[1].enriched()};
         if (more == knots || more[0].size() * more[1].size() > most) return std::nullopt;
         knots = more;
     }
 }
 
-} // namespace
-
-std::vector<double> normalParameters(int edges) {
-    std::vector<double> parameters;
-    for (int k = 0; k < edges; ++k)
-        for (const double share : {0.03, 0.25, 0.5, 0.75, 0.97})
-            parameters.push_back(k + share);
-    return parameters;
+Patch smoothest(const PatchSolver& solver, PatchAttempt known) {
+    auto smoother = solver.smoothest(known.patch.knots);
+    return smoother ? std::move(smoother->patch) : std::move(known.patch);
 }
+
+} // namespace
 
 Patch fitPatch(const PatchFitInput& input, double tolerance) {
     const PatchSolver solver(input, tolerance, input.closeness);
@@ -91,11 +78,11 @@ Patch fitPatch(const PatchFitInput& input, double tolerance) {
     auto found =
         refined(solver, needed, true,
                 {KnotRules{finestKnots, true, sharp[0]}, KnotRules{finestKnots, true, sharp[1]}}, most);
-    if (found) return solver.smoothest(withoutNeedlessKnots(solver, std::move(*found), needed)).patch;
+    if (found) return smoothest(solver, withoutNeedlessKnots(solver, std::move(*found), needed));
     // Closeness goes before smoothness. Without sliding, the coordinates are independent: that is fast.
     const PatchSolver close(input, tolerance, {});
     found = refined(close, needed, false, {}, std::numeric_limits<std::size_t>::max());
-    return found ? close.smoothest(*found).patch : facetedPatch(input);
+    return found ? smoothest(close, std::move(*found)) : facetedPatch(input);
 }
 
 } // namespace qm

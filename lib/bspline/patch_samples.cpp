@@ -22,14 +22,17 @@ bool isLenient(std::span<const Closeness> closeness) {
 
 } // namespace
 
-PatchSamples::PatchSamples(const std::array<int, 2>& size, std::span<const Point> grid, double tolerance,
-                           std::span<const Closeness> closeness)
-    : size_(size), grid_(grid), closeness_(closeness), tolerance_(tolerance),
-      steps_(isLenient(closeness) && size[0] * size[1] > manyQuads ? 2 : fitSteps),
-      parameters_{sampleParameters(size[0], steps_), sampleParameters(size[1], steps_)} {
+PatchSamples::PatchSamples(QuadGrid quads, double tolerance, std::span<const Closeness> closeness)
+    : quads_(std::move(quads)), closeness_(closeness), tolerance_(tolerance),
+      steps_(isLenient(closeness) && size(0) * size(1) > manyQuads ? 2 : fitSteps),
+      parameters_{sampleParameters(size(0), steps_), sampleParameters(size(1), steps_)} {
+    const std::size_t samples = parameters_[0].size() * parameters_[1].size();
+    samples_.reserve(samples);
+    targets_.reserve(samples);
+    metrics_.reserve(samples);
     for (std::size_t j = 0; j < parameters_[1].size(); ++j)
         for (std::size_t i = 0; i < parameters_[0].size(); ++i)
-            samples_.push_back(sampleAt(i, j));
+            addSample(i, j);
     findSharpLines();
 }
 
@@ -38,28 +41,27 @@ std::array<double, 2> PatchSamples::at(std::size_t sample) const {
     return {parameters_[0][sample % width], parameters_[1][sample / width]};
 }
 
-PatchSamples::Sample PatchSamples::sampleAt(std::size_t i, std::size_t j) const {
-    const auto quads = [&](std::size_t sample, int size) {
+void PatchSamples::addSample(std::size_t i, std::size_t j) {
+    const auto around = [&](std::size_t sample, int size) {
         const int at = static_cast<int>(sample) / steps_;
         const int last = std::min(at, size - 1);
         const bool between = static_cast<int>(sample) % steps_ == 0 && last > 0 && at == last;
         return std::pair(between ? last - 1 : last, last);
     };
-    const auto [firstColumn, lastColumn] = quads(i, size_[0]);
-    const auto [firstRow, lastRow] = quads(j, size_[1]);
-    const auto width = static_cast<std::size_t>(size_[0]) + 1;
-    Sample sample;
+    const auto [firstColumn, lastColumn] = around(i, size(0));
+    const auto [firstRow, lastRow] = around(j, size(1));
+    Sample& sample = samples_.emplace_back();
+    Point target;
     sample.onBorder = i == 0 || j == 0 || i + 1 == parameters_[0].size() || j + 1 == parameters_[1].size();
     for (int row = firstRow; row <= lastRow; ++row)
         for (int column = firstColumn; column <= lastColumn; ++column) {
-            const Point* corner =
-                grid_.data() + static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column);
+            const QuadCorners corners = quads_.corners(column, row);
             const double s = parameters_[0][i] - column;
             const double t = parameters_[1][j] - row;
-            const Point alongU = (1 - t) * (corner[1] - corner[0]) + t * (corner[width + 1] - corner[width]);
-            const Point alongV = (1 - s) * (corner[width] - corner[0]) + s * (corner[width + 1] - corner[1]);
+            const Point alongU = (1 - t) * (corners[1] - corners[0]) + t * (corners[2] - corners[3]);
+            const Point alongV = (1 - s) * (corners[3] - corners[0]) + s * (corners[2] - corners[1]);
             const Point normal = unitNormal(alongU, alongV);
-            sample.target = bilinear({corner[0], corner[1], corner[width + 1], corner[width]}, s, t);
+            target = bilinear(corners, s, t);
             sample.normals[sample.quads] = normal;
             sample.steps[sample.quads++] = {alongU, alongV};
             sample.degenerate = sample.degenerate || normal.sqrnorm() == 0;
@@ -67,15 +69,15 @@ PatchSamples::Sample PatchSamples::sampleAt(std::size_t i, std::size_t j) const 
     const Closeness closeness = closenessAt(parameters_[0][i], parameters_[1][j]);
     sample.tolerance = closeness.share * tolerance_;
     sample.slides = closeness.slides;
-    sample.metric = metricOf(sample) / (closeness.share * closeness.share);
-    return sample;
+    targets_.push_back(target);
+    metrics_.emplace_back(metricOf(sample) / (closeness.share * closeness.share));
 }
 
 Closeness PatchSamples::closenessAt(double u, double v) const {
     if (closeness_.empty()) return {1, false};
-    const int column = std::min(static_cast<int>(u), size_[0] - 1);
-    const int row = std::min(static_cast<int>(v), size_[1] - 1);
-    const auto width = static_cast<std::size_t>(size_[0]) + 1;
+    const int column = std::min(static_cast<int>(u), size(0) - 1);
+    const int row = std::min(static_cast<int>(v), size(1) - 1);
+    const auto width = static_cast<std::size_t>(size(0)) + 1;
     const Closeness* corner =
         closeness_.data() + static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column);
     return between(between(corner[0], corner[1], u - column),
@@ -102,7 +104,7 @@ Eigen::Matrix3d PatchSamples::metricOf(const Sample& sample) const {
 void PatchSamples::findSharpLines() {
     constexpr double cosine = 0.85;
     for (std::size_t d = 0; d < 2; ++d)
-        sharp_[d].assign(static_cast<std::size_t>(size_[d]) + 1, false);
+        sharp_[d].assign(static_cast<std::size_t>(size(d)) + 1, false);
     const std::size_t width = parameters_[0].size();
     for (std::size_t k = 0; k < samples_.size(); ++k) {
         const Sample& sample = samples_[k];
@@ -131,15 +133,6 @@ double PatchSamples::counted(std::size_t sample, const Point& error) const {
         }
     }
     return result;
-}
-
-Point PatchSamples::onQuads(double u, double v) const {
-    const int column = std::min(static_cast<int>(u), size_[0] - 1);
-    const int row = std::min(static_cast<int>(v), size_[1] - 1);
-    const auto width = static_cast<std::size_t>(size_[0]) + 1;
-    const Point* corner =
-        grid_.data() + static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column);
-    return bilinear({corner[0], corner[1], corner[width + 1], corner[width]}, u - column, v - row);
 }
 
 } // namespace qm

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bspline/closeness.h"
+#include "bspline/quad_grid.h"
 #include "bspline/surfaces.h"
 
 #include <Eigen/Core>
@@ -17,10 +18,9 @@ namespace qm {
 /// Where errors may slide, only their parts across the quads count in full.
 class PatchSamples {
 public:
-    /// \param grid  row by row as in `vertexGrid`; it must outlive the samples \param closeness  at the same
-    /// vertices; if it is empty, nothing slides
-    PatchSamples(const std::array<int, 2>& size, std::span<const Point> grid, double tolerance,
-                 std::span<const Closeness> closeness);
+    /// \param closeness  at the quads' vertices, row by row; if it is empty, nothing slides. It must outlive
+    /// the samples
+    PatchSamples(QuadGrid quads, double tolerance, std::span<const Closeness> closeness);
 
     [[nodiscard]] std::size_t size() const { return samples_.size(); }
     /// Parameters of the lattice along u (0) or v (1).
@@ -29,8 +29,8 @@ public:
     }
     /// The parameters u and v of a sample.
     [[nodiscard]] std::array<double, 2> at(std::size_t sample) const;
-    [[nodiscard]] const Point& target(std::size_t sample) const { return samples_[sample].target; }
-    [[nodiscard]] const Eigen::Matrix3d& metric(std::size_t sample) const { return samples_[sample].metric; }
+    [[nodiscard]] const std::vector<Point>& targets() const { return targets_; }
+    [[nodiscard]] const std::vector<Eigen::Matrix3d>& metrics() const { return metrics_; }
     /// On the border the curves decide.
     [[nodiscard]] bool isOnBorder(std::size_t sample) const { return samples_[sample].onBorder; }
 
@@ -41,13 +41,10 @@ public:
     /// For both directions, which lines of the grid are edges that no smooth surface should follow.
     [[nodiscard]] const std::array<std::vector<bool>, 2>& sharpLines() const { return sharp_; }
 
-    /// The point of the quads at any parameters.
-    [[nodiscard]] Point onQuads(double u, double v) const;
+    [[nodiscard]] const QuadGrid& quads() const { return quads_; }
 
 private:
     struct Sample {
-        Point target{0, 0, 0};
-        Eigen::Matrix3d metric = Eigen::Matrix3d::Identity();
         std::array<Point, 4> normals;              ///< of the quads there
         std::array<std::array<Point, 2>, 4> steps; ///< along u and v
         std::size_t quads = 0;
@@ -57,18 +54,20 @@ private:
         bool onBorder = false;
     };
 
-    [[nodiscard]] Sample sampleAt(std::size_t i, std::size_t j) const;
+    [[nodiscard]] int size(std::size_t direction) const { return quads_.size()[direction]; }
+    void addSample(std::size_t i, std::size_t j);
     [[nodiscard]] Closeness closenessAt(double u, double v) const;
     [[nodiscard]] Eigen::Matrix3d metricOf(const Sample& sample) const;
     void findSharpLines();
 
-    std::array<int, 2> size_;
-    std::span<const Point> grid_;
+    QuadGrid quads_;
     std::span<const Closeness> closeness_;
     double tolerance_;
     int steps_; ///< of the lattice along every edge
     std::array<std::vector<double>, 2> parameters_;
     std::vector<Sample> samples_;
+    std::vector<Point> targets_;
+    std::vector<Eigen::Matrix3d> metrics_;
     std::array<std::vector<bool>, 2> sharp_;
 };
 

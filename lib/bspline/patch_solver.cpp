@@ -3,6 +3,7 @@
 #include "bspline/design_matrix.h"
 #include "bspline/eigen_point.h"
 #include "bspline/evaluate.h"
+#include "bspline/patch_frame.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,33 +18,10 @@ constexpr double searchWeight = 0.3;
 constexpr std::array<double, 3> mostWeights = {16, 3, 0.8};
 /// How much less the length of a derivative across the border counts than its direction: but for it, a
 /// derivative of length zero would be orthogonal to every normal.
-constexpr double lengthShare = 0.5;
+constexpr double lengthShare = 0.1;
 
 /// Patches with more quads than this get fewer rounds.
 constexpr int largePatch = 800;
-
-/// `evaluate` without derivatives; errors are told far more often than anything else.
-Point position(const Patch& patch, const BasisValues& u, const BasisValues& v) {
-    const auto columns = static_cast<std::size_t>(patch.count[0]);
-    Point result{0, 0, 0};
-    for (std::size_t j = 0; j <= static_cast<std::size_t>(patch.degree[1]); ++j) {
-        const Point* row = patch.controlPoints.data() + (v.first + j) * columns + u.first;
-        Point onRow = u.value[0] * row[0];
-        for (std::size_t i = 1; i <= static_cast<std::size_t>(patch.degree[0]); ++i)
-            onRow += u.value[i] * row[i];
-        result += v.value[j] * onRow;
-    }
-    return result;
-}
-
-/// The normal's part orthogonal to the tangent; zero where they are far from orthogonal.
-Point unitNormalAcross(const Point& normal, const Point& tangent) {
-    const double square = tangent.sqrnorm();
-    if (!(square > 0)) return {0, 0, 0};
-    const Point across = normal - (normal | tangent) / square * tangent;
-    const double length = across.norm();
-    return length > 0.5 ? Point(across / length) : Point(0, 0, 0);
-}
 
 /// What least squares over the knots leaves of every column.
 Eigen::MatrixXd leftOver(const std::vector<double>& knots, const std::vector<double>& parameters,
@@ -62,8 +40,10 @@ Eigen::MatrixXd leftOver(const std::vector<double>& knots, const std::vector<dou
 
 PatchSolver::PatchSolver(const PatchFitInput& input, double tolerance, std::span<const Closeness> closeness)
     : input_(input),
-      samples_(input.size, input.grid, tolerance, closeness), normalAt_{normalParameters(input.size[0]),
-                                                                        normalParameters(input.size[1])} {}
+      samples_({input.grid, input.size}, tolerance, closeness), normalAt_{normalParameters(input.size[0]),
+                                                                          normalParameters(input.size[1])} {
+    prescribeNormals();
+}
 
 bool PatchSolver::isLarge() const {
     return input_.size[0] * input_.size[1] > largePatch;
@@ -93,13 +73,13 @@ PatchAttempt PatchSolver::attempt(const Knots& knots, bool aimsAtNormals) const 
     return best;
 }
 
-PatchAttempt PatchSolver::smoothest(const PatchAttempt& known) const {
+std::optional<PatchAttempt> PatchSolver::smoothest(const Knots& knots) const {
     for (const double most : mostWeights) {
         if (isLarge() && most == mostWeights.front()) continue; // seldom enough to take the time
         std::vector<double> weights(samples_.size(), 1);
         NormalWeights normals = normalWeights(most);
         for (int round = 0; round < (isLarge() ? 2 : 5); ++round) {
-            PatchAttempt next = solve(known.patch.knots, weights, normals);
+            PatchAttempt next = solve(knots, weights, normals);
             if (next.largest <= 1) return next;
             for (std::size_t k = 0; k < samples_.size(); ++k)
                 if (next.errors[k] > 1) {
@@ -108,7 +88,7 @@ PatchAttempt PatchSolver::smoothest(const PatchAttempt& known) const {
                 }
         }
     }
-    return known;
+    return std::nullopt;
 }
 
 /// Makes the normals near a sample count less.
@@ -148,28 +128,18 @@ PatchAttempt PatchSolver::solve(const Knots& knots, const std::vector<double>& w
     PatchEquations equations(frame);
     const auto tableU = basisTable(knots[0], frame.degree[0], samples_.parameters(0));
     const auto tableV = basisTable(knots[1], frame.degree[1], samples_.parameters(1));
-    std::size_t k = 0;
-    for (const BasisValues& v : tableV) {
-        const BasisWeights weightsV = valueWeights(v);
-        for (const BasisValues& u : tableU) {
-            equations.add(valueWeights(u), weightsV, weights[k] * samples_.metric(k), samples_.target(k));
-            ++k;
-        }
-    }
+    equations.addLattice(tableU, tableV, weights, samples_.metrics(), samples_.targets());
     addPull(equations, frame);
     addNormals(equations, frame, normalWeights);
     PatchAttempt result;
     result.patch = equations.solve();
-    k = 0;
-    for (const BasisValues& v : tableV)
-        for (const BasisValues& u : tableU) {
-            const double error = samples_.isOnBorder(k)
-                                     ? 0
-                                     : samples_.counted(k, position(result.patch, u, v) - samples_.target(k));
-            result.errors.push_back(error);
-            if (!(error <= result.largest)) result.largest = error;
-            ++k;
-        }
+    const std::vector<Point> positions = positionLattice(result.patch, tableU, tableV);
+    for (std::size_t k = 0; k < samples_.size(); ++k) {
+        const double error =
+            samples_.isOnBorder(k) ? 0 : samples_.counted(k, positions[k] - samples_.targets()[k]);
+        result.errors.push_back(error);
+        if (!(error <= result.largest)) result.largest = error;
+    }
     return result;
 }
 
@@ -189,44 +159,50 @@ void PatchSolver::addPull(PatchEquations& equations, const Patch& frame) const {
     for (std::size_t j = 1; j + 1 < rows; ++j)
         for (std::size_t i = 1; i + 1 < columns; ++i)
             equations.add(one(i), one(j), weight * Eigen::Matrix3d::Identity(),
-                          samples_.onQuads(greville(0, i), greville(1, j)));
+                          samples_.quads().at(greville(0, i), greville(1, j)));
 }
 
 /// The derivative across a border is to be orthogonal to the normals there.
 void PatchSolver::addNormals(PatchEquations& equations, const Patch& frame,
                              const NormalWeights& weights) const {
-    for (std::size_t d = 0; d < 2; ++d)
+    for (std::size_t d = 0; d < 2; ++d) {
+        const auto table = basisTable(frame.knots[d], frame.degree[d], normalAt_[d]);
         for (std::size_t end = 0; end < 2; ++end) {
-            const auto& normals = input_.normals[d][end];
-            if (normals.empty()) continue;
             const BasisWeights across = derivativeWeights(
                 basisValues(frame.knots[1 - d], frame.degree[1 - d], end == 0 ? 0 : input_.size[1 - d]));
-            for (std::size_t k = 0; k < normals.size(); ++k) {
+            for (std::size_t k = 0; k < prescribed_[d][end].size(); ++k) {
+                const auto& [normal, aim] = prescribed_[d][end][k];
                 const double weight = weights[d][end][k];
-                if (normals[k].sqrnorm() == 0 || weight == 0) continue;
-                const BasisValues basis = basisValues(frame.knots[d], frame.degree[d], normalAt_[d][k]);
-                const Point normal =
-                    unitNormalAcross(normals[k], derivative(input_.border[d][end], normalAt_[d][k]));
-                if (normal.sqrnorm() == 0) continue;
-                const Eigen::Vector3d direction = vector(normal);
-                const Eigen::Matrix3d off = direction * direction.transpose();
+                if (normal.sqrnorm() == 0 || weight == 0) continue;
+                const Eigen::Matrix3d off = vector(normal) * vector(normal).transpose();
                 const Eigen::Matrix3d metric =
                     weight * weight * (off + lengthShare * lengthShare * (Eigen::Matrix3d::Identity() - off));
-                const BasisWeights along = valueWeights(basis);
-                const Point step = stepAcross(d, end, normalAt_[d][k]);
-                Point aim = step - (step | normal) * normal;
-                if (const double size = aim.norm(); size > 0.5 * step.norm()) aim *= step.norm() / size;
+                const BasisWeights along = valueWeights(table[k]);
                 equations.add(d == 0 ? along : across, d == 0 ? across : along, metric, aim);
             }
         }
+    }
+}
+
+void PatchSolver::prescribeNormals() {
+    for (std::size_t d = 0; d < 2; ++d)
+        for (std::size_t end = 0; end < 2; ++end)
+            for (std::size_t k = 0; k < input_.normals[d][end].size(); ++k) {
+                const Point tangent = derivative(input_.border[d][end], normalAt_[d][k]);
+                const Point normal = unitNormalAcross(input_.normals[d][end][k], tangent);
+                const Point step = stepAcross(d, end, normalAt_[d][k]);
+                Point aim = step - (step | normal) * normal;
+                if (const double size = aim.norm(); size > 0.5 * step.norm()) aim *= step.norm() / size;
+                prescribed_[d][end].push_back({normal, aim});
+            }
 }
 
 /// Of the quads beside a border, across it.
 Point PatchSolver::stepAcross(std::size_t direction, std::size_t end, double along) const {
     const double last = input_.size[1 - direction];
     const double outer = end == 0 ? 0 : last - 1;
-    return direction == 0 ? samples_.onQuads(along, outer + 1) - samples_.onQuads(along, outer)
-                          : samples_.onQuads(outer + 1, along) - samples_.onQuads(outer, along);
+    return direction == 0 ? samples_.quads().at(along, outer + 1) - samples_.quads().at(along, outer)
+                          : samples_.quads().at(outer + 1, along) - samples_.quads().at(outer, along);
 }
 
 /// What the knots of each direction alone leave of the samples, as errors count.
@@ -238,7 +214,7 @@ std::array<std::vector<double>, 2> PatchSolver::leftBy(const Knots& knots) const
         Eigen::MatrixXd values(nu, nv);
         for (Eigen::Index j = 0; j < nv; ++j)
             for (Eigen::Index i = 0; i < nu; ++i)
-                values(i, j) = samples_.target(static_cast<std::size_t>(j * nu + i))[c];
+                values(i, j) = samples_.targets()[static_cast<std::size_t>(j * nu + i)][c];
         left[0][c] = leftOver(knots[0], samples_.parameters(0), values);
         left[1][c] = leftOver(knots[1], samples_.parameters(1), values.transpose()).transpose();
     }

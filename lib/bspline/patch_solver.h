@@ -7,6 +7,7 @@
 #include "bspline/patch_samples.h"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace qm {
@@ -33,17 +34,18 @@ public:
     /// \param aimsAtNormals  the prescribed normals count, if moderately
     [[nodiscard]] PatchAttempt attempt(const Knots& knots, bool aimsAtNormals) const;
 
-    /// Over the same knots, the patch whose normals are as near to the prescribed ones as the tolerance
-    /// allows: they count less wherever the tolerance is exceeded.
-    [[nodiscard]] PatchAttempt smoothest(const PatchAttempt& known) const;
+    /// The patch whose normals are as near to the prescribed ones as the tolerance allows: they count less
+    /// wherever the tolerance is exceeded. None if it is exceeded all the same.
+    [[nodiscard]] std::optional<PatchAttempt> smoothest(const Knots& knots) const;
 
     /// Asks for knots where the tolerance is exceeded most, in the direction to blame.
     void mark(const PatchAttempt& attempt, std::array<KnotRefinement, 2>& refinement) const;
 
 private:
     /// Weights of the prescribed normals, in the order of the input.
-    using NormalWeights = std::array<std::array<std::vector<double>, 2>, 2>;
+    using NormalWeights = OnBorder<std::vector<double>>;
 
+    void prescribeNormals();
     [[nodiscard]] bool isLarge() const;
     [[nodiscard]] NormalWeights normalWeights(double weight) const;
     void lower(NormalWeights& normals, std::size_t sample) const;
@@ -56,7 +58,12 @@ private:
 
     const PatchFitInput& input_;
     PatchSamples samples_;
+    struct Prescribed {
+        Point normal{0, 0, 0}; ///< across the border curve; zero where there is none
+        Point aim{0, 0, 0};    ///< what the derivative across is to be, about
+    };
     std::array<std::vector<double>, 2> normalAt_; ///< where normals are prescribed, along u and v
+    OnBorder<std::vector<Prescribed>> prescribed_;
 };
 
 } // namespace qm

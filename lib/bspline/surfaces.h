@@ -47,9 +47,9 @@ struct Surfaces {
 };
 
 /// All patches' control points together.
-[[nodiscard]] inline std::size_t controlPointCount(const Surfaces& surfaces) {
+[[nodiscard]] inline std::size_t controlPointCount(const std::vector<Patch>& patches) {
     std::size_t sum = 0;
-    for (const Patch& patch : surfaces.patches)
+    for (const Patch& patch : patches)
         sum += patch.controlPoints.size();
     return sum;
 }

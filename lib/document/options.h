@@ -130,6 +130,13 @@ template <class Visitor> void describe(FitOptions& options, Visitor&& option) {
     option("tolerance", options.tolerance, Range{},
            "with --fit tolerance: the largest deviation from the mesh, in its unit, or with % as a share of "
            "the bounding box's diagonal");
+    option(
+        "max-kink", options.maxKink, Range{0, 180},
+        "with --fit tolerance: neighbours are turned towards one another where their normals differ by more "
+        "than this across a smooth border, degrees");
+    option("kink-budget", options.kinkBudget, Range{0, 10},
+           "patches get control points for that as long as all together have no more than this share of "
+           "interpolation's");
     option("watertight", options.watertight, Range{},
            "let neighbouring patches share their borders exactly; --fit tolerance always does");
     option("rho", options.rho, Range{0, std::numbers::pi},

@@ -41,7 +41,7 @@ void addFigures(Scene& scene, const Viewed& viewed) {
     }
     if (viewed.surfaces != nullptr) {
         const Deviation& deviation = viewed.surfaces->deviation;
-        add("control points", controlPointCount(*viewed.surfaces));
+        add("control points", controlPointCount(viewed.surfaces->patches));
         add("largest deviation", deviation.max);
         add("deviation, root mean square", deviation.rms);
         add("largest gap", deviation.largestGap);

@@ -51,6 +51,21 @@ is() { assert_equal "$(field "$1" out.json)" true; }
     assert [ "$(control_points)" -le "$strict" ]
 }
 
+@test "neighbours meet more smoothly, for as many control points as the budget allows" {
+    control_points() { field '[.surfaces.patches[].controlPoints[] | length] | add' out.json; }
+    model=torus
+    fit "$model" --fit tolerance --tolerance 0.5% --max-kink 180
+    rough=$(field .surfaces.deviation.rmsKink out.json)
+    fewest=$(control_points)
+    fit "$model" --fit tolerance --tolerance 0.5% --max-kink 0.5 --kink-budget 0
+    assert [ "$(control_points)" -le "$fewest" ]
+    fit "$model" --fit tolerance --tolerance 0.5% --max-kink 0.5 --kink-budget 2
+    assert [ "$(control_points)" -gt "$fewest" ]
+    is ".surfaces.deviation.rmsKink < 0.7 * $rough and .surfaces.deviation.maxRelative <= 0.005"
+    is '.history[-1].options | .maxKink == 0.5 and .kinkBudget == 2'
+    quietly qm-check out.json -o verdict
+}
+
 @test "a tolerance is a length, or with % a share of the diagonal; the document says which" {
     fit block --fit tolerance --tolerance 0.1%
     is '.history[-1].options.tolerance == "0.1%"'
@@ -60,7 +75,8 @@ is() { assert_equal "$(field "$1" out.json)" true; }
 }
 
 @test "options out of range" {
-    for options in '--fit loosely' '--tolerance -1' '--tolerance x' '--tolerance 0%' '--tolerance 1%%' '--rho 4' '--samples-per-edge 0'; do
+    for options in '--fit loosely' '--tolerance -1' '--tolerance x' '--tolerance 0%' '--tolerance 1%%' '--rho 4' '--samples-per-edge 0' \
+        '--max-kink -1' '--max-kink 181' '--kink-budget -1' '--kink-budget x'; do
         # shellcheck disable=SC2086  # a list of words
         misused qm-bspline $options "$(stage pruned block)"
     done

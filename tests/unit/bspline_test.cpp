@@ -1,5 +1,7 @@
 #include "bspline/basis.h"
 #include "bspline/evaluate.h"
+#include "bspline/patch_equations.h"
+#include "bspline/patch_frame.h"
 #include "bspline/profile_factor.h"
 #include "bspline/spline_curve.h"
 
@@ -7,8 +9,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace qm {
 namespace {
@@ -105,8 +109,59 @@ TEST(Evaluate, AgreesOnALattice) {
     const std::vector<double> vs = {0, 0.5, 2};
     const auto points = evaluateLattice(patch, us, vs);
     ASSERT_EQ(points.size(), 12U);
-    EXPECT_EQ(points[1 * 4 + 2].position, evaluate(patch, 1, 0.5).position);
-    EXPECT_EQ(points[2 * 4 + 3].dv, evaluate(patch, 3, 2).dv);
+    const auto positions = positionLattice(patch, basisTable(patch.knots[0], patch.degree[0], us),
+                                           basisTable(patch.knots[1], patch.degree[1], vs));
+    for (std::size_t j = 0; j < vs.size(); ++j)
+        for (std::size_t i = 0; i < us.size(); ++i) {
+            const SurfacePoint expected = evaluate(patch, us[i], vs[j]);
+            const SurfacePoint& point = points[j * us.size() + i];
+            EXPECT_LT((point.position - expected.position).norm(), 1e-14);
+            EXPECT_LT((point.du - expected.du).norm(), 1e-14);
+            EXPECT_LT((point.dv - expected.dv).norm(), 1e-14);
+            EXPECT_EQ(point.position, positions[j * us.size() + i]);
+        }
+}
+
+/// Terms of every kind, for patches that are wide, high, and of lower degree.
+TEST(PatchEquations, SolveALatticeAsPointByPoint) {
+    const std::vector<double> longer = {0, 0, 0, 0, 1, 1.5, 2, 2, 3, 5, 6, 6, 6, 6};
+    const std::vector<double> shorter = {0, 0, 0, 0, 1, 2, 2, 2, 2};
+    const std::vector<double> quadratic = {0, 0, 0, 3, 3, 3};
+    for (const auto& [knotsU, knotsV] : {std::pair(longer, shorter), std::pair(shorter, longer),
+                                         std::pair(quadratic, longer), std::pair(longer, quadratic)}) {
+        Patch frame = emptyPatch(knotsU, knotsV);
+        double at = 0;
+        for (Point& point : frame.controlPoints) { // the inner ones do not count
+            at += 1;
+            point = {std::sin(3 * at), std::cos(5 * at), std::sin(7 * at)};
+        }
+        std::array<std::vector<BasisValues>, 2> tables;
+        for (std::size_t d = 0; d < 2; ++d) {
+            std::vector<double> parameters;
+            for (double t = 0; t <= frame.knots[d].back(); t += 0.25)
+                parameters.push_back(t);
+            tables[d] = basisTable(frame.knots[d], frame.degree[d], parameters);
+        }
+        PatchEquations points(frame);
+        PatchEquations lattice(frame);
+        std::vector<double> weights;
+        std::vector<Eigen::Matrix3d> metrics;
+        std::vector<Point> targets;
+        for (const BasisValues& v : tables[1])
+            for (const BasisValues& u : tables[0]) {
+                const auto k = static_cast<double>(weights.size());
+                const Eigen::Vector3d normal(std::sin(k), 1, std::cos(k));
+                weights.push_back(1 + 0.5 * std::sin(k));
+                metrics.emplace_back(0.1 * Eigen::Matrix3d::Identity() + normal * normal.transpose());
+                targets.emplace_back(std::cos(0.3 * k), std::sin(0.1 * k), 0.01 * k);
+                points.add(valueWeights(u), valueWeights(v), weights.back() * metrics.back(), targets.back());
+            }
+        lattice.addLattice(tables[0], tables[1], weights, metrics, targets);
+        const Patch expected = points.solve();
+        const Patch found = lattice.solve();
+        for (std::size_t k = 0; k < expected.controlPoints.size(); ++k)
+            EXPECT_LT((found.controlPoints[k] - expected.controlPoints[k]).norm(), 1e-10);
+    }
 }
 
 TEST(Evaluate, NormalsPointToTheSideOfTheFaces) {

@@ -1,4 +1,5 @@
 #include "bspline/borders.h"
+#include "bspline/bounding_box.h"
 #include "bspline/deviation.h"
 #include "bspline/interpolate.h"
 #include "bspline/mesh_distance.h"
@@ -22,6 +23,18 @@ std::vector<Patch> interpolateAll(const QuadMesh& mesh, const Layout& layout) {
 
 std::vector<double> allSmooth(const QuadMesh& mesh) {
     return std::vector<double>(mesh.n_edges(), 0.0);
+}
+
+MeasuredDeviation measure(const QuadMesh& mesh, const Layout& layout, const std::vector<Patch>& patches,
+                          const Control& control = {}) {
+    const std::vector<double> angles = allSmooth(mesh);
+    return DeviationMeter(mesh, layout, angles, {}).measure(patches, control);
+}
+
+DeviatingPlaces find(const QuadMesh& mesh, const Layout& layout, const std::vector<Patch>& patches,
+                     const DeviationLimits& limits) {
+    const std::vector<double> angles = allSmooth(mesh);
+    return DeviationMeter(mesh, layout, angles, {}).find(patches, limits);
 }
 
 const Grid plane{8, 6, [](double i, double j) { return Point(i, j, 0); }};
@@ -71,7 +84,7 @@ TEST(Borders, NameBothSidesOfEveryEdge) {
 TEST(Deviation, OfAFlatSheetIsNothing) {
     const QuadMesh mesh = test::makeMesh(plane);
     const Layout layout = test::makeLayout(plane, tJoint);
-    const auto measured = measureDeviation(mesh, layout, allSmooth(mesh), interpolateAll(mesh, layout), {});
+    const auto measured = measure(mesh, layout, interpolateAll(mesh, layout));
     EXPECT_LT(measured.ofAll.max, 0.04) << "free ends slide along the boundary";
     EXPECT_LT(measured.ofAll.largestKink, 1e-9);
     EXPECT_LT(measured.ofAll.largestNormalDeviation, 1e-9);
@@ -84,7 +97,7 @@ TEST(Deviation, FindsADisplacementTwoSidedAndRelative) {
     auto patches = interpolateAll(mesh, layout);
     for (Point& point : patches[1].controlPoints)
         point += Point(0, 0, 0.5);
-    const auto measured = measureDeviation(mesh, layout, allSmooth(mesh), patches, {});
+    const auto measured = measure(mesh, layout, patches);
     EXPECT_NEAR(boundingBoxDiagonal(mesh), 10, 1e-12);
     EXPECT_NEAR(measured.ofPatch[1].rms, 0.5, 1e-3);
     EXPECT_NEAR(measured.ofPatch[1].percentile95, 0.5, 1e-3);
@@ -100,7 +113,7 @@ TEST(Deviation, SeesOscillationBetweenVertices) {
     const Grid step{12, 6, [](double i, double j) { return Point(i, j, i < 6 ? 0 : 3); }};
     const QuadMesh mesh = test::makeMesh(step);
     const Layout layout = test::makeLayout(step, {{0, 0, 12, 6}});
-    const auto measured = measureDeviation(mesh, layout, allSmooth(mesh), interpolateAll(mesh, layout), {});
+    const auto measured = measure(mesh, layout, interpolateAll(mesh, layout));
     EXPECT_GT(measured.ofAll.max, 0.15);
     EXPECT_GT(measured.ofAll.largestNormalDeviation, 5);
 }
@@ -111,9 +124,9 @@ TEST(Deviation, TellsWherePatchesAreTooFarOrKinked) {
     auto patches = interpolateAll(mesh, layout);
     for (Point& point : patches[1].controlPoints)
         point += Point(0, 0, 0.5);
-    DeviationOptions options;
-    options.farthest = 0.1;
-    const auto places = measureDeviation(mesh, layout, allSmooth(mesh), patches, options).places;
+    DeviationLimits limits;
+    limits.farthest = 0.1;
+    const auto places = find(mesh, layout, patches, limits);
     EXPECT_TRUE(places[0].empty());
     ASSERT_FALSE(places[1].empty());
     for (const DeviatingPlace& place : places[1])
@@ -124,16 +137,37 @@ TEST(Deviation, TellsWherePatchesAreTooFarOrKinked) {
     const Layout halves = test::makeLayout(roof, {{0, 0, 4, 4}, {4, 0, 8, 4}});
     const QuadMesh bent = test::makeMesh(roof);
     const auto kinked = interpolateAll(bent, halves);
-    options = {};
-    options.mostKinked = 45;
-    const auto own = measureDeviation(bent, halves, allSmooth(bent), kinked, options);
-    EXPECT_TRUE(own.places[0].empty()) << "the quads have that kink as well";
+    limits = {};
+    limits.mostKinked = 45;
+    EXPECT_TRUE(find(bent, halves, kinked, limits)[0].empty()) << "the quads have that kink as well";
     const QuadMesh even = test::makeMesh(flat);
-    const auto strange = measureDeviation(even, halves, allSmooth(even), kinked, options);
-    ASSERT_FALSE(strange.places[0].empty());
-    EXPECT_EQ(strange.places[0][0].at[0], 4);
-    EXPECT_EQ(strange.places[1][0].at[0], 0);
-    EXPECT_EQ(strange.places[1][0].distance, 0);
+    const auto strange = find(even, halves, kinked, limits);
+    ASSERT_FALSE(strange[0].empty());
+    EXPECT_EQ(strange[0][0].at[0], 4);
+    EXPECT_EQ(strange[1][0].at[0], 0);
+    EXPECT_EQ(strange[1][0].distance, 0);
+}
+
+TEST(Deviation, FindsPlacesExactlyWhereItMeasuresTooMuch) {
+    const Grid step{12, 6, [](double i, double j) { return Point(i, j, i < 6 ? 0 : 3); }};
+    const QuadMesh mesh = test::makeMesh(step);
+    const Layout layout = test::makeLayout(step, {{0, 0, 12, 3}, {0, 3, 12, 6, 1}});
+    const auto patches = interpolateAll(mesh, layout);
+    const Deviation most = measure(mesh, layout, patches).ofAll;
+    for (const double share : {0.5, 0.999, 1.001}) {
+        DeviationLimits far;
+        far.farthest = share * most.max;
+        EXPECT_EQ(find(mesh, layout, patches, far)[0].empty(), share > 1);
+        DeviationLimits bent;
+        bent.mostBent = share * most.largestNormalDeviation;
+        EXPECT_EQ(find(mesh, layout, patches, bent)[0].empty(), share > 1);
+    }
+    const std::vector<double> angles = allSmooth(mesh);
+    DeviationLimits far;
+    far.farthest = 0.5 * most.max;
+    const auto second = DeviationMeter(mesh, layout, angles, {}).find(patches, far, {false, true});
+    EXPECT_TRUE(second[0].empty());
+    EXPECT_FALSE(second[1].empty());
 }
 
 TEST(Deviation, MeasuresKinksOnSmoothBordersOnly) {
@@ -141,12 +175,12 @@ TEST(Deviation, MeasuresKinksOnSmoothBordersOnly) {
     const QuadMesh mesh = test::makeMesh(roof);
     const Layout layout = test::makeLayout(roof, {{0, 0, 4, 4}, {4, 0, 8, 4}});
     const auto patches = interpolateAll(mesh, layout);
-    const auto kinked = measureDeviation(mesh, layout, allSmooth(mesh), patches, {});
+    const auto kinked = measure(mesh, layout, patches);
     EXPECT_NEAR(kinked.ofAll.largestKink, 90, 1e-6);
     EXPECT_NEAR(kinked.ofAll.rmsKink, 90, 1e-6);
     EXPECT_LT(kinked.ofAll.largestGap, 1e-12);
-    const auto sharp = measureDeviation(mesh, layout, std::vector<double>(mesh.n_edges(), 1.5), patches, {});
-    EXPECT_EQ(sharp.ofAll.largestKink, 0);
+    const std::vector<double> sharp(mesh.n_edges(), 1.5);
+    EXPECT_EQ(DeviationMeter(mesh, layout, sharp, {}).measure(patches).ofAll.largestKink, 0);
 }
 
 TEST(Deviation, DoesNotDependOnTheNumberOfThreads) {
@@ -155,9 +189,9 @@ TEST(Deviation, DoesNotDependOnTheNumberOfThreads) {
     const Layout layout = test::makeLayout(waves, {{0, 0, 40, 7}, {0, 7, 11, 30}, {11, 7, 40, 30, 1}});
     const auto patches = interpolateAll(mesh, layout);
     Control control;
-    const auto one = measureDeviation(mesh, layout, allSmooth(mesh), patches, {}, control);
+    const auto one = measure(mesh, layout, patches, control);
     control.jobs = 3;
-    const auto three = measureDeviation(mesh, layout, allSmooth(mesh), patches, {}, control);
+    const auto three = measure(mesh, layout, patches, control);
     EXPECT_EQ(one.ofAll.rms, three.ofAll.rms);
     EXPECT_EQ(one.ofAll.max, three.ofAll.max);
     EXPECT_EQ(one.ofAll.rmsKink, three.ofAll.rmsKink);
