@@ -41,14 +41,14 @@ int main(int argc, char** argv) {
         tool.example("qm-check --json part.surfaces.json | jq .ok");
         return [&]() -> int {
             const qm::Document document = qm::parseDocument(tool.readInput(), tool.inputPath());
-            const qm::QuadMesh mesh =
-                qm::readMeshOf(qm::JsonPlace(document.root)["mesh"], document.path, meshPath);
+            const auto found = qm::readMeshOf(qm::JsonPlace(document.root)["mesh"], document.path, meshPath);
+            tool.protect(found.path);
             qm::check::Report report;
-            report.verify("schema, and mesh of " + std::to_string(mesh.n_vertices()) + " vertices and " +
-                          std::to_string(mesh.n_faces()) + " faces");
+            report.verify("schema, and mesh of " + std::to_string(found.mesh.n_vertices()) +
+                          " vertices and " + std::to_string(found.mesh.n_faces()) + " faces");
             qm::check::checkHistory(document.root, report);
             const auto checked = qm::check::readDocument(document.root);
-            report = qm::check::checkDocument(pointsAndFaces(mesh), checked, report);
+            report = qm::check::checkDocument(pointsAndFaces(found.mesh), checked, report);
             for (const std::string& line : qm::check::violationLines(report, linesShown))
                 qm::printMessage(tool.name() + ": " + tool.inputName() + ": " + line);
             tool.write(asJson ? qm::check::reportJson(report) : qm::check::reportText(report));

@@ -35,6 +35,7 @@ std::string summaryOf(const RepairReport& report) {
 
 MeshInput readMeshInput(const Tool& tool, bool repair) {
     const std::string bytes = tool.readInput();
+    tool.protect(tool.inputPath());
     ReadResult read = readMesh(bytes, tool.inputPath() == "-" ? "" : tool.inputPath(), {repair});
     for (const std::string& warning : read.warnings)
         tool.warn(tool.inputName() + ": " + warning);
@@ -49,6 +50,7 @@ MeshInput readMeshInput(const Tool& tool, bool repair) {
     const std::string folder = tool.outputPath() == "-" ? "" : folderWithSlash(tool.outputPath());
     const std::string repaired = writeObj(read.mesh);
     writeFile(folder + name, repaired);
+    tool.protect(folder + name);
     tool.warn(tool.inputName() + ": " + summaryOf(read.repair) + ". The mesh is now " + folder + name);
     // What later tools will read, so that both agree to the last bit.
     ReadResult again = readMesh(repaired, name, {});

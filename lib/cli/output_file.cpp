@@ -3,14 +3,17 @@
 #include "cli/signals.h"
 #include "document/file_error.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
+#include <filesystem>
 #include <memory>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <vector>
 
 namespace qm {
 
@@ -32,6 +35,19 @@ std::string folderOf(const std::string& path) {
 std::string followLinks(const std::string& path) {
     const std::unique_ptr<char, decltype(&std::free)> real(realpath(path.c_str(), nullptr), &std::free);
     return real ? std::string(real.get()) : path;
+}
+
+std::vector<std::string>& protectedFiles() {
+    static std::vector<std::string> paths;
+    return paths;
+}
+
+bool isProtected(const std::string& path) {
+    const auto isSame = [&path](const std::string& other) {
+        std::error_code notThere; // then it is not the same
+        return std::filesystem::equivalent(path, other, notThere);
+    };
+    return std::any_of(protectedFiles().begin(), protectedFiles().end(), isSame);
 }
 
 mode_t defaultMode() {
@@ -123,12 +139,18 @@ void OutputFile::commit() {
     temporary_.clear();
 }
 
+void protectFromOutput(const std::string& path) {
+    protectedFiles().push_back(path == "-" ? "/dev/stdin" : path);
+}
+
 void verifyWritable(const std::string& path) {
     if (path == "-") return;
     struct stat status {};
     if (stat(path.c_str(), &status) == 0) {
         if (S_ISDIR(status.st_mode)) throw FileError(path, "is a folder", "Name a file");
         if (!S_ISREG(status.st_mode)) return;
+        if (isProtected(path))
+            throw FileError(path, "is the mesh that the result refers to", "Name another file");
     }
     const std::string folder = folderOf(followLinks(path));
     if (access(folder.c_str(), F_OK) != 0)

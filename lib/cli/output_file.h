@@ -34,6 +34,10 @@ private:
     int descriptor_ = -1;
 };
 
+/// From now on no output takes the place of this file, by whatever name or link: the result refers to it.
+/// \param path  "-" is the file that standard input comes from, if any
+void protectFromOutput(const std::string& path);
+
 /// Fails now, with the message that would come at the end, if the path cannot become a file. Creates nothing.
 void verifyWritable(const std::string& path);
 

@@ -39,6 +39,7 @@ const Model& Stage::readWhole() {
 
 const Model& Stage::take(Model model) {
     model_ = std::move(model);
+    tool_.protect(model_.meshPath);
     for (const std::string& note : model_.notes)
         tool_.warn(tool_.inputName() + ": " + note);
     tool_.count("vertices", static_cast<double>(model_.mesh.n_vertices()));

@@ -248,6 +248,11 @@ std::string Tool::readInput() const {
     return readFile(state_->input);
 }
 
+void Tool::protect(const std::string& path) const {
+    protectFromOutput(path);
+    if (state_->hasOutput) verifyWritable(state_->output);
+}
+
 void Tool::write(std::string_view bytes) const {
     if (state_->progress) state_->progress->hide();
     writeFile(state_->output, bytes);

@@ -103,6 +103,9 @@ public:
     [[nodiscard]] bool given(const std::string& optionName) const;
     /// All bytes of the input.
     [[nodiscard]] std::string readInput() const;
+    /// No output of this run may replace this file, which the result refers to. \throw FileError  if one
+    /// would
+    void protect(const std::string& path) const;
     /// To the output, whole or not at all. Once per run.
     void write(std::string_view bytes) const;
 

@@ -73,12 +73,12 @@ void verifyCount(const JsonPlace& place, std::size_t count) {
 
 } // namespace
 
-QuadMesh readMeshOf(const JsonPlace& section, const std::string& documentPath, const std::string& meshPath) {
+FoundMesh readMeshOf(const JsonPlace& section, const std::string& documentPath, const std::string& meshPath) {
     const MeshFile file = findMesh(section, documentPath, meshPath);
     ReadResult result = inFile(file.path, [&] { return readMesh(file.bytes, file.path); });
     verifyCount(section["vertices"], result.mesh.n_vertices());
     verifyCount(section["faces"], result.mesh.n_faces());
-    return std::move(result.mesh);
+    return {std::move(result.mesh), file.path};
 }
 
 } // namespace qm

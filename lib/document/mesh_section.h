@@ -13,11 +13,16 @@ namespace qm {
 /// \throw Error  if the path is not UTF-8
 [[nodiscard]] Json meshToJson(const std::string& path, std::string_view bytes, const QuadMesh& mesh);
 
+struct FoundMesh {
+    QuadMesh mesh;
+    std::string path; ///< the file it was read from
+};
+
 /// Finds the mesh of a document, makes sure that it has not changed, and reads it.
 /// \param documentPath  "-" if it came from standard input
 /// \param meshPath  the file to use instead of the one that is recorded; empty: none
 /// \throw FileError  if there is no such file, or it is another mesh
-[[nodiscard]] QuadMesh readMeshOf(const JsonPlace& section, const std::string& documentPath,
-                                  const std::string& meshPath);
+[[nodiscard]] FoundMesh readMeshOf(const JsonPlace& section, const std::string& documentPath,
+                                   const std::string& meshPath);
 
 } // namespace qm

@@ -17,7 +17,9 @@ namespace {
 class ModelReader {
 public:
     ModelReader(Document& document, const std::string& meshPath) : document_(document) {
-        model_.mesh = readMeshOf(JsonPlace(document.root)["mesh"], document.path, meshPath);
+        FoundMesh found = readMeshOf(JsonPlace(document.root)["mesh"], document.path, meshPath);
+        model_.mesh = std::move(found.mesh);
+        model_.meshPath = std::move(found.path);
     }
 
     Model read(Kind upTo) {

@@ -19,6 +19,7 @@ namespace qm {
 /// Members beyond what was asked for, or whose section the document does not have, are empty.
 struct Model {
     QuadMesh mesh;
+    std::string meshPath;               ///< the file it was read from
     std::vector<double> dihedralAngles; ///< by edge
     BaseComplex baseComplex;            ///< without feature seeds: the separatrices that the document numbers
     Features features;

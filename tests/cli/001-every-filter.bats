@@ -298,6 +298,28 @@ for_every_filter() {
     assert_regex "$stderr" 'part.obj'
 }
 
+@test "no output takes the place of the mesh, by whatever name" {
+    cp "$(sample block)" part.obj
+    ln -s part.obj link.obj
+    mkdir folder
+    cp part.obj before.obj
+    for name in part.obj ./part.obj folder/../part.obj link.obj "$PWD/part.obj"; do
+        complains qm-basecomplex part.obj -o "$name"
+        assert_equal "$stderr" "qm-basecomplex: $name: is the mesh that the result refers to. Name another file"
+    done
+    complains qm-basecomplex link.obj -o part.obj
+    complains qm-basecomplex -o part.obj <part.obj
+    qm-basecomplex part.obj -o part.json
+    complains qm-features part.json -o link.obj
+    complains qm-enum --all part.obj part.json -o out.json
+    complains qm-check part.json -o part.obj
+    complains qm-view part.json -o part.obj
+    (cd folder && complains qm-features ../part.json -o ../part.obj)
+    assert [ ! -e out.json ]
+    assert_same_bytes part.obj before.obj
+    assert [ -L link.obj ]
+}
+
 @test "another folder: --mesh says where the mesh is" {
     cp "$(sample block)" part.obj
     qm-basecomplex part.obj -o part.basecomplex.json

@@ -145,6 +145,9 @@ END
     assert_equal "$(field .mesh.path out.json)" sheet.repaired.obj
     quietly qm-features out.json
     quietly qm-basecomplex sheet.repaired.obj
+    run --separate-stderr qm-basecomplex -q --repair sheet.obj -o sheet.repaired.obj
+    assert_complaint qm-basecomplex
+    assert_regex "$(head -n 1 sheet.repaired.obj)" "^v "
 }
 
 @test "a soup of quads, and --repair" {

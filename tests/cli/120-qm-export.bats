@@ -55,6 +55,17 @@ PRODUCT('quadmesh 2'"
     assert_equal "$(grep -c '^v ' block.obj)" "$(field '.mesh.vertices' "$(stage layout block)")"
 }
 
+@test "the mesh is not overwritten by its own export" {
+    cp "$(sample block)" block.obj
+    qm-basecomplex block.obj | qm-enum | qm-merge -o block.json
+    cp block.obj before.obj
+    complains qm-export block.json -o block.obj
+    assert_equal "$stderr" "qm-export: block.obj: is the mesh that the result refers to. Name another file"
+    complains qm-export --mesh before.obj --format ply block.json -o before.obj
+    assert_same_bytes block.obj before.obj
+    quietly qm-export block.json -o segments.obj
+}
+
 @test "PLY and glTF begin as they must" {
     quietly qm-export "$(stage surfaces block)" --colour deviation -o block.ply
     assert_equal "$(head -n 1 block.ply)" ply

@@ -71,6 +71,20 @@ TEST(OutputFile, SaysEarlyThatAPathIsImpossible) {
     EXPECT_EQ(entries(folder), 0U);
 }
 
+TEST(OutputFile, SparesWhatIsProtected) {
+    const TemporaryFolder folder;
+    const std::string mesh = folder.write("mesh", "as it was");
+    files::create_symlink(mesh, folder.path("link"));
+    files::create_directory(folder.path("sub"));
+    qm::protectFromOutput(folder.path("sub/../mesh"));
+    for (const char* name : {"mesh", "link", "./mesh", "sub/../link"}) {
+        EXPECT_EQ(messageOf([&] { qm::writeFile(folder.path(name), "new"); }),
+                  folder.path(name) + ": is the mesh that the result refers to. Name another file");
+    }
+    EXPECT_EQ(qm::readFile(mesh), "as it was");
+    EXPECT_NO_THROW(qm::writeFile(folder.path("other"), "new"));
+}
+
 TEST(ReadFile, NamesWhatCannotBeRead) {
     const TemporaryFolder folder;
     EXPECT_EQ(messageOf([&] { (void)qm::readFile(folder.path("none")); }),
