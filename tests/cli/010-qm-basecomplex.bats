@@ -174,6 +174,7 @@ END
 }
 
 @test "counts that promise more than the file holds take no memory" {
+    bash -c "ulimit -v 2000000; qm-basecomplex --version" &>/dev/null || skip "a sanitizer takes all addresses"
     printf 'OFF\n2000000000 2000000000 0\n' >huge.off
     printf 'ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nproperty float x\nproperty float y\nproperty float z\nend_header\n' >huge.ply
     for file in huge.off huge.ply; do

@@ -14,6 +14,8 @@ ROOT=$(cd "$BATS_TEST_DIRNAME/../.." && pwd)
 QM_BIN=${QM_BIN:-$ROOT/bin}
 export PATH="$QM_BIN:$PATH"
 export LC_ALL=C
+# A build with sanitizers is to be as quiet as any other where it finds nothing.
+export LSAN_OPTIONS=print_suppressions=0
 unset COMMON_OPTIONS BASECOMPLEX_OPTIONS FEATURES_OPTIONS CUT_OPTIONS ENUMERATION_OPTIONS LAYOUT_OPTIONS \
     PRUNED_OPTIONS SURFACES_OPTIONS MAKEFLAGS MAKELEVEL MFLAGS
 
