@@ -18,6 +18,9 @@ constexpr double exactly = 1e-12;
 constexpr double curveShare = 0.95;
 constexpr double certainCurveShare = 0.5;
 
+/// How near tangents come to planes that no other curve has to share.
+constexpr double loose = 0.15;
+
 /// How many border edges meet at each vertex, by vertex index.
 std::vector<int> borderValences(const QuadMesh& mesh, const Chains& chains) {
     std::vector<int> valences(mesh.n_vertices(), 0);
@@ -33,8 +36,8 @@ std::vector<int> borderValences(const QuadMesh& mesh, const Chains& chains) {
 
 BorderCurves::BorderCurves(const QuadMesh& mesh, const Layout& layout,
                            const std::vector<double>& dihedralAngles, double rho, double tolerance,
-                           unsigned jobs)
-    : mesh_(mesh), tolerance_(tolerance), jobs_(jobs), patches_(layout.segments.size()),
+                           double tangency, unsigned jobs)
+    : mesh_(mesh), tolerance_(tolerance), tangency_(tangency), jobs_(jobs), patches_(layout.segments.size()),
       chains_(mesh, layout), lines_(mesh, dihedralAngles, rho), field_(mesh, chains_, lines_),
       corners_(mesh, chains_, lines_), sharing_(chains_, layout), valences_(borderValences(mesh, chains_)),
       exact_(exactly * boundingBoxDiagonal(mesh)), curves_(chains_.all().size()) {}
@@ -50,10 +53,13 @@ void BorderCurves::fit(const std::vector<bool>& which, const std::vector<Closene
     for (int round = 0; round < rounds; ++round)
         shareKnots(which, inputs);
     lowerDegrees(which, inputs);
-    parallelFor(curves_.size(), jobs_, [&](std::size_t k) {
-        if (which[k]) curves_[k] = inTangentPlanes(inputs[k], tolerance_, exact_, curves_[k]);
-    });
-    field_.setCurves(curves_);
+    constexpr int agreements = 3;
+    for (int round = 0; round < agreements; ++round) {
+        parallelFor(curves_.size(), jobs_, [&](std::size_t k) {
+            if (which[k]) curves_[k] = inTangentPlanes(input(k, closeness), tolerance_, exact_, curves_[k]);
+        });
+        field_.setCurves(curves_);
+    }
 }
 
 bool BorderCurves::isSmooth(HalfedgeId halfedge) const {
@@ -92,11 +98,11 @@ CurveFitInput BorderCurves::input(std::size_t number, const std::vector<Closenes
     const auto add = [&](int point, HalfedgeId halfedge) {
         if (field_.isTJoint(mesh_.from_vertex_handle(halfedge))) return;
         for (const Point& normal : field_.tangentPlanes(halfedge))
-            input.planes.push_back({point, normal});
+            input.planes.push_back({point, normal, field_.corners().isShared(halfedge) ? tangency_ : loose});
         const Point direction = corners_[halfedge];
         if (direction.sqrnorm() == 0) return;
         const Point normal = lines_.normalOnLeft(halfedge);
-        input.planes.push_back({point, normal % direction});
+        input.planes.push_back({point, normal % direction, loose});
         if (point == 0)
             input.startSlope = input.startSlope.norm() * direction;
         else

@@ -20,9 +20,11 @@ namespace qm {
 /// another's knots, since a patch needs those of all its sides.
 class BorderCurves {
 public:
-    /// What is passed must outlive the curves. \param tolerance  in the mesh's unit
+    /// What is passed must outlive the curves. \param tolerance  in the mesh's unit \param tangency  the sine
+    /// of the largest angle between the plane in which more than two curves should meet and their tangents
+    /// there
     BorderCurves(const QuadMesh& mesh, const Layout& layout, const std::vector<double>& dihedralAngles,
-                 double rho, double tolerance, unsigned jobs);
+                 double rho, double tolerance, double tangency, unsigned jobs);
 
     [[nodiscard]] const Chains& chains() const { return chains_; }
     /// Whether patches are to meet smoothly across a border edge.
@@ -45,6 +47,7 @@ private:
 
     const QuadMesh& mesh_;
     double tolerance_;
+    double tangency_;
     unsigned jobs_;
     std::size_t patches_;
     Chains chains_;

@@ -14,6 +14,7 @@ namespace qm {
 struct TangentPlane {
     int point = 0;
     Point normal{0, 0, 0};
+    double tangency = 0.15; ///< the sine of the largest angle to which it may come
 };
 
 struct CurveFitInput {

@@ -93,9 +93,8 @@ bool CurveSolver::mark(const SplineCurve& curve, KnotRefinement& refinement) con
             found = true;
         }
     for (const TangentPlane& plane : input_.planes) {
-        constexpr double slightly = 0.15; // sine
         const Point tangent = derivative(curve, plane.point);
-        if (!nearPlanes_ || std::abs(tangent | plane.normal) <= slightly * tangent.norm()) continue;
+        if (!nearPlanes_ || std::abs(tangent | plane.normal) <= plane.tangency * tangent.norm()) continue;
         found = true;
         for (const double beside : {-0.25, 0.25})
             refinement.addError(std::clamp<double>(plane.point + beside, 0, static_cast<double>(edges_)), 1);

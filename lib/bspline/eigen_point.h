@@ -1,4 +1,4 @@
-/// \file A point as Eigen knows it.
+/// \file Points as Eigen knows them, whose arithmetic is the faster one.
 #pragma once
 
 #include "mesh/quad_mesh.h"
@@ -9,6 +9,10 @@ namespace qm {
 
 [[nodiscard]] inline Eigen::Vector3d vector(const Point& point) {
     return {point[0], point[1], point[2]};
+}
+
+[[nodiscard]] inline Point point(const Eigen::Vector3d& vector) {
+    return {vector[0], vector[1], vector[2]};
 }
 
 } // namespace qm

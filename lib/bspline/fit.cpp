@@ -9,7 +9,9 @@
 #include "bspline/watertight.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace qm {
@@ -78,6 +80,10 @@ std::size_t interpolatedPoints(const Layout& layout) {
     return points;
 }
 
+/// How near curves come to the planes in which they should meet, as sines; no patch can mend what they miss.
+/// The first is taken that takes no more than a share of the control points that smooth borders may have.
+constexpr std::array<double, 3> tangencies = {0.02, 0.05, 0.15};
+
 Surfaces fitWithinTolerance(const QuadMesh& mesh, const Layout& layout,
                             const std::vector<double>& dihedralAngles, const FitOptions& options,
                             const DeviationMeter& meter, const Control& control) {
@@ -85,11 +91,18 @@ Surfaces fitWithinTolerance(const QuadMesh& mesh, const Layout& layout,
     constexpr double mostBent = 30;   // degrees that a patch may turn away from its quads,
     constexpr double mostKinked = 45; // and from its neighbour
     DeviationLimits limits{tolerance, mostBent, mostKinked};
-    ToleranceFit fit(mesh, layout, dihedralAngles, options.rho, tolerance, control.jobs);
-    keepLimits(fit, meter, limits, control);
     const double most = options.kinkBudget * static_cast<double>(interpolatedPoints(layout));
-    reduceKinks(mesh, layout, fit, {options.maxKink, static_cast<std::size_t>(most)}, meter, limits, control);
-    return withDeviation(fit.patches(), meter.measure(fit.patches(), control));
+    const KinkLimits kinks{options.maxKink, static_cast<std::size_t>(most)};
+    constexpr double forCurves = 0.92;
+    std::optional<ToleranceFit> fit;
+    for (const double tangency : tangencies) {
+        if (tangency < tangencies.back() && !(kinks.angle < 180)) continue;
+        fit.emplace(mesh, layout, dihedralAngles, options.rho, tolerance, tangency, control.jobs);
+        if (static_cast<double>(controlPointCount(fit->patches())) <= forCurves * most) break;
+    }
+    keepLimits(*fit, meter, limits, control);
+    reduceKinks(mesh, layout, *fit, kinks, meter, limits, control);
+    return withDeviation(fit->patches(), meter.measure(fit->patches(), control));
 }
 
 } // namespace

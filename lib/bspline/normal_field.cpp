@@ -5,17 +5,16 @@
 namespace qm {
 
 NormalField::NormalField(const QuadMesh& mesh, const Chains& chains, const LineDerivatives& lines)
-    : mesh_(mesh), chains_(chains), lines_(lines), tJoints_(mesh.n_vertices()) {
+    : mesh_(mesh), chains_(chains), lines_(lines), corners_(mesh, chains, lines),
+      tJoints_(mesh.n_vertices(), false) {
     findTJoints();
-    setEdges(std::vector<Point>(mesh.n_vertices(), Point(0, 0, 0)));
+    setEdges();
 }
 
 void NormalField::findTJoints() {
     std::vector<std::array<int, 2>> counts(mesh_.n_vertices(), {0, 0}); // of passing and of ending chains
     const auto note = [&](HalfedgeId leaving, bool passes) {
-        const auto vertex = static_cast<std::size_t>(mesh_.from_vertex_handle(leaving).idx());
-        ++counts[vertex][passes ? 0 : 1];
-        (passes ? tJoints_[vertex].passing : tJoints_[vertex].ending) = leaving;
+        ++counts[static_cast<std::size_t>(mesh_.from_vertex_handle(leaving).idx())][passes ? 0 : 1];
     };
     for (const BorderChain& chain : chains_.all()) {
         for (std::size_t k = 0; k < chain.halfedges.size(); ++k)
@@ -23,42 +22,15 @@ void NormalField::findTJoints() {
         note(mesh_.opposite_halfedge_handle(chain.halfedges.back()), false);
     }
     for (std::size_t k = 0; k < tJoints_.size(); ++k)
-        if (counts[k] != std::array<int, 2>{1, 1}) tJoints_[k] = TJoint();
-}
-
-/// The derivative, where the halfedge begins, of the curve over it.
-Point NormalField::tangent(HalfedgeId halfedge, const std::vector<SplineCurve>& curves) const {
-    const ChainPlace place = chains_.place(halfedge);
-    const SplineCurve& curve = curves[place.chain];
-    const double at = place.way == 0 ? place.position : curve.length() - place.position;
-    const Point slope = derivative(curve, at);
-    return place.way == 0 ? slope : Point(-slope);
+        tJoints_[k] = counts[k] == std::array<int, 2>{1, 1};
 }
 
 void NormalField::setCurves(const std::vector<SplineCurve>& curves) {
-    constexpr double leastAngle = 0.3;  // sine, between the curves
-    constexpr double leastCosine = 0.9; // of the angle to the mesh's normal
-    std::vector<Point> normals(mesh_.n_vertices(), Point(0, 0, 0));
-    for (std::size_t k = 0; k < tJoints_.size(); ++k) {
-        if (!tJoints_[k].passing.is_valid()) continue;
-        const Point a = tangent(tJoints_[k].passing, curves);
-        const Point b = tangent(tJoints_[k].ending, curves);
-        const Point normal = a % b;
-        const double length = normal.norm();
-        if (!(length > leastAngle * a.norm() * b.norm())) continue;
-        const Point ofMesh = lines_.normalOnLeft(tJoints_[k].ending);
-        const double cosine = (normal | ofMesh) / length;
-        if (std::abs(cosine) > leastCosine) normals[k] = normal / (cosine > 0 ? length : -length);
-    }
-    setEdges(normals);
+    corners_.setCurves(curves);
+    setEdges();
 }
 
-/// \param atVertices  normals to be taken instead of the mesh's, where they are not zero
-void NormalField::setEdges(const std::vector<Point>& atVertices) {
-    const auto normalAt = [&](HalfedgeId leaving) {
-        const Point& given = atVertices[static_cast<std::size_t>(mesh_.from_vertex_handle(leaving).idx())];
-        return given.sqrnorm() > 0 ? given : lines_.normalOnLeft(leaving);
-    };
+void NormalField::setEdges() {
     edges_.clear();
     for (const BorderChain& chain : chains_.all()) {
         std::vector<OnEdge> edges;
@@ -67,7 +39,8 @@ void NormalField::setEdges(const std::vector<Point>& atVertices) {
             edge.smooth = !mesh_.is_boundary(mesh_.edge_handle(halfedge)) &&
                           lines_.isSmooth(mesh_.edge_handle(halfedge));
             if (edge.smooth)
-                edge.normal = {normalAt(halfedge), normalAt(mesh_.opposite_halfedge_handle(halfedge))};
+                edge.normal = {corners_.onLeft(halfedge),
+                               corners_.onLeft(mesh_.opposite_halfedge_handle(halfedge))};
             edge.smooth = edge.smooth && edge.normal[0].sqrnorm() > 0 && edge.normal[1].sqrnorm() > 0;
             edge.slope.fill(edge.normal[1] - edge.normal[0]);
             edges.push_back(edge);
@@ -107,9 +80,9 @@ std::vector<Point> NormalField::tangentPlanes(HalfedgeId halfedge) const {
     const double length = step.norm();
     if (!(length > 0)) return {};
     std::vector<Point> normals;
-    if (!mesh_.is_boundary(halfedge)) normals.push_back(lines_.normalOnLeft(halfedge));
+    if (!mesh_.is_boundary(halfedge)) normals.push_back(corners_.onLeft(halfedge));
     if (!mesh_.is_boundary(opposite) && (normals.empty() || !lines_.isSmooth(mesh_.edge_handle(halfedge))))
-        normals.push_back(lines_.normalOnLeft(mesh_.next_halfedge_handle(opposite)));
+        normals.push_back(corners_.onLeft(mesh_.next_halfedge_handle(opposite)));
     std::erase_if(normals, [](const Point& normal) { return normal.sqrnorm() == 0; });
     if (normals.size() == 2) {
         const Point ridge = normals[0] % normals[1];

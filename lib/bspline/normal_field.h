@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bspline/chains.h"
+#include "bspline/corner_normals.h"
 #include "bspline/line_derivatives.h"
 #include "bspline/spline_curve.h"
 
@@ -12,17 +13,19 @@ namespace qm {
 
 /// Along every chain a normal that the patches on both sides are to have, continuously turning from one
 /// vertex to the next. At a vertex it is the mean normal of the faces around, as far as the next sharp edges,
-/// or, at a T-joint, that of its curves; so all borders that meet in such a sector agree.
+/// or, where borders meet, that of their curves; so all borders that meet in such a sector agree.
 class NormalField {
 public:
     NormalField(const QuadMesh& mesh, const Chains& chains, const LineDerivatives& lines);
 
     /// True where one chain passes and one ends: their curves' tangents alone say what the normal is.
     [[nodiscard]] bool isTJoint(VertexId vertex) const {
-        return tJoints_[static_cast<std::size_t>(vertex.idx())].passing.is_valid();
+        return tJoints_[static_cast<std::size_t>(vertex.idx())];
     }
 
-    /// Takes the normals at T-joints from the curves. \param curves  by chain, walked forwards
+    [[nodiscard]] const CornerNormals& corners() const { return corners_; }
+
+    /// Takes the normals where borders meet from the curves. \param curves  by chain, walked forwards
     void setCurves(const std::vector<SplineCurve>& curves);
 
     /// At a share of an edge's length from its beginning; zero on sharp edges and on the boundary.
@@ -40,19 +43,14 @@ private:
         bool smooth = false;
     };
 
-    /// Halfedges that leave it, on a passing and on an ending chain.
-    struct TJoint {
-        HalfedgeId passing;
-        HalfedgeId ending;
-    };
     void findTJoints();
-    [[nodiscard]] Point tangent(HalfedgeId halfedge, const std::vector<SplineCurve>& curves) const;
-    void setEdges(const std::vector<Point>& atVertices);
+    void setEdges();
 
     const QuadMesh& mesh_;
     const Chains& chains_;
     const LineDerivatives& lines_;
-    std::vector<TJoint> tJoints_;            ///< by vertex; invalid where there is none
+    CornerNormals corners_;
+    std::vector<bool> tJoints_;              ///< by vertex
     std::vector<std::vector<OnEdge>> edges_; ///< by chain and position, forwards
 };
 

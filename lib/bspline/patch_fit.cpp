@@ -4,7 +4,6 @@
 #include "bspline/patch_solver.h"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 
 namespace qm {
@@ -47,10 +46,11 @@ PatchAttempt withoutNeedlessKnots(const PatchSolver& solver, PatchAttempt best, 
     return best;
 }
 
-/// None if knots are wanted where there can be no more, or so many that to follow the facets takes fewer.
+/// None if knots are wanted where there can be no more, or so many that to follow the facets takes fewer, or
+/// that it takes too long.
 std::optional<PatchAttempt> refined(const PatchSolver& solver, Knots knots, bool aimsAtNormals,
                                     const std::array<KnotRules, 2>& rules, std::size_t most) {
-    while (true) {
+    while (!aimsAtNormals || PatchSolver::isQuick(knots)) {
         PatchAttempt attempt = solver.attempt(knots, aimsAtNormals);
         if (attempt.largest <= 1) return attempt;
         std::array<KnotRefinement, 2> refinement = {KnotRefinement(knots[0], rules[0]),
@@ -60,6 +60,7 @@ std::optional<PatchAttempt> refined(const PatchSolver& solver, Knots knots, bool
         if (more == knots || more[0].size() * more[1].size() > most) return std::nullopt;
         knots = more;
     }
+    return std::nullopt;
 }
 
 Patch smoothest(const PatchSolver& solver, PatchAttempt known) {
@@ -81,7 +82,7 @@ Patch fitPatch(const PatchFitInput& input, double tolerance) {
     if (found) return smoothest(solver, withoutNeedlessKnots(solver, std::move(*found), needed));
     // Closeness goes before smoothness. Without sliding, the coordinates are independent: that is fast.
     const PatchSolver close(input, tolerance, {});
-    found = refined(close, needed, false, {}, std::numeric_limits<std::size_t>::max());
+    found = refined(close, needed, false, {}, (3 * edges(0) + 5) * (3 * edges(1) + 5));
     return found ? smoothest(close, std::move(*found)) : facetedPatch(input);
 }
 

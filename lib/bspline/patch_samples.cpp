@@ -13,19 +13,19 @@
 namespace qm {
 namespace {
 
-/// More of them get fewer samples each, as long as the result is measured later.
-constexpr int manyQuads = 100;
-
-bool isLenient(std::span<const Closeness> closeness) {
-    return !closeness.empty() && std::ranges::all_of(closeness, &Closeness::slides);
+/// Of the lattice along every edge. Many quads get fewer samples each, as long as errors may slide somewhere:
+/// then the result is measured later.
+int stepsFor(const std::array<int, 2>& size, std::span<const Closeness> closeness) {
+    constexpr int manyQuads = 100;
+    return size[0] * size[1] > manyQuads && std::ranges::any_of(closeness, &Closeness::slides) ? 2 : fitSteps;
 }
 
 } // namespace
 
 PatchSamples::PatchSamples(QuadGrid quads, double tolerance, std::span<const Closeness> closeness)
     : quads_(std::move(quads)), closeness_(closeness), tolerance_(tolerance),
-      steps_(isLenient(closeness) && size(0) * size(1) > manyQuads ? 2 : fitSteps),
-      parameters_{sampleParameters(size(0), steps_), sampleParameters(size(1), steps_)} {
+      steps_(stepsFor(quads_.size(), closeness)), parameters_{sampleParameters(size(0), steps_),
+                                                              sampleParameters(size(1), steps_)} {
     const std::size_t samples = parameters_[0].size() * parameters_[1].size();
     samples_.reserve(samples);
     targets_.reserve(samples);

@@ -57,6 +57,13 @@ PatchSolver::NormalWeights PatchSolver::normalWeights(double weight) const {
     return weights;
 }
 
+bool PatchSolver::isQuick(const Knots& knots) {
+    constexpr double most = 2e9; // multiplications of one factorisation in its band
+    const auto fewer = static_cast<double>(std::min(knots[0].size(), knots[1].size()));
+    const auto more = static_cast<double>(std::max(knots[0].size(), knots[1].size()));
+    return 3 * fewer * more * (9 * fewer) * (9 * fewer) < most;
+}
+
 PatchAttempt PatchSolver::attempt(const Knots& knots, bool aimsAtNormals) const {
     const double hopeless = isLarge() ? 1.5 : 2; // errors that weights do not mend
     const NormalWeights normals = normalWeights(aimsAtNormals ? searchWeight : 0);
@@ -74,6 +81,7 @@ PatchAttempt PatchSolver::attempt(const Knots& knots, bool aimsAtNormals) const 
 }
 
 std::optional<PatchAttempt> PatchSolver::smoothest(const Knots& knots) const {
+    if (!isQuick(knots)) return std::nullopt;
     for (const double most : mostWeights) {
         if (isLarge() && most == mostWeights.front()) continue; // seldom enough to take the time
         std::vector<double> weights(samples_.size(), 1);

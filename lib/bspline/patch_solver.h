@@ -31,11 +31,15 @@ public:
 
     [[nodiscard]] const PatchSamples& samples() const { return samples_; }
 
+    /// Whether a solution over these knots takes no longer than moments while coordinates depend on one
+    /// another: where errors slide, or normals are aimed at.
+    [[nodiscard]] static bool isQuick(const Knots& knots);
+
     /// \param aimsAtNormals  the prescribed normals count, if moderately
     [[nodiscard]] PatchAttempt attempt(const Knots& knots, bool aimsAtNormals) const;
 
     /// The patch whose normals are as near to the prescribed ones as the tolerance allows: they count less
-    /// wherever the tolerance is exceeded. None if it is exceeded all the same.
+    /// wherever the tolerance is exceeded. None if it is exceeded all the same, or if that is not quick.
     [[nodiscard]] std::optional<PatchAttempt> smoothest(const Knots& knots) const;
 
     /// Asks for knots where the tolerance is exceeded most, in the direction to blame.

@@ -10,9 +10,9 @@ namespace qm {
 
 ToleranceFit::ToleranceFit(const QuadMesh& mesh, const Layout& layout,
                            const std::vector<double>& dihedralAngles, double rho, double tolerance,
-                           unsigned jobs)
+                           double tangency, unsigned jobs)
     : mesh_(mesh), layout_(layout), tolerance_(tolerance), jobs_(jobs),
-      curves_(mesh, layout, dihedralAngles, rho, tolerance, jobs), closeness_(mesh.n_vertices()),
+      curves_(mesh, layout, dihedralAngles, rho, tolerance, tangency, jobs), closeness_(mesh.n_vertices()),
       patches_(layout.segments.size()) {
     curves_.fit(std::vector<bool>(curves_.chains().all().size(), true), closeness_);
     fitPatches(std::vector<bool>(patches_.size(), true));

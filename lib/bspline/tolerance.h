@@ -20,8 +20,9 @@ namespace qm {
 class ToleranceFit {
 public:
     /// Fits everything. All that is passed must outlive the fit. \param tolerance  in the mesh's unit
+    /// \param tangency  of the curves, as for `BorderCurves`: less takes more control points
     ToleranceFit(const QuadMesh& mesh, const Layout& layout, const std::vector<double>& dihedralAngles,
-                 double rho, double tolerance, unsigned jobs);
+                 double rho, double tolerance, double tangency, unsigned jobs);
 
     /// One for every segment, in their order.
     [[nodiscard]] const std::vector<Patch>& patches() const { return patches_; }

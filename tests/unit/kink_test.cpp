@@ -2,6 +2,8 @@
 #include "bspline/agreed_normals.h"
 #include "bspline/border_curves.h"
 #include "bspline/border_normals.h"
+#include "bspline/borders.h"
+#include "bspline/deviation_samples.h"
 #include "bspline/evaluate.h"
 #include "bspline/fit.h"
 #include "bspline/knot_refinement.h"
@@ -11,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace qm {
@@ -59,6 +62,20 @@ TEST_F(Kinks, ShrinkWithoutMoreControlPointsAndMoreSoWithSome) {
     }
 }
 
+TEST_F(Kinks, CurvesMeetInOnePlaneWhereTheBudgetAllows) {
+    const auto atCorners = [&](const Surfaces& surfaces) {
+        double most = 0;
+        for (const BorderEdge& border : borderEdges(mesh, layout))
+            for (const double end : {0.0, 1.0})
+                if (border.places.size() == 2)
+                    most = std::max(most, kink(meeting(border, layout, surfaces.patches, end)));
+        return most;
+    };
+    const double rough = atCorners(fit(180, 0));
+    EXPECT_GT(rough, 3) << "else there is nothing to show";
+    EXPECT_LT(atCorners(fit(0.5, 2)), 0.5 * rough);
+}
+
 TEST_F(Kinks, StayWithinTheBudget) {
     const std::size_t least = controlPointCount(fit(180, 0).patches);
     const std::size_t interpolated = controlPointCount(fitSurfaces(mesh, layout, angles, {}).patches);
@@ -96,7 +113,7 @@ TEST(AgreedNormals, AreInTheMiddleBetweenNeighbours) {
     const QuadMesh mesh = test::makeMesh(roof);
     const Layout layout = test::makeLayout(roof, {{0, 0, 3, 2, 1}, {3, 0, 6, 2, 2}});
     const std::vector<double> angles(mesh.n_edges(), 0.1);
-    const ToleranceFit fit(mesh, layout, angles, 0.45, 1e-6, 1);
+    const ToleranceFit fit(mesh, layout, angles, 0.45, 1e-6, 0.15, 1);
     AgreedNormals agreed(fit.curves());
     for (std::size_t k = 0; k < 2; ++k)
         agreed.update(k, fit.patches()[k]);
