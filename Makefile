@@ -83,6 +83,7 @@ benchmarks  := $(patsubst %.cpp,$(O)/%.o,$(wildcard tests/bench/*.cpp))
 tables      := $(patsubst %.cpp,$(O)/%.o,$(wildcard tests/bench/search/*.cpp))
 bench_parts := $(addprefix $(O)/tests/bench/,plain_cbc.o sample_models.o search_problem.o staircase.o)
 programs    := $(patsubst tests/programs/%.cpp,$(O)/tests/%,$(wildcard tests/programs/*.cpp))
+samples     := $(addprefix $(O)/tests/support/,polycube.o sample_document.o)
 fuzzers     := $(patsubst tests/fuzz/%.cpp,$(O)/fuzz/%,$(wildcard tests/fuzz/*_fuzz.cpp))
 parts       := unit property cli layers headers schemas docs
 
@@ -138,8 +139,9 @@ $(O)/gen/page_parts.cpp: $(page_parts) scripts/embed
 	@mkdir -p $(@D)
 	$(call quietly,embed,$@) scripts/embed view/page_parts.h PagePart embeddedPageParts $(page_parts) > $@
 
+# clang warns of the length of texts.
 $(O)/gen/%.o: $(O)/gen/%.cpp $(O)/flags
-	$(call quietly,compile,$<) $(compile) -MMD -MP -c $< -o $@
+	$(call quietly,compile,$<) $(compile) -Wno-overlength-strings -MMD -MP -c $< -o $@
 
 # A change of the flags rebuilds what was built with others; a list of objects that lost one relinks.
 $(O)/flags: FORCE
@@ -245,7 +247,7 @@ run-fuzzers: $(fuzzers)
 	    $$fuzzer -max_total_time=$(seconds) -timeout=20 -rss_limit_mb=2048 -verbosity=0 $$corpus tests/data; \
 	done
 
-$(O)/fuzz/%: $(O)/tests/fuzz/%.o $(library)
+$(O)/fuzz/%: $(O)/tests/fuzz/%.o $(samples) $(library)
 	@mkdir -p $(@D)
 	$(call quietly,link,$@) $(link) -fsanitize=fuzzer $^ -o $@ $(libraries)
 

@@ -69,7 +69,7 @@ void addNet(Scene& scene, const std::vector<Patch>& patches, const Point& centre
         for (const Point& point : patch.controlPoints)
             appendPosition(shell.positions, point, centre);
         // One line that runs along every row and comes back along every column.
-        const auto [columns, rows] = patch.count;
+        const int columns = patch.count[0], rows = patch.count[1];
         const auto visit = [&](int i, int j) {
             net.points.push_back(first + static_cast<std::uint32_t>(j * columns + i));
         };

@@ -112,7 +112,7 @@ std::vector<LayoutPart::Segment> segmentsBetween(const CheckedMesh& mesh, const 
         Report report;
         const auto grid = gridOf(mesh, segment, "", report);
         if (grid.empty()) throw std::logic_error(report.violations().front().explanation);
-        const auto [a, b] = segment.size;
+        const int a = segment.size[0], b = segment.size[1];
         const auto vertex = [&](int i, int j) { return grid[index(j * (a + 1) + i)]; };
         for (int i = 0; i <= a; ++i)
             segment.sides[0].push_back(vertex(i, 0));

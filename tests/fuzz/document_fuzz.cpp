@@ -1,0 +1,168 @@
+/// \file A true document, edited at random, is refused with an Error or can be worked on; and the checker has
+/// an answer to it in any case. The bytes say where to edit and how.
+#include "base/error.h"
+#include "check/check_document.h"
+#include "check/read_document.h"
+#include "document/features_section.h"
+#include "document/model.h"
+#include "merge/merge.h"
+#include "prune/prune_optimum.h"
+#include "support/sample_document.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <vector>
+
+namespace {
+
+using qm::Json;
+
+constexpr std::size_t kinds = static_cast<std::size_t>(qm::Kind::surfaces) + 1;
+
+/// The fuzzer's bytes, one after the other; zeros when they are used up.
+class Choices {
+public:
+    Choices(const std::uint8_t* data, std::size_t size) : next_(data), end_(data + size) {}
+    [[nodiscard]] bool left() const { return next_ != end_; }
+    std::size_t byte() { return left() ? *next_++ : 0; }
+    /// \return less than the count, or 0
+    std::size_t below(std::size_t count) {
+        const std::size_t number = count > 256 ? byte() << 8U | byte() : byte();
+        return count == 0 ? 0 : number % count;
+    }
+
+private:
+    const std::uint8_t* next_;
+    const std::uint8_t* end_;
+};
+
+/// Some value within a value.
+Json& within(Json& value, Choices& choices) {
+    if (value.empty() || !value.is_structured() || choices.below(8) == 7) return value;
+    return within(*std::next(value.begin(), static_cast<std::ptrdiff_t>(choices.below(value.size()))),
+                  choices);
+}
+
+/// Kind, version and history have few values that mean anything.
+Json& place(Json& root, Choices& choices) {
+    const auto kind = static_cast<qm::Kind>(choices.below(kinds));
+    return root.contains(qm::sectionOf(kind)) ? within(root[qm::sectionOf(kind)], choices)
+                                              : within(root["mesh"], choices);
+}
+
+/// JSON for Modern C++ with diagnostics loses track of parents when it erases a key.
+Json without(const Json& value, std::size_t index) {
+    Json rest = value.type();
+    for (auto entry = value.begin(); entry != value.end(); ++entry) {
+        if (index-- == 0) continue;
+        if (value.is_object())
+            rest[entry.key()] = *entry;
+        else
+            rest.push_back(*entry);
+    }
+    return rest;
+}
+
+Json number(Choices& choices) {
+    switch (choices.below(6)) {
+    case 1:
+        return -1;
+    case 2:
+        return 1e300;
+    case 3:
+        return 0.5;
+    case 4:
+        return std::uint64_t{1} << choices.below(64);
+    default:
+        return choices.below(200);
+    }
+}
+
+void editList(Json& list, Choices& choices) {
+    const std::size_t one = choices.below(list.size()), other = choices.below(list.size());
+    if (choices.below(2) == 0)
+        list.push_back(Json(list[one]));
+    else
+        list[one].swap(list[other]);
+}
+
+void edit(Json& root, Choices& choices) {
+    Json& value = place(root, choices);
+    switch (choices.below(8)) {
+    case 0:
+    case 1:
+        if (value.is_number()) value = number(choices);
+        break;
+    case 2:
+    case 3:
+    case 4:
+        if (value.is_array() && !value.empty()) editList(value, choices);
+        break;
+    case 5:
+        value = Json(place(root, choices));
+        break;
+    case 6:
+        if (value.is_structured() && !value.empty()) value = without(value, choices.below(value.size()));
+        break;
+    default:
+        value = choices.below(2) == 0 ? Json() : Json::array();
+    }
+}
+
+qm::check::CheckedMesh checkedMesh(const qm::QuadMesh& mesh) {
+    qm::check::CheckedMesh result;
+    for (const auto vertex : mesh.vertices())
+        result.points.push_back({mesh.point(vertex)[0], mesh.point(vertex)[1], mesh.point(vertex)[2]});
+    for (const auto face : mesh.faces()) {
+        auto corner = result.quads.emplace_back().begin();
+        for (auto vertex = mesh.cfv_begin(face); vertex.is_valid(); ++vertex)
+            *corner++ = vertex->idx();
+    }
+    return result;
+}
+
+/// What the next stages make of it.
+void workOn(const qm::Document& document, const qm::Model& model) {
+    qm::EnumerationOptions options;
+    options.constraints = model.constraints;
+    const qm::Enumeration enumeration =
+        model.enumeration
+            ? *model.enumeration
+            : qm::enumerateGraphs(model.mesh, model.complex, model.dihedralAngles, model.subMeshes, options);
+    (void)qm::mergeGraphs(model.mesh, model.complex, model.dihedralAngles, model.subMeshes, enumeration,
+                          model.constraints, 20, {});
+    if (model.layout)
+        (void)qm::prune(model.mesh, model.complex, *model.layout, model.dihedralAngles, model.edgeCosts, {},
+                        qm::sharpAngle(document.root));
+}
+
+const Json& sample(std::size_t kind) {
+    static const qm::testing::TemporaryFolder folder;
+    static const std::vector<Json> roots = [] {
+        std::vector<Json> result;
+        for (std::size_t k = 0; k < kinds; ++k)
+            result.push_back(qm::testing::sampleDocument(folder, static_cast<qm::Kind>(k)).root);
+        return result;
+    }();
+    return roots[kind];
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    static const qm::check::CheckedMesh mesh = checkedMesh(qm::testing::sampleMesh());
+    Choices choices(data, size);
+    Json root = sample(choices.below(kinds));
+    while (choices.left())
+        edit(root, choices);
+    (void)qm::check::checkDocument(mesh, qm::check::readDocument(root));
+    try {
+        qm::Document document = qm::parseDocument(qm::printJson(root), "document.json");
+        const qm::Model model = qm::readWholeModel(document);
+        workOn(document, model);
+    } catch (const qm::Error&) {
+        // Refused, as most edits should be.
+    }
+    return 0;
+}
