@@ -41,7 +41,7 @@ void CornerNormals::findSectors(HalfedgeId first) {
     } while (halfedge != first);
     // Begin at the end of a sector, if there is one.
     const auto begin = std::ranges::find_if(around, endsSector);
-    if (begin != around.end()) std::ranges::rotate(around, begin);
+    if (begin != around.end()) std::rotate(around.begin(), begin, around.end());
     Sector sector;
     const auto close = [&] {
         constexpr std::size_t inAnyPlane = 2;

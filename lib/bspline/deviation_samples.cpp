@@ -54,6 +54,7 @@ std::vector<double> latticeParameters(int edges, int steps) {
 
 std::vector<double> centreParameters(int edges) {
     std::vector<double> parameters;
+    parameters.reserve(static_cast<std::size_t>(edges));
     for (int k = 0; k < edges; ++k)
         parameters.push_back(k + 0.5);
     return parameters;

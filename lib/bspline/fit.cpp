@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -96,9 +97,12 @@ Surfaces fitWithinTolerance(const QuadMesh& mesh, const Layout& layout,
     constexpr double forCurves = 0.92;
     std::optional<ToleranceFit> fit;
     for (const double tangency : tangencies) {
-        if (tangency < tangencies.back() && !(kinks.angle < 180)) continue;
-        fit.emplace(mesh, layout, dihedralAngles, options.rho, tolerance, tangency, control.jobs);
-        if (static_cast<double>(controlPointCount(fit->patches())) <= forCurves * most) break;
+        const bool isLast = tangency == tangencies.back();
+        if (!isLast && !(kinks.angle < 180)) continue;
+        const std::size_t mostPoints =
+            isLast ? std::numeric_limits<std::size_t>::max() : static_cast<std::size_t>(forCurves * most);
+        fit.emplace(mesh, layout, dihedralAngles, options.rho, tolerance, tangency, mostPoints, control.jobs);
+        if (fit->isComplete()) break;
     }
     keepLimits(*fit, meter, limits, control);
     reduceKinks(mesh, layout, *fit, kinks, meter, limits, control);

@@ -89,7 +89,7 @@ std::vector<double> KnotRefinement::refined() const {
 }
 
 std::vector<double> KnotRefinement::enriched() const {
-    const auto more = refined();
+    auto more = refined();
     const auto order = static_cast<std::size_t>(multiplicity_.front());
     if (order == 4 || more.size() == 2 * order) return more;
     std::vector<double> raised(order + 1, places_.front());

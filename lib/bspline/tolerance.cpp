@@ -4,18 +4,20 @@
 #include "bspline/interpolate.h"
 
 #include <algorithm>
+#include <atomic>
+#include <limits>
 #include <utility>
 
 namespace qm {
 
 ToleranceFit::ToleranceFit(const QuadMesh& mesh, const Layout& layout,
                            const std::vector<double>& dihedralAngles, double rho, double tolerance,
-                           double tangency, unsigned jobs)
+                           double tangency, std::size_t mostPoints, unsigned jobs)
     : mesh_(mesh), layout_(layout), tolerance_(tolerance), jobs_(jobs),
       curves_(mesh, layout, dihedralAngles, rho, tolerance, tangency, jobs), closeness_(mesh.n_vertices()),
       patches_(layout.segments.size()) {
     curves_.fit(std::vector<bool>(curves_.chains().all().size(), true), closeness_);
-    fitPatches(std::vector<bool>(patches_.size(), true));
+    fitPatches(std::vector<bool>(patches_.size(), true), mostPoints);
 }
 
 std::vector<bool> ToleranceFit::tighten(const DeviatingPlaces& places) {
@@ -43,14 +45,18 @@ std::vector<bool> ToleranceFit::tighten(const DeviatingPlaces& places) {
     for (std::size_t k = 0; k < patches.size(); ++k)
         patches[k] = curves_.touches(k, chains) ||
                      std::ranges::any_of(vertexGrid(mesh_, layout_.segments[k]), changed);
-    fitPatches(patches);
+    fitPatches(patches, std::numeric_limits<std::size_t>::max());
     return patches;
 }
 
-void ToleranceFit::fitPatches(const std::vector<bool>& which) {
+void ToleranceFit::fitPatches(const std::vector<bool>& which, std::size_t mostPoints) {
+    std::atomic<std::size_t> points = 0;
     parallelFor(patches_.size(), jobs_, [&](std::size_t k) {
-        if (which[k]) replace(k, fitPatch(input(k), tolerance_));
+        if (!which[k] || points > mostPoints) return;
+        replace(k, fitPatch(input(k), tolerance_));
+        points += patches_[k].controlPoints.size();
     });
+    complete_ = points <= mostPoints; // in whatever order they were counted
 }
 
 PatchFitInput ToleranceFit::input(std::size_t patch) const {

@@ -20,9 +20,12 @@ namespace qm {
 class ToleranceFit {
 public:
     /// Fits everything. All that is passed must outlive the fit. \param tolerance  in the mesh's unit
-    /// \param tangency  of the curves, as for `BorderCurves`: less takes more control points
+    /// \param tangency  of the curves, as for `BorderCurves`: less takes more control points \param
+    /// mostPoints gives up, and is not complete, as soon as patches take more control points than this
     ToleranceFit(const QuadMesh& mesh, const Layout& layout, const std::vector<double>& dihedralAngles,
-                 double rho, double tolerance, double tangency, unsigned jobs);
+                 double rho, double tolerance, double tangency, std::size_t mostPoints, unsigned jobs);
+
+    [[nodiscard]] bool isComplete() const { return complete_; }
 
     /// One for every segment, in their order.
     [[nodiscard]] const std::vector<Patch>& patches() const { return patches_; }
@@ -43,7 +46,7 @@ public:
     void comeCloser(const DeviatingPlaces& places);
 
 private:
-    void fitPatches(const std::vector<bool>& which);
+    void fitPatches(const std::vector<bool>& which, std::size_t mostPoints);
 
     const QuadMesh& mesh_;
     const Layout& layout_;
@@ -52,6 +55,7 @@ private:
     BorderCurves curves_;
     std::vector<Closeness> closeness_; ///< by vertex
     int calls_ = 0;                    ///< of `tighten`
+    bool complete_ = true;
     std::vector<Patch> patches_;
 };
 

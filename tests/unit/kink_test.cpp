@@ -113,7 +113,7 @@ TEST(AgreedNormals, AreInTheMiddleBetweenNeighbours) {
     const QuadMesh mesh = test::makeMesh(roof);
     const Layout layout = test::makeLayout(roof, {{0, 0, 3, 2, 1}, {3, 0, 6, 2, 2}});
     const std::vector<double> angles(mesh.n_edges(), 0.1);
-    const ToleranceFit fit(mesh, layout, angles, 0.45, 1e-6, 0.15, 1);
+    const ToleranceFit fit(mesh, layout, angles, 0.45, 1e-6, 0.15, 1000, 1);
     AgreedNormals agreed(fit.curves());
     for (std::size_t k = 0; k < 2; ++k)
         agreed.update(k, fit.patches()[k]);
