@@ -73,8 +73,8 @@ Point CornerNormals::tangent(HalfedgeId halfedge, const std::vector<SplineCurve>
 }
 
 void CornerNormals::setCurves(const std::vector<SplineCurve>& curves) {
-    constexpr double leastSpread = 0.1; // of the tangents, within the plane
-    constexpr double leastCosine = 0.9; // of the angle to the mesh's normal
+    constexpr double leastSpread = 0.3; // of the tangents, within the plane
+    constexpr double leastCosine = 0.95; // of the angle to the mesh's normal
     for (const Sector& sector : sectors_) {
         Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
         for (const HalfedgeId border : sector.borders) {

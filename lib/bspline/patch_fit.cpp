@@ -64,7 +64,7 @@ std::optional<PatchAttempt> refined(const PatchSolver& solver, Knots knots, bool
 }
 
 Patch smoothest(const PatchSolver& solver, PatchAttempt known) {
-    auto smoother = solver.smoothest(known.patch.knots);
+    auto smoother = solver.smoothest(known.patch.knots, known.patch);
     return smoother ? std::move(smoother->patch) : std::move(known.patch);
 }
 

@@ -24,8 +24,8 @@ std::optional<Knots> withOneMore(const PatchFitInput& input, const Patch& patch,
     return knots;
 }
 
-std::optional<Patch> fitted(const PatchSolver& solver, const Knots& knots) {
-    if (auto smoothest = solver.smoothest(knots)) return std::move(smoothest->patch);
+std::optional<Patch> fitted(const PatchSolver& solver, const Knots& knots, const Patch& known) {
+    if (auto smoothest = solver.smoothest(knots, known)) return std::move(smoothest->patch);
     PatchAttempt attempt = solver.attempt(knots, true);
     if (attempt.largest > 1) return std::nullopt;
     return std::move(attempt.patch);
@@ -58,7 +58,7 @@ SmoothedPatch smoothPatch(const PatchFitInput& input, double tolerance, const Pa
     NormalErrors errors = normalErrors(input, known);
     if (errors.largest <= enough) return result;
     const PatchSolver solver(input, tolerance, input.closeness);
-    if (auto next = fitted(solver, known.knots)) {
+    if (auto next = fitted(solver, known.knots, known)) {
         const NormalErrors left = normalErrors(input, *next);
         if (left.squares < worthwhile * errors.squares) {
             errors = left;
@@ -70,7 +70,7 @@ SmoothedPatch smoothPatch(const PatchFitInput& input, double tolerance, const Pa
     for (const bool beside : {false, true}) {
         const auto knots = withOneMore(input, best, errors, beside);
         if (!knots) continue;
-        auto next = fitted(solver, *knots);
+        auto next = fitted(solver, *knots, known);
         if (!next || next->controlPoints.size() <= best.controlPoints.size()) continue;
         const double left = normalErrors(input, *next).squares;
         const auto more = static_cast<double>(next->controlPoints.size() - best.controlPoints.size());

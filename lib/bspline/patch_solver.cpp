@@ -80,15 +80,20 @@ PatchAttempt PatchSolver::attempt(const Knots& knots, bool aimsAtNormals) const 
     return best;
 }
 
-std::optional<PatchAttempt> PatchSolver::smoothest(const Knots& knots) const {
+std::optional<PatchAttempt> PatchSolver::smoothest(const Knots& knots, const Patch& known) const {
     if (!isQuick(knots)) return std::nullopt;
+    constexpr double upright = 0.3;
+    const double advance = std::min(upright, leastAdvance(known));
     for (const double most : mostWeights) {
         if (isLarge() && most == mostWeights.front()) continue; // seldom enough to take the time
         std::vector<double> weights(samples_.size(), 1);
         NormalWeights normals = normalWeights(most);
         for (int round = 0; round < (isLarge() ? 2 : 5); ++round) {
             PatchAttempt next = solve(knots, weights, normals);
-            if (next.largest <= 1) return next;
+            if (next.largest <= 1) {
+                if (leastAdvance(next.patch) >= advance) return next;
+                break;
+            }
             for (std::size_t k = 0; k < samples_.size(); ++k)
                 if (next.errors[k] > 1) {
                     weights[k] *= std::min(next.errors[k] * 1.5, 4.0);
@@ -203,6 +208,27 @@ void PatchSolver::prescribeNormals() {
                 if (const double size = aim.norm(); size > 0.5 * step.norm()) aim *= step.norm() / size;
                 prescribed_[d][end].push_back({normal, aim});
             }
+}
+
+/// How far the patch leads inwards from its borders, as a share of what the quads beside them do: the least
+/// at all places of normals. Where it is negative, the patch is folded.
+double PatchSolver::leastAdvance(const Patch& patch) const {
+    double least = 1;
+    for (std::size_t d = 0; d < 2; ++d) {
+        const auto table = basisTable(patch.knots[d], patch.degree[d], normalAt_[d]);
+        for (std::size_t end = 0; end < 2; ++end) {
+            const double border = end == 0 ? 0 : input_.size[1 - d];
+            const BasisValues there = basisValues(patch.knots[1 - d], patch.degree[1 - d], border);
+            for (std::size_t k = 0; k < prescribed_[d][end].size(); ++k) {
+                const Point& aim = prescribed_[d][end][k].aim;
+                const SurfacePoint on =
+                    d == 0 ? evaluate(patch, table[k], there) : evaluate(patch, there, table[k]);
+                if (aim.sqrnorm() > 0)
+                    least = std::min(least, ((d == 0 ? on.dv : on.du) | aim) / aim.sqrnorm());
+            }
+        }
+    }
+    return least;
 }
 
 /// Of the quads beside a border, across it.

@@ -40,7 +40,8 @@ public:
 
     /// The patch whose normals are as near to the prescribed ones as the tolerance allows: they count less
     /// wherever the tolerance is exceeded. None if it is exceeded all the same, or if that is not quick.
-    [[nodiscard]] std::optional<PatchAttempt> smoothest(const Knots& knots) const;
+    /// \param known  another patch between the same curves: it is not folded more than this one
+    [[nodiscard]] std::optional<PatchAttempt> smoothest(const Knots& knots, const Patch& known) const;
 
     /// Asks for knots where the tolerance is exceeded most, in the direction to blame.
     void mark(const PatchAttempt& attempt, std::array<KnotRefinement, 2>& refinement) const;
@@ -49,6 +50,7 @@ private:
     /// Weights of the prescribed normals, in the order of the input.
     using NormalWeights = OnBorder<std::vector<double>>;
 
+    [[nodiscard]] double leastAdvance(const Patch& patch) const;
     void prescribeNormals();
     [[nodiscard]] bool isLarge() const;
     [[nodiscard]] NormalWeights normalWeights(double weight) const;
