@@ -25,33 +25,23 @@ double kinkOfQuads(const QuadMesh& mesh, HalfedgeId halfedge, double along) {
 /// Where the surface is too far from the mesh. What is near the point with its parameters is near enough.
 void findFar(const Patch& patch, const QuadGrid& quads, const MeshDistance& mesh, int samplesPerEdge,
              double farthest, std::vector<DeviatingPlace>& places) {
-    const auto us = latticeParameters(quads.size()[0], samplesPerEdge);
-    const auto vs = latticeParameters(quads.size()[1], samplesPerEdge);
-    const auto points = evaluateLattice(patch, us, vs);
-    std::size_t k = 0;
-    for (const double v : vs)
-        for (const double u : us) {
-            const SurfacePoint& on = points[k++];
-            const Point of = quads.at(u, v);
+    visitLattice(
+        patch, quads, samplesPerEdge, [&](double u, double v, const SurfacePoint& on, const Point& of) {
             const double bound = (on.position - of).norm();
-            if (bound <= farthest) continue;
+            if (bound <= farthest) return;
             const double distance = std::max(mesh(on.position, bound), distanceToPatch(patch, of, u, v, on));
             if (!(distance <= farthest)) places.push_back({{u, v}, distance});
-        }
+        });
 }
 
 void findBent(const Patch& patch, const QuadGrid& quads, double mostBent,
               std::vector<DeviatingPlace>& places) {
-    const auto us = centreParameters(quads.size()[0]);
-    const auto vs = centreParameters(quads.size()[1]);
-    const auto points = evaluateLattice(patch, us, vs);
-    std::size_t k = 0;
-    for (std::size_t j = 0; j < vs.size(); ++j)
-        for (std::size_t i = 0; i < us.size(); ++i, ++k) {
-            const Point normal = quads.normalAtCentre(static_cast<int>(i), static_cast<int>(j));
-            if (angleInDegrees(unitNormal(points[k].du, points[k].dv), normal) > mostBent)
-                places.push_back({{us[i], vs[j]}, 0});
-        }
+    const std::vector<double> angles = normalDeviations(patch, quads);
+    const auto columns = static_cast<std::size_t>(quads.size()[0]);
+    for (std::size_t k = 0; k < angles.size(); ++k)
+        if (angles[k] > mostBent)
+            places.push_back(
+                {{static_cast<double>(k % columns) + 0.5, static_cast<double>(k / columns) + 0.5}, 0});
 }
 
 } // namespace

@@ -14,35 +14,16 @@ namespace {
 
 std::vector<double> distances(const Patch& patch, const QuadGrid& quads, const MeshDistance& mesh,
                               int samplesPerEdge, double negligible) {
-    const auto us = latticeParameters(quads.size()[0], samplesPerEdge);
-    const auto vs = latticeParameters(quads.size()[1], samplesPerEdge);
     std::vector<double> result;
-    result.reserve(2 * us.size() * vs.size());
-    const auto points = evaluateLattice(patch, us, vs);
-    std::size_t k = 0;
-    for (const double v : vs)
-        for (const double u : us) {
-            const SurfacePoint& on = points[k++];
-            const Point of = quads.at(u, v);
+    visitLattice(
+        patch, quads, samplesPerEdge, [&](double u, double v, const SurfacePoint& on, const Point& of) {
             const double bound = (on.position - of).norm();
             if (bound <= negligible)
                 result.insert(result.end(), 2, bound);
             else
                 result.insert(result.end(), {mesh(on.position, bound), distanceToPatch(patch, of, u, v, on)});
-        }
+        });
     return result;
-}
-
-double normalDeviation(const Patch& patch, const QuadGrid& quads) {
-    const auto& size = quads.size();
-    const auto points = evaluateLattice(patch, centreParameters(size[0]), centreParameters(size[1]));
-    double most = 0;
-    std::size_t k = 0;
-    for (int j = 0; j < size[1]; ++j)
-        for (int i = 0; i < size[0]; ++i, ++k)
-            most = std::max(
-                most, angleInDegrees(unitNormal(points[k].du, points[k].dv), quads.normalAtCentre(i, j)));
-    return most;
 }
 
 /// Gap and kinks along one edge of the layout.
@@ -88,7 +69,7 @@ MeasuredDeviation DeviationMeter::measure(const std::vector<Patch>& patches, con
         const QuadGrid grid = quads(k);
         ofPatch[k].distances =
             distances(patches[k], grid, distance_, options_.samplesPerEdge, 1e-14 * diagonal_);
-        ofPatch[k].normalDeviation = normalDeviation(patches[k], grid);
+        ofPatch[k].normalDeviation = std::ranges::max(normalDeviations(patches[k], grid));
     });
     std::vector<DeviationSamples> ofBorder(borders_.size());
     parallelFor(borders_.size(), control.jobs, [&](std::size_t k) {

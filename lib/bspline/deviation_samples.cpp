@@ -25,6 +25,15 @@ double percentile95(std::vector<double> values) {
     return values[rank];
 }
 
+/// The middle of every edge.
+std::vector<double> centreParameters(int edges) {
+    std::vector<double> parameters;
+    parameters.reserve(static_cast<std::size_t>(edges));
+    for (int k = 0; k < edges; ++k)
+        parameters.push_back(k + 0.5);
+    return parameters;
+}
+
 } // namespace
 
 Deviation summary(const DeviationSamples& samples, double diagonal) {
@@ -52,12 +61,17 @@ std::vector<double> latticeParameters(int edges, int steps) {
     return parameters;
 }
 
-std::vector<double> centreParameters(int edges) {
-    std::vector<double> parameters;
-    parameters.reserve(static_cast<std::size_t>(edges));
-    for (int k = 0; k < edges; ++k)
-        parameters.push_back(k + 0.5);
-    return parameters;
+std::vector<double> normalDeviations(const Patch& patch, const QuadGrid& quads) {
+    const auto& size = quads.size();
+    const auto points = evaluateLattice(patch, centreParameters(size[0]), centreParameters(size[1]));
+    std::vector<double> angles;
+    angles.reserve(points.size());
+    for (int j = 0; j < size[1]; ++j)
+        for (int i = 0; i < size[0]; ++i) {
+            const SurfacePoint& on = points[angles.size()];
+            angles.push_back(angleInDegrees(unitNormal(on.du, on.dv), quads.normalAtCentre(i, j)));
+        }
+    return angles;
 }
 
 std::array<double, 2> parametersAt(const BorderEdge& border, std::size_t side, const Layout& layout,

@@ -3,10 +3,12 @@
 
 #include "bspline/borders.h"
 #include "bspline/evaluate.h"
+#include "bspline/quad_grid.h"
 #include "bspline/surfaces.h"
 #include "merge/layout.h"
 
 #include <array>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -25,8 +27,21 @@ struct DeviationSamples {
 /// So many parameters for every edge, and one more.
 [[nodiscard]] std::vector<double> latticeParameters(int edges, int steps);
 
-/// The middle of every edge.
-[[nodiscard]] std::vector<double> centreParameters(int edges);
+/// Calls visit(u, v, on, of) at so many steps along every edge: with the surface there, and the point of the
+/// quads that has the same parameters.
+template <class Visitor>
+void visitLattice(const Patch& patch, const QuadGrid& quads, int samplesPerEdge, const Visitor& visit) {
+    const auto us = latticeParameters(quads.size()[0], samplesPerEdge);
+    const auto vs = latticeParameters(quads.size()[1], samplesPerEdge);
+    const auto points = evaluateLattice(patch, us, vs);
+    std::size_t k = 0;
+    for (const double v : vs)
+        for (const double u : us)
+            visit(u, v, points[k++], quads.at(u, v));
+}
+
+/// The angles between the normals of surface and quad at the quads' centres, row by row, in degrees.
+[[nodiscard]] std::vector<double> normalDeviations(const Patch& patch, const QuadGrid& quads);
 
 /// Where on every border edge gaps are measured. Kinks are measured between the edge's ends only: at a vertex
 /// a patch may have more than one normal.
