@@ -37,10 +37,11 @@ std::vector<int> borderValences(const QuadMesh& mesh, const Chains& chains) {
 BorderCurves::BorderCurves(const QuadMesh& mesh, const Layout& layout,
                            const std::vector<double>& dihedralAngles, double rho, double tolerance,
                            double tangency, unsigned jobs)
-    : mesh_(mesh), tolerance_(tolerance), tangency_(tangency), jobs_(jobs), patches_(layout.segments.size()),
+    : mesh_(mesh), tolerance_(tolerance), jobs_(jobs), patches_(layout.segments.size()),
       chains_(mesh, layout), lines_(mesh, dihedralAngles, rho), field_(mesh, chains_, lines_),
       corners_(mesh, chains_, lines_), sharing_(chains_, layout), valences_(borderValences(mesh, chains_)),
-      exact_(exactly * boundingBoxDiagonal(mesh)), curves_(chains_.all().size()) {}
+      exact_(exactly * boundingBoxDiagonal(mesh)), tangency_(chains_.all().size(), tangency),
+      curves_(chains_.all().size()) {}
 
 void BorderCurves::fit(const std::vector<bool>& which, const std::vector<Closeness>& closeness) {
     std::vector<CurveFitInput> inputs(curves_.size());
@@ -65,6 +66,12 @@ void BorderCurves::fit(const std::vector<bool>& which, const std::vector<Closene
 bool BorderCurves::isSmooth(HalfedgeId halfedge) const {
     const EdgeId edge = mesh_.edge_handle(halfedge);
     return !mesh_.is_boundary(edge) && lines_.isSmooth(edge);
+}
+
+void BorderCurves::loosen(std::size_t patch) {
+    for (int side = 0; side < 4; ++side)
+        for (const SidePiece& piece : chains_.pieces(patch, side))
+            tangency_[piece.place.chain] = loose;
 }
 
 bool BorderCurves::touches(std::size_t patch, const std::vector<bool>& chains) const {
@@ -98,7 +105,8 @@ CurveFitInput BorderCurves::input(std::size_t number, const std::vector<Closenes
     const auto add = [&](int point, HalfedgeId halfedge) {
         if (field_.isTJoint(mesh_.from_vertex_handle(halfedge))) return;
         for (const Point& normal : field_.tangentPlanes(halfedge))
-            input.planes.push_back({point, normal, field_.corners().isShared(halfedge) ? tangency_ : loose});
+            input.planes.push_back(
+                {point, normal, field_.corners().isShared(halfedge) ? tangency_[number] : loose});
         const Point direction = corners_[halfedge];
         if (direction.sqrnorm() == 0) return;
         const Point normal = lines_.normalOnLeft(halfedge);

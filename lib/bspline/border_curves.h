@@ -33,6 +33,10 @@ public:
     /// Fits some chains anew. \param closeness  by vertex index
     void fit(const std::vector<bool>& which, const std::vector<Closeness>& closeness);
 
+    /// Asks no more of the tangents around a patch than where no other curve shares their planes, from the
+    /// next fit on: what pulls a curve into a plane may bend the patch beside it.
+    void loosen(std::size_t patch);
+
     /// True if one of these chains is on a side of the patch.
     [[nodiscard]] bool touches(std::size_t patch, const std::vector<bool>& chains) const;
 
@@ -47,7 +51,6 @@ private:
 
     const QuadMesh& mesh_;
     double tolerance_;
-    double tangency_;
     unsigned jobs_;
     std::size_t patches_;
     Chains chains_;
@@ -56,7 +59,8 @@ private:
     CornerDirections corners_;
     KnotSharing sharing_;
     std::vector<int> valences_;
-    double exact_; ///< how near is at a vertex
+    double exact_;                 ///< how near is at a vertex
+    std::vector<double> tangency_; ///< by chain
     std::vector<SplineCurve> curves_;
 };
 

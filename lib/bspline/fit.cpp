@@ -57,10 +57,10 @@ bool isEmpty(const DeviatingPlaces& places) {
 
 /// Fits closer until nothing is beyond the limits. Those of the normals are given up where they cannot be
 /// kept: folded quads have folded patches.
-void keepLimits(ToleranceFit& fit, const DeviationMeter& meter, DeviationLimits& limits,
+void keepLimits(ToleranceFit& fit, const DeviationMeter& meter, DeviationLimits limits,
                 const Control& control) {
     constexpr int enough = 10; // by then the fit is certain of the tolerance
-    constexpr int hopeless = 4;
+    constexpr int hopeless = 6;
     std::vector<bool> only;
     for (int round = 0; round < enough; ++round) {
         control.progress(0.5 * round / enough);
@@ -91,10 +91,10 @@ Surfaces fitWithinTolerance(const QuadMesh& mesh, const Layout& layout,
     const double tolerance = options.tolerance.length(meter.diagonal());
     constexpr double mostBent = 30;   // degrees that a patch may turn away from its quads,
     constexpr double mostKinked = 45; // and from its neighbour
-    DeviationLimits limits{tolerance, mostBent, mostKinked};
+    const DeviationLimits limits{tolerance, mostBent, mostKinked};
     const double most = options.kinkBudget * static_cast<double>(interpolatedPoints(layout));
     const KinkLimits kinks{options.maxKink, static_cast<std::size_t>(most)};
-    constexpr double forCurves = 0.92;
+    constexpr double forCurves = 0.85;
     std::optional<ToleranceFit> fit;
     for (const double tangency : tangencies) {
         const bool isLast = tangency == tangencies.back();

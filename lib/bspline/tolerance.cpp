@@ -26,6 +26,8 @@ std::vector<bool> ToleranceFit::tighten(const DeviatingPlaces& places) {
     const auto before = closeness_;
     comeCloser(places);
     for (std::size_t k = 0; k < places.size(); ++k) {
+        if (std::ranges::any_of(places[k], [](const auto& place) { return place.distance == 0; }))
+            curves_.loosen(k);
         if (calls_ <= fewCalls || (calls_ <= fewCalls + 3 && places[k].empty())) continue;
         for (const VertexId vertex : vertexGrid(mesh_, layout_.segments[k]))
             closeness_[static_cast<std::size_t>(vertex.idx())] = {1, false};
