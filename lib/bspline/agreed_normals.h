@@ -27,7 +27,7 @@ public:
     [[nodiscard]] std::vector<double> kinks(std::size_t patch) const;
 
 private:
-    static constexpr std::size_t perEdge = 5;
+    static constexpr std::size_t perEdge = normalShares.size();
     template <class Visitor> void visitSide(std::size_t patch, int side, const Visitor& visit) const;
 
     /// Normals on both sides.

@@ -64,8 +64,7 @@ void BorderCurves::fit(const std::vector<bool>& which, const std::vector<Closene
 }
 
 bool BorderCurves::isSmooth(HalfedgeId halfedge) const {
-    const EdgeId edge = mesh_.edge_handle(halfedge);
-    return !mesh_.is_boundary(edge) && lines_.isSmooth(edge);
+    return lines_.isSmoothInside(mesh_.edge_handle(halfedge));
 }
 
 void BorderCurves::loosen(std::size_t patch) {
@@ -176,11 +175,10 @@ SplineCurve BorderCurves::side(std::size_t patch, int side) const {
 }
 
 std::vector<Point> BorderCurves::normals(std::size_t patch, int side) const {
-    const std::vector<double> shares = normalParameters(1);
     std::vector<Point> normals;
     for (const SidePiece& piece : chains_.pieces(patch, side))
         for (int k = 0; k < piece.length; ++k)
-            for (const double share : shares)
+            for (const double share : normalShares)
                 normals.push_back(
                     field_.at({piece.place.chain, piece.place.way, piece.place.position + k}, share));
     return normals;

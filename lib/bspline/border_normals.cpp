@@ -1,7 +1,5 @@
 #include "bspline/border_normals.h"
 
-#include "bspline/evaluate.h"
-
 #include <cstddef>
 
 namespace qm {
@@ -9,7 +7,7 @@ namespace qm {
 std::vector<double> normalParameters(int edges) {
     std::vector<double> parameters;
     for (int k = 0; k < edges; ++k)
-        for (const double share : {0.03, 0.25, 0.5, 0.75, 0.97})
+        for (const double share : normalShares)
             parameters.push_back(k + share);
     return parameters;
 }
@@ -22,17 +20,21 @@ Point unitNormalAcross(const Point& normal, const Point& tangent) {
     return length > 0.5 ? Point(across / length) : Point(0, 0, 0);
 }
 
-std::vector<Point> normalsOnBorder(const Patch& patch, std::size_t direction, std::size_t end) {
+std::vector<SurfacePoint> pointsOnBorder(const Patch& patch, std::size_t direction, std::size_t end) {
     const auto range = domain(patch);
     const std::size_t across = 1 - direction;
     const BasisValues there = basisValues(patch.knots[across], patch.degree[across], range[across][end]);
     const auto parameters = normalParameters(static_cast<int>(range[direction][1]));
+    std::vector<SurfacePoint> points;
+    for (const BasisValues& along : basisTable(patch.knots[direction], patch.degree[direction], parameters))
+        points.push_back(direction == 0 ? evaluate(patch, along, there) : evaluate(patch, there, along));
+    return points;
+}
+
+std::vector<Point> normalsOnBorder(const Patch& patch, std::size_t direction, std::size_t end) {
     std::vector<Point> normals;
-    for (const BasisValues& along : basisTable(patch.knots[direction], patch.degree[direction], parameters)) {
-        const SurfacePoint on =
-            direction == 0 ? evaluate(patch, along, there) : evaluate(patch, there, along);
+    for (const SurfacePoint& on : pointsOnBorder(patch, direction, end))
         normals.push_back(unitNormal(on.du, on.dv));
-    }
     return normals;
 }
 

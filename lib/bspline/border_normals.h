@@ -1,6 +1,7 @@
 /// \file Normals that a patch should have on its border, and how far its own are from them.
 #pragma once
 
+#include "bspline/evaluate.h"
 #include "bspline/spline_curve.h"
 #include "bspline/surfaces.h"
 
@@ -19,11 +20,17 @@ template <class T, class Make> [[nodiscard]] OnBorder<T> onBorder(const Make& ma
     return {{{make(0, false), make(2, true)}, {make(3, true), make(1, false)}}};
 }
 
+/// Shares of an edge at which normals are prescribed.
+constexpr std::array<double, 5> normalShares = {0.03, 0.25, 0.5, 0.75, 0.97};
+
 /// Where a patch's normals on a border of so many edges are prescribed.
 [[nodiscard]] std::vector<double> normalParameters(int edges);
 
-/// A patch's own unit normals at `normalParameters` on one border: along u (0) or v (1), at the lower or the
-/// upper end of the other parameter.
+/// A patch at `normalParameters` on one border: along u (0) or v (1), at the lower or the upper end of the
+/// other parameter.
+[[nodiscard]] std::vector<SurfacePoint> pointsOnBorder(const Patch& patch, std::size_t direction,
+                                                       std::size_t end);
+/// The unit normals there.
 [[nodiscard]] std::vector<Point> normalsOnBorder(const Patch& patch, std::size_t direction, std::size_t end);
 
 /// The normal's part orthogonal to the tangent, of length one; zero where they are far from orthogonal.

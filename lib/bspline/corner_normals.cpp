@@ -30,8 +30,7 @@ CornerNormals::CornerNormals(const QuadMesh& mesh, const Chains& chains, const L
 
 void CornerNormals::findSectors(HalfedgeId first) {
     const auto endsSector = [&](HalfedgeId halfedge) {
-        return mesh_.is_boundary(mesh_.edge_handle(halfedge)) ||
-               !lines_.isSmooth(mesh_.edge_handle(halfedge));
+        return !lines_.isSmoothInside(mesh_.edge_handle(halfedge));
     };
     std::vector<HalfedgeId> around;
     HalfedgeId halfedge = first;
@@ -73,7 +72,7 @@ Point CornerNormals::tangent(HalfedgeId halfedge, const std::vector<SplineCurve>
 }
 
 void CornerNormals::setCurves(const std::vector<SplineCurve>& curves) {
-    constexpr double leastSpread = 0.3; // of the tangents, within the plane
+    constexpr double leastSpread = 0.3;  // of the tangents, within the plane
     constexpr double leastCosine = 0.95; // of the angle to the mesh's normal
     for (const Sector& sector : sectors_) {
         Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();

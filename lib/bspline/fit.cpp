@@ -98,7 +98,7 @@ Surfaces fitWithinTolerance(const QuadMesh& mesh, const Layout& layout,
     std::optional<ToleranceFit> fit;
     for (const double tangency : tangencies) {
         const bool isLast = tangency == tangencies.back();
-        if (!isLast && !(kinks.angle < 180)) continue;
+        if (!isLast && !(kinks.angle < 180)) continue; // no kink is too large
         const std::size_t mostPoints =
             isLast ? std::numeric_limits<std::size_t>::max() : static_cast<std::size_t>(forCurves * most);
         fit.emplace(mesh, layout, dihedralAngles, options.rho, tolerance, tangency, mostPoints, control.jobs);

@@ -25,6 +25,10 @@ public:
     [[nodiscard]] Point twist(HalfedgeId halfedge) const;
 
     [[nodiscard]] bool isSmooth(EdgeId edge) const;
+    /// Smooth, and with faces on both sides.
+    [[nodiscard]] bool isSmoothInside(EdgeId edge) const {
+        return !mesh_.is_boundary(edge) && isSmooth(edge);
+    }
 
     /// The mean normal, around the vertex that `halfedge` leaves, of all faces from its left to the next
     /// sharp edges; zero where there is none.

@@ -36,8 +36,7 @@ void NormalField::setEdges() {
         std::vector<OnEdge> edges;
         for (const HalfedgeId halfedge : chain.halfedges) {
             OnEdge edge;
-            edge.smooth = !mesh_.is_boundary(mesh_.edge_handle(halfedge)) &&
-                          lines_.isSmooth(mesh_.edge_handle(halfedge));
+            edge.smooth = lines_.isSmoothInside(mesh_.edge_handle(halfedge));
             if (edge.smooth)
                 edge.normal = {corners_.onLeft(halfedge),
                                corners_.onLeft(mesh_.opposite_halfedge_handle(halfedge))};

@@ -214,20 +214,15 @@ void PatchSolver::prescribeNormals() {
 /// at all places of normals. Where it is negative, the patch is folded.
 double PatchSolver::leastAdvance(const Patch& patch) const {
     double least = 1;
-    for (std::size_t d = 0; d < 2; ++d) {
-        const auto table = basisTable(patch.knots[d], patch.degree[d], normalAt_[d]);
+    for (std::size_t d = 0; d < 2; ++d)
         for (std::size_t end = 0; end < 2; ++end) {
-            const double border = end == 0 ? 0 : input_.size[1 - d];
-            const BasisValues there = basisValues(patch.knots[1 - d], patch.degree[1 - d], border);
+            const auto points = pointsOnBorder(patch, d, end);
             for (std::size_t k = 0; k < prescribed_[d][end].size(); ++k) {
                 const Point& aim = prescribed_[d][end][k].aim;
-                const SurfacePoint on =
-                    d == 0 ? evaluate(patch, table[k], there) : evaluate(patch, there, table[k]);
-                if (aim.sqrnorm() > 0)
-                    least = std::min(least, ((d == 0 ? on.dv : on.du) | aim) / aim.sqrnorm());
+                const Point& across = d == 0 ? points[k].dv : points[k].du;
+                if (aim.sqrnorm() > 0) least = std::min(least, (across | aim) / aim.sqrnorm());
             }
         }
-    }
     return least;
 }
 

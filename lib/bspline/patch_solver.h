@@ -50,6 +50,11 @@ private:
     /// Weights of the prescribed normals, in the order of the input.
     using NormalWeights = OnBorder<std::vector<double>>;
 
+    struct Prescribed {
+        Point normal{0, 0, 0}; ///< across the border curve; zero where there is none
+        Point aim{0, 0, 0};    ///< what the derivative across is to be, about
+    };
+
     [[nodiscard]] double leastAdvance(const Patch& patch) const;
     void prescribeNormals();
     [[nodiscard]] bool isLarge() const;
@@ -64,10 +69,6 @@ private:
 
     const PatchFitInput& input_;
     PatchSamples samples_;
-    struct Prescribed {
-        Point normal{0, 0, 0}; ///< across the border curve; zero where there is none
-        Point aim{0, 0, 0};    ///< what the derivative across is to be, about
-    };
     std::array<std::vector<double>, 2> normalAt_; ///< where normals are prescribed, along u and v
     OnBorder<std::vector<Prescribed>> prescribed_;
 };

@@ -1,5 +1,6 @@
 // The exact search against trying everything, on random problems small enough for that.
 #include "enumerate/depth_first.h"
+#include "enumerate/integer_program.h"
 #include "enumerate/optimum.h"
 #include "support/random_graph.h"
 
@@ -178,6 +179,25 @@ TEST(Optimum, IsTheSameEveryTime) {
         if (!drawn) continue;
         EXPECT_EQ(findOptimum(drawn->whole, {}).graphs, findOptimum(drawn->whole, {}).graphs);
     }
+}
+
+TEST(IntegerProgram, KnowsWhatASolutionCostsAndWhetherItIsAllowed) {
+    IntegerProgram program;
+    program.costs = {2, -1, 4};
+    IntegerProgram::Row row;
+    row.lower = 1;
+    row.upper = 2;
+    row.add(0, 1);
+    row.add(2, 3);
+    program.rows.push_back(row);
+    EXPECT_EQ(program.cost({1, 1, 0}), 1);
+    EXPECT_EQ(program.cost({0, 1, 1}), 3);
+    EXPECT_TRUE(program.allows({1, 1, 0}));
+    EXPECT_FALSE(program.allows({0, 1, 0})) << "below the row";
+    EXPECT_FALSE(program.allows({0, 0, 1})) << "above it";
+    EXPECT_TRUE(program.allows({1 - 1e-10, 0, 0})) << "but for rounding";
+    EXPECT_TRUE(isFractional(0.5));
+    EXPECT_FALSE(isFractional(1e-9) || isFractional(1 - 1e-9) || isFractional(1));
 }
 
 } // namespace
