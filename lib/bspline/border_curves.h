@@ -9,7 +9,7 @@
 #include "bspline/line_derivatives.h"
 #include "bspline/normal_field.h"
 #include "bspline/spline_curve.h"
-#include "merge/layout.h"
+#include "layout/layout.h"
 
 #include <cstddef>
 #include <vector>

@@ -1,7 +1,7 @@
 /// \file Which patches meet at which edge of the layout.
 #pragma once
 
-#include "merge/layout.h"
+#include "layout/layout.h"
 #include "mesh/quad_mesh.h"
 
 #include <array>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bspline/borders.h"
-#include "merge/layout.h"
+#include "layout/layout.h"
 
 #include <array>
 #include <cstddef>

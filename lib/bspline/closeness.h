@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bspline/deviation.h"
-#include "merge/layout.h"
+#include "layout/layout.h"
 
 #include <vector>
 

@@ -6,7 +6,7 @@
 #include "bspline/mesh_distance.h"
 #include "bspline/quad_grid.h"
 #include "bspline/surfaces.h"
-#include "merge/layout.h"
+#include "layout/layout.h"
 
 #include <array>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include "bspline/evaluate.h"
 #include "bspline/quad_grid.h"
 #include "bspline/surfaces.h"
-#include "merge/layout.h"
+#include "layout/layout.h"
 
 #include <array>
 #include <cstddef>

@@ -3,7 +3,7 @@
 
 #include "base/control.h"
 #include "bspline/surfaces.h"
-#include "merge/layout.h"
+#include "layout/layout.h"
 
 #include <vector>
 

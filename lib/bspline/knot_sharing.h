@@ -3,7 +3,7 @@
 
 #include "bspline/chains.h"
 #include "bspline/spline_curve.h"
-#include "merge/layout.h"
+#include "layout/layout.h"
 
 #include <cstddef>
 #include <vector>

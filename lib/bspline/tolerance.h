@@ -6,7 +6,7 @@
 #include "bspline/deviation.h"
 #include "bspline/patch_fit.h"
 #include "bspline/surfaces.h"
-#include "merge/layout.h"
+#include "layout/layout.h"
 
 #include <cstddef>
 #include <vector>

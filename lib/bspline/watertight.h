@@ -3,7 +3,7 @@
 
 #include "bspline/curve_network.h"
 #include "bspline/surfaces.h"
-#include "merge/layout.h"
+#include "layout/layout.h"
 
 #include <span>
 

@@ -3,7 +3,7 @@
 
 #include "basecomplex/base_complex.h"
 #include "document/json_place.h"
-#include "enumerate/constraints.h"
+#include "layout/constraints.h"
 
 namespace qm {
 

@@ -1,7 +1,7 @@
 /// \file A cost as people write it: "dihedral+0.5*segments".
 #pragma once
 
-#include "enumerate/cost.h"
+#include "layout/cost.h"
 
 #include <string>
 #include <string_view>

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "document/mesh_paths.h"
+#include "layout/quality.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "document/json_place.h"
-#include "merge/layout.h"
+#include "layout/layout.h"
 #include "merge/merge.h"
 #include "prune/prune.h"
 

@@ -8,7 +8,7 @@
 #include "document/enumeration_section.h"
 #include "enumerate/enumerate.h"
 #include "features/features.h"
-#include "merge/layout.h"
+#include "layout/layout.h"
 
 #include <optional>
 #include <string>

@@ -3,7 +3,7 @@
 #include "base/deadline.h"
 #include "base/error.h"
 #include "base/parallel.h"
-#include "enumerate/plain.h"
+#include "enumerate/paper/plain_graph.h"
 #include "enumerate/sub_mesh_search.h"
 
 #include <atomic>

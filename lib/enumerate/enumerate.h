@@ -3,8 +3,9 @@
 
 #include "base/control.h"
 #include "basecomplex/base_complex.h"
-#include "enumerate/constraints.h"
 #include "enumerate/enumeration.h"
+#include "enumerate/sub_mesh/search_space.h"
+#include "layout/constraints.h"
 
 #include <functional>
 #include <limits>
@@ -25,12 +26,6 @@ struct EnumerationOptions {
     double timeLimit = std::numeric_limits<double>::infinity(); ///< seconds, for all sub-meshes together
     double gap = 0; ///< stop a sub-mesh when cost - lowerBound is at most this
     Constraints constraints;
-};
-
-/// Where a sub-mesh search works: the whole mesh when labels is empty.
-struct SubMeshes {
-    std::vector<int> labels; ///< sub-mesh of every vertex
-    int count = 1;
 };
 
 /// Finds the best graphs of every sub-mesh on its own: only particles that start inside move, each up to the

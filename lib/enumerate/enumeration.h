@@ -1,18 +1,14 @@
 /// \file The graphs of every sub-mesh: the result of a search (method 2 to 5).
 #pragma once
 
-#include "enumerate/cost.h"
-#include "enumerate/motorcycle_graph.h"
-
-#include <boost/multiprecision/cpp_int.hpp>
+#include "base/big_count.h"
+#include "layout/cost.h"
+#include "layout/motorcycle_graph.h"
 
 #include <optional>
 #include <vector>
 
 namespace qm {
-
-/// Graph counts pass 2^64.
-using BigCount = boost::multiprecision::cpp_int;
 
 enum class Method {
     optimum,  ///< branch and bound on arcs; best graph and a lower bound

@@ -2,7 +2,7 @@
 /// in the order of finding.
 #pragma once
 
-#include "enumerate/problem.h"
+#include "enumerate/state/assignment.h"
 
 #include <condition_variable>
 #include <cstddef>

@@ -1,14 +1,14 @@
 #include "enumerate/sub_mesh_search.h"
 
 #include "base/error.h"
-#include "enumerate/coordinates.h"
-#include "enumerate/count.h"
-#include "enumerate/depth_first.h"
-#include "enumerate/diagram_count.h"
-#include "enumerate/diagram_walk.h"
-#include "enumerate/incumbents.h"
-#include "enumerate/optimum.h"
-#include "enumerate/tracks.h"
+#include "enumerate/diagram/count_and_draw.h"
+#include "enumerate/diagram/count_graphs.h"
+#include "enumerate/diagram/walk.h"
+#include "enumerate/optimum/optimum.h"
+#include "enumerate/paper/coordinates.h"
+#include "enumerate/state/depth_first.h"
+#include "enumerate/state/incumbents.h"
+#include "layout/tracks.h"
 
 #include <cmath>
 #include <set>

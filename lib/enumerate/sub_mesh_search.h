@@ -3,7 +3,7 @@
 
 #include "enumerate/enumerate.h"
 #include "enumerate/graph_pipeline.h"
-#include "enumerate/search_space.h"
+#include "enumerate/sub_mesh/search_space.h"
 
 #include <atomic>
 #include <functional>

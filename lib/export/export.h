@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bspline/surfaces.h"
-#include "merge/layout.h"
+#include "layout/layout.h"
 
 #include <cstddef>
 #include <optional>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "export/colours.h"
-#include "merge/layout.h"
+#include "layout/layout.h"
 #include "mesh/quad_mesh.h"
 
 #include <string>

@@ -3,7 +3,7 @@
 
 #include "bspline/surfaces.h"
 #include "export/export.h"
-#include "merge/layout.h"
+#include "layout/layout.h"
 
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>

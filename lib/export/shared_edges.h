@@ -3,7 +3,7 @@
 
 #include "bspline/borders.h"
 #include "bspline/surfaces.h"
-#include "merge/layout.h"
+#include "layout/layout.h"
 
 #include <array>
 #include <cstddef>

@@ -1,8 +1,8 @@
 #include "merge/improve.h"
 
 #include "base/deadline.h"
-#include "enumerate/optimum.h"
-#include "enumerate/tracks.h"
+#include "enumerate/optimum/optimum.h"
+#include "layout/tracks.h"
 
 #include <algorithm>
 

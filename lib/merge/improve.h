@@ -2,9 +2,9 @@
 #pragma once
 
 #include "base/control.h"
-#include "enumerate/motorcycle_graph.h"
-#include "enumerate/search_space.h"
-#include "enumerate/window_search.h"
+#include "enumerate/sub_mesh/search_space.h"
+#include "enumerate/window/window_search.h"
+#include "layout/motorcycle_graph.h"
 
 #include <vector>
 

@@ -2,12 +2,12 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
-#include "enumerate/incumbents.h"
-#include "enumerate/optimum.h"
-#include "enumerate/plain.h"
-#include "enumerate/tracks.h"
+#include "enumerate/optimum/optimum.h"
+#include "enumerate/paper/plain_graph.h"
+#include "enumerate/state/incumbents.h"
+#include "layout/tracks.h"
 #include "merge/improve.h"
-#include "merge/windows.h"
+#include "merge/linked_particles.h"
 
 #include <algorithm>
 #include <atomic>
@@ -144,11 +144,11 @@ private:
                 particles.push_back(particle);
         if (particles.empty()) return;
         for (const Linking linking : {Linking::closed, Linking::direct, Linking::none}) {
-            const Window window = makeWindow(space_, present_, particles, subMesh, linking);
-            if (linking != Linking::none && window.quasiComplexity >= complexityLimit_) continue;
+            const LinkedParticles movable = linkedParticles(space_, present_, particles, subMesh, linking);
+            if (linking != Linking::none && movable.quasiComplexity >= complexityLimit_) continue;
             ++searches_;
-            if (!improve(subMesh, window.arcs, present_)) continue;
-            result_.linked += window.linked;
+            if (!improve(subMesh, movable.arcs, present_)) continue;
+            result_.linked += movable.linked;
             return;
         }
     }

@@ -8,8 +8,8 @@
 #pragma once
 
 #include "basecomplex/arc_graph.h"
-#include "enumerate/integer_program.h"
-#include "merge/layout.h"
+#include "layout/layout.h"
+#include "program/integer_program.h"
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/control.h"
-#include "merge/layout.h"
+#include "layout/layout.h"
 
 #include <limits>
 #include <optional>

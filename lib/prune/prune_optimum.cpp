@@ -1,10 +1,11 @@
 #include "prune/prune_optimum.h"
 
 #include "base/error.h"
-#include "enumerate/solve_program.h"
-#include "enumerate/tracks.h"
+#include "layout/quality.h"
+#include "layout/tracks.h"
+#include "program/neighbourhood_search.h"
+#include "program/solve_program.h"
 #include "prune/grid_program.h"
-#include "prune/neighbourhood_search.h"
 
 #include <algorithm>
 #include <cmath>

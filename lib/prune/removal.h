@@ -1,7 +1,7 @@
 /// \file What becomes of the segments when a track is taken away (method 8).
 #pragma once
 
-#include "merge/layout.h"
+#include "layout/layout.h"
 
 #include <array>
 #include <vector>

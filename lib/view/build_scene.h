@@ -6,7 +6,7 @@
 #include "cut/cut.h"
 #include "enumerate/enumeration.h"
 #include "features/features.h"
-#include "merge/layout.h"
+#include "layout/layout.h"
 #include "view/scene.h"
 
 #include <string>

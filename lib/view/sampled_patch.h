@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bspline/evaluate.h"
-#include "merge/layout.h"
+#include "layout/layout.h"
 
 #include <cstddef>
 #include <vector>

@@ -6,7 +6,7 @@
 #include "cut/cut.h"
 #include "enumerate/enumerate.h"
 #include "features/features.h"
-#include "merge/layout.h"
+#include "layout/layout.h"
 #include "merge/merge.h"
 #include "mesh/dihedral.h"
 

@@ -1,7 +1,7 @@
 /// \file The yardstick for the exact search: the same problem written down plainly, for CBC as it comes.
 #pragma once
 
-#include "enumerate/problem.h"
+#include "enumerate/state/problem.h"
 
 namespace qm::bench {
 

@@ -3,7 +3,7 @@
 
 #include "basecomplex/base_complex.h"
 #include "enumerate/enumeration.h"
-#include "enumerate/problem.h"
+#include "enumerate/state/problem.h"
 
 namespace qm::bench {
 

@@ -1,9 +1,9 @@
 // The search against trying everything, by code that shares nothing with it, on random small meshes: the same
 // number of graphs, the same minimum, the same best ones.
 #include "basecomplex/arc_graph.h"
-#include "enumerate/count.h"
-#include "enumerate/optimum.h"
-#include "enumerate/ranked_graphs.h"
+#include "enumerate/diagram/count_graphs.h"
+#include "enumerate/diagram/ranked_graphs.h"
+#include "enumerate/optimum/optimum.h"
 #include "mesh/dihedral.h"
 #include "support/brute_force.h"
 #include "support/checked_mesh.h"

@@ -1,11 +1,11 @@
 // What the search does where the relaxation leaves much in doubt: lines that cross each other all over a
 // torus, and that cost something everywhere.
-#include "enumerate/cost.h"
-#include "enumerate/decomposition_bound.h"
-#include "enumerate/optimum.h"
-#include "enumerate/plain.h"
-#include "enumerate/search_space.h"
-#include "enumerate/tracks.h"
+#include "enumerate/optimum/optimum.h"
+#include "enumerate/paper/plain_graph.h"
+#include "enumerate/sub_mesh/search_space.h"
+#include "layout/cost.h"
+#include "layout/tracks.h"
+#include "program/decomposition_bound.h"
 #include "support/polycube.h"
 #include "support/random_graph.h"
 

@@ -1,7 +1,7 @@
 // Layouts and their pruning on random meshes with random motorcycle graphs.
 #include "base/error.h"
-#include "enumerate/plain.h"
-#include "merge/layout.h"
+#include "enumerate/paper/plain_graph.h"
+#include "layout/layout.h"
 #include "prune/prune.h"
 #include "prune/removal.h"
 #include "support/layout_fault.h"

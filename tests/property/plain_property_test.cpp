@@ -1,6 +1,6 @@
 // The plain motorcycle graph of random meshes against rules A1 to A4 and the rules on arcs.
 #include "check/check_graph.h"
-#include "enumerate/plain.h"
+#include "enumerate/paper/plain_graph.h"
 #include "mesh/topology.h"
 #include "support/checked_mesh.h"
 #include "support/random_graph.h"

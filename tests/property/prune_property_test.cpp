@@ -1,8 +1,9 @@
 // Pruning as an integer program against trying every set of arcs, and against the greedy removal.
-#include "enumerate/plain.h"
-#include "enumerate/solve_program.h"
+#include "basecomplex/arc_graph.h"
+#include "enumerate/paper/plain_graph.h"
 #include "mesh/dihedral.h"
-#include "prune/neighbourhood_search.h"
+#include "program/neighbourhood_search.h"
+#include "program/solve_program.h"
 #include "prune/prune_optimum.h"
 #include "support/polycube.h"
 #include "support/random_graph.h"

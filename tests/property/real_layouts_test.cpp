@@ -1,5 +1,5 @@
 // Layouts of real meshes, before and after pruning.
-#include "enumerate/plain.h"
+#include "enumerate/paper/plain_graph.h"
 #include "mesh/dihedral.h"
 #include "mesh/read_mesh.h"
 #include "prune/prune.h"

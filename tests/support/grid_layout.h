@@ -1,7 +1,7 @@
 /// \file Test meshes that are one big grid, and layouts of them that are given as rectangles.
 #pragma once
 
-#include "merge/layout.h"
+#include "layout/layout.h"
 #include "mesh/quad_mesh.h"
 
 #include <array>

@@ -1,7 +1,7 @@
 /// \file Is a layout what its contract says? Tried with nothing but the mesh and the lists in the layout.
 #pragma once
 
-#include "merge/layout.h"
+#include "layout/layout.h"
 
 #include <string>
 #include <vector>

@@ -3,7 +3,7 @@
 
 #include "basecomplex/base_complex.h"
 #include "check/neighbourhoods.h"
-#include "enumerate/motorcycle_graph.h"
+#include "layout/motorcycle_graph.h"
 
 #include <optional>
 #include <random>

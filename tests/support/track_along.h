@@ -1,7 +1,7 @@
 /// \file Tracks and edges by the numbers of their vertices, and numbers from handles.
 #pragma once
 
-#include "enumerate/motorcycle_graph.h"
+#include "layout/motorcycle_graph.h"
 #include "mesh/quad_mesh.h"
 
 #include <vector>

@@ -1,5 +1,5 @@
 // Components that no particle enters, and segments that are rings.
-#include "merge/layout.h"
+#include "layout/layout.h"
 #include "support/layout_fault.h"
 #include "support/polycube.h"
 #include "support/random_graph.h"

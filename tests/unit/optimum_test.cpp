@@ -1,7 +1,7 @@
 // The exact search against trying everything, on random problems small enough for that.
-#include "enumerate/depth_first.h"
-#include "enumerate/integer_program.h"
-#include "enumerate/optimum.h"
+#include "enumerate/optimum/optimum.h"
+#include "enumerate/state/depth_first.h"
+#include "program/integer_program.h"
 #include "support/random_graph.h"
 
 #include <gtest/gtest.h>

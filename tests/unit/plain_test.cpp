@@ -1,4 +1,4 @@
-#include "enumerate/plain.h"
+#include "enumerate/paper/plain_graph.h"
 #include "support/polycube.h"
 #include "support/random_graph.h"
 #include "support/track_along.h"

@@ -1,4 +1,4 @@
-#include "enumerate/plain.h"
+#include "enumerate/paper/plain_graph.h"
 #include "mesh/dihedral.h"
 #include "prune/prune.h"
 #include "support/layout_fault.h"

@@ -4,7 +4,7 @@
 #include "bench/search/tables.h"
 #include "bench/search_problem.h"
 #include "cli/graph_line.h"
-#include "enumerate/diagram_walk.h"
+#include "enumerate/diagram/walk.h"
 
 #include <atomic>
 #include <cstdint>

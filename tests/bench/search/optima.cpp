@@ -4,7 +4,7 @@
 #include "bench/search/tables.h"
 #include "bench/search_problem.h"
 #include "bench/staircase.h"
-#include "enumerate/optimum.h"
+#include "enumerate/optimum/optimum.h"
 #include "mesh/read_mesh.h"
 #include "support/shared_files.h"
 

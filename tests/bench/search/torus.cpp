@@ -2,8 +2,8 @@
 #include "bench/search/stopwatch.h"
 #include "bench/search/tables.h"
 #include "bench/search_problem.h"
-#include "enumerate/coordinates.h"
-#include "enumerate/diagram_walk.h"
+#include "enumerate/diagram/walk.h"
+#include "enumerate/paper/coordinates.h"
 
 #include <cstdint>
 #include <cstdio>

@@ -1,0 +1,28 @@
+/// \file How many graphs a decision diagram holds, and the one of every rank.
+#pragma once
+
+#include "base/big_count.h"
+#include "enumerate/diagram/diagram.h"
+
+#include <vector>
+
+namespace qm {
+
+/// The number of ways from every node to the end.
+[[nodiscard]] std::vector<BigCount> countWays(const Diagram& diagram);
+
+/// The number of graphs that cost at most `maxCost`, from node to node, but for those that all or none of the
+/// ways obey. \return nothing if `control.stopRequested` ended it
+[[nodiscard]] std::optional<BigCount> countUpTo(const Diagram& diagram, double maxCost,
+                                                const Control& control = {});
+
+/// The graph of a rank, 0 to the number of graphs less 1; different ranks give different graphs. \param ways
+/// as of `countWays`
+[[nodiscard]] Assignment graphOfRank(const Diagram& diagram, const std::vector<BigCount>& ways,
+                                     BigCount rank);
+
+/// Draws graphs, each as likely as any other, with repetition. The same seed gives the same graphs
+/// everywhere.
+[[nodiscard]] std::vector<Assignment> drawGraphs(const Diagram& diagram, std::size_t count, std::size_t seed);
+
+} // namespace qm

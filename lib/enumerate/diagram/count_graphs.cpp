@@ -1,0 +1,65 @@
+#include "enumerate/diagram/count_graphs.h"
+
+#include "enumerate/diagram/count_and_draw.h"
+#include "enumerate/state/independent_parts.h"
+#include "enumerate/state/search_state.h"
+
+namespace qm {
+namespace {
+
+/// Where a diagram would be too large.
+class Counter {
+public:
+    Counter(const Problem& problem, const Control& control) : state_(problem), control_(control) {}
+
+    std::optional<BigCount> run() {
+        if (!state_.consistent()) return BigCount(0);
+        const BigCount count = countAll(independentParts(state_));
+        if (stopped_) return std::nullopt;
+        return count;
+    }
+
+private:
+    BigCount countAll(const std::vector<std::vector<int>>& parts) {
+        BigCount product = 1;
+        for (const auto& part : parts) {
+            product *= countPart(part);
+            if (product == 0) break;
+        }
+        return product;
+    }
+
+    /// Sets one variable both ways and counts what is left of the part, split again.
+    BigCount countPart(const std::vector<int>& part) {
+        if (stopped_ || (++steps_ % 1024 == 0 && control_.stopRequested())) {
+            stopped_ = true;
+            return 0;
+        }
+        BigCount sum = 0;
+        for (const ArcState value : {ArcState::in, ArcState::out}) {
+            const SearchState::Mark mark = state_.mark();
+            if (state_.assign(part.front(), value)) sum += countAll(independentParts(state_, part));
+            state_.undo(mark);
+        }
+        return sum;
+    }
+
+    SearchState state_;
+    const Control& control_;
+    std::size_t steps_ = 0;
+    bool stopped_ = false;
+};
+
+} // namespace
+
+std::optional<BigCount> countGraphs(const Problem& problem, const Control& control) {
+    if (const auto diagram = buildDiagram(problem, diagramNodes, control))
+        return countWays(*diagram)[diagram->root];
+    return countByParts(problem, control);
+}
+
+std::optional<BigCount> countByParts(const Problem& problem, const Control& control) {
+    return Counter(problem, control).run();
+}
+
+} // namespace qm

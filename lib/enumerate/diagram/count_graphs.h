@@ -1,0 +1,18 @@
+/// \file Exact numbers of motorcycle graphs (method 2).
+#pragma once
+
+#include "base/big_count.h"
+#include "base/control.h"
+#include "enumerate/state/problem.h"
+
+namespace qm {
+
+/// The number of graphs: from a decision diagram, or by parts where that would be too large. \return nothing
+/// if `control.stopRequested` ended it
+[[nodiscard]] std::optional<BigCount> countGraphs(const Problem& problem, const Control& control = {});
+
+/// The same by decisions, after each of which the parts that do not touch are counted apart and multiplied:
+/// in memory linear in the problem.
+[[nodiscard]] std::optional<BigCount> countByParts(const Problem& problem, const Control& control = {});
+
+} // namespace qm

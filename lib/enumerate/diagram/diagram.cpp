@@ -1,0 +1,162 @@
+#include "enumerate/diagram/diagram.h"
+
+#include "enumerate/diagram/border.h"
+
+#include <algorithm>
+
+namespace qm {
+namespace {
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+constexpr std::size_t mostSteps = 20000; ///< the search goes as deep
+
+/// The nodes before one step, by what remains to be decided: an open hash table.
+class KnownNodes {
+public:
+    /// The node of a description; `none` is a possible value. \return null if the description is new
+    const Diagram::NodeId* find(const std::uint64_t* key, std::size_t words) {
+        if (slots_.empty()) return nullptr;
+        const std::size_t entry = slots_[slotOf(key, words)];
+        return entry == 0 ? nullptr : &nodes_[entry - 1];
+    }
+
+    void insert(const std::uint64_t* key, std::size_t words, Diagram::NodeId node) {
+        if (2 * (nodes_.size() + 1) > slots_.size()) grow(words);
+        slots_[slotOf(key, words)] = static_cast<std::uint32_t>(nodes_.size() + 1);
+        keys_.insert(keys_.end(), key, key + words);
+        nodes_.push_back(node);
+    }
+
+private:
+    [[nodiscard]] std::size_t slotOf(const std::uint64_t* key, std::size_t words) const {
+        std::uint64_t hash = 0x9e3779b97f4a7c15;
+        for (std::size_t k = 0; k < words; ++k) {
+            hash = (hash ^ key[k]) * 0xff51afd7ed558ccd;
+            hash ^= hash >> 32;
+        }
+        std::size_t slot = hash & (slots_.size() - 1);
+        while (slots_[slot] != 0 && !std::equal(key, key + words, keys_.data() + (slots_[slot] - 1) * words))
+            slot = (slot + 1) & (slots_.size() - 1);
+        return slot;
+    }
+
+    void grow(std::size_t words) {
+        slots_.assign(std::max<std::size_t>(8, 2 * slots_.size()), 0);
+        for (std::size_t k = 0; k < nodes_.size(); ++k)
+            slots_[slotOf(keys_.data() + k * words, words)] = static_cast<std::uint32_t>(k + 1);
+    }
+
+    std::vector<std::uint32_t> slots_; ///< number of the entry plus 1; 0 is empty
+    std::vector<std::uint64_t> keys_;
+    std::vector<Diagram::NodeId> nodes_;
+};
+
+class Builder {
+public:
+    Builder(const Problem& problem, std::size_t mostNodes, const Control& control)
+        : problem_(problem), state_(problem), mostNodes_(mostNodes), control_(control) {}
+
+    std::optional<Diagram> run() {
+        diagram_.nodes.resize(2);
+        if (!state_.consistent()) return std::move(diagram_);
+        diagram_.fixed = state_.assignment();
+        diagram_.fixedCost = qm::costOf(problem_, diagram_.fixed);
+        auto steps = eliminationOrder(state_, control_);
+        if (!steps || steps->size() > mostSteps) return std::nullopt;
+        steps_ = std::move(*steps);
+        border_.emplace(state_, steps_);
+        known_.resize(steps_.size());
+        stepOf_.assign(problem_.domains.size(), -1);
+        for (std::size_t k = 0; k < steps_.size(); ++k)
+            if (steps_[k].variable >= 0) stepOf_[at(steps_[k].variable)] = static_cast<int>(k);
+        diagram_.root = build(0);
+        if (stopped_) return std::nullopt;
+        return std::move(diagram_);
+    }
+
+private:
+    /// The node for what the state leaves to decide from this step on.
+    Diagram::NodeId build(std::size_t step) {
+        if (step == steps_.size()) return Diagram::end;
+        const Step& decision = steps_[step];
+        if (decision.chain >= 0 && !needsCover(decision)) return build(step + 1);
+        const std::size_t words = border_->words(step);
+        std::vector<std::uint64_t> key(words);
+        border_->describe(state_, step, key.data());
+        if (const Diagram::NodeId* node = known_[step].find(key.data(), words)) return *node;
+        const Diagram::Node node{decision.variable, follow(step, true), follow(step, false),
+                                 decision.variable >= 0 ? costOf(decision.variable, step) : 0};
+        if (stopped_) return Diagram::none;
+        const Diagram::NodeId id = add(node);
+        known_[step].insert(key.data(), words, id);
+        stopped_ = ++described_ > mostNodes_ || (described_ % 4096 == 0 && control_.stopRequested());
+        return id;
+    }
+
+    [[nodiscard]] bool needsCover(const Step& decision) const {
+        return state_.coverOfChain(decision.chain) == SearchState::Cover::open &&
+               state_.isCrossed(decision.crossing);
+    }
+
+    /// Of a variable when it is in, with its corners next to arcs that have been decided before.
+    [[nodiscard]] double costOf(int variable, std::size_t step) const {
+        double cost = problem_.costs[at(variable)];
+        const auto decidedIn = [&](int arc) {
+            return state_.value(arc) == ArcState::in && stepOf_[at(arc)] < static_cast<int>(step);
+        };
+        for (const int id : state_.crossingsOf(variable)) {
+            const Crossing& crossing = problem_.crossings[at(id)];
+            if (crossing.cornerCost == 0) continue;
+            for (const std::size_t k : {0U, 1U}) {
+                const CrossingSide& own = crossing.sides[k];
+                const CrossingSide& other = crossing.sides[1 - k];
+                const int arcs = (own.before == variable ? 1 : 0) + (own.after == variable ? 1 : 0);
+                const int others = (decidedIn(other.before) ? 1 : 0) + (decidedIn(other.after) ? 1 : 0);
+                cost += crossing.cornerCost * cornersAt(arcs, others);
+            }
+        }
+        return cost;
+    }
+
+    Diagram::NodeId follow(std::size_t step, bool in) {
+        const Step& decision = steps_[step];
+        const SearchState::Mark mark = state_.mark();
+        const bool possible = decision.chain >= 0
+                                  ? state_.decideCover(decision.chain, in)
+                                  : state_.assign(decision.variable, in ? ArcState::in : ArcState::out);
+        const Diagram::NodeId node = possible && !stopped_ ? build(step + 1) : Diagram::none;
+        state_.undo(mark);
+        return node;
+    }
+
+    Diagram::NodeId add(const Diagram::Node& node) {
+        if (node.in == Diagram::none && node.out == Diagram::none) return Diagram::none;
+        if (node.variable < 0 && node.in == Diagram::none) return node.out;
+        if (node.variable < 0 && node.out == Diagram::none) return node.in;
+        diagram_.nodes.push_back(node);
+        return static_cast<Diagram::NodeId>(diagram_.nodes.size() - 1);
+    }
+
+    const Problem& problem_;
+    SearchState state_;
+    std::size_t mostNodes_;
+    const Control& control_;
+    std::vector<Step> steps_;
+    std::vector<int> stepOf_; ///< of every variable; -1 if it is the same in every graph
+    std::optional<DiagramBorder> border_;
+    std::vector<KnownNodes> known_; ///< before every step
+    Diagram diagram_;
+    std::size_t described_ = 0;
+    bool stopped_ = false;
+};
+
+} // namespace
+
+std::optional<Diagram> buildDiagram(const Problem& problem, std::size_t mostNodes, const Control& control) {
+    return Builder(problem, mostNodes, control).run();
+}
+
+} // namespace qm

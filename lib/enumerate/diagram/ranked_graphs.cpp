@@ -1,0 +1,190 @@
+#include "enumerate/diagram/ranked_graphs.h"
+
+#include "enumerate/state/incumbents.h"
+
+#include <algorithm>
+#include <limits>
+#include <queue>
+#include <utility>
+
+namespace qm {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// A place where a way leaves the cheapest one, in a heap of all such places ahead: the least extra cost on
+/// top. Heaps of later nodes are shared, so that none is ever changed.
+struct Detour {
+    double extra = 0;
+    Diagram::NodeId node = Diagram::none;
+    std::uint32_t left = 0;
+    std::uint32_t right = 0;
+    std::uint32_t rank = 0; ///< of a leftist heap
+};
+
+class Ranking {
+public:
+    explicit Ranking(const Diagram& diagram)
+        : diagram_(diagram), cheapest_(cheapestWays(diagram)), heaps_(diagram.nodes.size(), unknown),
+          detours_(1) {
+        heaps_[Diagram::end] = 0;
+    }
+
+    /// \return false if `visit` returned false
+    template <class Visit> bool run(const Visit& visit) {
+        offer(cheapest_[diagram_.root], 0, -1);
+        while (!open_.empty()) {
+            const Way way = open_.top();
+            open_.pop();
+            ways_.push_back(way);
+            const auto id = static_cast<std::int64_t>(ways_.size()) - 1;
+            if (!visit(diagram_.fixedCost + way.cost, graphOf(id))) return false;
+            const Detour& last = detours_[way.detour];
+            for (const std::uint32_t other : {last.left, last.right})
+                if (way.detour != 0 && other != 0)
+                    offer(way.cost - last.extra + detours_[other].extra, other, way.before);
+            const std::uint32_t next = heapAfter(way.detour == 0 ? diagram_.root : dearer(last.node));
+            if (next != 0) offer(way.cost + detours_[next].extra, next, id);
+        }
+        return true;
+    }
+
+private:
+    static constexpr std::uint32_t unknown = std::numeric_limits<std::uint32_t>::max();
+
+    /// The cheapest way but for detours: this one, and those of the way before.
+    struct Way {
+        double cost;
+        std::uint64_t number; ///< in the order of finding, which settles ties
+        std::uint32_t detour; ///< 0 if it has none
+        std::int64_t before;
+        bool operator<(const Way& other) const {
+            return cost != other.cost ? cost > other.cost : number > other.number;
+        }
+    };
+
+    void offer(double cost, std::uint32_t detour, std::int64_t before) {
+        open_.push({cost, offered_++, detour, before});
+    }
+
+    [[nodiscard]] bool prefersIn(Diagram::NodeId id) const {
+        const Diagram::Node& node = diagram_.nodes[id];
+        return node.cost + cheapest_[node.in] <= cheapest_[node.out];
+    }
+    [[nodiscard]] Diagram::NodeId cheaper(Diagram::NodeId id) const {
+        return prefersIn(id) ? diagram_.nodes[id].in : diagram_.nodes[id].out;
+    }
+    [[nodiscard]] Diagram::NodeId dearer(Diagram::NodeId id) const {
+        return prefersIn(id) ? diagram_.nodes[id].out : diagram_.nodes[id].in;
+    }
+
+    /// The heap of the detours from a node on, made when it is first needed.
+    std::uint32_t heapAfter(Diagram::NodeId from) {
+        std::vector<Diagram::NodeId> path;
+        for (; heaps_[from] == unknown; from = cheaper(from))
+            path.push_back(from);
+        std::uint32_t heap = heaps_[from];
+        for (; !path.empty(); path.pop_back()) {
+            const Diagram::NodeId id = path.back();
+            const Diagram::Node& node = diagram_.nodes[id];
+            const double extra = std::abs(node.cost + cheapest_[node.in] - cheapest_[node.out]);
+            if (extra < infinity) heap = merge(heap, add({extra, id, 0, 0, 1}));
+            heaps_[id] = heap;
+        }
+        return heap;
+    }
+
+    std::uint32_t add(const Detour& detour) {
+        detours_.push_back(detour);
+        return static_cast<std::uint32_t>(detours_.size() - 1);
+    }
+
+    /// A new heap of the detours of two.
+    std::uint32_t merge(std::uint32_t a, std::uint32_t b) {
+        if (a == 0 || b == 0) return a + b;
+        if (detours_[b].extra < detours_[a].extra) std::swap(a, b);
+        Detour top = detours_[a];
+        top.right = merge(top.right, b);
+        if (detours_[top.left].rank < detours_[top.right].rank) std::swap(top.left, top.right);
+        top.rank = detours_[top.right].rank + 1;
+        return add(top);
+    }
+
+    const Assignment& graphOf(std::int64_t way) {
+        std::vector<Diagram::NodeId> detours;
+        for (; way >= 0; way = ways_[static_cast<std::size_t>(way)].before)
+            if (const std::uint32_t detour = ways_[static_cast<std::size_t>(way)].detour; detour != 0)
+                detours.push_back(detours_[detour].node);
+        graph_ = diagram_.fixed;
+        for (Diagram::NodeId id = diagram_.root; id > Diagram::end;) {
+            const bool leaves = !detours.empty() && detours.back() == id;
+            if (leaves) detours.pop_back();
+            const bool in = prefersIn(id) != leaves;
+            const Diagram::Node& node = diagram_.nodes[id];
+            if (node.variable >= 0) graph_[static_cast<std::size_t>(node.variable)] = in ? 1 : 0;
+            id = in ? node.in : node.out;
+        }
+        return graph_;
+    }
+
+    const Diagram& diagram_;
+    std::vector<double> cheapest_;
+    std::vector<std::uint32_t> heaps_; ///< of every node
+    std::vector<Detour> detours_;      ///< the first is none
+    std::vector<Way> ways_;            ///< that have been visited
+    std::priority_queue<Way> open_;
+    std::uint64_t offered_ = 0;
+    Assignment graph_;
+};
+
+/// Puts graphs of equal cost into the order of their variables: rounding, and how the diagram looks, would
+/// settle it otherwise.
+class Ties {
+public:
+    using Visit = std::function<bool(double cost, const Assignment& graph)>;
+    explicit Ties(const Visit& visit) : visit_(visit) {}
+
+    /// \return false if the visitor returned false
+    bool add(double cost, const Assignment& graph) {
+        const bool tied = !graphs_.empty() && cost <= least_ + Incumbents::rounding;
+        if ((!tied || graphs_.size() == mostTies) && !handOver()) return false;
+        if (graphs_.empty()) least_ = cost;
+        graphs_.emplace_back(graph, cost);
+        return true;
+    }
+
+    bool handOver() {
+        std::ranges::sort(graphs_);
+        for (const auto& [graph, cost] : std::exchange(graphs_, {}))
+            if (!visit_(cost, graph)) return false;
+        return true;
+    }
+
+private:
+    static constexpr std::size_t mostTies = 65536; ///< in memory
+    const Visit& visit_;
+    double least_ = 0;
+    std::vector<std::pair<Assignment, double>> graphs_;
+};
+
+} // namespace
+
+std::vector<double> cheapestWays(const Diagram& diagram) {
+    std::vector<double> cheapest(diagram.nodes.size(), infinity);
+    cheapest[Diagram::end] = 0;
+    for (std::size_t id = Diagram::end + 1; id < cheapest.size(); ++id) {
+        const Diagram::Node& node = diagram.nodes[id];
+        cheapest[id] = std::min(node.cost + cheapest[node.in], cheapest[node.out]);
+    }
+    return cheapest;
+}
+
+void forEachRankedGraph(const Diagram& diagram,
+                        const std::function<bool(double cost, const Assignment& graph)>& visit) {
+    if (diagram.root == Diagram::none) return;
+    Ties ties(visit);
+    if (Ranking(diagram).run([&](double cost, const Assignment& graph) { return ties.add(cost, graph); }))
+        ties.handOver();
+}
+
+} // namespace qm

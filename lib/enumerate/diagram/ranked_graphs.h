@@ -1,0 +1,21 @@
+/// \file The graphs of a decision diagram in order of cost (Eppstein: Finding the k shortest paths, SIAM J.
+/// Comput. 28, 1998).
+#pragma once
+
+#include "enumerate/diagram/diagram.h"
+
+#include <functional>
+#include <vector>
+
+namespace qm {
+
+/// What the cheapest way from every node to the end costs; infinity from `none`.
+[[nodiscard]] std::vector<double> cheapestWays(const Diagram& diagram);
+
+/// Calls `visit` with every graph, the cheapest first, ties (up to 65,536 of them) in lexicographic order of
+/// the variables, until it returns false. Time per graph is linear in
+/// its length, but for a logarithm; memory grows by a few words per graph. Costs are true to rounding.
+void forEachRankedGraph(const Diagram& diagram,
+                        const std::function<bool(double cost, const Assignment& graph)>& visit);
+
+} // namespace qm

@@ -1,0 +1,61 @@
+/// \file Every way through a decision diagram: no search, no dead ends.
+#pragma once
+
+#include "enumerate/diagram/ranked_graphs.h"
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace qm {
+
+/// Calls `visit` with an assignment for every way from a node to the end. The variables that are decided
+/// before the node are left as they are. \return false if `visit` returned false, which ends the walk
+template <class Visit>
+bool walkDiagram(const Diagram& diagram, Diagram::NodeId from, Assignment& assignment, Visit& visit) {
+    if (from == Diagram::none) return true;
+    if (from == Diagram::end) return visit(std::as_const(assignment));
+    const Diagram::Node& node = diagram.nodes[from];
+    const auto decide = [&](signed char value) {
+        if (node.variable >= 0) assignment[static_cast<std::size_t>(node.variable)] = value;
+    };
+    if (node.in != Diagram::none) {
+        decide(1);
+        if (!walkDiagram(diagram, node.in, assignment, visit)) return false;
+    }
+    if (node.out == Diagram::none) return true;
+    decide(0);
+    return walkDiagram(diagram, node.out, assignment, visit);
+}
+
+/// The same for all graphs that cost at most `maxCost`: parts of the diagram without any are not entered.
+template <class Visit> bool walkDiagramUpTo(const Diagram& diagram, double maxCost, Visit& visit) {
+    Assignment assignment = diagram.fixed;
+    if (std::isinf(maxCost)) return walkDiagram(diagram, diagram.root, assignment, visit);
+    const std::vector<double> cheapest = cheapestWays(diagram);
+    const auto walk = [&](const auto& self, Diagram::NodeId id, double left) -> bool {
+        if (cheapest[id] > left) return true;
+        if (id == Diagram::end) return visit(std::as_const(assignment));
+        const Diagram::Node& node = diagram.nodes[id];
+        const auto decide = [&](signed char value) {
+            if (node.variable >= 0) assignment[static_cast<std::size_t>(node.variable)] = value;
+        };
+        decide(1);
+        if (!self(self, node.in, left - node.cost)) return false;
+        decide(0);
+        return self(self, node.out, left);
+    };
+    return walk(walk, diagram.root, maxCost - diagram.fixedCost);
+}
+
+/// A node and the values that lead to it.
+struct DiagramPart {
+    Diagram::NodeId node = Diagram::none;
+    Assignment before;
+};
+
+/// At least `least` parts, if there are as many graphs, that together hold every graph once, in the order of
+/// the walk: what several threads can walk at the same time.
+[[nodiscard]] std::vector<DiagramPart> splitDiagram(const Diagram& diagram, std::size_t least);
+
+} // namespace qm

@@ -1,0 +1,144 @@
+/// \file Branch and bound on one part of a search problem.
+#pragma once
+
+#include "base/control.h"
+#include "enumerate/optimum/part_cost.h"
+#include "enumerate/optimum/particle_state.h"
+#include "enumerate/optimum/pseudo_costs.h"
+#include "enumerate/optimum/relaxation.h"
+#include "enumerate/state/incumbents.h"
+
+#include <functional>
+#include <optional>
+#include <queue>
+#include <vector>
+
+namespace qm {
+
+/// What a search of one part is to find.
+struct PartOptions {
+    std::size_t best = 1;
+    double maxCost = std::numeric_limits<double>::infinity(); ///< of the part's variables
+    double gap = 0;
+    std::size_t nodes = 20'000'000; ///< of the search tree, at most: what memory allows
+    std::size_t hard = 1500; ///< variables from which on early graphs are looked for by smaller searches
+    /// Makes a graph cheaper if it can; `relaxed` are the values of the part's variables, in their order.
+    std::function<Assignment(const Assignment& graph, const std::vector<double>& relaxed)> polish = {};
+};
+
+/// Searches the free variables of one independent part; the rest of the state is left as it is.
+class BranchAndBound {
+public:
+    /// \param state      consistent; the same after this object's life as before
+    /// \param variables  the free variables of the part
+    BranchAndBound(SearchState& state, std::vector<int> variables, const PartOptions& options,
+                   const Control& control);
+    ~BranchAndBound() { state_.undo(origin_); }
+    BranchAndBound(const BranchAndBound&) = delete;
+    BranchAndBound& operator=(const BranchAndBound&) = delete;
+
+    /// Begins with a known graph; only the part's variables of it count.
+    void offer(const Assignment& assignment);
+    void run();
+
+    /// Graphs as full assignments, of which only the part's variables mean anything.
+    [[nodiscard]] const Incumbents& incumbents() const { return incumbents_; }
+    [[nodiscard]] double lowerBound() const { return lowerBound_; }
+    [[nodiscard]] bool complete() const { return complete_; }
+    [[nodiscard]] std::size_t nodes() const { return nodes_; }
+    /// After a search that is not complete: what is left to decide at the root, relaxed. The bound may grow,
+    /// and the search be complete after all.
+    [[nodiscard]] std::optional<RelaxedProgram> relaxedRoot();
+    /// Of the part's variables, in the relaxed solution of the root; empty if there was none.
+    [[nodiscard]] const std::vector<double>& rootPresence() const { return rootPresence_; }
+
+private:
+    /// A decision and what led to it; the root has no variable.
+    struct Node {
+        int parent = -1;
+        Decision decision;
+    };
+    struct OpenNode {
+        double bound;
+        int node;
+        /// The queue hands out the least bound first, and of those the youngest.
+        bool operator<(const OpenNode& other) const {
+            return bound != other.bound ? bound > other.bound : node < other.node;
+        }
+    };
+    /// Two ways to go on from a node; what is too expensive has an infinite bound.
+    struct Choice {
+        Decision decision; ///< its state is free; no variable if nothing is left to decide
+        double boundIn = 0;
+        double boundOut = 0;
+    };
+    enum class RelaxedNode { cut, solved, unfinished };
+
+    void search();
+    bool tightenRoot();
+    void rememberRoot(double bound);
+    bool replay(int node);
+    void plunge(int node, double bound);
+    RelaxedNode relax(double& bound);
+    bool fixByReducedCosts(const std::vector<double>& values, const std::vector<double>& reduced,
+                           double bound);
+    [[nodiscard]] bool contradictsRelaxation() const;
+    int addNode(int parent, const Decision& decision);
+    void open(int parent, const Decision& decision, double bound);
+
+    // early_graphs.cpp
+    bool acceptIntegral();
+    void guess();
+    void round();
+    void roundAt(double threshold);
+    bool lookAround(double& bound);
+    bool comeBack(ParticleState::Mark mark, const Relaxation::Basis& basis, double& bound);
+    void polish();
+    void recordLeaf();
+    [[nodiscard]] bool allDecided() const;
+    [[nodiscard]] double present(int variable) const;
+
+    // diving.cpp
+    void dive();
+    void diveToRest();
+    bool fixSurest();
+    std::size_t takeOverAll(bool keepBest);
+    bool takeOver(int variable, bool keepBest);
+    void searchNearby();
+    bool searchRest(bool keepBest);
+
+    // branching.cpp
+    Choice choose(double bound);
+    [[nodiscard]] Choice chooseAnyFree(double bound) const;
+    Choice probe(int column, double value, double bound, double& score);
+    double probeSide(int column, ArcState side, double bound, double& growth);
+    [[nodiscard]] Decision decisionOf(int column) const;
+
+    SearchState& state_;
+    SearchState::Mark origin_;
+    std::vector<int> variables_;
+    PartCost cost_;
+    PartOptions options_;
+    const Control& control_;
+    Incumbents incumbents_;
+    Formulation formulation_;
+    ParticleState particles_;
+    Relaxation relaxation_;
+    PseudoCosts pseudoCosts_;
+    std::vector<Node> tree_;
+    std::priority_queue<OpenNode> queue_;
+    ParticleState::Mark root_;
+    double rootBound_ = 0; ///< with values and reduced costs of the root's relaxation
+    std::vector<double> rootValues_;
+    std::vector<double> rootPresence_;
+    std::vector<double> rootReducedCosts_;
+    Relaxation::Basis rootBasis_;
+    double rootCutoff_ = std::numeric_limits<double>::infinity(); ///< at the last tightening
+    double lowerBound_ = 0;
+    bool complete_ = true;
+    std::size_t nodes_ = 0;
+    std::size_t nextLook_ = 1;
+    double polished_ = std::numeric_limits<double>::infinity(); ///< cost of the last graph that was
+};
+
+} // namespace qm

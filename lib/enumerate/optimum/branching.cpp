@@ -1,0 +1,97 @@
+#include "enumerate/optimum/branch_and_bound.h"
+
+#include <algorithm>
+
+namespace qm {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr int reliable = 4; ///< probes after which a pseudo-cost is trusted
+constexpr int probesPerNode = 10;
+constexpr int disappointments = 4; ///< probes in a row without a better choice, then it is enough
+constexpr int probeIterations = 100;
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+double scoreOf(double growthIn, double growthOut) {
+    return std::max(growthIn, 1e-6) * std::max(growthOut, 1e-6);
+}
+
+} // namespace
+
+Decision BranchAndBound::decisionOf(int column) const {
+    const int variable = formulation_.variableOf[at(column)];
+    const bool fromBefore = formulation_.columnsOf[at(variable)].fromBefore == column;
+    return {variable, fromBefore ? Decision::About::fromBefore : Decision::About::fromAfter, ArcState::free};
+}
+
+/// Where the relaxed solution is integral but no graph, or more graphs are wanted.
+BranchAndBound::Choice BranchAndBound::chooseAnyFree(double bound) const {
+    const auto variable = std::ranges::find_if(variables_, [this](int v) { return state_.isFree(v); });
+    return {{*variable, Decision::About::value, ArcState::free}, bound, bound};
+}
+
+BranchAndBound::Choice BranchAndBound::choose(double bound) {
+    const std::vector<double> values = relaxation_.values();
+    std::vector<std::pair<double, int>> candidates;
+    for (int column = 0; column < static_cast<int>(values.size()); ++column)
+        if (isFractional(values[at(column)]) && formulation_.variableOf[at(column)] >= 0 &&
+            particles_.column(column) == ArcState::free)
+            candidates.emplace_back(-pseudoCosts_.score(column, values[at(column)]), column);
+    if (candidates.empty()) return chooseAnyFree(bound);
+    std::ranges::sort(candidates);
+    const Relaxation::Basis basis = relaxation_.basis();
+    Choice best;
+    double bestScore = -1;
+    int probes = 0, worse = 0;
+    for (const auto& [negativeScore, column] : candidates) {
+        Choice choice{decisionOf(column), bound, bound};
+        double score = -negativeScore;
+        if (pseudoCosts_.trust(column) < reliable && probes < probesPerNode && !control_.stopRequested()) {
+            ++probes;
+            choice = probe(column, values[at(column)], bound, score);
+            relaxation_.setBasis(basis);
+            if (std::max(choice.boundIn, choice.boundOut) == infinity) return choice;
+        }
+        if (score > bestScore) {
+            bestScore = score;
+            best = choice;
+            worse = 0;
+        } else if (++worse >= disappointments) {
+            break;
+        }
+    }
+    return best;
+}
+
+/// Tries both sides of a column for a few iterations.
+BranchAndBound::Choice BranchAndBound::probe(int column, double value, double bound, double& score) {
+    Choice choice{decisionOf(column), bound, bound};
+    double growthIn = 0, growthOut = 0;
+    choice.boundIn = probeSide(column, ArcState::in, bound, growthIn);
+    choice.boundOut = probeSide(column, ArcState::out, bound, growthOut);
+    if (choice.boundIn < infinity) pseudoCosts_.learn(column, true, 1 - value, growthIn);
+    if (choice.boundOut < infinity) pseudoCosts_.learn(column, false, value, growthOut);
+    score = scoreOf(growthIn, growthOut);
+    return choice;
+}
+
+/// \return a bound, infinity if this side holds nothing; `growth` is a guess if the solver did not finish
+double BranchAndBound::probeSide(int column, ArcState side, double bound, double& growth) {
+    const ParticleState::Mark mark = particles_.mark();
+    double found = infinity;
+    if (particles_.fixColumn(column, side)) {
+        const Relaxation::Result result =
+            relaxation_.solve(particles_, incumbents_.cutoff(), probeIterations);
+        if (result.kind != Relaxation::Result::Kind::tooExpensive) {
+            found = result.kind == Relaxation::Result::Kind::solved ? std::max(bound, result.bound) : bound;
+            growth = result.bound - bound;
+        }
+    }
+    particles_.undo(mark);
+    return found;
+}
+
+} // namespace qm

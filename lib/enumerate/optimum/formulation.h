@@ -1,0 +1,37 @@
+/// \file A search problem as a mixed integer program over particles (method 2, 3; rule B4' in place of B4).
+///
+/// A variable that two particles can reach is y = p + s: p the particle from before walks the arc, s the one
+/// from after. Along a chain p falls and s rises, which is rule 3. A head-on meeting that nothing passes
+/// through can be moved to an end of its line without changing the graph; so a particle stops at a junction
+/// only where the other line is passed by one particle, and that is rule 2. Of two crossing lines at most one
+/// is passed (A2), which is rule 4. Every stop brings two corners of segments.
+#pragma once
+
+#include "enumerate/state/search_state.h"
+#include "program/integer_program.h"
+
+#include <vector>
+
+namespace qm {
+
+/// All columns are binary. Every row is an inequality or equation of a few columns.
+struct Formulation {
+    /// Of a variable; -1 where a particle cannot reach it, or where nothing is left to say of it.
+    struct Columns {
+        int fromBefore = -1;
+        int fromAfter = -1;
+        [[nodiscard]] bool any() const { return fromBefore >= 0 || fromAfter >= 0; }
+    };
+    using Row = IntegerProgram::Row;
+    std::vector<Columns> columnsOf; ///< of every variable of the problem and both constants
+    std::vector<int> coverRowOf;    ///< row p + s <= 1, where a variable has both; else -1
+    std::vector<int> variableOf;    ///< of every column; -1 of one that says that a junction is empty
+    std::vector<double> costs;      ///< of every column
+    double constant = 0;            ///< of the cost
+    std::vector<Row> rows;
+};
+
+/// \param variables  free in the state; everything that they have rules with is fixed or among them
+[[nodiscard]] Formulation formulate(const SearchState& state, const std::vector<int>& variables);
+
+} // namespace qm

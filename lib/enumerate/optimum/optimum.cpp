@@ -1,0 +1,141 @@
+#include "enumerate/optimum/optimum.h"
+
+#include "enumerate/diagram/ranked_graphs.h"
+#include "enumerate/optimum/branch_and_bound.h"
+#include "enumerate/state/independent_parts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace qm {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Of what is in already.
+double fixedCost(const SearchState& state) {
+    return costOf(state.problem(), state.assignment());
+}
+
+/// Shows the polisher a graph of one part as one of the whole.
+Assignment polishPart(const std::vector<int>& part, const Assignment& best,
+                      const std::vector<double>& relaxedPart, const OptimumOptions& options,
+                      std::vector<double> relaxed) {
+    Assignment graph = *options.start;
+    for (std::size_t k = 0; k < part.size(); ++k) {
+        const auto v = static_cast<std::size_t>(part[k]);
+        graph[v] = best[v];
+        relaxed[v] = relaxedPart[k];
+    }
+    return options.polish(graph, relaxed);
+}
+
+/// One graph: every part on its own, the best of each put together.
+void searchParts(SearchState& state, const OptimumOptions& options, const Control& control,
+                 OptimumResult& result) {
+    Assignment graph = state.assignment();
+    if (options.start) result.relaxed.assign(options.start->begin(), options.start->end());
+    auto parts = independentParts(state);
+    // The hardest last: what is cut short then loses least of the bound.
+    std::ranges::stable_sort(parts, {}, [](const auto& part) { return part.size(); });
+    double done = 0;
+    bool found = true;
+    for (const auto& part : parts) {
+        PartOptions partOptions{1, infinity, options.gap / static_cast<double>(parts.size()), options.nodes,
+                                options.hard};
+        if (options.start && options.polish)
+            partOptions.polish = [&](const Assignment& best, const std::vector<double>& relaxed) {
+                return polishPart(part, best, relaxed, options, result.relaxed);
+            };
+        BranchAndBound search(state, part, partOptions, control);
+        if (options.start) search.offer(*options.start);
+        search.run();
+        if (options.keepOpenParts && !search.complete())
+            if (auto root = search.relaxedRoot())
+                result.openParts.push_back({std::move(*root), search.lowerBound()});
+        result.nodes += search.nodes();
+        result.lowerBound += search.lowerBound();
+        for (std::size_t k = 0; k < search.rootPresence().size() && options.start; ++k)
+            result.relaxed[static_cast<std::size_t>(part[k])] = search.rootPresence()[k];
+        result.complete = result.complete && search.complete();
+        found = found && !search.incumbents().empty();
+        if (!search.incumbents().empty())
+            for (const int v : part)
+                graph[static_cast<std::size_t>(v)] =
+                    search.incumbents().graphs().begin()->second[static_cast<std::size_t>(v)];
+        control.progress(++done / static_cast<double>(parts.size()));
+    }
+    if (found && costOf(state.problem(), graph) <= options.maxCost + Incumbents::tolerance)
+        result.graphs.push_back(std::move(graph));
+}
+
+/// Several graphs: the parts' choices combine, so they are searched together.
+void searchTogether(SearchState& state, const OptimumOptions& options, const Control& control,
+                    OptimumResult& result) {
+    std::vector<int> variables;
+    for (int v = 0; v < state.problem().variables(); ++v)
+        if (state.isFree(v)) variables.push_back(v);
+    BranchAndBound search(state, variables,
+                          {options.best, options.maxCost - result.lowerBound, 0, options.nodes, options.hard},
+                          control);
+    if (options.start) search.offer(*options.start);
+    search.run();
+    result.nodes = search.nodes();
+    result.lowerBound += search.lowerBound();
+    result.complete = search.complete();
+    for (const auto& [cost, graph] : search.incumbents().graphs())
+        result.graphs.push_back(graph);
+}
+
+/// \return false if `visit` returned false
+template <class Visit> bool rank(const Diagram& diagram, const OptimumOptions& options, const Visit& visit) {
+    std::size_t left = options.best;
+    bool ended = false;
+    forEachRankedGraph(diagram, [&](double cost, const Assignment& graph) {
+        if (left-- == 0 || cost > options.maxCost + Incumbents::tolerance) return false;
+        ended = !visit(graph);
+        return !ended;
+    });
+    return !ended;
+}
+
+} // namespace
+
+OptimumResult findOptimum(const Problem& problem, const OptimumOptions& options, const Control& control) {
+    SearchState state(problem);
+    if (!state.consistent()) return {{}, infinity, true, 0, {}, {}};
+    return findOptimum(state, options, control);
+}
+
+OptimumResult findOptimum(SearchState& state, const OptimumOptions& options, const Control& control) {
+    OptimumResult result;
+    result.lowerBound = fixedCost(state);
+    if (state.freeVariables() == 0 || options.best == 1)
+        searchParts(state, options, control, result);
+    else
+        searchTogether(state, options, control, result);
+    return result;
+}
+
+OptimumResult findBest(const Problem& problem, const OptimumOptions& options, const Control& control) {
+    if (options.best == 1) return findOptimum(problem, options, control);
+    const auto diagram = buildDiagram(problem, smallDiagram, control);
+    if (!diagram) return findOptimum(problem, options, control);
+    OptimumResult result;
+    result.lowerBound = diagram->fixedCost + cheapestWays(*diagram)[diagram->root];
+    rank(*diagram, options, [&](const Assignment& graph) {
+        result.graphs.push_back(graph);
+        return true;
+    });
+    return result;
+}
+
+bool forEachBest(const Problem& problem, const OptimumOptions& options,
+                 const std::function<bool(const Assignment&)>& visit, const Control& control) {
+    if (const auto diagram = buildDiagram(problem, smallDiagram, control))
+        return rank(*diagram, options, visit);
+    const OptimumResult found = findOptimum(problem, options, control);
+    return std::ranges::all_of(found.graphs, visit) && found.complete;
+}
+
+} // namespace qm

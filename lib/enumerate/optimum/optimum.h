@@ -1,0 +1,63 @@
+/// \file The cheapest motorcycle graphs with a proof: branch and bound on arcs (method 2, 3).
+#pragma once
+
+#include "base/control.h"
+#include "enumerate/state/search_state.h"
+#include "program/decomposition_bound.h"
+
+#include <functional>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace qm {
+
+struct OptimumOptions {
+    std::size_t best = 1; ///< how many graphs, the cheapest
+    double maxCost = std::numeric_limits<double>::infinity();
+    double gap = 0;                  ///< stop when cost - lower bound is at most this
+    std::optional<Assignment> start; ///< a valid graph to begin with
+    std::size_t nodes = 20'000'000;  ///< of the search tree of a part, at most
+    /// Makes a valid graph cheaper if it can, by a search of its own; needs a start. Asked where a part is
+    /// hard, once that has been relaxed: `relaxed` has of every variable its value.
+    std::function<Assignment(const Assignment& graph, const std::vector<double>& relaxed)> polish = {};
+    std::size_t hard = 1500; ///< variables; fewer are searched as fast as what lies near the relaxed solution
+    bool keepOpenParts = false; ///< return what is not proven, see OptimumResult
+};
+
+/// An independent part of a search without a proof.
+struct OpenPart {
+    RelaxedProgram relaxed;
+    double lowerBound = 0; ///< of its cost
+};
+
+struct OptimumResult {
+    std::vector<Assignment> graphs; ///< cheapest first, ties in lexicographic order of the variables
+    double lowerBound = 0;          ///< no graph is cheaper; infinity if there is none at all
+    bool complete = true;           ///< all graphs that were asked for are found and proven
+    std::size_t nodes = 0;          ///< of the search tree
+    /// Of every variable its value at the root of the search, or in `start` where that was not reached;
+    /// empty without a start.
+    std::vector<double> relaxed;
+    std::vector<OpenPart> openParts; ///< if wanted: those that have been relaxed, but not proven
+};
+
+/// Splits the problem into parts that do not touch, and searches each best first: propagation, the linear
+/// relaxation, fixing by reduced costs, and diving for early graphs. Stops when `control.stopRequested`.
+[[nodiscard]] OptimumResult findOptimum(const Problem& problem, const OptimumOptions& options,
+                                        const Control& control = {});
+
+/// The same with some variables assigned already. \param state  consistent; the same afterwards as before
+[[nodiscard]] OptimumResult findOptimum(SearchState& state, const OptimumOptions& options,
+                                        const Control& control = {});
+
+/// The same; several graphs are read off a decision diagram where that is small.
+[[nodiscard]] OptimumResult findBest(const Problem& problem, const OptimumOptions& options,
+                                     const Control& control = {});
+
+/// Calls `visit` with these graphs in the same order; where there is a diagram, as soon as they are known.
+/// \return false if `visit` returned false, or not all graphs were found
+bool forEachBest(const Problem& problem, const OptimumOptions& options,
+                 const std::function<bool(const Assignment&)>& visit, const Control& control = {});
+
+} // namespace qm

@@ -1,0 +1,66 @@
+/// \file What one part of a search problem adds to the cost of what is fixed.
+#pragma once
+
+#include "enumerate/state/search_state.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace qm {
+
+class PartCost {
+public:
+    /// \param variables  the free variables of an independent part
+    PartCost(const SearchState& state, const std::vector<int>& variables)
+        : problem_(state.problem()), variables_(variables) {
+        std::vector<int> crossings;
+        for (const int variable : variables)
+            for (const int crossing : state.crossingsOf(variable))
+                if (problem_.crossings[static_cast<std::size_t>(crossing)].cornerCost != 0)
+                    crossings.push_back(crossing);
+        std::ranges::sort(crossings);
+        crossings.erase(std::unique(crossings.begin(), crossings.end()), crossings.end());
+        crossings_ = std::move(crossings);
+        fixed_ = corners([&](int variable) { return state.value(variable) == ArcState::in; });
+    }
+
+    /// \param isIn  tells of every variable and constant whether it is in
+    template <class IsIn> [[nodiscard]] double of(const IsIn& isIn) const {
+        double cost = corners(isIn) - fixed_;
+        for (const int variable : variables_)
+            if (isIn(variable)) cost += problem_.costs[static_cast<std::size_t>(variable)];
+        return cost;
+    }
+
+    /// No completion of a state, which agrees with the first one in all but the part, costs less.
+    [[nodiscard]] double atLeast(const SearchState& state) const {
+        double bound = -fixed_;
+        for (const int crossing : crossings_)
+            bound += state.cornerBound(crossing);
+        for (const int variable : variables_) {
+            const double cost = problem_.costs[static_cast<std::size_t>(variable)];
+            if (state.value(variable) == ArcState::in || (state.isFree(variable) && cost < 0)) bound += cost;
+        }
+        return bound;
+    }
+
+private:
+    template <class IsIn> [[nodiscard]] double corners(const IsIn& isIn) const {
+        double cost = 0;
+        const auto present = [&](const CrossingSide& side) {
+            return (isIn(side.before) ? 1 : 0) + (isIn(side.after) ? 1 : 0);
+        };
+        for (const int id : crossings_) {
+            const Crossing& crossing = problem_.crossings[static_cast<std::size_t>(id)];
+            cost += crossing.cornerCost * cornersAt(present(crossing.sides[0]), present(crossing.sides[1]));
+        }
+        return cost;
+    }
+
+    const Problem& problem_;
+    const std::vector<int>& variables_;
+    std::vector<int> crossings_; ///< whose corners cost something
+    double fixed_ = 0;           ///< of corners that were there already
+};
+
+} // namespace qm

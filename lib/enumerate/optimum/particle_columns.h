@@ -1,0 +1,89 @@
+/// \file The columns of a formulation and what can be said with them: who walks an arc, passes a junction, or
+/// stops there.
+#pragma once
+
+#include "enumerate/optimum/formulation.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace qm {
+
+/// A linear expression over columns and a constant.
+struct Expression {
+    std::vector<std::pair<int, double>> terms;
+    double constant = 0;
+
+    Expression& add(int column, double weight) {
+        const auto known = std::ranges::find(terms, column, [](const auto& term) { return term.first; });
+        if (known == terms.end())
+            terms.emplace_back(column, weight);
+        else
+            known->second += weight;
+        return *this;
+    }
+    Expression& add(const Expression& other, double factor) {
+        for (const auto& [column, weight] : other.terms)
+            add(column, factor * weight);
+        constant += factor * other.constant;
+        return *this;
+    }
+};
+
+/// Sets up columns, and the rows that tie those of one chain.
+class ParticleColumns {
+public:
+    ParticleColumns(const SearchState& state, const std::vector<int>& variables);
+
+    /// Those that have rows: of the variables, and of lines that are covered already but may be cracked.
+    [[nodiscard]] const std::vector<int>& crossings() const { return crossings_; }
+    [[nodiscard]] Formulation take() { return std::move(result_); }
+
+    [[nodiscard]] bool isOut(int variable) const { return state_.value(variable) == ArcState::out; }
+    [[nodiscard]] bool isIn(int variable) const { return state_.value(variable) == ArcState::in; }
+    /// Free, but of another part, which no rule ties to this one.
+    [[nodiscard]] bool isForeign(const Crossing& crossing) const;
+
+    [[nodiscard]] const Formulation::Columns& columns(int variable) const {
+        return result_.columnsOf[static_cast<std::size_t>(variable)];
+    }
+    /// y of a variable or constant.
+    [[nodiscard]] Expression present(int variable) const;
+    /// Nothing can crack this line here, and all of it is in: one particle passes, or two start here.
+    [[nodiscard]] bool isWall(const CrossingSide& side) const;
+    /// The arcs before and after are variables of one chain.
+    [[nodiscard]] bool consecutive(const CrossingSide& side) const;
+    /// One particle passes from one arc to the next if it is still running on the second.
+    [[nodiscard]] Expression pass(const CrossingSide& side) const;
+    /// At most 1 if a single particle passes, and 0 if none does.
+    [[nodiscard]] Expression surePass(const CrossingSide& side) const;
+    /// The particle from before stops here, and the particle from after.
+    [[nodiscard]] std::array<Expression, 2> particleStops(const CrossingSide& side) const;
+
+    /// A row: expression >= bound, unless that says nothing.
+    void atLeast(const Expression& expression, double bound);
+    void addCost(const Expression& expression, double factor);
+    /// A column that stands for no particle.
+    int newFlag();
+
+private:
+    [[nodiscard]] bool isForeign(int variable) const;
+    [[nodiscard]] bool isForeign(const Chain& chain) const;
+    [[nodiscard]] bool anyOut(const Crossing& crossing) const;
+    void knowChain(int chain);
+    void knowCovered();
+    int newColumn(int variable);
+    void addChain(const Chain& chain);
+
+    const SearchState& state_;
+    const Problem& problem_;
+    Formulation result_;
+    std::vector<int> crossings_;
+    std::vector<bool> ours_;  ///< the variables of the part
+    std::vector<bool> known_; ///< chains that get columns
+    std::vector<int> fresh_;
+};
+
+} // namespace qm

@@ -1,0 +1,85 @@
+/// \file The linear relaxation of a formulation: its bound prunes, its solution guides.
+///
+/// Rows that tie two particles of one line are there from the start, the others as soon as a solution breaks
+/// them: most never do.
+#pragma once
+
+#include "enumerate/optimum/particle_state.h"
+#include "program/decomposition_bound.h"
+
+#include <limits>
+#include <memory>
+#include <optional>
+#include <vector>
+
+class ClpSimplex;
+
+namespace qm {
+
+class Relaxation {
+public:
+    /// Columns that the state has fixed and rows that these satisfy are left out for good.
+    Relaxation(const Formulation& formulation, const ParticleState& state);
+    ~Relaxation();
+    Relaxation(Relaxation&&) noexcept;
+    Relaxation& operator=(Relaxation&&) noexcept;
+    Relaxation(const Relaxation&) = delete;
+    Relaxation& operator=(const Relaxation&) = delete;
+
+    struct Result {
+        enum class Kind { solved, tooExpensive, unfinished };
+        Kind kind = Kind::unfinished;
+        double bound = 0;                                         ///< only an estimate if unfinished
+        double proven = -std::numeric_limits<double>::infinity(); ///< a bound all the same, if unfinished
+    };
+
+    /// Least relaxed cost under what the state has fixed. Too expensive: infeasible, or at least `cutoff`.
+    /// Unfinished: the iterations were used up or the solver failed.
+    Result solve(const ParticleState& state, double cutoff, int iterations);
+
+    /// Of the solver's columns, how many the state has fixed.
+    [[nodiscard]] double fixedShare(const ParticleState& state) const;
+
+    /// Where the solver stands, to return to after probing.
+    using Basis = std::vector<unsigned char>;
+    [[nodiscard]] Basis basis() const;
+    void setBasis(const Basis& basis);
+
+    /// The integer program of what the state leaves open, with the last solution, which was of the same
+    /// state.
+    [[nodiscard]] RelaxedProgram program(const ParticleState& state) const;
+
+    /// Of every column in the last solution; 0 and 1 where it was fixed.
+    [[nodiscard]] const std::vector<double>& values() const { return values_; }
+    /// How much the bound grows at least, per unit, when a column leaves its value in the last solution.
+    [[nodiscard]] const std::vector<double>& reducedCosts() const { return reducedCosts_; }
+
+private:
+    /// A row without the columns that were fixed.
+    struct OpenRow {
+        int row = 0;              ///< of the formulation
+        std::vector<int> columns; ///< of the solver
+        std::vector<double> weights;
+        double constant = 0; ///< what the fixed columns add
+    };
+
+    [[nodiscard]] OpenRow openPart(int row, const ParticleState& state,
+                                   const std::vector<int>& indexOf) const;
+    Result solveWithoutRows(const ParticleState& state, double cutoff);
+    void setBounds(const ParticleState& state);
+    void add(const std::vector<const OpenRow*>& rows, const ParticleState& state);
+    bool addBroken(const ParticleState& state);
+    void read(const ParticleState& state);
+
+    const Formulation* formulation_;
+    std::vector<int> columns_;     ///< of the formulation, for every column of the solver
+    std::vector<OpenRow> rows_;    ///< all that may matter
+    std::vector<int> solverRows_;  ///< indices in `rows_` of those that the solver has
+    std::vector<bool> isInSolver_; ///< of every one of `rows_`
+    std::unique_ptr<ClpSimplex> solver_;
+    double fixedCost_ = 0; ///< of the columns that were left out
+    std::vector<double> values_;
+    std::vector<double> reducedCosts_;
+};
+
+} // namespace qm

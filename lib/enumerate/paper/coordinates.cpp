@@ -1,0 +1,179 @@
+#include "enumerate/paper/coordinates.h"
+
+#include "enumerate/paper/particles.h"
+
+namespace qm {
+namespace {
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+using Visit = std::function<bool(const Assignment&)>;
+using StopRequested = std::function<bool()>;
+
+/// Asks now and then whether to stop: most of these searches' steps lead to no graph.
+class Patience {
+public:
+    explicit Patience(const StopRequested& stopRequested) : stopRequested_(stopRequested) {}
+
+    bool ended() { return ++steps_ % 4096 == 0 && stopRequested_(); }
+
+private:
+    const StopRequested& stopRequested_;
+    std::size_t steps_ = 0;
+};
+
+class NaiveSearch {
+public:
+    NaiveSearch(const Problem& problem, const Visit& visit, const StopRequested& stopRequested)
+        : problem_(problem), visit_(visit), patience_(stopRequested),
+          particles_(coordinateParticles(problem)), x_(particles_.size()) {}
+
+    bool run(std::size_t i = 0) {
+        if (patience_.ended()) return false;
+        if (i == particles_.size())
+            return !validCoordinates(particles_, x_) || visit_(assignmentOf(problem_, particles_, x_));
+        for (x_[i] = particles_[i].least; x_[i] <= particles_[i].most; ++x_[i])
+            if (!run(i + 1)) return false;
+        return true;
+    }
+
+private:
+    const Problem& problem_;
+    const Visit& visit_;
+    Patience patience_;
+    std::vector<CoordinateParticle> particles_;
+    std::vector<int> x_;
+};
+
+/// Depth first over the particles with bounds L_i <= x_i <= U_i, kept on a stack for undoing.
+class BoundedSearch {
+public:
+    BoundedSearch(const Problem& problem, bool improved, const Visit& visit,
+                  const StopRequested& stopRequested)
+        : problem_(problem), improved_(improved), visit_(visit), patience_(stopRequested),
+          particles_(coordinateParticles(problem)) {
+        for (const CoordinateParticle& particle : particles_) {
+            lower_.push_back(particle.least);
+            upper_.push_back(particle.most);
+        }
+    }
+
+    bool run(std::size_t i = 0) {
+        if (patience_.ended()) return false;
+        if (i == particles_.size()) return visit_(assignmentOf(problem_, particles_, lower_));
+        for (int j = lower_[i], last = upper_[i]; j <= last; ++j) {
+            const std::size_t mark = undo_.size();
+            const bool goOn = !(fix(static_cast<int>(i), j) && block(particles_[i], j)) || finish(i, j);
+            rewind(mark);
+            if (!goOn) return false;
+        }
+        return true;
+    }
+
+private:
+    struct Undo {
+        int particle;
+        int lower;
+        int upper;
+    };
+
+    bool raise(int particle, int bound) {
+        if (bound <= lower_[at(particle)]) return true;
+        undo_.push_back({particle, lower_[at(particle)], upper_[at(particle)]});
+        lower_[at(particle)] = bound;
+        return bound <= upper_[at(particle)];
+    }
+
+    bool reduce(int particle, int bound) {
+        if (bound >= upper_[at(particle)]) return true;
+        undo_.push_back({particle, lower_[at(particle)], upper_[at(particle)]});
+        upper_[at(particle)] = bound;
+        return bound >= lower_[at(particle)];
+    }
+
+    bool fix(int particle, int value) { return raise(particle, value) && reduce(particle, value); }
+
+    void rewind(std::size_t mark) {
+        for (; undo_.size() > mark; undo_.pop_back()) {
+            lower_[at(undo_.back().particle)] = undo_.back().lower;
+            upper_[at(undo_.back().particle)] = undo_.back().upper;
+        }
+    }
+
+    /// B1 and B2: what a track of length j keeps others from.
+    bool block(const CoordinateParticle& p, int j) {
+        if (p.opposite >= 0 && !reduce(p.opposite, p.length - j)) return false;
+        for (int c = 1; c < j; ++c) {
+            const Stop& stop = p.stops[at(c - 1)];
+            if (stop.wall) return false;
+            for (const Arrival& arrival : {stop.left, stop.right})
+                if (arrival.particle >= 0 && !reduce(arrival.particle, arrival.coordinate)) return false;
+        }
+        return true;
+    }
+
+    /// B3 and B4 (or B4'): goes on with every way in which a track of length j can end properly.
+    bool finish(std::size_t i, int j) {
+        const CoordinateParticle& p = particles_[i];
+        if (j == p.length) return run(i + 1);
+        if (j == 0) return branch(i, p.opposite >= 0 && raise(p.opposite, p.length));
+        const Stop& stop = p.stops[at(j - 1)];
+        return improved_ ? finishImproved(i, stop) : finishAll(i, stop, j);
+    }
+
+    bool branch(std::size_t i, bool possible) { return !possible || run(i + 1); }
+
+    /// Tries one ending and takes it back. False if the visitor ended the search.
+    template <class Ending> bool attempt(std::size_t i, const Ending& ending) {
+        const std::size_t mark = undo_.size();
+        const bool goOn = branch(i, ending());
+        rewind(mark);
+        return goOn;
+    }
+
+    bool letPass(const Arrival& arrival) {
+        return arrival.particle >= 0 && raise(arrival.particle, arrival.coordinate + 1);
+    }
+
+    bool finishImproved(std::size_t i, const Stop& stop) {
+        if (stop.wall) return attempt(i, [] { return true; });
+        return attempt(i, [&] { return letPass(stop.left); }) &&
+               attempt(i, [&] { return letPass(stop.right); });
+    }
+
+    bool finishAll(std::size_t i, const Stop& stop, int j) {
+        const CoordinateParticle& p = particles_[i];
+        const int rest = p.length - j;
+        const auto apart = [&] { return p.opposite < 0 || reduce(p.opposite, rest - 1); };
+        const auto bothEnd = [&] {
+            return stop.left.particle >= 0 && stop.right.particle >= 0 &&
+                   fix(stop.left.particle, stop.left.coordinate) &&
+                   fix(stop.right.particle, stop.right.coordinate);
+        };
+        return attempt(i, [&] { return p.opposite >= 0 && fix(p.opposite, rest); }) &&
+               attempt(i, [&] { return apart() && letPass(stop.left); }) &&
+               attempt(i, [&] { return apart() && letPass(stop.right); }) &&
+               attempt(i, [&] { return apart() && (stop.wall || bothEnd()); });
+    }
+
+    const Problem& problem_;
+    bool improved_;
+    const Visit& visit_;
+    Patience patience_;
+    std::vector<CoordinateParticle> particles_;
+    std::vector<int> lower_;
+    std::vector<int> upper_;
+    std::vector<Undo> undo_;
+};
+
+} // namespace
+
+bool forEachCoordinateVector(const Problem& problem, CoordinateMethod method, const Visit& visit,
+                             const StopRequested& stopRequested) {
+    if (method == CoordinateMethod::naive) return NaiveSearch(problem, visit, stopRequested).run();
+    return BoundedSearch(problem, method == CoordinateMethod::improved, visit, stopRequested).run();
+}
+
+} // namespace qm

@@ -1,0 +1,144 @@
+#include "enumerate/paper/plain_graph.h"
+
+#include <algorithm>
+
+namespace qm {
+namespace {
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+/// One run of the process.
+class Race {
+public:
+    Race(const QuadMesh& mesh, const BaseComplex& complex)
+        : mesh_(mesh), complex_(complex), walked_(complex.separatrices.size(), 0),
+          traced_(mesh.n_vertices(), false), covered_(mesh.n_edges(), false) {}
+
+    /// The number of halfedges that every particle walks.
+    std::vector<std::size_t> run() {
+        for (const VertexId vertex : complex_.extraordinaryVertices)
+            traced_[at(vertex.idx())] = true;
+        for (const Seed seed : complex_.seeds)
+            traced_[at(mesh_.from_vertex_handle(seed.direction).idx())] = true;
+        std::vector<std::size_t> active(complex_.separatrices.size());
+        for (std::size_t i = 0; i < active.size(); ++i)
+            active[i] = i;
+        while (!active.empty())
+            active = meet(move(active));
+        settleMeetings();
+        return walked_;
+    }
+
+private:
+    struct Arrival {
+        int vertex;
+        std::size_t particle;
+        auto operator<=>(const Arrival&) const = default;
+    };
+
+    /// Every particle enters its next edge, unless its opposite has done so.
+    std::vector<Arrival> move(const std::vector<std::size_t>& active) {
+        std::vector<Arrival> arrivals;
+        for (const std::size_t i : active) {
+            const HalfedgeId next = complex_.separatrices[i].halfedges[walked_[i]];
+            const std::size_t edge = at(mesh_.edge_handle(next).idx());
+            if (covered_[edge]) continue;
+            covered_[edge] = true;
+            ++walked_[i];
+            arrivals.push_back({mesh_.to_vertex_handle(next).idx(), i});
+        }
+        std::ranges::sort(arrivals);
+        return arrivals;
+    }
+
+    /// Decides at every vertex who goes on.
+    std::vector<std::size_t> meet(const std::vector<Arrival>& arrivals) {
+        std::vector<std::size_t> active;
+        for (std::size_t begin = 0; begin < arrivals.size();) {
+            std::size_t end = begin + 1;
+            while (end < arrivals.size() && arrivals[end].vertex == arrivals[begin].vertex)
+                ++end;
+            const bool traced = traced_[at(arrivals[begin].vertex)];
+            traced_[at(arrivals[begin].vertex)] = true;
+            if (!traced && end - begin == 1) goOn(arrivals[begin].particle, active);
+            if (!traced && end - begin == 2)
+                meetTwo(arrivals[begin].particle, arrivals[begin + 1].particle, active);
+            begin = end;
+        }
+        std::ranges::sort(active);
+        return active;
+    }
+
+    void goOn(std::size_t i, std::vector<std::size_t>& active) const {
+        if (walked_[i] < complex_.separatrices[i].halfedges.size()) active.push_back(i);
+    }
+
+    /// The halfedge back to where a particle came from.
+    HalfedgeId cameFrom(std::size_t i) const {
+        return mesh_.opposite_halfedge_handle(complex_.separatrices[i].halfedges[walked_[i] - 1]);
+    }
+
+    void meetTwo(std::size_t a, std::size_t b, std::vector<std::size_t>& active) const {
+        const HalfedgeId fromA = cameFrom(a), fromB = cameFrom(b);
+        if (mesh_.ccw_rotated_halfedge_handle(fromA) == fromB) goOn(b, active);
+        if (mesh_.ccw_rotated_halfedge_handle(fromB) == fromA) goOn(a, active);
+    }
+
+    /// By vertex: the edges there that a particle could have walked; more than two where lines cross.
+    std::vector<int> countLineEdges() const {
+        std::vector<bool> counted(mesh_.n_edges(), false);
+        std::vector<int> edges(mesh_.n_vertices(), 0);
+        for (const Separatrix& separatrix : complex_.separatrices)
+            for (std::size_t k = 0; k < separatrix.reach; ++k) {
+                const HalfedgeId halfedge = separatrix.halfedges[k];
+                const std::size_t edge = at(mesh_.edge_handle(halfedge).idx());
+                if (counted[edge]) continue;
+                counted[edge] = true;
+                ++edges[at(mesh_.from_vertex_handle(halfedge).idx())];
+                ++edges[at(mesh_.to_vertex_handle(halfedge).idx())];
+            }
+        return edges;
+    }
+
+    /// Tracks end where lines cross: of two that met elsewhere, the lower one gets the rest of the arc.
+    void settleMeetings() {
+        const std::vector<int> lineEdges = countLineEdges();
+        for (std::size_t i = 0; i < walked_.size(); ++i) {
+            const Separatrix& separatrix = complex_.separatrices[i];
+            if (!separatrix.opposite || separatrix.opposite->idx() < i) continue;
+            std::size_t& other = walked_[separatrix.opposite->idx()];
+            if (walked_[i] + other != separatrix.halfedges.size()) continue;
+            for (; walked_[i] > 0 && other > 0; ++walked_[i], --other)
+                if (lineEdges[at(mesh_.to_vertex_handle(separatrix.halfedges[walked_[i] - 1]).idx())] > 2)
+                    break;
+        }
+    }
+
+    const QuadMesh& mesh_;
+    const BaseComplex& complex_;
+    std::vector<std::size_t> walked_;
+    std::vector<bool> traced_;  ///< vertices
+    std::vector<bool> covered_; ///< edges
+};
+
+} // namespace
+
+MotorcycleGraph plainMotorcycleGraph(const QuadMesh& mesh, const BaseComplex& complex,
+                                     const std::vector<double>& edgeCosts) {
+    const std::vector<std::size_t> walked = Race(mesh, complex).run();
+    MotorcycleGraph graph;
+    for (std::size_t i = 0; i < walked.size(); ++i) {
+        if (walked[i] == 0) continue;
+        const auto& path = complex.separatrices[i].halfedges;
+        Track track{{path.begin(), path.begin() + static_cast<std::ptrdiff_t>(walked[i])}, 0};
+        for (const HalfedgeId halfedge : track.halfedges)
+            track.cost += edgeCosts[at(mesh.edge_handle(halfedge).idx())];
+        graph.cost += track.cost;
+        graph.tracks.push_back(std::move(track));
+    }
+    return graph;
+}
+
+} // namespace qm

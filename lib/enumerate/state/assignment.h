@@ -1,0 +1,22 @@
+/// \file Values for the variables of a search problem, and the arcs they stand for.
+#pragma once
+
+#include "enumerate/state/problem.h"
+
+#include <vector>
+
+namespace qm {
+
+/// A value for every variable and both constants, 0 or 1.
+using Assignment = std::vector<signed char>;
+
+/// What the variables that are in cost, with the corners around crossings.
+[[nodiscard]] double costOf(const Problem& problem, const Assignment& assignment);
+
+/// The values that variables have where these arcs are present.
+[[nodiscard]] Assignment assignmentOf(const Problem& problem, const std::vector<bool>& present);
+
+/// Writes an assignment into the arcs that it speaks of.
+void apply(const Problem& problem, const Assignment& assignment, std::vector<bool>& present);
+
+} // namespace qm

@@ -1,0 +1,25 @@
+/// \file Rule 2 of method 2: which arcs may meet at an ordinary junction.
+#pragma once
+
+#include "enumerate/state/problem.h"
+
+namespace qm {
+
+/// Before and after of one side, then of the other.
+[[nodiscard]] inline std::array<int, 4> arcsOf(const Crossing& crossing) {
+    const auto& [a, b] = crossing.sides;
+    return {a.before, a.after, b.before, b.after};
+}
+
+/// What the rule concludes from the four arcs around a junction: bit k of a mask stands for arc k in the
+/// order before and after of one line, before and after of the other.
+struct JunctionConclusion {
+    unsigned forcedIn = 0;
+    unsigned forcedOut = 0;
+    bool possible = false;
+};
+
+/// \param states  of the four arcs, as digits in base 3, the first the lowest: 0 out, 1 in, 2 free
+[[nodiscard]] const JunctionConclusion& concludeAtJunction(unsigned states);
+
+} // namespace qm

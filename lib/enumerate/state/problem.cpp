@@ -1,0 +1,225 @@
+#include "enumerate/state/problem.h"
+
+#include "base/error.h"
+#include "enumerate/state/crack_nodes.h"
+
+#include <string>
+
+namespace qm {
+namespace {
+
+/// The stretch of a line that holds its free arcs, and what comes before and after it.
+struct Stretch {
+    int first = 0; ///< positions on the line
+    int last = -1;
+    bool beforeIn = false;       ///< the arc before it is in, or a source is there
+    bool beforeAnchored = false; ///< all arcs before it are in, from a source
+    bool afterIn = false;
+    bool afterAnchored = false;
+};
+
+class Maker {
+public:
+    explicit Maker(const ProblemInput& input)
+        : input_(input), graph_(input.graph), variableOf_(graph_.arcs.size(), -1),
+          chainOf_(graph_.lines.size(), -1) {}
+
+    Problem make() {
+        for (std::size_t line = 0; line < graph_.lines.size(); ++line)
+            addChain(LineId(line));
+        problem_.domains.push_back(ArcState::in);
+        problem_.domains.push_back(ArcState::out);
+        problem_.costs.insert(problem_.costs.end(), {0.0, 0.0});
+        CrackNodes nodes = crackNodes(input_, problem_.chains, chainOf_);
+        problem_.nodes = std::move(nodes.nodes);
+        nodeOf_ = std::move(nodes.nodeOf);
+        for (std::size_t junction = 0; junction < graph_.junctions.size(); ++junction)
+            addCrossing(JunctionId(junction));
+        return std::move(problem_);
+    }
+
+private:
+    ArcState state(const Line& line, int position) const {
+        return input_.states[ArcId(line.firstArc.value() + position).idx()];
+    }
+
+    bool allIn(const Line& line, int begin, int end) const {
+        for (int k = begin; k < end; ++k)
+            if (state(line, k) != ArcState::in) return false;
+        return true;
+    }
+
+    Stretch stretchOf(LineId id) const {
+        const Line& line = graph_.lines[id.idx()];
+        Stretch stretch;
+        stretch.first = line.arcCount;
+        for (int k = 0; k < line.arcCount; ++k)
+            if (state(line, k) == ArcState::free) {
+                stretch.first = std::min(stretch.first, k);
+                stretch.last = k;
+            }
+        if (stretch.last < 0) return stretch;
+        const bool atBegin = stretch.first == 0, atEnd = stretch.last == line.arcCount - 1;
+        const bool sourceAtBegin = input_.walkers.begin(id),
+                   sourceAtEnd = line.backward && input_.walkers.end(id);
+        stretch.beforeAnchored = sourceAtBegin && allIn(line, 0, stretch.first);
+        stretch.beforeIn = atBegin ? sourceAtBegin : state(line, stretch.first - 1) == ArcState::in;
+        stretch.afterAnchored = sourceAtEnd && allIn(line, stretch.last + 1, line.arcCount);
+        stretch.afterIn = atEnd ? sourceAtEnd : state(line, stretch.last + 1) == ArcState::in;
+        return stretch;
+    }
+
+    void addChain(LineId id) {
+        const Stretch stretch = stretchOf(id);
+        if (stretch.last < 0) return;
+        chainOf_[id.idx()] = static_cast<int>(problem_.chains.size());
+        const ArcId meeting = input_.walkers.meeting(id);
+        const int met = meeting.valid() ? meeting.value() - graph_.lines[id.idx()].firstArc.value() : -1;
+        if (met < stretch.first || met >= stretch.last) return addStretch(id, stretch);
+        // Neither particle gets beyond the place where they meet.
+        Stretch first = stretch, second = stretch;
+        first.last = met;
+        first.afterIn = first.afterAnchored = false;
+        second.first = met + 1;
+        second.beforeIn = second.beforeAnchored = false;
+        addStretch(id, first);
+        addStretch(id, second);
+    }
+
+    void addStretch(LineId id, const Stretch& stretch) {
+        const int first = problem_.variables();
+        for (int k = stretch.first; k <= stretch.last; ++k)
+            addArc(graph_.lines[id.idx()], k, k > stretch.first, domainOf(id, stretch, k));
+        problem_.chains.push_back(
+            {first, problem_.variables() - first, stretch.beforeAnchored, stretch.afterAnchored});
+    }
+
+    ArcState domainOf(LineId id, const Stretch& stretch, int k) const {
+        const Line& line = graph_.lines[id.idx()];
+        const ArcId arc(line.firstArc.value() + k);
+        // A track that goes on beyond the stretch without a source of its own must be reached from here.
+        const bool mustCover =
+            (stretch.beforeIn && !stretch.beforeAnchored) || (stretch.afterIn && !stretch.afterAnchored);
+        const bool unreachable = !stretch.beforeAnchored && !stretch.afterAnchored && !mustCover;
+        const bool atSource = (k == 0 && input_.walkers.begin(id)) ||
+                              (k == line.arcCount - 1 && line.backward && input_.walkers.end(id));
+        ArcState domain = state(line, k);
+        if (atSource || mustCover) restrict(arc, domain, ArcState::in);
+        if (unreachable) restrict(arc, domain, ArcState::out);
+        if (!input_.demands.empty()) restrict(arc, domain, input_.demands[arc.idx()]);
+        return domain;
+    }
+
+    /// Gives an arc a variable of its own, or that of the arc before it where nothing can end between them.
+    void addArc(const Line& line, int k, bool mayJoin, ArcState domain) {
+        const ArcId arc(line.firstArc.value() + k);
+        if (mayJoin && passesFreely(ArcId(arc.value() - 1))) {
+            restrict(arc, problem_.domains.back(), domain);
+            ++problem_.arcs.back().count;
+            problem_.costs.back() += input_.arcCosts[arc.idx()];
+        } else {
+            problem_.arcs.push_back({arc, 1});
+            problem_.costs.push_back(input_.arcCosts[arc.idx()]);
+            problem_.domains.push_back(domain);
+        }
+        variableOf_[arc.idx()] = problem_.variables() - 1;
+    }
+
+    /// No track can end at the junction after an arc: nothing crosses there.
+    bool passesFreely(ArcId arc) const {
+        const JunctionId id = graph_.junctionAfter[arc.idx()];
+        const Junction& junction = graph_.junctions[id.idx()];
+        if (isOpen(id)) return false;
+        const std::size_t other = junction.arcs[0] == arc || junction.arcs[2] == arc ? 1 : 0;
+        const auto isOut = [&](ArcId crossing) {
+            return !crossing.valid() || input_.states[crossing.idx()] == ArcState::out;
+        };
+        return isOut(junction.arcs[other]) && isOut(junction.arcs[other + 2]);
+    }
+
+    void restrict(ArcId arc, ArcState& domain, ArcState demand) const {
+        if (demand == ArcState::free || demand == domain) return;
+        if (domain != ArcState::free) contradiction(arc, demand);
+        domain = demand;
+    }
+
+    [[noreturn]] void contradiction(ArcId arc, ArcState demand) const {
+        const JunctionId junction = graph_.junctionAfter[arc.idx()];
+        const std::string place =
+            "separatrix " + std::to_string(graph_.lineOf(arc).forward.value()) +
+            (junction.valid()
+                 ? " before vertex " + std::to_string(graph_.junctions[junction.idx()].vertex.idx())
+                 : std::string(", last arc"));
+        throw Error(place,
+                    demand == ArcState::out ? "it is forbidden, but every motorcycle graph needs it"
+                                            : "it is required, but no motorcycle graph can have it",
+                    "take the edge out of /constraints");
+    }
+
+    int chainOfArc(ArcId arc) const { return chainOf_[graph_.arcs[arc.idx()].line.idx()]; }
+    bool isOpen(JunctionId id) const { return !input_.open.empty() && input_.open[id.idx()]; }
+
+    int variable(ArcId arc) const {
+        if (!arc.valid()) return problem_.out();
+        const int variable = variableOf_[arc.idx()];
+        if (variable >= 0) return variable;
+        return input_.states[arc.idx()] == ArcState::in ? problem_.in() : problem_.out();
+    }
+
+    CrossingSide side(JunctionId id, std::size_t k) const {
+        const Junction& junction = graph_.junctions[id.idx()];
+        const LineId line = graph_.arcs[junction.arcs[k].idx()].line;
+        const bool ends = junction.seeded && k == 0;
+        return {variable(junction.arcs[k]), variable(junction.arcs[k + 2]), ends ? -1 : nodeOf_[line.idx()]};
+    }
+
+    /// Nothing is left to say where one line is out and the other one variable.
+    bool sameVariables(const Junction& junction) const {
+        for (const std::size_t k : {0U, 1U}) {
+            const int other = variable(junction.arcs[1 - k]);
+            if (variable(junction.arcs[k]) == variable(junction.arcs[k + 2]) && other == problem_.out() &&
+                variable(junction.arcs[3 - k]) == problem_.out())
+                return true;
+        }
+        return false;
+    }
+
+    /// Two particles of a line go this far at most, so that nobody passes unless the other line does.
+    bool isMeeting(const Junction& junction) const {
+        for (const std::size_t k : {0U, 1U}) {
+            const ArcId before = std::min(junction.arcs[k], junction.arcs[k + 2]);
+            if (before.valid() && input_.walkers.meeting(graph_.arcs[before.idx()].line) == before)
+                return true;
+        }
+        return false;
+    }
+
+    void addCrossing(JunctionId id) {
+        const Junction& junction = graph_.junctions[id.idx()];
+        if (!junction.crossed() || sameVariables(junction) || isMeeting(junction)) return;
+        bool anyFree = false, anyOut = false, onChain = false;
+        for (const ArcId arc : junction.arcs) {
+            anyFree = anyFree || variable(arc) < problem_.in();
+            anyOut = anyOut || variable(arc) == problem_.out();
+            onChain = onChain || (arc.valid() && chainOfArc(arc) >= 0);
+        }
+        if (isOpen(id) ? !anyOut && onChain : anyFree || (!anyOut && onChain))
+            problem_.crossings.push_back(
+                {{side(id, 0), side(id, 1)}, isOpen(id), isOpen(id) ? 0 : input_.cornerCost});
+    }
+
+    const ProblemInput& input_;
+    const ArcGraph& graph_;
+    std::vector<int> variableOf_;
+    std::vector<int> chainOf_;
+    std::vector<int> nodeOf_;
+    Problem problem_;
+};
+
+} // namespace
+
+Problem makeProblem(const ProblemInput& input) {
+    return Maker(input).make();
+}
+
+} // namespace qm

@@ -1,0 +1,91 @@
+/// \file The search problem: binary variables for arcs under the rules of method 2, "The same, on arcs".
+///
+/// A whole mesh, a sub-mesh with its cut, and a window in an otherwise fixed layout all become such a
+/// problem.
+#pragma once
+
+#include "basecomplex/arc_graph.h"
+#include "layout/walkers.h"
+
+#include <array>
+#include <vector>
+
+namespace qm {
+
+/// What is known of an arc before a search.
+enum class ArcState : signed char { out = 0, in = 1, free = -1 };
+
+/// Consecutive variables first .. first + count - 1: the stretch of one line that holds all its free arcs
+/// (rule 3).
+struct Chain {
+    int first = 0;
+    int count = 0;
+    bool coveredBefore = false; ///< a particle comes in over the first variable, or starts there
+    bool coveredAfter = false;  ///< likewise over the last variable, from the other end
+};
+
+/// A line, or several joined by fixed crossings, that can be cracked as often as `capacity` says when covered
+/// from end to end (rule 4).
+struct CrackNode {
+    int chain = -1; ///< the chain that must be covered throughout; -1 where the lines are covered anyway
+    int capacity = 1;
+};
+
+/// One of the two lines at a crossing: variables before and after it, and the node that a head-on meeting
+/// here would use; -1 where none is possible.
+struct CrossingSide {
+    int before = 0;
+    int after = 0;
+    int node = -1;
+};
+
+/// An ordinary junction between variables and constants (rules 2 and 4).
+struct Crossing {
+    std::array<CrossingSide, 2> sides;
+    bool open = false; ///< past a cut, where tracks may end unfinished: only rule 4 holds
+    double cornerCost =
+        0; ///< of each segment's corner here: of every arc of one line next to one of the other
+};
+
+/// Consecutive arcs of one line that can only be in or out together.
+struct ArcRun {
+    ArcId first;
+    int count = 0;
+};
+
+/// Variable indices 0 .. variables() - 1, and after them two constants: in() is present, out() is absent.
+struct Problem {
+    std::vector<ArcRun> arcs;      ///< the arcs of every variable
+    std::vector<double> costs;     ///< of every variable when it is in; 0 for the two constants
+    std::vector<ArcState> domains; ///< of every variable and the two constants
+    std::vector<Chain> chains;
+    std::vector<Crossing> crossings;
+    std::vector<CrackNode> nodes;
+    bool gaps = true; ///< rules 3 and 4 hold; without them the class is that of T-meshes
+
+    [[nodiscard]] int variables() const { return static_cast<int>(arcs.size()); }
+    [[nodiscard]] int in() const { return variables(); }
+    [[nodiscard]] int out() const { return variables() + 1; }
+};
+
+/// The segments' corners at a crossing, by how many arcs of each line are in.
+constexpr int cornersAt(int arcsOfOne, int arcsOfOther) {
+    return arcsOfOne * arcsOfOther;
+}
+
+/// What surrounds a search.
+struct ProblemInput {
+    const ArcGraph& graph;
+    const std::vector<double>& arcCosts;
+    std::vector<ArcState> states;  ///< of every arc; the free ones become variables
+    std::vector<ArcState> demands; ///< `in` or `out` where a person demands it, else `free`; may be empty
+    std::vector<bool> open; ///< junctions where tracks may end unfinished: those past a cut; may be empty
+    Walkers walkers;        ///< which particles take part
+    double cornerCost = 0;  ///< of every segment's corner at a junction that is not open
+};
+
+/// Linear in the graph.
+/// \throw Error  if the demands contradict rule 1 or fixed arcs
+[[nodiscard]] Problem makeProblem(const ProblemInput& input);
+
+} // namespace qm

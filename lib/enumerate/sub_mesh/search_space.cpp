@@ -1,0 +1,166 @@
+#include "enumerate/sub_mesh/search_space.h"
+
+#include "base/error.h"
+#include "enumerate/sub_mesh/extend.h"
+#include "mesh/topology.h"
+
+#include <string>
+
+namespace qm {
+namespace {
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+std::string nameOf(const QuadMesh& mesh, EdgeId edge) {
+    const HalfedgeId halfedge = mesh.halfedge_handle(edge, 0);
+    return "edge " + std::to_string(mesh.from_vertex_handle(halfedge).idx()) + " " +
+           std::to_string(mesh.to_vertex_handle(halfedge).idx());
+}
+
+/// The arc of every edge; invalid where no separatrix runs.
+std::vector<ArcId> arcsOfEdges(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph) {
+    std::vector<ArcId> result(mesh.n_edges());
+    for (std::size_t arc = 0; arc < graph.arcs.size(); ++arc)
+        for (const HalfedgeId halfedge : halfedgesOf(graph, complex, ArcId(arc)))
+            result[at(mesh.edge_handle(halfedge).idx())] = ArcId(arc);
+    return result;
+}
+
+std::vector<ArcState> demandsOf(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
+                                const Constraints& constraints) {
+    if (constraints.required.empty() && constraints.forbidden.empty()) return {};
+    const std::vector<ArcId> arcOf = arcsOfEdges(mesh, complex, graph);
+    std::vector<ArcState> demands(graph.arcs.size(), ArcState::free);
+    const auto demand = [&](EdgeId edge, ArcState state) {
+        const ArcId arc = arcOf[at(edge.idx())];
+        if (!arc.valid()) return false;
+        ArcState& current = demands[arc.idx()];
+        if (current != ArcState::free && current != state)
+            throw Error(nameOf(mesh, edge), "its arc is both required and forbidden",
+                        "take one of them out of /constraints");
+        current = state;
+        return true;
+    };
+    for (const EdgeId edge : constraints.required)
+        if (!mesh.is_boundary(edge) && !demand(edge, ArcState::in))
+            throw Error(nameOf(mesh, edge), "it is required, but no separatrix runs over it",
+                        "add a feature curve there, or take it out of /constraints/required");
+    for (const EdgeId edge : constraints.forbidden) {
+        if (mesh.is_boundary(edge))
+            throw Error(nameOf(mesh, edge), "it is forbidden, but it lies on the mesh boundary",
+                        "take it out of /constraints/forbidden");
+        demand(edge, ArcState::out); // where no separatrix runs it is absent anyway
+    }
+    return demands;
+}
+
+} // namespace
+
+SearchSpace makeSearchSpace(const QuadMesh& mesh, const BaseComplex& complex,
+                            const std::vector<double>& edgeCosts, const SubMeshes& subMeshes,
+                            const Constraints& constraints, double cornerCost) {
+    SearchSpace space;
+    space.cornerCost = cornerCost;
+    space.graph = buildArcGraph(mesh, complex, subMeshes.labels);
+    space.arcCosts = sumOverArcs(mesh, space.graph, complex, edgeCosts);
+    space.demands = demandsOf(mesh, complex, space.graph, constraints);
+    const auto label = [&](VertexId vertex) {
+        return subMeshes.labels.empty() ? 0 : subMeshes.labels[at(vertex.idx())];
+    };
+    for (std::size_t arc = 0; arc < space.graph.arcs.size(); ++arc) {
+        const auto halfedges = halfedgesOf(space.graph, complex, ArcId(arc));
+        space.arcBegins.push_back(label(mesh.from_vertex_handle(halfedges.front())));
+        space.arcEnds.push_back(label(mesh.to_vertex_handle(halfedges.back())));
+    }
+    // A track that ends on the boundary makes two corners there.
+    for (const Line& line : space.graph.lines) {
+        const ArcId last(line.firstArc.value() + line.arcCount - 1);
+        const VertexId end = mesh.to_vertex_handle(halfedgesOf(space.graph, complex, last).back());
+        if (!line.backward && mesh.is_boundary(end) && isRegular(mesh, end))
+            space.arcCosts[last.idx()] += 2 * cornerCost;
+    }
+    for (const Junction& junction : space.graph.junctions)
+        space.junctionLabels.push_back(label(junction.vertex));
+    return space;
+}
+
+double costOf(const SearchSpace& space, const std::vector<bool>& present) {
+    double cost = 0;
+    for (std::size_t arc = 0; arc < present.size(); ++arc)
+        if (present[arc]) cost += space.arcCosts[arc];
+    const auto in = [&](ArcId arc) { return arc.valid() && present[arc.idx()] ? 1 : 0; };
+    for (const Junction& junction : space.graph.junctions)
+        cost += space.cornerCost * cornersAt(in(junction.arcs[0]) + in(junction.arcs[2]),
+                                             in(junction.arcs[1]) + in(junction.arcs[3]));
+    return cost;
+}
+
+void appendWalk(const SearchSpace& space, LineId id, bool fromEnd, int from, int subMesh,
+                std::vector<ArcId>& arcs) {
+    const Line& line = space.graph.lines[id.idx()];
+    const std::vector<int>& starts = fromEnd ? space.arcEnds : space.arcBegins;
+    for (int walked = from; walked < line.arcCount; ++walked) {
+        const ArcId arc(line.firstArc.value() + (fromEnd ? line.arcCount - 1 - walked : walked));
+        if (starts[arc.idx()] != subMesh) return;
+        arcs.push_back(arc);
+    }
+}
+
+std::vector<ArcId> ownArcs(const SearchSpace& space, int subMesh) {
+    std::vector<ArcId> arcs;
+    for (std::size_t line = 0; line < space.graph.lines.size(); ++line) {
+        appendWalk(space, LineId(line), false, 0, subMesh, arcs);
+        if (space.graph.lines[line].backward) appendWalk(space, LineId(line), true, 0, subMesh, arcs);
+    }
+    return arcs;
+}
+
+Walkers walkersOf(const SearchSpace& space, int subMesh, const std::vector<bool>& present) {
+    Walkers walkers;
+    for (std::size_t i = 0; i < space.graph.lines.size(); ++i) {
+        const Line& line = space.graph.lines[i];
+        const ArcId first = line.firstArc, last(first.value() + line.arcCount - 1);
+        walkers.fromBegin.push_back(space.arcBegins[first.idx()] == subMesh || present[first.idx()]);
+        walkers.fromEnd.push_back(space.arcEnds[last.idx()] == subMesh || present[last.idx()]);
+        std::vector<ArcId> there, back;
+        appendWalk(space, LineId(i), false, 0, subMesh, there);
+        if (line.backward) appendWalk(space, LineId(i), true, 0, subMesh, back);
+        const bool meet = !there.empty() && !back.empty() && there.size() + back.size() == at(line.arcCount);
+        walkers.meetings.push_back(meet ? there.back() : ArcId{});
+    }
+    return walkers;
+}
+
+Problem subMeshProblem(const SearchSpace& space, int subMesh, const std::vector<ArcId>& freeArcs,
+                       const std::vector<bool>& present) {
+    ProblemInput input{
+        space.graph, space.arcCosts, {}, space.demands, {}, walkersOf(space, subMesh, present)};
+    for (const bool in : present)
+        input.states.push_back(in ? ArcState::in : ArcState::out);
+    for (const ArcId arc : freeArcs)
+        input.states[arc.idx()] = ArcState::free;
+    for (const int label : space.junctionLabels)
+        input.open.push_back(label != subMesh);
+    input.cornerCost = space.cornerCost;
+    return makeProblem(input);
+}
+
+void goStraight(const SearchSpace& space, int subMesh, std::vector<bool>& present) {
+    std::vector<bool> open;
+    for (const int label : space.junctionLabels)
+        open.push_back(label != subMesh);
+    std::vector<Particle> own;
+    for (const Particle particle : particlesOf(space.graph)) {
+        const Line& line = space.graph.lines[particle.line.idx()];
+        const std::size_t first = at(line.firstArc.value() + (particle.fromEnd ? line.arcCount - 1 : 0));
+        if ((particle.fromEnd ? space.arcEnds : space.arcBegins)[first] != subMesh) continue;
+        present[first] = true; // nobody is idle: all of these are in before anyone passes a seed
+        own.push_back(particle);
+    }
+    for (const Particle particle : own)
+        extendParticle(space.graph, particle, present, open);
+}
+
+} // namespace qm

@@ -1,0 +1,55 @@
+/// \file What all searches of one model share, and the problem of a single sub-mesh (method 5; paper 4.2.2).
+#pragma once
+
+#include "enumerate/state/problem.h"
+#include "layout/constraints.h"
+
+#include <vector>
+
+namespace qm {
+
+/// Where a sub-mesh search works: the whole mesh when labels is empty.
+struct SubMeshes {
+    std::vector<int> labels; ///< sub-mesh of every vertex
+    int count = 1;
+};
+
+struct SearchSpace {
+    ArcGraph graph;
+    std::vector<double> arcCosts;
+    std::vector<ArcState> demands; ///< of every arc: what the constraints say; empty if there are none
+    std::vector<int> arcBegins;    ///< sub-mesh of the vertex where an arc begins, in its line's direction
+    std::vector<int> arcEnds;      ///< likewise where it ends
+    std::vector<int> junctionLabels;
+    double cornerCost = 0; ///< of every corner of a segment
+};
+
+/// \throw Error  if a constraint names an edge on no separatrix, or forbids an edge of the mesh boundary
+[[nodiscard]] SearchSpace makeSearchSpace(const QuadMesh& mesh, const BaseComplex& complex,
+                                          const std::vector<double>& edgeCosts, const SubMeshes& subMeshes,
+                                          const Constraints& constraints, double cornerCost = 0);
+
+/// What the arcs of a graph cost, with the corners that depend on them.
+[[nodiscard]] double costOf(const SearchSpace& space, const std::vector<bool>& present);
+
+/// Appends the arcs that a particle can walk in a sub-mesh: from position `from`, counted from its source, up
+/// to and including the arc that leaves the sub-mesh.
+void appendWalk(const SearchSpace& space, LineId line, bool fromEnd, int from, int subMesh,
+                std::vector<ArcId>& arcs);
+
+/// The arcs that the particles of a sub-mesh can walk before they leave it.
+[[nodiscard]] std::vector<ArcId> ownArcs(const SearchSpace& space, int subMesh);
+
+/// The particles that start in a sub-mesh, and those that have been walking already.
+[[nodiscard]] Walkers walkersOf(const SearchSpace& space, int subMesh, const std::vector<bool>& present);
+
+/// A search in one sub-mesh: the given arcs are free, every other arc stays as it is in `present`. Tracks may
+/// end unfinished at the first vertex outside.
+[[nodiscard]] Problem subMeshProblem(const SearchSpace& space, int subMesh,
+                                     const std::vector<ArcId>& freeArcs, const std::vector<bool>& present);
+
+/// What is always possible, however hard the search: every particle of the sub-mesh goes straight on in turn,
+/// to the first track or the first vertex outside.
+void goStraight(const SearchSpace& space, int subMesh, std::vector<bool>& present);
+
+} // namespace qm

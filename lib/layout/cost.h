@@ -1,0 +1,49 @@
+/// \file What a graph costs: a sum of terms, each with a weight (method 3; paper 4.1).
+#pragma once
+
+#include "layout/constraints.h"
+#include "layout/motorcycle_graph.h"
+#include "mesh/dihedral.h"
+
+#include <vector>
+
+namespace qm {
+
+/// Weights of the terms. With the weights as they are the cost is the paper's G_T.
+struct CostTerms {
+    double dihedral = 1; ///< the paper's: -theta of every edge, and alpha where it is flat
+    double length = 0;   ///< of every edge, in the mesh's unit
+    double segments = 0; ///< of every segment: a quarter for each of its corners
+    double custom = 1;   ///< what a person has given edges beyond that
+
+    bool operator==(const CostTerms&) const = default;
+};
+
+struct GraphCost : CostOptions {
+    CostTerms terms = {};
+};
+
+/// Of every edge, all terms but the segments; 0 on the mesh boundary for lengths.
+[[nodiscard]] std::vector<double> edgeCosts(const QuadMesh& mesh, const std::vector<double>& dihedralAngles,
+                                            const GraphCost& cost, const Constraints& constraints);
+
+/// The corners of the segments that edges cut a mesh into: corners of faces with an edge, or the mesh
+/// boundary, on both sides. Only those at vertices of the given label count, if there are labels.
+[[nodiscard]] std::size_t countCorners(const QuadMesh& mesh, const std::vector<bool>& edges,
+                                       const std::vector<int>& labels = {}, int label = 0);
+
+/// What each corner costs.
+[[nodiscard]] inline double cornerCost(const CostTerms& terms) {
+    constexpr double cornersOfSegment = 4;
+    return terms.segments / cornersOfSegment;
+}
+
+/// What the corners of the segments between tracks cost in a mesh, or in one sub-mesh.
+[[nodiscard]] double costOfCorners(const QuadMesh& mesh, const CostTerms& terms,
+                                   const std::vector<Track>& tracks, const std::vector<int>& labels = {},
+                                   int label = 0);
+
+/// The corners that all graphs have: those at extraordinary vertices and at convex ones of the boundary.
+[[nodiscard]] std::size_t countSureCorners(const QuadMesh& mesh, const std::vector<int>& labels, int label);
+
+} // namespace qm

@@ -1,0 +1,194 @@
+#include "layout/layout.h"
+
+#include "base/error.h"
+#include "layout/grid.h"
+#include "mesh/topology.h"
+
+#include <algorithm>
+#include <string>
+
+namespace qm {
+namespace {
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+class Builder {
+public:
+    Builder(const QuadMesh& mesh, const std::vector<double>& dihedralAngles,
+            const std::vector<double>& edgeCosts)
+        : mesh_(mesh), dihedralAngles_(dihedralAngles), edgeCosts_(edgeCosts), borders_(mesh),
+          finder_(mesh, borders_) {}
+
+    Layout build(std::span<const Track> tracks) {
+        for (const Track& track : tracks)
+            addTrack(track, false);
+        requireBorderAtEveryExtraordinaryVertex();
+        std::vector<FaceId> faces;
+        for (const FaceId face : mesh_.faces())
+            faces.push_back(face);
+        std::vector<Region> pending = finder_.find(faces);
+        while (!pending.empty()) {
+            const Region region = std::move(pending.back());
+            pending.pop_back();
+            if (!split(region)) {
+                layout_.segments.push_back(makeSegment(mesh_, region));
+                continue;
+            }
+            for (Region& part : finder_.find(region.faces))
+                pending.push_back(std::move(part));
+        }
+        std::ranges::sort(layout_.segments, {}, [](const Segment& segment) {
+            return std::min_element(segment.faces.begin(), segment.faces.end())->idx();
+        });
+        return std::move(layout_);
+    }
+
+private:
+    double costOf(const std::vector<HalfedgeId>& path) const {
+        double cost = 0;
+        for (const HalfedgeId halfedge : path)
+            cost += edgeCosts_[at(mesh_.edge_handle(halfedge).idx())];
+        return cost;
+    }
+
+    void addTrack(const Track& track, bool transversal) {
+        for (const HalfedgeId halfedge : track.halfedges) {
+            if (borders_.isBorder(halfedge))
+                throw Error("edge " + std::to_string(mesh_.from_vertex_handle(halfedge).idx()) + " " +
+                                std::to_string(mesh_.to_vertex_handle(halfedge).idx()),
+                            "two tracks run over it, or it lies on the mesh boundary",
+                            "take one of them out");
+            borders_.add(mesh_.edge_handle(halfedge));
+        }
+        layout_.tracks.push_back({track, transversal});
+        if (!transversal) layout_.cost += track.cost;
+    }
+
+    /// With none of them inside, a region without reflex corners is a grid with four corners, an annulus or a
+    /// torus, and every line through it is straight.
+    void requireBorderAtEveryExtraordinaryVertex() const {
+        for (const VertexId vertex : extraordinaryVertices(mesh_))
+            if (std::ranges::none_of(mesh_.voh_range(vertex),
+                                     [this](HalfedgeId h) { return borders_.isBorder(h); }))
+                throw Error("vertex " + std::to_string(vertex.idx()),
+                            "it is extraordinary and lies inside a segment",
+                            "the tracks are no motorcycle graph; search again");
+    }
+
+    void addPath(std::vector<HalfedgeId> path, bool transversal) {
+        const double cost = costOf(path);
+        addTrack({std::move(path), cost}, transversal);
+    }
+
+    /// Cuts a region that has no corners: an annulus or a torus. \return false if it needs no cut
+    bool split(const Region& region) {
+        const bool ring = region.loops.size() == 2 && isRing(region.loops[0]) && isRing(region.loops[1]);
+        if (!ring && !region.loops.empty()) return false;
+        if (hasNoTrack(region))
+            addPath(lineThrough(mostCurvedEdge(region)), false);
+        else
+            addPath(cheapestTransversal(region.loops.front()), true);
+        return true;
+    }
+
+    static bool isRing(const BorderLoop& loop) {
+        return std::ranges::all_of(loop.quads, [](int quads) { return quads == 2; });
+    }
+
+    /// A whole component that no particle entered: a torus, or an annulus between two mesh boundaries.
+    bool hasNoTrack(const Region& region) const {
+        return std::ranges::all_of(region.loops, [this](const BorderLoop& loop) {
+            return std::ranges::all_of(
+                loop.halfedges, [this](HalfedgeId h) { return mesh_.is_boundary(mesh_.edge_handle(h)); });
+        });
+    }
+
+    HalfedgeId mostCurvedEdge(const Region& region) const {
+        EdgeId best;
+        const auto angle = [&](EdgeId edge) { return dihedralAngles_[at(edge.idx())]; };
+        for (const FaceId face : region.faces)
+            for (const EdgeId edge : mesh_.fe_range(face)) {
+                if (mesh_.is_boundary(edge)) continue;
+                if (!best.is_valid() || angle(edge) > angle(best) ||
+                    (angle(edge) == angle(best) && edge < best))
+                    best = edge;
+            }
+        return mesh_.halfedge_handle(best, 0);
+    }
+
+    /// The whole mesh line over an edge, a loop or from boundary to boundary.
+    std::vector<HalfedgeId> lineThrough(HalfedgeId start) const {
+        std::vector<HalfedgeId> line{start};
+        while (continuesStraight(mesh_, mesh_.to_vertex_handle(line.back()))) {
+            const HalfedgeId next = straightOn(mesh_, line.back());
+            if (next == start) return line;
+            line.push_back(next);
+        }
+        std::vector<HalfedgeId> back{mesh_.opposite_halfedge_handle(start)};
+        while (continuesStraight(mesh_, mesh_.to_vertex_handle(back.back())))
+            back.push_back(straightOn(mesh_, back.back()));
+        std::vector<HalfedgeId> whole;
+        for (std::size_t k = back.size(); k-- > 1;)
+            whole.push_back(mesh_.opposite_halfedge_handle(back[k]));
+        whole.insert(whole.end(), line.begin(), line.end());
+        return whole;
+    }
+
+    /// Straight across an annulus from one loop; ties go to the lowest vertex.
+    std::vector<HalfedgeId> cheapestTransversal(const BorderLoop& loop) const {
+        std::vector<HalfedgeId> best;
+        const auto key = [&](const std::vector<HalfedgeId>& path) {
+            return std::pair(costOf(path), mesh_.from_vertex_handle(path.front()).idx());
+        };
+        for (const HalfedgeId arriving : loop.halfedges) {
+            std::vector<HalfedgeId> path{mesh_.next_halfedge_handle(arriving)};
+            while (!borders_.isBorder(mesh_.next_halfedge_handle(path.back())))
+                path.push_back(straightOn(mesh_, path.back()));
+            if (best.empty() || key(path) < key(best)) best = std::move(path);
+        }
+        return best;
+    }
+
+    const QuadMesh& mesh_;
+    const std::vector<double>& dihedralAngles_;
+    const std::vector<double>& edgeCosts_;
+    Borders borders_;
+    RegionFinder finder_;
+    Layout layout_;
+};
+
+} // namespace
+
+Layout buildLayout(const QuadMesh& mesh, std::span<const Track> tracks,
+                   const std::vector<double>& dihedralAngles, const std::vector<double>& edgeCosts) {
+    return Builder(mesh, dihedralAngles, edgeCosts).build(tracks);
+}
+
+std::vector<VertexId> vertexGrid(const QuadMesh& mesh, const Segment& segment) {
+    const auto columns = static_cast<std::size_t>(segment.size[0]),
+               rows = static_cast<std::size_t>(segment.size[1]);
+    std::vector<VertexId> grid((columns + 1) * (rows + 1));
+    HalfedgeId rowStart = mesh.halfedge_handle(segment.faces.front());
+    while (mesh.from_vertex_handle(rowStart) != segment.sides[0][0] ||
+           mesh.to_vertex_handle(rowStart) != segment.sides[0][1])
+        rowStart = mesh.next_halfedge_handle(rowStart);
+    for (std::size_t j = 0; j < rows; ++j) {
+        HalfedgeId bottom = rowStart;
+        for (std::size_t i = 0; i < columns; ++i) {
+            const HalfedgeId right = mesh.next_halfedge_handle(bottom),
+                             top = mesh.next_halfedge_handle(right);
+            grid[j * (columns + 1) + i] = mesh.from_vertex_handle(bottom);
+            grid[j * (columns + 1) + i + 1] = mesh.to_vertex_handle(bottom);
+            grid[(j + 1) * (columns + 1) + i] = mesh.to_vertex_handle(top);
+            grid[(j + 1) * (columns + 1) + i + 1] = mesh.from_vertex_handle(top);
+            if (i + 1 < columns) bottom = mesh.next_halfedge_handle(mesh.opposite_halfedge_handle(right));
+        }
+        const HalfedgeId top = mesh.next_halfedge_handle(mesh.next_halfedge_handle(rowStart));
+        if (j + 1 < rows) rowStart = mesh.opposite_halfedge_handle(top);
+    }
+    return grid;
+}
+
+} // namespace qm

@@ -1,0 +1,49 @@
+/// \file The layout: tracks, and the segments they cut the mesh into (method 7).
+#pragma once
+
+#include "layout/motorcycle_graph.h"
+#include "mesh/quad_mesh.h"
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace qm {
+
+/// A track of a layout. Transversals split annuli; they are no particles' tracks and do not count in G_T.
+struct LayoutTrack {
+    Track track;
+    bool transversal = false;
+};
+
+/// A grid of a x b quads. Walking its border counter-clockwise, with the faces on the left, side 0 leads from
+/// corner 0 to corner 1 in a edges, side 1 on to corner 2 in b edges, and so on. A side lists its vertices
+/// with both corners. Face (i, j), column i along side 0, row j away from it, is faces[j * a + i]. In an
+/// annulus that a transversal has split, two opposite sides are the same path.
+struct Segment {
+    std::array<int, 2> size{};
+    std::array<VertexId, 4> corners;
+    std::array<std::vector<VertexId>, 4> sides;
+    std::vector<FaceId> faces;
+};
+
+struct Layout {
+    double cost = 0; ///< G_T: sum over the tracks that are no transversals
+    std::optional<double> lowerBound;
+    std::vector<LayoutTrack> tracks;
+    std::vector<Segment> segments; ///< every quad lies in exactly one; ordered by their lowest face
+};
+
+/// Cuts the mesh along the tracks. Gives a component without any track a seed at its most curved edge, and
+/// splits every annulus by the cheapest straight transversal (method 7), adding both to the tracks. Linear in
+/// the mesh. \param edgeCosts  by edge index, for the cost of added tracks \throw Error  if a segment is not
+/// a grid with four corners: the tracks are no motorcycle graph
+[[nodiscard]] Layout buildLayout(const QuadMesh& mesh, std::span<const Track> tracks,
+                                 const std::vector<double>& dihedralAngles,
+                                 const std::vector<double>& edgeCosts);
+
+/// The (a + 1) x (b + 1) vertices of a segment, row by row: vertex (i, j) at j * (a + 1) + i.
+[[nodiscard]] std::vector<VertexId> vertexGrid(const QuadMesh& mesh, const Segment& segment);
+
+} // namespace qm

@@ -1,0 +1,66 @@
+#include "layout/quality.h"
+
+#include <algorithm>
+
+namespace qm {
+namespace {
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+/// Share of the sharp edges' angles that borders of segments follow; 1 where nothing is sharp.
+double capturedSharpness(const QuadMesh& mesh, const Layout& layout, const std::vector<double>& angles,
+                         double rho) {
+    double all = 0, captured = 0;
+    for (const double angle : angles)
+        if (angle > rho) all += angle;
+    for (const LayoutTrack& track : layout.tracks)
+        for (const HalfedgeId halfedge : track.track.halfedges) {
+            const double angle = angles[at(mesh.edge_handle(halfedge).idx())];
+            if (angle > rho) captured += angle;
+        }
+    // The two sums are made in another order, so rounding may put the part above the whole.
+    return all > 0 ? std::min(captured / all, 1.0) : 1;
+}
+
+/// Vertices strictly inside a side of one segment that are a corner of another.
+std::size_t countTJunctions(const QuadMesh& mesh, const Layout& layout) {
+    std::vector<bool> corner(mesh.n_vertices(), false), counted(mesh.n_vertices(), false);
+    for (const Segment& segment : layout.segments)
+        for (const VertexId vertex : segment.corners)
+            corner[at(vertex.idx())] = true;
+    std::size_t count = 0;
+    for (const Segment& segment : layout.segments)
+        for (const auto& side : segment.sides)
+            for (std::size_t k = 1; k + 1 < side.size(); ++k) {
+                const std::size_t vertex = at(side[k].idx());
+                if (!corner[vertex] || counted[vertex]) continue;
+                counted[vertex] = true;
+                ++count;
+            }
+    return count;
+}
+
+} // namespace
+
+LayoutQuality measureLayout(const QuadMesh& mesh, const Layout& layout,
+                            const std::vector<double>& dihedralAngles, double rho) {
+    LayoutQuality quality;
+    quality.segments = layout.segments.size();
+    quality.tJunctions = countTJunctions(mesh, layout);
+    quality.capturedSharpness = capturedSharpness(mesh, layout, dihedralAngles, rho);
+    std::vector<double> aspects;
+    for (const Segment& segment : layout.segments) {
+        const auto [shorter, longer] = std::minmax(segment.size[0], segment.size[1]);
+        aspects.push_back(static_cast<double>(longer) / shorter);
+    }
+    if (aspects.empty()) return quality;
+    const auto middle = aspects.begin() + static_cast<std::ptrdiff_t>(aspects.size() / 2);
+    std::ranges::nth_element(aspects, middle);
+    quality.medianAspect = *middle;
+    quality.maxAspect = std::ranges::max(aspects);
+    return quality;
+}
+
+} // namespace qm

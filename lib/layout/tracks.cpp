@@ -1,0 +1,225 @@
+#include "layout/tracks.h"
+
+#include "base/error.h"
+
+#include <algorithm>
+#include <string>
+
+namespace qm {
+namespace {
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+/// Finds a line for every crossing such that no line serves two: an orientation of a pseudo-forest.
+class Meetings {
+public:
+    Meetings(const ArcGraph& graph, const std::vector<bool>& present, const Walkers& walkers)
+        : graph_(graph), meetingOf_(graph.lines.size()), crossingsOf_(graph.lines.size()) {
+        for (std::size_t i = 0; i < graph.lines.size(); ++i) {
+            const Line& line = graph.lines[i];
+            const auto begin = present.begin() + line.firstArc.value();
+            const bool both = line.backward && walkers.begin(LineId(i)) && walkers.end(LineId(i));
+            full_.push_back(both && std::all_of(begin, begin + line.arcCount, [](bool in) { return in; }));
+            if (full_.back()) meetingOf_[i] = walkers.meeting(LineId(i));
+        }
+        for (std::size_t j = 0; j < graph.junctions.size(); ++j)
+            if (crossed(graph.junctions[j], present)) addCrossing(JunctionId(j));
+    }
+
+    /// The arc after which the particles of each line meet; invalid where they need not.
+    std::vector<ArcId> assign() {
+        for (std::size_t line = 0; line < crossingsOf_.size(); ++line)
+            waiting_.emplace_back(line);
+        settleLeaves();
+        // Only cycles are left: either way round serves.
+        for (std::size_t c = 0; c < crossings_.size(); ++c)
+            if (!crossings_[c].settled) {
+                settle(c, 0);
+                settleLeaves();
+            }
+        return std::move(meetingOf_);
+    }
+
+private:
+    struct Side {
+        LineId line; ///< invalid if it cannot be cracked
+        ArcId before;
+    };
+    struct PlusCrossing {
+        std::array<Side, 2> sides;
+        bool settled = false;
+    };
+
+    static bool crossed(const Junction& junction, const std::vector<bool>& present) {
+        return std::ranges::all_of(junction.arcs,
+                                   [&](ArcId arc) { return arc.valid() && present[arc.idx()]; });
+    }
+
+    Side sideOf(const Junction& junction, std::size_t k) const {
+        const ArcId before = std::min(junction.arcs[k], junction.arcs[k + 2]);
+        const LineId line = graph_.arcs[before.idx()].line;
+        const bool crackable = full_[line.idx()] && !(junction.seeded && k == 0);
+        return {crackable ? line : LineId{}, before};
+    }
+
+    void addCrossing(JunctionId id) {
+        const Junction& junction = graph_.junctions[id.idx()];
+        crossings_.push_back({{sideOf(junction, 0), sideOf(junction, 1)}});
+        for (const Side& side : crossings_.back().sides)
+            if (side.line.valid()) crossingsOf_[side.line.idx()].push_back(crossings_.size() - 1);
+    }
+
+    [[nodiscard]] bool available(const Side& side) const {
+        return side.line.valid() && !meetingOf_[side.line.idx()].valid();
+    }
+
+    void settle(std::size_t crossing, std::size_t side) {
+        PlusCrossing& plus = crossings_[crossing];
+        plus.settled = true;
+        const Side& chosen = plus.sides[available(plus.sides[side]) ? side : 1 - side];
+        if (!available(chosen)) return; // not a valid graph: the caller's business
+        meetingOf_[chosen.line.idx()] = chosen.before;
+        for (const std::size_t other : crossingsOf_[chosen.line.idx()])
+            for (const Side& neighbour : crossings_[other].sides)
+                if (neighbour.line.valid()) waiting_.push_back(neighbour.line);
+    }
+
+    /// A crossing with one available line takes it; a line with one open crossing is best used on it.
+    void settleLeaves() {
+        while (!waiting_.empty()) {
+            const LineId line = waiting_.back();
+            waiting_.pop_back();
+            std::size_t open = 0, last = 0;
+            for (const std::size_t c : crossingsOf_[line.idx()]) {
+                if (crossings_[c].settled) continue;
+                const bool first = available(crossings_[c].sides[0]),
+                           second = available(crossings_[c].sides[1]);
+                const bool self = crossings_[c].sides[0].line == crossings_[c].sides[1].line;
+                if (first != second || self) {
+                    settle(c, first ? 0 : 1);
+                    continue;
+                }
+                ++open;
+                last = c;
+            }
+            if (open == 1 && !meetingOf_[line.idx()].valid() && !crossings_[last].settled)
+                settle(last, crossings_[last].sides[0].line == line ? 0 : 1);
+        }
+    }
+
+    const ArcGraph& graph_;
+    std::vector<bool> full_;
+    std::vector<PlusCrossing> crossings_;
+    std::vector<ArcId> meetingOf_;
+    std::vector<std::vector<std::size_t>> crossingsOf_;
+    std::vector<LineId> waiting_;
+};
+
+Track trackOf(const QuadMesh& mesh, std::span<const HalfedgeId> path, const std::vector<double>& edgeCosts) {
+    Track track{{path.begin(), path.end()}, 0};
+    for (const HalfedgeId halfedge : path)
+        track.cost += edgeCosts[at(mesh.edge_handle(halfedge).idx())];
+    return track;
+}
+
+} // namespace
+
+std::vector<Coverage> coverLines(const ArcGraph& graph, const std::vector<bool>& present,
+                                 const Walkers& walkers) {
+    const std::vector<ArcId> meetings = Meetings(graph, present, walkers).assign();
+    std::vector<Coverage> result;
+    for (std::size_t i = 0; i < graph.lines.size(); ++i) {
+        const Line& line = graph.lines[i];
+        const auto in = [&](int k) { return present[at(line.firstArc.value() + k)]; };
+        Coverage coverage;
+        if (walkers.begin(LineId(i)))
+            while (coverage.fromBegin < line.arcCount && in(coverage.fromBegin))
+                ++coverage.fromBegin;
+        if (meetings[i].valid()) coverage.fromBegin = meetings[i].value() - line.firstArc.value() + 1;
+        if (line.backward && walkers.end(LineId(i)))
+            while (coverage.fromEnd < line.arcCount - coverage.fromBegin &&
+                   in(line.arcCount - 1 - coverage.fromEnd))
+                ++coverage.fromEnd;
+        result.push_back(coverage);
+    }
+    return result;
+}
+
+MotorcycleGraph graphOf(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
+                        const std::vector<bool>& present, const std::vector<double>& edgeCosts,
+                        const Walkers& walkers) {
+    const std::vector<Coverage> coverages = coverLines(graph, present, walkers);
+    MotorcycleGraph result;
+    const auto add = [&](SeparatrixId separatrix, std::size_t length) {
+        if (length == 0) return;
+        const std::span path(complex.separatrices[separatrix.idx()].halfedges);
+        result.tracks.push_back(trackOf(mesh, path.first(length), edgeCosts));
+        result.cost += result.tracks.back().cost;
+    };
+    for (std::size_t i = 0; i < graph.lines.size(); ++i) {
+        const Line& line = graph.lines[i];
+        const auto edges = [&](int firstArc, int count) {
+            std::size_t sum = 0;
+            for (int k = firstArc; k < firstArc + count; ++k)
+                sum += halfedgesOf(graph, complex, ArcId(line.firstArc.value() + k)).size();
+            return sum;
+        };
+        const Coverage& coverage = coverages[i];
+        add(line.forward, edges(0, coverage.fromBegin));
+        if (line.backward) add(*line.backward, edges(line.arcCount - coverage.fromEnd, coverage.fromEnd));
+    }
+    return result;
+}
+
+MotorcycleGraph tMeshOf(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
+                        const std::vector<bool>& present, const std::vector<double>& edgeCosts) {
+    MotorcycleGraph result;
+    for (const Line& line : graph.lines) {
+        const auto in = [&](int k) { return k < line.arcCount && present[at(line.firstArc.value() + k)]; };
+        for (int first = 0, last = 0; first < line.arcCount; first = last + 1) {
+            for (last = first; in(last);)
+                ++last;
+            if (first == last) continue;
+            const auto begin = at(graph.arcs[at(line.firstArc.value() + first)].begin),
+                       end = at(graph.arcs[at(line.firstArc.value() + last - 1)].end);
+            const bool fromEnd = first > 0 && last == line.arcCount && line.backward;
+            const auto& way = complex.separatrices[(fromEnd ? *line.backward : line.forward).idx()].halfedges;
+            const std::span path(way);
+            result.tracks.push_back(trackOf(
+                mesh, fromEnd ? path.first(end - begin) : path.subspan(begin, end - begin), edgeCosts));
+            result.cost += result.tracks.back().cost;
+        }
+    }
+    return result;
+}
+
+std::vector<bool> presentArcs(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
+                              const std::vector<Track>& tracks) {
+    enum class Cover : char { none, track, arc };
+    std::vector<Cover> covers(mesh.n_edges(), Cover::none);
+    const auto cover = [&](HalfedgeId halfedge) -> Cover& {
+        return covers[at(mesh.edge_handle(halfedge).idx())];
+    };
+    for (const Track& track : tracks)
+        for (const HalfedgeId halfedge : track.halfedges)
+            cover(halfedge) = Cover::track;
+    std::vector<bool> present(graph.arcs.size(), false);
+    for (std::size_t arc = 0; arc < graph.arcs.size(); ++arc) {
+        const auto halfedges = halfedgesOf(graph, complex, ArcId(arc));
+        present[arc] = std::ranges::all_of(halfedges, [&](HalfedgeId h) { return cover(h) == Cover::track; });
+        if (present[arc])
+            for (const HalfedgeId halfedge : halfedges)
+                cover(halfedge) = Cover::arc;
+    }
+    for (const Track& track : tracks)
+        for (const HalfedgeId halfedge : track.halfedges)
+            if (cover(halfedge) != Cover::arc)
+                throw Error("track over vertex " + std::to_string(mesh.to_vertex_handle(halfedge).idx()),
+                            "the tracks do not cover whole arcs of separatrices",
+                            "run the stage that wrote them again");
+    return present;
+}
+
+} // namespace qm

@@ -1,0 +1,41 @@
+/// \file From arcs to particles: who walked what (method 2, "Several particle positions give one graph").
+#pragma once
+
+#include "basecomplex/arc_graph.h"
+#include "layout/motorcycle_graph.h"
+#include "layout/walkers.h"
+
+#include <vector>
+
+namespace qm {
+
+/// One position on a line: the arcs before it are walked by the particle from the line's begin, the arcs from
+/// it on by the particle from its end. For a line with a gap the two do not meet.
+struct Coverage {
+    int fromBegin = 0; ///< arcs
+    int fromEnd = 0;   ///< arcs
+};
+
+/// How far the particles of every line have walked. A line that is covered throughout is walked by the
+/// particle of its begin, unless a crossing needs a head-on meeting on it (rule 4): then both meet there.
+/// \param present  of every arc; every line's present arcs are a run from each of its sources
+/// \param walkers  which particles take part
+[[nodiscard]] std::vector<Coverage> coverLines(const ArcGraph& graph, const std::vector<bool>& present,
+                                               const Walkers& walkers = {});
+
+/// The tracks of a graph, by line, with their costs; particles that do not move have none.
+[[nodiscard]] MotorcycleGraph graphOf(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
+                                      const std::vector<bool>& present, const std::vector<double>& edgeCosts,
+                                      const Walkers& walkers = {});
+
+/// The same for rules 1 and 2 alone: every run of arcs on a line is a track, and begins at a source if it
+/// touches one.
+[[nodiscard]] MotorcycleGraph tMeshOf(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
+                                      const std::vector<bool>& present, const std::vector<double>& edgeCosts);
+
+/// The arcs that tracks cover together; two that meet head-on may do so inside an arc.
+/// \throw Error  if an edge of a track is on no arc that is covered throughout
+[[nodiscard]] std::vector<bool> presentArcs(const QuadMesh& mesh, const BaseComplex& complex,
+                                            const ArcGraph& graph, const std::vector<Track>& tracks);
+
+} // namespace qm

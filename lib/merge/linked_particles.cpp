@@ -1,0 +1,128 @@
+#include "merge/linked_particles.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace qm {
+namespace {
+
+/// Collects stretches of lines inside a sub-mesh.
+class Closure {
+public:
+    Closure(const SearchSpace& space, const std::vector<bool>& present, int subMesh)
+        : space_(space), present_(present), subMesh_(subMesh), taken_(space.graph.arcs.size(), false) {}
+
+    /// The way of a free particle from its crash point on, up to the arc that leaves the sub-mesh.
+    void addFree(Particle particle) {
+        const Line& line = space_.graph.lines[particle.line.idx()];
+        int walked = 0;
+        const auto arc = [&](int k) {
+            return ArcId(line.firstArc.value() + (particle.fromEnd ? line.arcCount - 1 - k : k));
+        };
+        while (walked < line.arcCount && present_[arc(walked).idx()])
+            ++walked;
+        std::vector<ArcId> walk;
+        appendWalk(space_, particle.line, particle.fromEnd, walked, subMesh_, walk);
+        for (const ArcId step : walk) {
+            if (present_[step.idx()]) break; // the opposite's track
+            take(step);
+        }
+    }
+
+    /// Follows the links of everything taken so far. \return whether anything was added
+    bool addLinked() {
+        std::vector<ArcId> found;
+        for (std::size_t k = followed_; k < order_.size(); ++k)
+            for (const ArcId crossing : crossingTracks(order_[k]))
+                found.push_back(crossing);
+        followed_ = order_.size();
+        const std::size_t before = order_.size();
+        for (const ArcId arc : found)
+            addStretch(arc);
+        return order_.size() > before;
+    }
+
+    [[nodiscard]] LinkedParticles result(std::size_t freeLines) const {
+        LinkedParticles result;
+        result.arcs = order_;
+        std::ranges::sort(result.arcs);
+        std::vector<int> stops(space_.graph.lines.size(), 0);
+        std::size_t lines = 0;
+        for (const ArcId arc : order_)
+            if (++stops[space_.graph.arcs[arc.idx()].line.idx()] == 1) ++lines;
+        result.linked = lines - std::min(lines, freeLines);
+        for (const int count : stops)
+            if (count > 0) result.quasiComplexity += std::log2(count + 1);
+        return result;
+    }
+
+private:
+    void take(ArcId arc) {
+        if (taken_[arc.idx()]) return;
+        taken_[arc.idx()] = true;
+        order_.push_back(arc);
+    }
+
+    [[nodiscard]] bool touches(ArcId arc) const {
+        return space_.arcBegins[arc.idx()] == subMesh_ || space_.arcEnds[arc.idx()] == subMesh_;
+    }
+
+    /// Arcs of other lines, or of the same further on, that are present beside the ends of an arc.
+    [[nodiscard]] std::vector<ArcId> crossingTracks(ArcId arc) const {
+        std::vector<ArcId> result;
+        const Line& line = space_.graph.lineOf(arc);
+        const int position = arc.value() - line.firstArc.value();
+        for (const ArcId before : {arc, ArcId(arc.value() - 1)}) {
+            if (before != arc && position == 0) continue;
+            const JunctionId id = space_.graph.junctionAfter[before.idx()];
+            if (!id.valid() || space_.junctionLabels[id.idx()] != subMesh_) continue;
+            for (const ArcId other : space_.graph.junctions[id.idx()].arcs)
+                if (other.valid() && other != arc && present_[other.idx()]) result.push_back(other);
+        }
+        return result;
+    }
+
+    /// All of a line inside the sub-mesh around one of its arcs.
+    void addStretch(ArcId arc) {
+        if (taken_[arc.idx()]) return;
+        const Line& line = space_.graph.lineOf(arc);
+        const int first = line.firstArc.value(), last = first + line.arcCount - 1;
+        int begin = arc.value(), end = arc.value();
+        while (begin > first && touches(ArcId(begin - 1)) && space_.arcBegins[at(begin)] == subMesh_)
+            --begin;
+        while (end < last && touches(ArcId(end + 1)) && space_.arcEnds[at(end)] == subMesh_)
+            ++end;
+        for (int k = begin; k <= end; ++k)
+            if (!leavesPresent(ArcId(k))) take(ArcId(k));
+    }
+
+    static std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+    /// A track over the cut stays: what follows it outside is not for this search to change.
+    [[nodiscard]] bool leavesPresent(ArcId arc) const {
+        return present_[arc.idx()] && space_.arcBegins[arc.idx()] != space_.arcEnds[arc.idx()];
+    }
+
+    const SearchSpace& space_;
+    const std::vector<bool>& present_;
+    int subMesh_;
+    std::vector<bool> taken_;
+    std::vector<ArcId> order_;
+    std::size_t followed_ = 0;
+};
+
+} // namespace
+
+LinkedParticles linkedParticles(const SearchSpace& space, const std::vector<bool>& present,
+                                const std::vector<Particle>& particles, int subMesh, Linking linking) {
+    Closure closure(space, present, subMesh);
+    for (const Particle particle : particles)
+        closure.addFree(particle);
+    if (linking == Linking::direct) closure.addLinked();
+    if (linking == Linking::closed)
+        while (closure.addLinked()) {
+        }
+    return closure.result(particles.size());
+}
+
+} // namespace qm

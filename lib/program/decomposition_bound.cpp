@@ -1,0 +1,186 @@
+#include "program/decomposition_bound.h"
+
+#include "base/deadline.h"
+#include "base/parallel.h"
+#include "program/solve_program.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <numeric>
+#include <queue>
+#include <utility>
+
+namespace qm {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+/// Sets of columns that rows tie together; every column is in one.
+struct Clusters {
+    std::vector<std::vector<int>> members;
+    std::vector<std::size_t> clusterOf; ///< of every column
+    std::vector<int> indexOf;           ///< of every column among its cluster's members
+};
+
+class ClusterBuilder {
+public:
+    ClusterBuilder(const RelaxedProgram& relaxed, std::size_t columns)
+        : relaxed_(relaxed), columns_(columns), rowsOf_(relaxed.values.size()),
+          gains_(relaxed.values.size(), 0), taken_(relaxed.values.size(), false) {
+        for (std::size_t row = 0; row < relaxed.program.rows.size(); ++row)
+            for (const int column : relaxed.program.rows[row].columns)
+                rowsOf_[at(column)].push_back(row);
+    }
+
+    Clusters build() {
+        Clusters clusters;
+        for (std::size_t column = 0; column < taken_.size(); ++column)
+            if (!taken_[column]) clusters.members.push_back(grow(static_cast<int>(column)));
+        // Those that are solved fast leave their time to the others.
+        std::ranges::stable_sort(clusters.members, {}, [this](const auto& members) {
+            return std::ranges::count_if(members,
+                                         [this](int c) { return isFractional(relaxed_.values[at(c)]); });
+        });
+        clusters.clusterOf.resize(taken_.size());
+        clusters.indexOf.resize(taken_.size());
+        for (std::size_t k = 0; k < clusters.members.size(); ++k)
+            for (int index = 0; const int column : clusters.members[k]) {
+                clusters.clusterOf[at(column)] = k;
+                clusters.indexOf[at(column)] = index++;
+            }
+        return clusters;
+    }
+
+private:
+    /// Takes the column with the closest ties to the cluster next; those that cost most to cut are closest.
+    std::vector<int> grow(int start) {
+        constexpr double dualWeight = 20; // against the mere number of rows
+        std::vector<int> cluster, touched;
+        std::priority_queue<std::pair<double, int>> waiting;
+        waiting.emplace(0.0, -start);
+        while (!waiting.empty() && cluster.size() < columns_) {
+            const double gain = waiting.top().first;
+            const int column = -waiting.top().second;
+            waiting.pop();
+            if (taken_[at(column)] || gain < gains_[at(column)]) continue;
+            taken_[at(column)] = true;
+            cluster.push_back(column);
+            for (const std::size_t row : rowsOf_[at(column)])
+                for (const int other : relaxed_.program.rows[row].columns) {
+                    if (taken_[at(other)]) continue;
+                    gains_[at(other)] += 1 + dualWeight * std::abs(relaxed_.duals[row]);
+                    touched.push_back(other);
+                    waiting.emplace(gains_[at(other)], -other);
+                }
+        }
+        for (const int column : touched)
+            gains_[at(column)] = 0;
+        return cluster;
+    }
+
+    const RelaxedProgram& relaxed_;
+    std::size_t columns_;
+    std::vector<std::vector<std::size_t>> rowsOf_;
+    std::vector<double> gains_; ///< of columns that wait: how closely they are tied
+    std::vector<bool> taken_;
+};
+
+/// The program with the rows between clusters in its costs.
+class Decomposition {
+public:
+    Decomposition(const RelaxedProgram& relaxed, std::size_t columns)
+        : relaxed_(relaxed), clusters_(ClusterBuilder(relaxed, columns).build()),
+          costs_(relaxed.program.costs), constant_(relaxed.constant), rowsOf_(size()) {
+        for (std::size_t row = 0; row < relaxed.program.rows.size(); ++row)
+            placeRow(row);
+    }
+
+    [[nodiscard]] std::size_t size() const { return clusters_.members.size(); }
+
+    /// \return how much the integer optima of the clusters exceed the relaxed ones
+    double gain(double seconds, const Control& control) const {
+        const Deadline end(control, seconds);
+        const Control limited = end.control();
+        std::vector<double> gains(size(), 0);
+        std::atomic<std::size_t> left = size();
+        parallelFor(size(), control.jobs, [&](std::size_t k) {
+            const double rounds = std::ceil(static_cast<double>(left--) / std::max(1U, control.jobs));
+            gains[k] = gainOf(k, end.secondsLeft() / rounds, limited);
+        });
+        return std::accumulate(gains.begin(), gains.end(), 0.0);
+    }
+
+    [[nodiscard]] double relaxedBound() const {
+        double bound = constant_;
+        for (std::size_t k = 0; k < size(); ++k)
+            bound += relaxedCost(k);
+        return bound;
+    }
+
+private:
+    void placeRow(std::size_t id) {
+        const IntegerProgram::Row& row = relaxed_.program.rows[id];
+        const std::size_t cluster = clusters_.clusterOf[at(row.columns.front())];
+        if (std::ranges::all_of(row.columns,
+                                [&](int column) { return clusters_.clusterOf[at(column)] == cluster; })) {
+            rowsOf_[cluster].push_back(id);
+            return;
+        }
+        const double dual = relaxed_.duals[id], side = dual > 0 ? row.lower : row.upper;
+        if (dual == 0 || std::isinf(side)) return; // a dual of the wrong sign is the solver's noise
+        constant_ += dual * side;
+        for (std::size_t k = 0; k < row.columns.size(); ++k)
+            costs_[at(row.columns[k])] -= dual * row.weights[k];
+    }
+
+    [[nodiscard]] double relaxedCost(std::size_t cluster) const {
+        double cost = 0;
+        for (const int column : clusters_.members[cluster])
+            cost += costs_[at(column)] * relaxed_.values[at(column)];
+        return cost;
+    }
+
+    [[nodiscard]] double gainOf(std::size_t cluster, double seconds, const Control& control) const {
+        const std::vector<int>& members = clusters_.members[cluster];
+        if (control.stopRequested() ||
+            std::ranges::none_of(members, [&](int c) { return isFractional(relaxed_.values[at(c)]); }))
+            return 0;
+        IntegerProgram program;
+        for (const int column : members)
+            program.costs.push_back(costs_[at(column)]);
+        for (const std::size_t row : rowsOf_[cluster]) {
+            program.rows.push_back(relaxed_.program.rows[row]);
+            for (int& column : program.rows.back().columns)
+                column = clusters_.indexOf[at(column)];
+        }
+        return std::max(0.0, boundProgram(program, seconds, control) - relaxedCost(cluster));
+    }
+
+    const RelaxedProgram& relaxed_;
+    const Clusters clusters_;
+    std::vector<double> costs_;
+    double constant_;
+    std::vector<std::vector<std::size_t>> rowsOf_; ///< of every cluster, those inside
+};
+
+} // namespace
+
+double decompositionBound(const RelaxedProgram& relaxed, const DecompositionOptions& options,
+                          const Control& control) {
+    const Deadline end(control, options.seconds);
+    double best = -infinity;
+    for (std::size_t columns = options.columns;; columns *= 2) {
+        if (end.isOver() || control.stopRequested()) break;
+        const Decomposition parts(relaxed, columns);
+        best = std::max(best, parts.relaxedBound() + parts.gain(end.secondsLeft(), control));
+        if (best >= relaxed.cutoff || columns >= std::min(options.mostColumns, relaxed.values.size())) break;
+    }
+    return std::min(best, relaxed.cutoff);
+}
+
+} // namespace qm

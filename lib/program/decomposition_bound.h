@@ -1,0 +1,37 @@
+/// \file A bound beyond the linear relaxation: clusters of columns are solved as integer programs.
+///
+/// Lagrangian decomposition. Rows between clusters are paid for by their duals instead of being obeyed; what
+/// remains falls apart, and every cluster's optimum is at least its share of the relaxed cost. The gain is
+/// what fractional values inside of clusters had saved.
+#pragma once
+
+#include "base/control.h"
+#include "program/integer_program.h"
+
+#include <limits>
+#include <vector>
+
+namespace qm {
+
+/// An integer program with an optimum of its linear relaxation.
+struct RelaxedProgram {
+    IntegerProgram program;
+    double constant = 0;        ///< of the cost
+    std::vector<double> values; ///< of every column
+    std::vector<double> duals;  ///< of every row: how the relaxed optimum grows with its sides
+    double cutoff = std::numeric_limits<double>::infinity(); ///< solutions as dear as this may be left out
+};
+
+struct DecompositionOptions {
+    std::size_t columns = 500; ///< of a cluster at first; they double while there is time
+    std::size_t mostColumns = std::numeric_limits<std::size_t>::max();
+    double seconds = 0; ///< in all
+};
+
+/// \return a bound of the program's cost, at most the cutoff; minus infinity if time was too short. Where
+/// time
+///         does not end it, the result does not depend on `control.jobs`.
+[[nodiscard]] double decompositionBound(const RelaxedProgram& relaxed, const DecompositionOptions& options,
+                                        const Control& control = {});
+
+} // namespace qm

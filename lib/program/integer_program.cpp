@@ -1,0 +1,32 @@
+#include "program/integer_program.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace qm {
+
+void IntegerProgram::Row::add(int column, double weight) {
+    const auto known = std::ranges::find(columns, column);
+    if (known == columns.end()) {
+        columns.push_back(column);
+        weights.push_back(weight);
+    } else {
+        weights[static_cast<std::size_t>(known - columns.begin())] += weight;
+    }
+}
+
+double IntegerProgram::cost(const std::vector<double>& values) const {
+    return std::inner_product(values.begin(), values.end(), costs.begin(), 0.0);
+}
+
+bool IntegerProgram::allows(const std::vector<double>& values) const {
+    constexpr double rounding = 1e-9;
+    return std::ranges::all_of(rows, [&](const Row& row) {
+        double sum = 0;
+        for (std::size_t k = 0; k < row.columns.size(); ++k)
+            sum += row.weights[k] * values[static_cast<std::size_t>(row.columns[k])];
+        return row.lower - rounding <= sum && sum <= row.upper + rounding;
+    });
+}
+
+} // namespace qm

@@ -1,0 +1,129 @@
+#include "program/solve_program.h"
+
+#include "base/deadline.h"
+
+#include <coin/CbcCompareObjective.hpp>
+#include <coin/CbcEventHandler.hpp>
+#include <coin/CbcModel.hpp>
+#include <coin/CoinPackedMatrix.hpp>
+#include <coin/OsiClpSolverInterface.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <numeric>
+#include <string>
+
+namespace qm {
+namespace {
+
+class StopHandler : public CbcEventHandler {
+public:
+    explicit StopHandler(const Control& control) : control_(control) {}
+    CbcAction event(CbcEvent) override { return control_.stopRequested() ? stop : noAction; }
+    [[nodiscard]] CbcEventHandler* clone() const override { return new StopHandler(*this); }
+
+private:
+    const Control& control_;
+};
+
+double bounded(double value) {
+    return std::isinf(value) ? std::copysign(COIN_DBL_MAX, value) : value;
+}
+
+void load(const IntegerProgram& program, OsiClpSolverInterface& solver) {
+    std::vector<int> rowOf, columnOf;
+    std::vector<double> weights, lower, upper;
+    for (const IntegerProgram::Row& row : program.rows) {
+        for (std::size_t k = 0; k < row.columns.size(); ++k) {
+            rowOf.push_back(static_cast<int>(lower.size()));
+            columnOf.push_back(row.columns[k]);
+            weights.push_back(row.weights[k]);
+        }
+        lower.push_back(bounded(row.lower));
+        upper.push_back(bounded(row.upper));
+    }
+    CoinPackedMatrix matrix(true, rowOf.data(), columnOf.data(), weights.data(),
+                            static_cast<CoinBigIndex>(weights.size()));
+    matrix.setDimensions(static_cast<int>(lower.size()), static_cast<int>(program.costs.size()));
+    const std::vector<double> zeros(program.costs.size(), 0), ones(program.costs.size(), 1);
+    solver.messageHandler()->setLogLevel(0);
+    solver.loadProblem(matrix, zeros.data(), ones.data(), program.costs.data(), lower.data(), upper.data());
+    for (int column = 0; column < static_cast<int>(program.costs.size()); ++column)
+        solver.setInteger(column);
+}
+
+/// The bound that needs no row.
+double leastOfColumns(const IntegerProgram& program) {
+    return std::accumulate(program.costs.begin(), program.costs.end(), 0.0,
+                           [](double sum, double cost) { return sum + std::min(cost, 0.0); });
+}
+
+/// CBC would not look at the clock before the relaxation is solved. \return whether it is
+bool relax(OsiClpSolverInterface& solver, double seconds) {
+    ClpSimplex& simplex = *solver.getModelPtr();
+    simplex.setMaximumWallSeconds(seconds);
+    solver.setHintParam(OsiDoDualInInitial, true);
+    solver.resolve();
+    simplex.setMaximumWallSeconds(-1);
+    return solver.isProvenOptimal();
+}
+
+} // namespace
+
+ProgramSolution solveProgram(const IntegerProgram& program, const std::vector<double>& start, double seconds,
+                             const Control& control) {
+    if (program.costs.empty()) return {std::vector<double>{}, 0, true}; // CBC proves nothing about nothing
+    const Deadline end(control, seconds);
+    OsiClpSolverInterface solver;
+    load(program, solver);
+    if (!relax(solver, seconds)) return {{}, leastOfColumns(program), false};
+    CbcModel model(solver);
+    CbcMain0(model);
+    model.setLogLevel(0);
+    StopHandler handler(control);
+    model.passInEventHandler(&handler);
+    if (!start.empty())
+        model.setBestSolution(start.data(), static_cast<int>(start.size()), program.cost(start));
+    const std::string limit = std::to_string(std::min(end.secondsLeft(), 1e9));
+    // CBC's own presolve crashes when it is interrupted.
+    const char* arguments[] = {"cbc",         "-log",        "0",   "-timeMode", "elapsed", "-sec",
+                               limit.c_str(), "-preprocess", "off", "-solve",    "-quit"};
+    CbcMain1(static_cast<int>(std::size(arguments)), arguments, model);
+    ProgramSolution solution;
+    solution.proven = model.isProvenOptimal();
+    solution.lowerBound = model.getBestPossibleObjValue();
+    if (const double* best = model.bestSolution()) {
+        solution.values.emplace(best, best + program.costs.size());
+        for (double& value : *solution.values)
+            value = std::round(value);
+        if (solution.proven) solution.lowerBound = model.getObjValue();
+    }
+    return solution;
+}
+
+double boundProgram(const IntegerProgram& program, double seconds, const Control& control) {
+    if (program.costs.empty()) return 0;
+    OsiClpSolverInterface solver;
+    load(program, solver);
+    // Not CbcMain1, which keeps its parameters in globals. Cuts and heuristics only cost time in programs
+    // this small.
+    CbcModel model(solver);
+    model.setLogLevel(0);
+    model.solver()->setHintParam(OsiDoReducePrint, true);
+    StopHandler handler(control);
+    model.passInEventHandler(&handler);
+    CbcCompareObjective leastBoundFirst;
+    model.setNodeComparison(leastBoundFirst);
+    model.setUseElapsedTime(true);
+    model.setMaximumSeconds(std::min(seconds, 1e9));
+    // The solver looks at no clock of ours.
+    dynamic_cast<OsiClpSolverInterface&>(*model.solver()).getModelPtr()->setMaximumWallSeconds(seconds);
+    model.initialSolve();
+    if (!model.isInitialSolveProvenOptimal()) return -std::numeric_limits<double>::infinity();
+    model.branchAndBound();
+    return model.isProvenOptimal() ? model.getObjValue() : model.getBestPossibleObjValue();
+}
+
+} // namespace qm

@@ -1,0 +1,27 @@
+/// \file Integer programs, solved by CBC.
+#pragma once
+
+#include "base/control.h"
+#include "program/integer_program.h"
+
+#include <optional>
+#include <vector>
+
+namespace qm {
+
+struct ProgramSolution {
+    std::optional<std::vector<double>> values; ///< 0 or 1 of every column; none if nothing was found
+    double lowerBound = 0;                     ///< of the costs
+    bool proven = false;
+};
+
+/// Minimises the costs; stops after `seconds` with the best so far, or soon after `control.stopRequested`.
+/// \param start  values to begin with that obey all rows; may be empty
+[[nodiscard]] ProgramSolution solveProgram(const IntegerProgram& program, const std::vector<double>& start,
+                                           double seconds, const Control& control = {});
+
+/// A bound of the least cost, the least cost itself if there is time enough; minus infinity if there was
+/// none. May run on several threads.
+[[nodiscard]] double boundProgram(const IntegerProgram& program, double seconds, const Control& control = {});
+
+} // namespace qm
