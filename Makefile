@@ -65,8 +65,8 @@ link    = $(CXX) $(CXXFLAGS) $(LDFLAGS)
 
 # ----------------------------------------------------------------------------------------------- files
 
-sources     := $(wildcard lib/*/*.cpp)
-headers     := $(wildcard lib/*/*.h)
+sources     := $(wildcard lib/*/*.cpp lib/*/*/*.cpp)
+headers     := $(wildcard lib/*/*.h lib/*/*/*.h)
 own_headers := $(filter $(sources:.cpp=.h),$(headers))
 schemas     := $(wildcard schemas/*.schema.json)
 three       := /usr/share/javascript/three
