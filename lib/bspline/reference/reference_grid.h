@@ -1,0 +1,29 @@
+/// \file The shape that one segment's patch is fitted to, as points on a lattice over the segment's quads.
+#pragma once
+
+#include "bspline/evaluate.h"
+#include "mesh/quad_mesh.h"
+
+#include <array>
+#include <vector>
+
+namespace qm {
+
+/// Polynomials of higher degree through equally spaced points are no longer trustworthy.
+constexpr int maxSteps = 16;
+
+/// The reference above one segment. Point (i, j), at j * (size[0] * steps + 1) + i, belongs to u = i / steps
+/// and v = j / steps of the segment's patch. Within every quad the surface is the polynomial of degree
+/// `steps` in each direction through the quad's points; between quads it is continuous.
+struct ReferenceGrid {
+    std::array<int, 2> size{};   ///< quads along u and v
+    int steps = 2;               ///< lattice steps a quad, even, at most maxSteps
+    std::vector<Point> points{}; ///< (size[0] * steps + 1) * (size[1] * steps + 1) of them
+
+    /// Outside the grid the outermost quads go on.
+    [[nodiscard]] Point at(double u, double v) const;
+    /// At a grid line the derivatives are those of the quad after it, at the last one of the quad before.
+    [[nodiscard]] SurfacePoint evaluate(double u, double v) const;
+};
+
+} // namespace qm
