@@ -133,7 +133,7 @@ $(O)/%.o: %.cpp $(O)/flags
 
 $(O)/gen/schemas.cpp: $(schemas) scripts/embed
 	@mkdir -p $(@D)
-	$(call quietly,embed,$@) scripts/embed document/schemas.h EmbeddedSchema embeddedSchemas $(schemas) > $@
+	$(call quietly,embed,$@) scripts/embed document/schema.h EmbeddedSchema embeddedSchemas $(schemas) > $@
 
 $(O)/gen/page_parts.cpp: $(page_parts) scripts/embed
 	@mkdir -p $(@D)

@@ -1,7 +1,7 @@
 #include "cli/output_file.h"
 
 #include "cli/signals.h"
-#include "document/file_error.h"
+#include "document/files.h"
 
 #include <algorithm>
 #include <cerrno>

@@ -5,7 +5,6 @@
 #include "cli/progress.h"
 #include "cli/signals.h"
 #include "cli/usage.h"
-#include "document/file_error.h"
 #include "document/files.h"
 #include "document/json.h"
 #include "document/schema.h"

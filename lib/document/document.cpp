@@ -1,6 +1,5 @@
 #include "document/document.h"
 
-#include "document/file_error.h"
 #include "document/files.h"
 #include "document/schema.h"
 #include "document/version.h"

@@ -1,7 +1,5 @@
 #include "document/files.h"
 
-#include "document/file_error.h"
-
 #include <array>
 #include <cerrno>
 #include <cstring>

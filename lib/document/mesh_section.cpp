@@ -1,7 +1,6 @@
 #include "document/mesh_section.h"
 
 #include "base/error.h"
-#include "document/file_error.h"
 #include "document/files.h"
 #include "document/sha256.h"
 #include "document/utf8.h"

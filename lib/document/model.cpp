@@ -4,7 +4,6 @@
 #include "document/constraints_section.h"
 #include "document/cut_section.h"
 #include "document/features_section.h"
-#include "document/file_error.h"
 #include "document/files.h"
 #include "document/layout_section.h"
 #include "document/mesh_section.h"

@@ -2,7 +2,6 @@
 
 #include "base/error.h"
 #include "document/schema_view.h"
-#include "document/schemas.h"
 
 #include <valijson/schema.hpp>
 #include <valijson/schema_parser.hpp>

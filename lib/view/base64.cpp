@@ -1,4 +1,4 @@
-#include "view/page.h"
+#include "view/base64.h"
 
 #include <openssl/evp.h>
 

@@ -5,7 +5,6 @@
 
 #include <array>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace qm {
@@ -20,8 +19,5 @@ struct PageOptions {
 /// Needs no network and no other file. The same scene and options give the same bytes.
 /// \throw Error  if a layer that is to be shown does not exist, or two of them colour the faces
 [[nodiscard]] std::string printPage(const Scene& scene, const PageOptions& options);
-
-/// Numbers as little-endian bytes in base64.
-[[nodiscard]] std::string base64(std::string_view bytes);
 
 } // namespace qm

@@ -1,5 +1,7 @@
 #include "view/scene_json.h"
 
+#include "view/base64.h"
+
 #include <nlohmann/json.hpp>
 
 #include <bit>

@@ -3,7 +3,6 @@
 #include "document/json_place.h"
 #include "document/schema.h"
 #include "document/schema_view.h"
-#include "document/schemas.h"
 #include "support/sample_document.h"
 
 #include <gtest/gtest.h>

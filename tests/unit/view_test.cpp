@@ -3,6 +3,7 @@
 #include "bspline/fit.h"
 #include "mesh/dihedral.h"
 #include "support/grid_layout.h"
+#include "view/base64.h"
 #include "view/build_scene.h"
 #include "view/page.h"
 #include "view/palette.h"

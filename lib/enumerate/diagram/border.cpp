@@ -107,11 +107,11 @@ DiagramBorder::DiagramBorder(const SearchState& state, const std::vector<Step>& 
 
 bool DiagramBorder::canCrack(const SearchState& state, std::size_t step, int node) const {
     const int chain = state.problem().nodes[at(node)].chain;
-    if (chain >= 0 && state.coverOfChain(chain) != SearchState::Cover::full) return false;
-    const bool left = state.cracksLeft(state.crackGroup(node)) > 0;
-    return std::ranges::any_of(state.crossingsOfNode(node), [&](int crossing) {
+    if (chain >= 0 && state.coverOfChain(chain) != Cover::full) return false;
+    const bool left = state.cracks().left(state.cracks().group(node)) > 0;
+    return std::ranges::any_of(state.cracks().crossingsOfNode(node), [&](int crossing) {
         return lastStep_[at(crossing)] >= static_cast<int>(step) &&
-               (left ? state.mayBeCrossed(crossing) : state.isPending(crossing));
+               (left ? state.cracks().mayBeCrossed(crossing) : state.cracks().isPending(crossing));
     });
 }
 
@@ -119,11 +119,11 @@ bool DiagramBorder::canCrack(const SearchState& state, std::size_t step, int nod
 std::uint64_t DiagramBorder::coverCode(const SearchState& state, std::size_t step, int chain) const {
     enum Code { open, covered, toHaveGap, done };
     if (state.hasGap(chain)) return done;
-    const int node = state.nodeOfChain(chain);
+    const int node = state.cracks().nodeOfChain(chain);
     switch (state.coverOfChain(chain)) {
-    case SearchState::Cover::open:
+    case Cover::open:
         return open;
-    case SearchState::Cover::gapped:
+    case Cover::gapped:
         return toHaveGap;
     default:
         return node >= 0 && canCrack(state, step, node) ? covered : done;
@@ -144,15 +144,15 @@ void DiagramBorder::describe(const SearchState& state, std::size_t step, std::ui
             groups.put(0, 2 * groupBits);
             continue;
         }
-        const int group = state.crackGroup(node);
-        const int left = state.cracksLeft(group);
+        const int group = state.cracks().group(node);
+        const int left = state.cracks().left(group);
         // Groups that have nothing left are all alike.
         if (left > 0 && labelOf_[at(group)] == 0) labelOf_[at(group)] = ++labels;
         groups.put(labelOf_[at(group)], groupBits);
         groups.put(static_cast<std::uint64_t>(left) + 1, groupBits);
     }
     for (const int node : watch.nodes)
-        labelOf_[at(state.crackGroup(node))] = 0;
+        labelOf_[at(state.cracks().group(node))] = 0;
 }
 
 } // namespace qm

@@ -97,8 +97,8 @@ private:
     }
 
     [[nodiscard]] bool needsCover(const Step& decision) const {
-        return state_.coverOfChain(decision.chain) == SearchState::Cover::open &&
-               state_.isCrossed(decision.crossing);
+        return state_.coverOfChain(decision.chain) == Cover::open &&
+               state_.cracks().isCrossed(decision.crossing);
     }
 
     /// Of a variable when it is in, with its corners next to arcs that have been decided before.

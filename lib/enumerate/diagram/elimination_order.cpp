@@ -30,7 +30,7 @@ struct Ties {
                 for (const int variable : {side.before, side.after})
                     if (state.isFree(variable)) add(static_cast<int>(c), variable);
                 const int chain = side.node < 0 ? -1 : problem.nodes[at(side.node)].chain;
-                if (problem.gaps && chain >= 0 && state.coverOfChain(chain) == SearchState::Cover::open)
+                if (problem.gaps && chain >= 0 && state.coverOfChain(chain) == Cover::open)
                     add(static_cast<int>(c), variables + chain);
             }
     }

@@ -1,5 +1,8 @@
 #include "enumerate/optimum/branch_and_bound.h"
 
+#include "enumerate/optimum/diving.h"
+#include "enumerate/optimum/rounding.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -19,30 +22,30 @@ std::size_t at(int index) {
 
 BranchAndBound::BranchAndBound(SearchState& state, std::vector<int> variables, const PartOptions& options,
                                const Control& control)
-    : state_(state), origin_(state.mark()), variables_(std::move(variables)), cost_(state, variables_),
-      options_(options), control_(control), incumbents_(options.best, options.maxCost),
-      formulation_(formulate(state, variables_)), particles_(state, formulation_),
-      relaxation_(formulation_, particles_), pseudoCosts_(formulation_.costs), root_(particles_.mark()) {}
+    : origin_(state.mark()), part_(state, std::move(variables), options, control), branching_(part_),
+      root_(part_.particles.mark()) {}
 
 void BranchAndBound::offer(const Assignment& assignment) {
-    incumbents_.offer(cost_.of([&](int variable) { return assignment[at(variable)] == 1; }), assignment);
+    part_.incumbents.offer(part_.cost.of([&](int variable) { return assignment[at(variable)] == 1; }),
+                           assignment);
 }
 
 void BranchAndBound::run() {
-    if (particles_.consistent()) {
-        queue_.push({cost_.atLeast(state_), addNode(-1, {})});
-        guess();
+    if (part_.particles.consistent()) {
+        queue_.push({part_.cost.atLeast(part_.state), addNode(-1, {})});
+        guessGraphs(part_);
         search();
     }
-    lowerBound_ = queue_.empty() ? options_.maxCost : queue_.top().bound;
-    if (!incumbents_.empty()) lowerBound_ = std::min(lowerBound_, incumbents_.bestCost());
+    lowerBound_ = queue_.empty() ? part_.options.maxCost : queue_.top().bound;
+    if (!part_.incumbents.empty()) lowerBound_ = std::min(lowerBound_, part_.incumbents.bestCost());
 }
 
 void BranchAndBound::search() {
     while (!queue_.empty()) {
         const OpenNode next = queue_.top();
-        if (next.bound >= incumbents_.cutoff() - (options_.best == 1 ? options_.gap : 0)) break;
-        if (control_.stopRequested() || tree_.size() > options_.nodes) {
+        if (next.bound >= part_.incumbents.cutoff() - (part_.options.best == 1 ? part_.options.gap : 0))
+            break;
+        if (part_.control.stopRequested() || tree_.size() > part_.options.nodes) {
             complete_ = false;
             break;
         }
@@ -65,12 +68,12 @@ void BranchAndBound::open(int parent, const Decision& decision, double bound) {
 
 /// Brings the state to an open node.
 bool BranchAndBound::replay(int node) {
-    particles_.undo(root_);
+    part_.particles.undo(root_);
     std::vector<int> path;
     for (int n = node; tree_[at(n)].parent >= 0; n = tree_[at(n)].parent)
         path.push_back(n);
     return std::all_of(path.rbegin(), path.rend(),
-                       [this](int n) { return particles_.take(tree_[at(n)].decision); });
+                       [this](int n) { return part_.particles.take(tree_[at(n)].decision); });
 }
 
 /// Goes down from a node, to the better side each time, and leaves the other sides open.
@@ -80,31 +83,32 @@ void BranchAndBound::plunge(int node, double bound) {
         const bool isRoot = tree_[at(node)].parent < 0;
         const RelaxedNode relaxed = relax(bound);
         if (relaxed == RelaxedNode::cut) return;
-        if (control_.stopRequested()) {
+        if (part_.control.stopRequested()) {
             queue_.push({bound, node});
             return;
         }
-        if (allDecided()) return recordLeaf();
+        if (part_.allDecided()) return part_.recordLeaf();
         if (relaxed == RelaxedNode::solved) {
             if (isRoot) rememberRoot(bound);
-            if (acceptIntegral() && options_.best == 1) return;
-            round();
+            if (acceptIntegral(part_) && part_.options.best == 1) return;
+            roundRelaxed(part_);
             if (nodes_ >= nextLook_ && !lookAround(bound)) return;
-            if (allDecided()) return recordLeaf();
+            if (part_.allDecided()) return part_.recordLeaf();
         }
-        const Choice choice = relaxed == RelaxedNode::solved ? choose(bound) : chooseAnyFree(bound);
+        const BranchingChoice choice =
+            relaxed == RelaxedNode::solved ? branching_.choose(bound) : branching_.chooseAnyFree(bound);
         Decision first = choice.decision, second = choice.decision;
         first.state = choice.boundIn <= choice.boundOut ? ArcState::in : ArcState::out;
         second.state = first.state == ArcState::in ? ArcState::out : ArcState::in;
         const double firstBound = std::min(choice.boundIn, choice.boundOut);
         const double secondBound = std::max(choice.boundIn, choice.boundOut);
-        if (secondBound < incumbents_.cutoff()) open(node, second, secondBound);
-        if (firstBound >= incumbents_.cutoff()) return;
+        if (secondBound < part_.incumbents.cutoff()) open(node, second, secondBound);
+        if (firstBound >= part_.incumbents.cutoff()) return;
         // The root's lesser problem is not known before both sides are.
         if (isRoot) return open(node, first, firstBound);
         bound = firstBound;
         node = addNode(node, first);
-        if (!particles_.take(first)) return;
+        if (!part_.particles.take(first)) return;
     }
 }
 
@@ -113,14 +117,14 @@ BranchAndBound::RelaxedNode BranchAndBound::relax(double& bound) {
     for (;;) {
         Relaxation::Result result;
         for (int slice = 0; slice < mostSlices; ++slice) {
-            result = relaxation_.solve(particles_, incumbents_.cutoff(), iterationsPerSlice);
+            result = part_.relaxation.solve(part_.particles, part_.incumbents.cutoff(), iterationsPerSlice);
             bound = std::max(bound, result.proven);
-            if (result.kind != Relaxation::Result::Kind::unfinished || control_.stopRequested()) break;
+            if (result.kind != Relaxation::Result::Kind::unfinished || part_.control.stopRequested()) break;
         }
         if (result.kind == Relaxation::Result::Kind::tooExpensive) return RelaxedNode::cut;
         if (result.kind == Relaxation::Result::Kind::unfinished) return RelaxedNode::unfinished;
         bound = std::max(bound, result.bound);
-        if (!fixByReducedCosts(relaxation_.values(), relaxation_.reducedCosts(), result.bound))
+        if (!fixByReducedCosts(part_.relaxation.values(), part_.relaxation.reducedCosts(), result.bound))
             return RelaxedNode::cut;
         if (!contradictsRelaxation()) return RelaxedNode::solved;
     }
@@ -129,47 +133,79 @@ BranchAndBound::RelaxedNode BranchAndBound::relax(double& bound) {
 /// Columns keep their value where every other one makes a graph too expensive.
 bool BranchAndBound::fixByReducedCosts(const std::vector<double>& values, const std::vector<double>& reduced,
                                        double bound) {
-    const double room = incumbents_.cutoff() - bound;
+    const double room = part_.incumbents.cutoff() - bound;
     if (room == infinity) return true;
     for (int column = 0; column < static_cast<int>(values.size()); ++column) {
-        if (particles_.column(column) != ArcState::free || std::abs(reduced[at(column)]) <= room) continue;
+        if (part_.particles.column(column) != ArcState::free || std::abs(reduced[at(column)]) <= room)
+            continue;
         const bool low = values[at(column)]<integral, high = values[at(column)]> 1 - integral;
-        if (low && reduced[at(column)] > 0 && !particles_.fixColumn(column, ArcState::out)) return false;
-        if (high && reduced[at(column)] < 0 && !particles_.fixColumn(column, ArcState::in)) return false;
+        if (low && reduced[at(column)] > 0 && !part_.particles.fixColumn(column, ArcState::out)) return false;
+        if (high && reduced[at(column)] < 0 && !part_.particles.fixColumn(column, ArcState::in)) return false;
     }
     return true;
 }
 
 bool BranchAndBound::contradictsRelaxation() const {
-    for (int column = 0; column < static_cast<int>(formulation_.costs.size()); ++column) {
-        const ArcState known = particles_.column(column);
-        const double value = relaxation_.values()[at(column)];
+    for (int column = 0; column < static_cast<int>(part_.formulation.costs.size()); ++column) {
+        const ArcState known = part_.particles.column(column);
+        const double value = part_.relaxation.values()[at(column)];
         if ((known == ArcState::in && value < 1 - integral) || (known == ArcState::out && value > integral))
             return true;
     }
     return false;
 }
 
+/// Looks for graphs near the relaxed solution, then comes back to it. \return false if the node is cut now
+bool BranchAndBound::lookAround(double& bound) {
+    nextLook_ = 4 * nodes_;
+    const ParticleState::Mark mark = part_.particles.mark();
+    const Relaxation::Basis basis = part_.relaxation.basis();
+    if (part_.variables.size() < part_.options.hard) {
+        dive(part_);
+    } else {
+        diveToRest(part_);
+        polish();
+        if (!comeBack(mark, basis, bound)) return false;
+        searchNearby(part_);
+    }
+    return comeBack(mark, basis, bound);
+}
+
+/// \return false if the node is cut by what has been found since
+bool BranchAndBound::comeBack(ParticleState::Mark mark, const Relaxation::Basis& basis, double& bound) {
+    part_.particles.undo(mark);
+    part_.relaxation.setBasis(basis);
+    return bound < part_.incumbents.cutoff() && relax(bound) != RelaxedNode::cut;
+}
+
+void BranchAndBound::polish() {
+    if (!part_.options.polish || rootPresence_.empty() || part_.incumbents.empty() ||
+        part_.incumbents.bestCost() >= polished_)
+        return;
+    offer(part_.options.polish(part_.incumbents.graphs().begin()->second, rootPresence_));
+    polished_ = part_.incumbents.bestCost();
+}
+
 void BranchAndBound::rememberRoot(double bound) {
     rootBound_ = bound;
-    rootValues_ = relaxation_.values();
-    for (const int variable : variables_)
-        rootPresence_.push_back(present(variable));
-    rootReducedCosts_ = relaxation_.reducedCosts();
-    rootBasis_ = relaxation_.basis();
-    rootCutoff_ = incumbents_.cutoff();
-    root_ = particles_.mark();
+    rootValues_ = part_.relaxation.values();
+    for (const int variable : part_.variables)
+        rootPresence_.push_back(part_.present(variable));
+    rootReducedCosts_ = part_.relaxation.reducedCosts();
+    rootBasis_ = part_.relaxation.basis();
+    rootCutoff_ = part_.incumbents.cutoff();
+    root_ = part_.particles.mark();
 }
 
 /// A better graph lets more be fixed at the root, for good. \return false if nothing cheaper is left
 bool BranchAndBound::tightenRoot() {
-    if (rootValues_.empty() || incumbents_.cutoff() >= rootCutoff_) return true;
-    rootCutoff_ = incumbents_.cutoff();
-    particles_.undo(root_);
+    if (rootValues_.empty() || part_.incumbents.cutoff() >= rootCutoff_) return true;
+    rootCutoff_ = part_.incumbents.cutoff();
+    part_.particles.undo(root_);
     if (!fixByReducedCosts(rootValues_, rootReducedCosts_, rootBound_)) return false;
-    root_ = particles_.mark();
-    if (relaxation_.fixedShare(particles_) > 0.3) {
-        relaxation_ = Relaxation(formulation_, particles_);
+    root_ = part_.particles.mark();
+    if (part_.relaxation.fixedShare(part_.particles) > 0.3) {
+        part_.relaxation = Relaxation(part_.formulation, part_.particles);
         rootBasis_ = {};
     }
     return true;
@@ -177,14 +213,14 @@ bool BranchAndBound::tightenRoot() {
 
 std::optional<RelaxedProgram> BranchAndBound::relaxedRoot() {
     if (rootValues_.empty()) return {};
-    const double best = incumbents_.empty() ? options_.maxCost : incumbents_.bestCost();
+    const double best = part_.incumbents.empty() ? part_.options.maxCost : part_.incumbents.bestCost();
     constexpr int slices = 20; // it was optimal but for what has been fixed since
     Relaxation::Result result{Relaxation::Result::Kind::tooExpensive};
     if (tightenRoot()) {
-        particles_.undo(root_);
-        relaxation_.setBasis(rootBasis_);
+        part_.particles.undo(root_);
+        part_.relaxation.setBasis(rootBasis_);
         for (int slice = 0; slice < slices; ++slice) {
-            result = relaxation_.solve(particles_, incumbents_.cutoff(), iterationsPerSlice);
+            result = part_.relaxation.solve(part_.particles, part_.incumbents.cutoff(), iterationsPerSlice);
             if (result.kind != Relaxation::Result::Kind::unfinished) break;
         }
     }
@@ -194,7 +230,7 @@ std::optional<RelaxedProgram> BranchAndBound::relaxedRoot() {
     }
     if (result.kind != Relaxation::Result::Kind::solved) return {};
     lowerBound_ = std::max(lowerBound_, std::min(result.bound, best));
-    RelaxedProgram root = relaxation_.program(particles_);
+    RelaxedProgram root = part_.relaxation.program(part_.particles);
     root.cutoff = best;
     return root;
 }

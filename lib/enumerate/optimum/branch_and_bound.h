@@ -1,30 +1,14 @@
 /// \file Branch and bound on one part of a search problem.
 #pragma once
 
-#include "base/control.h"
-#include "enumerate/optimum/part_cost.h"
-#include "enumerate/optimum/particle_state.h"
-#include "enumerate/optimum/pseudo_costs.h"
-#include "enumerate/optimum/relaxation.h"
-#include "enumerate/state/incumbents.h"
+#include "enumerate/optimum/branching.h"
 
-#include <functional>
+#include <limits>
 #include <optional>
 #include <queue>
 #include <vector>
 
 namespace qm {
-
-/// What a search of one part is to find.
-struct PartOptions {
-    std::size_t best = 1;
-    double maxCost = std::numeric_limits<double>::infinity(); ///< of the part's variables
-    double gap = 0;
-    std::size_t nodes = 20'000'000; ///< of the search tree, at most: what memory allows
-    std::size_t hard = 1500; ///< variables from which on early graphs are looked for by smaller searches
-    /// Makes a graph cheaper if it can; `relaxed` are the values of the part's variables, in their order.
-    std::function<Assignment(const Assignment& graph, const std::vector<double>& relaxed)> polish = {};
-};
 
 /// Searches the free variables of one independent part; the rest of the state is left as it is.
 class BranchAndBound {
@@ -33,7 +17,7 @@ public:
     /// \param variables  the free variables of the part
     BranchAndBound(SearchState& state, std::vector<int> variables, const PartOptions& options,
                    const Control& control);
-    ~BranchAndBound() { state_.undo(origin_); }
+    ~BranchAndBound() { part_.state.undo(origin_); }
     BranchAndBound(const BranchAndBound&) = delete;
     BranchAndBound& operator=(const BranchAndBound&) = delete;
 
@@ -42,7 +26,7 @@ public:
     void run();
 
     /// Graphs as full assignments, of which only the part's variables mean anything.
-    [[nodiscard]] const Incumbents& incumbents() const { return incumbents_; }
+    [[nodiscard]] const Incumbents& incumbents() const { return part_.incumbents; }
     [[nodiscard]] double lowerBound() const { return lowerBound_; }
     [[nodiscard]] bool complete() const { return complete_; }
     [[nodiscard]] std::size_t nodes() const { return nodes_; }
@@ -66,12 +50,6 @@ private:
             return bound != other.bound ? bound > other.bound : node < other.node;
         }
     };
-    /// Two ways to go on from a node; what is too expensive has an infinite bound.
-    struct Choice {
-        Decision decision; ///< its state is free; no variable if nothing is left to decide
-        double boundIn = 0;
-        double boundOut = 0;
-    };
     enum class RelaxedNode { cut, solved, unfinished };
 
     void search();
@@ -85,46 +63,13 @@ private:
     [[nodiscard]] bool contradictsRelaxation() const;
     int addNode(int parent, const Decision& decision);
     void open(int parent, const Decision& decision, double bound);
-
-    // early_graphs.cpp
-    bool acceptIntegral();
-    void guess();
-    void round();
-    void roundAt(double threshold);
     bool lookAround(double& bound);
     bool comeBack(ParticleState::Mark mark, const Relaxation::Basis& basis, double& bound);
     void polish();
-    void recordLeaf();
-    [[nodiscard]] bool allDecided() const;
-    [[nodiscard]] double present(int variable) const;
 
-    // diving.cpp
-    void dive();
-    void diveToRest();
-    bool fixSurest();
-    std::size_t takeOverAll(bool keepBest);
-    bool takeOver(int variable, bool keepBest);
-    void searchNearby();
-    bool searchRest(bool keepBest);
-
-    // branching.cpp
-    Choice choose(double bound);
-    [[nodiscard]] Choice chooseAnyFree(double bound) const;
-    Choice probe(int column, double value, double bound, double& score);
-    double probeSide(int column, ArcState side, double bound, double& growth);
-    [[nodiscard]] Decision decisionOf(int column) const;
-
-    SearchState& state_;
     SearchState::Mark origin_;
-    std::vector<int> variables_;
-    PartCost cost_;
-    PartOptions options_;
-    const Control& control_;
-    Incumbents incumbents_;
-    Formulation formulation_;
-    ParticleState particles_;
-    Relaxation relaxation_;
-    PseudoCosts pseudoCosts_;
+    PartSearch part_;
+    Branching branching_;
     std::vector<Node> tree_;
     std::priority_queue<OpenNode> queue_;
     ParticleState::Mark root_;

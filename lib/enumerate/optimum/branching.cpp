@@ -1,4 +1,4 @@
-#include "enumerate/optimum/branch_and_bound.h"
+#include "enumerate/optimum/branching.h"
 
 #include <algorithm>
 
@@ -21,38 +21,39 @@ double scoreOf(double growthIn, double growthOut) {
 
 } // namespace
 
-Decision BranchAndBound::decisionOf(int column) const {
-    const int variable = formulation_.variableOf[at(column)];
-    const bool fromBefore = formulation_.columnsOf[at(variable)].fromBefore == column;
+Decision Branching::decisionOf(int column) const {
+    const int variable = part_.formulation.variableOf[at(column)];
+    const bool fromBefore = part_.formulation.columnsOf[at(variable)].fromBefore == column;
     return {variable, fromBefore ? Decision::About::fromBefore : Decision::About::fromAfter, ArcState::free};
 }
 
-/// Where the relaxed solution is integral but no graph, or more graphs are wanted.
-BranchAndBound::Choice BranchAndBound::chooseAnyFree(double bound) const {
-    const auto variable = std::ranges::find_if(variables_, [this](int v) { return state_.isFree(v); });
+BranchingChoice Branching::chooseAnyFree(double bound) const {
+    const auto variable =
+        std::ranges::find_if(part_.variables, [this](int v) { return part_.state.isFree(v); });
     return {{*variable, Decision::About::value, ArcState::free}, bound, bound};
 }
 
-BranchAndBound::Choice BranchAndBound::choose(double bound) {
-    const std::vector<double> values = relaxation_.values();
+BranchingChoice Branching::choose(double bound) {
+    const std::vector<double> values = part_.relaxation.values();
     std::vector<std::pair<double, int>> candidates;
     for (int column = 0; column < static_cast<int>(values.size()); ++column)
-        if (isFractional(values[at(column)]) && formulation_.variableOf[at(column)] >= 0 &&
-            particles_.column(column) == ArcState::free)
+        if (isFractional(values[at(column)]) && part_.formulation.variableOf[at(column)] >= 0 &&
+            part_.particles.column(column) == ArcState::free)
             candidates.emplace_back(-pseudoCosts_.score(column, values[at(column)]), column);
     if (candidates.empty()) return chooseAnyFree(bound);
     std::ranges::sort(candidates);
-    const Relaxation::Basis basis = relaxation_.basis();
-    Choice best;
+    const Relaxation::Basis basis = part_.relaxation.basis();
+    BranchingChoice best;
     double bestScore = -1;
     int probes = 0, worse = 0;
     for (const auto& [negativeScore, column] : candidates) {
-        Choice choice{decisionOf(column), bound, bound};
+        BranchingChoice choice{decisionOf(column), bound, bound};
         double score = -negativeScore;
-        if (pseudoCosts_.trust(column) < reliable && probes < probesPerNode && !control_.stopRequested()) {
+        if (pseudoCosts_.trust(column) < reliable && probes < probesPerNode &&
+            !part_.control.stopRequested()) {
             ++probes;
             choice = probe(column, values[at(column)], bound, score);
-            relaxation_.setBasis(basis);
+            part_.relaxation.setBasis(basis);
             if (std::max(choice.boundIn, choice.boundOut) == infinity) return choice;
         }
         if (score > bestScore) {
@@ -67,8 +68,8 @@ BranchAndBound::Choice BranchAndBound::choose(double bound) {
 }
 
 /// Tries both sides of a column for a few iterations.
-BranchAndBound::Choice BranchAndBound::probe(int column, double value, double bound, double& score) {
-    Choice choice{decisionOf(column), bound, bound};
+BranchingChoice Branching::probe(int column, double value, double bound, double& score) {
+    BranchingChoice choice{decisionOf(column), bound, bound};
     double growthIn = 0, growthOut = 0;
     choice.boundIn = probeSide(column, ArcState::in, bound, growthIn);
     choice.boundOut = probeSide(column, ArcState::out, bound, growthOut);
@@ -79,18 +80,18 @@ BranchAndBound::Choice BranchAndBound::probe(int column, double value, double bo
 }
 
 /// \return a bound, infinity if this side holds nothing; `growth` is a guess if the solver did not finish
-double BranchAndBound::probeSide(int column, ArcState side, double bound, double& growth) {
-    const ParticleState::Mark mark = particles_.mark();
+double Branching::probeSide(int column, ArcState side, double bound, double& growth) {
+    const ParticleState::Mark mark = part_.particles.mark();
     double found = infinity;
-    if (particles_.fixColumn(column, side)) {
+    if (part_.particles.fixColumn(column, side)) {
         const Relaxation::Result result =
-            relaxation_.solve(particles_, incumbents_.cutoff(), probeIterations);
+            part_.relaxation.solve(part_.particles, part_.incumbents.cutoff(), probeIterations);
         if (result.kind != Relaxation::Result::Kind::tooExpensive) {
             found = result.kind == Relaxation::Result::Kind::solved ? std::max(bound, result.bound) : bound;
             growth = result.bound - bound;
         }
     }
-    particles_.undo(mark);
+    part_.particles.undo(mark);
     return found;
 }
 

@@ -1,4 +1,7 @@
+#include "enumerate/optimum/diving.h"
+
 #include "enumerate/optimum/branch_and_bound.h"
+#include "enumerate/optimum/rounding.h"
 #include "enumerate/state/independent_parts.h"
 
 #include <algorithm>
@@ -19,42 +22,14 @@ std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }
 
-} // namespace
-
-/// Fixes the columns that are nearly 1 and solves again, until the solution is integral or too expensive.
-void BranchAndBound::dive() {
-    while (!control_.stopRequested() && fixSurest()) {
-        if (relaxation_.solve(particles_, incumbents_.cutoff(), diveIterations).kind !=
-            Relaxation::Result::Kind::solved)
-            return;
-        if (acceptIntegral()) return;
-        round();
-    }
-}
-
-/// The same, until what the relaxed solution leaves in doubt is small enough to be searched. Values that the
-/// relaxed solution is sure of may contradict each other; then it goes on.
-void BranchAndBound::diveToRest() {
-    while (!control_.stopRequested()) {
-        const ParticleState::Mark mark = particles_.mark();
-        const bool found = takeOverAll(false) <= smallRest && searchRest(false);
-        if (found) recordLeaf();
-        particles_.undo(mark);
-        if (found || !fixSurest() ||
-            relaxation_.solve(particles_, incumbents_.cutoff(), 4 * diveIterations).kind !=
-                Relaxation::Result::Kind::solved)
-            return;
-    }
-}
-
 /// \return false if nothing is left to fix
-bool BranchAndBound::fixSurest() {
+bool fixSurest(PartSearch& part) {
     std::vector<std::pair<double, int>> order;
-    const std::vector<double> values = relaxation_.values();
+    const std::vector<double> values = part.relaxation.values();
     for (int column = 0; column < static_cast<int>(values.size()); ++column) {
         const double value = values[at(column)];
-        if (isFractional(value) && formulation_.variableOf[at(column)] >= 0 &&
-            particles_.column(column) == ArcState::free)
+        if (isFractional(value) && part.formulation.variableOf[at(column)] >= 0 &&
+            part.particles.column(column) == ArcState::free)
             order.emplace_back(-value, column);
     }
     std::ranges::sort(order);
@@ -62,66 +37,90 @@ bool BranchAndBound::fixSurest() {
     std::size_t fixed = 0;
     for (const auto& [negative, column] : order) {
         if (fixed == most || (fixed >= few && -negative < sure)) break;
-        if (particles_.column(column) != ArcState::free) continue;
-        const ParticleState::Mark before = particles_.mark();
+        if (part.particles.column(column) != ArcState::free) continue;
+        const ParticleState::Mark before = part.particles.mark();
         ++fixed;
-        if (particles_.fixColumn(column, ArcState::in)) continue;
-        particles_.undo(before);
-        if (!particles_.fixColumn(column, ArcState::out)) return false;
+        if (part.particles.fixColumn(column, ArcState::in)) continue;
+        part.particles.undo(before);
+        if (!part.particles.fixColumn(column, ArcState::out)) return false;
     }
     return fixed > 0;
 }
 
-/// Searches what the relaxed solution and the best graph do not agree on.
-void BranchAndBound::searchNearby() {
-    if (incumbents_.empty()) return;
-    const ParticleState::Mark mark = particles_.mark();
-    const std::size_t open = takeOverAll(true);
-    if (open <= largeRest && 2 * open < variables_.size() && searchRest(true)) recordLeaf();
-    particles_.undo(mark);
+/// \return whether the variable has a value now
+bool takeOver(PartSearch& part, int variable, bool keepBest) {
+    const double value = part.present(variable);
+    if (isFractional(value)) return false;
+    const bool in = value > 0.5;
+    if (keepBest && (part.incumbents.graphs().begin()->second[at(variable)] == 1) != in) return false;
+    const SearchState::Mark before = part.state.mark();
+    if (part.state.assign(variable, in ? ArcState::in : ArcState::out)) return true;
+    part.state.undo(before);
+    return false;
 }
 
 /// Takes over what the relaxed solution leaves no doubt about and, on demand, the best graph does not
 /// contradict. \return how many variables were in doubt
-std::size_t BranchAndBound::takeOverAll(bool keepBest) {
+std::size_t takeOverAll(PartSearch& part, bool keepBest) {
     std::size_t open = 0;
-    for (const int variable : variables_)
-        if (state_.isFree(variable) && !takeOver(variable, keepBest)) ++open;
+    for (const int variable : part.variables)
+        if (part.state.isFree(variable) && !takeOver(part, variable, keepBest)) ++open;
     return open;
 }
 
-/// \return whether the variable has a value now
-bool BranchAndBound::takeOver(int variable, bool keepBest) {
-    const double value = present(variable);
-    if (isFractional(value)) return false;
-    const bool in = value > 0.5;
-    if (keepBest && (incumbents_.graphs().begin()->second[at(variable)] == 1) != in) return false;
-    const SearchState::Mark before = state_.mark();
-    if (state_.assign(variable, in ? ArcState::in : ArcState::out)) return true;
-    state_.undo(before);
-    return false;
-}
-
 /// Gives the best values to what is still free, part by part. \return false if there are none
-bool BranchAndBound::searchRest(bool keepBest) {
+bool searchRest(PartSearch& part, bool keepBest) {
     std::vector<int> rest;
-    for (const int variable : variables_)
-        if (state_.isFree(variable)) rest.push_back(variable);
-    for (const std::vector<int>& part : independentParts(state_, rest)) {
+    for (const int variable : part.variables)
+        if (part.state.isFree(variable)) rest.push_back(variable);
+    for (const std::vector<int>& piece : independentParts(part.state, rest)) {
         Assignment found;
         {
-            BranchAndBound search(state_, part, {1, infinity, 0, nodesNearby, never}, control_);
-            if (keepBest) search.offer(incumbents_.graphs().begin()->second);
+            BranchAndBound search(part.state, piece, {1, infinity, 0, nodesNearby, never}, part.control);
+            if (keepBest) search.offer(part.incumbents.graphs().begin()->second);
             search.run();
             if (search.incumbents().empty()) return false;
             found = search.incumbents().graphs().begin()->second;
         }
-        for (const int variable : part)
-            if (state_.isFree(variable) &&
-                !state_.assign(variable, found[at(variable)] == 1 ? ArcState::in : ArcState::out))
+        for (const int variable : piece)
+            if (part.state.isFree(variable) &&
+                !part.state.assign(variable, found[at(variable)] == 1 ? ArcState::in : ArcState::out))
                 return false;
     }
     return true;
+}
+
+} // namespace
+
+void dive(PartSearch& part) {
+    while (!part.control.stopRequested() && fixSurest(part)) {
+        if (part.relaxation.solve(part.particles, part.incumbents.cutoff(), diveIterations).kind !=
+            Relaxation::Result::Kind::solved)
+            return;
+        if (acceptIntegral(part)) return;
+        roundRelaxed(part);
+    }
+}
+
+void diveToRest(PartSearch& part) {
+    while (!part.control.stopRequested()) {
+        const ParticleState::Mark mark = part.particles.mark();
+        const bool found = takeOverAll(part, false) <= smallRest && searchRest(part, false);
+        if (found) part.recordLeaf();
+        part.particles.undo(mark);
+        if (found || !fixSurest(part) ||
+            part.relaxation.solve(part.particles, part.incumbents.cutoff(), 4 * diveIterations).kind !=
+                Relaxation::Result::Kind::solved)
+            return;
+    }
+}
+
+void searchNearby(PartSearch& part) {
+    if (part.incumbents.empty()) return;
+    const ParticleState::Mark mark = part.particles.mark();
+    const std::size_t open = takeOverAll(part, true);
+    if (open <= largeRest && 2 * open < part.variables.size() && searchRest(part, true)) part.recordLeaf();
+    part.particles.undo(mark);
 }
 
 } // namespace qm

@@ -81,9 +81,10 @@ bool ParticleState::settle() {
             for (const int row : rowsOf_[at(columnTrail_[propagated_++])])
                 if (!visitRow(row)) return false;
         }
-        const std::size_t known = arcs_.mark().assignments;
+        const std::size_t known = arcs_.mark().assignment.assignments;
         if (!columnsToArcs()) return false;
-        if (arcs_.mark().assignments == known && seen_.assignments == known) return true;
+        if (arcs_.mark().assignment.assignments == known && seen_.assignment.assignments == known)
+            return true;
     }
 }
 

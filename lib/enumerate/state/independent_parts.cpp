@@ -44,15 +44,15 @@ private:
     }
 
     [[nodiscard]] int member(int node) const {
-        return static_cast<int>(problem_.domains.size()) + state_.crackGroup(node);
+        return static_cast<int>(problem_.domains.size()) + state_.cracks().group(node);
     }
 
     void joinChain(int id) {
         if (!chains_.insert(id).second) return;
         const Chain& chain = problem_.chains[at(id)];
-        const int node = state_.nodeOfChain(id);
+        const int node = state_.cracks().nodeOfChain(id);
         int last = node >= 0 ? member(node) : -1;
-        if (node >= 0) joinCrossings(state_.crossingsOfNode(node));
+        if (node >= 0) joinCrossings(state_.cracks().crossingsOfNode(node));
         for (int v = chain.first; v < chain.first + chain.count; ++v) {
             if (!isFree(v)) continue;
             if (last >= 0) join(last, v);

@@ -1,5 +1,4 @@
-// Rule 3 of method 2: where a line may be out.
-#include "enumerate/state/search_state.h"
+#include "enumerate/state/line_rule.h"
 
 #include <algorithm>
 
@@ -12,10 +11,10 @@ std::size_t at(int index) {
 
 } // namespace
 
-bool SearchState::visitChain(int variable) {
-    const int id = chainOf_[at(variable)];
+bool LineRule::visit(int variable) {
+    const int id = assignment_.chainOf(variable);
     const Chain& chain = problem_.chains[at(id)];
-    const ArcState state = value(variable);
+    const ArcState state = assignment_.value(variable);
     if (chain.coveredBefore && chain.coveredAfter) {
         const Hull& hull = hulls_[at(id)];
         if (state == ArcState::out) {
@@ -23,31 +22,27 @@ bool SearchState::visitChain(int variable) {
         } else if (hull.first <= hull.last) {
             const int step = variable < hull.first ? -1 : 1;
             for (int v = variable + step; v >= chain.first && v < chain.first + chain.count; v += step)
-                if (!set(v, ArcState::in)) return false;
+                if (!assignment_.set(v, ArcState::in)) return false;
         }
     } else if (!closeOneSided(chain, variable, state)) {
         return false;
     }
-    if (promised_[at(id)] && inCount_[at(id)] == chain.count) return false;
-    const int node = nodeOfChain_[at(id)];
-    if (node < 0) return true;
-    const bool decided = state == ArcState::out || inCount_[at(id)] == chain.count;
-    return !decided || nodeDecided(node);
+    return !promised_[at(id)] || assignment_.inCount(id) != chain.count;
 }
 
 /// Covered from one side: what is in reaches back to that side, what is out goes on to the other.
-bool SearchState::closeOneSided(const Chain& chain, int variable, ArcState state) {
+bool LineRule::closeOneSided(const Chain& chain, int variable, ArcState state) {
     const bool towardsBegin = chain.coveredBefore == (state == ArcState::in);
     const int step = towardsBegin ? -1 : 1;
     for (int v = variable + step; v >= chain.first && v < chain.first + chain.count; v += step) {
-        if (value(v) == state) break;
-        if (!set(v, state)) return false;
+        if (assignment_.value(v) == state) break;
+        if (!assignment_.set(v, state)) return false;
     }
     return true;
 }
 
 /// Covered from both sides: the variables that are out form one gap.
-bool SearchState::openGap(int id, int variable) {
+bool LineRule::openGap(int id, int variable) {
     const Chain& chain = problem_.chains[at(id)];
     Hull& hull = hulls_[at(id)];
     const Hull before = hull;
@@ -57,16 +52,39 @@ bool SearchState::openGap(int id, int variable) {
     hull = first ? Hull{variable, variable}
                  : Hull{std::min(before.first, variable), std::max(before.last, variable)};
     for (int v = hull.first; v <= hull.last; ++v)
-        if (!set(v, ArcState::out)) return false;
+        if (!assignment_.set(v, ArcState::out)) return false;
     if (!first) return true;
     for (const int step : {-1, 1}) {
         bool seenIn = false;
         for (int v = variable + step; v >= chain.first && v < chain.first + chain.count; v += step) {
-            seenIn = seenIn || value(v) == ArcState::in;
-            if (seenIn && !set(v, ArcState::in)) return false;
+            seenIn = seenIn || assignment_.value(v) == ArcState::in;
+            if (seenIn && !assignment_.set(v, ArcState::in)) return false;
         }
     }
     return true;
+}
+
+bool LineRule::cover(int id) {
+    const Chain& chain = problem_.chains[at(id)];
+    for (int v = chain.first; v < chain.first + chain.count; ++v)
+        if (!assignment_.set(v, ArcState::in)) return false;
+    return true;
+}
+
+void LineRule::promiseGap(int chain) {
+    if (!promised_[at(chain)]) promiseTrail_.push_back(chain);
+    promised_[at(chain)] = true;
+}
+
+void LineRule::undo(const Mark& mark) {
+    while (hullTrail_.size() > mark.hulls) {
+        hulls_[at(hullTrail_.back().chain)] = hullTrail_.back().before;
+        hullTrail_.pop_back();
+    }
+    while (promiseTrail_.size() > mark.promises) {
+        promised_[at(promiseTrail_.back())] = false;
+        promiseTrail_.pop_back();
+    }
 }
 
 } // namespace qm

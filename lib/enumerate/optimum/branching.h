@@ -1,0 +1,37 @@
+/// \file What a search decides next: strong branching, until pseudo-costs are known well enough.
+#pragma once
+
+#include "enumerate/optimum/part_search.h"
+#include "enumerate/optimum/pseudo_costs.h"
+
+namespace qm {
+
+/// Two ways to go on from a node; what is too expensive has an infinite bound.
+struct BranchingChoice {
+    Decision decision; ///< its state is free; no variable if nothing is left to decide
+    double boundIn = 0;
+    double boundOut = 0;
+};
+
+class Branching {
+public:
+    /// \param part  outlives this
+    explicit Branching(PartSearch& part) : part_(part), pseudoCosts_(part.formulation.costs) {}
+
+    /// A column whose relaxed value is fractional, the one that promises most; any free variable if there is
+    /// none.
+    /// \param bound  of the node, whose relaxation has just been solved
+    BranchingChoice choose(double bound);
+    /// Where the relaxed solution is integral but no graph, or more graphs are wanted.
+    [[nodiscard]] BranchingChoice chooseAnyFree(double bound) const;
+
+private:
+    BranchingChoice probe(int column, double value, double bound, double& score);
+    double probeSide(int column, ArcState side, double bound, double& growth);
+    [[nodiscard]] Decision decisionOf(int column) const;
+
+    PartSearch& part_;
+    PseudoCosts pseudoCosts_;
+};
+
+} // namespace qm

@@ -1,0 +1,18 @@
+/// \file Early graphs: fixing what the relaxed solution is sure of, and searching what it leaves open.
+#pragma once
+
+#include "enumerate/optimum/part_search.h"
+
+namespace qm {
+
+/// Fixes the columns that are nearly 1 and solves again, until the solution is integral or too expensive.
+void dive(PartSearch& part);
+
+/// The same, until what the relaxed solution leaves in doubt is small enough to be searched. Values that the
+/// relaxed solution is sure of may contradict each other; then it goes on.
+void diveToRest(PartSearch& part);
+
+/// Searches what the relaxed solution and the best graph do not agree on.
+void searchNearby(PartSearch& part);
+
+} // namespace qm

@@ -1,0 +1,61 @@
+/// \file Rule 4 of method 2: which lines crack which crossings.
+#pragma once
+
+#include "enumerate/state/crack_forest.h"
+#include "enumerate/state/line_rule.h"
+
+#include <vector>
+
+namespace qm {
+
+/// Tells the crack forest of every crossing as soon as its lines are known to be covered or gapped.
+class CrackRule {
+public:
+    /// \param assignment, lines  outlive this
+    CrackRule(const Problem& problem, const PartialAssignment& assignment, LineRule& lines);
+
+    /// The crack node of a chain; -1 if its line cannot be cracked.
+    [[nodiscard]] int nodeOfChain(int chain) const { return nodeOfChain_[static_cast<std::size_t>(chain)]; }
+    [[nodiscard]] const std::vector<int>& crossingsOfNode(int node) const {
+        return crossingsOfNode_[static_cast<std::size_t>(node)];
+    }
+    /// A representative of the lines whose cracks depend on each other so far.
+    [[nodiscard]] int group(int node) const { return forest_.find(node); }
+    /// Head-on meetings that a group of lines has left.
+    [[nodiscard]] int left(int group) const { return forest_.left(group); }
+
+    /// All four arcs around a crossing are in.
+    [[nodiscard]] bool isCrossed(int crossing) const;
+    /// It is crossed, and not known yet which of its lines are covered from end to end.
+    [[nodiscard]] bool isPending(int crossing) const {
+        return !counted_[static_cast<std::size_t>(crossing)] && isCrossed(crossing);
+    }
+    /// No arc around a crossing is out.
+    [[nodiscard]] bool mayBeCrossed(int crossing) const;
+
+    /// What follows from what is known around a crossing. \return false on a contradiction
+    bool visitCrossing(int crossing);
+    /// Likewise from a chain that has just been covered or got a gap.
+    bool visitCovered(int chain);
+
+    struct Mark {
+        std::size_t counted = 0;
+        std::size_t changes = 0;
+    };
+    [[nodiscard]] Mark mark() const { return {countedTrail_.size(), forest_.changes()}; }
+    void undo(const Mark& mark);
+
+private:
+    [[nodiscard]] Cover coverOf(int node) const;
+
+    const Problem& problem_;
+    const PartialAssignment& assignment_;
+    LineRule& lines_;
+    std::vector<int> nodeOfChain_;
+    std::vector<std::vector<int>> crossingsOfNode_;
+    std::vector<bool> counted_; ///< crossings that the forest knows
+    std::vector<int> countedTrail_;
+    CrackForest forest_;
+};
+
+} // namespace qm
