@@ -1,7 +1,7 @@
 /// \file The layout that makes a segment of every quad.
 #pragma once
 
-#include "merge/layout.h"
+#include "layout/layout.h"
 #include "mesh/quad_mesh.h"
 
 namespace qm::testing {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bspline/reference/reference_grid.h"
-#include "merge/layout.h"
+#include "layout/layout.h"
 #include "mesh/quad_mesh.h"
 
 #include <vector>

@@ -2,7 +2,7 @@
 /// corner.
 #pragma once
 
-#include "merge/layout.h"
+#include "layout/layout.h"
 #include "mesh/quad_mesh.h"
 
 #include <array>
