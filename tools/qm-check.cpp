@@ -1,4 +1,4 @@
-/// \file qm-check: is a document true of its mesh? By code that shares none with the code that made it.
+/// \file qm-check: is a document true of its mesh? Only reading is shared with the tools that made it.
 #include "check/check_document.h"
 #include "check/print_report.h"
 #include "check/read_document.h"
@@ -31,8 +31,10 @@ int main(int argc, char** argv) {
     bool asJson = false;
     constexpr std::size_t linesShown = 20;
     return qm::runTool(argc, argv, "qm-check", "Verify a document against its mesh.", [&](qm::Tool& tool) {
-        tool.explain("Everything is computed anew, by code that shares none with the tools that made the "
-                     "document. Each violation is a line with the JSON pointer of its place and the rule.");
+        tool.explain(
+            "Everything is computed anew from the mesh's points and faces, by code that shares with the "
+            "tools that made the document only how documents and meshes are read. Each violation "
+            "is a line with the JSON pointer of its place and the rule.");
         tool.reads("DOCUMENT", "a document of any kind");
         tool.text("mesh", meshPath, "FILE", "the mesh, if it is not where the document says");
         tool.writes("what was found true, and the verdict");

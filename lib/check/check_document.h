@@ -1,7 +1,7 @@
 /// \file Is a whole document true of its mesh?
 ///
 /// Everything here is computed anew from the mesh's points and faces, and nothing of the modules that make
-/// documents takes part.
+/// documents takes part. Points, faces and JSON come from qm-check, which reads them as all tools do.
 #pragma once
 
 #include "check/checked_document.h"
