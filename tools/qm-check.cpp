@@ -10,7 +10,6 @@
 #include <algorithm>
 
 namespace {
-
 /// Points and faces as the mesh file lists them.
 qm::check::CheckedMesh pointsAndFaces(const qm::QuadMesh& mesh) {
     qm::check::CheckedMesh result;
@@ -23,7 +22,6 @@ qm::check::CheckedMesh pointsAndFaces(const qm::QuadMesh& mesh) {
     }
     return result;
 }
-
 } // namespace
 
 int main(int argc, char** argv) {
@@ -32,9 +30,8 @@ int main(int argc, char** argv) {
     constexpr std::size_t linesShown = 20;
     return qm::runTool(argc, argv, "qm-check", "Verify a document against its mesh.", [&](qm::Tool& tool) {
         tool.explain(
-            "Everything is computed anew from the mesh's points and faces, by code that shares with the "
-            "tools that made the document only how documents and meshes are read. Each violation "
-            "is a line with the JSON pointer of its place and the rule.");
+            "Everything is computed anew; only the reading of documents and meshes is shared with the "
+            "tools that made them. Each violation is a line with the JSON pointer of its place.");
         tool.reads("DOCUMENT", "a document of any kind");
         tool.text("mesh", meshPath, "FILE", "the mesh, if it is not where the document says");
         tool.writes("what was found true, and the verdict");

@@ -11,7 +11,7 @@ struct Control {
     std::function<void(double fraction)> progress = [](double) {};
     /// Asked now and then; true means: return the best result so far.
     std::function<bool()> stopRequested = [] { return false; };
-    /// Threads to use at most. Results never depend on it.
+    /// Threads to use at most. Results do not depend on it, unless they are stopped.
     unsigned jobs = 1;
 };
 

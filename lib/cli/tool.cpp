@@ -140,7 +140,8 @@ void Tool::addGeneralOptions() {
         s.usage.options.back().defaultText.clear();
     }
     addShort(
-        makeOption("jobs", s.jobs, Range{1, maxJobs}, "threads to use; the result does not depend on it"),
+        makeOption("jobs", s.jobs, Range{1, maxJobs},
+                   "threads to use; results do not depend on it, but for those that a limit of time ends"),
         "j");
     s.usage.options.back().defaultText = "as many as processors";
     addShort(makeOption("quiet", s.quiet, {}, "errors only: no warnings, no progress bar"), "q");

@@ -9,15 +9,11 @@
 namespace qm {
 namespace {
 
-constexpr std::size_t firstSize = 250; ///< columns of a neighbourhood
-constexpr std::size_t longRow = 40;    ///< a row of more columns makes no neighbours of them
-constexpr double solveSeconds = 1;     ///< for one neighbourhood
-constexpr int patience = 12;           ///< neighbourhoods in vain before they grow
-
 class NeighbourhoodSearch {
 public:
-    NeighbourhoodSearch(const IntegerProgram& program, std::vector<double> values)
-        : program_(program), values_(std::move(values)), rowsOf_(program.costs.size()),
+    NeighbourhoodSearch(const IntegerProgram& program, std::vector<double> values,
+                        const NeighbourhoodOptions& options)
+        : program_(program), options_(options), values_(std::move(values)), rowsOf_(program.costs.size()),
           place_(program.costs.size(), -1) {
         for (std::size_t row = 0; row < program.rows.size(); ++row)
             for (const int column : program.rows[row].columns)
@@ -39,7 +35,7 @@ public:
         std::ranges::for_each(sources, see);
         for (std::size_t k = 0; k < found.size() && found.size() < size; ++k)
             for (const std::size_t row : rowsOf_[static_cast<std::size_t>(found[k])])
-                if (program_.rows[row].columns.size() <= longRow)
+                if (program_.rows[row].columns.size() <= options_.longRow)
                     std::ranges::for_each(program_.rows[row].columns, see);
         return found;
     }
@@ -52,7 +48,7 @@ public:
             start.push_back(values_[static_cast<std::size_t>(column)]);
         const IntegerProgram part = restrictedTo(free);
         const double before = part.cost(start);
-        const ProgramSolution solution = solveProgram(part, start, seconds, control);
+        const ProgramSolution solution = solveProgram(part, start, {seconds, options_.nodes}, control);
         if (!solution.values) return false;
         const double after = part.cost(*solution.values);
         if (after > before - 1e-9) return false;
@@ -97,6 +93,7 @@ private:
     }
 
     const IntegerProgram& program_;
+    const NeighbourhoodOptions& options_;
     std::vector<double> values_;
     std::vector<std::vector<std::size_t>> rowsOf_;
     std::vector<int> place_; ///< in the part that is being made, -1 elsewhere
@@ -105,20 +102,20 @@ private:
 } // namespace
 
 std::vector<double> improveByNeighbourhoods(const IntegerProgram& program, std::vector<double> values,
-                                            const std::vector<std::vector<int>>& groups, double seconds,
-                                            const Control& control) {
-    const Deadline deadline(control, seconds);
+                                            const std::vector<std::vector<int>>& groups,
+                                            const NeighbourhoodOptions& options, const Control& control) {
+    const Deadline deadline(control, options.seconds);
     const Control inTime = deadline.control();
-    NeighbourhoodSearch search(program, std::move(values));
-    std::mt19937 random; // NOLINT(cert-msc51-cpp): the same neighbourhoods in every run
-    std::size_t size = firstSize;
+    NeighbourhoodSearch search(program, std::move(values), options);
+    std::mt19937 random(options.seed);
+    std::size_t size = options.columns;
     for (int turn = 0, inVain = 0; search.columns() > 0 && !inTime.stopRequested(); ++turn) {
         std::vector<int> sources{static_cast<int>(random() % search.columns())};
         if (turn % 2 == 1 && !groups.empty()) sources = groups[random() % groups.size()];
         const std::vector<int> free = search.around(sources, size);
-        const bool better = search.solve(free, std::min(solveSeconds, seconds), inTime);
+        const bool better = search.solve(free, deadline.secondsLeft(), inTime);
         inVain = better ? 0 : inVain + 1;
-        if (inVain < patience) continue;
+        if (inVain < options.patience) continue;
         if (size >= search.columns()) break;
         size *= 2;
         inVain = 0;

@@ -72,13 +72,13 @@ bool relax(OsiClpSolverInterface& solver, double seconds) {
 
 } // namespace
 
-ProgramSolution solveProgram(const IntegerProgram& program, const std::vector<double>& start, double seconds,
-                             const Control& control) {
+ProgramSolution solveProgram(const IntegerProgram& program, const std::vector<double>& start,
+                             const ProgramLimits& limits, const Control& control) {
     if (program.costs.empty()) return {std::vector<double>{}, 0, true}; // CBC proves nothing about nothing
-    const Deadline end(control, seconds);
+    const Deadline end(control, limits.seconds);
     OsiClpSolverInterface solver;
     load(program, solver);
-    if (!relax(solver, seconds)) return {{}, leastOfColumns(program), false};
+    if (!relax(solver, limits.seconds)) return {{}, leastOfColumns(program), false};
     CbcModel model(solver);
     CbcMain0(model);
     model.setLogLevel(0);
@@ -86,10 +86,12 @@ ProgramSolution solveProgram(const IntegerProgram& program, const std::vector<do
     model.passInEventHandler(&handler);
     if (!start.empty())
         model.setBestSolution(start.data(), static_cast<int>(start.size()), program.cost(start));
-    const std::string limit = std::to_string(std::min(end.secondsLeft(), 1e9));
+    const std::string seconds = std::to_string(std::min(end.secondsLeft(), 1e9));
+    const std::string nodes = std::to_string(limits.nodes);
     // CBC's own presolve crashes when it is interrupted.
-    const char* arguments[] = {"cbc",         "-log",        "0",   "-timeMode", "elapsed", "-sec",
-                               limit.c_str(), "-preprocess", "off", "-solve",    "-quit"};
+    const char* arguments[] = {"cbc",  "-log",          "0",         "-timeMode",   "elapsed",
+                               "-sec", seconds.c_str(), "-maxNodes", nodes.c_str(), "-preprocess",
+                               "off",  "-solve",        "-quit"};
     CbcMain1(static_cast<int>(std::size(arguments)), arguments, model);
     ProgramSolution solution;
     solution.proven = model.isProvenOptimal();

@@ -4,6 +4,7 @@
 #include "base/control.h"
 #include "program/integer_program.h"
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -15,10 +16,15 @@ struct ProgramSolution {
     bool proven = false;
 };
 
-/// Minimises the costs; stops after `seconds` with the best so far, or soon after `control.stopRequested`.
+struct ProgramLimits {
+    double seconds = std::numeric_limits<double>::infinity();
+    int nodes = std::numeric_limits<int>::max(); ///< of branch and bound
+};
+
+/// Minimises the costs; stops at a limit with the best so far, or soon after `control.stopRequested`.
 /// \param start  values to begin with that obey all rows; may be empty
 [[nodiscard]] ProgramSolution solveProgram(const IntegerProgram& program, const std::vector<double>& start,
-                                           double seconds, const Control& control = {});
+                                           const ProgramLimits& limits, const Control& control = {});
 
 /// A bound of the least cost, the least cost itself if there is time enough; minus infinity if there was
 /// none. May run on several threads.

@@ -44,15 +44,15 @@ public:
         const std::optional<Values> start = bestKnown(program, maxSegments);
         // Half of the time to prove the optimum; otherwise the rest for the best without a proof.
         ProgramSolution solution =
-            solveProgram(program, start.value_or(Values{}), options_.timeLimit / 2, control_);
+            solveProgram(program, start.value_or(Values{}), {.seconds = options_.timeLimit / 2}, control_);
         if (!solution.values && !start)
             throw Error("--max-segments", "no layout of so few segments was found",
                         "allow more, or more time");
         Values values = start.value_or(Values{});
         if (solution.values) values = std::move(*solution.values);
         if (!solution.proven)
-            values = improveByNeighbourhoods(program, std::move(values), lines(), options_.timeLimit / 2,
-                                             control_);
+            values = improveByNeighbourhoods(program, std::move(values), lines(),
+                                             {.seconds = options_.timeLimit / 2}, control_);
         PruneResult result;
         result.layout = layoutOf(values);
         // Components without sources get a loop each, come what may.
@@ -98,7 +98,7 @@ private:
         for (double beta = 1; beta <= dearest && !bestKnown(grids_.program, maxSegments); beta *= 4) {
             const IntegerProgram program = pricedAt(beta);
             known_.push_back(improveByNeighbourhoods(program, *bestKnown(program, infinity), lines(),
-                                                     options_.timeLimit / 12, control_));
+                                                     {.seconds = options_.timeLimit / 12}, control_));
         }
     }
 

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <random>
 
 namespace qm::testing {
@@ -173,21 +174,45 @@ IntegerProgram largeRing(int size) {
 TEST(PruneProperty, NeighbourhoodsComeToTheOptimum) {
     const IntegerProgram ring = largeRing(700);
     const std::vector<double> all(ring.costs.size(), 1);
-    const std::vector<double> better = improveByNeighbourhoods(ring, all, {{0, 1, 2}}, 60);
+    const std::vector<double> better = improveByNeighbourhoods(ring, all, {{0, 1, 2}}, {});
     EXPECT_TRUE(ring.allows(better));
-    const ProgramSolution best = solveProgram(ring, {}, 60);
+    const ProgramSolution best = solveProgram(ring, {}, {});
     ASSERT_TRUE(best.proven);
     EXPECT_NEAR(ring.cost(better), ring.cost(*best.values), 1e-6);
+}
+
+TEST(PruneProperty, NeighbourhoodsFollowTheirSeed) {
+    const IntegerProgram ring = largeRing(700);
+    const std::vector<double> all(ring.costs.size(), 1);
+    const auto improved = [&](std::uint32_t seed) {
+        Control control; // ends after a few neighbourhoods
+        control.stopRequested = [asked = 0]() mutable { return ++asked > 20; };
+        return improveByNeighbourhoods(ring, all, {}, {.columns = 30, .seed = seed}, control);
+    };
+    EXPECT_EQ(improved(1), improved(1));
+    EXPECT_NE(improved(1), improved(2));
+}
+
+TEST(PruneProperty, ALimitOfNodesEndsASearch) {
+    // Two of an odd number all around: of such a sum neither relaxation nor cuts know that it cannot be met.
+    IntegerProgram uneven;
+    uneven.costs.assign(15, 1);
+    uneven.rows.resize(1, {{}, std::vector<double>(15, 2), 15, 15});
+    uneven.rows[0].columns.resize(15);
+    std::iota(uneven.rows[0].columns.begin(), uneven.rows[0].columns.end(), 0);
+    const ProgramSolution whole = solveProgram(uneven, {}, {}), cut = solveProgram(uneven, {}, {.nodes = 3});
+    EXPECT_GT(whole.lowerBound, 15); // no values cost so much: there are none
+    EXPECT_LT(cut.lowerBound, 15);
 }
 
 TEST(PruneProperty, NeighbourhoodsStopWhenTheyAreAskedTo) {
     const IntegerProgram ring = largeRing(700);
     const std::vector<double> all(ring.costs.size(), 1);
-    EXPECT_EQ(improveByNeighbourhoods(ring, all, {}, 0), all);
+    EXPECT_EQ(improveByNeighbourhoods(ring, all, {}, {.seconds = 0}), all);
     Control control;
     int asked = 0;
     control.stopRequested = [&asked] { return ++asked > 3; };
-    EXPECT_TRUE(ring.allows(improveByNeighbourhoods(ring, all, {}, 60, control)));
+    EXPECT_TRUE(ring.allows(improveByNeighbourhoods(ring, all, {}, {}, control)));
 }
 
 TEST(PruneProperty, AStoppedSearchKeepsTheLayout) {
