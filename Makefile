@@ -253,7 +253,10 @@ $(O)/fuzz/%: $(O)/tests/fuzz/%.o $(samples) $(library)
 
 .PHONY: coverage
 coverage: ## run the tests with config=coverage and print the lines that they reach, file by file
-	@$(again) config=coverage check-unit check-property check-cli
+	@scripts/install-dependencies build check coverage
+	@$(again) config=coverage all programs-of-tests
+	@find build/coverage -name '*.gcda' -delete
+	@scripts/check coverage '$(only)' unit property cli
 	@scripts/coverage build/coverage
 
 .PHONY: bench

@@ -33,6 +33,18 @@ config() { if [[ $QM_BIN == */build/*/bin ]]; then basename "$(dirname "$QM_BIN"
     done
 }
 
+@test "manual pages show every example as a line of its own" {
+    command -v groff >/dev/null || skip "there is no groff"
+    local tool example
+    for tool in $(all_tools); do
+        groff -man -Tascii -P-cbou -rLL=200n "$BATS_FILE_TMPDIR/root/usr/share/man/man1/$tool.1" | sed 's/^ *//' >page
+        while IFS= read -r example; do
+            run grep -Fx -- "$example" page
+            assert_success
+        done < <("$QM_BIN/$tool" --help | sed -nE '/^Examples/,$ s/^ +//p')
+    done
+}
+
 @test "completion offers the options of a tool" {
     run bash -c "source '$BATS_FILE_TMPDIR/root/usr/share/bash-completion/completions/qm-cut'
         COMP_WORDS=(qm-cut --ch); COMP_CWORD=1
