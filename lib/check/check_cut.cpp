@@ -1,5 +1,6 @@
 #include "check/check_cut.h"
 
+#include "base/number_text.h"
 #include "check/paths.h"
 
 #include <algorithm>
@@ -40,7 +41,7 @@ void checkSubMeshes(const Neighbourhoods& around, const std::vector<LineNetwork>
         const double complexity = quasiComplexity(network);
         if (subMesh.quasiComplexity &&
             !(std::abs(*subMesh.quasiComplexity - complexity) <= 1e-6 * std::max(1.0, complexity)))
-            report.violate(at(here, "quasiComplexity"), "U", "it is " + decimal(complexity));
+            report.violate(at(here, "quasiComplexity"), "U", "it is " + numberText(complexity));
         if (subMesh.ordinaryJunctions &&
             std::cmp_not_equal(*subMesh.ordinaryJunctions, network.ordinaryJunctions))
             report.violate(at(here, "ordinaryJunctions"), "n_j",

@@ -1,5 +1,6 @@
 #include "check/check_enumeration.h"
 
+#include "base/number_text.h"
 #include "check/check_constraints.h"
 #include "check/check_graph.h"
 
@@ -99,7 +100,7 @@ private:
             cost.add(edge);
         if (graph.cost && !cost.equals(*graph.cost))
             report_.violate(at(here, "cost"), "cost",
-                            "the edges of its tracks cost " + decimal(cost.value()));
+                            "the edges of its tracks cost " + numberText(cost.value()));
         if (maybeTwice) return cost;
         const auto [same, unique] = known_.emplace(std::move(edges), here);
         if (!unique) report_.violate(here, "distinct", "it has the same edges as " + same->second);
@@ -127,7 +128,8 @@ private:
 
     void best(const EnumerationPart::SubMesh& subMesh, const CostSum& cost, const std::string& here) {
         if (subMesh.cost && !cost.equals(*subMesh.cost))
-            report_.violate(at(here, "cost"), "best cost", "the first graph costs " + decimal(cost.value()));
+            report_.violate(at(here, "cost"), "best cost",
+                            "the first graph costs " + numberText(cost.value()));
         if (subMesh.lowerBound && !(*subMesh.lowerBound <= cost.value()) && !cost.equals(*subMesh.lowerBound))
             report_.violate(at(here, "lowerBound"), "bound", "it is above the cost of the first graph");
     }

@@ -1,5 +1,6 @@
 #include "check/check_layout.h"
 
+#include "base/number_text.h"
 #include "check/check_constraints.h"
 #include "check/check_graph.h"
 #include "check/check_quality.h"
@@ -119,10 +120,11 @@ private:
             const auto& claimed = part_.tracks[track.rank].cost;
             if (claimed && !cost.equals(*claimed))
                 report_.violate(at(at(tracksPlace, track.rank), "cost"), "cost",
-                                "its edges cost " + decimal(cost.value()));
+                                "its edges cost " + numberText(cost.value()));
         }
         if (part_.cost && !total.equals(*part_.cost))
-            report_.violate("/layout/cost", "G_T", "the edges of the tracks cost " + decimal(total.value()));
+            report_.violate("/layout/cost", "G_T",
+                            "the edges of the tracks cost " + numberText(total.value()));
         // A pruned layout may cost less than any motorcycle graph.
         if (part_.lowerBound && !part_.pruned && !total.equals(*part_.lowerBound) &&
             !(*part_.lowerBound <= total.value()))

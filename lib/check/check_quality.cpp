@@ -1,5 +1,7 @@
 #include "check/check_quality.h"
 
+#include "base/number_text.h"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -57,7 +59,7 @@ void checkSharpness(const Angles& angles, std::span<const char> onTrack, const L
         captured += onTrack[edge] ? angles.angle[edge] : 0;
     }
     if (sharp > 0 && !between(captured / sharp, *part.quality.capturedSharpness, captured / sharp))
-        report.violate(at(place, "capturedSharpness"), "quality", "it is " + decimal(captured / sharp));
+        report.violate(at(place, "capturedSharpness"), "quality", "it is " + numberText(captured / sharp));
 }
 
 } // namespace
@@ -67,7 +69,7 @@ void checkQuality(const Neighbourhoods& around, const Angles& angles, std::span<
     const auto expect = [&](const std::optional<double>& claimed, const char* key, double least,
                             double most) {
         if (claimed && !between(least, *claimed, most))
-            report.violate(at(place, key), "quality", "it is " + decimal(most));
+            report.violate(at(place, key), "quality", "it is " + numberText(most));
     };
     const auto number = static_cast<double>(part.segments.size());
     expect(part.quality.segments, "segments", number, number);

@@ -1,5 +1,6 @@
 #include "check/check_surfaces.h"
 
+#include "base/number_text.h"
 #include "check/check_segments.h"
 #include "check/distance.h"
 #include "check/spline.h"
@@ -116,7 +117,7 @@ private:
         const double most = layout_.segments[p].size[k];
         if (std::abs(knots[degree]) > 1e-9 || std::abs(knots[count] - most) > 1e-9 * std::max(1.0, most))
             report_.violate(here, "domain",
-                            "the surface must run from 0 to " + decimal(most) + ", as its segment");
+                            "the surface must run from 0 to " + numberText(most) + ", as its segment");
     }
 
     [[nodiscard]] std::vector<int> grid(std::size_t p) const {
@@ -134,7 +135,7 @@ private:
             const double error = distance(here.point, mesh_.points[index(vertices[i])]);
             if (error <= 1e-9 * diagonal_) continue;
             report_.violate(pointer(p), "interpolation",
-                            "it misses vertex " + std::to_string(vertices[i]) + " by " + decimal(error));
+                            "it misses vertex " + std::to_string(vertices[i]) + " by " + numberText(error));
             return;
         }
     }
@@ -158,8 +159,8 @@ private:
                     const double error = deviation(patch, cell, {column + s, row + t}, s, t, limit);
                     if (error <= limit) continue;
                     report_.violate(pointer(p), "tolerance",
-                                    "at face " + std::to_string(face) + " it is " + decimal(error) +
-                                        " from the mesh; the tolerance is " + decimal(tolerance_));
+                                    "at face " + std::to_string(face) + " it is " + numberText(error) +
+                                        " from the mesh; the tolerance is " + numberText(tolerance_));
                     return;
                 }
         }
@@ -204,7 +205,8 @@ private:
                 const double gap = distance(pointAt(place[0], along), pointAt(place[1], 1 - along));
                 if (gap <= 1e-9 * diagonal_) continue;
                 report_.violate(pointer(place[1].patch), "watertight",
-                                "a gap of " + decimal(gap) + " to patch " + std::to_string(place[0].patch));
+                                "a gap of " + numberText(gap) + " to patch " +
+                                    std::to_string(place[0].patch));
                 break;
             }
         }

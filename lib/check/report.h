@@ -1,8 +1,6 @@
 /// \file What a check found: the violations, each with its place, and what proved true.
 #pragma once
 
-#include <array>
-#include <charconv>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -48,13 +46,6 @@ private:
 }
 [[nodiscard]] inline std::string at(const std::string& pointer, const char* key) {
     return pointer + "/" + key;
-}
-
-/// A figure with as many digits as it takes to tell it from its neighbours.
-[[nodiscard]] inline std::string decimal(double value) {
-    std::array<char, 32> text{};
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
-    return {text.data(), end.ptr};
 }
 
 } // namespace qm::check

@@ -1,7 +1,7 @@
 #include "cli/usage.h"
 
+#include "base/number_text.h"
 #include "document/json.h"
-#include "document/number_text.h"
 #include "document/version.h"
 
 #include <algorithm>

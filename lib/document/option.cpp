@@ -1,33 +1,18 @@
 #include "document/option.h"
 
-#include "document/number_text.h"
+#include "base/number_text.h"
 
 #include <cctype>
 #include <cmath>
 
 namespace qm {
 
-namespace {
-
-/// For people: whole numbers in full, others to six digits.
-std::string limitText(double limit) {
-    char buffer[maxNumberText];
-    constexpr double longest = 1e15;
-    const bool whole = limit == std::floor(limit) && std::abs(limit) < longest;
-    const auto end =
-        whole ? std::to_chars(buffer, buffer + maxNumberText, limit, std::chars_format::fixed)
-              : std::to_chars(buffer, buffer + maxNumberText, limit, std::chars_format::general, 6);
-    return {buffer, end.ptr};
-}
-
-} // namespace
-
 std::string rangeText(const Range& range) {
     const bool bounded = std::isfinite(range.most);
     if (std::isfinite(range.least))
-        return bounded ? limitText(range.least) + " to " + limitText(range.most)
-                       : "at least " + limitText(range.least);
-    return bounded ? "at most " + limitText(range.most) : "";
+        return bounded ? roundedText(range.least) + " to " + roundedText(range.most)
+                       : "at least " + roundedText(range.least);
+    return bounded ? "at most " + roundedText(range.most) : "";
 }
 
 std::string keyOf(std::string_view optionName) {

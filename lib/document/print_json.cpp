@@ -1,5 +1,5 @@
+#include "base/number_text.h"
 #include "document/json.h"
-#include "document/number_text.h"
 
 #include <stdexcept>
 
@@ -29,11 +29,6 @@ void appendString(std::string& text, const std::string& value) {
     text += '"';
 }
 
-template <class Integer> void appendInteger(std::string& text, Integer value) {
-    char buffer[maxNumberText];
-    text.append(buffer, std::to_chars(buffer, buffer + maxNumberText, value).ptr);
-}
-
 void appendScalar(std::string& text, const Json& value) {
     switch (value.type()) {
     case Json::value_t::string:
@@ -42,15 +37,13 @@ void appendScalar(std::string& text, const Json& value) {
         text += value.get<bool>() ? "true" : "false";
         return;
     case Json::value_t::number_integer:
-        return appendInteger(text, value.get<std::int64_t>());
+        return appendNumber(text, value.get<std::int64_t>());
     case Json::value_t::number_unsigned:
-        return appendInteger(text, value.get<std::uint64_t>());
+        return appendNumber(text, value.get<std::uint64_t>());
     case Json::value_t::number_float: {
         const double number = value.get<double>();
         if (!std::isfinite(number)) throw std::logic_error("a number in a document is not finite");
-        char buffer[maxNumberText];
-        text.append(buffer, writeNumber(buffer, number));
-        return;
+        return appendNumber(text, withoutSignOfZero(number));
     }
     default:
         text += "null";

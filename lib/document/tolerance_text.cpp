@@ -1,6 +1,6 @@
 #include "document/tolerance_text.h"
 
-#include "document/number_text.h"
+#include "base/number_text.h"
 
 namespace qm {
 

@@ -1,22 +1,14 @@
-/// \file Numbers as text and as little-endian bytes.
+/// \file Numbers as little-endian bytes.
 #pragma once
 
 #include <array>
 #include <bit>
-#include <charconv>
 #include <concepts>
 #include <cstddef>
 #include <string>
 #include <utility>
 
 namespace qm {
-
-/// The shortest text that reads back as the same number, whatever the locale.
-template <class Number> void appendText(std::string& text, Number number) {
-    std::array<char, 40> buffer;
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number).ptr;
-    text.append(buffer.data(), end);
-}
 
 template <class Number>
 requires std::integral<Number> || std::floating_point<Number>

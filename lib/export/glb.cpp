@@ -3,6 +3,8 @@
 #include "export/bytes.h"
 #include "export/quads.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -11,6 +13,8 @@
 
 namespace qm {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 /// glTF has single precision.
 float single(double coordinate) {
@@ -40,7 +44,7 @@ public:
     }
 
     [[nodiscard]] std::string file() const {
-        std::string text = json();
+        std::string text = json().dump();
         text.resize((text.size() + 3) / 4 * 4, ' ');
         const std::size_t size = positions_.size() + normals_.size() + colours_.size() + indices_.size();
         std::string bytes = "glTF";
@@ -76,94 +80,58 @@ private:
             }
     }
 
-    [[nodiscard]] std::string json() const {
-        std::string text = R"({"asset":{"version":"2.0","generator":"qm-export"})";
-        if (ranges_.empty()) return text + "}";
-        text += R"(,"scene":0,"scenes":[{"nodes":[)";
-        list(text, [&](std::size_t k) { appendText(text, k); });
-        text += R"(]}],"nodes":[)";
-        list(text, [&](std::size_t k) {
-            text += R"({"name":"segment )";
-            appendText(text, k);
-            text += R"(","mesh":)";
-            appendText(text, k);
-            text += '}';
-        });
-        text += R"(],"meshes":[)";
-        list(text, [&](std::size_t k) {
-            text +=
-                R"({"primitives":[{"attributes":{"POSITION":0,"NORMAL":1,"COLOR_0":2},"material":0,"indices":)";
-            appendText(text, k + 3);
-            text += "}]}";
-        });
-        text +=
-            R"(],"materials":[{"doubleSided":true,"pbrMetallicRoughness":{"metallicFactor":0,"roughnessFactor":0.8}}])";
-        accessors(text);
-        buffers(text);
-        return text + "}";
-    }
-
-    void accessors(std::string& text) const {
-        text += R"(,"accessors":[)";
-        const std::string bounds = R"(,"min":[)" + numbers(low_) + R"(],"max":[)" + numbers(high_) + ']';
-        text += accessor(0, 0, 5126, vertexCount_, "VEC3", bounds);
-        text += ',' + accessor(1, 0, 5126, vertexCount_, "VEC3");
-        text += ',' + accessor(2, 0, 5121, vertexCount_, "VEC4", R"(,"normalized":true)");
-        for (std::size_t k = 0; k < ranges_.size(); ++k) {
-            const std::size_t begin = k == 0 ? 0 : ranges_[k - 1];
-            text += ',' + accessor(3, begin, 5125, (ranges_[k] - begin) / 4, "SCALAR");
-        }
-        text += ']';
-    }
-
-    static std::string numbers(const std::array<float, 3>& values) {
-        std::string text;
-        for (const float value : values) {
-            text += text.empty() ? "" : ",";
-            appendText(text, value);
-        }
-        return text;
-    }
-
     /// \param component  5121, 5125 or 5126: bytes, 32 bit integers or floating point numbers
-    static std::string accessor(std::size_t view, std::size_t offset, int component, std::size_t count,
-                                const std::string& type, const std::string& more = {}) {
-        std::string text = R"({"bufferView":)";
-        appendText(text, view);
-        text += R"(,"byteOffset":)";
-        appendText(text, offset);
-        text += R"(,"componentType":)";
-        appendText(text, component);
-        text += R"(,"count":)";
-        appendText(text, count);
-        return text + R"(,"type":")" + type + '"' + more + '}';
+    static Json accessor(int view, std::size_t offset, int component, std::size_t count, const char* type) {
+        return {{"bufferView", view},
+                {"byteOffset", offset},
+                {"componentType", component},
+                {"count", count},
+                {"type", type}};
     }
 
-    void buffers(std::string& text) const {
-        text += R"(,"bufferViews":[)";
+    [[nodiscard]] Json accessors() const {
+        Json positions = accessor(0, 0, 5126, vertexCount_, "VEC3");
+        positions["min"] = low_;
+        positions["max"] = high_;
+        Json colours = accessor(2, 0, 5121, vertexCount_, "VEC4");
+        colours["normalized"] = true;
+        Json all{std::move(positions), accessor(1, 0, 5126, vertexCount_, "VEC3"), std::move(colours)};
+        for (std::size_t begin = 0; const std::size_t end : ranges_) {
+            all.push_back(accessor(3, begin, 5125, (end - begin) / sizeof(std::uint32_t), "SCALAR"));
+            begin = end;
+        }
+        return all;
+    }
+
+    [[nodiscard]] Json json() const {
+        Json root{{"asset", {{"version", "2.0"}, {"generator", "qm-export"}}}};
+        if (ranges_.empty()) return root;
+        Json segments = Json::array(), nodes = Json::array(), meshes = Json::array();
+        for (std::size_t k = 0; k < ranges_.size(); ++k) {
+            segments.push_back(k);
+            nodes.push_back({{"name", "segment " + std::to_string(k)}, {"mesh", k}});
+            meshes.push_back({{"primitives",
+                               {{{"attributes", {{"POSITION", 0}, {"NORMAL", 1}, {"COLOR_0", 2}}},
+                                 {"material", 0},
+                                 {"indices", k + 3}}}}});
+        }
+        root["scene"] = 0;
+        root["scenes"] = {{{"nodes", std::move(segments)}}};
+        root["nodes"] = std::move(nodes);
+        root["meshes"] = std::move(meshes);
+        root["materials"] = {{{"doubleSided", true},
+                              {"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", 0.8}}}}};
+        root["accessors"] = accessors();
         std::size_t offset = 0;
         for (const std::string* part : {&positions_, &normals_, &colours_, &indices_}) {
-            text += offset == 0 ? "" : ",";
-            text += R"({"buffer":0,"byteOffset":)";
-            appendText(text, offset);
-            text += R"(,"byteLength":)";
-            appendText(text, part->size());
-            text += R"(,"target":)";
-            appendText(text, part == &indices_ ? 34963 : 34962);
-            text += '}';
+            root["bufferViews"].push_back({{"buffer", 0},
+                                           {"byteOffset", offset},
+                                           {"byteLength", part->size()},
+                                           {"target", part == &indices_ ? 34963 : 34962}});
             offset += part->size();
         }
-        text += R"(],"buffers":[{"byteLength":)";
-        appendText(text, offset);
-        text += "}]";
-    }
-
-    /// Calls `append` for every segment, with commas between.
-    template <class Append> void list(std::string& text, const Append& append) const {
-        for (std::size_t k = 0; k < ranges_.size(); ++k) {
-            text += k == 0 ? "" : ",";
-            append(k);
-        }
+        root["buffers"] = {{{"byteLength", offset}}};
+        return root;
     }
 
     std::string positions_;

@@ -1,5 +1,6 @@
 #include "export/quads.h"
 
+#include "base/number_text.h"
 #include "export/bytes.h"
 
 #include <cstdint>
@@ -24,20 +25,18 @@ std::string quadsAsObj(const QuadMesh& mesh, const Layout& layout) {
     for (const VertexId vertex : mesh.vertices()) {
         text += 'v';
         for (const double coordinate : mesh.point(vertex)) {
-            text += ' ';
-            appendText(text, coordinate);
+            appendNumber(text += ' ', coordinate);
         }
         text += '\n';
     }
     for (std::size_t s = 0; s < layout.segments.size(); ++s) {
         text += "g segment_";
-        appendText(text, s);
+        appendNumber(text, s);
         text += '\n';
         for (const FaceId face : layout.segments[s].faces) {
             text += 'f';
             for (const VertexId vertex : corners(mesh, face)) {
-                text += ' ';
-                appendText(text, vertex.idx() + 1);
+                appendNumber(text += ' ', vertex.idx() + 1);
             }
             text += '\n';
         }
@@ -47,9 +46,9 @@ std::string quadsAsObj(const QuadMesh& mesh, const Layout& layout) {
 
 std::string quadsAsPly(const QuadMesh& mesh, const Layout& layout, const std::vector<Colour>& colours) {
     std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex ";
-    appendText(bytes, mesh.n_vertices());
+    appendNumber(bytes, mesh.n_vertices());
     bytes += "\nproperty double x\nproperty double y\nproperty double z\nelement face ";
-    appendText(bytes, mesh.n_faces());
+    appendNumber(bytes, mesh.n_faces());
     bytes += "\nproperty list uchar int vertex_indices\nproperty uchar red\nproperty uchar green\n"
              "property uchar blue\nproperty int segment\nend_header\n";
     for (const VertexId vertex : mesh.vertices())

@@ -1,9 +1,9 @@
 #include "view/view_options.h"
 
 #include "base/error.h"
+#include "base/number_text.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace qm {
@@ -20,12 +20,6 @@ std::vector<std::string> split(const std::string& text, char mark) {
     return parts;
 }
 
-template <class Number> bool parse(const std::string& text, Number& value) {
-    const char* end = text.data() + text.size();
-    const auto [stop, failure] = std::from_chars(text.data(), end, value);
-    return failure == std::errc{} && stop == end;
-}
-
 } // namespace
 
 std::vector<std::string> parseNames(const std::string& text) {
@@ -40,7 +34,7 @@ std::array<double, 3> parseDirection(const std::string& text) {
     std::array<double, 3> direction{};
     bool sound = parts.size() == direction.size();
     for (std::size_t k = 0; sound && k < direction.size(); ++k)
-        sound = parse(parts[k], direction[k]) && std::isfinite(direction[k]);
+        sound = parseNumber(parts[k], direction[k]);
     if (!sound || std::hypot(direction[0], direction[1], direction[2]) == 0)
         throw Error("", "'" + text + "' is no direction", "Give three numbers, such as 1,-1,0.5");
     return direction;
@@ -51,7 +45,7 @@ PictureSize parseSize(const std::string& text) {
     constexpr int most = 8192;
     const auto parts = split(text, 'x');
     PictureSize size;
-    if (parts.size() != 2 || !parse(parts[0], size.width) || !parse(parts[1], size.height) ||
+    if (parts.size() != 2 || !parseNumber(parts[0], size.width) || !parseNumber(parts[1], size.height) ||
         std::min(size.width, size.height) < least || std::max(size.width, size.height) > most)
         throw Error("", "'" + text + "' is no size of a picture", "Give width and height, such as 1200x900");
     return size;

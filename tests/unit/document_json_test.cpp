@@ -1,8 +1,8 @@
 /// \file Reading and printing JSON.
 #include "base/error.h"
+#include "base/number_text.h"
 #include "document/json.h"
 #include "document/json_place.h"
-#include "document/number_text.h"
 #include "document/utf8.h"
 #include "support/sample_document.h"
 

@@ -2,7 +2,6 @@
 #include "bspline/clamped_patch.h"
 #include "bspline/evaluate.h"
 #include "bspline/fit.h"
-#include "export/bytes.h"
 #include "export/export.h"
 #include "export/shape.h"
 #include "support/grid_layout.h"
@@ -493,14 +492,6 @@ TEST(Export, RefusesWhatOpenCascadeRefuses) {
     ASSERT_LT(knots[4], knots[5]);
     knots[5] = std::nextafter(knots[4], knots[5]);
     EXPECT_THROW((void)exported(model, ExportFormat::step), Error);
-}
-
-TEST(Bytes, AreTheShortestTextThatReadsBack) {
-    std::string text;
-    appendText(text, 0.1);
-    text += ' ';
-    appendText(text, 12345678);
-    EXPECT_EQ(text, "0.1 12345678");
 }
 
 } // namespace
