@@ -23,7 +23,7 @@ void verifyBaseComplex(const QuadMesh& mesh, const BaseComplex& complex, const J
     const auto difference =
         firstDifference(baseComplexToJson(mesh, complex), section.value(), section.pointer());
     if (difference)
-        throw Error(*difference, "is not what follows from the mesh",
+        throw Error(difference->to_string(), "is not what follows from the mesh",
                     "The base complex cannot be edited: make it anew with qm-basecomplex");
 }
 

@@ -10,6 +10,7 @@ namespace qm {
 
 /// Keeps the order of keys.
 using Json = nlohmann::ordered_json;
+using JsonPointer = Json::json_pointer;
 
 /// Time linear in the text, also for objects with many keys.
 /// \throw Error  at line and column: if the text is empty or no JSON, is not UTF-8, has a key twice in one
@@ -23,8 +24,5 @@ using Json = nlohmann::ordered_json;
 
 /// The same without line breaks at all.
 [[nodiscard]] std::string printJsonLine(const Json& value);
-
-/// "~" and "/" of a key as JSON pointers write them.
-[[nodiscard]] std::string escapePointer(std::string_view key);
 
 } // namespace qm

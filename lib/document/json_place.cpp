@@ -17,12 +17,12 @@ std::optional<JsonPlace> JsonPlace::find(const char* key) const {
     if (!value_->is_object()) fail(std::string("is ") + value_->type_name() + ", not object");
     const auto member = value_->find(key);
     if (member == value_->end()) return {};
-    return JsonPlace(*member, pointer_ + "/" + escapePointer(key));
+    return JsonPlace(*member, pointer_ / key);
 }
 
 JsonPlace JsonPlace::operator[](std::size_t index) const {
     if (index >= size()) fail("has only " + std::to_string(size()) + " entries");
-    return JsonPlace((*value_)[index], pointer_ + "/" + std::to_string(index));
+    return JsonPlace((*value_)[index], pointer_ / index);
 }
 
 std::size_t JsonPlace::size() const {
@@ -72,18 +72,18 @@ std::vector<int> JsonPlace::indices(std::size_t count, const char* what) const {
 }
 
 void JsonPlace::fail(const std::string& what, const std::string& remedy) const {
-    throw Error(pointer_.empty() ? "/" : pointer_, what, remedy);
+    throw Error(pointer_.empty() ? "/" : pointer_.to_string(), what, remedy);
 }
 
 void JsonPlace::failAt(std::size_t index, const std::string& what, const std::string& remedy) const {
-    throw Error(pointer_ + "/" + std::to_string(index), what, remedy);
+    throw Error((pointer_ / index).to_string(), what, remedy);
 }
 
-std::optional<std::string> firstDifference(const Json& expected, const Json& actual,
-                                           const std::string& pointer) {
+std::optional<JsonPointer> firstDifference(const Json& expected, const Json& actual,
+                                           const JsonPointer& pointer) {
     if (expected.is_object() && actual.is_object()) {
         for (const auto& [key, value] : expected.items()) {
-            const std::string place = pointer + "/" + escapePointer(key);
+            const JsonPointer place = pointer / key;
             const auto member = actual.find(key);
             if (member == actual.end()) return place;
             if (auto difference = firstDifference(value, *member, place)) return difference;
@@ -94,10 +94,9 @@ std::optional<std::string> firstDifference(const Json& expected, const Json& act
         const std::size_t common = std::min(expected.size(), actual.size());
         for (std::size_t i = 0; i < common; ++i) {
             if (expected[i].is_number() && expected[i] == actual[i]) continue;
-            if (auto difference = firstDifference(expected[i], actual[i], pointer + "/" + std::to_string(i)))
-                return difference;
+            if (auto difference = firstDifference(expected[i], actual[i], pointer / i)) return difference;
         }
-        if (expected.size() != actual.size()) return pointer + "/" + std::to_string(common);
+        if (expected.size() != actual.size()) return pointer / common;
         return {};
     }
     if (expected == actual) return {};

@@ -15,11 +15,11 @@ namespace qm {
 /// must outlive the place.
 class JsonPlace {
 public:
-    explicit JsonPlace(const Json& value, std::string pointer = {})
+    explicit JsonPlace(const Json& value, JsonPointer pointer = JsonPointer())
         : value_(&value), pointer_(std::move(pointer)) {}
 
     [[nodiscard]] const Json& value() const { return *value_; }
-    [[nodiscard]] const std::string& pointer() const { return pointer_; }
+    [[nodiscard]] const JsonPointer& pointer() const { return pointer_; }
     [[nodiscard]] bool isNull() const { return value_->is_null(); }
 
     /// A member that must be there.
@@ -49,12 +49,12 @@ public:
 
 private:
     const Json* value_;
-    std::string pointer_;
+    JsonPointer pointer_;
 };
 
 /// Compares two values. Numbers are equal by value, and keys that are only in `actual` do not count.
 /// \return the pointer of the first difference below `pointer`, if there is any
-[[nodiscard]] std::optional<std::string> firstDifference(const Json& expected, const Json& actual,
-                                                         const std::string& pointer);
+[[nodiscard]] std::optional<JsonPointer> firstDifference(const Json& expected, const Json& actual,
+                                                         const JsonPointer& pointer = JsonPointer());
 
 } // namespace qm

@@ -160,15 +160,15 @@ Layout readLayout(const QuadMesh& mesh, const std::vector<double>& dihedralAngle
         const auto difference =
             firstDifference(segmentsToJson(layout), segments->value(), segments->pointer());
         if (difference)
-            throw Error(*difference, "is not what follows from the tracks",
-                        "Delete " + segments->pointer() + " and the segments are made anew");
+            throw Error(difference->to_string(), "is not what follows from the tracks",
+                        "Delete " + segments->pointer().to_string() + " and the segments are made anew");
     }
     return layout;
 }
 
 bool layoutIsWhole(const QuadMesh& mesh, const Layout& layout, const Json& section) {
     return section.contains("cost") && section.contains("segments") &&
-           !firstDifference(tracksToJson(mesh, layout), section.at("tracks"), "");
+           !firstDifference(tracksToJson(mesh, layout), section.at("tracks"));
 }
 
 } // namespace qm

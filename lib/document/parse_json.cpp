@@ -39,7 +39,7 @@ public:
     Json result;
     std::string problem;
     std::size_t position = 0; ///< of the problem in the text; 0 if only its pointer is known
-    std::string pointer;
+    JsonPointer pointer;
 
 private:
     struct Level {
@@ -76,8 +76,7 @@ private:
     bool fail(std::string what) {
         problem = std::move(what);
         for (const Level& level : levels_)
-            pointer +=
-                "/" + (level.isObject ? escapePointer(level.key) : std::to_string(level.elements.size()));
+            pointer /= level.isObject ? level.key : std::to_string(level.elements.size());
         return false;
     }
 
@@ -134,7 +133,7 @@ Json parseJson(std::string_view text) {
     Builder builder;
     if (!Json::sax_parse(text.begin(), text.end(), &builder))
         throw Error(builder.position > 0 ? lineAndColumn(text, builder.position)
-                                         : builder.pointer.substr(0, 100),
+                                         : builder.pointer.to_string().substr(0, 100),
                     builder.problem);
     return std::move(builder.result);
 }

@@ -172,17 +172,4 @@ std::string printJsonLine(const Json& value) {
     return text;
 }
 
-std::string escapePointer(std::string_view key) {
-    std::string text;
-    for (const char c : key) {
-        if (c == '~')
-            text += "~0";
-        else if (c == '/')
-            text += "~1";
-        else
-            text += c;
-    }
-    return text;
-}
-
 } // namespace qm

@@ -85,14 +85,14 @@ const Json& resolved(const Json& schema, const Json* node) {
 
 /// A place in a document, with what the schema says about it.
 struct Place {
-    std::string pointer;
+    JsonPointer pointer;
     const Json* value = nullptr;
     Json rule; ///< the sub-schema, with the description of whoever refers to it
 };
 
 /// Follows Valijson's context, "[key]" or "[position among the shown elements]" per step.
 Place follow(const Json& root, const Json& schema, const std::vector<std::string>& context) {
-    Place place{"", &root, schema};
+    Place place{JsonPointer(), &root, schema};
     const Json* rule = &schema;
     for (std::size_t step = 1; step < context.size(); ++step) {
         const std::string name = context[step].substr(1, context[step].size() - 2);
@@ -100,11 +100,11 @@ Place follow(const Json& root, const Json& schema, const std::vector<std::string
         if (place.value->is_array()) {
             const auto& array = place.value->get_ref<const Json::array_t&>();
             const std::size_t position = shownElements(array).at(std::stoul(name));
-            place.pointer += "/" + std::to_string(position);
+            place.pointer /= position;
             place.value = &array[position];
             if (rule->contains("items")) next = &rule->at("items");
         } else {
-            place.pointer += "/" + escapePointer(name);
+            place.pointer /= name;
             place.value = &place.value->at(name);
             if (rule->contains("properties") && rule->at("properties").contains(name))
                 next = &rule->at("properties").at(name);
@@ -174,7 +174,7 @@ void validate(const Json& root, const Json& schema) {
     results.popError(first);
     const Place place = follow(root, schema, first.context);
     const std::string meaning = place.pointer.empty() ? "" : place.rule.value("description", "");
-    throw Error(place.pointer, problemAt(place, first.description),
+    throw Error(place.pointer.to_string(), problemAt(place, first.description),
                 meaning.empty() ? "" : "It means: " + withSmallStart(meaning));
 }
 
