@@ -2,15 +2,19 @@
 
 #include "mesh/soup_edges.h"
 
+#include <boost/geometry/geometries/box.hpp>
+#include <boost/geometry/geometries/point.hpp>
+#include <boost/geometry/index/rtree.hpp>
+#include <boost/geometry/strategies/strategies.hpp>
+
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
 #include <numeric>
-#include <unordered_map>
+#include <utility>
 
 namespace qm {
 namespace {
+
+namespace index = boost::geometry::index;
 
 std::size_t cornerAt(const Soup& soup, Side side) {
     return static_cast<std::size_t>(soup.corners[side]);
@@ -56,53 +60,34 @@ std::vector<bool> borderVertices(const Soup& soup) {
     return border;
 }
 
-/// Points in a hash of cells, four times as wide as the tolerance so that mostly one cell must be searched.
-class PointGrid {
+/// Points in a tree, each with its number.
+class PointTree {
 public:
-    PointGrid(const std::vector<Point>& points, double tolerance)
-        : points_(points), tolerance_(tolerance),
-          width_(std::max(4 * tolerance, std::numeric_limits<double>::denorm_min())) {}
+    PointTree(const std::vector<Point>& points, double tolerance) : points_(points), tolerance_(tolerance) {}
 
-    void add(std::size_t k) { cells_[hash(cellOf(points_[k]))].push_back(k); }
+    void add(std::size_t k) { tree_.insert({treePoint(points_[k]), k}); }
 
     /// The lowest point at the place of point k that is accepted, or k.
     template <class Accept> [[nodiscard]] std::size_t find(std::size_t k, const Accept& accept) const {
         const Point reach(tolerance_, tolerance_, tolerance_);
-        const Point low = cellOf(points_[k] - reach), high = cellOf(points_[k] + reach);
+        const Box box(treePoint(points_[k] - reach), treePoint(points_[k] + reach));
         std::size_t found = k;
-        for (unsigned choice = 0; choice < 8; ++choice) {
-            Point cell = low;
-            bool repeated = false;
-            for (unsigned axis = 0; axis < 3; ++axis)
-                if ((choice >> axis & 1U) != 0) {
-                    repeated = repeated || high[axis] == low[axis];
-                    cell[axis] = high[axis];
-                }
-            const auto entry = repeated ? cells_.end() : cells_.find(hash(cell));
-            if (entry == cells_.end()) continue;
-            for (const std::size_t other : entry->second)
-                if (other < found && (points_[other] - points_[k]).max_abs() <= tolerance_ && accept(other))
-                    found = other;
-        }
+        for (auto entry = tree_.qbegin(index::intersects(box)); entry != tree_.qend(); ++entry)
+            if (const std::size_t other = entry->second;
+                other < found && (points_[other] - points_[k]).max_abs() <= tolerance_ && accept(other))
+                found = other;
         return found;
     }
 
 private:
-    [[nodiscard]] Point cellOf(const Point& point) const {
-        return {std::floor(point[0] / width_), std::floor(point[1] / width_), std::floor(point[2] / width_)};
-    }
+    using TreePoint = boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>;
+    using Box = boost::geometry::model::box<TreePoint>;
 
-    static std::size_t hash(const Point& cell) {
-        std::size_t value = 0;
-        for (const double coordinate : cell)
-            value = value * 0x9e3779b97f4a7c15ULL + std::hash<double>{}(coordinate);
-        return value;
-    }
+    static TreePoint treePoint(const Point& point) { return {point[0], point[1], point[2]}; }
 
     const std::vector<Point>& points_;
     double tolerance_;
-    double width_;
-    std::unordered_map<std::size_t, std::vector<std::size_t>> cells_;
+    index::rtree<std::pair<TreePoint, std::size_t>, index::linear<16>> tree_;
 };
 
 std::vector<std::size_t> identity(std::size_t count) {
@@ -179,17 +164,17 @@ private:
 std::vector<std::size_t> weldTargets(const Soup& soup) {
     const std::vector<bool> border = borderVertices(soup);
     const Stars stars(soup);
-    PointGrid grid(soup.points, toleranceOf(soup));
+    PointTree tree(soup.points, toleranceOf(soup));
     std::vector<std::size_t> target = identity(soup.points.size());
     for (std::size_t k = 0; k < target.size(); ++k) {
         if (!border[k]) continue;
-        target[k] = grid.find(k, [&](std::size_t other) {
+        target[k] = tree.find(k, [&](std::size_t other) {
             return std::ranges::none_of(stars.of(k), [&](Side out) {
                 return target[cornerAt(soup, nextSide(out))] == other ||
                        target[cornerAt(soup, previousSide(out))] == other;
             });
         });
-        if (target[k] == k) grid.add(k);
+        if (target[k] == k) tree.add(k);
     }
     return target;
 }
