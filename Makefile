@@ -98,7 +98,7 @@ help: ## this list
 	@sed -nE 's/^([a-z-]+):[^#]*## (.*)/  \1\t\2/p' Makefile | expand -t 20
 
 .PHONY: deps
-deps: ## install the Debian packages that are missing (as root, or with sudo)
+deps: ## install what building and `make check` need of Debian (as root, or with sudo)
 	@scripts/install-dependencies build check
 
 # `check` and `demo` must work on a machine that has nothing but git and make: the packages come first, and
@@ -222,7 +222,7 @@ $(O)/tests/%_test: $(O)/tests/property/%_test.o $(support) $(library)
 
 .PHONY: lint
 lint: ## clang-format and clang-tidy
-	@scripts/install-dependencies build check lint
+	@scripts/install-dependencies --verify build check lint
 	@scripts/lint $(O) -- $(filter-out -Werror,$(compile))
 
 .PHONY: check-packages
@@ -235,7 +235,7 @@ format: ## lay out the sources as .clang-format says
 
 .PHONY: fuzz
 fuzz: ## run every fuzzer for seconds=60
-	@scripts/install-dependencies build fuzz
+	@scripts/install-dependencies --verify build fuzz
 	@$(again) config=fuzz run-fuzzers
 
 .PHONY: run-fuzzers
@@ -253,7 +253,7 @@ $(O)/fuzz/%: $(O)/tests/fuzz/%.o $(samples) $(library)
 
 .PHONY: coverage
 coverage: ## run the tests with config=coverage and print the lines that they reach, file by file
-	@scripts/install-dependencies build check coverage
+	@scripts/install-dependencies --verify build check coverage
 	@$(again) config=coverage all programs-of-tests
 	@find build/coverage -name '*.gcda' -delete
 	@scripts/check coverage '$(only)' unit property cli
@@ -261,13 +261,13 @@ coverage: ## run the tests with config=coverage and print the lines that they re
 
 .PHONY: bench
 bench: ## time the kernels (Google Benchmark; only=REGEX to filter) and print the tables of bench-search
-	@scripts/install-dependencies build bench check
+	@scripts/install-dependencies --verify build bench check
 	@$(again) run-benchmarks only='$(only)'
 	@$(if $(only),,$(again) run-search-tables)
 
 .PHONY: bench-search
 bench-search: ## the search beside plain CBC and the paper's algorithms, as tables; only=REGEX to filter meshes
-	@scripts/install-dependencies build bench check
+	@scripts/install-dependencies --verify build bench check
 	@$(again) run-search-tables only='$(only)'
 
 .PHONY: run-benchmarks run-search-tables
@@ -287,21 +287,27 @@ $(O)/tests/search-tables: $(tables) $(bench_parts) $(support) $(library)
 
 .PHONY: bench-dev
 bench-dev: ## run the pipeline on a folder of real meshes and print a table; only=REGEX to filter
-	@scripts/install-dependencies build bench
+	@scripts/install-dependencies --verify build bench
 	@$(again) all
 	@QM_BIN=$(abspath $(bin)) scripts/bench-dev '$(only)'
 
 .PHONY: bench-surfaces
 bench-surfaces: ## fit and export surfaces for a folder of real meshes and print tables; only=REGEX to filter
-	@scripts/install-dependencies build bench
+	@scripts/install-dependencies --verify build bench
 	@$(again) all $(programs)
 	@QM_BIN=$(abspath $(bin)) READ_STEP=$(abspath $(O)/tests/read-step) scripts/bench-surfaces '$(only)'
 
 .PHONY: pictures
 pictures: ## make the pictures of README.md anew
-	@scripts/install-dependencies build view
+	@scripts/install-dependencies --verify build view
 	@$(again) all
 	@QM_BIN=$(abspath $(bin)) scripts/pictures docs/pictures
+
+.PHONY: compile-commands
+compile-commands: compile_commands.json ## compile_commands.json, how every source is compiled, for editors and clang's tools
+compile_commands.json: FORCE
+	@scripts/compile-commands $(sort $(sources) $(wildcard tools/*.cpp tests/*/*.cpp tests/*/*/*.cpp)) > $@
+compile_commands.json: export command = $(filter-out ccache,$(compile))
 
 # --------------------------------------------------------------------------------------------- install
 
@@ -322,21 +328,51 @@ $(completions): $(tools) scripts/completion
 	@mkdir -p $(@D)
 	$(call quietly,complete,$@) scripts/completion $(tools) > $@
 
+# What is installed, by the folder it goes to.
+man_folder     := share/man/man1
+bash_folder    := share/bash-completion/completions
+own_folders    := include/quadmesh share/quadmesh share/doc/quadmesh
+installed      := $(tool_names:%=bin/%) $(tool_names:%=$(man_folder)/%.1) $(tool_names:%=$(bash_folder)/%) \
+                  lib/libquadmesh.a lib/pkgconfig/quadmesh.pc
+public_headers := $(filter-out lib/cli/%,$(headers))
+
+# The archive brings no list of what it needs, so whoever links it gets all libraries; --as-needed drops the rest.
+define pkg_config
+prefix=$(prefix)
+includedir=$${prefix}/include
+libdir=$${prefix}/lib
+
+Name: quadmesh
+Description: From quad meshes to layouts of four-sided patches and B-spline surfaces
+Version: $(version)
+Requires: $(filter-out CLI11,$(packages))
+Cflags: -I$${includedir} -I$${includedir}/quadmesh -DVALIJSON_USE_EXCEPTIONS=1 -DJSON_DIAGNOSTICS=1
+Libs: -Wl,--as-needed -L$${libdir} -lquadmesh $(opencascade:%=-l%) -pthread
+endef
+
 .PHONY: install
-install: all man completion ## install below DESTDIR and prefix=/usr/local
-	install -d $(DESTDIR)$(prefix)/bin $(DESTDIR)$(prefix)/share/man/man1 \
-	    $(DESTDIR)$(prefix)/share/quadmesh/schemas $(DESTDIR)$(prefix)/share/quadmesh/pipelines \
-	    $(DESTDIR)$(prefix)/share/doc/quadmesh $(DESTDIR)$(prefix)/share/bash-completion/completions
+install: all man completion ## install tools, library and headers below DESTDIR and prefix=/usr/local
+	install -d $(addprefix $(DESTDIR)$(prefix)/,$(sort $(dir $(installed))) $(own_folders))
 	install $(tools) $(DESTDIR)$(prefix)/bin
-	install -m 644 $(man_pages) $(DESTDIR)$(prefix)/share/man/man1
-	install -m 644 $(schemas) $(DESTDIR)$(prefix)/share/quadmesh/schemas
-	install -m 644 pipelines/layout.mk $(DESTDIR)$(prefix)/share/quadmesh/pipelines
-	install pipelines/layout.sh $(DESTDIR)$(prefix)/share/quadmesh/pipelines
-	install -m 644 README.md ARCHITECTURE.md CHANGELOG.md LICENSE $(wildcard schemas/FORMAT.md) \
-	    $(DESTDIR)$(prefix)/share/doc/quadmesh
+	install -m 644 $(man_pages) $(DESTDIR)$(prefix)/$(man_folder)
 	for tool in $(tool_names); do \
-	    install -m 644 $(completions) $(DESTDIR)$(prefix)/share/bash-completion/completions/$$tool; \
+	    install -m 644 $(completions) $(DESTDIR)$(prefix)/$(bash_folder)/$$tool; \
 	done
+	install -m 644 $(library) $(DESTDIR)$(prefix)/lib
+	printf '%s\n' "$$pkg_config" > $(DESTDIR)$(prefix)/lib/pkgconfig/quadmesh.pc
+	for header in $(public_headers:lib/%=%); do \
+	    install -D -m 644 lib/$$header $(DESTDIR)$(prefix)/include/quadmesh/$$header; \
+	done
+	install -D -m 644 -t $(DESTDIR)$(prefix)/share/quadmesh/schemas $(schemas)
+	install -D -m 644 -t $(DESTDIR)$(prefix)/share/quadmesh/pipelines pipelines/layout.mk
+	install -D -t $(DESTDIR)$(prefix)/share/quadmesh/pipelines pipelines/layout.sh
+	install -m 644 README.md ARCHITECTURE.md CHANGELOG.md LICENSE schemas/FORMAT.md $(DESTDIR)$(prefix)/share/doc/quadmesh
+install: export pkg_config := $(pkg_config)
+
+.PHONY: uninstall
+uninstall: ## remove what `make install` put below DESTDIR and prefix
+	rm -f $(installed:%=$(DESTDIR)$(prefix)/%)
+	rm -rf $(own_folders:%=$(DESTDIR)$(prefix)/%)
 
 .PHONY: clean
 clean: ## remove what was built

@@ -62,6 +62,46 @@ config() { if [[ $QM_BIN == */build/*/bin ]]; then basename "$(dirname "$QM_BIN"
     assert_same_bytes pipe.json out/part.surfaces.json
 }
 
+@test "a program is compiled and linked against the installed library" {
+    case $(config) in release | debug) ;; *) skip "a library of this configuration links with its own flags" ;; esac
+    local copy=$BATS_TEST_TMPDIR/copy expected
+    make --no-print-directory -C "$ROOT" "config=$(config)" install "prefix=$copy" >/dev/null
+    # The program and the command are those of README.md.
+    sed -n '/^```cpp$/,/^```$/ { /^```/d; p }' "$ROOT/README.md" >patches.cpp
+    command=$(sed -n 's/^ \{4\}\(g++ .*patches\.cpp.*\)/\1/p' "$ROOT/README.md")
+    assert [ -n "$command" ]
+    PKG_CONFIG_PATH=$copy/lib/pkgconfig quietly bash -c "$command"
+
+    cp "$(sample block)" part.obj
+    expected=$(qm-basecomplex part.obj | qm-enum | qm-merge |
+        jq -r '"\(.layout.segments | length) patches, cost \(.layout.cost * 1000 | round / 1000)"')
+    run ./patches
+    assert_output "$expected"
+}
+
+@test "editors learn how every source is compiled" {
+    quietly env "command=g++ -DTEXT='\"a b\"' -I\\" "$ROOT/scripts/compile-commands" lib/one.cpp tools/two.cpp
+    assert_equal "$(jq -r '.[1].command' <<<"$output")" "g++ -DTEXT='\"a b\"' -I\\ -c tools/two.cpp"
+    assert_equal "$(jq -r '.[0].file' <<<"$output")" lib/one.cpp
+}
+
+@test "what is missing is named, and only installed on request" {
+    mkdir folder
+    printf '#!/bin/sh\nexit 1\n' >folder/dpkg-query
+    chmod +x folder/dpkg-query
+    PATH=$PWD/folder:$PATH run --separate-stderr "$ROOT/scripts/install-dependencies" --verify fuzz lint
+    assert_equal "$status" 1
+    assert_equal "$stderr" 'packages are missing. As root, run: apt-get install clang clang-format clang-tidy shellcheck'
+}
+
+@test "uninstalling leaves nothing" {
+    make --no-print-directory -C "$ROOT" "config=$(config)" install prefix=/usr "DESTDIR=$PWD/root" >/dev/null
+    assert [ -e root/usr/lib/pkgconfig/quadmesh.pc ]
+    make --no-print-directory -C "$ROOT" "config=$(config)" uninstall prefix=/usr "DESTDIR=$PWD/root" >/dev/null
+    run find root -not -type d
+    assert_output ''
+}
+
 @test "only qm-export needs OpenCASCADE" {
     for tool in $(all_tools); do
         [[ $tool == qm-export ]] && continue
