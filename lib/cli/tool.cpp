@@ -1,5 +1,6 @@
 #include "cli/tool.h"
 
+#include "cli/command_line.h"
 #include "cli/messages.h"
 #include "cli/output_file.h"
 #include "cli/progress.h"
@@ -8,8 +9,6 @@
 #include "document/files.h"
 #include "document/json.h"
 #include "document/schema.h"
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -28,11 +27,6 @@ double peakMegabytes() {
     struct rusage usage {};
     getrusage(RUSAGE_SELF, &usage);
     return static_cast<double>(usage.ru_maxrss) / 1024; // Linux counts in KiB
-}
-
-std::string firstSmall(std::string text) {
-    if (!text.empty()) text[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(text[0])));
-    return text;
 }
 
 } // namespace
@@ -160,50 +154,15 @@ void Tool::addGeneralOptions() {
 
 void Tool::parse(int argc, char** argv) {
     State& s = *state_;
-    std::vector<OptionRecord>& options = s.usage.options;
-
-    CLI::App app;
-    app.set_help_flag();
-    app.allow_extras();
-    std::vector<std::string> texts(options.size());
-    std::vector<CLI::Option*> bound(options.size());
-    for (std::size_t i = 0; i < options.size(); ++i) {
-        const OptionRecord& option = options[i];
-        const std::string flags =
-            (option.shortName.empty() ? "" : "-" + option.shortName + ",") + "--" + option.name;
-        if (option.type == OptionRecord::Type::flag)
-            bound[i] = app.add_flag(flags);
-        else
-            bound[i] = app.add_option(flags, texts[i])->type_name(option.placeholder);
-        bound[i]->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-    }
-    app.parse(argc, argv);
-
-    std::string wrong; // reported only if help is not asked for
-    for (std::size_t i = 0; i < options.size(); ++i) {
-        if (bound[i]->count() == 0) continue;
-        s.given.insert(options[i].name);
-        if (options[i].type == OptionRecord::Type::flag && !bound[i]->as<bool>()) continue;
-        const std::string problem = options[i].assign(texts[i]);
-        if (!problem.empty() && wrong.empty()) wrong = "--" + options[i].name + ": " + problem;
-    }
+    CommandLine line = readCommandLine(argc, argv, s.usage.options);
+    s.given = std::move(line.given);
     if (s.help || s.version || s.printSchema || s.printUsage) return;
-    if (!wrong.empty()) throw UsageError(wrong);
-    assignOperands(app.remaining());
+    if (!line.problem.empty()) throw UsageError(line.problem);
+    assignOperands(line.operands);
 }
 
-void Tool::assignOperands(const std::vector<std::string>& words) {
+void Tool::assignOperands(const std::vector<std::string>& operands) {
     State& s = *state_;
-    std::vector<std::string> operands;
-    bool operandsOnly = false;
-    for (const std::string& word : words) {
-        if (!operandsOnly && word == "--")
-            operandsOnly = true;
-        else if (!operandsOnly && word.size() > 1 && word[0] == '-')
-            throw UsageError("unknown option " + word);
-        else
-            operands.push_back(word);
-    }
     for (std::size_t i = 0; i < operands.size(); ++i) {
         if (i >= s.operands.size()) throw UsageError("unexpected operand " + operands[i]);
         if (operands[i].empty()) throw UsageError(s.usage.operands[i].name + " is empty");
@@ -340,11 +299,6 @@ int Tool::run(int argc, char** argv, const std::function<ToolBody(Tool&)>& decla
         return answer(body);
     } catch (const UsageError& error) {
         return misused(error.what());
-    } catch (const CLI::ArgumentMismatch& error) {
-        const std::string what = error.what(); // "--output: 1 required FILE missing"
-        return misused(what.substr(0, what.find(':')) + ": its value is missing");
-    } catch (const CLI::ParseError& error) {
-        return misused(firstSmall(error.what()));
     } catch (const FileError& error) {
         return fail(error.what());
     } catch (const Error& error) {

@@ -23,12 +23,12 @@
 #pragma once
 
 #include "base/control.h"
+#include "cli/command_line.h"
 #include "cli/option_record.h"
 #include "document/option.h"
 
 #include <functional>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -132,19 +132,13 @@ private:
     void add(OptionRecord record);
     void addGeneralOptions();
     void parse(int argc, char** argv);
-    void assignOperands(const std::vector<std::string>& words);
+    void assignOperands(const std::vector<std::string>& operands);
     void noteSettings() const;
     void printStats() const;
     int answer(const ToolBody& body);
     int run(int argc, char** argv, const std::function<ToolBody(Tool&)>& declare);
 
     std::unique_ptr<State> state_;
-};
-
-/// A wrong command line: one line on standard error that points to --help, and status 2.
-class UsageError : public std::runtime_error {
-public:
-    using std::runtime_error::runtime_error;
 };
 
 /// Runs a tool and returns its exit status. \param declare  declares the options and returns the body
