@@ -1,4 +1,4 @@
-/// \file Dihedral angles and edge costs, computed anew (method 3).
+/// \file Dihedral angles and edge costs, computed anew (docs/METHOD.md#cost).
 #pragma once
 
 #include "check/checked_document.h"

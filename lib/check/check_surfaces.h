@@ -1,4 +1,4 @@
-/// \file Are these B-spline surfaces, and do they keep what their fit promised? (method 9)
+/// \file Are these B-spline surfaces, and do they keep what their fit promised? (docs/METHOD.md#smooth-fit)
 #pragma once
 
 #include "check/checked_document.h"

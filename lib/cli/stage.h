@@ -14,8 +14,10 @@ namespace qm {
 /// Must live until the body has run.
 class Stage {
 public:
-    /// A tool that writes a document. \param reads  what the body needs of the document (see `readModel`)
-    /// \param least  the kind that the document must have at least \param writes  the kind of the result
+    /// A tool that writes a document.
+    /// \param reads  what the body needs of the document (see `readModel`)
+    /// \param least  the kind that the document must have at least
+    /// \param writes  the kind of the result
     Stage(Tool& tool, Kind reads, Kind least, Kind writes);
     /// A tool that only reads documents; what it writes is declared with `Tool::writes`.
     Stage(Tool& tool, Kind reads, Kind least);

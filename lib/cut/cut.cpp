@@ -110,7 +110,8 @@ private:
         return parts;
     }
 
-    /// Numbers the connected components of a piece, in `component_`. \return how many there are
+    /// Numbers the connected components of a piece, in `component_`.
+    /// \return how many there are
     int numberComponents(const Piece& piece) {
         int count = 0;
         for (const VertexId vertex : piece.vertices)
@@ -135,7 +136,8 @@ private:
     }
 
     /// What does not hang together is separate already: every component in which particles start is a part,
-    /// and all the others are one. \return nothing if the piece hangs together
+    /// and all the others are one.
+    /// \return nothing if the piece hangs together
     Pieces separate(const Piece& piece) {
         const int components = numberComponents(piece);
         if (components < 2) return {};
@@ -153,8 +155,8 @@ private:
         return divide(piece, partOf, parts + (others ? 1 : 0));
     }
 
-    /// The cut that leaves its more complicated part least complicated. \return nothing if that is no simpler
-    /// than the whole
+    /// The cut that leaves its more complicated part least complicated.
+    /// \return nothing if that is no simpler than the whole
     Pieces cutBetween(const Piece& piece, Terminals kind) {
         const int label = labels_[at(piece.vertices.front())];
         const auto [extraordinary, seeds] = sourcesOf(piece);

@@ -1,4 +1,4 @@
-/// \file Cutting the mesh into sub-meshes of bounded complexity (method 4; paper 4.2.1).
+/// \file Cutting the mesh into sub-meshes of bounded complexity (docs/METHOD.md#mesh-cut).
 #pragma once
 
 #include "base/control.h"
@@ -13,8 +13,8 @@ namespace qm {
 /// How source and sink of a two-way cut are chosen.
 enum class Terminals {
     irregular, ///< centres of the two groups of extraordinary vertices (the paper's)
-    farthest,  ///< the two vertices farthest apart (paper 5, first variant)
-    box        ///< best of three cuts between opposite walls of the bounding box (paper 5, second variant)
+    farthest,  ///< the two vertices farthest apart
+    box        ///< best of three cuts between opposite walls of the bounding box
 };
 
 struct CutOptions {

@@ -1,4 +1,5 @@
-/// \file The energy of a two-way cut (method 4).
+/// \file The energy of a two-way cut (docs/METHOD.md#mesh-cut), after Golovinskiy and Funkhouser 2008
+/// (docs/METHOD.md#golovinskiy-2008).
 #pragma once
 
 #include "cut/cut.h"

@@ -1,5 +1,5 @@
-/// \file Two-way minimum cut of weighted nodes (method 4): Boykov-Kolmogorov, after what is certain has been
-/// fixed.
+/// \file Two-way minimum cut of weighted nodes (docs/METHOD.md#mesh-cut) by the algorithm of Boykov and
+/// Kolmogorov (docs/METHOD.md#boykov-2004), after what is certain has been fixed.
 #pragma once
 
 #include <array>

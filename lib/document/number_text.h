@@ -13,7 +13,8 @@ namespace qm {
 constexpr std::size_t maxNumberText = 32;
 
 /// Writes a finite number to a buffer of `maxNumberText` characters. Whole numbers have no point and zero no
-/// sign, so that a number keeps its text when other programs rewrite a document. \return the end of the text
+/// sign, so that a number keeps its text when other programs rewrite a document.
+/// \return the end of the text
 inline char* writeNumber(char* buffer, double value) {
     return std::to_chars(buffer, buffer + maxNumberText, value == 0 ? 0.0 : value).ptr;
 }

@@ -1,4 +1,4 @@
-/// \file What a graph costs: a sum of terms, each with a weight (method 3; paper 4.1).
+/// \file What a graph costs: a sum of terms, each with a weight (docs/METHOD.md#cost).
 #pragma once
 
 #include "layout/constraints.h"

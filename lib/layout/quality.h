@@ -1,4 +1,4 @@
-/// \file How good a layout is (method 7).
+/// \file How good a layout is (docs/METHOD.md#quality).
 #pragma once
 
 #include "layout/layout.h"

@@ -1,4 +1,4 @@
-/// \file From arcs to particles: who walked what (method 2, "Several particle positions give one graph").
+/// \file From arcs to particles: who walked what (docs/METHOD.md#cracks).
 #pragma once
 
 #include "basecomplex/arc_graph.h"

@@ -29,7 +29,8 @@ public:
         }
     }
 
-    /// Follows the links of everything taken so far. \return whether anything was added
+    /// Follows the links of everything taken so far.
+    /// \return whether anything was added
     bool addLinked() {
         std::vector<ArcId> found;
         for (std::size_t k = followed_; k < order_.size(); ++k)

@@ -1,5 +1,5 @@
-/// \file What a search of the complete generator may change: free particles and those linked to them (method
-/// 5, CMG).
+/// \file What a search of the complete generator may change: free particles and those linked to them
+/// (docs/METHOD.md#merging, CMG).
 #pragma once
 
 #include "enumerate/sub_mesh/extend.h"

@@ -126,7 +126,8 @@ private:
                     "take some out of /constraints");
     }
 
-    /// Searches with these arcs free. \return false if nothing is valid
+    /// Searches with these arcs free.
+    /// \return false if nothing is valid
     bool improve(int subMesh, const std::vector<ArcId>& arcs, std::vector<bool>& present) const {
         const Problem problem = subMeshProblem(space_, subMesh, arcs, present);
         Control control;

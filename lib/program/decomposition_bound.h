@@ -1,8 +1,9 @@
 /// \file A bound beyond the linear relaxation: clusters of columns are solved as integer programs.
 ///
-/// Lagrangian decomposition. Rows between clusters are paid for by their duals instead of being obeyed; what
-/// remains falls apart, and every cluster's optimum is at least its share of the relaxed cost. The gain is
-/// what fractional values inside of clusters had saved.
+/// Lagrangian relaxation (docs/METHOD.md#decomposition-bound; Geoffrion 1974, docs/METHOD.md#geoffrion-1974).
+/// Rows between clusters are paid for by their duals instead of being obeyed; what remains falls apart, and
+/// every cluster's optimum is at least its share of the relaxed cost. The gain is what fractional values
+/// inside of clusters had saved.
 #pragma once
 
 #include "base/control.h"
@@ -29,8 +30,7 @@ struct DecompositionOptions {
 };
 
 /// \return a bound of the program's cost, at most the cutoff; minus infinity if time was too short. Where
-/// time
-///         does not end it, the result does not depend on `control.jobs`.
+/// time does not end it, the result does not depend on `control.jobs`.
 [[nodiscard]] double decompositionBound(const RelaxedProgram& relaxed, const DecompositionOptions& options,
                                         const Control& control = {});
 

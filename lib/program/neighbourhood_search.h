@@ -1,4 +1,5 @@
-/// \file Making a solution of an integer program better, a neighbourhood of columns at a time.
+/// \file Making a solution of an integer program better, a neighbourhood of columns at a time: large
+/// neighbourhood search (docs/METHOD.md#shaw-1998).
 #pragma once
 
 #include "base/control.h"

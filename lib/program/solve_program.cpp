@@ -60,7 +60,8 @@ double leastOfColumns(const IntegerProgram& program) {
                            [](double sum, double cost) { return sum + std::min(cost, 0.0); });
 }
 
-/// CBC would not look at the clock before the relaxation is solved. \return whether it is
+/// CBC would not look at the clock before the relaxation is solved.
+/// \return whether it is
 bool relax(OsiClpSolverInterface& solver, double seconds) {
     ClpSimplex& simplex = *solver.getModelPtr();
     simplex.setMaximumWallSeconds(seconds);

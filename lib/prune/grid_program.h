@@ -1,4 +1,5 @@
-/// \file Which arcs of the base complex keep every segment a grid, as an integer program (method 2, 7, 8).
+/// \file Which arcs of the base complex keep every segment a grid, as an integer program
+/// (docs/METHOD.md#pruning-program).
 ///
 /// One binary variable an arc, and one a junction that says whether any track runs over it. A segment takes
 /// at most two quads at any vertex, so that by Gauss-Bonnet it is a grid with four corners or an annulus:

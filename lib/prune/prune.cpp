@@ -42,7 +42,8 @@ Fate judge(Removal& removal, const Track& track, const PruneOptions& options) {
 }
 
 /// Goes through the candidates again and again until none goes. A kept one is asked again only after
-/// something beside it has gone: until then its answer cannot change. \return what becomes of every track
+/// something beside it has gone: until then its answer cannot change.
+/// \return what becomes of every track
 std::vector<Fate> decide(const QuadMesh& mesh, const Layout& layout, const PruneOptions& options,
                          const Control& control) {
     Removal removal(mesh, layout);

@@ -1,4 +1,4 @@
-/// \file Removing flat boundaries (method 8; paper 5).
+/// \file Removing flat boundaries (docs/METHOD.md#pruning).
 #pragma once
 
 #include "base/control.h"

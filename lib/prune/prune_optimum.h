@@ -1,5 +1,5 @@
-/// \file Pruning as an optimum: the cheapest layout of grids, whatever tracks it needs (method 8, and
-/// beyond).
+/// \file Pruning as an optimum: the cheapest layout of grids, whatever tracks it needs
+/// (docs/METHOD.md#pruning-program).
 #pragma once
 
 #include "base/control.h"

@@ -1,4 +1,4 @@
-/// \file What becomes of the segments when a track is taken away (method 8).
+/// \file What becomes of the segments when a track is taken away (docs/METHOD.md#pruning).
 #pragma once
 
 #include "layout/layout.h"

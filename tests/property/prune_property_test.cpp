@@ -54,7 +54,8 @@ PruneOptions optimum(double beta, bool smooth) {
     return options;
 }
 
-/// Tries all sets of arcs. \return the least objective of those that cut the mesh into grids
+/// Tries all sets of arcs.
+/// \return the least objective of those that cut the mesh into grids
 double leastOfAll(const Case& drawn, const ArcGraph& graph, double beta) {
     double least = std::numeric_limits<double>::infinity();
     for (unsigned bits = 0; bits >> graph.arcs.size() == 0; ++bits) {

@@ -454,7 +454,7 @@ INSTANTIATE_TEST_SUITE_P(
                "/surfaces/patches/1", "watertight"}),
     nameOf);
 
-// ---- Tracks moved so that one rule of method 2 after the other breaks.
+// ---- Tracks moved so that one rule after the other (docs/METHOD.md#valid-tracks) breaks.
 
 TEST(CheckLayout, SeesATrackThatStopsBetweenJunctions) {
     Model model = make(polycube(box(1, 1, 1), 3));

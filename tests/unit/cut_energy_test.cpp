@@ -34,7 +34,8 @@ CutProblem problemOf(const QuadMesh& mesh, const std::vector<VertexId>& extraord
     return problemOf(mesh, extraordinary, terminals, options, std::vector<double>(mesh.n_edges(), 0));
 }
 
-/// E(L) as method 4 states it, in a plane, where the distances are straight. nullopt: D by the distances.
+/// E(L) as docs/METHOD.md#mesh-cut states it, in a plane, where the distances are straight. nullopt: D by the
+/// distances.
 double statedEnergy(const QuadMesh& mesh, VertexId source, VertexId sink,
                     const std::map<VertexId, int>& groups, const CutOptions& o,
                     const std::vector<int>& labels) {

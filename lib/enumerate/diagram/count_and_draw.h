@@ -12,12 +12,13 @@ namespace qm {
 [[nodiscard]] std::vector<BigCount> countWays(const Diagram& diagram);
 
 /// The number of graphs that cost at most `maxCost`, from node to node, but for those that all or none of the
-/// ways obey. \return nothing if `control.stopRequested` ended it
+/// ways obey.
+/// \return nothing if `control.stopRequested` ended it
 [[nodiscard]] std::optional<BigCount> countUpTo(const Diagram& diagram, double maxCost,
                                                 const Control& control = {});
 
-/// The graph of a rank, 0 to the number of graphs less 1; different ranks give different graphs. \param ways
-/// as of `countWays`
+/// The graph of a rank, 0 to the number of graphs less 1; different ranks give different graphs.
+/// \param ways as of `countWays`
 [[nodiscard]] Assignment graphOfRank(const Diagram& diagram, const std::vector<BigCount>& ways,
                                      BigCount rank);
 

@@ -1,4 +1,4 @@
-/// \file Exact numbers of motorcycle graphs (method 2).
+/// \file Exact numbers of motorcycle graphs (docs/METHOD.md#decision-diagrams).
 #pragma once
 
 #include "base/big_count.h"
@@ -7,8 +7,8 @@
 
 namespace qm {
 
-/// The number of graphs: from a decision diagram, or by parts where that would be too large. \return nothing
-/// if `control.stopRequested` ended it
+/// The number of graphs: from a decision diagram, or by parts where that would be too large.
+/// \return nothing if `control.stopRequested` ended it
 [[nodiscard]] std::optional<BigCount> countGraphs(const Problem& problem, const Control& control = {});
 
 /// The same by decisions, after each of which the parts that do not touch are counted apart and multiplied:

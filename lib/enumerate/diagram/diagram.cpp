@@ -16,7 +16,8 @@ constexpr std::size_t mostSteps = 20000; ///< the search goes as deep
 /// The nodes before one step, by what remains to be decided: an open hash table.
 class KnownNodes {
 public:
-    /// The node of a description; `none` is a possible value. \return null if the description is new
+    /// The node of a description; `none` is a possible value.
+    /// \return null if the description is new
     const Diagram::NodeId* find(const std::uint64_t* key, std::size_t words) {
         if (slots_.empty()) return nullptr;
         const std::size_t entry = slots_[slotOf(key, words)];

@@ -1,6 +1,6 @@
-/// \file All motorcycle graphs of a problem as one decision diagram (method 2): every way from its root to
-/// its end is one graph, so that they can be counted, drawn, listed and ranked without being searched for
-/// again.
+/// \file All motorcycle graphs of a problem as one decision diagram (docs/METHOD.md#decision-diagrams): every
+/// way from its root to its end is one graph, so that they can be counted, drawn, listed and ranked without
+/// being searched for again.
 #pragma once
 
 #include "base/control.h"
@@ -39,8 +39,8 @@ constexpr std::size_t smallDiagram = 1'000'000;
 /// Decides step by step (elimination_order.h); two ways on which the same remains to be decided meet in one
 /// node. What remains shows at the border between decided and undecided crossings alone, so that the number
 /// of nodes depends on how wide that border is and not on how many graphs there are.
-/// `mostNodes` bounds the memory: 100 bytes per node, roughly, while it is built. \return nothing if there
-/// would be more than `mostNodes` nodes or `control.stopRequested`
+/// `mostNodes` bounds the memory: 100 bytes per node, roughly, while it is built.
+/// \return nothing if there would be more than `mostNodes` nodes or `control.stopRequested`
 [[nodiscard]] std::optional<Diagram> buildDiagram(const Problem& problem, std::size_t mostNodes,
                                                   const Control& control = {});
 

@@ -19,8 +19,8 @@ struct Step {
 
 /// Every free variable once, and every open chain after the arcs of each of its crossings, so that rule 4 is
 /// settled there and then. Crossing by crossing, always the neighbour that leaves the fewest items with one
-/// end behind and one ahead; from the best of many starts. \return nothing if no order promises a diagram
-/// that memory could hold, or `control.stopRequested`
+/// end behind and one ahead; from the best of many starts.
+/// \return nothing if no order promises a diagram that memory could hold, or `control.stopRequested`
 [[nodiscard]] std::optional<std::vector<Step>> eliminationOrder(const SearchState& state,
                                                                 const Control& control = {});
 

@@ -1,5 +1,5 @@
-/// \file The graphs of a decision diagram in order of cost (Eppstein: Finding the k shortest paths, SIAM J.
-/// Comput. 28, 1998).
+/// \file The graphs of a decision diagram in order of cost by the algorithm of Eppstein 1998
+/// (docs/METHOD.md#eppstein-1998).
 #pragma once
 
 #include "enumerate/diagram/diagram.h"

@@ -10,7 +10,8 @@
 namespace qm {
 
 /// Calls `visit` with an assignment for every way from a node to the end. The variables that are decided
-/// before the node are left as they are. \return false if `visit` returned false, which ends the walk
+/// before the node are left as they are.
+/// \return false if `visit` returned false, which ends the walk
 template <class Visit>
 bool walkDiagram(const Diagram& diagram, Diagram::NodeId from, Assignment& assignment, Visit& visit) {
     if (from == Diagram::none) return true;

@@ -155,7 +155,8 @@ bool BranchAndBound::contradictsRelaxation() const {
     return false;
 }
 
-/// Looks for graphs near the relaxed solution, then comes back to it. \return false if the node is cut now
+/// Looks for graphs near the relaxed solution, then comes back to it.
+/// \return false if the node is cut now
 bool BranchAndBound::lookAround(double& bound) {
     nextLook_ = 4 * nodes_;
     const ParticleState::Mark mark = part_.particles.mark();
@@ -197,7 +198,8 @@ void BranchAndBound::rememberRoot(double bound) {
     root_ = part_.particles.mark();
 }
 
-/// A better graph lets more be fixed at the root, for good. \return false if nothing cheaper is left
+/// A better graph lets more be fixed at the root, for good.
+/// \return false if nothing cheaper is left
 bool BranchAndBound::tightenRoot() {
     if (rootValues_.empty() || part_.incumbents.cutoff() >= rootCutoff_) return true;
     rootCutoff_ = part_.incumbents.cutoff();

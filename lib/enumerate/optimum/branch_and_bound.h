@@ -1,4 +1,4 @@
-/// \file Branch and bound on one part of a search problem.
+/// \file Branch and bound on one part of a search problem (docs/METHOD.md#optimum).
 #pragma once
 
 #include "enumerate/optimum/branching.h"

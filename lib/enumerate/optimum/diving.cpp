@@ -60,7 +60,8 @@ bool takeOver(PartSearch& part, int variable, bool keepBest) {
 }
 
 /// Takes over what the relaxed solution leaves no doubt about and, on demand, the best graph does not
-/// contradict. \return how many variables were in doubt
+/// contradict.
+/// \return how many variables were in doubt
 std::size_t takeOverAll(PartSearch& part, bool keepBest) {
     std::size_t open = 0;
     for (const int variable : part.variables)
@@ -68,7 +69,8 @@ std::size_t takeOverAll(PartSearch& part, bool keepBest) {
     return open;
 }
 
-/// Gives the best values to what is still free, part by part. \return false if there are none
+/// Gives the best values to what is still free, part by part.
+/// \return false if there are none
 bool searchRest(PartSearch& part, bool keepBest) {
     std::vector<int> rest;
     for (const int variable : part.variables)

@@ -1,4 +1,4 @@
-/// \file The cheapest motorcycle graphs with a proof: branch and bound on arcs (method 2, 3).
+/// \file The cheapest motorcycle graphs with a proof: branch and bound on arcs (docs/METHOD.md#optimum).
 #pragma once
 
 #include "base/control.h"
@@ -47,7 +47,8 @@ struct OptimumResult {
 [[nodiscard]] OptimumResult findOptimum(const Problem& problem, const OptimumOptions& options,
                                         const Control& control = {});
 
-/// The same with some variables assigned already. \param state  consistent; the same afterwards as before
+/// The same with some variables assigned already.
+/// \param state  consistent; the same afterwards as before
 [[nodiscard]] OptimumResult findOptimum(SearchState& state, const OptimumOptions& options,
                                         const Control& control = {});
 

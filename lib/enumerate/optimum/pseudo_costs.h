@@ -1,4 +1,5 @@
-/// \file What earlier branchings teach about later ones.
+/// \file What earlier branchings teach about later ones: reliability branching
+/// (docs/METHOD.md#achterberg-2005).
 #pragma once
 
 #include <algorithm>

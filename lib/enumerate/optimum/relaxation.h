@@ -1,4 +1,5 @@
-/// \file The linear relaxation of a formulation: its bound prunes, its solution guides.
+/// \file The linear relaxation of a formulation: its bound prunes, its solution guides
+/// (docs/METHOD.md#particle-program).
 ///
 /// Rows that tie two particles of one line are there from the start, the others as soon as a solution breaks
 /// them: most never do.

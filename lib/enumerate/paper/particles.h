@@ -1,4 +1,5 @@
-/// \file Particles, their candidate stops, and who else arrives there: the setting of A1 to A4 (method 2).
+/// \file Particles, their candidate stops, and who else arrives there: the setting of A1 to A4
+/// (docs/METHOD.md#valid-tracks).
 #pragma once
 
 #include "enumerate/state/assignment.h"

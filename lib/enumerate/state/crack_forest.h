@@ -1,4 +1,4 @@
-/// \file Rule 4 of method 2: every crossing needs a head-on meeting on one of its two lines.
+/// \file Rule 4 (docs/METHOD.md#cracks): every crossing needs a head-on meeting on one of its two lines.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-/// \file Which lines can be cracked, and how often (method 2, rule 4).
+/// \file Which lines can be cracked, and how often (docs/METHOD.md#cracks).
 #pragma once
 
 #include "enumerate/state/problem.h"

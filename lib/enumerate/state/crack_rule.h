@@ -1,4 +1,4 @@
-/// \file Rule 4 of method 2: which lines crack which crossings.
+/// \file Rule 4 (docs/METHOD.md#cracks): which lines crack which crossings.
 #pragma once
 
 #include "enumerate/state/crack_forest.h"
@@ -33,7 +33,8 @@ public:
     /// No arc around a crossing is out.
     [[nodiscard]] bool mayBeCrossed(int crossing) const;
 
-    /// What follows from what is known around a crossing. \return false on a contradiction
+    /// What follows from what is known around a crossing.
+    /// \return false on a contradiction
     bool visitCrossing(int crossing);
     /// Likewise from a chain that has just been covered or got a gap.
     bool visitCovered(int chain);

@@ -1,4 +1,4 @@
-/// \file Rule 2 of method 2: which arcs may meet at an ordinary junction.
+/// \file Rule 2 (docs/METHOD.md#arc-rules): which arcs may meet at an ordinary junction.
 #pragma once
 
 #include "enumerate/state/problem.h"

@@ -1,4 +1,5 @@
-/// \file Rule 3 of method 2: where a line may be out, and which lines are covered from end to end.
+/// \file Rule 3 (docs/METHOD.md#arc-rules): where a line may be out, and which lines are covered from end to
+/// end.
 #pragma once
 
 #include "enumerate/state/partial_assignment.h"
@@ -32,10 +33,12 @@ public:
         return assignment_.inCount(chain) == problem_.chains[static_cast<std::size_t>(chain)].count;
     }
 
-    /// What follows from a variable of a chain that has got its value. \return false on a contradiction
+    /// What follows from a variable of a chain that has got its value.
+    /// \return false on a contradiction
     bool visit(int variable);
 
-    /// Sets all variables of a chain. \return false on a contradiction
+    /// Sets all variables of a chain.
+    /// \return false on a contradiction
     bool cover(int chain);
 
     /// Promises that a chain, which is not covered, will have a gap.

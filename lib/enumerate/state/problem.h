@@ -1,4 +1,4 @@
-/// \file The search problem: binary variables for arcs under the rules of method 2, "The same, on arcs".
+/// \file The search problem: binary variables for arcs under the arc rules (docs/METHOD.md#search-problem).
 ///
 /// A whole mesh, a sub-mesh with its cut, and a window in an otherwise fixed layout all become such a
 /// problem.

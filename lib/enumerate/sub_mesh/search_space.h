@@ -1,4 +1,5 @@
-/// \file What all searches of one model share, and the problem of a single sub-mesh (method 5; paper 4.2.2).
+/// \file What all searches of one model share, and the problem of a single sub-mesh
+/// (docs/METHOD.md#sub-meshes).
 #pragma once
 
 #include "enumerate/state/problem.h"

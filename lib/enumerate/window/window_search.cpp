@@ -86,7 +86,8 @@ private:
         return sums;
     }
 
-    /// Searches all windows of a size in which something has changed since. \return whether one improved
+    /// Searches all windows of a size in which something has changed since.
+    /// \return whether one improved
     bool pass() {
         const std::size_t before = result_.improvements;
         const std::vector<double> weights = disagreements();

@@ -1,4 +1,4 @@
-/// \file Improving a graph by searching one window of it after another (method 5, mobile cuts).
+/// \file Improving a graph by searching one window of it after another (docs/METHOD.md#windows).
 ///
 /// A window is a line and those that cross it most; all others stay as they are. Lines on which the graph and
 /// the relaxed solution disagree come first. Windows grow when none of a size improves anything.
