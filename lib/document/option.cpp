@@ -23,11 +23,11 @@ std::string limitText(double limit) {
 } // namespace
 
 std::string rangeText(const Range& range) {
-    const bool bounded = std::isfinite(range.most);
-    if (std::isfinite(range.least))
-        return bounded ? limitText(range.least) + " to " + limitText(range.most)
-                       : "at least " + limitText(range.least);
-    return bounded ? "at most " + limitText(range.most) : "";
+    const bool bounded = std::isfinite(range.max);
+    if (std::isfinite(range.min))
+        return bounded ? limitText(range.min) + " to " + limitText(range.max)
+                       : "at least " + limitText(range.min);
+    return bounded ? "at most " + limitText(range.max) : "";
 }
 
 std::string keyOf(std::string_view optionName) {

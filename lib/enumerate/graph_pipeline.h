@@ -35,7 +35,7 @@ public:
     GraphPipeline(const GraphPipeline&) = delete;
     GraphPipeline& operator=(const GraphPipeline&) = delete;
 
-    /// By the finding thread, which lends a hand where the others do not keep up.
+    /// Called by the finding thread, which helps out when the others do not keep up.
     /// \return false if no more graphs are wanted
     bool put(const Assignment& graph);
 

@@ -19,13 +19,14 @@ struct RelaxedProgram {
     IntegerProgram program;
     double constant = 0;        ///< of the cost
     std::vector<double> values; ///< of every column
-    std::vector<double> duals;  ///< of every row: how the relaxed optimum grows with its sides
-    double cutoff = std::numeric_limits<double>::infinity(); ///< solutions as dear as this may be left out
+    std::vector<double> duals;  ///< of every row: by how much the relaxed optimum grows with its bounds
+    double cutoff =
+        std::numeric_limits<double>::infinity(); ///< solutions of at least this cost do not matter
 };
 
 struct DecompositionOptions {
     std::size_t columns = 500; ///< of a cluster at first; they double while there is time
-    std::size_t mostColumns = std::numeric_limits<std::size_t>::max();
+    std::size_t maxColumns = std::numeric_limits<std::size_t>::max();
     double seconds = 0; ///< in all
 };
 

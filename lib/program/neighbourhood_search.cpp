@@ -10,9 +10,9 @@ namespace qm {
 namespace {
 
 constexpr std::size_t firstSize = 250; ///< columns of a neighbourhood
-constexpr std::size_t longRow = 40;    ///< a row of more columns makes no neighbours of them
+constexpr std::size_t longRow = 40;    ///< the columns of a longer row do not count as neighbours
 constexpr double solveSeconds = 1;     ///< for one neighbourhood
-constexpr int patience = 12;           ///< neighbourhoods in vain before they grow
+constexpr int patience = 12;           ///< neighbourhoods without success before they grow
 
 class NeighbourhoodSearch {
 public:

@@ -9,8 +9,9 @@
 
 namespace qm {
 
-/// For programs that are too large to be solved at once. A neighbourhood is made of the columns nearest to
-/// one column or to all of one group, in steps over rows; the others keep their values while it is solved.
+/// For programs that are too large to be solved at once. A neighbourhood holds the columns nearest to one
+/// column, or to all columns of one group; two columns of one row are one step apart. All others keep their
+/// values while it is solved.
 /// Neighbourhoods grow when they no longer help, up to the whole program.
 /// \param values   obey all rows; the result does too, and never costs more
 /// \param groups   columns that tend to change together

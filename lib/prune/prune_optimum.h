@@ -20,8 +20,8 @@ namespace qm {
                                          const std::vector<double>& edgeCosts, const PruneOptions& options,
                                          const Control& control = {});
 
-/// Layouts for a range of beta, from many segments to few; none is as good as another in segments, G_T and
-/// captured sharpness together.
+/// Layouts for a range of beta, from many segments to few; none is as good as another, or better, in
+/// segments, G_T and captured sharpness alike.
 [[nodiscard]] std::vector<FrontPoint>
 pruneFront(const QuadMesh& mesh, const BaseComplex& complex, const Layout& layout,
            const std::vector<double>& dihedralAngles, const std::vector<double>& edgeCosts,

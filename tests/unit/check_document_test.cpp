@@ -389,7 +389,7 @@ INSTANTIATE_TEST_SUITE_P(
         Spoilt{"segmentId", cornerModel, [](Doc& d) { layout(d).segments[2].id = 1; }, "/layout/segments/2/id", "id"},
         Spoilt{"quality", cornerModel, [](Doc& d) { layout(d).quality.segments = 13; }, "/layout/quality/segments",
                "quality"},
-        Spoilt{"joints", cornerModel, [](Doc& d) { layout(d).quality.tJunctions = 99; }, "/layout/quality/tJunctions",
+        Spoilt{"joints", cornerModel, [](Doc& d) { layout(d).quality.tJoints = 99; }, "/layout/quality/tJoints",
                "quality"},
         Spoilt{"aspect", twoHolesModel, [](Doc& d) { layout(d).quality.maxAspect = 77; }, "/layout/quality/maxAspect",
                "quality"},

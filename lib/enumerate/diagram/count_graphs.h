@@ -11,8 +11,8 @@ namespace qm {
 /// \return nothing if `control.stopRequested` ended it
 [[nodiscard]] std::optional<BigCount> countGraphs(const Problem& problem, const Control& control = {});
 
-/// The same by decisions, after each of which the parts that do not touch are counted apart and multiplied:
-/// in memory linear in the problem.
+/// The same in memory linear in the problem: one variable is decided, the independent parts that remain are
+/// counted one by one, and their counts are multiplied.
 [[nodiscard]] std::optional<BigCount> countByParts(const Problem& problem, const Control& control = {});
 
 } // namespace qm

@@ -9,7 +9,7 @@
 
 namespace qm {
 
-/// What the cheapest way from every node to the end costs; infinity from `none`.
+/// The cost of the cheapest path from every node to the end; infinity from `none`.
 [[nodiscard]] std::vector<double> cheapestWays(const Diagram& diagram);
 
 /// Calls `visit` with every graph, the cheapest first, ties (up to 65,536 of them) in lexicographic order of

@@ -6,9 +6,9 @@
 
 namespace qm {
 
-/// Two ways to go on from a node; what is too expensive has an infinite bound.
+/// The two sides of a decision with their bounds; a side that is too expensive has an infinite one.
 struct BranchingChoice {
-    Decision decision; ///< its state is free; no variable if nothing is left to decide
+    Decision decision; ///< without a state; without a variable if nothing is left to decide
     double boundIn = 0;
     double boundOut = 0;
 };
@@ -22,7 +22,7 @@ public:
     /// none.
     /// \param bound  of the node, whose relaxation has just been solved
     BranchingChoice choose(double bound);
-    /// Where the relaxed solution is integral but no graph, or more graphs are wanted.
+    /// For relaxed solutions that are integral but no graphs, and where more than one graph is wanted.
     [[nodiscard]] BranchingChoice chooseAnyFree(double bound) const;
 
 private:

@@ -12,7 +12,8 @@ void dive(PartSearch& part);
 /// relaxed solution is sure of may contradict each other; then it goes on.
 void diveToRest(PartSearch& part);
 
-/// Searches what the relaxed solution and the best graph do not agree on.
+/// Searches the variables on which the relaxed solution and the best graph disagree: relaxation induced
+/// neighbourhoods (docs/METHOD.md#danna-2005).
 void searchNearby(PartSearch& part);
 
 } // namespace qm

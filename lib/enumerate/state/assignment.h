@@ -10,7 +10,7 @@ namespace qm {
 /// A value for every variable and both constants, 0 or 1.
 using Assignment = std::vector<signed char>;
 
-/// What the variables that are in cost, with the corners around crossings.
+/// The cost of the variables that are in and of the corners at crossings.
 [[nodiscard]] double costOf(const Problem& problem, const Assignment& assignment);
 
 /// The values that variables have where these arcs are present.

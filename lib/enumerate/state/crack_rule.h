@@ -19,7 +19,7 @@ public:
     [[nodiscard]] const std::vector<int>& crossingsOfNode(int node) const {
         return crossingsOfNode_[static_cast<std::size_t>(node)];
     }
-    /// A representative of the lines whose cracks depend on each other so far.
+    /// A representative of the lines that crossings have joined with this one so far.
     [[nodiscard]] int group(int node) const { return forest_.find(node); }
     /// Head-on meetings that a group of lines has left.
     [[nodiscard]] int left(int group) const { return forest_.left(group); }

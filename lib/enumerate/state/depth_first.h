@@ -15,7 +15,7 @@ bool forEachAssignment(const Problem& problem, const std::function<double()>& co
                        const std::function<bool(const SearchState&)>& visit, const Control& control = {});
 
 /// An order in which neighbouring decisions follow each other, so that contradictions show early: breadth
-/// first over the crossings, starting at the first variable of every part that hangs together.
+/// first over the crossings, starting at the first variable of every connected part.
 [[nodiscard]] std::vector<int> branchingOrder(const Problem& problem);
 
 } // namespace qm

@@ -5,7 +5,7 @@
 
 namespace qm {
 
-/// Before and after of one side, then of the other.
+/// The arcs before and after the crossing on one line, then those on the other.
 [[nodiscard]] inline std::array<int, 4> arcsOf(const Crossing& crossing) {
     const auto& [a, b] = crossing.sides;
     return {a.before, a.after, b.before, b.after};
