@@ -1,4 +1,5 @@
-/// \file What a search decides next: strong branching, until pseudo-costs are known well enough.
+/// \file What a search decides next: strong branching until pseudo-costs are reliable
+/// (docs/METHOD.md#achterberg-2005).
 #pragma once
 
 #include "enumerate/optimum/part_search.h"
@@ -18,8 +19,8 @@ public:
     /// \param part  outlives this
     explicit Branching(PartSearch& part) : part_(part), pseudoCosts_(part.formulation.costs) {}
 
-    /// A column whose relaxed value is fractional, the one that promises most; any free variable if there is
-    /// none.
+    /// The column with a fractional relaxed value that promises the largest growth of the bound; any free
+    /// variable if there is none.
     /// \param bound  of the node, whose relaxation has just been solved
     BranchingChoice choose(double bound);
     /// For relaxed solutions that are integral but no graphs, and where more than one graph is wanted.

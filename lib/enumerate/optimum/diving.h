@@ -1,4 +1,5 @@
-/// \file Early graphs: fixing what the relaxed solution is sure of, and searching what it leaves open.
+/// \file Early graphs by fixing the integral part of the relaxed solution and searching the rest
+/// (docs/METHOD.md#early-graphs).
 #pragma once
 
 #include "enumerate/optimum/part_search.h"

@@ -1,4 +1,4 @@
-/// \file Early graphs: the relaxed solution, rounded.
+/// \file Early graphs by rounding the relaxed solution (docs/METHOD.md#early-graphs).
 #pragma once
 
 #include "enumerate/optimum/part_search.h"

@@ -16,7 +16,7 @@ using Assignment = std::vector<signed char>;
 /// The values that variables have where these arcs are present.
 [[nodiscard]] Assignment assignmentOf(const Problem& problem, const std::vector<bool>& present);
 
-/// Writes an assignment into the arcs that it speaks of.
+/// Writes the values of an assignment into the arcs of its variables.
 void apply(const Problem& problem, const Assignment& assignment, std::vector<bool>& present);
 
 } // namespace qm

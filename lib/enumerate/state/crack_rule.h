@@ -33,10 +33,10 @@ public:
     /// No arc around a crossing is out.
     [[nodiscard]] bool mayBeCrossed(int crossing) const;
 
-    /// What follows from what is known around a crossing.
+    /// Draws the conclusions from what is known around a crossing.
     /// \return false on a contradiction
     bool visitCrossing(int crossing);
-    /// Likewise from a chain that has just been covered or got a gap.
+    /// Draws the conclusions from a chain that has just been covered or got a gap.
     bool visitCovered(int chain);
 
     struct Mark {

@@ -11,7 +11,7 @@ namespace qm {
 /// What is known of a line with two sources: covered from end to end, or with a gap.
 enum class Cover { open, full, gapped };
 
-/// Knows the gap of every chain, and closes what lies inside and outside of it.
+/// Knows the gap of every chain, and draws the conclusions inside and outside of it.
 class LineRule {
 public:
     /// \param assignment  outlives this
@@ -33,7 +33,7 @@ public:
         return assignment_.inCount(chain) == problem_.chains[static_cast<std::size_t>(chain)].count;
     }
 
-    /// What follows from a variable of a chain that has got its value.
+    /// Draws the conclusions from a variable of a chain that has just been assigned.
     /// \return false on a contradiction
     bool visit(int variable);
 
