@@ -1,4 +1,4 @@
-/// \file The base complex as arcs and junctions: what the search works on (method 2, "The same, on arcs").
+/// \file The base complex as arcs and junctions: what the search works on (docs/METHOD.md#arc-rules).
 #pragma once
 
 #include "base/ids.h"

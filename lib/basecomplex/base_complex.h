@@ -1,4 +1,4 @@
-/// \file Separatrices and the base complex (method 1; paper 3.1).
+/// \file Separatrices and the base complex (docs/METHOD.md#base-complex).
 #pragma once
 
 #include "base/ids.h"
@@ -39,7 +39,7 @@ struct BaseComplex {
 };
 
 /// Traces every separatrix, in time linear in the mesh: no edge lies on more than one line.
-/// \param seeds  feature seeds (method 6); a seed on a separatrix splits it
+/// \param seeds  feature seeds (docs/METHOD.md#features); a seed on a separatrix splits it
 /// \throw Error  if a seed's vertex is not interior and regular, or bears two seeds
 [[nodiscard]] BaseComplex buildBaseComplex(const QuadMesh& mesh, std::span<const Seed> seeds = {});
 

@@ -1,4 +1,4 @@
-/// \file How far surfaces are from the mesh and from one another (paper 5, its figure 21).
+/// \file How far surfaces are from the mesh and from one another (docs/METHOD.md#measuring).
 #pragma once
 
 #include "base/control.h"
@@ -47,7 +47,8 @@ struct DeviationLimits {
 /// the order of the segments, each parameterised like its segment's grid.
 class DeviationMeter {
 public:
-    /// What is passed must outlive the meter. \param dihedralAngles  by edge index
+    /// What is passed must outlive the meter.
+    /// \param dihedralAngles  by edge index
     DeviationMeter(const QuadMesh& mesh, const Layout& layout, const std::vector<double>& dihedralAngles,
                    const DeviationOptions& options);
 

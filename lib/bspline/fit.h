@@ -1,4 +1,4 @@
-/// \file From a layout to its surfaces: the one call that does everything (method 9; paper 5).
+/// \file From a layout to its surfaces: the one call that does everything (docs/METHOD.md#smooth-fit).
 #pragma once
 
 #include "base/control.h"

@@ -1,4 +1,4 @@
-/// \file The paper's interpolation of a grid of points (method 9; paper 5, "B-spline surfaces").
+/// \file The paper's interpolation of a grid of points (docs/METHOD.md#interpolation).
 #pragma once
 
 #include "bspline/surfaces.h"

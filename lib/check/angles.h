@@ -1,4 +1,4 @@
-/// \file Dihedral angles and edge costs, computed anew (method 3).
+/// \file Dihedral angles and edge costs, computed anew (docs/METHOD.md#cost).
 #pragma once
 
 #include "check/checked_document.h"
@@ -12,8 +12,7 @@ namespace qm::check {
 struct Angles {
     /// Unsigned dihedral angle, radians; 0 on the boundary and beside a face without a normal.
     std::vector<double> angle;
-    /// How far rounding may throw it: pi beside a face whose normal is the remainder of a cancellation, else
-    /// 0.
+    /// By how much rounding may change it: pi beside a face whose normal is what cancellation left, else 0.
     std::vector<double> doubt;
 };
 [[nodiscard]] Angles dihedralAngles(const CheckedMesh& mesh, const Neighbourhoods& around);
@@ -21,7 +20,7 @@ struct Angles {
 /// Cost of every edge.
 struct EdgeCosts {
     std::vector<double> cost; ///< -theta, + alpha if theta < epsilon
-    /// How much of it hangs on rounding: |alpha| more for an angle that equals epsilon but for the last
+    /// By how much rounding may change it; |alpha| more for an angle that equals epsilon but for the last
     /// digits.
     std::vector<double> doubt;
 };

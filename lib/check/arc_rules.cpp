@@ -149,7 +149,7 @@ private:
     }
 
     // Rule 4: every + is a crack in one of its lines, and every line that two particles cover has at most
-    // one.
+    // one crack.
     void cracks() {
         Groups groups(lines_.size());
         for (std::size_t c = 0; c < sides_.size(); ++c) {

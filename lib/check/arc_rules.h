@@ -1,4 +1,4 @@
-/// \file The four rules on arcs: is this set of edges a motorcycle graph? (method 2, "The same, on arcs")
+/// \file The four rules on arcs: is this set of edges a motorcycle graph? (docs/METHOD.md#arc-rules)
 ///
 /// Knows nothing of tracks: a graph that passes here and in track_rules.h has been proved valid twice.
 #pragma once

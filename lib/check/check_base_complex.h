@@ -1,4 +1,4 @@
-/// \file Is this the base complex of the mesh? (method 1)
+/// \file Is this the base complex of the mesh? (docs/METHOD.md#base-complex)
 #pragma once
 
 #include "check/checked_document.h"

@@ -10,9 +10,9 @@
 
 namespace qm::check {
 
-/// Reports demands that are no paths along edges.
+/// Reports constraints that are no paths along edges.
 ///
-/// \return whether all are
+/// \return whether all are paths
 [[nodiscard]] bool checkConstraintPaths(const Neighbourhoods& around, const ConstraintsPart& constraints,
                                         Report& report);
 

@@ -1,4 +1,4 @@
-/// \file Is this a division of the mesh, and are its figures right? (method 4)
+/// \file Is this a division of the mesh, and are its figures right? (docs/METHOD.md#mesh-cut)
 #pragma once
 
 #include "check/checked_document.h"

@@ -33,7 +33,8 @@ public:
     }
 
 private:
-    /// Notes what the check found true unless it found a violation. \return whether it found none
+    /// Notes what the check found true unless it found a violation.
+    /// \return whether it found none
     template <class Check> bool section(const Check& check, const std::string& summary) {
         const std::size_t before = report_.total();
         check();

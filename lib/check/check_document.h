@@ -10,8 +10,8 @@
 
 namespace qm::check {
 
-/// Checks every section, in their order. What rests on a broken section is not looked at: the seeds and
-/// labels decide what a track may be, and surfaces belong to segments. Linear in mesh and document, but for
+/// Checks the sections in their order. What depends on a broken section is not checked: seeds and labels
+/// determine what a track may be, and surfaces belong to segments. Linear in mesh and document, but for
 /// sorting.
 ///
 /// \throw Error  if the mesh is no oriented 2-manifold of quads

@@ -1,5 +1,5 @@
-/// \file Are these motorcycle graphs of the sub-meshes, rightly priced, sorted, and all different? (method 2
-/// to 5)
+/// \file Are these motorcycle graphs of the sub-meshes, rightly priced, sorted, and all different?
+/// (docs/METHOD.md#sub-meshes)
 #pragma once
 
 #include "check/context.h"

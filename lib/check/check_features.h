@@ -1,4 +1,4 @@
-/// \file Are these feature curves and seeds? (method 6)
+/// \file Are these feature curves and seeds? (docs/METHOD.md#features)
 #pragma once
 
 #include "check/checked_document.h"

@@ -1,4 +1,4 @@
-/// \file Is a list of tracks a motorcycle graph? (method 2)
+/// \file Is a list of tracks a motorcycle graph? (docs/METHOD.md#valid-tracks)
 #pragma once
 
 #include "check/checked_document.h"

@@ -1,4 +1,4 @@
-/// \file Is this layout true: its tracks, their cost, its segments? (method 2, 3, 7, 8)
+/// \file Is this layout true: its tracks, their cost, its segments? (docs/METHOD.md#layout)
 #pragma once
 
 #include "check/context.h"

@@ -16,13 +16,13 @@ std::size_t index(int i) {
     return static_cast<std::size_t>(i);
 }
 
-bool between(double least, double value, double most) {
-    const double slack = 1e-6 * std::max(1.0, std::abs(most));
-    return value >= least - slack && value <= most + slack;
+bool between(double min, double value, double max) {
+    const double slack = 1e-6 * std::max(1.0, std::abs(max));
+    return value >= min - slack && value <= max + slack;
 }
 
 /// Vertices where a side of one segment ends within a side of another.
-double tJunctions(const Neighbourhoods& around, const LayoutPart& part) {
+double tJoints(const Neighbourhoods& around, const LayoutPart& part) {
     std::vector<char> ends(index(around.vertices()), 0);
     std::vector<char> within(index(around.vertices()), 0);
     for (const auto& segment : part.segments)
@@ -66,16 +66,15 @@ void checkSharpness(const Angles& angles, std::span<const char> onTrack, const L
 
 void checkQuality(const Neighbourhoods& around, const Angles& angles, std::span<const char> onTrack,
                   const LayoutPart& part, Report& report) {
-    const auto expect = [&](const std::optional<double>& claimed, const char* key, double least,
-                            double most) {
-        if (claimed && !between(least, *claimed, most))
-            report.violate(at(place, key), "quality", "it is " + numberText(most));
+    const auto expect = [&](const std::optional<double>& claimed, const char* key, double min, double max) {
+        if (claimed && !between(min, *claimed, max))
+            report.violate(at(place, key), "quality", "it is " + numberText(max));
     };
     const auto number = static_cast<double>(part.segments.size());
     expect(part.quality.segments, "segments", number, number);
-    if (part.quality.tJunctions) {
-        const double joints = tJunctions(around, part);
-        expect(part.quality.tJunctions, "tJunctions", joints, joints);
+    if (part.quality.tJoints) {
+        const double joints = tJoints(around, part);
+        expect(part.quality.tJoints, "tJoints", joints, joints);
     }
     if (part.quality.capturedSharpness && part.quality.rho) checkSharpness(angles, onTrack, part, report);
     if (part.cost && part.lowerBound) {

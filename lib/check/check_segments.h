@@ -1,4 +1,4 @@
-/// \file Do the segments tile the mesh as grids that end exactly at the tracks? (method 7)
+/// \file Do the segments tile the mesh as grids that end exactly at the tracks? (docs/METHOD.md#layout)
 #pragma once
 
 #include "check/checked_document.h"

@@ -114,10 +114,10 @@ private:
                 report_.violate(at(here, i), "knots", "knots are finite and do not decrease");
                 return;
             }
-        const double most = layout_.segments[p].size[k];
-        if (std::abs(knots[degree]) > 1e-9 || std::abs(knots[count] - most) > 1e-9 * std::max(1.0, most))
+        const double max = layout_.segments[p].size[k];
+        if (std::abs(knots[degree]) > 1e-9 || std::abs(knots[count] - max) > 1e-9 * std::max(1.0, max))
             report_.violate(here, "domain",
-                            "the surface must run from 0 to " + numberText(most) + ", as its segment");
+                            "the surface must run from 0 to " + numberText(max) + ", as its segment");
     }
 
     [[nodiscard]] std::vector<int> grid(std::size_t p) const {

@@ -1,4 +1,5 @@
-/// \file Are these B-spline surfaces, and do they keep what their fit promised? (method 9)
+/// \file Are these B-spline surfaces, and do they keep what their fit has promised?
+/// (docs/METHOD.md#smooth-fit)
 #pragma once
 
 #include "check/checked_document.h"

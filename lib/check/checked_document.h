@@ -93,7 +93,7 @@ struct LayoutPart {
     struct Quality {
         std::optional<double> rho; ///< the angle above which an edge counts as sharp
         std::optional<double> segments;
-        std::optional<double> tJunctions;
+        std::optional<double> tJoints;
         std::optional<double> capturedSharpness;
         std::optional<double> medianAspect;
         std::optional<double> maxAspect;

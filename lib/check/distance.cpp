@@ -18,24 +18,25 @@ Place minus(const Place& a, const Place& b) {
 
 using Parameters = std::array<double, 2>;
 
-/// Walks towards the parameters in the box [0, most] whose point is nearest; returns the least distance seen.
+/// Walks towards the parameters in the box [0, max] whose point is nearest; returns the smallest distance
+/// seen.
 template <class Surface>
-double nearest(const Surface& surface, Parameters at, const Parameters& most, const Place& point) {
-    constexpr int mostHalvings = 5;
+double nearest(const Surface& surface, Parameters at, const Parameters& max, const Place& point) {
+    constexpr int maxHalvings = 5;
     int halvings = 0;
-    double least = HUGE_VAL;
+    double min = HUGE_VAL;
     Parameters before = at;
     for (int i = 0; i < iterations; ++i) {
         const SurfacePoint here = surface(at);
         const Place away = minus(point, here.point);
         const double now = std::sqrt(dot(away, away));
-        if (!(now < least)) {
+        if (!(now < min)) {
             // The step was too long: half as long, from where it began.
-            if (++halvings > mostHalvings) break;
+            if (++halvings > maxHalvings) break;
             at = {(at[0] + before[0]) / 2, (at[1] + before[1]) / 2};
             continue;
         }
-        least = now;
+        min = now;
         halvings = 0;
         before = at;
         const double uu = dot(here.alongU, here.alongU);
@@ -47,19 +48,19 @@ double nearest(const Surface& surface, Parameters at, const Parameters& most, co
         Parameters next = at;
         if (determinant > 1e-12 * uu * vv)
             next = {at[0] + (ru * vv - rv * uv) / determinant, at[1] + (rv * uu - ru * uv) / determinant};
-        // At a side of the box the other parameter alone is free.
+        // At a side of the box only the other parameter is free.
         for (std::size_t k = 0; k < 2; ++k) {
-            const double clamped = std::clamp(next[k], 0.0, most[k]);
+            const double clamped = std::clamp(next[k], 0.0, max[k]);
             if (clamped == next[k]) continue;
             const double other = k == 0 ? (vv > 0 ? (rv - uv * (clamped - at[0])) / vv : 0)
                                         : (uu > 0 ? (ru - uv * (clamped - at[1])) / uu : 0);
             next[k] = clamped;
-            next[1 - k] = std::clamp(at[1 - k] + other, 0.0, most[1 - k]);
+            next[1 - k] = std::clamp(at[1 - k] + other, 0.0, max[1 - k]);
             break;
         }
         at = next;
     }
-    return least;
+    return min;
 }
 
 double distanceToFace(const CheckedMesh& mesh, int face, const Place& point) {
@@ -70,10 +71,10 @@ double distanceToFace(const CheckedMesh& mesh, int face, const Place& point) {
         const Place high = pointOf(mesh, face, at[0], 1);
         return SurfacePoint{pointOf(mesh, face, at[0], at[1]), minus(end, begin), minus(high, low)};
     };
-    double least = HUGE_VAL;
+    double min = HUGE_VAL;
     for (const Parameters& start : {Parameters{0.5, 0.5}, {0, 0}, {1, 0}, {1, 1}, {0, 1}})
-        least = std::min(least, nearest(surface, start, {1, 1}, point));
-    return least;
+        min = std::min(min, nearest(surface, start, {1, 1}, point));
+    return min;
 }
 
 } // namespace
@@ -94,7 +95,7 @@ Place pointOf(const CheckedMesh& mesh, int face, double s, double t) {
 }
 
 double distanceToMesh(const CheckedMesh& mesh, const Neighbourhoods& around, int face, const Place& point) {
-    double least = distanceToFace(mesh, face, point);
+    double min = distanceToFace(mesh, face, point);
     while (true) {
         int nearer = -1;
         for (const int vertex : mesh.quads[static_cast<std::size_t>(face)]) {
@@ -103,21 +104,21 @@ double distanceToMesh(const CheckedMesh& mesh, const Neighbourhoods& around, int
                 const int other = around.leftFace(step);
                 if (other < 0 || other == face) continue;
                 const double there = distanceToFace(mesh, other, point);
-                if (there < least) {
-                    least = there;
+                if (there < min) {
+                    min = there;
                     nearer = other;
                 }
             }
         }
-        if (nearer < 0) return least;
+        if (nearer < 0) return min;
         face = nearer;
     }
 }
 
 double distanceToPatch(const SurfacesPart::Patch& patch, Parameters parameters, const Place& point) {
-    const auto most = [&](std::size_t k) { return patch.knots[k][static_cast<std::size_t>(patch.count[k])]; };
+    const auto max = [&](std::size_t k) { return patch.knots[k][static_cast<std::size_t>(patch.count[k])]; };
     return nearest([&](const Parameters& at) { return evaluate(patch, at[0], at[1]); }, parameters,
-                   {most(0), most(1)}, point);
+                   {max(0), max(1)}, point);
 }
 
 } // namespace qm::check

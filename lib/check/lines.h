@@ -1,4 +1,4 @@
-/// \file Separatrices, traced anew, with their junctions and coordinates (method 1 and 2).
+/// \file Separatrices, traced anew, with their junctions and coordinates (docs/METHOD.md#base-complex).
 #pragma once
 
 #include "check/neighbourhoods.h"
@@ -77,7 +77,7 @@ struct Meeting {
 };
 [[nodiscard]] Meeting meetingAt(const LineNetwork& network, int way, int x);
 
-/// Quasi-complexity U: the sum over the ways of log2 of their candidate stops (method 4).
+/// Quasi-complexity U: the sum over the ways of log2 of their candidate stops (docs/METHOD.md#mesh-cut).
 [[nodiscard]] double quasiComplexity(const LineNetwork& network);
 
 } // namespace qm::check

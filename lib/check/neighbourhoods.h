@@ -23,7 +23,7 @@ class Neighbourhoods {
 public:
     /// Linear in the mesh.
     /// \throw Error  if a face is no quad of four different vertices, or the faces around some vertex are no
-    ///               single consistently oriented fan
+    /// single consistently oriented fan
     explicit Neighbourhoods(const CheckedMesh& mesh);
 
     [[nodiscard]] int vertices() const { return static_cast<int>(closed_.size()); }

@@ -30,10 +30,10 @@ std::string reportJson(const Report& report) {
     return json.dump(2) + "\n";
 }
 
-std::vector<std::string> violationLines(const Report& report, std::size_t most) {
+std::vector<std::string> violationLines(const Report& report, std::size_t max) {
     std::vector<std::string> lines;
     for (const Violation& each : report.violations()) {
-        if (lines.size() == most) break;
+        if (lines.size() == max) break;
         lines.push_back((each.pointer.empty() ? "" : each.pointer + ": ") + each.rule + ": " +
                         each.explanation);
     }

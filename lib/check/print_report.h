@@ -14,8 +14,8 @@ namespace qm::check {
 /// line break.
 [[nodiscard]] std::string reportJson(const Report& report);
 
-/// The violations as lines without line breaks, `pointer: rule: explanation`: at most `most`, and one more
+/// The violations as lines without line breaks, `pointer: rule: explanation`: at most `max`, and one more
 /// line that says how many there are if those are not all.
-[[nodiscard]] std::vector<std::string> violationLines(const Report& report, std::size_t most);
+[[nodiscard]] std::vector<std::string> violationLines(const Report& report, std::size_t max);
 
 } // namespace qm::check

@@ -177,7 +177,7 @@ LayoutPart readLayout(const Json& section) {
     part.segments = all<LayoutPart::Segment>(member(section, "segments"), readSegment);
     const Json& quality = member(section, "quality");
     part.quality = {number(member(quality, "rho")),          number(member(quality, "segments")),
-                    number(member(quality, "tJunctions")),   number(member(quality, "capturedSharpness")),
+                    number(member(quality, "tJoints")),      number(member(quality, "capturedSharpness")),
                     number(member(quality, "medianAspect")), number(member(quality, "maxAspect")),
                     number(member(quality, "gap"))};
     return part;

@@ -1,4 +1,4 @@
-/// \file Rules A1 to A4: are these coordinates valid tracks? (method 2; paper 3.2)
+/// \file Rules A1 to A4: are these coordinates valid tracks? (docs/METHOD.md#valid-tracks)
 #pragma once
 
 #include "check/lines.h"

@@ -70,7 +70,8 @@ private:
     std::string path_;
 };
 
-/// Starts a program in a process group of its own, mute. \return 0 if there is no such program
+/// Starts a program in a process group of its own, mute.
+/// \return 0 if there is no such program
 pid_t start(std::vector<std::string> words, const sigset_t& signals) {
     std::vector<char*> arguments;
     arguments.reserve(words.size() + 1);

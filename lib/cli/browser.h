@@ -6,7 +6,8 @@
 
 namespace qm {
 
-/// A PNG picture of a page as it looks once it is loaded. \param width, height  in pixels
+/// A PNG picture of a page as it looks once it is loaded.
+/// \param width, height  in pixels
 /// \throw Error  if no browser is installed, or it makes no picture
 [[nodiscard]] std::string photographPage(std::string_view page, int width, int height);
 

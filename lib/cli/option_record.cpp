@@ -22,7 +22,7 @@ std::string assignNumber(const std::string& text, const Range& range, bool whole
     Number value{};
     if (!parseNumber(text, value)) return "'" + text + (whole ? "' is no whole number" : "' is no number");
     const auto number = static_cast<double>(value);
-    if (number < range.least || number > range.most) return text + " is out of range, " + rangeText(range);
+    if (number < range.min || number > range.max) return text + " is out of range, " + rangeText(range);
     target = value;
     return {};
 }
@@ -32,7 +32,7 @@ OptionRecord makeNumber(const std::string& name, Number& value, Range range, con
     constexpr bool whole = std::is_integral_v<Number>;
     OptionRecord result =
         record(whole ? OptionRecord::Type::integer : OptionRecord::Type::number, name, help);
-    if constexpr (std::is_unsigned_v<Number>) range.least = std::max(range.least, 0.0);
+    if constexpr (std::is_unsigned_v<Number>) range.min = std::max(range.min, 0.0);
     result.range = range;
     result.placeholder = whole ? "N" : "X";
     const auto show = [&value] {

@@ -24,7 +24,8 @@ struct OptionRecord {
     Range range;                                              ///< of numbers
     std::vector<std::pair<std::string, std::string>> choices; ///< name and help of each
     std::string defaultText;                                  ///< empty: none
-    /// Sets the variable. \return what is wrong with the text, or empty
+    /// Sets the variable.
+    /// \return what is wrong with the text, or empty
     std::function<std::string(const std::string& text)> assign;
     std::function<std::string()> show; ///< the variable's present value
 };

@@ -2,12 +2,13 @@
 
 namespace qm {
 
-Stage::Stage(Tool& tool, Kind reads, Kind least) : tool_(tool), reads_(reads), least_(least), writes_(least) {
+Stage::Stage(Tool& tool, Kind reads, Kind earliest)
+    : tool_(tool), reads_(reads), earliest_(earliest), writes_(earliest) {
     declareInput();
 }
 
-Stage::Stage(Tool& tool, Kind reads, Kind least, Kind writes)
-    : tool_(tool), reads_(reads), least_(least), writes_(writes) {
+Stage::Stage(Tool& tool, Kind reads, Kind earliest, Kind writes)
+    : tool_(tool), reads_(reads), earliest_(earliest), writes_(writes) {
     declareInput();
     tool.writes("the document with the section " + std::string(sectionOf(writes)) +
                 "; sections of later stages are dropped");
@@ -15,25 +16,25 @@ Stage::Stage(Tool& tool, Kind reads, Kind least, Kind writes)
 }
 
 void Stage::declareInput() {
-    tool_.reads("DOCUMENT", "a document of kind " + kindName(least_) +
-                                (least_ == Kind::surfaces ? "" : " or of any later kind"));
+    tool_.reads("DOCUMENT", "a document of kind " + kindName(earliest_) +
+                                (earliest_ == Kind::surfaces ? "" : " or of any later kind"));
     tool_.group(Tool::generalOptions);
     tool_.text("mesh", meshPath_, "FILE", "the mesh, if it is not where the document says");
     tool_.group(Tool::ownOptions);
 }
 
-void Stage::parse(Kind least) {
+void Stage::parse(Kind earliest) {
     document_ = parseDocument(tool_.readInput(), tool_.inputPath());
-    (void)requireKind(document_, least);
+    (void)requireKind(document_, earliest);
 }
 
-const Model& Stage::read(Kind least, Kind reads) {
-    parse(least);
+const Model& Stage::read(Kind earliest, Kind reads) {
+    parse(earliest);
     return take(readModel(document_, reads, meshPath_));
 }
 
 const Model& Stage::readWhole() {
-    parse(least_);
+    parse(earliest_);
     return take(readWholeModel(document_, meshPath_));
 }
 

@@ -14,16 +14,18 @@ namespace qm {
 /// Must live until the body has run.
 class Stage {
 public:
-    /// A tool that writes a document. \param reads  what the body needs of the document (see `readModel`)
-    /// \param least  the kind that the document must have at least \param writes  the kind of the result
-    Stage(Tool& tool, Kind reads, Kind least, Kind writes);
+    /// A tool that writes a document.
+    /// \param reads  what the body needs of the document (see `readModel`)
+    /// \param earliest  the kind that the document must have at least
+    /// \param writes  the kind of the result
+    Stage(Tool& tool, Kind reads, Kind earliest, Kind writes);
     /// A tool that only reads documents; what it writes is declared with `Tool::writes`.
-    Stage(Tool& tool, Kind reads, Kind least);
+    Stage(Tool& tool, Kind reads, Kind earliest);
     Stage(const Stage&) = delete;
     Stage& operator=(const Stage&) = delete;
 
     /// Reads the document and its mesh.
-    [[nodiscard]] const Model& read() { return read(least_, reads_); }
+    [[nodiscard]] const Model& read() { return read(earliest_, reads_); }
     /// Where options decide what is needed.
     [[nodiscard]] const Model& read(Kind needed) { return read(needed, needed); }
     /// The same with all sections that the document has, whatever its kind.
@@ -38,14 +40,14 @@ public:
 
 private:
     void declareInput();
-    const Model& read(Kind least, Kind reads);
-    void parse(Kind least);
+    const Model& read(Kind earliest, Kind reads);
+    void parse(Kind earliest);
     const Model& take(Model model);
     void writeSection(Json options, Json section);
 
     Tool& tool_;
     Kind reads_;
-    Kind least_;
+    Kind earliest_;
     Kind writes_;
     std::string meshPath_;
     Document document_;

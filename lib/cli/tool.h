@@ -55,7 +55,8 @@ public:
 
     /// The input operand, a file or "-"; standard input if it is left out.
     void reads(const std::string& operand, const std::string& what);
-    /// A further operand, given before the input. \param required  a usage error if it is left out
+    /// A further operand, given before the input.
+    /// \param required  a usage error if it is left out
     void operand(const std::string& name, std::string& value, const std::string& help, bool required = true);
     /// -o, --output: a file or "-"; standard output if it is left out.
     void writes(const std::string& what);
@@ -75,7 +76,8 @@ public:
     template <class Value> void option(const std::string& name, Value& value, const std::string& help) {
         option(name, value, Range{}, help);
     }
-    /// An option whose value is text. \param placeholder  "FILE", "NAME"
+    /// An option whose value is text.
+    /// \param placeholder  "FILE", "NAME"
     void text(const std::string& name, std::string& value, const std::string& placeholder,
               const std::string& help);
     /// A command that works; shown under "Examples" in --help, in the order of the calls. The files part.obj
@@ -103,8 +105,8 @@ public:
     [[nodiscard]] bool given(const std::string& optionName) const;
     /// All bytes of the input.
     [[nodiscard]] std::string readInput() const;
-    /// No output of this run may replace this file, which the result refers to. \throw FileError  if one
-    /// would
+    /// No output of this run may replace this file, which the result refers to.
+    /// \throw FileError  if one would
     void protect(const std::string& path) const;
     /// To the output, whole or not at all. Once per run.
     void write(std::string_view bytes) const;
@@ -141,7 +143,8 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// Runs a tool and returns its exit status. \param declare  declares the options and returns the body
+/// Runs a tool and returns its exit status.
+/// \param declare  declares the options and returns the body
 int runTool(int argc, char** argv, const std::string& name, const std::string& summary,
             const std::function<ToolBody(Tool&)>& declare);
 

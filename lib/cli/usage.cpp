@@ -79,8 +79,8 @@ Json describeOption(const OptionRecord& option) {
     entry["group"] = option.group;
     entry["type"] = types[static_cast<std::size_t>(option.type)];
     if (!option.placeholder.empty()) entry["placeholder"] = option.placeholder;
-    if (std::isfinite(option.range.least)) entry["minimum"] = option.range.least;
-    if (std::isfinite(option.range.most)) entry["maximum"] = option.range.most;
+    if (std::isfinite(option.range.min)) entry["minimum"] = option.range.min;
+    if (std::isfinite(option.range.max)) entry["maximum"] = option.range.max;
     for (const auto& [name, help] : option.choices)
         entry["choices"].push_back({{"name", name}, {"help", help}});
     if (double number = 0; parseNumber(option.defaultText, number))

@@ -110,7 +110,8 @@ private:
         return parts;
     }
 
-    /// Numbers the connected components of a piece, in `component_`. \return how many there are
+    /// Numbers the connected components of a piece, in `component_`.
+    /// \return how many there are
     int numberComponents(const Piece& piece) {
         int count = 0;
         for (const VertexId vertex : piece.vertices)
@@ -134,8 +135,9 @@ private:
         return count;
     }
 
-    /// What does not hang together is separate already: every component in which particles start is a part,
-    /// and all the others are one. \return nothing if the piece hangs together
+    /// Divides a piece into its components: each in which particles start is a part, and all the others
+    /// together are one.
+    /// \return nothing if the piece is connected
     Pieces separate(const Piece& piece) {
         const int components = numberComponents(piece);
         if (components < 2) return {};
@@ -153,12 +155,12 @@ private:
         return divide(piece, partOf, parts + (others ? 1 : 0));
     }
 
-    /// The cut that leaves its more complicated part least complicated. \return nothing if that is no simpler
-    /// than the whole
+    /// The cut whose more complicated part is the simplest.
+    /// \return nothing if that is no simpler than the whole
     Pieces cutBetween(const Piece& piece, Terminals kind) {
         const int label = labels_[at(piece.vertices.front())];
         const auto [extraordinary, seeds] = sourcesOf(piece);
-        double least = piece.measures.quasiComplexity;
+        double minComplexity = piece.measures.quasiComplexity;
         std::vector<int> bestSides;
         TerminalPair bestTerminals;
         for (TerminalPair& terminals :
@@ -170,8 +172,8 @@ private:
                 labels_[at(vertex)] = label;
             const double worst =
                 std::max(parts[0].measures.quasiComplexity, parts[1].measures.quasiComplexity);
-            if (worst >= least) continue;
-            least = worst;
+            if (worst >= minComplexity) continue;
+            minComplexity = worst;
             bestSides = std::move(sides);
             bestTerminals = std::move(terminals);
         }

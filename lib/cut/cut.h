@@ -1,4 +1,4 @@
-/// \file Cutting the mesh into sub-meshes of bounded complexity (method 4; paper 4.2.1).
+/// \file Cutting the mesh into sub-meshes of bounded complexity (docs/METHOD.md#mesh-cut).
 #pragma once
 
 #include "base/control.h"
@@ -13,8 +13,8 @@ namespace qm {
 /// How source and sink of a two-way cut are chosen.
 enum class Terminals {
     irregular, ///< centres of the two groups of extraordinary vertices (the paper's)
-    farthest,  ///< the two vertices farthest apart (paper 5, first variant)
-    box        ///< best of three cuts between opposite walls of the bounding box (paper 5, second variant)
+    farthest,  ///< the two vertices farthest apart
+    box        ///< best of three cuts between opposite walls of the bounding box
 };
 
 struct CutOptions {
@@ -45,9 +45,9 @@ struct Cut {
 };
 
 /// Cuts until every sub-mesh has U < chi or does not get simpler, that is, no cut leaves both parts with a
-/// smaller U; other terminals are tried before a sub-mesh is given up. A sub-mesh still to be cut that does
-/// not hang together falls into its components first, those without any particle being one sub-mesh. A part
-/// may consist of several pieces if it is simple enough. Sub-meshes are numbered by their lowest vertex;
+/// smaller U; other terminals are tried before a sub-mesh is given up. Before a sub-mesh that is not
+/// connected is cut, it is divided into its components; those without any particle are one sub-mesh. A
+/// sub-mesh that is simple enough need not be connected. Sub-meshes are numbered by their lowest vertex;
 /// isolated vertices belong to sub-mesh 0.
 /// \param complex  base complex with the feature seeds
 /// \param control  if it is stopped, what has been cut so far; progress counts sub-meshes

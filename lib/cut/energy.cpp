@@ -82,7 +82,8 @@ double Energy::penalty(double nearness) const {
 }
 
 /// A cut across a feature severs few edges that touch it, one that runs alongside severs one per step. The
-/// penalty is the measure because nothing less moves a cut from where the penalties put it.
+/// weight is of the size of the high penalty, because less would not move a cut from where the penalties put
+/// it.
 double Energy::capacity(VertexId a, VertexId b) const {
     if (sharpest_.empty()) return options_.lambda;
     const double rightAngles = std::max(sharpest_[at(a)], sharpest_[at(b)]) / (std::numbers::pi / 2);

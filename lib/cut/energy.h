@@ -1,4 +1,5 @@
-/// \file The energy of a two-way cut (method 4).
+/// \file The energy of a two-way cut (docs/METHOD.md#mesh-cut), after Golovinskiy and Funkhouser 2008
+/// (docs/METHOD.md#golovinskiy-2008).
 #pragma once
 
 #include "cut/cut.h"
@@ -12,7 +13,8 @@ namespace qm {
 
 /// Sets up E(L) = sum of G_p(L_p) + lambda * (edges whose ends differ) for one sub-mesh after the other. When
 /// features are to be avoided, an edge with a sharp edge at one of its ends counts 1 + Wh * theta / (pi / 2)
-/// times, theta being the angle of the sharpest there: as dear as a misplaced vertex at a right angle.
+/// times, theta being the angle of the sharpest there; at a right angle that is as much as a misplaced vertex
+/// costs.
 class Energy {
 public:
     /// \param labels  sub-mesh of every vertex; may change between calls

@@ -10,7 +10,7 @@ namespace {
 
 constexpr float unbounded = std::numeric_limits<float>::infinity();
 constexpr std::size_t exactSweeps = 24;
-/// Bounds are kept for every pair of this many candidates; while there are more, one bound for each.
+/// With at most this many candidates a bound is kept for every pair; with more, one for every candidate.
 constexpr std::size_t pairLimit = 2048;
 
 class Search {
@@ -66,13 +66,14 @@ private:
         boundPairs(distances);
     }
 
-    /// What a pair must be longer than to be worth looking for.
+    /// A pair must be farther apart than this to be worth looking for.
     [[nodiscard]] float threshold() const {
         const double slack = sweeps_ <= exactSweeps ? 0 : 0.01 * static_cast<double>(sweeps_ - exactSweeps);
         return static_cast<float>(longest_ * (1 + slack));
     }
 
-    /// The vertex just swept has met its farthest partner. Others may be too near to everything.
+    /// Drops the vertex just swept, whose farthest partner is known now, and those that are too near to all
+    /// others.
     void dropHopeless(std::size_t swept) {
         const float enough = threshold();
         const auto hopeless = [&](std::size_t k) { return k == swept || upper_[k] <= enough; };
@@ -99,8 +100,8 @@ private:
             }
     }
 
-    /// The open vertex with most partners that may yet be farther away than the farthest pair so far, at
-    /// first the one that may be farthest; the number of vertices if there is none.
+    /// The open vertex with the largest number of partners that may be farther away than the farthest pair so
+    /// far; in the first sweeps, the one with the largest bound. The number of vertices if there is none.
     [[nodiscard]] std::size_t promising() const {
         const float enough = threshold();
         std::size_t best = vertices_.size();

@@ -1,4 +1,4 @@
-/// \file Which two of some vertices are farthest apart over the surface (method 4).
+/// \file Which two of some vertices are farthest apart over the surface (docs/METHOD.md#mesh-cut).
 #pragma once
 
 #include "cut/geodesics.h"

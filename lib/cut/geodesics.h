@@ -1,4 +1,6 @@
-/// \file Geodesic distances on part of a mesh.
+/// \file Geodesic distances on part of a mesh (docs/METHOD.md#mesh-cut): a front as in Kimmel and Sethian
+/// 1998 (docs/METHOD.md#kimmel-1998), virtual sources in polygons as in Melvær and Reimers 2012
+/// (docs/METHOD.md#melvaer-2012).
 #pragma once
 
 #include "mesh/quad_mesh.h"

@@ -44,7 +44,7 @@ SubMesh Measure::operator()(const std::vector<std::size_t>& separatrices, const 
     for (const std::size_t i : separatrices) {
         reach.push_back(reachInside(i, labels));
         const Separatrix& separatrix = complex_.separatrices[i];
-        // What the opposite has walked from inside as well counts once.
+        // What the opposite has walked inside as well counts once.
         std::size_t counted = 0;
         if (separatrix.opposite && separatrix.opposite->idx() < i &&
             labels[at(sourceOf(separatrix.opposite->idx()))] == label)

@@ -1,4 +1,4 @@
-/// \file U and n_j of one sub-mesh (method 4).
+/// \file U and n_j of one sub-mesh (docs/METHOD.md#mesh-cut).
 #pragma once
 
 #include "cut/cut.h"

@@ -1,5 +1,5 @@
-/// \file Two-way minimum cut of weighted nodes (method 4): Boykov-Kolmogorov, after what is certain has been
-/// fixed.
+/// \file Two-way minimum cut of weighted nodes (docs/METHOD.md#mesh-cut) by the algorithm of Boykov and
+/// Kolmogorov (docs/METHOD.md#boykov-2004), after what is certain has been fixed.
 #pragma once
 
 #include <array>
@@ -18,9 +18,9 @@ struct CutProblem {
     std::vector<Edge> edges;
 };
 
-/// An optimal label of every node. A node that prefers one label by more than all its edges can outweigh has
-/// it in every optimum; it is fixed first, and its neighbours feel it, so that only a band remains for the
-/// flow.
+/// An optimal label of every node. A node whose preference for a label outweighs all its edges has that label
+/// in every optimum. Such nodes are fixed first, which adds to their neighbours' preferences, so that only a
+/// band remains for the flow.
 [[nodiscard]] std::vector<int> minimumCut(const CutProblem& problem);
 
 } // namespace qm

@@ -82,7 +82,7 @@ std::vector<TerminalPair> farthest(const QuadMesh& mesh, const std::vector<Verte
                 a = first;
                 b = second;
             }
-    // What the directions missed: on from either end, until the other is the farthest from both.
+    // The directions may have missed a pair: go on from either end until each is the farthest from the other.
     for (int settled = 0; settled < 2; std::swap(a, b)) {
         const VertexId c = farthestFrom(mesh, vertices, a);
         const bool farther = distance(a, c) > distance(a, b);

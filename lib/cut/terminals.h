@@ -1,4 +1,4 @@
-/// \file Where a two-way cut starts from (method 4; paper 4.2.1 and "Evaluation of various cuts").
+/// \file Where a two-way cut starts from (docs/METHOD.md#mesh-cut).
 #pragma once
 
 #include "cut/cut.h"

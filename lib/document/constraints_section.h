@@ -9,8 +9,8 @@ namespace qm {
 
 /// Every edge must lie on a separatrix; required edges on the mesh boundary are left out, because they are
 /// patch boundaries anyway. No edge may be required and forbidden at once, or have
-/// two weights. \param complex  with the feature
-/// seeds
+/// two weights.
+/// \param complex  with the feature seeds
 [[nodiscard]] Constraints readConstraints(const QuadMesh& mesh, const BaseComplex& complex,
                                           const JsonPlace& section);
 

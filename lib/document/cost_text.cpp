@@ -7,7 +7,8 @@ namespace {
 
 constexpr CostTerms noTerms{0, 0, 0, 0};
 
-/// One summand with its sign. \return whether it is one
+/// One summand with its sign.
+/// \return whether it is one
 bool addTerm(std::string_view text, double sign, CostTerms& terms) {
     double weight = 1;
     if (const std::size_t star = text.find('*'); star != std::string_view::npos) {

@@ -11,8 +11,8 @@ namespace qm {
 /// Terms with weight 0 are left out; "0" if all are.
 [[nodiscard]] std::string costText(const CostTerms& terms);
 
-/// A sum of terms, each a name or "number*name"; what is not named has weight 0. \return what is wrong with
-/// the text, or empty
+/// A sum of terms, each a name or "number*name"; what is not named has weight 0.
+/// \return what is wrong with the text, or empty
 [[nodiscard]] std::string parseCost(std::string_view text, CostTerms& terms);
 
 /// Calls f(name, weight) for every term.

@@ -34,8 +34,7 @@ CutOptions readOptions(const JsonPlace& section) {
             value = place->boolean();
         } else {
             value = place->number();
-            if (value < range.least || value > range.most)
-                place->fail("is out of range, " + rangeText(range));
+            if (value < range.min || value > range.max) place->fail("is out of range, " + rangeText(range));
         }
     });
     return options;

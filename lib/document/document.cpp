@@ -50,11 +50,11 @@ Document parseDocument(std::string_view bytes, const std::string& path) {
     });
 }
 
-Kind requireKind(const Document& document, Kind least) {
+Kind requireKind(const Document& document, Kind earliest) {
     const Kind kind = readKind(document.root);
-    if (kind < least)
-        throw Error("/kind", "is " + kindName(kind) + ", but " + kindName(least) + " is due",
-                    std::string("Run ") + toolOf(least) + " first");
+    if (kind < earliest)
+        throw Error("/kind", "is " + kindName(kind) + ", but " + kindName(earliest) + " is due",
+                    std::string("Run ") + toolOf(earliest) + " first");
     return kind;
 }
 

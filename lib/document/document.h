@@ -27,7 +27,7 @@ constexpr int formatVersion = 1;
 [[nodiscard]] Document parseDocument(std::string_view bytes, const std::string& path);
 
 /// \throw Error  if the document has not come far enough for a tool that reads this kind
-[[nodiscard]] Kind requireKind(const Document& document, Kind least);
+[[nodiscard]] Kind requireKind(const Document& document, Kind earliest);
 
 /// A new document, with nothing but kind and version.
 [[nodiscard]] Document newDocument(Kind kind);

@@ -75,11 +75,11 @@ Json enumerationToJson(const QuadMesh& mesh, const SeparatrixIndex& baseComplex,
 namespace {
 
 std::optional<BigCount> readCount(const JsonPlace& place) {
-    constexpr std::size_t mostDigits = 100000; // converting takes quadratic time
+    constexpr std::size_t maxDigits = 100000; // converting takes quadratic time
     if (place.isNull()) return {};
     const std::string& text = place.text();
     const bool digits = std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
-    if (!digits || text.empty() || (text.size() > 1 && text.front() == '0') || text.size() > mostDigits)
+    if (!digits || text.empty() || (text.size() > 1 && text.front() == '0') || text.size() > maxDigits)
         place.fail("is no whole number in decimal digits without leading zeros");
     return BigCount(text);
 }

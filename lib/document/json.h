@@ -14,7 +14,7 @@ using JsonPointer = Json::json_pointer;
 
 /// Time linear in the text, also for objects with many keys.
 /// \throw Error  at line and column: if the text is empty or no JSON, is not UTF-8, has a key twice in one
-///               object, or is nested more than 100 deep
+/// object, or is nested more than 100 deep
 [[nodiscard]] Json parseJson(std::string_view text);
 
 /// Whatever fits in 100 columns stands on one line; lists of numbers that do not are filled line by line, all

@@ -49,11 +49,11 @@ std::optional<double> JsonPlace::numberOrNull() const {
     return isNull() ? std::nullopt : std::optional<double>(number());
 }
 
-std::int64_t JsonPlace::whole(std::int64_t least, std::int64_t most) const {
+std::int64_t JsonPlace::whole(std::int64_t min, std::int64_t max) const {
     const std::optional<std::int64_t> number = wholeNumber(*value_);
     if (!number) fail("is no whole number");
-    if (*number < least) fail("is less than " + std::to_string(least));
-    if (*number > most) fail("is more than " + std::to_string(most));
+    if (*number < min) fail("is less than " + std::to_string(min));
+    if (*number > max) fail("is more than " + std::to_string(max));
     return *number;
 }
 

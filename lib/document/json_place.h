@@ -38,9 +38,10 @@ public:
     [[nodiscard]] double number() const;
     /// A number that may be null.
     [[nodiscard]] std::optional<double> numberOrNull() const;
-    [[nodiscard]] std::int64_t whole(std::int64_t least = std::numeric_limits<std::int64_t>::min(),
-                                     std::int64_t most = std::numeric_limits<std::int64_t>::max()) const;
-    /// All elements of an array of whole numbers from 0 to `count` - 1. \param what  "vertex": for messages
+    [[nodiscard]] std::int64_t whole(std::int64_t min = std::numeric_limits<std::int64_t>::min(),
+                                     std::int64_t max = std::numeric_limits<std::int64_t>::max()) const;
+    /// All elements of an array of whole numbers from 0 to `count` - 1.
+    /// \param what  "vertex": for messages
     [[nodiscard]] std::vector<int> indices(std::size_t count, const char* what) const;
 
     [[noreturn]] void fail(const std::string& what, const std::string& remedy = {}) const;

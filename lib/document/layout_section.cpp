@@ -55,7 +55,7 @@ Json layoutToJson(const QuadMesh& mesh, const Layout& layout, const std::vector<
             {"quality",
              {{"rho", rho},
               {"segments", quality.segments},
-              {"tJunctions", quality.tJunctions},
+              {"tJoints", quality.tJoints},
               {"capturedSharpness", quality.capturedSharpness},
               {"medianAspect", quality.medianAspect},
               {"maxAspect", quality.maxAspect},

@@ -20,8 +20,7 @@ namespace qm {
 [[nodiscard]] std::vector<HalfedgeId> pathAt(const QuadMesh& mesh, const JsonPlace& place);
 
 /// \throw Error  with the pointer of the first vertex where the path does not run straight on over an
-/// interior
-///               regular vertex
+/// interior regular vertex
 void requireStraight(const QuadMesh& mesh, const std::vector<HalfedgeId>& path, const JsonPlace& place);
 
 [[nodiscard]] Json numbersOf(std::span<const VertexId> vertices);
@@ -36,7 +35,8 @@ void requireStraight(const QuadMesh& mesh, const std::vector<HalfedgeId>& path, 
 /// Whether two sums of costs agree to within rounding.
 [[nodiscard]] bool sameCost(double a, double b);
 
-/// The ids of a list's entries must differ. \return false if they are not 0, 1, 2 ...
+/// The ids of a list's entries must differ.
+/// \return false if they are not 0, 1, 2 ...
 bool verifyDistinctIds(const JsonPlace& list);
 
 /// The id of entry `index` must be its position, because others refer to it.

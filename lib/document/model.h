@@ -39,9 +39,9 @@ struct Model {
 
 /// Reads the mesh and all sections that are needed to work on those of a kind: up to the cut, every section;
 /// for `enumeration` its graphs too; for `layout` and `surfaces` no cut and no graphs. Figures that had to be
-/// measured anew, and parts of the layout that had been left out, are written into the document. \param
-/// meshPath  the mesh, if not where the document says; may be empty \throw FileError  with the JSON pointer
-/// of the first rule that is broken
+/// measured anew, and parts of the layout that had been left out, are written into the document.
+/// \param meshPath  the mesh, if not where the document says; may be empty
+/// \throw FileError  with the JSON pointer of the first rule that is broken
 [[nodiscard]] Model readModel(Document& document, Kind upTo, const std::string& meshPath = {});
 
 /// The same of every section that the document has, cut and graphs too.

@@ -8,11 +8,11 @@
 namespace qm {
 
 std::string rangeText(const Range& range) {
-    const bool bounded = std::isfinite(range.most);
-    if (std::isfinite(range.least))
-        return bounded ? roundedText(range.least) + " to " + roundedText(range.most)
-                       : "at least " + roundedText(range.least);
-    return bounded ? "at most " + roundedText(range.most) : "";
+    const bool bounded = std::isfinite(range.max);
+    if (std::isfinite(range.min))
+        return bounded ? roundedText(range.min) + " to " + roundedText(range.max)
+                       : "at least " + roundedText(range.min);
+    return bounded ? "at most " + roundedText(range.max) : "";
 }
 
 std::string keyOf(std::string_view optionName) {

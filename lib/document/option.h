@@ -18,8 +18,8 @@ namespace qm {
 
 /// The values that a number may have, both ends included. An infinite end is no limit.
 struct Range {
-    double least = -std::numeric_limits<double>::infinity();
-    double most = std::numeric_limits<double>::infinity();
+    double min = -std::numeric_limits<double>::infinity();
+    double max = std::numeric_limits<double>::infinity();
 };
 
 /// "0 to 3.14", "at least 1"; empty if any number will do.

@@ -54,7 +54,8 @@ class Printer {
 public:
     explicit Printer(std::string& text) : text_(text) {}
 
-    /// On one line. \return false, with a part of it written, if it does not fit before `limit`
+    /// On one line.
+    /// \return false, with a part of it written, if it does not fit before `limit`
     bool inOneLine(const Json& value, std::size_t limit) {
         if (value.is_object()) return inOneLine(value.get_ref<const Json::object_t&>(), limit);
         if (value.is_array()) return inOneLine(value.get_ref<const Json::array_t&>(), limit);
@@ -62,7 +63,8 @@ public:
         return text_.size() <= limit;
     }
 
-    /// \param column  where the value begins \param indent  of the line it begins on
+    /// \param column  where the value begins
+    /// \param indent  of the line it begins on
     void pretty(const Json& value, std::size_t column, std::size_t indent) {
         const std::size_t start = text_.size();
         // One more column for the comma after it.

@@ -37,25 +37,25 @@ std::vector<std::size_t> shownElements(const Json::array_t& array) {
     if (array.size() <= shortArray) return all();
 
     std::vector<std::size_t> shown;
-    std::size_t least = 0;
-    std::size_t greatest = 0;
-    double leastValue = std::numeric_limits<double>::infinity();
-    double greatestValue = -leastValue;
+    std::size_t minAt = 0;
+    std::size_t maxAt = 0;
+    double minValue = std::numeric_limits<double>::infinity();
+    double maxValue = -minValue;
     for (std::size_t i = 0; i < array.size(); ++i) {
         if (!array[i].is_number()) return all();
         if (shown.empty() && array[i].is_number_float() && !wholeNumber(array[i])) shown.push_back(i);
         const auto value = array[i].get<double>();
-        if (value < leastValue) {
-            leastValue = value;
-            least = i;
+        if (value < minValue) {
+            minValue = value;
+            minAt = i;
         }
-        if (value > greatestValue) {
-            greatestValue = value;
-            greatest = i;
+        if (value > maxValue) {
+            maxValue = value;
+            maxAt = i;
         }
     }
-    shown.push_back(least);
-    shown.push_back(greatest);
+    shown.push_back(minAt);
+    shown.push_back(maxAt);
     return shown;
 }
 

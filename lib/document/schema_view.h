@@ -2,7 +2,7 @@
 ///
 /// Valijson visits every element of every array at several microseconds each, and reports one error per
 /// element. This view keeps both in bounds. Of a long array of numbers it shows three at most: the first that
-/// is not whole, the least, and the greatest. As long as the schemas ask of such numbers nothing but a type
+/// is not whole, the smallest, and the largest. As long as the schemas ask of such numbers nothing but a type
 /// and limits, these three are valid exactly if all are. After the first error it shows nothing more.
 #pragma once
 

@@ -69,7 +69,8 @@ Deviation readDeviation(const JsonPlace& place) {
     return deviation;
 }
 
-/// \param count  control points in this direction \param size  of the segment, in edges
+/// \param count  control points in this direction
+/// \param size  of the segment, in edges
 std::vector<double> readKnots(const JsonPlace& place, int degree, int count, int size) {
     const std::size_t due = static_cast<std::size_t>(count) + static_cast<std::size_t>(degree) + 1;
     if (place.size() != due)

@@ -9,8 +9,8 @@ namespace qm {
 [[nodiscard]] Json surfacesToJson(const Surfaces& surfaces);
 
 /// Patches may have been edited: there must be one for every segment, with as many knots as its control
-/// points and degrees need, in order, and with the segment's grid as their domain. \param sizes  of the
-/// segments
+/// points and degrees need, in order, and with the segment's grid as their domain.
+/// \param sizes  of the segments
 [[nodiscard]] Surfaces readSurfaces(const std::vector<std::array<int, 2>>& sizes, const JsonPlace& section);
 
 } // namespace qm

@@ -1,4 +1,4 @@
-/// \file The search for motorcycle graphs, sub-mesh by sub-mesh (method 2, 3, 5, 10; paper 3.3, 4.2.2).
+/// \file The search for motorcycle graphs, sub-mesh by sub-mesh (docs/METHOD.md#sub-meshes).
 #pragma once
 
 #include "base/control.h"
@@ -30,9 +30,10 @@ struct EnumerationOptions {
 
 /// Finds the best graphs of every sub-mesh on its own: only particles that start inside move, each up to the
 /// first vertex outside. Sub-meshes are searched on `control.jobs` threads; the result does not depend on how
-/// many. \param complex  base complex with the feature seeds \throw Error  if a sub-mesh admits no graph
-/// under the constraints, or if a cut mesh is to have class tmesh or the plain graph: these know no free
-/// particles
+/// many.
+/// \param complex  base complex with the feature seeds
+/// \throw Error  if a sub-mesh admits no graph under the constraints, or if a cut mesh is to have class tmesh
+/// or the plain graph: these know no free particles
 [[nodiscard]] Enumeration enumerateGraphs(const QuadMesh& mesh, const BaseComplex& complex,
                                           const std::vector<double>& dihedralAngles,
                                           const SubMeshes& subMeshes, const EnumerationOptions& options,

@@ -1,4 +1,4 @@
-/// \file The graphs of every sub-mesh: the result of a search (method 2 to 5).
+/// \file The graphs of every sub-mesh: the result of a search (docs/METHOD.md#sub-meshes).
 #pragma once
 
 #include "base/big_count.h"
@@ -12,10 +12,10 @@ namespace qm {
 
 enum class Method {
     optimum,  ///< branch and bound on arcs; best graph and a lower bound
-    naive,    ///< paper 3.3: all coordinate vectors, filtered
-    bounds,   ///< paper 3.3: rules B1 to B4
-    improved, ///< paper 3.3: rules B1 to B3 and B4'
-    plain     ///< the plain motorcycle graph (Eppstein et al. 2008; method 10)
+    naive,    ///< the paper's: all coordinate vectors, filtered (docs/METHOD.md#coordinate-search)
+    bounds,   ///< the paper's: rules B1 to B4
+    improved, ///< the paper's: rules B1 to B3 and B4'
+    plain     ///< the plain motorcycle graph (docs/METHOD.md#plain-graph)
 };
 
 /// What a track may begin and end on.

@@ -35,11 +35,12 @@ public:
     GraphPipeline(const GraphPipeline&) = delete;
     GraphPipeline& operator=(const GraphPipeline&) = delete;
 
-    /// By the finding thread, which lends a hand where the others do not keep up. \return false if no more
-    /// graphs are wanted
+    /// Called by the finding thread, which helps out when the others do not keep up.
+    /// \return false if no more graphs are wanted
     bool put(const Assignment& graph);
 
-    /// Waits for everything that was put. \return false if not all of it was wanted
+    /// Waits for everything that was put.
+    /// \return false if not all of it was wanted
     /// \throw what a stage threw
     bool finish();
 

@@ -53,9 +53,10 @@ struct Exported {
 };
 
 /// Same input and options, same bytes. Segments keep their numbers: as names of faces (STEP), labels (IGES),
-/// groups (OBJ), a property of faces (PLY) or names of nodes (glTF). \param surfaces  may be null for OBJ,
-/// PLY and glTF \throw Error  if surfaces are needed and missing, do not belong to the layout, or are nothing
-/// that OpenCASCADE takes
+/// groups (OBJ), a property of faces (PLY) or names of nodes (glTF).
+/// \param surfaces  may be null for OBJ, PLY and glTF
+/// \throw Error  if surfaces are needed and missing, do not belong to the layout, or are nothing that
+/// OpenCASCADE takes
 [[nodiscard]] Exported exportModel(const QuadMesh& mesh, const Layout& layout, const Surfaces* surfaces,
                                    const ExportOptions& options);
 

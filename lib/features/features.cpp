@@ -85,7 +85,8 @@ private:
     std::vector<FeatureCurve> curves_;
 };
 
-/// Gives the curve the admissible seed nearest to its middle. \return false if it has none
+/// Gives the curve the admissible seed nearest to its middle.
+/// \return false if it has none
 bool placeSeed(const QuadMesh& mesh, FeatureCurve& curve, std::vector<bool>& taken) {
     const std::vector<VertexId> vertices = verticesAlong(mesh, curve.halfedges);
     const int middle = static_cast<int>(curve.halfedges.size()) / 2;

@@ -1,4 +1,4 @@
-/// \file Feature curves and their seeds (method 6; paper 4.3).
+/// \file Feature curves and their seeds (docs/METHOD.md#features).
 #pragma once
 
 #include "basecomplex/base_complex.h"

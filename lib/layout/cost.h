@@ -1,4 +1,4 @@
-/// \file What a graph costs: a sum of terms, each with a weight (method 3; paper 4.1).
+/// \file What a graph costs: a sum of terms, each with a weight (docs/METHOD.md#cost).
 #pragma once
 
 #include "layout/constraints.h"
@@ -23,12 +23,12 @@ struct GraphCost : CostOptions {
     CostTerms terms = {};
 };
 
-/// Of every edge, all terms but the segments; 0 on the mesh boundary for lengths.
+/// What every edge costs by all terms but that of the segments. Edges of the mesh boundary have no length.
 [[nodiscard]] std::vector<double> edgeCosts(const QuadMesh& mesh, const std::vector<double>& dihedralAngles,
                                             const GraphCost& cost, const Constraints& constraints);
 
-/// The corners of the segments that edges cut a mesh into: corners of faces with an edge, or the mesh
-/// boundary, on both sides. Only those at vertices of the given label count, if there are labels.
+/// Counts the corners of the segments that a set of edges cuts a mesh into: the corners of faces that have
+/// such an edge, or the mesh boundary, on both sides. With labels, only at vertices with the given one.
 [[nodiscard]] std::size_t countCorners(const QuadMesh& mesh, const std::vector<bool>& edges,
                                        const std::vector<int>& labels = {}, int label = 0);
 
@@ -43,7 +43,7 @@ struct GraphCost : CostOptions {
                                    const std::vector<Track>& tracks, const std::vector<int>& labels = {},
                                    int label = 0);
 
-/// The corners that all graphs have: those at extraordinary vertices and at convex ones of the boundary.
+/// Counts the corners that all graphs have: at extraordinary vertices and at convex vertices of the boundary.
 [[nodiscard]] std::size_t countSureCorners(const QuadMesh& mesh, const std::vector<int>& labels, int label);
 
 } // namespace qm

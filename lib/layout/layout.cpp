@@ -82,7 +82,8 @@ private:
         addTrack({std::move(path), cost}, transversal);
     }
 
-    /// Cuts a region that has no corners: an annulus or a torus. \return false if it needs no cut
+    /// Cuts a region that has no corners: an annulus or a torus.
+    /// \return false if it needs no cut
     bool split(const Region& region) {
         const bool ring = region.loops.size() == 2 && isRing(region.loops[0]) && isRing(region.loops[1]);
         if (!ring && !region.loops.empty()) return false;

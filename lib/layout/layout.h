@@ -1,4 +1,4 @@
-/// \file The layout: tracks, and the segments they cut the mesh into (method 7).
+/// \file The layout: tracks, and the segments they cut the mesh into (docs/METHOD.md#layout).
 #pragma once
 
 #include "layout/motorcycle_graph.h"
@@ -36,9 +36,10 @@ struct Layout {
 };
 
 /// Cuts the mesh along the tracks. Gives a component without any track a seed at its most curved edge, and
-/// splits every annulus by the cheapest straight transversal (method 7), adding both to the tracks. Linear in
-/// the mesh. \param edgeCosts  by edge index, for the cost of added tracks \throw Error  if a segment is not
-/// a grid with four corners: the tracks are no motorcycle graph
+/// splits every annulus by the cheapest straight transversal (docs/METHOD.md#layout), adding both to the
+/// tracks. Linear in the mesh.
+/// \param edgeCosts  by edge index, for the cost of added tracks
+/// \throw Error  if a segment is not a grid with four corners: the tracks are no motorcycle graph
 [[nodiscard]] Layout buildLayout(const QuadMesh& mesh, std::span<const Track> tracks,
                                  const std::vector<double>& dihedralAngles,
                                  const std::vector<double>& edgeCosts);

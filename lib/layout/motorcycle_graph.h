@@ -1,4 +1,4 @@
-/// \file Tracks and motorcycle graphs as geometry: what the search hands on (method 2).
+/// \file Tracks and motorcycle graphs as geometry: what the search hands on (docs/METHOD.md#valid-tracks).
 #pragma once
 
 #include "mesh/quad_mesh.h"

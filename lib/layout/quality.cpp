@@ -25,7 +25,7 @@ double capturedSharpness(const QuadMesh& mesh, const Layout& layout, const std::
 }
 
 /// Vertices strictly inside a side of one segment that are a corner of another.
-std::size_t countTJunctions(const QuadMesh& mesh, const Layout& layout) {
+std::size_t countTJoints(const QuadMesh& mesh, const Layout& layout) {
     std::vector<bool> corner(mesh.n_vertices(), false), counted(mesh.n_vertices(), false);
     for (const Segment& segment : layout.segments)
         for (const VertexId vertex : segment.corners)
@@ -48,7 +48,7 @@ LayoutQuality measureLayout(const QuadMesh& mesh, const Layout& layout,
                             const std::vector<double>& dihedralAngles, double rho) {
     LayoutQuality quality;
     quality.segments = layout.segments.size();
-    quality.tJunctions = countTJunctions(mesh, layout);
+    quality.tJoints = countTJoints(mesh, layout);
     quality.capturedSharpness = capturedSharpness(mesh, layout, dihedralAngles, rho);
     std::vector<double> aspects;
     for (const Segment& segment : layout.segments) {

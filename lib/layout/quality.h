@@ -1,4 +1,4 @@
-/// \file How good a layout is (method 7).
+/// \file How good a layout is (docs/METHOD.md#quality).
 #pragma once
 
 #include "layout/layout.h"
@@ -11,7 +11,7 @@ namespace qm {
 /// Figures that say how good a layout is.
 struct LayoutQuality {
     std::size_t segments = 0;
-    std::size_t tJunctions = 0;
+    std::size_t tJoints = 0;
     double capturedSharpness =
         0; ///< share of the dihedral angle above rho that lies on segment boundaries, 0 to 1
     double medianAspect = 0; ///< of the segments' longer to shorter side, in edges

@@ -1,4 +1,4 @@
-/// \file Regions: what the tracks leave connected, and their borders (method 7).
+/// \file Regions: what the tracks leave connected, and their borders (docs/METHOD.md#layout).
 #pragma once
 
 #include "mesh/quad_mesh.h"

@@ -12,7 +12,8 @@ std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }
 
-/// Finds a line for every crossing such that no line serves two: an orientation of a pseudo-forest.
+/// Gives every crossing to one of its lines such that no line gets two: an orientation of a pseudo-forest
+/// (docs/METHOD.md#hakimi-1965).
 class Meetings {
 public:
     Meetings(const ArcGraph& graph, const std::vector<bool>& present, const Walkers& walkers)
@@ -86,7 +87,8 @@ private:
                 if (neighbour.line.valid()) waiting_.push_back(neighbour.line);
     }
 
-    /// A crossing with one available line takes it; a line with one open crossing is best used on it.
+    /// A crossing that has only one available line is given to it; a line that has only one open crossing
+    /// gets it.
     void settleLeaves() {
         while (!waiting_.empty()) {
             const LineId line = waiting_.back();

@@ -1,4 +1,4 @@
-/// \file From arcs to particles: who walked what (method 2, "Several particle positions give one graph").
+/// \file From arcs to particles: who walked what (docs/METHOD.md#cracks).
 #pragma once
 
 #include "basecomplex/arc_graph.h"
@@ -9,14 +9,13 @@
 
 namespace qm {
 
-/// One position on a line: the arcs before it are walked by the particle from the line's begin, the arcs from
-/// it on by the particle from its end. For a line with a gap the two do not meet.
+/// How far the two particles of a line have walked. On a line with a gap they do not meet.
 struct Coverage {
-    int fromBegin = 0; ///< arcs
-    int fromEnd = 0;   ///< arcs
+    int fromBegin = 0; ///< arcs that the particle from the line's begin has walked
+    int fromEnd = 0;   ///< arcs that the particle from its end has walked
 };
 
-/// How far the particles of every line have walked. A line that is covered throughout is walked by the
+/// The coverage of every line. A line that is covered throughout is walked by the
 /// particle of its begin, unless a crossing needs a head-on meeting on it (rule 4): then both meet there.
 /// \param present  of every arc; every line's present arcs are a run from each of its sources
 /// \param walkers  which particles take part

@@ -7,12 +7,12 @@
 
 namespace qm {
 
-/// Which particles may walk, of every line those of its begin and of its end; where empty, all.
+/// Which particles take part: of every line the one from its begin and the one from its end. Empty means all.
 struct Walkers {
     std::vector<bool> fromBegin;
     std::vector<bool> fromEnd;
-    /// Of every line the arc after which its particles meet if they do, where that is settled: they leave the
-    /// sub-mesh over one vertex outside. May be empty.
+    /// The last arc that the particle from the begin can walk, of every line whose two particles leave the
+    /// sub-mesh over the same vertex outside and can only meet there; else invalid. May be empty.
     std::vector<ArcId> meetings;
 
     [[nodiscard]] ArcId meeting(LineId line) const {

@@ -54,11 +54,11 @@ public:
     [[nodiscard]] const std::vector<bool>& present() const { return present_; }
 
 private:
-    /// Those that the tree can wait for.
+    /// Windows that are small enough for the tree to wait for them.
     [[nodiscard]] WindowOptions fastWindows() const {
         constexpr std::size_t always = 500, share = 8;
         WindowOptions options;
-        options.mostVariables = std::max(always, static_cast<std::size_t>(problem_.variables()) / share);
+        options.maxVariables = std::max(always, static_cast<std::size_t>(problem_.variables()) / share);
         return options;
     }
 
@@ -116,11 +116,11 @@ Improvement improveGraph(const QuadMesh& mesh, const BaseComplex& complex,
 WindowResult moveCuts(const SearchSpace& space, const std::vector<bool>& present, double complexity,
                       const Control& control) {
     constexpr double variablesPerBit = 6; // log2 of the stops of a line as long as they usually are
-    constexpr double mostVariables = 1000;
+    constexpr double maxVariables = 1000;
     WindowOptions options;
-    options.leastVariables = options.mostVariables =
-        static_cast<std::size_t>(std::clamp(variablesPerBit * complexity, 1.0, mostVariables));
-    options.mostWindows = 2000;
+    options.minVariables = options.maxVariables =
+        static_cast<std::size_t>(std::clamp(variablesPerBit * complexity, 1.0, maxVariables));
+    options.maxWindows = 2000;
     return improveByWindows(wholeInput(space), present, options, control);
 }
 

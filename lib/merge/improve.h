@@ -1,4 +1,4 @@
-/// \file Improving a complete graph, with a bound for the whole mesh (method 5, mobile cuts).
+/// \file Improving a complete graph, with a bound for the whole mesh (docs/METHOD.md#improvement).
 #pragma once
 
 #include "base/control.h"

@@ -29,7 +29,8 @@ public:
         }
     }
 
-    /// Follows the links of everything taken so far. \return whether anything was added
+    /// Follows the links of everything taken so far.
+    /// \return whether anything was added
     bool addLinked() {
         std::vector<ArcId> found;
         for (std::size_t k = followed_; k < order_.size(); ++k)
@@ -67,7 +68,7 @@ private:
         return space_.arcBegins[arc.idx()] == subMesh_ || space_.arcEnds[arc.idx()] == subMesh_;
     }
 
-    /// Arcs of other lines, or of the same further on, that are present beside the ends of an arc.
+    /// The present arcs of other lines, and of the same line further on, at both ends of an arc.
     [[nodiscard]] std::vector<ArcId> crossingTracks(ArcId arc) const {
         std::vector<ArcId> result;
         const Line& line = space_.graph.lineOf(arc);
@@ -98,7 +99,7 @@ private:
 
     static std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-    /// A track over the cut stays: what follows it outside is not for this search to change.
+    /// A track over the cut stays, because this search cannot change how it goes on outside.
     [[nodiscard]] bool leavesPresent(ArcId arc) const {
         return present_[arc.idx()] && space_.arcBegins[arc.idx()] != space_.arcEnds[arc.idx()];
     }

@@ -1,5 +1,5 @@
-/// \file What a search of the complete generator may change: free particles and those linked to them (method
-/// 5, CMG).
+/// \file What a search of the complete generator may change: free particles and those linked to them
+/// (docs/METHOD.md#merging, CMG).
 #pragma once
 
 #include "enumerate/sub_mesh/extend.h"
@@ -18,8 +18,8 @@ struct LinkedParticles {
 
 /// How far the closure goes.
 enum class Linking {
-    closed, ///< all particles that a movable one's way crosses or that crash on it, and so on
-    direct, ///< only those that a free particle's way crosses
+    closed, ///< all particles whose tracks a movable one may cross or that crash on its track, and so on
+    direct, ///< only those whose tracks a free particle may cross
     none    ///< free particles alone, all other tracks are walls
 };
 

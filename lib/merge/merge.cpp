@@ -27,7 +27,7 @@ public:
         : mesh_(mesh), complex_(complex), space_(space), enumeration_(enumeration), subMeshes_(subMeshes),
           complexityLimit_(complexityLimit), control_(control), present_(space.graph.arcs.size(), false) {}
 
-    /// PMG: sub-meshes that no cut edge joins at the same time, the others one after the other.
+    /// PMG: searches sub-meshes that no arc joins at the same time, the others one after the other.
     void partial() {
         double done = 0;
         for (const auto& group : separateGroups()) {
@@ -126,7 +126,8 @@ private:
                     "take some out of /constraints");
     }
 
-    /// Searches with these arcs free. \return false if nothing is valid
+    /// Searches with these arcs free.
+    /// \return false if nothing is valid
     bool improve(int subMesh, const std::vector<ArcId>& arcs, std::vector<bool>& present) const {
         const Problem problem = subMeshProblem(space_, subMesh, arcs, present);
         Control control;
@@ -191,7 +192,7 @@ bool obeys(const SearchSpace& space, const std::vector<bool>& present) {
     return true;
 }
 
-/// There is nothing to merge: a T-mesh is that of the whole mesh.
+/// A T-mesh is searched on the whole mesh, so there is nothing to merge.
 MergeResult wholeGraph(const Enumeration& enumeration) {
     const SubMeshGraphs& found = enumeration.subMeshes.front();
     if (found.graphs.empty())
@@ -217,7 +218,7 @@ MergeResult mergeGraphs(const QuadMesh& mesh, const BaseComplex& complex,
     generator.complete(options.maxRounds);
     MergeResult result = generator.result();
     std::vector<bool> present = generator.present();
-    // Sub-meshes see only themselves; where that went wrong the plain graph is the better one.
+    // Each sub-mesh was searched without regard to the others, so the plain graph may be cheaper.
     if (subMeshes.count > 1) {
         const auto plain =
             presentArcs(mesh, complex, space.graph, plainMotorcycleGraph(mesh, complex, costs).tracks);
@@ -226,7 +227,7 @@ MergeResult mergeGraphs(const QuadMesh& mesh, const BaseComplex& complex,
             result.plain = true;
         }
     }
-    // Particles that are extended across a cut look neither right nor left.
+    // Particles that are extended straight on pay no heed to the constraints.
     if (!obeys(space, present))
         throw Error(
             "/constraints", "no graph that obeys them was found one sub-mesh after the other",
@@ -239,7 +240,7 @@ MergeResult mergeGraphs(const QuadMesh& mesh, const BaseComplex& complex,
     }
     result.graph = graphOf(mesh, complex, space.graph, present, costs);
     result.costBefore = result.graph.cost;
-    // The bound of a cost that counts segments is none of the edges' costs.
+    // If segments cost something, the bound is none of G_T, which sums the edges alone.
     const bool bounds = enumeration.cost.terms.segments == 0;
     if (subMeshes.count == 1 && bounds) result.lowerBound = enumeration.subMeshes.front().lowerBound;
     const bool proven = result.lowerBound && result.graph.cost <= *result.lowerBound + Incumbents::tolerance;

@@ -1,4 +1,5 @@
-/// \file From the graphs of the sub-meshes to one motorcycle graph of the whole mesh (method 5; paper 4.2.3).
+/// \file From the graphs of the sub-meshes to one motorcycle graph of the whole mesh
+/// (docs/METHOD.md#merging).
 #pragma once
 
 #include "base/control.h"

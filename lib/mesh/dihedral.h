@@ -1,4 +1,4 @@
-/// \file Dihedral angles and the cost of an edge (method 3; paper 4.1).
+/// \file Dihedral angles and the cost of an edge (docs/METHOD.md#cost).
 #pragma once
 
 #include "mesh/quad_mesh.h"

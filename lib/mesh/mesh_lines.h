@@ -1,4 +1,4 @@
-/// \file All mesh lines: maximal paths that go straight on (method 1, 6).
+/// \file All mesh lines: maximal paths that go straight on (docs/METHOD.md#words).
 #pragma once
 
 #include "mesh/quad_mesh.h"

@@ -17,7 +17,8 @@ struct Orientation {
     std::optional<std::size_t> contradiction;
 };
 
-/// Quads are neighbours where just two meet at an edge. \param twins  see `twinSides`
+/// Quads are neighbours where just two meet at an edge.
+/// \param twins  see `twinSides`
 [[nodiscard]] Orientation findOrientation(const Soup& soup, const std::vector<Side>& twins);
 
 } // namespace qm

@@ -34,7 +34,8 @@ struct PlyHeader {
     std::vector<PlyElement> elements; ///< in the order in which they are stored
 };
 
-/// Vertices have places and faces have corners. \param lines  at the beginning; afterwards the body follows
+/// Vertices have places and faces have corners.
+/// \param lines  at the beginning; afterwards the body follows
 /// \throw Error  naming the line
 [[nodiscard]] PlyHeader readPlyHeader(TextLines& lines);
 

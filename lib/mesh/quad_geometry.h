@@ -19,7 +19,7 @@ namespace qm {
 /// False if neither of its triangles has an area.
 [[nodiscard]] bool hasArea(const QuadMesh& mesh, FaceId face);
 
-/// Averages those of the two triangles; of unit length, or zero if there is none (method 3).
+/// Averages those of the two triangles; of unit length, or zero if there is none (docs/METHOD.md#cost).
 [[nodiscard]] Point quadNormal(const QuadMesh& mesh, FaceId face);
 
 } // namespace qm

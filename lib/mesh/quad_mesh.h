@@ -16,9 +16,9 @@ struct QuadMeshTraits : OpenMesh::DefaultTraits {
     FaceAttributes(OpenMesh::Attributes::None);
 };
 
-/// An oriented 2-manifold whose faces are all quads (method 1), as `readMesh` guarantees it. Vertices and
-/// faces are numbered as in the file; isolated vertices are kept. A face's first vertex in the file is the
-/// vertex that its halfedge points to.
+/// An oriented 2-manifold whose faces are all quads (docs/METHOD.md#words), as `readMesh` guarantees it.
+/// Vertices and faces are numbered as in the file; isolated vertices are kept. A face's first vertex in the
+/// file is the vertex that its halfedge points to.
 using QuadMesh = OpenMesh::PolyMesh_ArrayKernelT<QuadMeshTraits>;
 
 using VertexId = OpenMesh::VertexHandle;

@@ -27,7 +27,8 @@ struct Soup {
     [[nodiscard]] std::span<const std::int64_t> face(std::size_t k) const {
         return {corners.data() + faceBegins[k], corners.data() + faceBegins[k + 1]};
     }
-    /// The corners added since the last polygon are one. \param line  0 if there are no lines
+    /// The corners added since the last polygon are one.
+    /// \param line  0 if there are no lines
     void endFace(std::uint32_t line);
 
     /// The number of a point in the file.

@@ -17,8 +17,8 @@ class TextLines {
 public:
     explicit TextLines(std::string_view text) : rest_(text), lineEnd_(lineEndOf(text)) {}
 
-    /// Goes to the next line; after the last one there is an empty one. \param continued  a backslash at the
-    /// end joins it with the one after
+    /// Goes to the next line; after the last one there is an empty one.
+    /// \param continued  a backslash at the end joins it with the one after
     bool nextLine(bool continued = false) {
         const bool found = !rest_.empty();
         takeLine(continued);

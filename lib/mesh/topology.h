@@ -1,4 +1,4 @@
-/// \file Regularity, and walking straight on (method 1).
+/// \file Regularity, and walking straight on (docs/METHOD.md#words).
 #pragma once
 
 #include "mesh/quad_mesh.h"

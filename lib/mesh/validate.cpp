@@ -24,7 +24,7 @@ std::string edgePlace(const Soup& soup, Side side) {
 }
 
 void checkQuads(const Soup& soup) {
-    constexpr std::size_t most = std::size_t{1} << 29; // halfedges and sides are numbered in 32 bits
+    constexpr std::size_t max = std::size_t{1} << 29; // halfedges and sides are numbered in 32 bits
     if (soup.faceCount() == 0) throw Error("", "it holds no faces", "Is it cut off, or another format?");
     std::optional<std::size_t> first;
     std::size_t others = 0;
@@ -39,8 +39,8 @@ void checkQuads(const Soup& soup) {
                         " of " + plural(soup.faceCount(), "face") + (others == 1 ? " is" : " are") +
                         " not four-sided",
                     "Remesh the model with quads only");
-    if (std::max(soup.faceCount(), soup.points.size()) > most)
-        throw Error("", "it holds more than " + std::to_string(most) + " faces or vertices",
+    if (std::max(soup.faceCount(), soup.points.size()) > max)
+        throw Error("", "it holds more than " + std::to_string(max) + " faces or vertices",
                     "Divide the model");
 }
 

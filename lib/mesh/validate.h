@@ -1,4 +1,4 @@
-/// \file What a soup must be to become a quad mesh (method 1).
+/// \file What a soup must be to become a quad mesh (docs/METHOD.md#words).
 #pragma once
 
 #include "mesh/soup_edges.h"

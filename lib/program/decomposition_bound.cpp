@@ -41,7 +41,7 @@ public:
         Clusters clusters;
         for (std::size_t column = 0; column < taken_.size(); ++column)
             if (!taken_[column]) clusters.members.push_back(grow(static_cast<int>(column)));
-        // Those that are solved fast leave their time to the others.
+        // Clusters that are solved fast leave their time to the others.
         std::ranges::stable_sort(clusters.members, {}, [this](const auto& members) {
             return std::ranges::count_if(members,
                                          [this](int c) { return isFractional(relaxed_.values[at(c)]); });
@@ -57,7 +57,7 @@ public:
     }
 
 private:
-    /// Takes the column with the closest ties to the cluster next; those that cost most to cut are closest.
+    /// Adds the column with the closest ties to the cluster next. Rows with large duals tie closest.
     std::vector<int> grow(int start) {
         constexpr double dualWeight = 20; // against the mere number of rows
         std::vector<int> cluster, touched;
@@ -178,7 +178,7 @@ double decompositionBound(const RelaxedProgram& relaxed, const DecompositionOpti
         if (end.isOver() || control.stopRequested()) break;
         const Decomposition parts(relaxed, columns);
         best = std::max(best, parts.relaxedBound() + parts.gain(end.secondsLeft(), control));
-        if (best >= relaxed.cutoff || columns >= std::min(options.mostColumns, relaxed.values.size())) break;
+        if (best >= relaxed.cutoff || columns >= std::min(options.maxColumns, relaxed.values.size())) break;
     }
     return std::min(best, relaxed.cutoff);
 }

@@ -1,8 +1,9 @@
 /// \file A bound beyond the linear relaxation: clusters of columns are solved as integer programs.
 ///
-/// Lagrangian decomposition. Rows between clusters are paid for by their duals instead of being obeyed; what
-/// remains falls apart, and every cluster's optimum is at least its share of the relaxed cost. The gain is
-/// what fractional values inside of clusters had saved.
+/// Lagrangian relaxation (docs/METHOD.md#decomposition-bound; Geoffrion 1974, docs/METHOD.md#geoffrion-1974).
+/// Rows between clusters are paid for by their duals instead of being obeyed; what remains falls apart, and
+/// every cluster's optimum is at least its share of the relaxed cost. The gain is what fractional values
+/// inside of clusters had saved.
 #pragma once
 
 #include "base/control.h"
@@ -18,19 +19,19 @@ struct RelaxedProgram {
     IntegerProgram program;
     double constant = 0;        ///< of the cost
     std::vector<double> values; ///< of every column
-    std::vector<double> duals;  ///< of every row: how the relaxed optimum grows with its sides
-    double cutoff = std::numeric_limits<double>::infinity(); ///< solutions as dear as this may be left out
+    std::vector<double> duals;  ///< of every row: by how much the relaxed optimum grows with its bounds
+    double cutoff =
+        std::numeric_limits<double>::infinity(); ///< solutions of at least this cost do not matter
 };
 
 struct DecompositionOptions {
     std::size_t columns = 500; ///< of a cluster at first; they double while there is time
-    std::size_t mostColumns = std::numeric_limits<std::size_t>::max();
+    std::size_t maxColumns = std::numeric_limits<std::size_t>::max();
     double seconds = 0; ///< in all
 };
 
 /// \return a bound of the program's cost, at most the cutoff; minus infinity if time was too short. Where
-/// time
-///         does not end it, the result does not depend on `control.jobs`.
+/// time does not end it, the result does not depend on `control.jobs`.
 [[nodiscard]] double decompositionBound(const RelaxedProgram& relaxed, const DecompositionOptions& options,
                                         const Control& control = {});
 

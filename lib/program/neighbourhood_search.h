@@ -1,4 +1,5 @@
-/// \file Making a solution of an integer program better, a neighbourhood of columns at a time.
+/// \file Making a solution of an integer program better, a neighbourhood of columns at a time: large
+/// neighbourhood search (docs/METHOD.md#shaw-1998).
 #pragma once
 
 #include "base/control.h"
@@ -20,8 +21,9 @@ struct NeighbourhoodOptions {
     std::uint32_t seed = 5489; ///< of the places where neighbourhoods lie
 };
 
-/// For programs that are too large to be solved at once. A neighbourhood is made of the columns nearest to
-/// one column or to all of one group, in steps over rows; the others keep their values while it is solved.
+/// For programs that are too large to be solved at once. A neighbourhood holds the columns nearest to one
+/// column, or to all columns of one group; two columns of one row are one step apart. All others keep their
+/// values while it is solved.
 /// Neighbourhoods grow when they no longer help, up to the whole program.
 /// \param values   obey all rows; the result does too, and never costs more
 /// \param groups   columns that tend to change together

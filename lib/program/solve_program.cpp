@@ -54,13 +54,14 @@ void load(const IntegerProgram& program, OsiClpSolverInterface& solver) {
         solver.setInteger(column);
 }
 
-/// The bound that needs no row.
-double leastOfColumns(const IntegerProgram& program) {
+/// A bound that takes no row into account.
+double boundOfColumns(const IntegerProgram& program) {
     return std::accumulate(program.costs.begin(), program.costs.end(), 0.0,
                            [](double sum, double cost) { return sum + std::min(cost, 0.0); });
 }
 
-/// CBC would not look at the clock before the relaxation is solved. \return whether it is
+/// CBC would not look at the clock before the relaxation is solved.
+/// \return whether it is
 bool relax(OsiClpSolverInterface& solver, double seconds) {
     ClpSimplex& simplex = *solver.getModelPtr();
     simplex.setMaximumWallSeconds(seconds);
@@ -78,7 +79,7 @@ ProgramSolution solveProgram(const IntegerProgram& program, const std::vector<do
     const Deadline end(control, limits.seconds);
     OsiClpSolverInterface solver;
     load(program, solver);
-    if (!relax(solver, limits.seconds)) return {{}, leastOfColumns(program), false};
+    if (!relax(solver, limits.seconds)) return {{}, boundOfColumns(program), false};
     CbcModel model(solver);
     CbcMain0(model);
     model.setLogLevel(0);
@@ -116,8 +117,8 @@ double boundProgram(const IntegerProgram& program, double seconds, const Control
     model.solver()->setHintParam(OsiDoReducePrint, true);
     StopHandler handler(control);
     model.passInEventHandler(&handler);
-    CbcCompareObjective leastBoundFirst;
-    model.setNodeComparison(leastBoundFirst);
+    CbcCompareObjective minBoundFirst;
+    model.setNodeComparison(minBoundFirst);
     model.setUseElapsedTime(true);
     model.setMaximumSeconds(std::min(seconds, 1e9));
     // The solver looks at no clock of ours.

@@ -26,8 +26,8 @@ struct ProgramLimits {
 [[nodiscard]] ProgramSolution solveProgram(const IntegerProgram& program, const std::vector<double>& start,
                                            const ProgramLimits& limits, const Control& control = {});
 
-/// A bound of the least cost, the least cost itself if there is time enough; minus infinity if there was
-/// none. May run on several threads.
+/// A lower bound of the cost, which is the minimum itself if there is time enough; minus infinity if there
+/// was none. May run on several threads.
 [[nodiscard]] double boundProgram(const IntegerProgram& program, double seconds, const Control& control = {});
 
 } // namespace qm

@@ -119,7 +119,7 @@ private:
             if (arcAt(halfedge).valid()) result_.quarters[arcAt(halfedge).idx()] += 2;
     }
 
-    /// Where a track of the layout ends at others that turn there, it stays as long as these pass.
+    /// A track of the layout that ends where others turn by too much stays as long as these pass.
     void keepSmooth(HalfedgeId arriving) {
         const VertexId vertex = mesh_.to_vertex_handle(arriving);
         if (!continuesStraight(mesh_, vertex)) return;

@@ -25,7 +25,7 @@ std::vector<std::size_t> candidates(const Layout& layout, double eta) {
 
 constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
-/// By edge: the rank of the candidate that it is part of, or `none`.
+/// The rank of the candidate that every edge is part of, or `none`.
 std::vector<std::size_t> rankOfEdges(const QuadMesh& mesh, const Layout& layout,
                                      const std::vector<std::size_t>& order) {
     std::vector<std::size_t> rankOf(mesh.n_edges(), none);
@@ -41,8 +41,9 @@ Fate judge(Removal& removal, const Track& track, const PruneOptions& options) {
     return Fate::removed;
 }
 
-/// Goes through the candidates again and again until none goes. A kept one is asked again only after
-/// something beside it has gone: until then its answer cannot change. \return what becomes of every track
+/// Tries the candidates again and again until none can be removed. A kept one is tried again only after
+/// something beside it has been removed: until then the outcome is the same.
+/// \return what becomes of every track
 std::vector<Fate> decide(const QuadMesh& mesh, const Layout& layout, const PruneOptions& options,
                          const Control& control) {
     Removal removal(mesh, layout);

@@ -1,4 +1,4 @@
-/// \file Removing flat boundaries (method 8; paper 5).
+/// \file Removing flat boundaries (docs/METHOD.md#pruning).
 #pragma once
 
 #include "base/control.h"
@@ -27,7 +27,7 @@ struct PruneOptions {
     bool front = false;    ///< list what can be had for how many segments
 };
 
-/// One of the layouts that no other found is as good as in segments, G_T and captured sharpness together.
+/// A layout such that no other found is as good or better in segments, G_T and captured sharpness alike.
 struct FrontPoint {
     double beta = 0;
     std::size_t segments = 0;
@@ -47,9 +47,9 @@ struct PruneResult {
 };
 
 /// Greedy: candidates in decreasing order of cost, ties by id; a track goes if every segment stays a grid
-/// with four corners. A removal may free a track that ended there or was crossed, so candidates are gone
-/// through in the same order until none goes any more. Transversals are no candidates; an annulus stays one.
-/// The test of one track takes time linear in its length and looks at its own vertices only.
+/// with four corners. A removal may make others possible, so candidates are tried again in the same order
+/// until none can be removed any more. Transversals are no candidates, and an annulus stays one. The test of
+/// one track takes time linear in its length and looks at its own vertices only.
 /// \param layout  as `buildLayout` makes it
 [[nodiscard]] PruneResult pruneLayout(const QuadMesh& mesh, const Layout& layout,
                                       const std::vector<double>& dihedralAngles,

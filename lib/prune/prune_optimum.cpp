@@ -55,7 +55,7 @@ public:
                                              {.seconds = options_.timeLimit / 2}, control_);
         PruneResult result;
         result.layout = layoutOf(values);
-        // Components without sources get a loop each, come what may.
+        // Every component without sources gets a loop, whatever the program says.
         const double loops = result.layout.cost - grids_.program.cost(values);
         result.objectiveBound = solution.lowerBound + beta * grids_.corners / 4 + loops;
         result.proven = solution.proven;
@@ -73,7 +73,7 @@ private:
         return program;
     }
 
-    /// Of the solutions that were found so far.
+    /// The cheapest solution found so far, of at most so many segments.
     std::optional<Values> bestKnown(const IntegerProgram& program, double maxSegments) const {
         const Values* best = nullptr;
         for (const Values& values : known_)
@@ -83,7 +83,7 @@ private:
         return best ? std::optional(*best) : std::nullopt;
     }
 
-    /// What greedy removal makes of a layout where a segment is worth so much: a track between two segments.
+    /// Adds what greedy removal makes of a layout when a segment costs so much: each removed track saves one.
     void removeTracks(const Layout& layout, double worth) {
         PruneOptions greedy = options_;
         greedy.eta = -worth;
@@ -92,7 +92,7 @@ private:
         if (grids_.program.allows(values)) known_.push_back(std::move(values));
     }
 
-    /// Looks for a first layout of so few segments, by making them dearer and dearer.
+    /// Looks for a first layout of so few segments by raising their price.
     void approach(double maxSegments) {
         constexpr double dearest = 1024;
         for (double beta = 1; beta <= dearest && !bestKnown(grids_.program, maxSegments); beta *= 4) {
@@ -174,7 +174,7 @@ private:
     std::vector<Values> known_; ///< solutions, whatever they cost
 };
 
-/// Whether the first is as good in everything.
+/// Whether the first is as good as the second, or better, in everything.
 bool covers(const FrontPoint& a, const FrontPoint& b) {
     constexpr double tiny = 1e-9;
     return a.segments <= b.segments && a.cost <= b.cost + tiny &&

@@ -1,5 +1,5 @@
-/// \file Pruning as an optimum: the cheapest layout of grids, whatever tracks it needs (method 8, and
-/// beyond).
+/// \file Pruning as an optimum: the cheapest layout of grids, whatever tracks it needs
+/// (docs/METHOD.md#pruning-program).
 #pragma once
 
 #include "base/control.h"
@@ -20,8 +20,8 @@ namespace qm {
                                          const std::vector<double>& edgeCosts, const PruneOptions& options,
                                          const Control& control = {});
 
-/// Layouts for a range of beta, from many segments to few; none is as good as another in segments, G_T and
-/// captured sharpness together.
+/// Layouts for a range of beta, from many segments to few; none is as good as another, or better, in
+/// segments, G_T and captured sharpness alike.
 [[nodiscard]] std::vector<FrontPoint>
 pruneFront(const QuadMesh& mesh, const BaseComplex& complex, const Layout& layout,
            const std::vector<double>& dihedralAngles, const std::vector<double>& edgeCosts,

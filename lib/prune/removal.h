@@ -1,4 +1,4 @@
-/// \file What becomes of the segments when a track is taken away (method 8).
+/// \file What becomes of the segments when a track is taken away (docs/METHOD.md#pruning).
 #pragma once
 
 #include "layout/layout.h"
@@ -8,9 +8,9 @@
 
 namespace qm {
 
-/// Knows which edges are borders and which faces are in one segment, and keeps that up to date as tracks go.
-/// Borders are the tracks and the mesh boundary. Transversals are none: they hold nothing up, because they
-/// are drawn anew once the tracks are settled.
+/// Knows which edges are borders and which faces are in one segment, and keeps that up to date while tracks
+/// are removed. Borders are the tracks and the mesh boundary, but not transversals: these are drawn anew when
+/// the tracks are settled.
 ///
 /// Why looking at the track's own vertices is enough: if afterwards no segment takes more than two quads at
 /// any of them, and none of them is an extraordinary vertex inside a segment, then by Gauss-Bonnet every new
@@ -30,8 +30,8 @@ public:
     /// \param track  with `keepsGrids`: at each end exactly one segment goes straight on
     [[nodiscard]] double largestTurn(const Track& track) const;
 
-    /// \return the borders next to it, around its vertices: no other track's `keepsGrids` or `largestTurn`
-    /// can get better by this removal than those of the tracks there
+    /// \return the borders next to it, around its vertices: only for the tracks there can `keepsGrids` or
+    /// `largestTurn` have improved
     std::vector<EdgeId> remove(const Track& track);
 
 private:

@@ -1,4 +1,4 @@
-/// \file By how much a border turns at a vertex (method 8, smoothness).
+/// \file By how much a border turns at a vertex (docs/METHOD.md#pruning, smoothness).
 #pragma once
 
 #include "mesh/quad_mesh.h"

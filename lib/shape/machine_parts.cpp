@@ -13,7 +13,8 @@ namespace {
 using Place = RoundHole::Place;
 
 /// A quarter circle of radius 1 that leaves one line and ends on another at right angles.
-/// \param share  of the turn, 0 to 1 \return x along the first line, y away from it
+/// \param share  of the turn, 0 to 1
+/// \return x along the first line, y away from it
 Place quarterCircle(double share) {
     const double angle = share * std::numbers::pi / 2;
     return {std::sin(angle), 1 - std::cos(angle)};

@@ -53,13 +53,13 @@ constexpr auto kinds = [] {
 
 /// The number of quads is that of the coarsest mesh times the square of the resolution.
 void checkSize(const Recipe& recipe, int resolution, const ShapeOptions& options) {
-    constexpr double mostQuads = 1e7;
-    constexpr int mostVoxels = 100'000;
-    if (options.voxels < 1 || options.voxels > mostVoxels)
-        throw Error("voxels", "must be from 1 to " + std::to_string(mostVoxels));
+    constexpr double maxQuads = 1e7;
+    constexpr int maxVoxels = 100'000;
+    if (options.voxels < 1 || options.voxels > maxVoxels)
+        throw Error("voxels", "must be from 1 to " + std::to_string(maxVoxels));
     if (resolution < 1) throw Error("resolution", "must be 1 or more");
     const auto coarsest = static_cast<double>(recipe.make(1, options).quads.size());
-    if (coarsest * resolution * resolution > mostQuads)
+    if (coarsest * resolution * resolution > maxQuads)
         throw Error("resolution", "the mesh would have more than ten million quads", "Choose a lower one");
 }
 

@@ -19,9 +19,9 @@ private:
     std::mt19937_64 engine_;
 };
 
-QuadList softSurface(const QuadList& coarse, int n, int most) {
+QuadList softSurface(const QuadList& coarse, int n, int maxRounds) {
     QuadList list = refined(coarse, n);
-    soften(list, std::min(n * n, most));
+    soften(list, std::min(n * n, maxRounds));
     return list;
 }
 

@@ -18,7 +18,7 @@ unsigned voxelsAround(const Voxels& voxels, const Voxel& point) {
     return result;
 }
 
-/// Whether those of the eight that are set hang together through common squares.
+/// Whether those of the eight that are set are connected through common squares.
 bool connected(unsigned set) {
     if (set == 0) return true;
     unsigned reached = set & -set;

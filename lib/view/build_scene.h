@@ -28,7 +28,8 @@ struct Viewed {
     const Surfaces* surfaces = nullptr;
 };
 
-/// Linear in the mesh. \param jobs  threads; the scene does not depend on it
+/// Linear in the mesh.
+/// \param jobs  threads; the scene does not depend on it
 [[nodiscard]] Scene buildScene(const Viewed& viewed, unsigned jobs);
 
 } // namespace qm

@@ -6,7 +6,8 @@
 
 namespace qm {
 
-/// The mesh's points, quads and edges. \param centre  becomes the origin
+/// The mesh's points, quads and edges.
+/// \param centre  becomes the origin
 void addMesh(Scene& scene, const Viewed& viewed, const Point& centre);
 void addBaseComplex(Scene& scene, const Viewed& viewed);
 void addFeatures(Scene& scene, const Viewed& viewed);

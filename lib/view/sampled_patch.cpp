@@ -10,8 +10,8 @@ namespace qm {
 namespace {
 
 /// What a graphics card draws at ease.
-constexpr double mostSamples = 200000;
-constexpr double mostSteps = 8;
+constexpr double maxSamples = 200000;
+constexpr double maxSteps = 8;
 
 std::vector<double> parameters(int quads, std::size_t steps) {
     std::vector<double> result;
@@ -38,7 +38,7 @@ std::vector<SampledPatch> samplePatches(const QuadMesh& mesh, const Layout& layo
                                         const std::vector<Patch>& patches, unsigned jobs) {
     const double faces = std::max(1.0, static_cast<double>(mesh.n_faces()));
     const auto steps =
-        static_cast<std::size_t>(std::clamp(std::floor(std::sqrt(mostSamples / faces)), 1.0, mostSteps));
+        static_cast<std::size_t>(std::clamp(std::floor(std::sqrt(maxSamples / faces)), 1.0, maxSteps));
     const MeshDistance distance(mesh);
     std::vector<SampledPatch> result(patches.size());
     parallelFor(patches.size(), jobs, [&](std::size_t k) {

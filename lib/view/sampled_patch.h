@@ -18,7 +18,8 @@ struct SampledPatch {
     std::vector<double> distances; ///< of the points from the mesh
 };
 
-/// The fewer quads the mesh has, the more samples for each. \param patches  one for every segment
+/// The fewer quads the mesh has, the more samples for each.
+/// \param patches  one for every segment
 [[nodiscard]] std::vector<SampledPatch> samplePatches(const QuadMesh& mesh, const Layout& layout,
                                                       const std::vector<Patch>& patches, unsigned jobs);
 

@@ -41,12 +41,12 @@ std::array<double, 3> parseDirection(const std::string& text) {
 }
 
 PictureSize parseSize(const std::string& text) {
-    constexpr int least = 16;
-    constexpr int most = 8192;
+    constexpr int min = 16;
+    constexpr int max = 8192;
     const auto parts = split(text, 'x');
     PictureSize size;
     if (parts.size() != 2 || !parseNumber(parts[0], size.width) || !parseNumber(parts[1], size.height) ||
-        std::min(size.width, size.height) < least || std::max(size.width, size.height) > most)
+        std::min(size.width, size.height) < min || std::max(size.width, size.height) > max)
         throw Error("", "'" + text + "' is no size of a picture", "Give width and height, such as 1200x900");
     return size;
 }

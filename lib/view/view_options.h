@@ -12,7 +12,8 @@ namespace qm {
 /// "segments,borders" as a list.
 [[nodiscard]] std::vector<std::string> parseNames(const std::string& text);
 
-/// "1,-1.5,0.9" as a direction. \throw Error  if it is not three numbers, or all are zero
+/// "1,-1.5,0.9" as a direction.
+/// \throw Error  if it is not three numbers, or all are zero
 [[nodiscard]] std::array<double, 3> parseDirection(const std::string& text);
 
 struct PictureSize {
@@ -20,7 +21,8 @@ struct PictureSize {
     int height = 900;
 };
 
-/// "1200x900". \throw Error  if it is not two whole numbers from 16 to 8192
+/// "1200x900".
+/// \throw Error  if it is not two whole numbers from 16 to 8192
 [[nodiscard]] PictureSize parseSize(const std::string& text);
 
 } // namespace qm

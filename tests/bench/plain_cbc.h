@@ -12,8 +12,8 @@ struct PlainCbcResult {
     double lowerBound = 0;
 };
 
-/// One binary column for every particle and arc that it can walk, rules 1 to 3 of method 2 row by row and A2
-/// in place of rule 4; default settings.
+/// One binary column for every particle and arc that it can walk, rules 1 to 3 (docs/METHOD.md#arc-rules) row
+/// by row and A2 in place of rule 4; default settings.
 /// \param problem  of a whole mesh: no open junctions, no fixed arcs but those of rule 1
 [[nodiscard]] PlainCbcResult solveWithPlainCbc(const Problem& problem, double seconds);
 

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int wanted = 200;
 constexpr std::size_t best = 9;
-constexpr std::uint64_t mostSteps = 10000;
+constexpr std::uint64_t maxSteps = 10000;
 
 /// Of the edge between two vertices: any function that both programs can compute.
 double costOf(int one, int other) {
@@ -32,7 +32,7 @@ std::optional<std::vector<double>> triedOut(const QuadMesh& mesh) {
     check::EdgeCosts costs{std::vector(static_cast<std::size_t>(around.edges()), 0.0), {}};
     for (int step = 0; step < around.steps(); ++step)
         costs.cost[static_cast<std::size_t>(around.edge(step))] = costOf(around.from(step), around.to(step));
-    const BruteForce all = bruteForce(around, check::traceLines(around, {}).front(), costs, mostSteps);
+    const BruteForce all = bruteForce(around, check::traceLines(around, {}).front(), costs, maxSteps);
     if (!all.complete) return std::nullopt;
     std::vector<double> result;
     for (const auto& [edges, graph] : all.graphs)

@@ -23,8 +23,8 @@ constexpr double longTime = 1e9;
 struct Torus {
     ArcGraph graph;
     Problem problem;
-    Assignment plain; ///< the plain motorcycle graph
-    double least = 0; ///< cost of all graphs
+    Assignment plain;   ///< the plain motorcycle graph
+    double minCost = 0; ///< cost of all graphs
 };
 
 Torus drawTorus(unsigned number) {
@@ -40,7 +40,7 @@ Torus drawTorus(unsigned number) {
         {drawn.graph, arcCosts, std::vector(drawn.graph.arcs.size(), ArcState::free), {}, {}, {}});
     drawn.plain = assignmentOf(drawn.problem, presentArcs(mesh, complex, drawn.graph,
                                                           plainMotorcycleGraph(mesh, complex, costs).tracks));
-    drawn.least = costOf(drawn.problem, findOptimum(drawn.problem, {}).graphs.front());
+    drawn.minCost = costOf(drawn.problem, findOptimum(drawn.problem, {}).graphs.front());
     return drawn;
 }
 
@@ -53,14 +53,14 @@ TEST(HardSearchProperty, DivesAndPolishingEndInTheOptimum) {
         options.start = drawn.plain;
         options.polish = [&](const Assignment& graph, const std::vector<double>& relaxed) {
             EXPECT_EQ(relaxed.size(), graph.size());
-            EXPECT_GE(costOf(drawn.problem, graph), drawn.least - 1e-6);
+            EXPECT_GE(costOf(drawn.problem, graph), drawn.minCost - 1e-6);
             ++polished;
             return graph;
         };
         const OptimumResult found = findOptimum(drawn.problem, options);
         ASSERT_TRUE(found.complete);
-        EXPECT_NEAR(costOf(drawn.problem, found.graphs.front()), drawn.least, 1e-6) << "case " << number;
-        EXPECT_NEAR(found.lowerBound, drawn.least, 1e-6) << "case " << number;
+        EXPECT_NEAR(costOf(drawn.problem, found.graphs.front()), drawn.minCost, 1e-6) << "case " << number;
+        EXPECT_NEAR(found.lowerBound, drawn.minCost, 1e-6) << "case " << number;
     }
     EXPECT_GT(polished, cases / 10);
 }
@@ -84,9 +84,9 @@ TEST(HardSearchProperty, DecompositionBoundsLieBetweenTheRelaxationAndTheOptimum
             std::ranges::fill(part.relaxed.duals, 0);
             free += gain(10);
         }
-        EXPECT_LE(clusters, drawn.least + 1e-6) << "case " << number;
-        EXPECT_LE(free, drawn.least + 1e-6) << "case " << number;
-        EXPECT_NEAR(whole, drawn.least, 1e-6) << "case " << number;
+        EXPECT_LE(clusters, drawn.minCost + 1e-6) << "case " << number;
+        EXPECT_LE(free, drawn.minCost + 1e-6) << "case " << number;
+        EXPECT_NEAR(whole, drawn.minCost, 1e-6) << "case " << number;
         if (clusters > root.lowerBound + 1e-6) ++raised;
     }
     EXPECT_GT(raised, 3U);

@@ -55,9 +55,10 @@ PruneOptions optimum(double beta, bool smooth) {
     return options;
 }
 
-/// Tries all sets of arcs. \return the least objective of those that cut the mesh into grids
-double leastOfAll(const Case& drawn, const ArcGraph& graph, double beta) {
-    double least = std::numeric_limits<double>::infinity();
+/// Tries all sets of arcs.
+/// \return the least objective of those that cut the mesh into grids
+double minOverAll(const Case& drawn, const ArcGraph& graph, double beta) {
+    double min = std::numeric_limits<double>::infinity();
     for (unsigned bits = 0; bits >> graph.arcs.size() == 0; ++bits) {
         std::vector<Track> tracks;
         for (std::size_t arc = 0; arc < graph.arcs.size(); ++arc) {
@@ -71,11 +72,11 @@ double leastOfAll(const Case& drawn, const ArcGraph& graph, double beta) {
         try {
             const Layout layout = buildLayout(drawn.mesh, tracks, drawn.angles, drawn.costs);
             const auto grids = static_cast<double>(layout.segments.size() - transversals(layout));
-            least = std::min(least, layout.cost + beta * grids);
+            min = std::min(min, layout.cost + beta * grids);
         } catch (const std::exception&) { // no grids
         }
     }
-    return least;
+    return min;
 }
 
 TEST(PruneProperty, TheOptimumIsThatOfAllSetsOfArcs) {
@@ -91,7 +92,7 @@ TEST(PruneProperty, TheOptimumIsThatOfAllSetsOfArcs) {
         const auto grids = static_cast<double>(pruned.layout.segments.size() - transversals(pruned.layout));
         ++compared;
         EXPECT_TRUE(pruned.proven);
-        EXPECT_NEAR(pruned.layout.cost + beta * grids, leastOfAll(*drawn, graph, beta), 1e-6)
+        EXPECT_NEAR(pruned.layout.cost + beta * grids, minOverAll(*drawn, graph, beta), 1e-6)
             << "case " << number;
         EXPECT_NEAR(*pruned.objectiveBound, pruned.layout.cost + beta * grids, 1e-6) << "case " << number;
         if (pruned.layout.cost < drawn->layout.cost - 1e-6) ++cheaper;

@@ -34,7 +34,7 @@ namespace qm::testing {
 namespace {
 
 constexpr int cases = 150;
-constexpr std::size_t mostGraphs = 20000;
+constexpr std::size_t maxGraphs = 20000;
 
 struct Case {
     QuadMesh mesh;
@@ -78,7 +78,7 @@ std::optional<std::set<Assignment>> allGraphs(const Problem& problem) {
         problem, [] { return std::numeric_limits<double>::infinity(); },
         [&](const SearchState& state) {
             twice = twice || !graphs.insert(state.assignment()).second;
-            return graphs.size() <= mostGraphs;
+            return graphs.size() <= maxGraphs;
         });
     EXPECT_FALSE(twice) << "a graph was visited twice";
     return finished ? std::optional(graphs) : std::nullopt;
@@ -254,8 +254,8 @@ TEST(SearchProperty, TheOptimumAndTheBestAreThoseOfAllGraphs) {
 /// How many coordinate vectors there are: the naive algorithm tries each.
 double vectorsOf(const Problem& problem) {
     double product = 1;
-    for (const CoordinateParticle& particle : coordinateParticles(problem))
-        product *= std::max(0, particle.most - particle.least + 1);
+    for (const Course& course : findCourses(problem))
+        product *= course.max + 1;
     return product;
 }
 
@@ -323,7 +323,7 @@ TEST(SearchProperty, WindowsImproveAndLargeOnesReachTheOptimum) {
         const auto graphs = allGraphs(drawn->problem);
         if (!graphs || graphs->empty()) continue;
         const Assignment start = *std::next(graphs->begin(), random() % graphs->size());
-        const double least = costOf(drawn->problem, findOptimum(drawn->problem, {}).graphs.front());
+        const double minCost = costOf(drawn->problem, findOptimum(drawn->problem, {}).graphs.front());
         const auto arcCosts = sumOverArcs(drawn->mesh, drawn->graph, drawn->complex, drawn->costs);
         const ProblemInput input{
             drawn->graph, arcCosts, std::vector(drawn->graph.arcs.size(), ArcState::free), {}, {}, {}};
@@ -334,7 +334,7 @@ TEST(SearchProperty, WindowsImproveAndLargeOnesReachTheOptimum) {
         };
         const auto costs = [&](const Assignment& graph) { return costOf(drawn->problem, graph); };
         WindowOptions small;
-        small.leastVariables = small.mostVariables = 4;
+        small.minVariables = small.maxVariables = 4;
         WindowOptions guided = small;
         for (std::size_t arc = 0; arc < drawn->graph.arcs.size(); ++arc)
             guided.relaxed.push_back(std::uniform_real_distribution<double>(0, 1)(random));
@@ -345,20 +345,20 @@ TEST(SearchProperty, WindowsImproveAndLargeOnesReachTheOptimum) {
             Control control;
             control.jobs = 3;
             EXPECT_EQ(improve(options, control), better);
-            if (costs(better) > least + 1e-6) ++fellShort;
+            if (costs(better) > minCost + 1e-6) ++fellShort;
         }
         Control stopped;
         stopped.stopRequested = [] { return true; };
         EXPECT_EQ(improve({}, stopped), start);
         WindowOptions few;
-        few.mostWindows = 0;
+        few.maxWindows = 0;
         EXPECT_EQ(improve(few, {}), start);
         WindowOptions all; // one window holds everything
-        all.leastVariables = drawn->problem.domains.size();
+        all.minVariables = drawn->problem.domains.size();
         all.nodes = 1; // a root may not be enough, but patience is
         all.patient = true;
         if (drawn->problem.chains.size() > 1 && independentParts(state).size() == 1) {
-            EXPECT_NEAR(costs(improve(all, {})), least, 1e-6) << "case " << number;
+            EXPECT_NEAR(costs(improve(all, {})), minCost, 1e-6) << "case " << number;
         }
     }
     EXPECT_GT(improvements, 20U);
@@ -371,17 +371,17 @@ TEST(SearchProperty, ImprovedGraphsAreProvenAndNeverDearer) {
         const auto drawn = drawCase(number);
         if (!drawn || drawn->graph.arcs.empty()) continue;
         const MotorcycleGraph plain = plainMotorcycleGraph(drawn->mesh, drawn->complex, drawn->costs);
-        const double least = costOf(drawn->problem, findOptimum(drawn->problem, {}).graphs.front());
+        const double minCost = costOf(drawn->problem, findOptimum(drawn->problem, {}).graphs.front());
         const Improvement better = improveGraph(drawn->mesh, drawn->complex, drawn->costs, 0, {}, plain, 1e9);
         const auto present = presentArcs(drawn->mesh, drawn->complex, drawn->graph, better.graph.tracks);
         EXPECT_TRUE(isMotorcycleGraph(drawn->graph, present)) << "case " << number;
-        EXPECT_NEAR(better.graph.cost, least, 1e-6) << "case " << number;
-        EXPECT_NEAR(better.lowerBound, least, 1e-6) << "case " << number;
+        EXPECT_NEAR(better.graph.cost, minCost, 1e-6) << "case " << number;
+        EXPECT_NEAR(better.lowerBound, minCost, 1e-6) << "case " << number;
         if (better.graph.cost < plain.cost - 1e-6) ++cheaper;
         const Improvement hurried =
             improveGraph(drawn->mesh, drawn->complex, drawn->costs, 0, {}, plain, 1e-9);
         EXPECT_LE(hurried.graph.cost, plain.cost + 1e-9);
-        EXPECT_LE(hurried.lowerBound, least + 1e-6);
+        EXPECT_LE(hurried.lowerBound, minCost + 1e-6);
     }
     EXPECT_GT(cheaper, 10U);
 }

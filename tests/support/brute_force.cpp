@@ -31,8 +31,8 @@ constexpr int notChosen = -1;
 class Search {
 public:
     Search(const check::Neighbourhoods& around, const check::LineNetwork& network,
-           const check::EdgeCosts& costs, std::uint64_t mostSteps)
-        : around_(around), network_(network), costs_(costs), stepsLeft_(mostSteps),
+           const check::EdgeCosts& costs, std::uint64_t maxSteps)
+        : around_(around), network_(network), costs_(costs), stepsLeft_(maxSteps),
           x_(network.ways.size(), notChosen) {
         orderWays();
     }
@@ -168,8 +168,8 @@ private:
 } // namespace
 
 BruteForce bruteForce(const check::Neighbourhoods& around, const check::LineNetwork& network,
-                      const check::EdgeCosts& costs, std::uint64_t mostSteps) {
-    return Search(around, network, costs, mostSteps).run();
+                      const check::EdgeCosts& costs, std::uint64_t maxSteps) {
+    return Search(around, network, costs, maxSteps).run();
 }
 
 } // namespace qm::testing

@@ -24,10 +24,11 @@ struct BruteForce {
     bool complete = true;   ///< the limit has not ended the search
 };
 
-/// Depth first over the coordinates, in the plain words of rules A1 to A4 (method 2). For small meshes only:
-/// the time grows with the number of valid vectors. \param mostSteps  of the search, then it ends
+/// Depth first over the coordinates, in the plain words of rules A1 to A4 (docs/METHOD.md#valid-tracks). For
+/// small meshes only: the time grows with the number of valid vectors.
+/// \param maxSteps  of the search, then it ends
 [[nodiscard]] BruteForce bruteForce(const check::Neighbourhoods& around, const check::LineNetwork& network,
                                     const check::EdgeCosts& costs,
-                                    std::uint64_t mostSteps = std::numeric_limits<std::uint64_t>::max());
+                                    std::uint64_t maxSteps = std::numeric_limits<std::uint64_t>::max());
 
 } // namespace qm::testing

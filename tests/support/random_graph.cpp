@@ -12,8 +12,8 @@ namespace qm::testing {
 
 namespace {
 
-int draw(std::mt19937& random, int least, int most) {
-    return std::uniform_int_distribution(least, most)(random);
+int draw(std::mt19937& random, int min, int max) {
+    return std::uniform_int_distribution(min, max)(random);
 }
 
 check::CheckedMesh randomCubes(std::mt19937& random) {
@@ -78,12 +78,12 @@ std::optional<QuadMesh> randomMesh(std::mt19937& random) {
     }
 }
 
-std::vector<Seed> randomSeeds(const QuadMesh& mesh, std::size_t most, std::mt19937& random) {
+std::vector<Seed> randomSeeds(const QuadMesh& mesh, std::size_t max, std::mt19937& random) {
     std::vector<VertexId> places;
     for (const VertexId vertex : mesh.vertices())
         if (!mesh.is_isolated(vertex) && continuesStraight(mesh, vertex)) places.push_back(vertex);
     std::shuffle(places.begin(), places.end(), random);
-    places.resize(std::min(places.size(), static_cast<std::size_t>(draw(random, 0, static_cast<int>(most)))));
+    places.resize(std::min(places.size(), static_cast<std::size_t>(draw(random, 0, static_cast<int>(max)))));
     std::vector<Seed> seeds;
     for (const VertexId vertex : places) {
         HalfedgeId direction = mesh.halfedge_handle(vertex);

@@ -18,8 +18,8 @@ namespace qm::testing {
 /// any way. Nothing if what was drawn is no mesh.
 [[nodiscard]] std::optional<QuadMesh> randomMesh(std::mt19937& random);
 
-/// Up to `most` seeds at regular vertices.
-[[nodiscard]] std::vector<Seed> randomSeeds(const QuadMesh& mesh, std::size_t most, std::mt19937& random);
+/// Up to `max` seeds at regular vertices.
+[[nodiscard]] std::vector<Seed> randomSeeds(const QuadMesh& mesh, std::size_t max, std::mt19937& random);
 
 /// The tracks of particles that take a random time for every edge and stop where somebody has been: every
 /// motorcycle graph can come out, not only the plain one.

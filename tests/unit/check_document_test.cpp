@@ -389,7 +389,7 @@ INSTANTIATE_TEST_SUITE_P(
         Spoilt{"segmentId", cornerModel, [](Doc& d) { layout(d).segments[2].id = 1; }, "/layout/segments/2/id", "id"},
         Spoilt{"quality", cornerModel, [](Doc& d) { layout(d).quality.segments = 13; }, "/layout/quality/segments",
                "quality"},
-        Spoilt{"joints", cornerModel, [](Doc& d) { layout(d).quality.tJunctions = 99; }, "/layout/quality/tJunctions",
+        Spoilt{"joints", cornerModel, [](Doc& d) { layout(d).quality.tJoints = 99; }, "/layout/quality/tJoints",
                "quality"},
         Spoilt{"aspect", twoHolesModel, [](Doc& d) { layout(d).quality.maxAspect = 77; }, "/layout/quality/maxAspect",
                "quality"},
@@ -454,7 +454,7 @@ INSTANTIATE_TEST_SUITE_P(
                "/surfaces/patches/1", "watertight"}),
     nameOf);
 
-// ---- Tracks moved so that one rule of method 2 after the other breaks.
+// ---- Tracks moved so that one rule after the other (docs/METHOD.md#valid-tracks) breaks.
 
 TEST(CheckLayout, SeesATrackThatStopsBetweenJunctions) {
     Model model = make(polycube(box(1, 1, 1), 3));

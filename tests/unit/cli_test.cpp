@@ -136,7 +136,8 @@ TEST(Usage, HelpAndJsonSayTheSame) {
     EXPECT_EQ(json["examples"], usage.examples);
 }
 
-/// Runs a tool in this process with output to a file. \return its status
+/// Runs a tool in this process with output to a file.
+/// \return its status
 int runWith(std::vector<std::string> words, const std::function<qm::ToolBody(qm::Tool&)>& declare) {
     std::vector<char*> argv;
     for (std::string& word : words)

@@ -34,7 +34,8 @@ CutProblem problemOf(const QuadMesh& mesh, const std::vector<VertexId>& extraord
     return problemOf(mesh, extraordinary, terminals, options, std::vector<double>(mesh.n_edges(), 0));
 }
 
-/// E(L) as method 4 states it, in a plane, where the distances are straight. nullopt: D by the distances.
+/// E(L) as docs/METHOD.md#mesh-cut states it, in a plane, where the distances are straight. nullopt: D by the
+/// distances.
 double statedEnergy(const QuadMesh& mesh, VertexId source, VertexId sink,
                     const std::map<VertexId, int>& groups, const CutOptions& o,
                     const std::vector<int>& labels) {
@@ -79,14 +80,14 @@ TEST(CutEnergy, IsThatOfTheMethodAndItsCutTheBestOfAllLabellings) {
                 const auto energy = [&](const std::vector<int>& labels) {
                     return statedEnergy(mesh, terminals.source, terminals.sink, groups, options, labels);
                 };
-                double least = std::numeric_limits<double>::infinity();
+                double min = std::numeric_limits<double>::infinity();
                 for (unsigned bits = 0; bits < 4096; ++bits) {
                     std::vector<int> labels(12);
                     for (std::size_t k = 0; k < 12; ++k)
                         labels[k] = static_cast<int>(bits >> k & 1U);
-                    least = std::min(least, energy(labels));
+                    min = std::min(min, energy(labels));
                 }
-                EXPECT_NEAR(energy(minimumCut(problem)), least, 1e-6);
+                EXPECT_NEAR(energy(minimumCut(problem)), min, 1e-6);
             }
 }
 

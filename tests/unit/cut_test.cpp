@@ -69,11 +69,11 @@ void expectProperLabels(const QuadMesh& mesh, const Cut& cut) {
     EXPECT_EQ(cut.subMeshes.size(), static_cast<std::size_t>(std::max(known, 1)));
 }
 
-double mostComplex(const Cut& cut) {
-    double most = 0;
+double maxComplexity(const Cut& cut) {
+    double max = 0;
     for (const SubMesh& subMesh : cut.subMeshes)
-        most = std::max(most, subMesh.quasiComplexity);
-    return most;
+        max = std::max(max, subMesh.quasiComplexity);
+    return max;
 }
 
 std::size_t junctions(const Cut& cut) {
@@ -173,7 +173,7 @@ TEST(Cut, LeavesWhatIsSimpleInOnePiece) {
 
 TEST(Cut, MakesEverySubMeshSimpleEnough) {
     const QuadMesh mesh = quadMesh(twoBumps(4));
-    const double whole = mostComplex(cutAt(mesh, cutOptions(1e9)));
+    const double whole = maxComplexity(cutAt(mesh, cutOptions(1e9)));
     ASSERT_GT(whole, 30);
     for (const Terminals kind : everyKind)
         for (const double share : {0.9, 0.5, 0.25}) {
@@ -181,7 +181,7 @@ TEST(Cut, MakesEverySubMeshSimpleEnough) {
             expectProperLabels(mesh, cut);
             expectTrueFigures(mesh, {}, cut.labels, cut.subMeshes);
             EXPECT_GT(cut.subMeshes.size(), 1U);
-            EXPECT_LT(mostComplex(cut), share * whole);
+            EXPECT_LT(maxComplexity(cut), share * whole);
             for (const SubMesh& subMesh : cut.subMeshes) {
                 ASSERT_TRUE(subMesh.source && subMesh.sink);
                 EXPECT_NE(*subMesh.source, *subMesh.sink);
@@ -204,7 +204,7 @@ TEST(Cut, DividesADumbbellInTheMiddle) {
         if (mesh.point(vertex)[0] < mesh.point(leftmost)[0]) leftmost = vertex;
         if (mesh.point(vertex)[0] > mesh.point(rightmost)[0]) rightmost = vertex;
     }
-    const double whole = mostComplex(cutAt(mesh, cutOptions(1e9)));
+    const double whole = maxComplexity(cutAt(mesh, cutOptions(1e9)));
     for (const Terminals kind : {Terminals::irregular, Terminals::farthest}) {
         const Cut cut = cutAt(mesh, cutOptions(whole, kind)); // U >= chi holds for the whole alone
         ASSERT_EQ(cut.subMeshes.size(), 2U);
@@ -236,7 +236,7 @@ TEST(Cut, KeepsWhatGetsNoSimplerAndReportsIt) {
     const Cut cut = cutAt(mesh, cutOptions(0));
     expectProperLabels(mesh, cut);
     for (const SubMesh& subMesh : cut.subMeshes)
-        EXPECT_LE(subMesh.quasiComplexity, mostComplex(whole));
+        EXPECT_LE(subMesh.quasiComplexity, maxComplexity(whole));
 }
 
 TEST(Cut, IsTheSameEveryTimeAndWithAnyNumberOfThreads) {
@@ -259,7 +259,7 @@ TEST(Cut, GivesComponentsWithParticlesSubMeshesOfTheirOwn) {
         together({torus(4, 4), twoBumps(2), polycube(bump(), 2), torus(5, 3), polycube(box(1, 1, 1), 2)}));
     const Components parts = components(mesh);
     ASSERT_EQ(parts.count, 5);
-    const double whole = mostComplex(cutAt(mesh, cutOptions(1e9)));
+    const double whole = maxComplexity(cutAt(mesh, cutOptions(1e9)));
     const Cut cut = cutAt(mesh, cutOptions(whole));
     expectProperLabels(mesh, cut);
     expectTrueFigures(mesh, {}, cut.labels, cut.subMeshes);
@@ -310,13 +310,13 @@ TEST(Cut, TakesSeedsAsTerminalsOnlyWhereThereIsNothingElse) {
         const HalfedgeId along = mesh.halfedge_handle(VertexId(vertex));
         seeds.push_back({vertex % 2 == 0 ? along : mesh.ccw_rotated_halfedge_handle(along)});
     }
-    const double whole = mostComplex(cutAt(mesh, cutOptions(1e9), seeds));
+    const double whole = maxComplexity(cutAt(mesh, cutOptions(1e9), seeds));
     ASSERT_GT(whole, 4);
     for (const Terminals kind : everyKind) {
         const Cut cut = cutAt(mesh, cutOptions(whole / 2, kind), seeds);
         expectProperLabels(mesh, cut);
         expectTrueFigures(mesh, seeds, cut.labels, cut.subMeshes);
-        EXPECT_LT(mostComplex(cut), whole / 2);
+        EXPECT_LT(maxComplexity(cut), whole / 2);
     }
 }
 
@@ -327,14 +327,14 @@ TEST(Cut, HoldsOnRandomMeshes) {
         const std::optional<QuadMesh> mesh = randomMesh(random);
         if (!mesh) continue;
         const std::vector<Seed> seeds = randomSeeds(*mesh, 3, random);
-        const double whole = mostComplex(cutAt(*mesh, cutOptions(1e9), seeds));
+        const double whole = maxComplexity(cutAt(*mesh, cutOptions(1e9), seeds));
         CutOptions options =
             cutOptions(whole * (round % 5) / 5, everyKind[static_cast<std::size_t>(round) % 3]);
         options.avoidFeatures = round % 2 == 0;
         const Cut cut = cutAt(*mesh, options, seeds);
         expectProperLabels(*mesh, cut);
         expectTrueFigures(*mesh, seeds, cut.labels, cut.subMeshes);
-        EXPECT_LE(mostComplex(cut), whole);
+        EXPECT_LE(maxComplexity(cut), whole);
         several += cut.subMeshes.size() > 1 ? 1 : 0;
         if (HasFailure()) return;
     }
@@ -394,7 +394,7 @@ TEST(Cut, KeepsOffFeaturesIfAsked) {
     const std::size_t before = stepsAlongFeatures(mesh, angles, plain.labels);
     ASSERT_GT(before, 0U);
     EXPECT_LT(stepsAlongFeatures(mesh, angles, avoiding.labels), before);
-    EXPECT_LT(mostComplex(avoiding), 15);
+    EXPECT_LT(maxComplexity(avoiding), 15);
 }
 
 TEST(Cut, SimplifiesRealMeshes) {
@@ -408,7 +408,7 @@ TEST(Cut, SimplifiesRealMeshes) {
             const Cut cut = cutAt(mesh, cutOptions(chi));
             expectProperLabels(mesh, cut);
             expectTrueFigures(mesh, {}, cut.labels, cut.subMeshes);
-            EXPECT_LT(mostComplex(cut), chi);
+            EXPECT_LT(maxComplexity(cut), chi);
             EXPECT_LT(junctions(cut), last) << name;
             last = junctions(cut);
         }

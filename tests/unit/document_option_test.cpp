@@ -53,8 +53,8 @@ template <class Options> void verifyTable(Options options) {
         EXPECT_GT(std::string(help).size(), 5U) << name;
         using Value = std::remove_cvref_t<decltype(value)>;
         if constexpr (std::is_arithmetic_v<Value> && !std::is_same_v<Value, bool>) {
-            EXPECT_GE(static_cast<double>(value), range.least) << name;
-            EXPECT_LE(static_cast<double>(value), range.most) << name;
+            EXPECT_GE(static_cast<double>(value), range.min) << name;
+            EXPECT_LE(static_cast<double>(value), range.max) << name;
         }
         const OptionRecord record = qm::makeOption(name, value, range, help);
         if (record.type == OptionRecord::Type::flag || record.defaultText.empty()) return;

@@ -97,8 +97,8 @@ Model torus(const std::vector<std::array<int, 4>>& rectangles) {
     return model;
 }
 
-/// A grid of which vertices at the same place are the same, as one patch. \param turned  as in
-/// test::Rectangle
+/// A grid of which vertices at the same place are the same, as one patch.
+/// \param turned  as in test::Rectangle
 Model glued(const Grid& grid, int turned) {
     const QuadMesh flat = test::makeMesh(grid);
     Model model;

@@ -193,7 +193,8 @@ private:
         return !mesh_.is_boundary(edge) && angles_[static_cast<std::size_t>(edge.idx())] > options_.rho;
     }
 
-    /// Takes in the sharp edges ahead. \return whether the end is far enough from extraordinary vertices
+    /// Takes in the sharp edges ahead.
+    /// \return whether the end is far enough from extraordinary vertices
     bool extend(HalfedgeId halfedge, std::set<int>& run) const {
         for (;;) {
             if (!continuesStraight(mesh_, mesh_.to_vertex_handle(halfedge))) break;

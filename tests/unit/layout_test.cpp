@@ -155,7 +155,7 @@ TEST(LayoutQuality, CountsAndMeasures) {
     angles.along({6, 7}, 1.0).along({8, 9}, 0.5).along({3, 8}, 1.5);
     const LayoutQuality quality = measureLayout(mesh, layout, angles, 0.45);
     EXPECT_EQ(quality.segments, 3U);
-    EXPECT_EQ(quality.tJunctions, 1U);
+    EXPECT_EQ(quality.tJoints, 1U);
     EXPECT_DOUBLE_EQ(quality.capturedSharpness, 0.5);
     EXPECT_DOUBLE_EQ(quality.medianAspect, 3);
     EXPECT_DOUBLE_EQ(quality.maxAspect, 3);
@@ -163,11 +163,11 @@ TEST(LayoutQuality, CountsAndMeasures) {
     EXPECT_DOUBLE_EQ(measureLayout(mesh, layout, angles, 1.5).capturedSharpness, 1);
 }
 
-TEST(LayoutQuality, TakesNoCrossingForATJunction) {
+TEST(LayoutQuality, TakesNoCrossingForATJoint) {
     const QuadMesh mesh = rectangle(2, 2);
     const std::vector<double> flat(mesh.n_edges(), 0);
     const Layout layout = layoutAlong(mesh, {{1, 4, 7}, {3, 4, 5}});
-    EXPECT_EQ(measureLayout(mesh, layout, flat, 0.5).tJunctions, 0U);
+    EXPECT_EQ(measureLayout(mesh, layout, flat, 0.5).tJoints, 0U);
     EXPECT_EQ(measureLayout(mesh, layout, flat, 0.5).segments, 4U);
     EXPECT_DOUBLE_EQ(measureLayout(mesh, layout, flat, 0.5).medianAspect, 1);
 }

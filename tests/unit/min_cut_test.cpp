@@ -23,16 +23,16 @@ double energy(const CutProblem& problem, const std::vector<int>& labels) {
     return sum;
 }
 
-double leastOfAllLabellings(const CutProblem& problem) {
+double minOverAllLabellings(const CutProblem& problem) {
     const std::size_t nodes = problem.costs.size();
-    double least = std::numeric_limits<double>::infinity();
+    double min = std::numeric_limits<double>::infinity();
     for (unsigned bits = 0; bits < 1U << nodes; ++bits) {
         std::vector<int> labels(nodes);
         for (std::size_t k = 0; k < nodes; ++k)
             labels[k] = static_cast<int>(bits >> k & 1U);
-        least = std::min(least, energy(problem, labels));
+        min = std::min(min, energy(problem, labels));
     }
-    return least;
+    return min;
 }
 
 /// The least energy by augmenting paths in the whole graph, nothing fixed beforehand (Edmonds and Karp).
@@ -121,7 +121,7 @@ TEST(MinCut, IsTheBestOfAllLabellings) {
     for (int round = 0; round < 60; ++round)
         for (const double strength : {0.5, 3.0, 8.0, 40.0}) {
             const CutProblem problem = randomGrid(1 + round % 4, 3, strength, round % 2 == 0, random);
-            EXPECT_NEAR(energy(problem, minimumCut(problem)), leastOfAllLabellings(problem), 1e-9);
+            EXPECT_NEAR(energy(problem, minimumCut(problem)), minOverAllLabellings(problem), 1e-9);
         }
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr unsigned cases = 400;
-constexpr std::size_t mostGraphs = 3000;
+constexpr std::size_t maxGraphs = 3000;
 
 struct Case {
     ArcGraph graph;
@@ -32,7 +32,7 @@ std::optional<std::vector<Assignment>> tryEverything(const Problem& problem) {
         problem, [] { return infinity; },
         [&](const SearchState& state) {
             graphs.push_back(state.assignment());
-            return graphs.size() <= mostGraphs;
+            return graphs.size() <= maxGraphs;
         });
     if (!finished) return std::nullopt;
     std::ranges::sort(graphs, {},
@@ -89,9 +89,9 @@ void expectOptimum(const Problem& problem, const std::vector<Assignment>& all) {
     EXPECT_TRUE(result.complete);
     ASSERT_EQ(result.graphs.size(), all.empty() ? 0U : 1U);
     if (all.empty()) return;
-    const double least = costOf(problem, all.front());
-    EXPECT_NEAR(costOf(problem, result.graphs.front()), least, 1e-6);
-    EXPECT_NEAR(result.lowerBound, least, 1e-6);
+    const double minCost = costOf(problem, all.front());
+    EXPECT_NEAR(costOf(problem, result.graphs.front()), minCost, 1e-6);
+    EXPECT_NEAR(result.lowerBound, minCost, 1e-6);
     EXPECT_NE(std::ranges::find(all, result.graphs.front()), all.end());
 }
 
@@ -163,13 +163,13 @@ TEST(Optimum, StartsFromAKnownGraphAndStopsWhenAsked) {
         OptimumOptions options;
         options.start = drawn->graphs.back();
         const OptimumResult full = findOptimum(drawn->whole, options);
-        const double least = costOf(drawn->whole, drawn->graphs.front());
-        EXPECT_NEAR(costOf(drawn->whole, full.graphs.front()), least, 1e-6);
+        const double minCost = costOf(drawn->whole, drawn->graphs.front());
+        EXPECT_NEAR(costOf(drawn->whole, full.graphs.front()), minCost, 1e-6);
         Control control;
         control.stopRequested = [] { return true; };
         const OptimumResult stopped = findOptimum(drawn->whole, options, control);
         ASSERT_EQ(stopped.graphs.size(), 1U);
-        EXPECT_LE(stopped.lowerBound, least + 1e-6);
+        EXPECT_LE(stopped.lowerBound, minCost + 1e-6);
     }
 }
 

@@ -42,7 +42,8 @@ void expectReport(const RepairReport& report, std::size_t welded, std::size_t de
     EXPECT_EQ(report.changed(), welded + degenerate + duplicate + flipped > 0);
 }
 
-/// Every quad with four vertices of its own. \param shake  moves every coordinate by up to this much
+/// Every quad with four vertices of its own.
+/// \param shake  moves every coordinate by up to this much
 std::string unwelded(const QuadMesh& mesh, double shake = 0) {
     std::mt19937 engine(3);
     QuadMesh result;

@@ -8,21 +8,21 @@
 
 namespace qm {
 
-/// The number of ways from every node to the end.
+/// The number of paths from every node to the end.
 [[nodiscard]] std::vector<BigCount> countWays(const Diagram& diagram);
 
-/// The number of graphs that cost at most `maxCost`, from node to node, but for those that all or none of the
-/// ways obey. \return nothing if `control.stopRequested` ended it
+/// The number of graphs that cost at most `maxCost`. Walks from node to node, but not below nodes where all
+/// paths are cheap enough, or none is.
+/// \return nothing if `control.stopRequested` ended it
 [[nodiscard]] std::optional<BigCount> countUpTo(const Diagram& diagram, double maxCost,
                                                 const Control& control = {});
 
-/// The graph of a rank, 0 to the number of graphs less 1; different ranks give different graphs. \param ways
-/// as of `countWays`
+/// The graph of a rank, 0 to the number of graphs less 1; different ranks give different graphs.
+/// \param ways as of `countWays`
 [[nodiscard]] Assignment graphOfRank(const Diagram& diagram, const std::vector<BigCount>& ways,
                                      BigCount rank);
 
-/// Draws graphs, each as likely as any other, with repetition. The same seed gives the same graphs
-/// everywhere.
+/// Draws graphs uniformly, with repetition. The same seed gives the same graphs everywhere.
 [[nodiscard]] std::vector<Assignment> drawGraphs(const Diagram& diagram, std::size_t count, std::size_t seed);
 
 } // namespace qm

@@ -11,12 +11,13 @@ std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }
 
-constexpr std::size_t mostSteps = 20000; ///< the search goes as deep
+constexpr std::size_t maxSteps = 20000; ///< the search goes as deep
 
 /// The nodes before one step, by what remains to be decided: an open hash table.
 class KnownNodes {
 public:
-    /// The node of a description; `none` is a possible value. \return null if the description is new
+    /// The node of a description; `none` is a possible value.
+    /// \return null if the description is new
     const Diagram::NodeId* find(const std::uint64_t* key, std::size_t words) {
         if (slots_.empty()) return nullptr;
         const std::size_t entry = slots_[slotOf(key, words)];
@@ -56,8 +57,8 @@ private:
 
 class Builder {
 public:
-    Builder(const Problem& problem, std::size_t mostNodes, const Control& control)
-        : problem_(problem), state_(problem), mostNodes_(mostNodes), control_(control) {}
+    Builder(const Problem& problem, std::size_t maxNodes, const Control& control)
+        : problem_(problem), state_(problem), maxNodes_(maxNodes), control_(control) {}
 
     std::optional<Diagram> run() {
         diagram_.nodes.resize(2);
@@ -65,7 +66,7 @@ public:
         diagram_.fixed = state_.assignment();
         diagram_.fixedCost = qm::costOf(problem_, diagram_.fixed);
         auto steps = eliminationOrder(state_, control_);
-        if (!steps || steps->size() > mostSteps) return std::nullopt;
+        if (!steps || steps->size() > maxSteps) return std::nullopt;
         steps_ = std::move(*steps);
         border_.emplace(state_, steps_);
         known_.resize(steps_.size());
@@ -92,7 +93,7 @@ private:
         if (stopped_) return Diagram::none;
         const Diagram::NodeId id = add(node);
         known_[step].insert(key.data(), words, id);
-        stopped_ = ++described_ > mostNodes_ || (described_ % 4096 == 0 && control_.stopRequested());
+        stopped_ = ++described_ > maxNodes_ || (described_ % 4096 == 0 && control_.stopRequested());
         return id;
     }
 
@@ -142,7 +143,7 @@ private:
 
     const Problem& problem_;
     SearchState state_;
-    std::size_t mostNodes_;
+    std::size_t maxNodes_;
     const Control& control_;
     std::vector<Step> steps_;
     std::vector<int> stepOf_; ///< of every variable; -1 if it is the same in every graph
@@ -155,8 +156,8 @@ private:
 
 } // namespace
 
-std::optional<Diagram> buildDiagram(const Problem& problem, std::size_t mostNodes, const Control& control) {
-    return Builder(problem, mostNodes, control).run();
+std::optional<Diagram> buildDiagram(const Problem& problem, std::size_t maxNodes, const Control& control) {
+    return Builder(problem, maxNodes, control).run();
 }
 
 } // namespace qm

@@ -1,6 +1,6 @@
-/// \file All motorcycle graphs of a problem as one decision diagram (method 2): every way from its root to
-/// its end is one graph, so that they can be counted, drawn, listed and ranked without being searched for
-/// again.
+/// \file All motorcycle graphs of a problem as one decision diagram (docs/METHOD.md#decision-diagrams): every
+/// path from its root to its end is one graph, so that they can be counted, drawn, listed and ranked without
+/// being searched for again.
 #pragma once
 
 #include "base/control.h"
@@ -14,7 +14,7 @@ namespace qm {
 
 struct Diagram {
     using NodeId = std::uint32_t;
-    static constexpr NodeId none = 0; ///< no graph goes this way
+    static constexpr NodeId none = 0; ///< no graph is this way
     static constexpr NodeId end = 1;
 
     /// A decision. Nodes follow their successors.
@@ -36,12 +36,13 @@ constexpr std::size_t diagramNodes = 10'000'000;
 /// What it may spend on one where it can do without.
 constexpr std::size_t smallDiagram = 1'000'000;
 
-/// Decides step by step (elimination_order.h); two ways on which the same remains to be decided meet in one
-/// node. What remains shows at the border between decided and undecided crossings alone, so that the number
-/// of nodes depends on how wide that border is and not on how many graphs there are.
-/// `mostNodes` bounds the memory: 100 bytes per node, roughly, while it is built. \return nothing if there
-/// would be more than `mostNodes` nodes or `control.stopRequested`
-[[nodiscard]] std::optional<Diagram> buildDiagram(const Problem& problem, std::size_t mostNodes,
+/// Decides step by step (elimination_order.h); two paths after which the same remains to be decided meet in
+/// one node, as in frontier-based search (docs/METHOD.md#kawahara-2017). What remains can be told from the
+/// border between decided and undecided crossings alone, so that the number of nodes depends on the width of
+/// that border and not on the number of graphs.
+/// `maxNodes` bounds the memory: 100 bytes per node, roughly, while it is built.
+/// \return nothing if there would be more than `maxNodes` nodes or `control.stopRequested`
+[[nodiscard]] std::optional<Diagram> buildDiagram(const Problem& problem, std::size_t maxNodes,
                                                   const Control& control = {});
 
 } // namespace qm

@@ -7,7 +7,7 @@
 namespace qm {
 namespace {
 
-constexpr std::size_t mostStarts = 100;
+constexpr std::size_t maxStarts = 100;
 constexpr double growth = 1.6;    ///< states that another open item brings, roughly
 constexpr double hopeless = 1e15; ///< by that measure, which is far too high for wide borders
 
@@ -103,7 +103,7 @@ private:
     std::vector<Seen> state_;
 };
 
-/// The crossings that hang together with one.
+/// All crossings of the connected part that one belongs to.
 std::vector<int> partOf(const Ties& ties, int first, std::vector<bool>& seen) {
     std::vector<int> part{first};
     seen[at(first)] = true;
@@ -117,8 +117,8 @@ std::vector<int> partOf(const Ties& ties, int first, std::vector<bool>& seen) {
     return part;
 }
 
-/// The crossings, part by part, each in the order of its best sweep. Nothing if one has none that is worth
-/// it, or on request.
+/// The crossings, part by part, each part in the order of its best sweep.
+/// \return nothing if the sweeps of a part are all hopeless, or `control.stopRequested`
 std::optional<std::vector<int>> crossingOrder(const Ties& ties, const Control& control) {
     Sweep sweep(ties);
     std::vector<bool> seen(ties.itemsOf.size(), false);
@@ -126,16 +126,16 @@ std::optional<std::vector<int>> crossingOrder(const Ties& ties, const Control& c
     for (int first = 0; first < static_cast<int>(ties.itemsOf.size()); ++first) {
         if (seen[at(first)]) continue;
         const std::vector<int> part = partOf(ties, first, seen);
-        const std::size_t stride = 1 + part.size() / mostStarts;
-        double least = hopeless;
+        const std::size_t stride = 1 + part.size() / maxStarts;
+        double minCost = hopeless;
         for (std::size_t k = 0; k < part.size(); k += stride) {
             if (control.stopRequested()) return std::nullopt;
-            const double cost = sweep.run(part[k], least, tried);
-            if (cost >= least) continue;
-            least = cost;
+            const double cost = sweep.run(part[k], minCost, tried);
+            if (cost >= minCost) continue;
+            minCost = cost;
             best.swap(tried);
         }
-        if (least == hopeless) return std::nullopt;
+        if (minCost == hopeless) return std::nullopt;
         order.insert(order.end(), best.begin(), best.end());
     }
     return order;

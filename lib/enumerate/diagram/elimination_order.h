@@ -1,4 +1,4 @@
-/// \file In which order a decision diagram decides: such that little of what is decided matters later.
+/// \file The order in which a decision diagram decides, chosen such that few decisions matter for long.
 #pragma once
 
 #include "base/control.h"
@@ -17,10 +17,11 @@ struct Step {
     int crossing = -1; ///< with a chain: where all arcs around it have been decided
 };
 
-/// Every free variable once, and every open chain after the arcs of each of its crossings, so that rule 4 is
-/// settled there and then. Crossing by crossing, always the neighbour that leaves the fewest items with one
-/// end behind and one ahead; from the best of many starts. \return nothing if no order promises a diagram
-/// that memory could hold, or `control.stopRequested`
+/// Has every free variable once, and after the arcs of a crossing the chains there whose cover is open, so
+/// that rule 4 is settled at once. Crossings follow one another such that the next one always leaves the
+/// fewest variables and chains with something decided and something undecided around them; the best of many
+/// starts.
+/// \return nothing if no order promises a diagram that memory could hold, or `control.stopRequested`
 [[nodiscard]] std::optional<std::vector<Step>> eliminationOrder(const SearchState& state,
                                                                 const Control& control = {});
 

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A place where a way leaves the cheapest one, in a heap of all such places ahead: the least extra cost on
-/// top. Heaps of later nodes are shared, so that none is ever changed.
+/// A place where a path leaves the cheapest one, in a heap of all such places ahead, with the lowest extra
+/// cost on top. Heaps of later nodes are shared, so no heap is ever changed.
 struct Detour {
     double extra = 0;
     Diagram::NodeId node = Diagram::none;
@@ -52,7 +52,7 @@ public:
 private:
     static constexpr std::uint32_t unknown = std::numeric_limits<std::uint32_t>::max();
 
-    /// The cheapest way but for detours: this one, and those of the way before.
+    /// A path that is the cheapest but for its detours: this one, and those of the path before.
     struct Way {
         double cost;
         std::uint64_t number; ///< in the order of finding, which settles ties
@@ -137,8 +137,8 @@ private:
     Assignment graph_;
 };
 
-/// Puts graphs of equal cost into the order of their variables: rounding, and how the diagram looks, would
-/// settle it otherwise.
+/// Sorts graphs of equal cost by their variables; otherwise rounding and the shape of the diagram would
+/// determine their order.
 class Ties {
 public:
     using Visit = std::function<bool(double cost, const Assignment& graph)>;
@@ -146,9 +146,9 @@ public:
 
     /// \return false if the visitor returned false
     bool add(double cost, const Assignment& graph) {
-        const bool tied = !graphs_.empty() && cost <= least_ + Incumbents::rounding;
-        if ((!tied || graphs_.size() == mostTies) && !handOver()) return false;
-        if (graphs_.empty()) least_ = cost;
+        const bool tied = !graphs_.empty() && cost <= minCost_ + Incumbents::rounding;
+        if ((!tied || graphs_.size() == maxTies) && !handOver()) return false;
+        if (graphs_.empty()) minCost_ = cost;
         graphs_.emplace_back(graph, cost);
         return true;
     }
@@ -161,9 +161,9 @@ public:
     }
 
 private:
-    static constexpr std::size_t mostTies = 65536; ///< in memory
+    static constexpr std::size_t maxTies = 65536; ///< in memory
     const Visit& visit_;
-    double least_ = 0;
+    double minCost_ = 0;
     std::vector<std::pair<Assignment, double>> graphs_;
 };
 

@@ -1,5 +1,5 @@
-/// \file The graphs of a decision diagram in order of cost (Eppstein: Finding the k shortest paths, SIAM J.
-/// Comput. 28, 1998).
+/// \file The graphs of a decision diagram in order of cost by the algorithm of Eppstein 1998
+/// (docs/METHOD.md#eppstein-1998).
 #pragma once
 
 #include "enumerate/diagram/diagram.h"
@@ -9,7 +9,7 @@
 
 namespace qm {
 
-/// What the cheapest way from every node to the end costs; infinity from `none`.
+/// The cost of the cheapest path from every node to the end; infinity from `none`.
 [[nodiscard]] std::vector<double> cheapestWays(const Diagram& diagram);
 
 /// Calls `visit` with every graph, the cheapest first, ties (up to 65,536 of them) in lexicographic order of

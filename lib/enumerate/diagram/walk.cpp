@@ -2,10 +2,10 @@
 
 namespace qm {
 
-std::vector<DiagramPart> splitDiagram(const Diagram& diagram, std::size_t least) {
+std::vector<DiagramPart> splitDiagram(const Diagram& diagram, std::size_t minParts) {
     std::vector<DiagramPart> parts;
     if (diagram.root != Diagram::none) parts.push_back({diagram.root, diagram.fixed});
-    for (bool split = true; split && parts.size() < least;) {
+    for (bool split = true; split && parts.size() < minParts;) {
         split = false;
         std::vector<DiagramPart> finer;
         for (DiagramPart& part : parts) {

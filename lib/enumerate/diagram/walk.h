@@ -1,4 +1,4 @@
-/// \file Every way through a decision diagram: no search, no dead ends.
+/// \file Every path through a decision diagram: no search, no dead ends.
 #pragma once
 
 #include "enumerate/diagram/ranked_graphs.h"
@@ -9,8 +9,9 @@
 
 namespace qm {
 
-/// Calls `visit` with an assignment for every way from a node to the end. The variables that are decided
-/// before the node are left as they are. \return false if `visit` returned false, which ends the walk
+/// Calls `visit` with an assignment for every path from a node to the end. Variables that are decided before
+/// the node are left as they are.
+/// \return false if `visit` returned false, which ends the walk
 template <class Visit>
 bool walkDiagram(const Diagram& diagram, Diagram::NodeId from, Assignment& assignment, Visit& visit) {
     if (from == Diagram::none) return true;
@@ -54,8 +55,8 @@ struct DiagramPart {
     Assignment before;
 };
 
-/// At least `least` parts, if there are as many graphs, that together hold every graph once, in the order of
-/// the walk: what several threads can walk at the same time.
-[[nodiscard]] std::vector<DiagramPart> splitDiagram(const Diagram& diagram, std::size_t least);
+/// At least `minParts` parts, if there are as many graphs, that together hold every graph once, in the order
+/// of the walk: what several threads can walk at the same time.
+[[nodiscard]] std::vector<DiagramPart> splitDiagram(const Diagram& diagram, std::size_t minParts);
 
 } // namespace qm

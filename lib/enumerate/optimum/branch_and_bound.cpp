@@ -12,7 +12,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int iterationsPerSlice = 2000; ///< between questions whether to stop
-constexpr int mostSlices = 10000;
+constexpr int maxSlices = 10000;
 
 std::size_t at(int index) {
     return static_cast<std::size_t>(index);
@@ -32,7 +32,7 @@ void BranchAndBound::offer(const Assignment& assignment) {
 
 void BranchAndBound::run() {
     if (part_.particles.consistent()) {
-        queue_.push({part_.cost.atLeast(part_.state), addNode(-1, {})});
+        queue_.push({part_.cost.lowerBound(part_.state), addNode(-1, {})});
         guessGraphs(part_);
         search();
     }
@@ -66,7 +66,7 @@ void BranchAndBound::open(int parent, const Decision& decision, double bound) {
     queue_.push({bound, addNode(parent, decision)});
 }
 
-/// Brings the state to an open node.
+/// Repeats the decisions that lead to an open node.
 bool BranchAndBound::replay(int node) {
     part_.particles.undo(root_);
     std::vector<int> path;
@@ -104,7 +104,7 @@ void BranchAndBound::plunge(int node, double bound) {
         const double secondBound = std::max(choice.boundIn, choice.boundOut);
         if (secondBound < part_.incumbents.cutoff()) open(node, second, secondBound);
         if (firstBound >= part_.incumbents.cutoff()) return;
-        // The root's lesser problem is not known before both sides are.
+        // Nothing below the root is searched before both of its sides wait in the queue.
         if (isRoot) return open(node, first, firstBound);
         bound = firstBound;
         node = addNode(node, first);
@@ -112,11 +112,11 @@ void BranchAndBound::plunge(int node, double bound) {
     }
 }
 
-/// Solves the relaxation, and again while fixing by reduced costs has consequences. `bound` grows.
+/// Solves the relaxation, and again as long as fixing by reduced costs changes the solution. `bound` grows.
 BranchAndBound::RelaxedNode BranchAndBound::relax(double& bound) {
     for (;;) {
         Relaxation::Result result;
-        for (int slice = 0; slice < mostSlices; ++slice) {
+        for (int slice = 0; slice < maxSlices; ++slice) {
             result = part_.relaxation.solve(part_.particles, part_.incumbents.cutoff(), iterationsPerSlice);
             bound = std::max(bound, result.proven);
             if (result.kind != Relaxation::Result::Kind::unfinished || part_.control.stopRequested()) break;
@@ -130,7 +130,7 @@ BranchAndBound::RelaxedNode BranchAndBound::relax(double& bound) {
     }
 }
 
-/// Columns keep their value where every other one makes a graph too expensive.
+/// Fixes every column whose other value would make a graph too expensive.
 bool BranchAndBound::fixByReducedCosts(const std::vector<double>& values, const std::vector<double>& reduced,
                                        double bound) {
     const double room = part_.incumbents.cutoff() - bound;
@@ -155,7 +155,8 @@ bool BranchAndBound::contradictsRelaxation() const {
     return false;
 }
 
-/// Looks for graphs near the relaxed solution, then comes back to it. \return false if the node is cut now
+/// Looks for graphs near the relaxed solution, then comes back to it.
+/// \return false if the node is cut now
 bool BranchAndBound::lookAround(double& bound) {
     nextLook_ = 4 * nodes_;
     const ParticleState::Mark mark = part_.particles.mark();
@@ -197,7 +198,8 @@ void BranchAndBound::rememberRoot(double bound) {
     root_ = part_.particles.mark();
 }
 
-/// A better graph lets more be fixed at the root, for good. \return false if nothing cheaper is left
+/// A better graph lets more be fixed at the root, for good.
+/// \return false if nothing cheaper is left
 bool BranchAndBound::tightenRoot() {
     if (rootValues_.empty() || part_.incumbents.cutoff() >= rootCutoff_) return true;
     rootCutoff_ = part_.incumbents.cutoff();

@@ -1,4 +1,4 @@
-/// \file Branch and bound on one part of a search problem.
+/// \file Branch and bound on one part of a search problem (docs/METHOD.md#optimum).
 #pragma once
 
 #include "enumerate/optimum/branching.h"
@@ -21,7 +21,7 @@ public:
     BranchAndBound(const BranchAndBound&) = delete;
     BranchAndBound& operator=(const BranchAndBound&) = delete;
 
-    /// Begins with a known graph; only the part's variables of it count.
+    /// Offers a known graph to begin with; only its values of the part's variables count.
     void offer(const Assignment& assignment);
     void run();
 
@@ -45,7 +45,7 @@ private:
     struct OpenNode {
         double bound;
         int node;
-        /// The queue hands out the least bound first, and of those the youngest.
+        /// The queue hands out the lowest bound first, and among equal bounds the youngest node.
         bool operator<(const OpenNode& other) const {
             return bound != other.bound ? bound > other.bound : node < other.node;
         }

@@ -1,4 +1,5 @@
-/// \file What a search decides next: strong branching, until pseudo-costs are known well enough.
+/// \file What a search decides next: strong branching until pseudo-costs are reliable
+/// (docs/METHOD.md#achterberg-2005).
 #pragma once
 
 #include "enumerate/optimum/part_search.h"
@@ -6,9 +7,9 @@
 
 namespace qm {
 
-/// Two ways to go on from a node; what is too expensive has an infinite bound.
+/// The two sides of a decision with their bounds; a side that is too expensive has an infinite one.
 struct BranchingChoice {
-    Decision decision; ///< its state is free; no variable if nothing is left to decide
+    Decision decision; ///< without a state; without a variable if nothing is left to decide
     double boundIn = 0;
     double boundOut = 0;
 };
@@ -18,11 +19,11 @@ public:
     /// \param part  outlives this
     explicit Branching(PartSearch& part) : part_(part), pseudoCosts_(part.formulation.costs) {}
 
-    /// A column whose relaxed value is fractional, the one that promises most; any free variable if there is
-    /// none.
+    /// The column with a fractional relaxed value that promises the largest growth of the bound; any free
+    /// variable if there is none.
     /// \param bound  of the node, whose relaxation has just been solved
     BranchingChoice choose(double bound);
-    /// Where the relaxed solution is integral but no graph, or more graphs are wanted.
+    /// For relaxed solutions that are integral but no graphs, and where more than one graph is wanted.
     [[nodiscard]] BranchingChoice chooseAnyFree(double bound) const;
 
 private:

@@ -33,10 +33,10 @@ bool fixSurest(PartSearch& part) {
             order.emplace_back(-value, column);
     }
     std::ranges::sort(order);
-    const std::size_t most = 1 + order.size() / 10, few = 1 + order.size() / 50;
+    const std::size_t max = 1 + order.size() / 10, min = 1 + order.size() / 50;
     std::size_t fixed = 0;
     for (const auto& [negative, column] : order) {
-        if (fixed == most || (fixed >= few && -negative < sure)) break;
+        if (fixed == max || (fixed >= min && -negative < sure)) break;
         if (part.particles.column(column) != ArcState::free) continue;
         const ParticleState::Mark before = part.particles.mark();
         ++fixed;
@@ -59,8 +59,9 @@ bool takeOver(PartSearch& part, int variable, bool keepBest) {
     return false;
 }
 
-/// Takes over what the relaxed solution leaves no doubt about and, on demand, the best graph does not
-/// contradict. \return how many variables were in doubt
+/// Assigns the values that are integral in the relaxed solution; with `keepBest`, those only that are the
+/// same in the best graph.
+/// \return how many variables were in doubt
 std::size_t takeOverAll(PartSearch& part, bool keepBest) {
     std::size_t open = 0;
     for (const int variable : part.variables)
@@ -68,7 +69,8 @@ std::size_t takeOverAll(PartSearch& part, bool keepBest) {
     return open;
 }
 
-/// Gives the best values to what is still free, part by part. \return false if there are none
+/// Searches for the best values of what is still free, part by part.
+/// \return false if there are none
 bool searchRest(PartSearch& part, bool keepBest) {
     std::vector<int> rest;
     for (const int variable : part.variables)

@@ -1,4 +1,5 @@
-/// \file Early graphs: fixing what the relaxed solution is sure of, and searching what it leaves open.
+/// \file Early graphs by fixing the integral part of the relaxed solution and searching the rest
+/// (docs/METHOD.md#early-graphs).
 #pragma once
 
 #include "enumerate/optimum/part_search.h"
@@ -12,7 +13,8 @@ void dive(PartSearch& part);
 /// relaxed solution is sure of may contradict each other; then it goes on.
 void diveToRest(PartSearch& part);
 
-/// Searches what the relaxed solution and the best graph do not agree on.
+/// Searches the variables on which the relaxed solution and the best graph disagree: relaxation induced
+/// neighbourhoods (docs/METHOD.md#danna-2005).
 void searchNearby(PartSearch& part);
 
 } // namespace qm

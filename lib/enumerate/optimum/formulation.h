@@ -1,4 +1,4 @@
-/// \file A search problem as a mixed integer program over particles (method 2, 3; rule B4' in place of B4).
+/// \file A search problem as a mixed integer program over particles (docs/METHOD.md#particle-program).
 ///
 /// A variable that two particles can reach is y = p + s: p the particle from before walks the arc, s the one
 /// from after. Along a chain p falls and s rises, which is rule 3. A head-on meeting that nothing passes

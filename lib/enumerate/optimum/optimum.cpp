@@ -12,12 +12,12 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Of what is in already.
+/// What the arcs cost that are in already.
 double fixedCost(const SearchState& state) {
     return costOf(state.problem(), state.assignment());
 }
 
-/// Shows the polisher a graph of one part as one of the whole.
+/// Completes a graph of one part to one of the whole problem for the polisher.
 Assignment polishPart(const std::vector<int>& part, const Assignment& best,
                       const std::vector<double>& relaxedPart, const OptimumOptions& options,
                       std::vector<double> relaxed) {
@@ -36,7 +36,7 @@ void searchParts(SearchState& state, const OptimumOptions& options, const Contro
     Assignment graph = state.assignment();
     if (options.start) result.relaxed.assign(options.start->begin(), options.start->end());
     auto parts = independentParts(state);
-    // The hardest last: what is cut short then loses least of the bound.
+    // The largest part last: if time ends, all others have been proven.
     std::ranges::stable_sort(parts, {}, [](const auto& part) { return part.size(); });
     double done = 0;
     bool found = true;

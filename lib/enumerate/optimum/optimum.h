@@ -1,4 +1,4 @@
-/// \file The cheapest motorcycle graphs with a proof: branch and bound on arcs (method 2, 3).
+/// \file The cheapest motorcycle graphs with a proof: branch and bound on arcs (docs/METHOD.md#optimum).
 #pragma once
 
 #include "base/control.h"
@@ -18,10 +18,11 @@ struct OptimumOptions {
     double gap = 0;                  ///< stop when cost - lower bound is at most this
     std::optional<Assignment> start; ///< a valid graph to begin with
     std::size_t nodes = 20'000'000;  ///< of the search tree of a part, at most
-    /// Makes a valid graph cheaper if it can, by a search of its own; needs a start. Asked where a part is
-    /// hard, once that has been relaxed: `relaxed` has of every variable its value.
+    /// Makes a valid graph cheaper if it can, by a search of its own; needs a start. Called in hard parts
+    /// once they have been relaxed: `relaxed` holds the relaxed value of every variable.
     std::function<Assignment(const Assignment& graph, const std::vector<double>& relaxed)> polish = {};
-    std::size_t hard = 1500; ///< variables; fewer are searched as fast as what lies near the relaxed solution
+    /// A part of at least this many variables is hard: early graphs are looked for by smaller searches.
+    std::size_t hard = 1500;
     bool keepOpenParts = false; ///< return what is not proven, see OptimumResult
 };
 
@@ -36,8 +37,8 @@ struct OptimumResult {
     double lowerBound = 0;          ///< no graph is cheaper; infinity if there is none at all
     bool complete = true;           ///< all graphs that were asked for are found and proven
     std::size_t nodes = 0;          ///< of the search tree
-    /// Of every variable its value at the root of the search, or in `start` where that was not reached;
-    /// empty without a start.
+    /// The relaxed value of every variable at the root of the search, or its value in `start` if the root was
+    /// not solved; empty without a start.
     std::vector<double> relaxed;
     std::vector<OpenPart> openParts; ///< if wanted: those that have been relaxed, but not proven
 };
@@ -47,7 +48,8 @@ struct OptimumResult {
 [[nodiscard]] OptimumResult findOptimum(const Problem& problem, const OptimumOptions& options,
                                         const Control& control = {});
 
-/// The same with some variables assigned already. \param state  consistent; the same afterwards as before
+/// The same with some variables assigned already.
+/// \param state  consistent; the same afterwards as before
 [[nodiscard]] OptimumResult findOptimum(SearchState& state, const OptimumOptions& options,
                                         const Control& control = {});
 

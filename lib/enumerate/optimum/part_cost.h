@@ -32,8 +32,9 @@ public:
         return cost;
     }
 
-    /// No completion of a state, which agrees with the first one in all but the part, costs less.
-    [[nodiscard]] double atLeast(const SearchState& state) const {
+    /// A lower bound of what the part costs in any completion of a state; outside the part, the state must be
+    /// the one that this was made from.
+    [[nodiscard]] double lowerBound(const SearchState& state) const {
         double bound = -fixed_;
         for (const int crossing : crossings_)
             bound += state.cornerBound(crossing);

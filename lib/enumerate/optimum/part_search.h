@@ -1,4 +1,4 @@
-/// \file What all that looks for graphs in one independent part of a search problem shares.
+/// \file What the searches for graphs in one independent part of a search problem have in common.
 #pragma once
 
 #include "base/control.h"

@@ -62,8 +62,8 @@ void ParticleColumns::knowChain(int chain) {
     fresh_.push_back(chain);
 }
 
-/// Lines that are covered already but may still be cracked here or there play a part; and so do all crossings
-/// of the chains that do.
+/// Takes in the lines that are covered already but may still be cracked somewhere, and all crossings of the
+/// chains taken in.
 void ParticleColumns::knowCovered() {
     while (!fresh_.empty()) {
         const Chain& chain = problem_.chains[at(fresh_.back())];
@@ -92,7 +92,7 @@ int ParticleColumns::newColumn(int variable) {
     return static_cast<int>(result_.costs.size()) - 1;
 }
 
-/// What is out parts a chain: before it only one particle runs, after it only the other.
+/// An arc that is out divides a chain: before it only one particle runs, after it only the other.
 void ParticleColumns::addChain(const Chain& chain) {
     int firstOut = chain.first + chain.count, lastOut = chain.first - 1;
     for (int v = chain.first; v < chain.first + chain.count; ++v)
@@ -135,14 +135,14 @@ Expression ParticleColumns::present(int variable) const {
 
 void ParticleColumns::atLeast(const Expression& expression, double bound) {
     Formulation::Row row{{}, {}, bound - expression.constant, infinity};
-    double least = 0;
+    double min = 0;
     for (const auto& [column, weight] : expression.terms) {
         if (weight == 0) continue;
         row.columns.push_back(column);
         row.weights.push_back(weight);
-        least += std::min(weight, 0.0);
+        min += std::min(weight, 0.0);
     }
-    if (least < row.lower) result_.rows.push_back(std::move(row));
+    if (min < row.lower) result_.rows.push_back(std::move(row));
 }
 
 void ParticleColumns::addCost(const Expression& expression, double factor) {

@@ -37,13 +37,14 @@ class ParticleColumns {
 public:
     ParticleColumns(const SearchState& state, const std::vector<int>& variables);
 
-    /// Those that have rows: of the variables, and of lines that are covered already but may be cracked.
+    /// The crossings that have rows: those of the variables, and of lines that are covered but may be
+    /// cracked.
     [[nodiscard]] const std::vector<int>& crossings() const { return crossings_; }
     [[nodiscard]] Formulation take() { return std::move(result_); }
 
     [[nodiscard]] bool isOut(int variable) const { return state_.value(variable) == ArcState::out; }
     [[nodiscard]] bool isIn(int variable) const { return state_.value(variable) == ArcState::in; }
-    /// Free, but of another part, which no rule ties to this one.
+    /// Some of its arcs are free but belong to another part, so that no rule here concerns this part.
     [[nodiscard]] bool isForeign(const Crossing& crossing) const;
 
     [[nodiscard]] const Formulation::Columns& columns(int variable) const {
@@ -51,7 +52,7 @@ public:
     }
     /// y of a variable or constant.
     [[nodiscard]] Expression present(int variable) const;
-    /// Nothing can crack this line here, and all of it is in: one particle passes, or two start here.
+    /// Both arcs are in and the line cannot be cracked here: one particle passes, or two start here.
     [[nodiscard]] bool isWall(const CrossingSide& side) const;
     /// The arcs before and after are variables of one chain.
     [[nodiscard]] bool consecutive(const CrossingSide& side) const;

@@ -122,26 +122,26 @@ bool ParticleState::columnsToArcs() {
     return true;
 }
 
-/// Fixes what the row leaves no choice for.
+/// Fixes the columns to which a row leaves a single value.
 bool ParticleState::visitRow(int id) {
     const Formulation::Row& row = formulation_.rows[at(id)];
-    double least = 0, most = 0;
+    double min = 0, max = 0;
     for (std::size_t k = 0; k < row.columns.size(); ++k) {
         const ArcState value = columns_[at(row.columns[k])];
-        if (value != ArcState::out) most += std::max(row.weights[k], 0.0);
-        if (value != ArcState::out) least += std::min(row.weights[k], 0.0);
-        if (value == ArcState::in) least += std::max(row.weights[k], 0.0);
-        if (value == ArcState::in) most += std::min(row.weights[k], 0.0);
+        if (value != ArcState::out) max += std::max(row.weights[k], 0.0);
+        if (value != ArcState::out) min += std::min(row.weights[k], 0.0);
+        if (value == ArcState::in) min += std::max(row.weights[k], 0.0);
+        if (value == ArcState::in) max += std::min(row.weights[k], 0.0);
     }
     const double lower = rowLower(id) - tolerance, upper = row.upper + tolerance;
-    if (most < lower || least > upper) return false;
+    if (max < lower || min > upper) return false;
     for (std::size_t k = 0; k < row.columns.size(); ++k) {
         if (columns_[at(row.columns[k])] != ArcState::free) continue;
         const double weight = std::abs(row.weights[k]);
         const bool positive = row.weights[k] > 0;
-        if (most - weight < lower)
+        if (max - weight < lower)
             set(row.columns[k], positive ? ArcState::in : ArcState::out);
-        else if (least + weight > upper)
+        else if (min + weight > upper)
             set(row.columns[k], positive ? ArcState::out : ArcState::in);
     }
     return true;

@@ -1,4 +1,5 @@
-/// \file What earlier branchings teach about later ones.
+/// \file What earlier branchings tell about later ones: reliability branching
+/// (docs/METHOD.md#achterberg-2005).
 #pragma once
 
 #include <algorithm>
@@ -27,7 +28,7 @@ public:
         return std::max(rate(up_[index]) * (1 - value), 1e-6) * std::max(rate(down_[index]) * value, 1e-6);
     }
 
-    /// Branchings learnt from, of the side with fewer.
+    /// How many branchings it has learnt from, on the side with fewer.
     [[nodiscard]] int trust(int column) const {
         const auto index = static_cast<std::size_t>(column);
         return std::min(up_[index].count, down_[index].count);
@@ -38,7 +39,7 @@ private:
         double sum = 0;
         int count = 0;
     };
-    /// Of a column never tried, the mean of all.
+    /// For a column that was never tried, the mean of all.
     [[nodiscard]] double rate(const Mean& mean) const {
         if (mean.count > 0) return mean.sum / mean.count;
         return all_.count > 0 ? all_.sum / all_.count : 1;

@@ -57,18 +57,18 @@ Relaxation::OpenRow Relaxation::openPart(int id, const ParticleState& state,
     const Formulation::Row& row = formulation_->rows[at(id)];
     OpenRow open;
     open.row = id;
-    double least = 0, most = 0;
+    double min = 0, max = 0;
     for (std::size_t k = 0; k < row.columns.size(); ++k) {
         const ArcState value = state.column(row.columns[k]);
         if (value == ArcState::in) open.constant += row.weights[k];
         if (value != ArcState::free) continue;
         open.columns.push_back(indexOf[at(row.columns[k])]);
         open.weights.push_back(row.weights[k]);
-        least += std::min(row.weights[k], 0.0);
-        most += std::max(row.weights[k], 0.0);
+        min += std::min(row.weights[k], 0.0);
+        max += std::max(row.weights[k], 0.0);
     }
     // The lower side of a cover row can rise later; its upper side is never idle.
-    if (least >= row.lower - open.constant && most <= row.upper - open.constant) return {};
+    if (min >= row.lower - open.constant && max <= row.upper - open.constant) return {};
     return open;
 }
 
@@ -137,7 +137,7 @@ void Relaxation::read(const ParticleState& state) {
     }
 }
 
-/// Every column for itself; the solver does not keep its promises about such problems.
+/// Minimises column by column; the solver cannot be relied on for problems without rows.
 Relaxation::Result Relaxation::solveWithoutRows(const ParticleState& state, double cutoff) {
     Result result{Result::Kind::solved, formulation_->constant};
     for (std::size_t column = 0; column < values_.size(); ++column) {

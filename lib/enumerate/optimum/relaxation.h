@@ -1,4 +1,5 @@
-/// \file The linear relaxation of a formulation: its bound prunes, its solution guides.
+/// \file The linear relaxation of a formulation: its bound prunes, its solution guides
+/// (docs/METHOD.md#particle-program).
 ///
 /// Rows that tie two particles of one line are there from the start, the others as soon as a solution breaks
 /// them: most never do.
@@ -33,11 +34,11 @@ public:
         double proven = -std::numeric_limits<double>::infinity(); ///< a bound all the same, if unfinished
     };
 
-    /// Least relaxed cost under what the state has fixed. Too expensive: infeasible, or at least `cutoff`.
-    /// Unfinished: the iterations were used up or the solver failed.
+    /// Minimises the relaxed cost under what the state has fixed. Too expensive: infeasible, or at least
+    /// `cutoff`. Unfinished: the iterations were used up or the solver failed.
     Result solve(const ParticleState& state, double cutoff, int iterations);
 
-    /// Of the solver's columns, how many the state has fixed.
+    /// The share of the solver's columns that the state has fixed, 0 to 1.
     [[nodiscard]] double fixedShare(const ParticleState& state) const;
 
     /// Where the solver stands, to return to after probing.
@@ -49,9 +50,9 @@ public:
     /// state.
     [[nodiscard]] RelaxedProgram program(const ParticleState& state) const;
 
-    /// Of every column in the last solution; 0 and 1 where it was fixed.
+    /// The value of every column in the last solution; 0 or 1 where it was fixed.
     [[nodiscard]] const std::vector<double>& values() const { return values_; }
-    /// How much the bound grows at least, per unit, when a column leaves its value in the last solution.
+    /// By how much per unit the bound grows at least when a column leaves its value in the last solution.
     [[nodiscard]] const std::vector<double>& reducedCosts() const { return reducedCosts_; }
 
 private:

@@ -6,7 +6,7 @@
 namespace qm {
 namespace {
 
-/// Everything above the threshold is in, the surest values first, following every conclusion.
+/// Takes everything above the threshold in, the surest values first, and follows every conclusion.
 void roundAt(PartSearch& part, double threshold) {
     std::vector<std::pair<double, int>> order;
     for (const int variable : part.variables)

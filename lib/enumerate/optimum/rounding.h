@@ -1,4 +1,4 @@
-/// \file Early graphs: the relaxed solution, rounded.
+/// \file Early graphs by rounding the relaxed solution (docs/METHOD.md#early-graphs).
 #pragma once
 
 #include "enumerate/optimum/part_search.h"
@@ -12,7 +12,7 @@ bool acceptIntegral(PartSearch& part);
 /// graph.
 void roundRelaxed(PartSearch& part);
 
-/// A graph without asking the relaxation, however long that may take: as much as fits, or as little.
+/// Two graphs without the relaxation, which may take long: one with as many arcs as fit, one with as few.
 void guessGraphs(PartSearch& part);
 
 } // namespace qm

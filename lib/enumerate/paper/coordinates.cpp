@@ -27,14 +27,14 @@ private:
 class NaiveSearch {
 public:
     NaiveSearch(const Problem& problem, const Visit& visit, const StopRequested& stopRequested)
-        : problem_(problem), visit_(visit), patience_(stopRequested),
-          particles_(coordinateParticles(problem)), x_(particles_.size()) {}
+        : problem_(problem), visit_(visit), patience_(stopRequested), courses_(findCourses(problem)),
+          x_(courses_.size()) {}
 
     bool run(std::size_t i = 0) {
         if (patience_.ended()) return false;
-        if (i == particles_.size())
-            return !validCoordinates(particles_, x_) || visit_(assignmentOf(problem_, particles_, x_));
-        for (x_[i] = particles_[i].least; x_[i] <= particles_[i].most; ++x_[i])
+        if (i == courses_.size())
+            return !validCoordinates(courses_, x_) || visit_(assignmentOf(problem_, courses_, x_));
+        for (x_[i] = 0; x_[i] <= courses_[i].max; ++x_[i])
             if (!run(i + 1)) return false;
         return true;
     }
@@ -43,7 +43,7 @@ private:
     const Problem& problem_;
     const Visit& visit_;
     Patience patience_;
-    std::vector<CoordinateParticle> particles_;
+    std::vector<Course> courses_;
     std::vector<int> x_;
 };
 
@@ -53,19 +53,19 @@ public:
     BoundedSearch(const Problem& problem, bool improved, const Visit& visit,
                   const StopRequested& stopRequested)
         : problem_(problem), improved_(improved), visit_(visit), patience_(stopRequested),
-          particles_(coordinateParticles(problem)) {
-        for (const CoordinateParticle& particle : particles_) {
-            lower_.push_back(particle.least);
-            upper_.push_back(particle.most);
+          courses_(findCourses(problem)) {
+        for (const Course& course : courses_) {
+            lower_.push_back(0);
+            upper_.push_back(course.max);
         }
     }
 
     bool run(std::size_t i = 0) {
         if (patience_.ended()) return false;
-        if (i == particles_.size()) return visit_(assignmentOf(problem_, particles_, lower_));
+        if (i == courses_.size()) return visit_(assignmentOf(problem_, courses_, lower_));
         for (int j = lower_[i], last = upper_[i]; j <= last; ++j) {
             const std::size_t mark = undo_.size();
-            const bool goOn = !(fix(static_cast<int>(i), j) && block(particles_[i], j)) || finish(i, j);
+            const bool goOn = !(fix(static_cast<int>(i), j) && block(courses_[i], j)) || finish(i, j);
             rewind(mark);
             if (!goOn) return false;
         }
@@ -74,49 +74,49 @@ public:
 
 private:
     struct Undo {
-        int particle;
+        int course;
         int lower;
         int upper;
     };
 
-    bool raise(int particle, int bound) {
-        if (bound <= lower_[at(particle)]) return true;
-        undo_.push_back({particle, lower_[at(particle)], upper_[at(particle)]});
-        lower_[at(particle)] = bound;
-        return bound <= upper_[at(particle)];
+    bool raise(int course, int bound) {
+        if (bound <= lower_[at(course)]) return true;
+        undo_.push_back({course, lower_[at(course)], upper_[at(course)]});
+        lower_[at(course)] = bound;
+        return bound <= upper_[at(course)];
     }
 
-    bool reduce(int particle, int bound) {
-        if (bound >= upper_[at(particle)]) return true;
-        undo_.push_back({particle, lower_[at(particle)], upper_[at(particle)]});
-        upper_[at(particle)] = bound;
-        return bound >= lower_[at(particle)];
+    bool reduce(int course, int bound) {
+        if (bound >= upper_[at(course)]) return true;
+        undo_.push_back({course, lower_[at(course)], upper_[at(course)]});
+        upper_[at(course)] = bound;
+        return bound >= lower_[at(course)];
     }
 
-    bool fix(int particle, int value) { return raise(particle, value) && reduce(particle, value); }
+    bool fix(int course, int value) { return raise(course, value) && reduce(course, value); }
 
     void rewind(std::size_t mark) {
         for (; undo_.size() > mark; undo_.pop_back()) {
-            lower_[at(undo_.back().particle)] = undo_.back().lower;
-            upper_[at(undo_.back().particle)] = undo_.back().upper;
+            lower_[at(undo_.back().course)] = undo_.back().lower;
+            upper_[at(undo_.back().course)] = undo_.back().upper;
         }
     }
 
     /// B1 and B2: what a track of length j keeps others from.
-    bool block(const CoordinateParticle& p, int j) {
+    bool block(const Course& p, int j) {
         if (p.opposite >= 0 && !reduce(p.opposite, p.length - j)) return false;
         for (int c = 1; c < j; ++c) {
             const Stop& stop = p.stops[at(c - 1)];
             if (stop.wall) return false;
             for (const Arrival& arrival : {stop.left, stop.right})
-                if (arrival.particle >= 0 && !reduce(arrival.particle, arrival.coordinate)) return false;
+                if (arrival.course >= 0 && !reduce(arrival.course, arrival.coordinate)) return false;
         }
         return true;
     }
 
     /// B3 and B4 (or B4'): goes on with every way in which a track of length j can end properly.
     bool finish(std::size_t i, int j) {
-        const CoordinateParticle& p = particles_[i];
+        const Course& p = courses_[i];
         if (j == p.length) return run(i + 1);
         if (j == 0) return branch(i, p.opposite >= 0 && raise(p.opposite, p.length));
         const Stop& stop = p.stops[at(j - 1)];
@@ -134,7 +134,7 @@ private:
     }
 
     bool letPass(const Arrival& arrival) {
-        return arrival.particle >= 0 && raise(arrival.particle, arrival.coordinate + 1);
+        return arrival.course >= 0 && raise(arrival.course, arrival.coordinate + 1);
     }
 
     bool finishImproved(std::size_t i, const Stop& stop) {
@@ -144,13 +144,13 @@ private:
     }
 
     bool finishAll(std::size_t i, const Stop& stop, int j) {
-        const CoordinateParticle& p = particles_[i];
+        const Course& p = courses_[i];
         const int rest = p.length - j;
         const auto apart = [&] { return p.opposite < 0 || reduce(p.opposite, rest - 1); };
         const auto bothEnd = [&] {
-            return stop.left.particle >= 0 && stop.right.particle >= 0 &&
-                   fix(stop.left.particle, stop.left.coordinate) &&
-                   fix(stop.right.particle, stop.right.coordinate);
+            return stop.left.course >= 0 && stop.right.course >= 0 &&
+                   fix(stop.left.course, stop.left.coordinate) &&
+                   fix(stop.right.course, stop.right.coordinate);
         };
         return attempt(i, [&] { return p.opposite >= 0 && fix(p.opposite, rest); }) &&
                attempt(i, [&] { return apart() && letPass(stop.left); }) &&
@@ -162,7 +162,7 @@ private:
     bool improved_;
     const Visit& visit_;
     Patience patience_;
-    std::vector<CoordinateParticle> particles_;
+    std::vector<Course> courses_;
     std::vector<int> lower_;
     std::vector<int> upper_;
     std::vector<Undo> undo_;

@@ -1,5 +1,4 @@
-/// \file The paper's three algorithms, on coordinates of particles (method 2, "Enumeration in the paper";
-/// paper 3.3).
+/// \file The paper's three algorithms, on coordinates of particles (docs/METHOD.md#coordinate-search).
 ///
 /// They visit a graph once for every set of particle positions that produces it and are kept for comparison;
 /// the searches on arcs visit each graph once.

@@ -22,60 +22,59 @@ struct Owners {
     }
 };
 
-int coordinateAfter(const Problem& problem, const CoordinateParticle& particle, int variable) {
-    const Chain& chain = problem.chains[at(particle.chain)];
-    return particle.fromEnd ? chain.first + chain.count - variable : variable - chain.first + 1;
+int coordinateAfter(const Problem& problem, const Course& course, int variable) {
+    const Chain& chain = problem.chains[at(course.chain)];
+    return course.fromEnd ? chain.first + chain.count - variable : variable - chain.first + 1;
 }
 
 Stop stopAt(const Problem& problem, const Crossing& crossing, std::size_t side, const Owners& owners,
-            const std::vector<CoordinateParticle>& particles) {
+            const std::vector<Course>& courses) {
     const CrossingSide& other = crossing.sides[1 - side];
     Stop stop;
-    stop.crossed = true;
     const bool both =
         problem.domains[at(other.before)] == ArcState::in && problem.domains[at(other.after)] == ArcState::in;
     stop.wall = both && !owners.canPass(other);
     if (stop.wall) return stop;
-    stop.left.particle = owners.fromBefore[at(other.before)];
-    stop.right.particle = owners.fromAfter[at(other.after)];
-    if (stop.left.particle >= 0)
-        stop.left.coordinate = coordinateAfter(problem, particles[at(stop.left.particle)], other.before);
-    if (stop.right.particle >= 0)
-        stop.right.coordinate = coordinateAfter(problem, particles[at(stop.right.particle)], other.after);
+    stop.left.course = owners.fromBefore[at(other.before)];
+    stop.right.course = owners.fromAfter[at(other.after)];
+    if (stop.left.course >= 0)
+        stop.left.coordinate = coordinateAfter(problem, courses[at(stop.left.course)], other.before);
+    if (stop.right.course >= 0)
+        stop.right.coordinate = coordinateAfter(problem, courses[at(stop.right.course)], other.after);
     return stop;
 }
 
-void findStops(const Problem& problem, const Owners& owners, std::vector<CoordinateParticle>& particles) {
-    for (CoordinateParticle& particle : particles)
-        particle.stops.resize(at(std::max(particle.length - 1, 0)));
+void findStops(const Problem& problem, const Owners& owners, std::vector<Course>& courses) {
+    for (Course& course : courses)
+        course.stops.resize(at(std::max(course.length - 1, 0)));
     for (const Crossing& crossing : problem.crossings)
         for (const std::size_t k : {0U, 1U}) {
             const CrossingSide& side = crossing.sides[k];
             if (!owners.canPass(side)) continue;
-            const Stop stop = stopAt(problem, crossing, k, owners, particles);
+            const Stop stop = stopAt(problem, crossing, k, owners, courses);
             for (const auto& [owner, variable] : {std::pair(owners.fromBefore[at(side.before)], side.before),
                                                   std::pair(owners.fromAfter[at(side.after)], side.after)})
                 if (owner >= 0)
-                    particles[at(owner)]
-                        .stops[at(coordinateAfter(problem, particles[at(owner)], variable) - 1)] = stop;
+                    courses[at(owner)].stops[at(coordinateAfter(problem, courses[at(owner)], variable) - 1)] =
+                        stop;
         }
 }
 
-void boundByDomains(const Problem& problem, CoordinateParticle& particle) {
-    const Chain& chain = problem.chains[at(particle.chain)];
-    particle.most = particle.length;
-    for (int c = 1; c <= particle.length; ++c) {
-        const int variable = particle.fromEnd ? chain.first + chain.count - c : chain.first + c - 1;
-        if (problem.domains[at(variable)] == ArcState::out) particle.most = std::min(particle.most, c - 1);
+void boundByDomains(const Problem& problem, Course& course) {
+    const Chain& chain = problem.chains[at(course.chain)];
+    course.max = course.length;
+    for (int c = 1; c <= course.length; ++c) {
+        const int variable = course.fromEnd ? chain.first + chain.count - c : chain.first + c - 1;
+        if (problem.domains[at(variable)] == ArcState::out) course.max = std::min(course.max, c - 1);
     }
 }
 
 bool passes(const Arrival& arrival, const std::vector<int>& x) {
-    return arrival.particle >= 0 && x[at(arrival.particle)] > arrival.coordinate;
+    return arrival.course >= 0 && x[at(arrival.course)] > arrival.coordinate;
 }
 
 bool ends(const Arrival& arrival, const std::vector<int>& x) {
-    return arrival.particle >= 0 && x[at(arrival.particle)] == arrival.coordinate;
+    return arrival.course >= 0 && x[at(arrival.course)] == arrival.coordinate;
 }
 
 /// A4 at the crash point: someone else makes it a proper end.
@@ -86,8 +85,8 @@ bool crashesWell(const Stop& stop, bool met, const std::vector<int>& x) {
 
 } // namespace
 
-std::vector<CoordinateParticle> coordinateParticles(const Problem& problem) {
-    std::vector<CoordinateParticle> particles;
+std::vector<Course> findCourses(const Problem& problem) {
+    std::vector<Course> courses;
     const std::vector<int> nobody(problem.domains.size(), -1);
     Owners owners{nobody, nobody, nobody};
     for (int c = 0; c < static_cast<int>(problem.chains.size()); ++c) {
@@ -96,32 +95,32 @@ std::vector<CoordinateParticle> coordinateParticles(const Problem& problem) {
         std::fill_n(owners.chain.begin() + chain.first, chain.count, c);
         for (const bool fromEnd : {false, true}) {
             if (!(fromEnd ? chain.coveredAfter : chain.coveredBefore)) continue;
-            const int id = static_cast<int>(particles.size());
-            particles.push_back({c, fromEnd, chain.count, both ? (fromEnd ? id - 1 : id + 1) : -1, 0, 0, {}});
-            boundByDomains(problem, particles.back());
+            const int id = static_cast<int>(courses.size());
+            courses.push_back({c, fromEnd, chain.count, both ? (fromEnd ? id - 1 : id + 1) : -1, 0, {}});
+            boundByDomains(problem, courses.back());
             for (int v = chain.first; v < chain.first + chain.count; ++v)
                 (fromEnd ? owners.fromAfter : owners.fromBefore)[at(v)] = id;
         }
     }
-    findStops(problem, owners, particles);
-    return particles;
+    findStops(problem, owners, courses);
+    return courses;
 }
 
-Assignment assignmentOf(const Problem& problem, const std::vector<CoordinateParticle>& particles,
+Assignment assignmentOf(const Problem& problem, const std::vector<Course>& courses,
                         const std::vector<int>& coordinates) {
     Assignment assignment(problem.domains.size(), 0);
     assignment[at(problem.in())] = 1;
-    for (std::size_t i = 0; i < particles.size(); ++i) {
-        const Chain& chain = problem.chains[at(particles[i].chain)];
+    for (std::size_t i = 0; i < courses.size(); ++i) {
+        const Chain& chain = problem.chains[at(courses[i].chain)];
         for (int c = 0; c < coordinates[i]; ++c)
-            assignment[at(particles[i].fromEnd ? chain.first + chain.count - 1 - c : chain.first + c)] = 1;
+            assignment[at(courses[i].fromEnd ? chain.first + chain.count - 1 - c : chain.first + c)] = 1;
     }
     return assignment;
 }
 
-bool validCoordinates(const std::vector<CoordinateParticle>& particles, const std::vector<int>& x) {
-    for (std::size_t i = 0; i < particles.size(); ++i) {
-        const CoordinateParticle& p = particles[i];
+bool validCoordinates(const std::vector<Course>& courses, const std::vector<int>& x) {
+    for (std::size_t i = 0; i < courses.size(); ++i) {
+        const Course& p = courses[i];
         const int opposite = p.opposite >= 0 ? x[at(p.opposite)] : 0;
         if (x[i] + opposite > p.length) return false;                            // A1
         if (x[i] == 0 && (p.opposite < 0 || opposite != p.length)) return false; // A3

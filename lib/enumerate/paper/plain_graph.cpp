@@ -38,7 +38,7 @@ private:
         auto operator<=>(const Arrival&) const = default;
     };
 
-    /// Every particle enters its next edge, unless its opposite has done so.
+    /// Moves every particle over its next edge, unless its opposite is there already.
     std::vector<Arrival> move(const std::vector<std::size_t>& active) {
         std::vector<Arrival> arrivals;
         for (const std::size_t i : active) {

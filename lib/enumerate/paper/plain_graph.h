@@ -1,4 +1,5 @@
-/// \file The plain motorcycle graph (Eppstein et al. 2008; method 10), the baseline to compare with.
+/// \file The plain motorcycle graph of Eppstein et al. 2008 (docs/METHOD.md#plain-graph), the baseline to
+/// compare with.
 #pragma once
 
 #include "basecomplex/base_complex.h"

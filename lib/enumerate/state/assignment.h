@@ -10,13 +10,13 @@ namespace qm {
 /// A value for every variable and both constants, 0 or 1.
 using Assignment = std::vector<signed char>;
 
-/// What the variables that are in cost, with the corners around crossings.
+/// The cost of the variables that are in and of the corners at crossings.
 [[nodiscard]] double costOf(const Problem& problem, const Assignment& assignment);
 
 /// The values that variables have where these arcs are present.
 [[nodiscard]] Assignment assignmentOf(const Problem& problem, const std::vector<bool>& present);
 
-/// Writes an assignment into the arcs that it speaks of.
+/// Writes the values of an assignment into the arcs of its variables.
 void apply(const Problem& problem, const Assignment& assignment, std::vector<bool>& present);
 
 } // namespace qm

@@ -1,4 +1,4 @@
-/// \file Rule 4 of method 2: every crossing needs a head-on meeting on one of its two lines.
+/// \file Rule 4 (docs/METHOD.md#cracks): every crossing needs a head-on meeting on one of its two lines.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@ class CrackForest {
 public:
     explicit CrackForest(std::vector<int> capacities);
 
-    /// A crossing between two crackable lines, or, with a == b, one that line a must crack.
+    /// Enters a crossing between two lines that can be cracked, or, with a == b, one that line a must crack.
     /// \return false if no meeting is left for it; the change is made all the same and must be undone
     bool cross(int a, int b);
 

@@ -1,4 +1,4 @@
-/// \file Rule 4 of method 2: which lines crack which crossings.
+/// \file Rule 4 (docs/METHOD.md#cracks): which lines crack which crossings.
 #pragma once
 
 #include "enumerate/state/crack_forest.h"
@@ -19,7 +19,7 @@ public:
     [[nodiscard]] const std::vector<int>& crossingsOfNode(int node) const {
         return crossingsOfNode_[static_cast<std::size_t>(node)];
     }
-    /// A representative of the lines whose cracks depend on each other so far.
+    /// A representative of the lines that crossings have joined with this one so far.
     [[nodiscard]] int group(int node) const { return forest_.find(node); }
     /// Head-on meetings that a group of lines has left.
     [[nodiscard]] int left(int group) const { return forest_.left(group); }
@@ -33,9 +33,10 @@ public:
     /// No arc around a crossing is out.
     [[nodiscard]] bool mayBeCrossed(int crossing) const;
 
-    /// What follows from what is known around a crossing. \return false on a contradiction
+    /// Draws the conclusions from what is known around a crossing.
+    /// \return false on a contradiction
     bool visitCrossing(int crossing);
-    /// Likewise from a chain that has just been covered or got a gap.
+    /// Draws the conclusions from a chain that has just been covered or got a gap.
     bool visitCovered(int chain);
 
     struct Mark {

@@ -1,4 +1,4 @@
-/// \file Every motorcycle graph exactly once, depth first with undo (method 2).
+/// \file Every motorcycle graph exactly once, depth first with undo (docs/METHOD.md#search-problem).
 #pragma once
 
 #include "base/control.h"
@@ -9,13 +9,13 @@
 namespace qm {
 
 /// Calls `visit` with a full assignment for every graph whose cost is at most `costLimit()`, asked anew at
-/// every step so that it may fall. Memory is linear in the problem, whatever the number of graphs. \return
-/// false if `visit` returned false or `control.stopRequested`, which ends the search
+/// every step so that it may fall. Memory is linear in the problem, whatever the number of graphs.
+/// \return false if `visit` returned false or `control.stopRequested`, which ends the search
 bool forEachAssignment(const Problem& problem, const std::function<double()>& costLimit,
                        const std::function<bool(const SearchState&)>& visit, const Control& control = {});
 
 /// An order in which neighbouring decisions follow each other, so that contradictions show early: breadth
-/// first over the crossings, starting at the first variable of every part that hangs together.
+/// first over the crossings, starting at the first variable of every connected part.
 [[nodiscard]] std::vector<int> branchingOrder(const Problem& problem);
 
 } // namespace qm

@@ -7,9 +7,10 @@
 
 namespace qm {
 
-/// The free ones of some variables, grouped so that no rule involves two groups; each group ascending,
-/// ordered by first variable. Time is linear in the chains and crossings of the variables. \param variables
-/// ascending; no rule ties a free one of them to a free variable that is not among them
+/// Groups the free ones among some variables so that no rule involves two groups. Each group is ascending,
+/// and groups are ordered by their first variables. Time is linear in the chains and crossings of the
+/// variables.
+/// \param variables ascending; no rule ties a free one of them to a free variable that is not among them
 [[nodiscard]] std::vector<std::vector<int>> independentParts(const SearchState& state,
                                                              const std::vector<int>& variables);
 

@@ -1,11 +1,11 @@
-/// \file Rule 2 of method 2: which arcs may meet at an ordinary junction.
+/// \file Rule 2 (docs/METHOD.md#arc-rules): which arcs may meet at an ordinary junction.
 #pragma once
 
 #include "enumerate/state/problem.h"
 
 namespace qm {
 
-/// Before and after of one side, then of the other.
+/// The arcs before and after the crossing on one line, then those on the other.
 [[nodiscard]] inline std::array<int, 4> arcsOf(const Crossing& crossing) {
     const auto& [a, b] = crossing.sides;
     return {a.before, a.after, b.before, b.after};

@@ -30,7 +30,8 @@ bool LineRule::visit(int variable) {
     return !promised_[at(id)] || assignment_.inCount(id) != chain.count;
 }
 
-/// Covered from one side: what is in reaches back to that side, what is out goes on to the other.
+/// Covered from one side: the arcs that are in reach back to that side, those that are out go on to the
+/// other.
 bool LineRule::closeOneSided(const Chain& chain, int variable, ArcState state) {
     const bool towardsBegin = chain.coveredBefore == (state == ArcState::in);
     const int step = towardsBegin ? -1 : 1;

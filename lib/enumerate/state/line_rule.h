@@ -1,4 +1,5 @@
-/// \file Rule 3 of method 2: where a line may be out, and which lines are covered from end to end.
+/// \file Rule 3 (docs/METHOD.md#arc-rules): where a line may be out, and which lines are covered from end to
+/// end.
 #pragma once
 
 #include "enumerate/state/partial_assignment.h"
@@ -10,7 +11,7 @@ namespace qm {
 /// What is known of a line with two sources: covered from end to end, or with a gap.
 enum class Cover { open, full, gapped };
 
-/// Knows the gap of every chain, and closes what lies inside and outside of it.
+/// Knows the gap of every chain, and draws the conclusions inside and outside of it.
 class LineRule {
 public:
     /// \param assignment  outlives this
@@ -32,10 +33,12 @@ public:
         return assignment_.inCount(chain) == problem_.chains[static_cast<std::size_t>(chain)].count;
     }
 
-    /// What follows from a variable of a chain that has got its value. \return false on a contradiction
+    /// Draws the conclusions from a variable of a chain that has just been assigned.
+    /// \return false on a contradiction
     bool visit(int variable);
 
-    /// Sets all variables of a chain. \return false on a contradiction
+    /// Sets all variables of a chain.
+    /// \return false on a contradiction
     bool cover(int chain);
 
     /// Promises that a chain, which is not covered, will have a gap.

@@ -1,4 +1,4 @@
-/// \file Values that some variables have, with undo; no rule is looked at.
+/// \file Values of some of the variables, with undo, regardless of the rules.
 #pragma once
 
 #include "enumerate/state/assignment.h"
@@ -39,7 +39,7 @@ public:
 
     /// The variables that have a value, in the order in which they got it.
     [[nodiscard]] const std::vector<int>& assigned() const { return assigned_; }
-    /// What is free counts as out.
+    /// Free variables count as out.
     [[nodiscard]] Assignment assignment() const;
 
 private:

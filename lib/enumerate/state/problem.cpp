@@ -173,7 +173,7 @@ private:
         return {variable(junction.arcs[k]), variable(junction.arcs[k + 2]), ends ? -1 : nodeOf_[line.idx()]};
     }
 
-    /// Nothing is left to say where one line is out and the other one variable.
+    /// One line is absent and the other a single variable, so that no rule is left to obey.
     bool sameVariables(const Junction& junction) const {
         for (const std::size_t k : {0U, 1U}) {
             const int other = variable(junction.arcs[1 - k]);
@@ -184,7 +184,7 @@ private:
         return false;
     }
 
-    /// Two particles of a line go this far at most, so that nobody passes unless the other line does.
+    /// The two particles of a line can only meet here, so that neither passes.
     bool isMeeting(const Junction& junction) const {
         for (const std::size_t k : {0U, 1U}) {
             const ArcId before = std::min(junction.arcs[k], junction.arcs[k + 2]);

@@ -1,4 +1,4 @@
-/// \file The search problem: binary variables for arcs under the rules of method 2, "The same, on arcs".
+/// \file The search problem: binary variables for arcs under the arc rules (docs/METHOD.md#search-problem).
 ///
 /// A whole mesh, a sub-mesh with its cut, and a window in an otherwise fixed layout all become such a
 /// problem.
@@ -24,8 +24,8 @@ struct Chain {
     bool coveredAfter = false;  ///< likewise over the last variable, from the other end
 };
 
-/// A line, or several joined by fixed crossings, that can be cracked as often as `capacity` says when covered
-/// from end to end (rule 4).
+/// A line, or several joined by fixed crossings, that can be cracked `capacity` times when covered from end
+/// to end (rule 4).
 struct CrackNode {
     int chain = -1; ///< the chain that must be covered throughout; -1 where the lines are covered anyway
     int capacity = 1;
@@ -44,7 +44,7 @@ struct Crossing {
     std::array<CrossingSide, 2> sides;
     bool open = false; ///< past a cut, where tracks may end unfinished: only rule 4 holds
     double cornerCost =
-        0; ///< of each segment's corner here: of every arc of one line next to one of the other
+        0; ///< of each corner that a segment has here, between an arc of one line and one of the other
 };
 
 /// Consecutive arcs of one line that can only be in or out together.
@@ -68,7 +68,7 @@ struct Problem {
     [[nodiscard]] int out() const { return variables() + 1; }
 };
 
-/// The segments' corners at a crossing, by how many arcs of each line are in.
+/// How many corners segments have at a crossing, by the number of arcs of each line that are in.
 constexpr int cornersAt(int arcsOfOne, int arcsOfOther) {
     return arcsOfOne * arcsOfOther;
 }

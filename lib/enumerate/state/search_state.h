@@ -8,7 +8,8 @@
 namespace qm {
 
 /// Holds a value or "free" for every variable. `assign` draws the conclusions that rules 1 to 4 allow
-/// locally; when no variable is free and no call has failed, the assignment is a motorcycle graph (method 2).
+/// locally; when no variable is free and no call has failed, the assignment is a motorcycle graph
+/// (docs/METHOD.md#search-problem).
 class SearchState {
 public:
     explicit SearchState(const Problem& problem);
@@ -44,10 +45,12 @@ public:
     [[nodiscard]] Mark mark() const { return {assignment_.mark(), lines_.mark(), cracks_.mark()}; }
     void undo(const Mark& mark);
 
-    /// Sets a free variable and everything that follows. \return false on a contradiction; then undo
+    /// Sets a free variable and everything that follows.
+    /// \return false on a contradiction; then undo
     bool assign(int variable, ArcState value) { return assignment_.set(variable, value) && propagate(); }
 
-    /// Covers a chain with two sources, or promises that it will have a gap. \return as of `assign`
+    /// Covers a chain with two sources, or promises that it will have a gap.
+    /// \return as of `assign`
     bool decideCover(int chain, bool full);
 
     /// The values set since a mark, in order.

@@ -1,4 +1,4 @@
-/// \file Going straight on until the first track: always a valid end for a particle (method 5, "It ends").
+/// \file Going straight on until the first track: always a valid end for a particle (docs/METHOD.md#merging).
 #pragma once
 
 #include "basecomplex/arc_graph.h"

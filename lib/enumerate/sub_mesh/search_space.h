@@ -1,4 +1,5 @@
-/// \file What all searches of one model share, and the problem of a single sub-mesh (method 5; paper 4.2.2).
+/// \file What all searches of one model share, and the problem of a single sub-mesh
+/// (docs/METHOD.md#sub-meshes).
 #pragma once
 
 #include "enumerate/state/problem.h"
@@ -29,7 +30,7 @@ struct SearchSpace {
                                           const std::vector<double>& edgeCosts, const SubMeshes& subMeshes,
                                           const Constraints& constraints, double cornerCost = 0);
 
-/// What the arcs of a graph cost, with the corners that depend on them.
+/// The cost of the arcs of a graph and of the corners that depend on them.
 [[nodiscard]] double costOf(const SearchSpace& space, const std::vector<bool>& present);
 
 /// Appends the arcs that a particle can walk in a sub-mesh: from position `from`, counted from its source, up
@@ -40,7 +41,7 @@ void appendWalk(const SearchSpace& space, LineId line, bool fromEnd, int from, i
 /// The arcs that the particles of a sub-mesh can walk before they leave it.
 [[nodiscard]] std::vector<ArcId> ownArcs(const SearchSpace& space, int subMesh);
 
-/// The particles that start in a sub-mesh, and those that have been walking already.
+/// The particles that start in a sub-mesh, and those that have walked already.
 [[nodiscard]] Walkers walkersOf(const SearchSpace& space, int subMesh, const std::vector<bool>& present);
 
 /// A search in one sub-mesh: the given arcs are free, every other arc stays as it is in `present`. Tracks may
@@ -48,8 +49,8 @@ void appendWalk(const SearchSpace& space, LineId line, bool fromEnd, int from, i
 [[nodiscard]] Problem subMeshProblem(const SearchSpace& space, int subMesh,
                                      const std::vector<ArcId>& freeArcs, const std::vector<bool>& present);
 
-/// What is always possible, however hard the search: every particle of the sub-mesh goes straight on in turn,
-/// to the first track or the first vertex outside.
+/// Makes a graph without a search: every particle of the sub-mesh goes straight on in turn, to the first
+/// track or the first vertex outside. That is always valid.
 void goStraight(const SearchSpace& space, int subMesh, std::vector<bool>& present);
 
 } // namespace qm

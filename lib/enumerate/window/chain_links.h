@@ -11,14 +11,14 @@ class ChainLinks {
 public:
     explicit ChainLinks(const Problem& problem);
 
-    /// Those that cross the chain, ascending, and the chain itself if it does.
+    /// The chains that cross this one, ascending; itself among them if it crosses itself.
     [[nodiscard]] const std::vector<int>& neighbours(int chain) const {
         return neighbours_[static_cast<std::size_t>(chain)];
     }
 
-    /// The chain and others, always the one next that crosses the cluster most for its length, until they
-    /// have this many variables.
-    /// \param weights  of every chain: how much rather than others it is taken
+    /// Grows a cluster from a chain: the chain that crosses the cluster most often for its length comes next,
+    /// until the cluster has this many variables.
+    /// \param weights  of every chain: a factor that makes it come earlier
     [[nodiscard]] std::vector<int> cluster(int chain, std::size_t variables,
                                            const std::vector<double>& weights) const;
 

@@ -39,7 +39,7 @@ public:
     }
 
     WindowResult run() {
-        std::size_t smallest = options_.leastVariables;
+        std::size_t smallest = options_.minVariables;
         do {
             hard_ = 0;
             growWindows(smallest);
@@ -58,17 +58,17 @@ private:
     };
 
     [[nodiscard]] bool isOver() const {
-        return result_.windows >= options_.mostWindows || control_.stopRequested();
+        return result_.windows >= options_.maxWindows || control_.stopRequested();
     }
 
     /// Searches windows of one size, then of twice that size, and so on.
     void growWindows(std::size_t smallest) {
-        const std::size_t most = std::min<std::size_t>(options_.mostVariables, at(whole_.variables()));
-        for (size_ = std::min(smallest, most); !isOver(); size_ = std::min(2 * size_, most)) {
+        const std::size_t max = std::min<std::size_t>(options_.maxVariables, at(whole_.variables()));
+        for (size_ = std::min(smallest, max); !isOver(); size_ = std::min(2 * size_, max)) {
             std::ranges::fill(searched_, 0);
             while (pass() && !isOver()) {
             }
-            if (size_ >= most) break;
+            if (size_ >= max) break;
         }
     }
 
@@ -86,7 +86,8 @@ private:
         return sums;
     }
 
-    /// Searches all windows of a size in which something has changed since. \return whether one improved
+    /// Searches all windows of a size in which something has changed since.
+    /// \return whether one improved
     bool pass() {
         const std::size_t before = result_.improvements;
         const std::vector<double> weights = disagreements();
@@ -127,7 +128,7 @@ private:
                 visit(at(whole_.arcs[at(v)].first.value() + k));
     }
 
-    /// The search of a window: everything outside stays as it is, so that little of the mesh remains.
+    /// The problem of a window: everything outside stays as it is, so that it is small.
     [[nodiscard]] Problem problemOf(const Window& window) const {
         ProblemInput input = input_;
         for (std::size_t arc = 0; arc < input.states.size(); ++arc)
@@ -171,7 +172,7 @@ private:
         ++result_.improvements;
     }
 
-    /// Whether the window's arcs are valid and cheaper beside what has become of the others.
+    /// Whether the window's arcs are still valid and cheaper after the other windows' changes.
     [[nodiscard]] bool improves(const Window& window, const std::vector<bool>& merged) const {
         const Problem problem = problemOf(window);
         const Assignment graph = assignmentOf(problem, merged);

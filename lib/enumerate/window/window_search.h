@@ -1,4 +1,4 @@
-/// \file Improving a graph by searching one window of it after another (method 5, mobile cuts).
+/// \file Improving a graph by searching one window of it after another (docs/METHOD.md#windows).
 ///
 /// A window is a line and those that cross it most; all others stay as they are. Lines on which the graph and
 /// the relaxed solution disagree come first. Windows grow when none of a size improves anything.
@@ -13,13 +13,13 @@
 namespace qm {
 
 struct WindowOptions {
-    std::size_t leastVariables = 60; ///< of the smallest windows
-    std::size_t mostVariables =
+    std::size_t minVariables = 60; ///< of the smallest windows
+    std::size_t maxVariables =
         std::numeric_limits<std::size_t>::max(); ///< of the largest; a single line may have more
-    std::size_t mostWindows = std::numeric_limits<std::size_t>::max(); ///< in all
+    std::size_t maxWindows = std::numeric_limits<std::size_t>::max(); ///< in all
     std::size_t nodes = 50;      ///< of the search tree of one window, at first
-    bool patient = false;        ///< when nothing helps any more, begin again with larger trees
-    std::vector<double> relaxed; ///< of every arc its value in the relaxed solution; empty if there is none
+    bool patient = false;        ///< when no window helps any more, begin again with larger trees
+    std::vector<double> relaxed; ///< value of every arc in the relaxed solution; empty if there is none
 };
 
 struct WindowResult {

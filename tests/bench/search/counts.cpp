@@ -13,7 +13,7 @@
 namespace qm::bench {
 namespace {
 
-constexpr std::size_t mostJunctions = 130;
+constexpr std::size_t maxJunctions = 130;
 
 /// \return whether it is as known
 bool printCount(const std::string& name, const QuadMesh& mesh, const std::string& known) {
@@ -41,7 +41,7 @@ bool printCounts(const TableOptions& options) {
             std::regex_search(name, options.meshes))
             good = printCount(name, studs(count), "") && good;
     for (const KnownMinima& known : knownMinima()) {
-        if (known.ordinaryJunctions > mostJunctions || !std::regex_search(known.mesh, options.meshes))
+        if (known.ordinaryJunctions > maxJunctions || !std::regex_search(known.mesh, options.meshes))
             continue;
         if (const auto bytes = testing::sharedFile(std::string("dev/") + known.mesh))
             good = printCount(known.mesh, readMesh(*bytes, known.mesh).mesh, known.graphs) && good;

@@ -15,7 +15,8 @@ namespace {
 
 constexpr double enough = 10; ///< seconds, after which a measurement is not repeated
 
-/// Looks at every graph. \return how many
+/// Looks at every graph.
+/// \return how many
 std::uint64_t visitAll(const Problem& problem, unsigned jobs) {
     const auto diagram = buildDiagram(problem, diagramNodes);
     const auto parts = splitDiagram(*diagram, 256);

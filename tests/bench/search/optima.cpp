@@ -15,8 +15,8 @@
 namespace qm::bench {
 namespace {
 
-constexpr double agree = 1e-5;     ///< of costs that programs print or sum in different orders
-constexpr double leastTime = 1e-3; ///< shorter times count as this in a ratio
+constexpr double agree = 1e-5;   ///< of costs that programs print or sum in different orders
+constexpr double minTime = 1e-3; ///< shorter times count as this in a ratio
 
 /// What was measured on one problem.
 struct Row {
@@ -69,7 +69,7 @@ public:
                           complex.ordinaryJunctions == known->ordinaryJunctions;
                 remark += asKnown ? ", as known" : ", NOT AS KNOWN";
             }
-            const double ratio = std::max(row.cbc, leastTime) / std::max(row.ours, leastTime);
+            const double ratio = std::max(row.cbc, minTime) / std::max(row.ours, minTime);
             std::printf("%-24s %-10s %5zu %6zu %9.4f %9.4f %8.2f %14.6f  %s\n", name.c_str(),
                         gaps ? "motorcycle" : "tmesh", complex.extraordinaryVertices.size(),
                         complex.ordinaryJunctions, row.ours, row.cbc, ratio, row.cost, remark.c_str());

@@ -19,7 +19,8 @@ bool printOptima(const TableOptions& options);
 /// What is left between best graph and bound on meshes that are too hard to prove at once.
 void printGaps(const TableOptions& options);
 
-/// Counts and their known values. \return whether they agree
+/// Counts and their known values.
+/// \return whether they agree
 bool printCounts(const TableOptions& options);
 
 /// How fast all graphs are visited and written, on one thread and on two.

@@ -29,14 +29,14 @@ Visited visitOurs(const Problem& problem) {
     return visited;
 }
 
-Visited visitCoordinates(const Problem& problem, CoordinateMethod method, double mostSeconds) {
+Visited visitCoordinates(const Problem& problem, CoordinateMethod method, double maxSeconds) {
     Visited visited;
     const auto start = std::chrono::steady_clock::now();
     visited.seconds = secondsOf([&] {
         visited.all = forEachCoordinateVector(
             problem, method, [&](const Assignment&) { return ++visited.count > 0; },
             [&] {
-                return std::chrono::steady_clock::now() - start > std::chrono::duration<double>(mostSeconds);
+                return std::chrono::steady_clock::now() - start > std::chrono::duration<double>(maxSeconds);
             });
     });
     return visited;
