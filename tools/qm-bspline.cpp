@@ -12,7 +12,7 @@ int main(int argc, char** argv) {
                 std::make_shared<qm::Stage>(tool, qm::Kind::layout, qm::Kind::layout, qm::Kind::surfaces);
             tool.options(options);
             tool.example("qm-bspline part.layout.json -o part.surfaces.json");
-            tool.example("qm-prune part.layout.json | qm-bspline --fit tolerance --tolerance 0.1% > "
+            tool.example("qm-prune part.layout.json | qm-bspline --tolerance 0.05% > "
                          "part.surfaces.json");
             return [&tool, &options, stage] {
                 const qm::Model& model = stage->read();
@@ -22,7 +22,10 @@ int main(int argc, char** argv) {
                 tool.count("controlPoints", static_cast<double>(qm::controlPointCount(surfaces.patches)));
                 tool.count("maxDeviation", surfaces.deviation.max);
                 stage->write(options, qm::surfacesToJson(surfaces));
-                return qm::exitDone;
+                const std::string missed = qm::missedTolerance(surfaces, options);
+                if (missed.empty()) return qm::exitDone;
+                tool.warn(missed);
+                return qm::exitUnmet;
             };
         });
 }

@@ -11,10 +11,10 @@ void report(qm::Tool& tool, const qm::ShapeReport& shape, qm::LengthUnit unit) {
     tool.count("tolerance", shape.largestTolerance);
     if (!shape.valid)
         tool.warn("OpenCASCADE finds faults in the boundary representation. Fit the surfaces with "
-                  "--watertight, or with a smaller tolerance");
+                  "qm-bspline --fit smooth, or with a smaller tolerance");
     else if (shape.largestTolerance * qm::inMillimetres(unit) > 1)
         tool.warn("Patches are more than a millimetre apart, which programs that read the file may find too "
-                  "much. Fit the surfaces with --watertight");
+                  "much. Fit the surfaces with qm-bspline --fit smooth");
 }
 
 } // namespace
@@ -31,10 +31,10 @@ int main(int argc, char** argv) {
             tool.option("unit", options.unit, "the mesh's unit, which STEP and IGES declare");
             tool.option("colour", options.colour, "what colours in PLY and glTF mean");
             tool.explain(
-                "STEP and IGES need the surfaces of qm-bspline; with --watertight or --fit tolerance "
-                "they have no gaps. Faces become one shell, and a solid where the mesh is closed.");
+                "STEP and IGES need the surfaces of qm-bspline, which have no gaps unless they interpolate. "
+                "Faces become one shell, and a solid where the mesh is closed.");
             tool.example("qm-export part.surfaces.json -o part.step");
-            tool.example("qm-bspline --watertight part.layout.json | qm-export --format iges -o part.igs");
+            tool.example("qm-bspline part.layout.json | qm-export --format iges -o part.igs");
             tool.example("qm-export --format ply --colour deviation part.surfaces.json > part.ply");
             tool.verify([&] { options.format = qm::exportFormat(format, tool.outputPath()); });
             return [&tool, &options, stage] {

@@ -2,32 +2,26 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
-#include "bspline/deviation.h"
-#include "bspline/interpolate.h"
-#include "bspline/kink_reduction.h"
-#include "bspline/tolerance.h"
-#include "bspline/watertight.h"
+#include "bspline/fitting/smooth_fit.h"
+#include "bspline/measure/measure.h"
+#include "bspline/network/smooth_network.h"
+#include "bspline/reference/limit_surface.h"
+#include "bspline/splines/bounding_box.h"
+#include "bspline/splines/interpolate.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
-#include <optional>
+#include <cstddef>
+#include <locale>
+#include <sstream>
 #include <utility>
 
 namespace qm {
 namespace {
 
 void requireValid(const FitOptions& options) {
-    if (options.fit == Fit::tolerance &&
-        !(options.tolerance.value > 0 && std::isfinite(options.tolerance.value)))
+    if (options.fit == Fit::smooth && !(options.tolerance.value > 0 && std::isfinite(options.tolerance.value)))
         throw Error("tolerance", "must be a positive number", "Give the largest deviation that is allowed");
-    if (!(options.maxKink >= 0)) throw Error("kink", "must not be negative", "Give an angle in degrees");
-    if (!(options.kinkBudget >= 0 && options.kinkBudget <= 10))
-        throw Error("kink budget", "must be from 0 to 10", "Give a share of interpolation's control points");
     if (!(options.rho >= 0)) throw Error("rho", "must not be negative", "Give an angle in radians");
-    if (options.samplesPerEdge < 1 || options.samplesPerEdge > 100)
-        throw Error("samples per edge", "must be from 1 to 100", "2 is a good choice");
 }
 
 std::vector<Patch> interpolateSegments(const QuadMesh& mesh, const Layout& layout, const Control& control) {
@@ -39,74 +33,10 @@ std::vector<Patch> interpolateSegments(const QuadMesh& mesh, const Layout& layou
     return patches;
 }
 
-std::vector<Patch> interpolatedPatches(const QuadMesh& mesh, const Layout& layout,
-                                       const std::vector<double>& dihedralAngles, const FitOptions& options,
-                                       const Control& control) {
-    if (options.watertight)
-        return interpolateWatertight(mesh, layout, dihedralAngles, options.rho, control.jobs);
-    return interpolateSegments(mesh, layout, control);
-}
-
-Surfaces withDeviation(std::vector<Patch> patches, MeasuredDeviation deviation) {
-    return {std::move(patches), deviation.ofAll, std::move(deviation.ofPatch)};
-}
-
-bool isEmpty(const DeviatingPlaces& places) {
-    return std::ranges::all_of(places, [](const auto& ofPatch) { return ofPatch.empty(); });
-}
-
-/// Fits closer until nothing is beyond the limits. Those of the normals are given up where they cannot be
-/// kept: folded quads have folded patches.
-void keepLimits(ToleranceFit& fit, const DeviationMeter& meter, DeviationLimits limits,
-                const Control& control) {
-    constexpr int enough = 10; // by then the fit is certain of the tolerance
-    constexpr int hopeless = 6;
-    std::vector<bool> only;
-    for (int round = 0; round < enough; ++round) {
-        control.progress(0.5 * round / enough);
-        if (round == hopeless) limits = {limits.farthest};
-        const DeviatingPlaces places = meter.find(fit.patches(), limits, only, control);
-        if (isEmpty(places)) return;
-        only = fit.tighten(places);
-        for (std::size_t k = 0; k < only.size(); ++k)
-            only[k] = only[k] || !places[k].empty();
-    }
-}
-
-std::size_t interpolatedPoints(const Layout& layout) {
-    std::size_t points = 0;
-    for (const Segment& segment : layout.segments)
-        points +=
-            static_cast<std::size_t>(segment.size[0] + 3) * static_cast<std::size_t>(segment.size[1] + 3);
-    return points;
-}
-
-/// How near curves come to the planes in which they should meet, as sines; no patch can mend what they miss.
-/// The first is taken that takes no more than a share of the control points that smooth borders may have.
-constexpr std::array<double, 3> tangencies = {0.02, 0.05, 0.15};
-
-Surfaces fitWithinTolerance(const QuadMesh& mesh, const Layout& layout,
-                            const std::vector<double>& dihedralAngles, const FitOptions& options,
-                            const DeviationMeter& meter, const Control& control) {
-    const double tolerance = options.tolerance.length(meter.diagonal());
-    constexpr double mostBent = 30;   // degrees that a patch may turn away from its quads,
-    constexpr double mostKinked = 45; // and from its neighbour
-    const DeviationLimits limits{tolerance, mostBent, mostKinked};
-    const double most = options.kinkBudget * static_cast<double>(interpolatedPoints(layout));
-    const KinkLimits kinks{options.maxKink, static_cast<std::size_t>(most)};
-    constexpr double forCurves = 0.85;
-    std::optional<ToleranceFit> fit;
-    for (const double tangency : tangencies) {
-        const bool isLast = tangency == tangencies.back();
-        if (!isLast && !(kinks.angle < 180)) continue; // no kink is too large
-        const std::size_t mostPoints =
-            isLast ? std::numeric_limits<std::size_t>::max() : static_cast<std::size_t>(forCurves * most);
-        fit.emplace(mesh, layout, dihedralAngles, options.rho, tolerance, tangency, mostPoints, control.jobs);
-        if (fit->isComplete()) break;
-    }
-    keepLimits(*fit, meter, limits, control);
-    reduceKinks(mesh, layout, *fit, kinks, meter, limits, control);
-    return withDeviation(fit->patches(), meter.measure(fit->patches(), control));
+/// Steps of the reference's lattice along every mesh edge: fewer where edges are short anyway.
+int latticeSteps(const QuadMesh& mesh) {
+    constexpr std::size_t many = 300'000;
+    return mesh.n_faces() > many ? 2 : 4;
 }
 
 } // namespace
@@ -114,17 +44,41 @@ Surfaces fitWithinTolerance(const QuadMesh& mesh, const Layout& layout,
 Surfaces fitSurfaces(const QuadMesh& mesh, const Layout& layout, const std::vector<double>& dihedralAngles,
                      const FitOptions& options, const Control& control) {
     requireValid(options);
-    const DeviationMeter meter(mesh, layout, dihedralAngles, {options.rho, options.samplesPerEdge});
+    const SmoothNetwork network = buildNetwork(mesh, layout, dihedralAngles, options.rho);
+    const auto reference =
+        limitSurface(mesh, layout, network.marks.isCrease, latticeSteps(mesh), control.jobs);
     Surfaces surfaces;
-    if (options.fit == Fit::tolerance) {
-        surfaces = fitWithinTolerance(mesh, layout, dihedralAngles, options, meter, control);
+    if (options.fit == Fit::smooth) {
+        const double tolerance = options.tolerance.length(boundingBoxDiagonal(mesh));
+        // What lies between samples, and the width of the bound that is measured in the end.
+        constexpr double share = 0.96;
+        surfaces.patches = fitSmooth(mesh, layout, network, reference, {.tolerance = share * tolerance}, control);
     } else {
-        auto patches = interpolatedPatches(mesh, layout, dihedralAngles, options, control);
-        auto deviation = meter.measure(patches, control);
-        surfaces = withDeviation(std::move(patches), std::move(deviation));
+        surfaces.patches = interpolateSegments(mesh, layout, control);
     }
+    std::vector<bool> isSmooth = network.marks.isCrease;
+    isSmooth.flip();
+    const Measurement measurement = measureSurfaces(mesh, layout, surfaces.patches, reference, isSmooth, {}, {}, control);
+    surfaces.deviation = measurement.ofAll.deviation;
+    surfaces.farthest = measurement.ofAll.farthest;
+    for (const PatchMeasurement& ofPatch : measurement.ofPatch)
+        surfaces.ofPatch.push_back(ofPatch.deviation);
     control.progress(1);
     return surfaces;
+}
+
+std::string missedTolerance(const Surfaces& surfaces, const FitOptions& options) {
+    const Deviation& deviation = surfaces.deviation;
+    if (options.fit != Fit::smooth || !(deviation.maxRelative > 0)) return {};
+    const double tolerance = options.tolerance.length(deviation.max / deviation.maxRelative);
+    if (deviation.max <= tolerance) return {};
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text.precision(3);
+    text << "the tolerance is missed in patch " << surfaces.farthest.patch << " at u = " << surfaces.farthest.at[0]
+         << ", v = " << surfaces.farthest.at[1] << ": " << deviation.max / tolerance
+         << " times as far from the smooth surface through the vertices. Allow more, or mend the mesh there";
+    return text.str();
 }
 
 } // namespace qm

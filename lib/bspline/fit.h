@@ -1,17 +1,18 @@
-/// \file From a layout to its surfaces: the one call that does everything (docs/METHOD.md#smooth-fit).
+/// \file From a layout to its surfaces: the one call that does everything (docs/METHOD.md#surfaces).
 #pragma once
 
 #include "base/control.h"
-#include "bspline/surfaces.h"
+#include "bspline/splines/surfaces.h"
 #include "layout/layout.h"
 
+#include <string>
 #include <vector>
 
 namespace qm {
 
 enum class Fit {
-    interpolate, ///< through every vertex: (m + 3) x (n + 3) control points for m x n quads
-    tolerance    ///< as few control points as the tolerance allows
+    smooth,     ///< watertight, G1 across smooth borders, with few control points within a tolerance
+    interpolate ///< the paper's: through every vertex, every patch by itself
 };
 
 /// A length as users give it: "0.1%" or "0.05".
@@ -24,29 +25,23 @@ struct Tolerance {
 };
 
 struct FitOptions {
-    Fit fit = Fit::interpolate;
-    /// Largest deviation from the mesh, between its vertices too; used by Fit::tolerance only.
+    Fit fit = Fit::smooth;
+    /// Largest distance from the reference; used by Fit::smooth only.
     Tolerance tolerance;
-    /// Across smooth borders, neighbours' normals should differ by at most so many degrees; used by
-    /// Fit::tolerance only. Patches get control points for that as long as all together have no more than
-    /// this share of interpolation's. What the tolerance itself takes, they have in any case.
-    double maxKink = 1;
-    double kinkBudget = 0.5;
-    /// Neighbouring patches share their borders exactly, across T-joints too, and their tangents wherever the
-    /// border is smooth. Fit::tolerance always does; Fit::interpolate, left without, is the paper's method:
-    /// every patch by itself, with free ends.
-    bool watertight = false;
     /// A border edge is smooth if its dihedral angle is at most this, in radians.
     double rho = 0.45;
-    /// Deviation is measured at a lattice of this many steps along every mesh edge.
-    int samplesPerEdge = 2;
 };
 
-/// One patch for every segment, and how far they are from the mesh. Linear in the mesh.
+/// One patch for every segment, and how far they are from the reference, the smooth surface through the mesh's
+/// vertices, and from the mesh.
 /// \param dihedralAngles  of every edge, in radians, by edge index
 /// \throw Error  if an option is out of range
 [[nodiscard]] Surfaces fitSurfaces(const QuadMesh& mesh, const Layout& layout,
                                    const std::vector<double>& dihedralAngles, const FitOptions& options,
                                    const Control& control = {});
+
+/// Where surfaces are farther from the reference than the tolerance, and by how much, as a sentence; empty if
+/// they keep it, or nobody asked for one.
+[[nodiscard]] std::string missedTolerance(const Surfaces& surfaces, const FitOptions& options);
 
 } // namespace qm

@@ -6,6 +6,7 @@
 #include "check/check_cut.h"
 #include "check/check_enumeration.h"
 #include "check/check_features.h"
+#include "check/check_figures.h"
 #include "check/check_layout.h"
 #include "check/check_surfaces.h"
 #include "check/lines.h"
@@ -85,7 +86,7 @@ private:
         if (document_.enumeration) enumeration(context);
         if (!document_.layout) return;
         if (document_.cut) networks_ = traceLines(around_, {sources.seedSteps, {}, 1});
-        if (layout(context) && document_.layout->divided) surfaces();
+        if (layout(context) && document_.layout->divided) surfaces(context);
     }
 
     void enumeration(const Context& context) {
@@ -106,11 +107,14 @@ private:
                            count(part.segments.size(), "segment", "segments"));
     }
 
-    void surfaces() {
+    void surfaces(const Context& context) {
         if (!document_.surfaces) return;
         const auto& part = *document_.surfaces;
-        section([&] { checkSurfaces(mesh_, around_, *document_.layout, part, report_); },
-                "surfaces: " + count(part.patches.size(), "patch", "patches"));
+        const bool sound = section([&] { checkSurfaces(mesh_, around_, *document_.layout, part, report_); },
+                                   "surfaces: " + count(part.patches.size(), "patch", "patches"));
+        if (sound && part.figures.maxFromFacets)
+            section([&] { checkFigures(context, *document_.layout, part, report_); },
+                    "deviation: no figure is less than what is measured");
     }
 
     const CheckedMesh& mesh_;

@@ -3,6 +3,7 @@
 #include "base/number_text.h"
 #include "check/check_segments.h"
 #include "check/distance.h"
+#include "check/patch_borders.h"
 #include "check/spline.h"
 
 #include <algorithm>
@@ -13,7 +14,6 @@ namespace qm::check {
 namespace {
 
 using Patch = SurfacesPart::Patch;
-using Segment = LayoutPart::Segment;
 
 std::size_t index(int i) {
     return static_cast<std::size_t>(i);
@@ -31,21 +31,12 @@ double boundingBoxDiagonal(const CheckedMesh& mesh) {
     return mesh.quads.empty() ? 0 : distance(low, high);
 }
 
-/// An edge of a segment's border: the parameters of its patch at both ends.
-struct BorderPlace {
-    std::size_t patch = 0;
-    std::array<double, 2> begin{};
-    std::array<double, 2> end{};
-};
-
 class SurfaceCheck {
 public:
     SurfaceCheck(const CheckedMesh& mesh, const Neighbourhoods& around, const LayoutPart& layout,
                  const SurfacesPart& part, Report& report)
         : mesh_(mesh), around_(around), layout_(layout), part_(part), report_(report),
-          diagonal_(boundingBoxDiagonal(mesh)) {
-        tolerance_ = part.tolerance.value_or(HUGE_VAL) * (part.toleranceRelative ? diagonal_ : 1);
-    }
+          diagonal_(boundingBoxDiagonal(mesh)) {}
 
     void run() {
         if (part_.patches.size() != layout_.segments.size()) {
@@ -57,7 +48,6 @@ public:
         for (std::size_t p = 0; p < part_.patches.size(); ++p) {
             const bool thisOne = shape(p);
             if (thisOne && part_.interpolates) interpolation(p);
-            if (thisOne && part_.tolerance) withinTolerance(p);
             sound = sound && thisOne;
         }
         if (sound && part_.watertight) gaps();
@@ -140,66 +130,9 @@ private:
         }
     }
 
-    /// At the corners, the middles of the sides and the centre of every face.
-    void withinTolerance(std::size_t p) {
-        const Patch& patch = part_.patches[p];
-        const auto vertices = grid(p);
-        const int columns = layout_.segments[p].size[0];
-        const double limit = tolerance_ * (1 + 1e-6) + 1e-12 * diagonal_;
-        for (std::size_t f = 0; f < layout_.segments[p].faces.size(); ++f) {
-            const int face = layout_.segments[p].faces[f];
-            const int column = static_cast<int>(f) % columns;
-            const int row = static_cast<int>(f) / columns;
-            const Face cell{face, turnsTo(face, vertices[index(row) * index(columns + 1) + index(column)])};
-            for (const double s : {0.0, 0.5, 1.0})
-                for (const double t : {0.0, 0.5, 1.0}) {
-                    // The other faces of the row and the rows above have the rest.
-                    if ((s == 1 && column + 1 < columns) || (t == 1 && row + 1 < layout_.segments[p].size[1]))
-                        continue;
-                    const double error = deviation(patch, cell, {column + s, row + t}, s, t, limit);
-                    if (error <= limit) continue;
-                    report_.violate(pointer(p), "tolerance",
-                                    "at face " + std::to_string(face) + " it is " + numberText(error) +
-                                        " from the mesh; the tolerance is " + numberText(tolerance_));
-                    return;
-                }
-        }
-    }
-
-    struct Face {
-        int face;
-        int turns; ///< quarters from the face's first vertex to the grid's
-    };
-
-    [[nodiscard]] int turnsTo(int face, int vertex) const {
-        const auto& quad = mesh_.quads[index(face)];
-        return static_cast<int>(std::find(quad.begin(), quad.end(), vertex) - quad.begin());
-    }
-
-    /// Distance from surface to mesh and from mesh to surface, whichever is larger; found exactly only where
-    /// the distance at equal parameters, which is cheap and never smaller, is above the limit.
-    [[nodiscard]] double deviation(const Patch& patch, const Face& cell,
-                                   const std::array<double, 2>& parameters, double s, double t,
-                                   double limit) const {
-        for (int i = 0; i < cell.turns; ++i) {
-            const double turned = 1 - t;
-            t = s;
-            s = turned;
-        }
-        const Place onMesh = pointOf(mesh_, cell.face, s, t);
-        const Place onSurface = evaluate(patch, parameters[0], parameters[1]).point;
-        const double plain = distance(onMesh, onSurface);
-        if (plain <= limit) return plain;
-        return std::max(distanceToMesh(mesh_, around_, cell.face, onSurface),
-                        distanceToPatch(patch, parameters, onMesh));
-    }
-
     /// Neighbours have the same points along every edge of their common border.
     void gaps() {
-        std::vector<std::vector<BorderPlace>> places(index(around_.edges()));
-        for (std::size_t p = 0; p < part_.patches.size(); ++p)
-            addBorder(layout_.segments[p], p, places);
-        for (const auto& place : places) {
+        for (const auto& place : patchBorders(around_, layout_)) {
             if (place.size() < 2) continue;
             for (const double along : {0.0, 0.25, 0.5, 0.75, 1.0}) {
                 const double gap = distance(pointAt(place[0], along), pointAt(place[1], 1 - along));
@@ -210,22 +143,6 @@ private:
                 break;
             }
         }
-    }
-
-    void addBorder(const Segment& segment, std::size_t patch, std::vector<std::vector<BorderPlace>>& places) {
-        const double a = segment.size[0];
-        const double b = segment.size[1];
-        const std::array<std::array<double, 2>, 4> corners{{{0, 0}, {a, 0}, {a, b}, {0, b}}};
-        const std::array<std::array<double, 2>, 4> ways{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
-        for (std::size_t k = 0; k < 4; ++k)
-            for (std::size_t i = 1; i < segment.sides[k].size(); ++i) {
-                const int step = around_.stepBetween(segment.sides[k][i - 1], segment.sides[k][i]);
-                const auto parameters = [&](std::size_t n) {
-                    return std::array<double, 2>{corners[k][0] + ways[k][0] * static_cast<double>(n),
-                                                 corners[k][1] + ways[k][1] * static_cast<double>(n)};
-                };
-                places[index(around_.edge(step))].push_back({patch, parameters(i - 1), parameters(i)});
-            }
     }
 
     [[nodiscard]] Place pointAt(const BorderPlace& place, double along) const {
@@ -240,7 +157,6 @@ private:
     const SurfacesPart& part_;
     Report& report_;
     double diagonal_;
-    double tolerance_; ///< in the mesh's unit
 };
 
 } // namespace

@@ -10,8 +10,7 @@ namespace qm::check {
 
 /// One patch per segment, in their order, with sound knots whose domain is the segment's grid, and finite
 /// control points. An interpolating fit passes through every vertex within 1e-9 of the bounding box's
-/// diagonal. A fit within a tolerance keeps it, both ways, at a lattice of half edges. Watertight neighbours
-/// agree along their borders.
+/// diagonal. Neighbours of a smooth fit agree along their borders within the same.
 ///
 /// \param layout  must have passed its own check
 void checkSurfaces(const CheckedMesh& mesh, const Neighbourhoods& around, const LayoutPart& layout,

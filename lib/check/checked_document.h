@@ -110,6 +110,15 @@ struct LayoutPart {
 };
 
 struct SurfacesPart {
+    /// Figures that must not be less than what is found.
+    struct Figures {
+        std::optional<double> maxFromFacets;
+        std::optional<double> maxFromVertices;
+        std::optional<double> largestGap;
+        std::optional<double> largestNormalAngle;
+        std::optional<double> largestInnerNormalAngle;
+        std::optional<double> folds;
+    };
     /// Control point (i, j), i along u, is controlPoints[j * count[0] + i].
     struct Patch {
         int segment = -1;
@@ -118,12 +127,13 @@ struct SurfacesPart {
         std::array<int, 2> count{};
         std::vector<std::array<double, 3>> controlPoints;
         bool rectangular = true; ///< all rows of control points have `count[0]`
+        Figures figures = {};
     };
     /// What was promised of the fit; nothing is checked that is not known.
     bool interpolates = false;
-    std::optional<double> tolerance;
-    bool toleranceRelative = true; ///< to the diagonal of the bounding box
     bool watertight = false;
+    std::optional<double> rho; ///< a border edge is smooth up to this dihedral angle
+    Figures figures = {};      ///< of all patches
     std::vector<Patch> patches;
 };
 

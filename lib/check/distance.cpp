@@ -64,16 +64,9 @@ double nearest(const Surface& surface, Parameters at, const Parameters& max, con
 }
 
 double distanceToFace(const CheckedMesh& mesh, int face, const Place& point) {
-    const auto surface = [&](const Parameters& at) {
-        const Place begin = pointOf(mesh, face, 0, at[1]);
-        const Place end = pointOf(mesh, face, 1, at[1]);
-        const Place low = pointOf(mesh, face, at[0], 0);
-        const Place high = pointOf(mesh, face, at[0], 1);
-        return SurfacePoint{pointOf(mesh, face, at[0], at[1]), minus(end, begin), minus(high, low)};
-    };
     double min = HUGE_VAL;
     for (const Parameters& start : {Parameters{0.5, 0.5}, {0, 0}, {1, 0}, {1, 1}, {0, 1}})
-        min = std::min(min, nearest(surface, start, {1, 1}, point));
+        min = std::min(min, check::distanceToFace(mesh, face, start, point));
     return min;
 }
 
@@ -92,6 +85,17 @@ Place pointOf(const CheckedMesh& mesh, int face, double s, double t) {
         for (std::size_t k = 0; k < 3; ++k)
             sum[k] += weight[i] * mesh.points[static_cast<std::size_t>(quad[i])][k];
     return sum;
+}
+
+double distanceToFace(const CheckedMesh& mesh, int face, Parameters start, const Place& point) {
+    const auto surface = [&](const Parameters& at) {
+        const Place begin = pointOf(mesh, face, 0, at[1]);
+        const Place end = pointOf(mesh, face, 1, at[1]);
+        const Place low = pointOf(mesh, face, at[0], 0);
+        const Place high = pointOf(mesh, face, at[0], 1);
+        return SurfacePoint{pointOf(mesh, face, at[0], at[1]), minus(end, begin), minus(high, low)};
+    };
+    return nearest(surface, start, {1, 1}, point);
 }
 
 double distanceToMesh(const CheckedMesh& mesh, const Neighbourhoods& around, int face, const Place& point) {

@@ -13,6 +13,11 @@ using Place = std::array<double, 3>;
 /// The point of a bilinear quad at s along its first side and t along its last, both 0 to 1.
 [[nodiscard]] Place pointOf(const CheckedMesh& mesh, int face, double s, double t);
 
+/// From a point to a bilinear quad, by Gauss and Newton's iteration from s and t. Never less than the true
+/// distance.
+[[nodiscard]] double distanceToFace(const CheckedMesh& mesh, int face, std::array<double, 2> start,
+                                    const Place& point);
+
 /// From a point to the mesh, walking from `face` to neighbouring faces as long as they are nearer. Never less
 /// than the true distance.
 [[nodiscard]] double distanceToMesh(const CheckedMesh& mesh, const Neighbourhoods& around, int face,

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <locale>
-#include <sstream>
 
 namespace qm::check {
 
@@ -183,6 +181,15 @@ LayoutPart readLayout(const Json& section) {
     return part;
 }
 
+SurfacesPart::Figures readFigures(const Json& deviation) {
+    return {number(member(deviation, "maxFromFacets")),
+            number(member(deviation, "maxFromVertices")),
+            number(member(deviation, "largestGap")),
+            number(member(deviation, "largestNormalAngle")),
+            number(member(deviation, "largestInnerNormalAngle")),
+            number(member(deviation, "folds"))};
+}
+
 SurfacesPart::Patch readPatch(const Json& patch) {
     SurfacesPart::Patch part;
     part.segment = whole(member(patch, "segment"));
@@ -199,6 +206,7 @@ SurfacesPart::Patch readPatch(const Json& patch) {
             part.controlPoints.push_back({numberOrNan(element(point, 0)), numberOrNan(element(point, 1)),
                                           numberOrNan(element(point, 2))});
     }
+    part.figures = readFigures(member(patch, "deviation"));
     return part;
 }
 
@@ -212,27 +220,13 @@ const Json& optionsOf(const Json& root, const char* tool) {
 }
 
 /// A number is a length, a text such as "0.1%" a share of the diagonal.
-void readTolerance(const Json& value, SurfacesPart& part) {
-    part.toleranceRelative = value.is_string();
-    if (!part.toleranceRelative) {
-        part.tolerance = number(value);
-        return;
-    }
-    double percent = 0;
-    std::istringstream stream(text(value).value_or(""));
-    stream.imbue(std::locale::classic());
-    if (stream >> percent) part.tolerance = percent / 100;
-}
-
 SurfacesPart readSurfaces(const Json& section, const Json& options) {
     SurfacesPart part;
     part.patches = all<SurfacesPart::Patch>(member(section, "patches"), readPatch);
+    part.figures = readFigures(member(section, "deviation"));
+    part.rho = number(member(options, "rho"));
     part.interpolates = text(member(options, "fit")) == "interpolate";
-    if (text(member(options, "fit")) == "tolerance") {
-        readTolerance(member(options, "tolerance"), part);
-        part.watertight = true;
-    }
-    part.watertight = part.watertight || isTrue(member(options, "watertight"));
+    part.watertight = text(member(options, "fit")) == "smooth";
     return part;
 }
 

@@ -70,4 +70,39 @@ SurfacePoint evaluate(const SurfacesPart::Patch& patch, double u, double v) {
     return result;
 }
 
+std::vector<SurfacePoint> evaluateLattice(const SurfacesPart::Patch& patch, const std::vector<double>& us,
+                                          const std::vector<double>& vs) {
+    const auto columns = static_cast<std::size_t>(patch.count[0]);
+    std::vector<Basis> across;
+    for (const double u : us)
+        across.push_back(basisAt(patch.knots[0], static_cast<std::size_t>(patch.degree[0]), u));
+    std::vector<SurfacePoint> points(us.size() * vs.size());
+    std::vector<std::array<double, 3>> row;
+    std::vector<std::array<double, 3>> slopes;
+    auto* result = points.data();
+    for (const double v : vs) {
+        // Control points of the curve v = const, and of its derivative by v.
+        const Basis up = basisAt(patch.knots[1], static_cast<std::size_t>(patch.degree[1]), v);
+        row.assign(columns, {});
+        slopes.assign(columns, {});
+        for (std::size_t j = 0; j < up.count; ++j)
+            for (std::size_t i = 0; i < columns; ++i)
+                for (std::size_t k = 0; k < 3; ++k) {
+                    const double coordinate = patch.controlPoints[(up.first + j) * columns + i][k];
+                    row[i][k] += up.value[j] * coordinate;
+                    slopes[i][k] += up.slope[j] * coordinate;
+                }
+        for (const Basis& basis : across) {
+            for (std::size_t i = 0; i < basis.count; ++i)
+                for (std::size_t k = 0; k < 3; ++k) {
+                    result->point[k] += basis.value[i] * row[basis.first + i][k];
+                    result->alongU[k] += basis.slope[i] * row[basis.first + i][k];
+                    result->alongV[k] += basis.value[i] * slopes[basis.first + i][k];
+                }
+            ++result;
+        }
+    }
+    return points;
+}
+
 } // namespace qm::check

@@ -4,6 +4,7 @@
 #include "check/checked_document.h"
 
 #include <array>
+#include <vector>
 
 namespace qm::check {
 
@@ -20,5 +21,10 @@ struct SurfacePoint {
 /// degree + 1 in each direction
 /// \param u, v   taken to the nearest end of the domain, knots [degree] to [count], where they are outside
 [[nodiscard]] SurfacePoint evaluate(const SurfacesPart::Patch& patch, double u, double v);
+
+/// The points (us[i], vs[j]), at j * us.size() + i, which costs a fraction of asking for each.
+[[nodiscard]] std::vector<SurfacePoint> evaluateLattice(const SurfacesPart::Patch& patch,
+                                                        const std::vector<double>& us,
+                                                        const std::vector<double>& vs);
 
 } // namespace qm::check

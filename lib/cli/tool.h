@@ -39,7 +39,7 @@ enum ExitStatus : int {
     exitDone = 0,
     exitFailure = 1, ///< bad input, or anything that went wrong
     exitUsage = 2,   ///< bad command line
-    exitUnmet = 3    ///< only on request: --require-complete, --require-optimal
+    exitUnmet = 3    ///< written, but not what was asked for: a tolerance, --require-complete, --require-optimal
 };
 
 using ToolBody = std::function<int()>;

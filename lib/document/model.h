@@ -2,7 +2,7 @@
 #pragma once
 
 #include "basecomplex/base_complex.h"
-#include "bspline/surfaces.h"
+#include "bspline/splines/surfaces.h"
 #include "cut/cut.h"
 #include "document/document.h"
 #include "document/enumeration_section.h"

@@ -48,8 +48,9 @@ template <> struct Choices<GraphClass> {
 
 template <> struct Choices<Fit> {
     static constexpr std::array all{
-        Choice<Fit>{Fit::interpolate, "interpolate", "through every vertex"},
-        Choice<Fit>{Fit::tolerance, "tolerance", "as few control points as the tolerance allows"}};
+        Choice<Fit>{Fit::smooth, "smooth",
+                    "watertight, smooth across all borders that are no creases, within the tolerance"},
+        Choice<Fit>{Fit::interpolate, "interpolate", "the paper's: through every vertex, every patch by itself"}};
 };
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -128,21 +129,10 @@ template <class Visitor> void describe(PruneOptions& options, Visitor&& option) 
 template <class Visitor> void describe(FitOptions& options, Visitor&& option) {
     option("fit", options.fit, Range{}, "how surfaces follow the mesh");
     option("tolerance", options.tolerance, Range{},
-           "with --fit tolerance: the largest deviation from the mesh, in its unit, or with % as a share of "
-           "the bounding box's diagonal");
-    option(
-        "max-kink", options.maxKink, Range{0, 180},
-        "with --fit tolerance: neighbours are turned towards one another where their normals differ by more "
-        "than this across a smooth border, degrees");
-    option("kink-budget", options.kinkBudget, Range{0, 10},
-           "patches get control points for that as long as all together have no more than this share of "
-           "interpolation's");
-    option("watertight", options.watertight, Range{},
-           "let neighbouring patches share their borders exactly; --fit tolerance always does");
+           "with --fit smooth: the largest distance from the smooth surface through the mesh's vertices, in the "
+           "mesh's unit, or with % as a share of the bounding box's diagonal");
     option("rho", options.rho, Range{0, std::numbers::pi},
            "a border edge is smooth up to this dihedral angle, radians");
-    option("samples-per-edge", options.samplesPerEdge, Range{1, 100},
-           "steps along every mesh edge at which deviation is measured");
 }
 
 } // namespace qm

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <type_traits>
 
 namespace qm {
 
@@ -16,16 +17,25 @@ template <class DeviationType, class Visitor> void visitFigures(DeviationType& d
     figure("maxRelative", deviation.maxRelative);
     figure("rmsRelative", deviation.rmsRelative);
     figure("percentile95Relative", deviation.percentile95Relative);
+    figure("maxFromFacets", deviation.maxFromFacets);
+    figure("rmsFromFacets", deviation.rmsFromFacets);
+    figure("maxFromVertices", deviation.maxFromVertices);
+    figure("rmsFromVertices", deviation.rmsFromVertices);
     figure("largestGap", deviation.largestGap);
     figure("largestGapRelative", deviation.largestGapRelative);
-    figure("largestKink", deviation.largestKink);
-    figure("rmsKink", deviation.rmsKink);
+    figure("largestNormalAngle", deviation.largestNormalAngle);
+    figure("rmsNormalAngle", deviation.rmsNormalAngle);
+    figure("percentile95NormalAngle", deviation.percentile95NormalAngle);
+    figure("largestInnerNormalAngle", deviation.largestInnerNormalAngle);
     figure("largestNormalDeviation", deviation.largestNormalDeviation);
+    figure("rmsNormalDeviation", deviation.rmsNormalDeviation);
+    figure("bendingRatio", deviation.bendingRatio);
+    figure("folds", deviation.folds);
 }
 
 Json deviationToJson(const Deviation& deviation) {
     Json json = Json::object();
-    visitFigures(deviation, [&json](const char* key, double value) { json[key] = value; });
+    visitFigures(deviation, [&json](const char* key, auto value) { json[key] = value; });
     return json;
 }
 
@@ -63,8 +73,13 @@ constexpr int maxDegree = 9;
 
 Deviation readDeviation(const JsonPlace& place) {
     Deviation deviation;
-    visitFigures(deviation, [&place](const char* key, double& value) {
-        if (const auto figure = place.find(key)) value = figure->number();
+    visitFigures(deviation, [&place]<class Value>(const char* key, Value& value) {
+        const auto figure = place.find(key);
+        if (!figure) return;
+        if constexpr (std::is_same_v<Value, double>)
+            value = figure->number();
+        else
+            value = static_cast<Value>(figure->whole());
     });
     return deviation;
 }

@@ -1,7 +1,7 @@
 /// \file The section `surfaces`.
 #pragma once
 
-#include "bspline/surfaces.h"
+#include "bspline/splines/surfaces.h"
 #include "document/json_place.h"
 
 namespace qm {

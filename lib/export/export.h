@@ -1,7 +1,7 @@
 /// \file Layouts and surfaces as files for other programs.
 #pragma once
 
-#include "bspline/surfaces.h"
+#include "bspline/splines/surfaces.h"
 #include "layout/layout.h"
 
 #include <cstddef>

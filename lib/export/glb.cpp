@@ -1,5 +1,5 @@
 #include "base/error.h"
-#include "bspline/evaluate.h"
+#include "bspline/splines/evaluate.h"
 #include "export/bytes.h"
 #include "export/quads.h"
 

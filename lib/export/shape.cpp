@@ -1,8 +1,8 @@
 #include "export/shape.h"
 
 #include "base/error.h"
-#include "bspline/basis.h"
-#include "bspline/clamped_patch.h"
+#include "bspline/splines/basis.h"
+#include "bspline/splines/clamped_patch.h"
 #include "export/shared_edges.h"
 
 #include <BRepCheck_Analyzer.hxx>

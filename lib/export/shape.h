@@ -1,7 +1,7 @@
 /// \file Surfaces as a boundary representation: OpenCASCADE faces that share their edges.
 #pragma once
 
-#include "bspline/surfaces.h"
+#include "bspline/splines/surfaces.h"
 #include "export/export.h"
 #include "layout/layout.h"
 

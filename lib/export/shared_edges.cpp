@@ -1,6 +1,6 @@
 #include "export/shared_edges.h"
 
-#include "bspline/evaluate.h"
+#include "bspline/splines/evaluate.h"
 
 #include <algorithm>
 #include <numeric>

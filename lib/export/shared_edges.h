@@ -1,8 +1,8 @@
 /// \file The edges that the patches of a layout share: its topology, without any library of solids.
 #pragma once
 
-#include "bspline/borders.h"
-#include "bspline/surfaces.h"
+#include "bspline/network/borders.h"
+#include "bspline/splines/surfaces.h"
 #include "layout/layout.h"
 
 #include <array>

@@ -45,7 +45,7 @@ void addFigures(Scene& scene, const Viewed& viewed) {
         add("largest deviation", deviation.max);
         add("deviation, root mean square", deviation.rms);
         add("largest gap", deviation.largestGap);
-        add("largest kink, degrees", deviation.largestKink);
+        add("largest angle between normals, degrees", deviation.largestNormalAngle);
     }
 }
 

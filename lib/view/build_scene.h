@@ -2,7 +2,7 @@
 #pragma once
 
 #include "basecomplex/base_complex.h"
-#include "bspline/surfaces.h"
+#include "bspline/splines/surfaces.h"
 #include "cut/cut.h"
 #include "enumerate/enumeration.h"
 #include "features/features.h"

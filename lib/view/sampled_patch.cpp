@@ -1,7 +1,7 @@
 #include "view/sampled_patch.h"
 
 #include "base/parallel.h"
-#include "bspline/mesh_distance.h"
+#include "bspline/measure/mesh_distance.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 /// \file Patches sampled for the eye.
 #pragma once
 
-#include "bspline/evaluate.h"
+#include "bspline/splines/evaluate.h"
 #include "layout/layout.h"
 
 #include <cstddef>

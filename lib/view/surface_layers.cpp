@@ -1,6 +1,6 @@
 #include "base/parallel.h"
-#include "bspline/evaluate.h"
-#include "bspline/mesh_distance.h"
+#include "bspline/splines/evaluate.h"
+#include "bspline/measure/mesh_distance.h"
 #include "view/items.h"
 #include "view/layers.h"
 #include "view/sampled_patch.h"
@@ -21,7 +21,7 @@ void addDeviationFigures(Items& items, const Deviation& deviation) {
     addFigure(items, "largest deviation", deviation.max);
     addFigure(items, "deviation, root mean square", deviation.rms);
     addFigure(items, "largest gap", deviation.largestGap);
-    addFigure(items, "largest kink, degrees", deviation.largestKink);
+    addFigure(items, "largest angle between normals, degrees", deviation.largestNormalAngle);
 }
 
 /// Appends a patch's samples to the shell.

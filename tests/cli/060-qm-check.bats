@@ -132,6 +132,8 @@ untrue() {
     untrue /surfaces/patches/0/knots/0/2 knots
     spoilt '.surfaces.patches |= .[1:]' surfaces
     untrue /surfaces/patches 'one patch per segment'
+    spoilt '.surfaces.patches[0].deviation.maxFromFacets *= 0.9' surfaces
+    untrue /surfaces/patches/0/deviation/maxFromFacets deviation
 }
 
 @test "history" {

@@ -10,9 +10,9 @@ setup_file() {
 fit() { quietly qm-bspline "${@:2}" "$(stage pruned "$1")" -o out.json; }
 is() { assert_equal "$(field "$1" out.json)" true; }
 
-@test "one patch per segment, with as many control points as interpolation needs" {
+@test "interpolation: one patch per segment, with as many control points as it needs" {
     for model in block plate torus; do
-        fit "$model"
+        fit "$model" --fit interpolate
         is '[.surfaces.patches[].segment] == [.layout.segments[].id]'
         # An a x b grid has a + 1 by b + 1 vertices, and two more control points each way.
         is '[.layout.segments[].size | [.[0] + 3, .[1] + 3]]
@@ -34,49 +34,40 @@ is() { assert_equal "$(field "$1" out.json)" true; }
     is '.surfaces.deviation.maxRelative < 1e-6'
 }
 
-@test "shared borders leave no gaps" {
-    fit block --watertight
-    is '.surfaces.deviation.largestGap <= 1e-9'
-    quietly qm-check out.json
+@test "smooth borders are smooth, and there are no gaps" {
+    for model in block torus ball; do
+        fit "$model"
+        is '.surfaces.deviation | .largestGapRelative <= 1e-12 and .largestNormalAngle <= 1e-6 and .folds == 0'
+        quietly qm-check out.json -o verdict
+    done
 }
 
 @test "a tolerance is kept, and a looser one takes no more control points" {
-    control_points() { field '[.surfaces.patches[].controlPoints[] | length] | add' out.json; }
-    fit block --fit tolerance --tolerance 0.2%
-    is '.surfaces.deviation.maxRelative <= 0.002'
+    control_points() { field '[.surfaces.patches[].controlPoints | length * (.[0] | length)] | add' out.json; }
+    fit block --tolerance 0.1%
+    is '.surfaces.deviation.maxRelative <= 0.001'
     quietly qm-check out.json -o verdict
     strict=$(control_points)
-    fit block --fit tolerance --tolerance 2%
-    is '.surfaces.deviation.maxRelative <= 0.02'
+    fit block --tolerance 1%
+    is '.surfaces.deviation.maxRelative <= 0.01'
     assert [ "$(control_points)" -le "$strict" ]
 }
 
-@test "neighbours meet more smoothly, for as many control points as the budget allows" {
-    control_points() { field '[.surfaces.patches[].controlPoints[] | length] | add' out.json; }
-    model=torus
-    fit "$model" --fit tolerance --tolerance 0.5% --max-kink 180
-    rough=$(field .surfaces.deviation.rmsKink out.json)
-    fewest=$(control_points)
-    fit "$model" --fit tolerance --tolerance 0.5% --max-kink 0.5 --kink-budget 0
-    assert [ "$(control_points)" -le "$fewest" ]
-    fit "$model" --fit tolerance --tolerance 0.5% --max-kink 0.5 --kink-budget 2
-    assert [ "$(control_points)" -gt "$fewest" ]
-    is ".surfaces.deviation.rmsKink < 0.7 * $rough and .surfaces.deviation.maxRelative <= 0.005"
-    is '.history[-1].options | .maxKink == 0.5 and .kinkBudget == 2'
-    quietly qm-check out.json -o verdict
+@test "a tolerance is a length, or with % a share of the diagonal; the document says which" {
+    fit block --tolerance 0.1%
+    is '.history[-1].options.tolerance == "0.1%"'
+    fit block --tolerance 0.05
+    is '.history[-1].options.tolerance == 0.05 and .surfaces.deviation.max <= 0.05'
 }
 
-@test "a tolerance is a length, or with % a share of the diagonal; the document says which" {
-    fit block --fit tolerance --tolerance 0.1%
-    is '.history[-1].options.tolerance == "0.1%"'
-    fit block --fit tolerance --tolerance 0.05
-    is '.history[-1].options.tolerance == 0.05 and .surfaces.deviation.max <= 0.05'
+@test "a tolerance that cannot be kept is told with its place, and the exit status" {
+    run -3 --separate-stderr qm-bspline --tolerance 1e-12 "$(stage pruned bracket)" -o out.json
+    assert_regex "$stderr" 'tolerance is missed in patch [0-9]+ at u = .*times as far'
     quietly qm-check out.json -o verdict
 }
 
 @test "options out of range" {
-    for options in '--fit loosely' '--tolerance -1' '--tolerance x' '--tolerance 0%' '--tolerance 1%%' '--rho 4' '--samples-per-edge 0' \
-        '--max-kink -1' '--max-kink 181' '--kink-budget -1' '--kink-budget x'; do
+    for options in '--fit loosely' '--tolerance -1' '--tolerance x' '--tolerance 0%' '--tolerance 1%%' '--rho 4'; do
         # shellcheck disable=SC2086  # a list of words
         misused qm-bspline $options "$(stage pruned block)"
     done

@@ -1,11 +1,7 @@
-#include "bspline/basis.h"
-#include "bspline/evaluate.h"
-#include "bspline/patch_equations.h"
-#include "bspline/patch_frame.h"
-#include "bspline/profile_factor.h"
-#include "bspline/spline_curve.h"
+#include "bspline/splines/basis.h"
+#include "bspline/splines/evaluate.h"
+#include "bspline/splines/spline_curve.h"
 
-#include <Eigen/Core>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -122,48 +118,6 @@ TEST(Evaluate, AgreesOnALattice) {
         }
 }
 
-/// Terms of every kind, for patches that are wide, high, and of lower degree.
-TEST(PatchEquations, SolveALatticeAsPointByPoint) {
-    const std::vector<double> longer = {0, 0, 0, 0, 1, 1.5, 2, 2, 3, 5, 6, 6, 6, 6};
-    const std::vector<double> shorter = {0, 0, 0, 0, 1, 2, 2, 2, 2};
-    const std::vector<double> quadratic = {0, 0, 0, 3, 3, 3};
-    for (const auto& [knotsU, knotsV] : {std::pair(longer, shorter), std::pair(shorter, longer),
-                                         std::pair(quadratic, longer), std::pair(longer, quadratic)}) {
-        Patch frame = emptyPatch(knotsU, knotsV);
-        double at = 0;
-        for (Point& point : frame.controlPoints) { // the inner ones do not count
-            at += 1;
-            point = {std::sin(3 * at), std::cos(5 * at), std::sin(7 * at)};
-        }
-        std::array<std::vector<BasisValues>, 2> tables;
-        for (std::size_t d = 0; d < 2; ++d) {
-            std::vector<double> parameters;
-            for (double t = 0; t <= frame.knots[d].back(); t += 0.25)
-                parameters.push_back(t);
-            tables[d] = basisTable(frame.knots[d], frame.degree[d], parameters);
-        }
-        PatchEquations points(frame);
-        PatchEquations lattice(frame);
-        std::vector<double> weights;
-        std::vector<Eigen::Matrix3d> metrics;
-        std::vector<Point> targets;
-        for (const BasisValues& v : tables[1])
-            for (const BasisValues& u : tables[0]) {
-                const auto k = static_cast<double>(weights.size());
-                const Eigen::Vector3d normal(std::sin(k), 1, std::cos(k));
-                weights.push_back(1 + 0.5 * std::sin(k));
-                metrics.emplace_back(0.1 * Eigen::Matrix3d::Identity() + normal * normal.transpose());
-                targets.emplace_back(std::cos(0.3 * k), std::sin(0.1 * k), 0.01 * k);
-                points.add(valueWeights(u), valueWeights(v), weights.back() * metrics.back(), targets.back());
-            }
-        lattice.addLattice(tables[0], tables[1], weights, metrics, targets);
-        const Patch expected = points.solve();
-        const Patch found = lattice.solve();
-        for (std::size_t k = 0; k < expected.controlPoints.size(); ++k)
-            EXPECT_LT((found.controlPoints[k] - expected.controlPoints[k]).norm(), 1e-10);
-    }
-}
-
 TEST(Evaluate, NormalsPointToTheSideOfTheFaces) {
     EXPECT_EQ(unitNormal({2, 0, 0}, {1, 3, 0}), Point(0, 0, 1));
     EXPECT_EQ(unitNormal({2, 0, 0}, {4, 0, 0}), Point(0, 0, 0)) << "degenerate";
@@ -172,27 +126,10 @@ TEST(Evaluate, NormalsPointToTheSideOfTheFaces) {
     EXPECT_EQ(angleInDegrees({0, 0, 1}, {0, 0, 0}), 0);
 }
 
-const std::vector<Point> bends = {{0, 0, 0}, {1, 2, 0}, {2, 1, 1}, {4, 0, 3}, {5, 5, 1}, {7, 4, 0}};
-
-TEST(SplineCurve, InterpolatesWithTheSlopesAtItsEnds) {
-    const SplineCurve curve = interpolateClamped(bends, {1, 1, 0}, {0, 2, 0});
-    ASSERT_EQ(curve.points.size(), 8U);
-    ASSERT_EQ(curve.knots.size(), 12U);
-    EXPECT_EQ(curve.length(), 5);
-    for (std::size_t k = 0; k < bends.size(); ++k)
-        EXPECT_LT((evaluate(curve, static_cast<double>(k)) - bends[k]).norm(), 1e-14);
-    EXPECT_LT((3.0 * (curve.points[1] - curve.points[0]) - Point(1, 1, 0)).norm(), 1e-14);
-    EXPECT_LT((3.0 * (curve.points[7] - curve.points[6]) - Point(0, 2, 0)).norm(), 1e-14);
-}
-
-TEST(SplineCurve, InterpolatesTwoPoints) {
-    const SplineCurve curve =
-        interpolateClamped(std::vector<Point>{{0, 0, 0}, {3, 0, 0}}, {3, 0, 0}, {3, 0, 0});
-    EXPECT_LT((evaluate(curve, 0.25) - Point(0.75, 0, 0)).norm(), 1e-15);
-}
-
 TEST(SplineCurve, IsTheSameAfterRestrictionReversalAndRefinement) {
-    const SplineCurve curve = interpolateClamped(bends, {1, 1, 0}, {0, 2, 0});
+    const SplineCurve curve{
+        {0, 0, 0, 0, 1, 2, 3, 4, 5, 5, 5, 5},
+        {{0, 0, 0}, {1, 2, 0}, {2, 1, 1}, {4, 0, 3}, {5, 5, 1}, {7, 4, 0}, {8, 2, 2}, {9, 3, 1}}};
     const SplineCurve part = restricted(curve, 1, 4);
     EXPECT_EQ(part.length(), 3);
     EXPECT_EQ(part.points.size(), 6U);
@@ -222,46 +159,6 @@ TEST(SplineCurve, IsTheSameInALowerDegree) {
     EXPECT_LT((evaluate(line, 0.5) - 0.25 * points[2]).norm(), 1e-14);
     EXPECT_LT((lowered(line, 2)[1] - 0.5 * points[2]).norm(), 1e-14);
     EXPECT_EQ(restricted(parabola, 1, 2).degree, 2);
-    const std::vector<SplineCurve> both = {line, line};
-    EXPECT_EQ(joined(both).degree, 3);
-}
-
-TEST(ProfileFactor, SolvesQuasiDefiniteSystems) {
-    // Two unknowns with an equation between them, then a third unknown.
-    ProfileFactor matrix({0, 0, 0, 2});
-    matrix.at(0, 0) = 2;
-    matrix.at(1, 0) = 1;
-    matrix.at(1, 1) = 3;
-    matrix.at(2, 0) = 1;
-    matrix.at(2, 1) = -1;
-    matrix.at(2, 2) = -0.5;
-    matrix.at(3, 2) = 4;
-    matrix.at(3, 3) = 1;
-    Eigen::Matrix4d full;
-    full << 2, 1, 1, 0, 1, 3, -1, 0, 1, -1, -0.5, 4, 0, 0, 4, 1;
-    const Eigen::Vector4d solution(1, -2, 0.5, 3);
-    matrix.factorise();
-    EXPECT_LT((matrix.solve(full * solution) - solution).norm(), 1e-13);
-}
-
-TEST(SplineCurve, JoinsWithACorner) {
-    const SplineCurve first =
-        interpolateClamped(std::vector<Point>(bends.begin(), bends.begin() + 3), {1, 1, 0}, {5, 0, 0});
-    const SplineCurve second =
-        interpolateClamped(std::vector<Point>(bends.begin() + 2, bends.end()), {0, 0, 5}, {0, 2, 0});
-    const std::vector<SplineCurve> parts = {first, second};
-    const SplineCurve whole = joined(parts);
-    EXPECT_EQ(whole.knots.size(), whole.points.size() + 4);
-    EXPECT_EQ(std::count(whole.knots.begin(), whole.knots.end(), 2.0), 3);
-    for (double t = 0; t <= 5; t += 0.125)
-        EXPECT_LT((evaluate(whole, t) - (t < 2 ? evaluate(first, t) : evaluate(second, t - 2))).norm(),
-                  1e-14);
-}
-
-TEST(SplineCurve, CommonKnotsKeepTheHigherMultiplicity) {
-    const std::vector<double> a = {0, 0, 1, 2, 2, 2, 3};
-    const std::vector<double> b = {0, 1, 1, 2, 2.5, 3, 3};
-    EXPECT_EQ(commonKnots(a, b), (std::vector<double>{0, 0, 1, 1, 2, 2, 2, 2.5, 3, 3}));
 }
 
 } // namespace

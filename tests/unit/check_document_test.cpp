@@ -54,7 +54,6 @@ struct Model {
 Model make(CheckedMesh mesh, const DocumentRecipe& recipe = {}) {
     CheckedDocument document = trueDocument(mesh, recipe);
     document.surfaces->interpolates = true;
-    document.surfaces->tolerance = 1e-9;
     document.surfaces->watertight = true;
     return {std::move(mesh), std::move(document)};
 }
@@ -106,6 +105,23 @@ Model cornerModel() {
 }
 Model twoHolesModel() {
     return make(twoHoles());
+}
+/// States that all is perfect, and promises nothing else.
+Model stating(Model model) {
+    SurfacesPart& surfaces = *model.document.surfaces;
+    const SurfacesPart::Figures nothing{0, 0, 0, 0, std::nullopt, 0};
+    surfaces.figures = nothing;
+    surfaces.rho = 0.45;
+    surfaces.interpolates = surfaces.watertight = false;
+    for (SurfacesPart::Patch& patch : surfaces.patches)
+        patch.figures = nothing;
+    return model;
+}
+Model statingModel() {
+    return stating(twoHolesModel());
+}
+Model statingTorus() {
+    return stating(torusModel());
 }
 /// A hole, and a feature curve that crosses a line of it.
 Model seededModel() {
@@ -437,22 +453,65 @@ INSTANTIATE_TEST_SUITE_P(
                "/surfaces/patches/0/controlPoints/0/1", "finite"},
         Spoilt{"misses", cornerModel, [](Doc& d) { patch(d).controlPoints[0][0] += 1e-6; },
                "/surfaces/patches/0", "interpolation"},
-        Spoilt{"tolerance", cornerModel,
-               [](Doc& d) {
-                   d.surfaces->interpolates = false;
-                   patch(d).controlPoints[0][0] += 1e-6;
-                   patch(d).controlPoints[0][1] += 1e-6;
-                   patch(d).controlPoints[0][2] += 1e-6;
-               },
-               "/surfaces/patches/0", "tolerance"},
         Spoilt{"gap", cornerModel,
                [](Doc& d) {
                    d.surfaces->interpolates = false;
-                   d.surfaces->tolerance.reset();
                    d.surfaces->patches[1].controlPoints[0][0] += 1e-6;
                },
                "/surfaces/patches/1", "watertight"}),
     nameOf);
+
+/// Lifts the first patch by this at x = 0, and by so much more for every unit of x.
+void lift(Doc& d, double height, double slope) {
+    for (auto& point : patch(d).controlPoints)
+        point[2] += height + slope * point[0];
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Figures, SpoiltDocument,
+    ::testing::Values(
+        Spoilt{"fromFacets", statingModel, [](Doc& d) { lift(d, 1e-6, 0); },
+               "/surfaces/patches/0/deviation/maxFromFacets", "deviation"},
+        Spoilt{"fromVertices", statingModel,
+               [](Doc& d) {
+                   patch(d).figures.maxFromFacets.reset();
+                   lift(d, 1e-6, 0);
+               },
+               "/surfaces/patches/0/deviation/maxFromVertices", "deviation"},
+        Spoilt{"gapFigure", statingModel, [](Doc& d) { lift(d, 1e-6, 0); },
+               "/surfaces/patches/0/deviation/largestGap", "deviation"},
+        Spoilt{"normalAngle", statingModel,
+               [](Doc& d) {
+                   for (auto& each : d.surfaces->patches)
+                       each.figures.largestGap.reset();
+                   lift(d, 0, 1e-4);
+               },
+               "/surfaces/patches/0/deviation/largestNormalAngle", "deviation"},
+        Spoilt{"innerNormalAngle", statingTorus, [](Doc& d) { patch(d).figures.largestInnerNormalAngle = 1; },
+               "/surfaces/patches/0/deviation/largestInnerNormalAngle", "deviation"},
+        Spoilt{"folds", statingTorus,
+               [](Doc& d) {
+                   patch(d).figures = {};
+                   patch(d).figures.folds = 0;
+                   const auto width = static_cast<std::size_t>(patch(d).count[0]);
+                   std::swap(patch(d).controlPoints[2 * width + 2], patch(d).controlPoints[2 * width + 3]);
+               },
+               "/surfaces/patches/0/deviation/folds", "deviation"},
+        Spoilt{"totalFigure", statingModel, [](Doc& d) { patch(d).figures.maxFromVertices = 1; },
+               "/surfaces/deviation/maxFromVertices", "deviation"}),
+    nameOf);
+
+TEST(CheckFigures, AcceptsWhatIsTrue) {
+    const Model model = statingModel();
+    EXPECT_TRUE(checkDocument(model.mesh, model.document).ok());
+    Model lifted = statingModel();
+    SurfacesPart& surfaces = *lifted.document.surfaces;
+    lift(lifted.document, 1e-6, 0);
+    for (SurfacesPart::Patch& each : surfaces.patches)
+        each.figures.largestGap = each.figures.maxFromFacets = each.figures.maxFromVertices = 1e-6;
+    surfaces.figures.largestGap = surfaces.figures.maxFromFacets = surfaces.figures.maxFromVertices = 1e-6;
+    EXPECT_TRUE(checkDocument(lifted.mesh, lifted.document).ok());
+}
 
 // ---- Tracks moved so that one rule after the other (docs/METHOD.md#valid-tracks) breaks.
 

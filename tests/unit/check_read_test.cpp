@@ -17,7 +17,7 @@ Json sample() {
         "kind": "surfaces",
         "history": [{"tool": "qm-basecomplex", "options": {}}, {"tool": "qm-enum", "options": {}},
                     {"tool": "qm-merge", "options": {}},
-                    {"tool": "qm-bspline", "options": {"fit": "tolerance", "tolerance": 0.25}}],
+                    {"tool": "qm-bspline", "options": {"fit": "smooth", "tolerance": 0.25}}],
         "constraints": {"required": [{"vertices": [1, 2]}], "forbidden": []},
         "baseComplex": {"extraordinaryVertices": [3, 4], "ordinaryJunctions": 2,
                         "separatrices": [{"id": 0, "vertices": [3, 4], "opposite": null, "selfCrossing": true}]},
@@ -60,18 +60,8 @@ TEST(CheckReadDocument, TakesEveryFigure) {
     EXPECT_EQ(patch.count, (std::array<int, 2>{2, 2}));
     EXPECT_EQ(patch.controlPoints[3][2], 0.5);
     EXPECT_TRUE(patch.rectangular);
-    EXPECT_EQ(document.surfaces->tolerance, 0.25);
-    EXPECT_FALSE(document.surfaces->toleranceRelative);
     EXPECT_FALSE(document.surfaces->interpolates);
     EXPECT_TRUE(document.surfaces->watertight);
-}
-
-TEST(CheckReadDocument, TakesATolerancePerCent) {
-    Json json = sample();
-    json["history"].back()["options"]["tolerance"] = "0.5%";
-    const CheckedDocument document = readDocument(json);
-    EXPECT_EQ(document.surfaces->tolerance, 0.005);
-    EXPECT_TRUE(document.surfaces->toleranceRelative);
 }
 
 TEST(CheckReadDocument, ReadsNoIndexThatIsNone) {

@@ -1,5 +1,5 @@
-#include "bspline/evaluate.h"
-#include "bspline/interpolate.h"
+#include "bspline/splines/evaluate.h"
+#include "bspline/splines/interpolate.h"
 
 #include <gtest/gtest.h>
 

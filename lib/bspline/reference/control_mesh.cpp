@@ -1,7 +1,7 @@
 #include "bspline/reference/control_mesh.h"
 
-#include "bspline/bounding_box.h"
-#include "bspline/eigen_point.h"
+#include "bspline/splines/bounding_box.h"
+#include "bspline/splines/eigen_point.h"
 #include "bspline/reference/vertex_stencil.h"
 #include "mesh/topology.h"
 

@@ -1,7 +1,7 @@
 /// \file The control points whose Catmull-Clark limit passes through a mesh's vertices.
 #pragma once
 
-#include "bspline/reference/vertex_rules.h"
+#include "bspline/network/vertex_rules.h"
 #include "mesh/quad_mesh.h"
 
 #include <vector>

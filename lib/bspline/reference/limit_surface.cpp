@@ -3,7 +3,7 @@
 #include "base/parallel.h"
 #include "bspline/reference/control_mesh.h"
 #include "bspline/reference/mesh_lattice.h"
-#include "bspline/reference/vertex_rules.h"
+#include "bspline/network/vertex_rules.h"
 
 #include <cstddef>
 

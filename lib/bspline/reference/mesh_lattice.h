@@ -1,8 +1,8 @@
 /// \file Points on a lattice over all quads of a mesh, and Catmull-Clark subdivision on it.
 #pragma once
 
-#include "bspline/eigen_point.h"
-#include "bspline/reference/vertex_rules.h"
+#include "bspline/splines/eigen_point.h"
+#include "bspline/network/vertex_rules.h"
 #include "mesh/quad_mesh.h"
 
 #include <cstddef>

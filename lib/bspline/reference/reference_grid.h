@@ -1,7 +1,7 @@
 /// \file The shape that one segment's patch is fitted to, as points on a lattice over the segment's quads.
 #pragma once
 
-#include "bspline/evaluate.h"
+#include "bspline/splines/evaluate.h"
 #include "mesh/quad_mesh.h"
 
 #include <array>

@@ -1,7 +1,7 @@
 /// \file What one step of Catmull-Clark subdivision, and the limit of all steps, make of a vertex.
 #pragma once
 
-#include "bspline/reference/vertex_rules.h"
+#include "bspline/network/vertex_rules.h"
 #include "mesh/quad_mesh.h"
 
 #include <vector>

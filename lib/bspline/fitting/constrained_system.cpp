@@ -1,0 +1,91 @@
+#include "bspline/fitting/constrained_system.h"
+
+#include <Eigen/SparseCholesky>
+
+#include <cmath>
+#include <limits>
+
+namespace qm {
+
+struct ConstrainedSystem::Factors {
+    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::AMDOrdering<int>> ldlt;
+};
+
+namespace {
+
+/// Equations with weights such that each is of order one in the metric of the form's diagonal.
+Eigen::SparseMatrix<double> equationMatrix(const std::vector<LinearForm>& equations,
+                                           const Eigen::VectorXd& diagonal) {
+    std::vector<Eigen::Triplet<double>> entries;
+    for (std::size_t row = 0; row < equations.size(); ++row) {
+        const LinearForm& form = equations[row];
+        double size = 0;
+        for (std::size_t k = 0; k < form.unknowns.size(); ++k)
+            size += form.weights[k] * form.weights[k] / diagonal[static_cast<Eigen::Index>(form.unknowns[k])];
+        if (!(size > 0)) continue;
+        for (std::size_t k = 0; k < form.unknowns.size(); ++k)
+            entries.emplace_back(static_cast<int>(row), static_cast<int>(form.unknowns[k]),
+                                 form.weights[k] / std::sqrt(size));
+    }
+    Eigen::SparseMatrix<double> matrix(static_cast<Eigen::Index>(equations.size()), diagonal.size());
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    return matrix;
+}
+
+/// Makes the whole matrix quasi-definite, so that every order of elimination works and equations may depend
+/// on one another; what it changes is mended by refinement.
+constexpr double relaxation = 1e-9;
+
+} // namespace
+
+ConstrainedSystem::ConstrainedSystem(std::size_t unknowns, const std::vector<Eigen::Triplet<double>>& entries,
+                                     const std::vector<LinearForm>& equations)
+    : factors_(std::make_unique<Factors>()) {
+    const auto size = static_cast<Eigen::Index>(unknowns);
+    form_.resize(size, size);
+    form_.setFromTriplets(entries.begin(), entries.end());
+    equations_ = equationMatrix(equations, form_.diagonal());
+
+    const auto whole = size + equations_.rows();
+    std::vector<Eigen::Triplet<double>> all;
+    all.reserve(static_cast<std::size_t>(form_.nonZeros() + equations_.nonZeros() + equations_.rows()));
+    const auto append = [&all](const Eigen::SparseMatrix<double>& matrix, Eigen::Index rowOffset) {
+        for (Eigen::Index column = 0; column < matrix.outerSize(); ++column)
+            for (Eigen::SparseMatrix<double>::InnerIterator it(matrix, column); it; ++it)
+                all.emplace_back(static_cast<int>(it.row() + rowOffset), static_cast<int>(it.col()), it.value());
+    };
+    append(form_, 0);
+    append(equations_, size);
+    for (Eigen::Index k = size; k < whole; ++k)
+        all.emplace_back(static_cast<int>(k), static_cast<int>(k), -relaxation);
+    Eigen::SparseMatrix<double> matrix(whole, whole);
+    matrix.setFromTriplets(all.begin(), all.end());
+    factors_->ldlt.compute(matrix);
+}
+
+ConstrainedSystem::~ConstrainedSystem() = default;
+
+Eigen::MatrixX3d ConstrainedSystem::solve(const Eigen::MatrixX3d& rightHandSide) const {
+    constexpr int maxRefinements = 10;
+    constexpr double negligible = 1e-15;
+    double before = std::numeric_limits<double>::infinity();
+    const Eigen::Index size = form_.rows();
+    Eigen::MatrixX3d solution = Eigen::MatrixX3d::Zero(size + equations_.rows(), 3);
+    for (int k = 0; k < maxRefinements; ++k) {
+        Eigen::MatrixX3d residual(solution.rows(), 3);
+        const auto unknowns = solution.topRows(size);
+        residual.topRows(size) = rightHandSide - form_.selfadjointView<Eigen::Lower>() * unknowns -
+                                 equations_.transpose() * solution.bottomRows(equations_.rows());
+        residual.bottomRows(equations_.rows()) = -(equations_ * unknowns);
+        const Eigen::MatrixX3d correction = factors_->ldlt.solve(residual);
+        // What does not become smaller is rounding.
+        const double change = correction.topRows(size).norm();
+        if (change > before / 2) break;
+        before = change;
+        solution += correction;
+        if (change <= negligible * solution.topRows(size).norm()) break;
+    }
+    return solution.topRows(size);
+}
+
+} // namespace qm

@@ -1,0 +1,82 @@
+#include "bspline/fitting/knot_removal.h"
+
+#include "bspline/splines/evaluate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace qm {
+namespace {
+
+/// Third derivatives of a patch across its lines of parameters, in one knot interval.
+std::vector<Point> thirdDerivatives(const Patch& patch, std::size_t direction, double begin, double end,
+                                    const std::vector<double>& lines) {
+    // First derivatives are quadratic there, so their second differences are exact.
+    const double step = (end - begin) / 4;
+    const std::vector<double> along{begin + step, begin + 2 * step, begin + 3 * step};
+    const auto points = direction == 0 ? evaluateLattice(patch, along, lines) : evaluateLattice(patch, lines, along);
+    std::vector<Point> result;
+    for (std::size_t line = 0; line < lines.size(); ++line) {
+        const auto slope = [&](std::size_t k) {
+            return direction == 0 ? points[line * 3 + k].du : points[k * lines.size() + line].dv;
+        };
+        result.push_back((slope(0) - 2.0 * slope(1) + slope(2)) / (step * step));
+    }
+    return result;
+}
+
+/// What errors would be around a knot if it were not there.
+double errorWithout(const FitLattice& lattice, const Patch& patch, const std::vector<double>& errors,
+                    double tolerance, std::size_t direction, std::size_t knot) {
+    // The deflection of a beam under a load in its middle, between clamped and free ends.
+    constexpr double deflection = 1.0 / 150;
+    const auto& knots = patch.knots[direction];
+    const auto& lines = lattice.targets.parameters[1 - direction];
+    const auto before = thirdDerivatives(patch, direction, knots[knot - 1], knots[knot], lines);
+    const auto after = thirdDerivatives(patch, direction, knots[knot], knots[knot + 1], lines);
+    const double length = knots[knot + 1] - knots[knot - 1];
+    const double scale = deflection * length * length * length / tolerance;
+    const auto step = [&](double parameter) { return static_cast<std::size_t>(std::lround(parameter * lattice.steps)); };
+    const auto index = [&](std::size_t line, std::size_t along) {
+        return direction == 0 ? line * lattice.columns() + along : along * lattice.columns() + line;
+    };
+    double worst = 0;
+    for (std::size_t line = 0; line < lines.size(); ++line) {
+        const double added =
+            scale * distance(lattice, index(line, step(knots[knot])), after[line] - before[line]);
+        for (std::size_t along = step(knots[knot - 1]); along <= step(knots[knot + 1]); ++along)
+            worst = std::max(worst, errors[index(line, along)] + added);
+    }
+    return worst;
+}
+
+} // namespace
+
+std::size_t removeKnots(const std::vector<FitLattice>& lattices, const std::vector<Patch>& patches,
+                        const LatticeErrors& errors, double tolerance, double limit, KnotPlan& plan) {
+    std::size_t removed = 0;
+    for (std::size_t patch = 0; patch < patches.size(); ++patch)
+        for (std::size_t direction = 0; direction < 2; ++direction) {
+            const auto& knots = patches[patch].knots[direction];
+            std::vector<std::pair<double, std::size_t>> candidates;
+            for (const double chosen : plan.chosen(patch, direction)) {
+                if (std::ranges::count(knots, chosen) != 1) continue;
+                const auto knot = static_cast<std::size_t>(std::ranges::find(knots, chosen) - knots.begin());
+                const double error = errorWithout(lattices[patch], patches[patch], errors[patch], tolerance,
+                                                  direction, knot);
+                if (error < limit) candidates.emplace_back(error, knot);
+            }
+            std::ranges::sort(candidates);
+            std::vector<bool> isGone(knots.size());
+            for (const auto& [error, knot] : candidates) {
+                if (isGone[knot - 1] || isGone[knot + 1]) continue;
+                isGone[knot] = true;
+                plan.erase(patch, direction, knots[knot]);
+                ++removed;
+            }
+        }
+    return removed;
+}
+
+} // namespace qm

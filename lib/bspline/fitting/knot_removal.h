@@ -1,0 +1,21 @@
+/// \file Knots that a fit can do without.
+#pragma once
+
+#include "bspline/fitting/fit_lattice.h"
+#include "bspline/fitting/knot_insertion.h"
+#include "bspline/fitting/knot_plan.h"
+#include "bspline/splines/surfaces.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace qm {
+
+/// Removes chosen knots, no two that follow one another, for which the jump of the third derivative tells that
+/// the errors would stay below `limit` without them. What jumps tell is not certain: the fit is to be made and
+/// measured anew.
+/// \return how many
+std::size_t removeKnots(const std::vector<FitLattice>& lattices, const std::vector<Patch>& patches,
+                        const LatticeErrors& errors, double tolerance, double limit, KnotPlan& plan);
+
+} // namespace qm

@@ -1,0 +1,70 @@
+#include "bspline/fitting/smooth_system.h"
+
+#include "base/parallel.h"
+#include "bspline/splines/eigen_point.h"
+#include "bspline/fitting/constrained_system.h"
+#include "bspline/network/continuity.h"
+
+#include <array>
+#include <cstddef>
+
+namespace qm {
+namespace {
+
+std::vector<LinearForm> continuityEquations(const Layout& layout, const SmoothNetwork& network,
+                                            const std::vector<PatchSpace>& spaces) {
+    const auto strips = [&](const Stretch& stretch) {
+        const auto strip = [&](const StretchSide& place) {
+            return BorderStrip(spaces[place.patch], layout.segments[place.patch].size, place);
+        };
+        return std::array{strip(stretch.sides[0]), strip(stretch.sides[1])};
+    };
+    std::vector<LinearForm> equations;
+    for (const Stretch& stretch : network.stretches) {
+        const auto both = strips(stretch);
+        addPositionEquations(stretch, both[0], both[1], equations);
+    }
+    for (const SmoothRun& run : network.runs) {
+        const auto both = strips(network.stretches[run.stretch]);
+        addTangentEquations(run, both[0], both[1], equations);
+    }
+    return equations;
+}
+
+Patch patchOf(const PatchSpace& space, std::size_t segment, const Eigen::MatrixX3d& solution) {
+    Patch patch;
+    patch.segment = SegmentId(segment);
+    patch.knots = space.knots;
+    patch.count = {static_cast<int>(space.count(0)), static_cast<int>(space.count(1))};
+    patch.controlPoints.reserve(space.size());
+    for (std::size_t k = 0; k < space.size(); ++k)
+        patch.controlPoints.push_back(point(solution.row(static_cast<Eigen::Index>(space.firstUnknown + k))));
+    return patch;
+}
+
+} // namespace
+
+std::vector<Patch> solveSmooth(const Layout& layout, const SmoothNetwork& network,
+                               const std::vector<PatchSpace>& spaces, const std::vector<FitLattice>& lattices,
+                               double bending, unsigned jobs) {
+    const std::size_t unknowns = spaces.empty() ? 0 : spaces.back().firstUnknown + spaces.back().size();
+    Eigen::MatrixX3d rightHandSide = Eigen::MatrixX3d::Zero(static_cast<Eigen::Index>(unknowns), 3);
+    std::vector<std::vector<Eigen::Triplet<double>>> entries(spaces.size());
+    parallelFor(spaces.size(), jobs, [&](std::size_t k) {
+        addPatchForm(spaces[k], lattices[k].targets, bending, entries[k]);
+        addPatchTargets(spaces[k], lattices[k].targets, rightHandSide);
+    });
+    std::vector<Eigen::Triplet<double>> all;
+    for (auto& ofPatch : entries) {
+        all.insert(all.end(), ofPatch.begin(), ofPatch.end());
+        ofPatch = {};
+    }
+    const ConstrainedSystem system(unknowns, all, continuityEquations(layout, network, spaces));
+    const Eigen::MatrixX3d solution = system.solve(rightHandSide);
+    std::vector<Patch> patches;
+    for (std::size_t k = 0; k < spaces.size(); ++k)
+        patches.push_back(patchOf(spaces[k], k, solution));
+    return patches;
+}
+
+} // namespace qm

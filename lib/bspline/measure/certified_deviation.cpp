@@ -1,0 +1,202 @@
+#include "bspline/measure/certified_deviation.h"
+
+#include "bspline/measure/distance_bound.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace qm {
+namespace {
+
+/// Gauss's nodes in [0, 1].
+constexpr std::array<double, 2> nodes = {0.21132486540518712, 0.78867513459481288};
+
+bool lower(const SurfacePart& a, const SurfacePart& b) {
+    return a.upper < b.upper;
+}
+
+class PatchSearch {
+public:
+    PatchSearch(const PairedSurfaces& surfaces, std::size_t patch, const CertificationOptions& options)
+        : surfaces_(surfaces), patch_(patch), options_(options), bound_(surfaces) {}
+
+    CertifiedDeviation run() {
+        const auto cells = surfaces_.cells(patch_);
+        for (std::size_t j = 0; j < cells[1]; ++j)
+            for (std::size_t i = 0; i < cells[0]; ++i)
+                addCell({patch_, {i, j}});
+        if (farthest_ > 0) seed();
+        refine();
+        result_.rms = rootMeanSquare(result_.samples);
+        return std::move(result_);
+    }
+
+private:
+    /// The box between a cell's boundaries on both surfaces, and samples.
+    void addCell(const Cell& cell) {
+        surfaces_.get(0, cell, piece_);
+        surfaces_.get(1, cell, reference_);
+        difference_.degree = piece_.degree;
+        difference_.points.resize(piece_.points.size());
+        double square = 0;
+        for (std::size_t k = 0; k < piece_.points.size(); ++k) {
+            difference_.points[k] = piece_.points[k] - reference_.points[k];
+            square = std::max(square, difference_.points[k].squaredNorm());
+        }
+        SurfacePart part;
+        part.cell = cell;
+        part.upper = std::sqrt(square);
+        parts_.push_back(part);
+
+        const auto [u0, u1] = surfaces_.range(cell, 0);
+        const auto [v0, v1] = surfaces_.range(cell, 1);
+        const double area = (u1 - u0) * (v1 - v0) / 4;
+        for (const double v : nodes)
+            for (const double u : nodes) {
+                const double distance =
+                    distanceAt({patch_, {std::lerp(u0, u1, u), std::lerp(v0, v1, v)}}, u, v);
+                result_.samples.emplace_back(distance, area);
+                if (distance <= farthest_) continue;
+                farthest_ = distance;
+                farthestAt_ = {patch_, {std::lerp(u0, u1, u), std::lerp(v0, v1, v)}};
+            }
+    }
+
+    /// To first order, where little slides along the reference. \param u, v  within the cell
+    [[nodiscard]] double distanceAt(const LayoutPlace& place, double u, double v) {
+        const PiecePoint away = evaluate(difference_, u, v);
+        const PiecePoint on = evaluate(reference_, u, v);
+        const Eigen::Vector3d normal = on.du.cross(on.dv);
+        const double square = away.position.squaredNorm();
+        const double area = normal.squaredNorm();
+        const double height = away.position.dot(normal);
+        constexpr double little = 0.1;
+        const double slide = square - height * height / area;
+        if (slide <= little * little * std::min(on.du.squaredNorm(), on.dv.squaredNorm()))
+            return std::abs(height) / std::sqrt(area);
+        return bound_.search()(1, place, on.position + away.position).distance;
+    }
+
+    /// A first lower bound, from the farthest sample.
+    void seed() {
+        const Cell cell = surfaces_.cellAt(farthestAt_);
+        for (std::size_t surface : {0U, 1U}) {
+            surfaces_.get(surface, cell, piece_);
+            const auto [u0, u1] = surfaces_.range(cell, 0);
+            const auto [v0, v1] = surfaces_.range(cell, 1);
+            const double u = (farthestAt_.at[0] - u0) / (u1 - u0);
+            const double v = (farthestAt_.at[1] - v0) / (v1 - v0);
+            const Foot foot = bound_.search()(1 - surface, farthestAt_, evaluate(piece_, u, v).position);
+            raise(foot.distance, farthestAt_);
+        }
+    }
+
+    void raise(double distance, const LayoutPlace& place) {
+        if (distance <= result_.lower) return;
+        result_.lower = distance;
+        result_.place = place;
+    }
+
+    [[nodiscard]] bool isClosed(double upper) const {
+        return upper <= std::max(options_.negligible, (1 + options_.closing) * result_.lower);
+    }
+
+    void refine() {
+        std::ranges::make_heap(parts_, lower);
+        std::size_t effort = 1000 + options_.effort * parts_.size();
+        while (!parts_.empty() && !isClosed(parts_.front().upper) && effort > 8) {
+            std::ranges::pop_heap(parts_, lower);
+            const SurfacePart part = parts_.back();
+            parts_.pop_back();
+            effort -= divide(part);
+        }
+        if (!parts_.empty()) kept_ = std::max(kept_, parts_.front().upper);
+        result_.upper = kept_;
+    }
+
+    /// \return how many parts that made
+    std::size_t divide(const SurfacePart& part) {
+        if (!part.isDirected) {
+            for (std::size_t surface : {0U, 1U}) {
+                SurfacePart whole = part;
+                whole.isDirected = true;
+                whole.surface = surface;
+                whole.foot.place = bound_.middle(whole);
+                add(whole);
+            }
+            return 2;
+        }
+        const LayoutPlace middle = bound_.middle(part);
+        for (const bool right : {false, true})
+            for (const bool top : {false, true}) {
+                SurfacePart quarter = part;
+                (right ? quarter.from : quarter.to)[0] = part.division[0];
+                (top ? quarter.from : quarter.to)[1] = part.division[1];
+                const LayoutPlace at = bound_.middle(quarter);
+                const auto way =
+                    turned({at.at[0] - middle.at[0], at.at[1] - middle.at[1]}, quarter.foot.turns);
+                const auto most = surfaces_.extent(quarter.foot.place.patch);
+                for (std::size_t k = 0; k < 2; ++k)
+                    quarter.foot.place.at[k] = std::clamp(quarter.foot.place.at[k] + way[k], 0.0, most[k]);
+                add(quarter);
+            }
+        return 4;
+    }
+
+    void add(SurfacePart& part) {
+        bound_.tighten(part);
+        raise(part.foot.distance, bound_.middle(part));
+        if (isClosed(part.upper)) {
+            kept_ = std::max(kept_, part.upper);
+            return;
+        }
+        parts_.push_back(part);
+        std::ranges::push_heap(parts_, lower);
+    }
+
+    const PairedSurfaces& surfaces_;
+    std::size_t patch_;
+    CertificationOptions options_;
+    DistanceBound bound_;
+    BezierPiece piece_;
+    BezierPiece reference_;
+    BezierPiece difference_;
+    std::vector<SurfacePart> parts_; ///< a heap, from `refine` on
+    double kept_ = 0;                ///< upper bound of all parts that are not in the heap any more
+    double farthest_ = 0;            ///< of the samples
+    LayoutPlace farthestAt_;
+    CertifiedDeviation result_;
+};
+
+} // namespace
+
+CertifiedDeviation certifiedDeviation(const PairedSurfaces& surfaces, std::size_t patch,
+                                      const CertificationOptions& options) {
+    return PatchSearch(surfaces, patch, options).run();
+}
+
+double rootMeanSquare(const std::vector<std::pair<double, double>>& samples) {
+    double sum = 0;
+    double area = 0;
+    for (const auto& [distance, weight] : samples) {
+        sum += weight * distance * distance;
+        area += weight;
+    }
+    return area > 0 ? std::sqrt(sum / area) : 0;
+}
+
+double percentile95(std::vector<std::pair<double, double>> samples) {
+    std::ranges::sort(samples);
+    double above = 0;
+    for (const auto& sample : samples)
+        above += sample.second;
+    above *= 0.05;
+    for (auto sample = samples.rbegin(); sample != samples.rend(); ++sample) {
+        above -= sample->second;
+        if (above < 0) return sample->first;
+    }
+    return 0;
+}
+
+} // namespace qm

@@ -1,0 +1,172 @@
+#include "bspline/measure/distance_bound.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace qm {
+namespace {
+
+using Parameters = std::array<double, 2>;
+
+/// How much faster the own surface runs than the other along its direction.
+double speedRatio(const Eigen::Vector3d& own, const Eigen::Vector3d& other) {
+    const double square = other.squaredNorm();
+    return square > 0 ? std::clamp(own.dot(other) / square, 0.5, 2.0) : 1;
+}
+
+/// Where to divide a box, from -1/2 to 1/2. \param low, high  ends of the other's cell, the box being from -1
+/// to
+/// 1
+double division(double low, double high) {
+    constexpr double thin = 0.9;
+    const double nearer = std::abs(low) < std::abs(high) ? low : high;
+    return std::abs(nearer) < thin ? nearer / 2 : 0;
+}
+
+} // namespace
+
+LayoutPlace DistanceBound::middle(const SurfacePart& part) const {
+    LayoutPlace place{part.cell.patch, {}};
+    for (std::size_t k = 0; k < 2; ++k) {
+        const auto [from, to] = surfaces_.range(part.cell, k);
+        place.at[k] = std::lerp(from, to, 0.5 * (part.from[k] + part.to[k]));
+    }
+    return place;
+}
+
+void DistanceBound::subtractOther(int turns) {
+    const int degree = own_.degree[0];
+    difference_ = other_;
+    auto point = own_.points.begin();
+    for (int j = 0; j <= degree; ++j)
+        for (int i = 0; i <= degree; ++i, ++point) {
+            const std::array<std::array<int, 2>, 4> places{
+                {{i, j}, {degree - j, i}, {degree - i, degree - j}, {j, degree - i}}};
+            const auto& [column, row] = places[static_cast<std::size_t>(turns)];
+            Eigen::Vector3d& here = difference_.points[static_cast<std::size_t>(row * (degree + 1) + column)];
+            here = *point - here;
+        }
+}
+
+double DistanceBound::tangentVariation(std::size_t surface, const Foot& foot, const Box& touched) {
+    const Cell first = surfaces_.cellAt({foot.place.patch, {touched[0][0], touched[1][0]}});
+    const Cell last = surfaces_.cellAt({foot.place.patch, {touched[0][1], touched[1][1]}});
+    constexpr std::size_t many = 9;
+    if ((last.interval[0] - first.interval[0] + 1) * (last.interval[1] - first.interval[1] + 1) > many)
+        return HUGE_VAL;
+    Parameters variation{}; // squared
+    Cell cell = first;
+    for (cell.interval[1] = first.interval[1]; cell.interval[1] <= last.interval[1]; ++cell.interval[1])
+        for (cell.interval[0] = first.interval[0]; cell.interval[0] <= last.interval[0]; ++cell.interval[0]) {
+            Parameters begin{};
+            Parameters end{};
+            Parameters width{};
+            for (std::size_t k = 0; k < 2; ++k) {
+                const auto [from, to] = surfaces_.range(cell, k);
+                begin[k] = std::clamp((touched[k][0] - from) / (to - from), 0.0, 1.0);
+                end[k] = std::clamp((touched[k][1] - from) / (to - from), 0.0, 1.0);
+                width[k] = (to - from) * std::max(end[k] - begin[k], 1e-12);
+            }
+            surfaces_.get(surface, cell, cell_);
+            restrict(cell_, begin, end, other_);
+            const int degree = other_.degree[0];
+            for (int j = 0; j <= degree; ++j)
+                for (int i = 0; i <= degree; ++i) {
+                    const auto farther = [&](std::size_t k, const Eigen::Vector3d& next,
+                                             const Eigen::Vector3d& tangent) {
+                        const Eigen::Vector3d slope = degree / width[k] * (next - other_.at(i, j));
+                        variation[k] = std::max(variation[k], (slope - tangent).squaredNorm());
+                    };
+                    if (i < degree) farther(0, other_.at(i + 1, j), foot.du);
+                    if (j < degree) farther(1, other_.at(i, j + 1), foot.dv);
+                }
+        }
+    return std::sqrt(variation[0] + variation[1]);
+}
+
+double DistanceBound::slidingBound(std::size_t surface, const Foot& foot, const Box& box, double known) {
+    const Eigen::Vector3d normal = foot.du.cross(foot.dv);
+    const double area = normal.squaredNorm();
+    if (!(area > 1e-8 * foot.du.squaredNorm() * foot.dv.squaredNorm())) return HUGE_VAL;
+    // Dual to the tangents: their products with a difference are the slide.
+    const std::array<Eigen::Vector3d, 2> dual{foot.dv.cross(normal) / area, normal.cross(foot.du) / area};
+    double height = 0;
+    double slide = 0;
+    Box touched = box;
+    const int degree = difference_.degree[0];
+    auto point = difference_.points.begin();
+    for (int j = 0; j <= degree; ++j)
+        for (int i = 0; i <= degree; ++i, ++point) {
+            height = std::max(height, std::abs(point->dot(normal)));
+            const Parameters along{point->dot(dual[0]), point->dot(dual[1])};
+            slide = std::max(slide, std::hypot(along[0], along[1]));
+            for (std::size_t k = 0; k < 2; ++k) {
+                const double share = static_cast<double>(k == 0 ? i : j) / degree;
+                const double to = std::lerp(box[k][0], box[k][1], share) + along[k];
+                touched[k] = {std::min(touched[k][0], to), std::max(touched[k][1], to)};
+            }
+        }
+    // Slides end at the patch's border.
+    double cutOff = 0;
+    const Parameters extent = surfaces_.extent(foot.place.patch);
+    for (std::size_t k = 0; k < 2; ++k) {
+        const double beyond = std::max({0.0, -touched[k][0], touched[k][1] - extent[k]});
+        cutOff += beyond * (k == 0 ? foot.du : foot.dv).norm();
+        touched[k] = {std::max(touched[k][0], 0.0), std::min(touched[k][1], extent[k])};
+    }
+    const double remaining = std::hypot(height / std::sqrt(area), cutOff);
+    if (!(remaining < known)) return known;
+    return remaining + slide * tangentVariation(surface, foot, touched);
+}
+
+void DistanceBound::tighten(SurfacePart& part) {
+    surfaces_.get(part.surface, part.cell, cell_);
+    restrict(cell_, part.from, part.to, own_);
+    PiecePoint here = evaluate(own_, 0.5, 0.5);
+    Parameters half{};
+    for (std::size_t k = 0; k < 2; ++k) {
+        const auto [from, to] = surfaces_.range(part.cell, k);
+        half[k] = 0.5 * (to - from) * (part.to[k] - part.from[k]);
+    }
+    here.du /= 2 * half[0];
+    here.dv /= 2 * half[1];
+
+    const int before = part.foot.turns;
+    part.foot = search_(1 - part.surface, part.foot.place, here.position);
+    part.foot.turns = (part.foot.turns + before) % 4;
+
+    const Cell target = surfaces_.cellAt(part.foot.place);
+    Parameters begin{};
+    Parameters end{};
+    for (std::size_t k = 0; k < 2; ++k) {
+        Parameters unit{};
+        unit[k] = 1;
+        const Parameters own = turned(unit, (4 - part.foot.turns) % 4);
+        const std::size_t ownAxis = own[0] != 0 ? 0 : 1;
+        const double reach = half[ownAxis] * speedRatio(own[0] * here.du + own[1] * here.dv,
+                                                        k == 0 ? part.foot.du : part.foot.dv);
+        const auto [from, to] = surfaces_.range(target, k);
+        const double at = part.foot.place.at[k];
+        // What reaches beyond the other's cell is squeezed into it.
+        begin[k] = std::clamp((at - reach - from) / (to - from), 0.0, 1.0);
+        end[k] = std::clamp((at + reach - from) / (to - from), 0.0, 1.0);
+        part.division[ownAxis] =
+            std::lerp(part.from[ownAxis], part.to[ownAxis],
+                      0.5 + own[ownAxis] * division((from - at) / reach, (to - at) / reach));
+    }
+    surfaces_.get(1 - part.surface, target, cell_);
+    restrict(cell_, begin, end, other_);
+    subtractOther(part.foot.turns);
+    double square = 0;
+    for (const Eigen::Vector3d& point : difference_.points)
+        square = std::max(square, point.squaredNorm());
+    part.upper = std::min(part.upper, std::sqrt(square));
+    Box box{};
+    for (std::size_t k = 0; k < 2; ++k) {
+        const auto [from, to] = surfaces_.range(target, k);
+        box[k] = {std::lerp(from, to, begin[k]), std::lerp(from, to, end[k])};
+    }
+    part.upper = std::min(part.upper, slidingBound(1 - part.surface, part.foot, box, part.upper));
+}
+
+} // namespace qm

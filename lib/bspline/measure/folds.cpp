@@ -1,0 +1,80 @@
+#include "bspline/measure/folds.h"
+
+#include "bspline/splines/eigen_point.h"
+#include "bspline/splines/patch_bezier.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+namespace qm {
+namespace {
+
+using Parameters = std::array<double, 2>;
+
+constexpr int mostHalvings = 5;
+
+/// Looks at one patch.
+class FoldSearch {
+public:
+    explicit FoldSearch(const ReferenceGrid& reference) : reference_(reference) {}
+
+    /// A place of the box that is not certain to be free of folds. \param piece  over the box
+    [[nodiscard]] std::optional<Parameters> fold(const BezierPiece& piece, const Parameters& from,
+                                                 const Parameters& to, int halvings) const {
+        const Parameters middle{0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])};
+        if (isTowards(normalPiece(piece), middle)) return std::nullopt;
+        if (halvings == mostHalvings) return middle;
+        BezierPiece quarter;
+        for (const double u : {0.0, 0.5})
+            for (const double v : {0.0, 0.5}) {
+                restrict(piece, {u, v}, {u + 0.5, v + 0.5}, quarter);
+                const Parameters begin{u > 0 ? middle[0] : from[0], v > 0 ? middle[1] : from[1]};
+                const Parameters end{u > 0 ? to[0] : middle[0], v > 0 ? to[1] : middle[1]};
+                const auto place = fold(quarter, begin, end, halvings + 1);
+                if (place) return place;
+            }
+        return std::nullopt;
+    }
+
+private:
+    [[nodiscard]] bool isTowards(const BezierPiece& normal, const Parameters& middle) const {
+        const SurfacePoint there = reference_.evaluate(middle[0], middle[1]);
+        Eigen::Vector3d direction = vector(there.du).cross(vector(there.dv));
+        // Where the reference has no normal, the mean of the patch's own, which is that of the points.
+        if (!(direction.squaredNorm() > 1e-12 * there.du.sqrnorm() * there.dv.sqrnorm()))
+            direction = std::accumulate(normal.points.begin(), normal.points.end(),
+                                        Eigen::Vector3d(Eigen::Vector3d::Zero()));
+        double highest = 0;
+        double lowest = HUGE_VAL;
+        for (const Eigen::Vector3d& point : normal.points) {
+            highest = std::max(highest, point.dot(direction));
+            lowest = std::min(lowest, point.dot(direction));
+        }
+        constexpr double rounding = 1e-10;
+        return lowest > rounding * highest;
+    }
+
+    const ReferenceGrid& reference_;
+};
+
+} // namespace
+
+std::vector<std::array<double, 2>> findFolds(const Patch& patch, const ReferenceGrid& reference) {
+    const FoldSearch search(reference);
+    const BezierPieces pieces = bezierPieces(patch);
+    std::vector<std::array<double, 2>> places;
+    BezierPiece piece;
+    for (std::size_t j = 0; j < pieces.along[1].intervals(); ++j)
+        for (std::size_t i = 0; i < pieces.along[0].intervals(); ++i) {
+            pieces.get(i, j, piece);
+            const std::vector<double>& us = pieces.along[0].breaks;
+            const std::vector<double>& vs = pieces.along[1].breaks;
+            const auto place = search.fold(piece, {us[i], vs[j]}, {us[i + 1], vs[j + 1]}, 0);
+            if (place) places.push_back(*place);
+        }
+    return places;
+}
+
+} // namespace qm

@@ -1,0 +1,135 @@
+#include "bspline/measure/foot_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace qm {
+namespace {
+
+constexpr int mostSteps = 24;
+constexpr int mostHalvings = 4;
+constexpr int mostCrossings = 6;
+constexpr double farthestStep = 1; // quads
+constexpr double shortestStep = 1e-6;
+
+using Parameters = std::array<double, 2>;
+
+/// Where a step towards a point leads.
+struct Step {
+    Parameters to{};
+    int side = -1; ///< of the patch, if the step would lead beyond it
+};
+
+/// \param most  the patch's range in either direction begins at 0 and ends here
+Step gaussNewton(const PiecePoint& here, const Eigen::Vector3d& away, const Parameters& at,
+                 const Parameters& most) {
+    const double uu = here.du.squaredNorm();
+    const double uv = here.du.dot(here.dv);
+    const double vv = here.dv.squaredNorm();
+    const double ru = here.du.dot(away);
+    const double rv = here.dv.dot(away);
+    const double determinant = uu * vv - uv * uv;
+    const auto alone = [](double slope, double square) { return square > 0 ? slope / square : 0.0; };
+    Parameters step{alone(ru, 2 * uu), alone(rv, 2 * vv)};
+    if (determinant > 1e-10 * uu * vv)
+        step = {(ru * vv - rv * uv) / determinant, (rv * uu - ru * uv) / determinant};
+    Step result;
+    double overshoot = 0;
+    for (std::size_t k = 0; k < 2; ++k) {
+        step[k] = std::clamp(step[k], -farthestStep, farthestStep);
+        result.to[k] = at[k] + step[k];
+        const double beyond = std::max(-result.to[k], result.to[k] - most[k]);
+        if (beyond <= overshoot) continue;
+        overshoot = beyond;
+        result.side = k == 0 ? (result.to[k] < 0 ? 3 : 1) : (result.to[k] < 0 ? 0 : 2);
+    }
+    if (result.side < 0) return result;
+    // On the border the other parameter alone is free.
+    const std::size_t across = result.side % 2 == 1 ? 0 : 1;
+    result.to[across] = result.side == 0 || result.side == 3 ? 0 : most[across];
+    const double moved = result.to[across] - at[across];
+    const double along = across == 0 ? alone(rv - uv * moved, vv) : alone(ru - uv * moved, uu);
+    const double free = at[1 - across] + std::clamp(along, -farthestStep, farthestStep);
+    result.to[1 - across] = std::clamp(free, 0.0, most[1 - across]);
+    return result;
+}
+
+} // namespace
+
+PiecePoint FootSearch::evaluateAt(std::size_t surface, const LayoutPlace& place) {
+    const Cell cell = surfaces_.cellAt(place);
+    if (cell.patch != cell_.patch || cell.interval != cell_.interval || surface != surface_) {
+        surfaces_.get(surface, cell, piece_);
+        cell_ = cell;
+        surface_ = surface;
+    }
+    Parameters local{};
+    Parameters width{};
+    for (std::size_t k = 0; k < 2; ++k) {
+        const auto [from, to] = surfaces_.range(cell, k);
+        width[k] = to - from;
+        local[k] = (place.at[k] - from) / width[k];
+    }
+    PiecePoint here = evaluate(piece_, local[0], local[1]);
+    here.du /= width[0];
+    here.dv /= width[1];
+    return here;
+}
+
+Foot FootSearch::operator()(std::size_t surface, const LayoutPlace& start, const Eigen::Vector3d& point) {
+    Foot best;
+    best.place = start;
+    best.distance = HUGE_VAL;
+    LayoutPlace place = start;
+    int turns = 0;
+    int halvings = 0;
+    std::optional<LayoutPlace> border; ///< of the patch that was left with the last step
+    int crossings = 0;
+    Parameters most = surfaces_.extent(place.patch);
+    for (int k = 0; k < mostSteps; ++k) {
+        const PiecePoint here = evaluateAt(surface, place);
+        const Eigen::Vector3d away = point - here.position;
+        const double distance = away.norm();
+        // What is as near beyond a border as on it may lead on.
+        const bool hasCrossed = border.has_value();
+        if (!(distance < (hasCrossed ? 1 + 1e-9 : 1) * best.distance)) {
+            if (border) {
+                // What lies beyond is farther away: only the border remains.
+                place = *border;
+                turns = best.turns;
+                most = surfaces_.extent(place.patch);
+                border.reset();
+                crossings = mostCrossings;
+                continue;
+            }
+            // The step was too long.
+            if (++halvings > mostHalvings) break;
+            for (std::size_t d = 0; d < 2; ++d)
+                place.at[d] = 0.5 * (place.at[d] + best.place.at[d]);
+            continue;
+        }
+        const bool hardly = !hasCrossed && distance > (1 - 1e-7) * best.distance;
+        best = {place, turns, distance, here.du, here.dv};
+        if (hardly) break;
+        halvings = 0;
+        border.reset();
+        const Step step = gaussNewton(here, away, place.at, most);
+        const double moved = std::hypot(step.to[0] - place.at[0], step.to[1] - place.at[1]);
+        place.at = step.to;
+        if (step.side >= 0 && crossings < mostCrossings) {
+            if (const auto crossing = surfaces_.across(place, step.side)) {
+                ++crossings;
+                border = place;
+                place = crossing->to;
+                turns = (turns + crossing->turns) % 4;
+                most = surfaces_.extent(place.patch);
+                continue;
+            }
+        }
+        if (moved < shortestStep) break;
+    }
+    return best;
+}
+
+} // namespace qm

@@ -1,0 +1,212 @@
+#include "bspline/measure/measure.h"
+
+#include "base/parallel.h"
+#include "bspline/splines/bounding_box.h"
+#include "bspline/splines/eigen_point.h"
+#include "bspline/splines/interpolate.h"
+#include "bspline/measure/border_measures.h"
+#include "bspline/measure/certified_deviation.h"
+#include "bspline/measure/folds.h"
+#include "bspline/measure/foot_search.h"
+#include "bspline/measure/shape_measures.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace qm {
+namespace {
+
+using Samples = std::vector<std::pair<double, double>>;
+
+/// What is known of a patch, or of all, before it is summed up.
+struct Parts {
+    Samples fromReference;
+    Samples fromFacets;
+    Samples fromVertices;
+    Samples angles;
+    ShapeMeasures shape;
+
+    void add(const Parts& other) {
+        const auto append = [](Samples& to, const Samples& from) {
+            to.insert(to.end(), from.begin(), from.end());
+        };
+        append(fromReference, other.fromReference);
+        append(fromFacets, other.fromFacets);
+        append(fromVertices, other.fromVertices);
+        shape.add(other.shape);
+    }
+};
+
+double largest(const Samples& samples) {
+    double result = 0;
+    for (const auto& sample : samples)
+        result = std::max(result, sample.first);
+    return result;
+}
+
+class Meter {
+public:
+    Meter(const QuadMesh& mesh, const Layout& layout, const std::vector<Patch>& patches,
+          const std::vector<ReferenceGrid>& references, const MeasureOptions& options,
+          const MeasuredScan& scan)
+        : mesh_(mesh), layout_(layout), patches_(patches), references_(references), options_(options),
+          scan_(scan), diagonal_(boundingBoxDiagonal(mesh)), borders_(borderEdges(mesh, layout)),
+          facets_(facetGrids(mesh, layout)), toReference_(layout, patches, references, borders_),
+          toFacets_(layout, patches, facets_, borders_), parts_(patches.size()) {
+        result_.ofPatch.resize(patches.size());
+    }
+
+    void measurePatch(std::size_t k) {
+        PatchMeasurement& patch = result_.ofPatch[k];
+        Parts& parts = parts_[k];
+        const CertificationOptions certification{options_.closing, options_.negligible * diagonal_};
+        CertifiedDeviation certified;
+        if (scan_.nearest) {
+            ScanDeviation ofScan = scanDeviation(patches_[k], k, scan_.nearest, scan_.cutOff, certification);
+            patch.covered = ofScan.covered;
+            certified = std::move(ofScan.deviation);
+        } else {
+            certified = certifiedDeviation(toReference_, k, certification);
+        }
+        patch.deviation.max = certified.upper;
+        patch.lowerBound = certified.lower;
+        patch.farthest = certified.place;
+        patch.farthest.patch = k;
+        parts.fromReference = std::move(certified.samples);
+
+        CertifiedDeviation fromFacets = certifiedDeviation(toFacets_, k, certification);
+        patch.deviation.maxFromFacets = fromFacets.upper;
+        parts.fromFacets = std::move(fromFacets.samples);
+        parts.fromVertices = vertexDistances(k);
+        parts.shape = measureShape(toReference_, k);
+        patch.folds = findFolds(patches_[k], references_[k]);
+        patch.deviation.folds = patch.folds.size();
+        const MeetingMeasures inner = measureInnerLines(patches_[k], options_.samplesPerEdge);
+        patch.deviation.largestGap = inner.gap;
+        if (!inner.angles.empty())
+            patch.deviation.largestInnerNormalAngle = *std::ranges::max_element(inner.angles);
+    }
+
+    void measureBorders(const std::vector<bool>& isSmooth, unsigned jobs) {
+        std::vector<MeetingMeasures> measures(borders_.size());
+        parallelFor(borders_.size(), jobs, [&](std::size_t k) {
+            measures[k] = measureBorder(borders_[k], layout_, patches_, options_.samplesPerEdge);
+        });
+        for (std::size_t k = 0; k < borders_.size(); ++k) {
+            const auto edge = static_cast<std::size_t>(mesh_.edge_handle(borders_[k].halfedge).idx());
+            Samples angles;
+            if (isSmooth[edge])
+                for (const double angle : measures[k].angles)
+                    angles.emplace_back(angle, 1);
+            const auto addTo = [&](Deviation& deviation, Parts& parts) {
+                deviation.largestGap = std::max(deviation.largestGap, measures[k].gap);
+                parts.angles.insert(parts.angles.end(), angles.begin(), angles.end());
+            };
+            addTo(result_.ofAll.deviation, all_);
+            for (const BorderPlace& place : borders_[k].places)
+                addTo(result_.ofPatch[place.patch].deviation, parts_[place.patch]);
+        }
+    }
+
+    Measurement finish() {
+        PatchMeasurement& all = result_.ofAll;
+        double covered = 0;
+        double area = 0;
+        for (std::size_t k = 0; k < patches_.size(); ++k) {
+            PatchMeasurement& patch = result_.ofPatch[k];
+            Deviation& sum = all.deviation;
+            all_.add(parts_[k]);
+            const auto raise = [](double& value, double by) { value = std::max(value, by); };
+            raise(sum.max, patch.deviation.max);
+            raise(sum.maxFromFacets, patch.deviation.maxFromFacets);
+            raise(sum.largestGap, patch.deviation.largestGap);
+            raise(sum.largestInnerNormalAngle, patch.deviation.largestInnerNormalAngle);
+            sum.folds += patch.deviation.folds;
+            if (patch.lowerBound > all.lowerBound) {
+                all.lowerBound = patch.lowerBound;
+                all.farthest = patch.farthest;
+            }
+            const double size = layout_.segments[k].size[0] * 1.0 * layout_.segments[k].size[1];
+            covered += patch.covered * size;
+            area += size;
+            summarise(parts_[k], patch.deviation);
+        }
+        all.covered = area > 0 ? covered / area : 1;
+        summarise(all_, all.deviation);
+        return std::move(result_);
+    }
+
+private:
+    /// From every vertex of a patch's grid to the surfaces.
+    [[nodiscard]] Samples vertexDistances(std::size_t k) const {
+        const Segment& segment = layout_.segments[k];
+        FootSearch search(toReference_);
+        Samples distances;
+        std::size_t column = 0;
+        std::size_t row = 0;
+        for (const Point& vertex : pointGrid(mesh_, segment)) {
+            const LayoutPlace place{k, {static_cast<double>(column), static_cast<double>(row)}};
+            distances.emplace_back(search(0, place, vector(vertex)).distance, 1);
+            if (++column > static_cast<std::size_t>(segment.size[0])) {
+                column = 0;
+                ++row;
+            }
+        }
+        return distances;
+    }
+
+    void summarise(const Parts& parts, Deviation& deviation) const {
+        deviation.rms = rootMeanSquare(parts.fromReference);
+        deviation.percentile95 = percentile95(parts.fromReference);
+        deviation.rmsFromFacets = rootMeanSquare(parts.fromFacets);
+        deviation.maxFromVertices = largest(parts.fromVertices);
+        deviation.rmsFromVertices = rootMeanSquare(parts.fromVertices);
+        deviation.largestNormalAngle = largest(parts.angles);
+        deviation.rmsNormalAngle = rootMeanSquare(parts.angles);
+        deviation.percentile95NormalAngle = percentile95(parts.angles);
+        deviation.largestNormalDeviation = parts.shape.largestNormalDeviation;
+        deviation.rmsNormalDeviation = parts.shape.rmsNormalDeviation();
+        deviation.bendingRatio = parts.shape.bendingRatio();
+        if (!(diagonal_ > 0)) return;
+        deviation.maxRelative = deviation.max / diagonal_;
+        deviation.rmsRelative = deviation.rms / diagonal_;
+        deviation.percentile95Relative = deviation.percentile95 / diagonal_;
+        deviation.largestGapRelative = deviation.largestGap / diagonal_;
+    }
+
+    const QuadMesh& mesh_;
+    const Layout& layout_;
+    const std::vector<Patch>& patches_;
+    const std::vector<ReferenceGrid>& references_;
+    MeasureOptions options_;
+    const MeasuredScan& scan_;
+    double diagonal_;
+    std::vector<BorderEdge> borders_;
+    std::vector<ReferenceGrid> facets_;
+    PairedSurfaces toReference_;
+    PairedSurfaces toFacets_;
+    std::vector<Parts> parts_; ///< by patch
+    Parts all_;
+    Measurement result_;
+};
+
+} // namespace
+
+Measurement measureSurfaces(const QuadMesh& mesh, const Layout& layout, const std::vector<Patch>& patches,
+                            const std::vector<ReferenceGrid>& references, const std::vector<bool>& isSmooth,
+                            const MeasureOptions& options, const MeasuredScan& scan, const Control& control) {
+    Meter meter(mesh, layout, patches, references, options, scan);
+    parallelFor(patches.size(), control.jobs, [&](std::size_t k) { meter.measurePatch(k); });
+    meter.measureBorders(isSmooth, control.jobs);
+    return meter.finish();
+}
+
+std::vector<ReferenceGrid> facetGrids(const QuadMesh& mesh, const Layout& layout) {
+    std::vector<ReferenceGrid> grids;
+    for (const Segment& segment : layout.segments)
+        grids.push_back({segment.size, 1, pointGrid(mesh, segment)});
+    return grids;
+}
+
+} // namespace qm

@@ -1,0 +1,117 @@
+#include "bspline/measure/paired_surfaces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace qm {
+namespace {
+
+std::size_t index(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+int commonDegree(const std::vector<Patch>& patches, const std::vector<ReferenceGrid>& references) {
+    int degree = 1;
+    for (const Patch& patch : patches)
+        degree = std::max({degree, patch.degree[0], patch.degree[1]});
+    for (const ReferenceGrid& reference : references)
+        degree = std::max(degree, reference.steps);
+    return degree;
+}
+
+std::vector<double> gridLines(int edges) {
+    std::vector<double> lines;
+    for (int k = 0; k <= edges; ++k)
+        lines.push_back(k);
+    return lines;
+}
+
+constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+} // namespace
+
+PairedSurfaces::PairedSurfaces(const Layout& layout, const std::vector<Patch>& patches,
+                               const std::vector<ReferenceGrid>& references,
+                               const std::vector<BorderEdge>& borders)
+    : layout_(layout) {
+    const int degree = commonDegree(patches, references);
+    for (std::size_t p = 0; p < patches.size(); ++p) {
+        const ReferenceGrid& reference = references[p];
+        std::array<std::vector<double>, 2> breaks;
+        for (std::size_t k = 0; k < 2; ++k)
+            breaks[k] = mergedBreaks(differentKnots(patches[p].knots[k], patches[p].degree[k]),
+                                     gridLines(reference.size[k]));
+        pieces_[0].push_back(bezierPieces(patches[p], breaks, degree));
+        BezierPieces ofReference;
+        for (std::size_t k = 0; k < 2; ++k)
+            ofReference.along[k] = latticeExtraction(reference.steps, breaks[k], degree);
+        ofReference.controls = reference.points;
+        ofReference.width = index(reference.size[0] * reference.steps + 1);
+        pieces_[1].push_back(std::move(ofReference));
+
+        auto& sides = beyond_.emplace_back();
+        for (std::size_t k = 0; k < 4; ++k)
+            sides[k].assign(index(layout.segments[p].size[k % 2]), {none, 0, 0});
+    }
+    const auto entry = [this](const BorderPlace& place) -> BorderPlace& {
+        return beyond_[place.patch][index(place.side)][index(place.position)];
+    };
+    for (const BorderEdge& border : borders)
+        if (border.places.size() == 2) {
+            entry(border.places[0]) = border.places[1];
+            entry(border.places[1]) = border.places[0];
+        }
+}
+
+std::array<double, 2> PairedSurfaces::extent(std::size_t patch) const {
+    const auto& size = layout_.segments[patch].size;
+    return {static_cast<double>(size[0]), static_cast<double>(size[1])};
+}
+
+std::array<std::size_t, 2> PairedSurfaces::cells(std::size_t patch) const {
+    const auto& along = pieces_[0][patch].along;
+    return {along[0].intervals(), along[1].intervals()};
+}
+
+std::array<double, 2> PairedSurfaces::range(const Cell& cell, std::size_t direction) const {
+    const auto& breaks = pieces_[0][cell.patch].along[direction].breaks;
+    return {breaks[cell.interval[direction]], breaks[cell.interval[direction] + 1]};
+}
+
+Cell PairedSurfaces::cellAt(const LayoutPlace& place) const {
+    const auto& along = pieces_[0][place.patch].along;
+    return {place.patch, {along[0].intervalAt(place.at[0]), along[1].intervalAt(place.at[1])}};
+}
+
+void PairedSurfaces::get(std::size_t surface, const Cell& cell, BezierPiece& piece) const {
+    pieces_[surface][cell.patch].get(cell.interval[0], cell.interval[1], piece);
+}
+
+std::optional<PairedSurfaces::Crossing> PairedSurfaces::across(const LayoutPlace& place, int side) const {
+    const auto& size = layout_.segments[place.patch].size;
+    const std::array<double, 4> walked{place.at[0], place.at[1], size[0] - place.at[0],
+                                       size[1] - place.at[1]};
+    const double along = walked[index(side)];
+    const int position = std::clamp(static_cast<int>(along), 0, size[index(side) % 2] - 1);
+    const BorderPlace& other = beyond_[place.patch][index(side)][index(position)];
+    if (other.patch == none) return std::nullopt;
+    const double there = other.position + 1 - std::clamp(along - position, 0.0, 1.0);
+    return Crossing{{other.patch, parametersOnSide(layout_.segments[other.patch].size, other.side, there)},
+                    (other.side - side + 6) % 4};
+}
+
+std::array<double, 2> turned(const std::array<double, 2>& vector, int quarters) {
+    switch (quarters) {
+    case 0:
+        return vector;
+    case 1:
+        return {-vector[1], vector[0]};
+    case 2:
+        return {-vector[0], -vector[1]};
+    default:
+        return {vector[1], -vector[0]};
+    }
+}
+
+} // namespace qm

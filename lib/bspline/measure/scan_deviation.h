@@ -1,0 +1,35 @@
+/// \file The largest distance between surfaces and a scan, certain to a few per cent where that is possible.
+#pragma once
+
+#include "bspline/measure/certified_deviation.h"
+#include "bspline/splines/surfaces.h"
+
+#include <array>
+#include <functional>
+
+namespace qm {
+
+/// The nearest point of a triangulated scan.
+struct ScanPoint {
+    std::array<Point, 3> triangle; ///< on which it lies
+    double distance = 0;
+    bool onBoundary = false; ///< the scan ends there, so it says nothing about the place that was asked for
+};
+/// Of any point; from several threads.
+using NearestOnScan = std::function<ScanPoint(const Point&)>;
+
+struct ScanDeviation {
+    CertifiedDeviation deviation; ///< of the part that the scan covers, from surface to scan
+    double covered = 0;           ///< share of the parameters' area
+};
+
+/// Branch and bound over the Bezier pieces of a patch: the distance from a triangle is convex, so that of a
+/// piece is at most that of its Bezier points. Places whose nearest point lies on the scan's boundary or
+/// beyond the cut-off are not covered. \param cutOff  distance from which a scan is no witness
+[[nodiscard]] ScanDeviation scanDeviation(const Patch& patch, std::size_t number,
+                                          const NearestOnScan& nearest, double cutOff,
+                                          const CertificationOptions& options);
+
+[[nodiscard]] double distanceToTriangle(const std::array<Point, 3>& triangle, const Point& point);
+
+} // namespace qm

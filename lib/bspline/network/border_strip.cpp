@@ -1,0 +1,103 @@
+#include "bspline/network/border_strip.h"
+
+#include "bspline/splines/basis.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace qm {
+namespace {
+
+constexpr int degree = 3;
+
+/// The weights of the control points of knot interval `span` in the polar form at three parameters (de Boor's
+/// algorithm with one parameter a step).
+std::array<double, 4> blossomWeights(std::span<const double> knots, std::size_t span,
+                                     const std::array<double, 3>& at) {
+    std::array<std::array<double, 4>, 4> points{};
+    for (std::size_t k = 0; k < 4; ++k)
+        points[k][k] = 1;
+    for (std::size_t step = 1; step <= 3; ++step)
+        for (std::size_t k = 3; k >= step; --k) {
+            const double left = knots[span - 3 + k];
+            const double right = knots[span + 1 + k - step];
+            const double share = (at[step - 1] - left) / (right - left);
+            for (std::size_t i = 0; i < 4; ++i)
+                points[k][i] = (1 - share) * points[k - 1][i] + share * points[k][i];
+        }
+    return points[3];
+}
+
+} // namespace
+
+void LinearForm::add(std::size_t unknown, double weight) {
+    if (std::abs(weight) < 1e-14) return;
+    const auto found = std::ranges::find(unknowns, unknown);
+    if (found != unknowns.end()) {
+        weights[static_cast<std::size_t>(found - unknowns.begin())] += weight;
+        return;
+    }
+    unknowns.push_back(unknown);
+    weights.push_back(weight);
+}
+
+BorderStrip::BorderStrip(const PatchSpace& space, const std::array<int, 2>& size, const StretchSide& place)
+    : space_(space), side_(place.side) {
+    const std::size_t along = directionAlong(side_);
+    origin_ = patchParameter(size, place, 0);
+    direction_ = patchParameter(size, place, 1) - origin_;
+
+    const auto& across = space.knots[1 - along];
+    const bool atEnd = side_ == 1 || side_ == 2;
+    firstInterval_ = atEnd ? across[across.size() - 4] - across[across.size() - 5] : across[4] - across[3];
+
+    const auto& knots = space.knots[along];
+    for (std::size_t k = 4; k + 4 < knots.size(); ++k)
+        inner_.push_back((knots[k] - origin_) * direction_);
+    if (direction_ < 0) std::ranges::reverse(inner_);
+}
+
+std::size_t BorderStrip::unknown(std::size_t along, std::size_t layer) const {
+    const std::size_t columns = space_.count(0);
+    const std::size_t rows = space_.count(1);
+    switch (side_) {
+    case 0:
+        return space_.firstUnknown + layer * columns + along;
+    case 1:
+        return space_.firstUnknown + along * columns + columns - 1 - layer;
+    case 2:
+        return space_.firstUnknown + (rows - 1 - layer) * columns + along;
+    default:
+        return space_.firstUnknown + along * columns + layer;
+    }
+}
+
+void BorderStrip::addPoints(Across what, std::size_t first, std::span<const double> weights, double factor,
+                            LinearForm& form) const {
+    const double slope = degree / firstInterval_;
+    for (std::size_t k = 0; k < weights.size(); ++k) {
+        if (what == Across::position) {
+            form.add(unknown(first + k, 0), factor * weights[k]);
+        } else {
+            form.add(unknown(first + k, 1), factor * slope * weights[k]);
+            form.add(unknown(first + k, 0), -factor * slope * weights[k]);
+        }
+    }
+}
+
+void BorderStrip::addBlossom(Across what, const std::array<double, 3>& at, double within, double factor,
+                             LinearForm& form) const {
+    const auto& knots = space_.knots[directionAlong(side_)];
+    const std::size_t span = knotSpan(knots, degree, parameter(within));
+    const auto weights =
+        blossomWeights(knots, span, {parameter(at[0]), parameter(at[1]), parameter(at[2])});
+    addPoints(what, span - 3, weights, factor, form);
+}
+
+void BorderStrip::addDerivativeAlong(double at, double within, double factor, LinearForm& form) const {
+    // The polar form is affine in each argument: its slope in one of them is a third of the derivative.
+    addBlossom(Across::position, {at, at, at + 1}, within, degree * factor, form);
+    addBlossom(Across::position, {at, at, at}, within, -degree * factor, form);
+}
+
+} // namespace qm

@@ -1,0 +1,71 @@
+/// \file A patch along a part of one of its sides: its border curve and its derivative across the border, as
+/// linear functions of its control points.
+#pragma once
+
+#include "bspline/network/stretches.h"
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace qm {
+
+/// The bicubic spline space of a patch: clamped knots in full, along u and along v.
+struct PatchSpace {
+    std::array<std::vector<double>, 2> knots;
+    std::size_t firstUnknown = 0; ///< control point (i, j) is unknown firstUnknown + j * count(0) + i
+
+    [[nodiscard]] std::size_t count(std::size_t direction) const { return knots[direction].size() - 4; }
+    [[nodiscard]] std::size_t size() const { return count(0) * count(1); }
+};
+
+/// A linear function of all patches' control points, the same for x, y and z.
+struct LinearForm {
+    std::vector<std::size_t> unknowns;
+    std::vector<double> weights;
+
+    /// Adds to the weight of an unknown; weights that are nothing but rounding are left out.
+    void add(std::size_t unknown, double weight);
+};
+
+/// What a strip is asked for at a place.
+enum class Across {
+    position,  ///< of the border curve
+    derivative ///< into the patch, across the border, for the parameter of the mesh's grid
+};
+
+class BorderStrip {
+public:
+    /// \param size  of the patch, in quads
+    BorderStrip(const PatchSpace& space, const std::array<int, 2>& size, const StretchSide& place);
+
+    /// Inner knots along the border as parameters of the stretch, ascending, repeated as often as they are.
+    [[nodiscard]] const std::vector<double>& knots() const { return inner_; }
+
+    /// Adds, times a factor, the polar form of the cubic that the strip is around `within`, at three
+    /// parameters of the stretch: between refined knots this is a control point of the refined curve.
+    void addBlossom(Across what, const std::array<double, 3>& at, double within, double factor,
+                    LinearForm& form) const;
+    /// Adds the value at a parameter of the stretch, of the cubic around `within`.
+    void addValue(Across what, double at, double within, double factor, LinearForm& form) const {
+        addBlossom(what, {at, at, at}, within, factor, form);
+    }
+    /// Adds the border curve's derivative by the parameter of the stretch.
+    void addDerivativeAlong(double at, double within, double factor, LinearForm& form) const;
+
+private:
+    [[nodiscard]] std::size_t unknown(std::size_t along, std::size_t layer) const;
+    [[nodiscard]] double parameter(double x) const { return origin_ + direction_ * x; }
+    void addPoints(Across what, std::size_t first, std::span<const double> weights, double factor,
+                   LinearForm& form) const;
+
+    const PatchSpace& space_;
+    int side_;
+    double origin_;         ///< parameter of the patch along the border where the stretch begins
+    double direction_;      ///< and whether it grows with that of the stretch: 1 or -1
+    double firstInterval_;  ///< the knot interval at the border, across it
+    std::vector<double> inner_;
+};
+
+} // namespace qm

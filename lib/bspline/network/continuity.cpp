@@ -1,0 +1,112 @@
+#include "bspline/network/continuity.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <utility>
+
+namespace qm {
+namespace {
+
+/// Ascending; each parameter as often as in the one of the lists that has it more often.
+std::vector<double> unionOf(const std::vector<double>& a, const std::vector<double>& b) {
+    std::vector<double> result;
+    std::ranges::set_union(a, b, std::back_inserter(result));
+    return result;
+}
+
+/// The part of a list strictly between two parameters.
+std::vector<double> between(const std::vector<double>& knots, double begin, double end) {
+    std::vector<double> result;
+    std::ranges::copy_if(knots, std::back_inserter(result), [&](double knot) { return begin < knot && knot < end; });
+    return result;
+}
+
+/// A control point of a refined cubic: the arguments of its polar form, and a parameter in its support.
+struct RefinedPoint {
+    std::array<double, 3> at{};
+    double within = 0;
+};
+
+/// All control points of clamped cubics with these inner knots.
+std::vector<RefinedPoint> refinedPoints(double begin, double end, const std::vector<double>& inner) {
+    std::vector<double> knots(4, begin);
+    knots.insert(knots.end(), inner.begin(), inner.end());
+    knots.insert(knots.end(), 4, end);
+    std::vector<RefinedPoint> points;
+    for (std::size_t k = 0; k + 4 < knots.size(); ++k) {
+        std::size_t widest = k;
+        for (std::size_t i = k; i < k + 4; ++i)
+            if (knots[i + 1] - knots[i] > knots[widest + 1] - knots[widest]) widest = i;
+        points.push_back({{knots[k + 1], knots[k + 2], knots[k + 3]}, (knots[widest] + knots[widest + 1]) / 2});
+    }
+    return points;
+}
+
+/// Where the tangent ratio is zero, both sides' derivatives are splines of one kind.
+void addOppositeDerivatives(double begin, double end, const BorderStrip& first, const BorderStrip& second,
+                            std::vector<LinearForm>& equations) {
+    const auto inner = between(unionOf(first.knots(), second.knots()), begin, end);
+    for (const RefinedPoint& point : refinedPoints(begin, end, inner)) {
+        LinearForm form;
+        first.addBlossom(Across::derivative, point.at, point.within, 1, form);
+        second.addBlossom(Across::derivative, point.at, point.within, 1, form);
+        equations.push_back(std::move(form));
+    }
+}
+
+/// Elsewhere an equation is a polynomial of degree 4 between knots, and zero if it is zero at five places.
+void addCollocation(const SmoothRun& run, double begin, double end, const BorderStrip& first,
+                    const BorderStrip& second, std::vector<LinearForm>& equations) {
+    constexpr int places = 5;
+    std::vector<double> ends{begin};
+    for (const double knot : between(unionOf(first.knots(), second.knots()), begin, end))
+        if (knot > ends.back()) ends.push_back(knot);
+    ends.push_back(end);
+    for (std::size_t k = 0; k + 1 < ends.size(); ++k)
+        for (int place = 0; place < places; ++place) {
+            const double middle = (ends[k] + ends[k + 1]) / 2;
+            const double at = ends[k] + (ends[k + 1] - ends[k]) * place / (places - 1);
+            LinearForm form;
+            first.addValue(Across::derivative, at, middle, 1, form);
+            second.addValue(Across::derivative, at, middle, 1, form);
+            first.addDerivativeAlong(at, middle, -run.ratio(at - run.begin), form);
+            equations.push_back(std::move(form));
+        }
+}
+
+} // namespace
+
+void addPositionEquations(const Stretch& stretch, const BorderStrip& first, const BorderStrip& second,
+                          std::vector<LinearForm>& equations) {
+    const double end = stretch.length();
+    for (const RefinedPoint& point :
+         refinedPoints(0, end, between(unionOf(first.knots(), second.knots()), 0, end))) {
+        LinearForm form;
+        first.addBlossom(Across::position, point.at, point.within, 1, form);
+        second.addBlossom(Across::position, point.at, point.within, -1, form);
+        equations.push_back(std::move(form));
+    }
+}
+
+void addTangentEquations(const SmoothRun& run, const BorderStrip& first, const BorderStrip& second,
+                         std::vector<LinearForm>& equations) {
+    const TangentRatio& ratio = run.ratio;
+    double begin = run.begin;
+    double end = run.end;
+    if (ratio.isLinear) {
+        addCollocation(run, begin, end, first, second, equations);
+        return;
+    }
+    if (ratio.atEnd[0] != 0) {
+        addCollocation(run, begin, begin + ratio.reach[0], first, second, equations);
+        begin += ratio.reach[0];
+    }
+    if (ratio.atEnd[1] != 0) {
+        addCollocation(run, end - ratio.reach[1], end, first, second, equations);
+        end -= ratio.reach[1];
+    }
+    if (begin < end) addOppositeDerivatives(begin, end, first, second, equations);
+}
+
+} // namespace qm

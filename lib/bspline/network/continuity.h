@@ -1,0 +1,32 @@
+/// \file The equations that make neighbouring patches meet, and meet smoothly (docs/METHOD.md#smooth-surfaces).
+#pragma once
+
+#include "bspline/network/border_strip.h"
+#include "bspline/network/stretches.h"
+#include "bspline/network/tangent_ratio.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace qm {
+
+/// A run of smooth edges of a stretch, in mesh edges from the stretch's beginning.
+struct SmoothRun {
+    std::size_t stretch = 0;
+    int begin = 0;
+    int end = 0;
+    TangentRatio ratio; ///< over 0 to end - begin
+};
+
+/// Adds the equations (each form is to be 0) for one curve on both sides of a stretch: C0. As many as the
+/// common refinement of both sides' splines has control points there; those at the ends may say again what
+/// other stretches say.
+void addPositionEquations(const Stretch& stretch, const BorderStrip& first, const BorderStrip& second,
+                          std::vector<LinearForm>& equations);
+
+/// Adds the equations for one tangent plane along a run: the derivatives across the border, each into its own
+/// patch, sum up to the tangent ratio times the derivative along it: G1.
+void addTangentEquations(const SmoothRun& run, const BorderStrip& first, const BorderStrip& second,
+                         std::vector<LinearForm>& equations);
+
+} // namespace qm

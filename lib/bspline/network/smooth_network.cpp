@@ -1,0 +1,83 @@
+#include "bspline/network/smooth_network.h"
+
+#include "bspline/network/borders.h"
+
+#include <cstddef>
+#include <unordered_map>
+
+namespace qm {
+namespace {
+
+BorderMarks markBorders(const QuadMesh& mesh, const std::vector<BorderEdge>& borders,
+                        const std::vector<double>& dihedralAngles, double rho) {
+    BorderMarks marks{std::vector<bool>(mesh.n_edges()), std::vector<bool>(mesh.n_edges())};
+    for (const BorderEdge& border : borders) {
+        const auto edge = static_cast<std::size_t>(mesh.edge_handle(border.halfedge).idx());
+        marks.isBorder[edge] = true;
+        marks.isCrease[edge] = border.places.size() != 2 || dihedralAngles[edge] > rho;
+    }
+    return marks;
+}
+
+/// The tangent ratio of every smooth border at the vertex that its halfedge leaves, by halfedge index.
+std::unordered_map<int, double> ratiosAtVertices(const QuadMesh& mesh, const SmoothNetwork& network,
+                                                 const std::vector<BorderEdge>& borders) {
+    std::unordered_map<int, double> ratios;
+    std::vector<bool> seen(mesh.n_vertices());
+    for (const BorderEdge& border : borders)
+        for (const VertexId vertex :
+             {mesh.from_vertex_handle(border.halfedge), mesh.to_vertex_handle(border.halfedge)}) {
+            const auto index = static_cast<std::size_t>(vertex.idx());
+            if (seen[index]) continue;
+            seen[index] = true;
+            const VertexFan fan = vertexFan(mesh, network.marks, vertex);
+            const auto all = tangentRatios(mesh, fan, network.rules[index]);
+            for (std::size_t k = 0; k < all.size(); ++k)
+                if (all[k] != 0) ratios.emplace(fan.borders[k].idx(), all[k]);
+        }
+    return ratios;
+}
+
+double ratioAt(const std::unordered_map<int, double>& ratios, HalfedgeId leaving) {
+    const auto found = ratios.find(leaving.idx());
+    return found == ratios.end() ? 0 : found->second;
+}
+
+} // namespace
+
+SmoothNetwork buildNetwork(const QuadMesh& mesh, const Layout& layout,
+                           const std::vector<double>& dihedralAngles, double rho) {
+    const auto borders = borderEdges(mesh, layout);
+    SmoothNetwork network{markBorders(mesh, borders, dihedralAngles, rho), {}, findStretches(borders), {}};
+    network.rules = vertexRules(mesh, layout, creasesAndBoundary(mesh, network.marks.isCrease));
+    const auto ratios = ratiosAtVertices(mesh, network, borders);
+    const auto isSmooth = [&](HalfedgeId halfedge) {
+        return !network.marks.isCrease[static_cast<std::size_t>(mesh.edge_handle(halfedge).idx())];
+    };
+    for (std::size_t k = 0; k < network.stretches.size(); ++k) {
+        const auto& halfedges = network.stretches[k].halfedges;
+        for (std::size_t begin = 0; begin < halfedges.size();) {
+            if (!isSmooth(halfedges[begin])) {
+                ++begin;
+                continue;
+            }
+            std::size_t end = begin + 1;
+            const auto leaves = [&](std::size_t at) {
+                return ratioAt(ratios, halfedges[at]) != 0 ||
+                       ratioAt(ratios, mesh.opposite_halfedge_handle(halfedges[at - 1])) != 0;
+            };
+            while (end < halfedges.size() && isSmooth(halfedges[end]) && !leaves(end))
+                ++end;
+            SmoothRun run{k, static_cast<int>(begin), static_cast<int>(end), {}};
+            run.ratio.length = static_cast<double>(end - begin);
+            // At its end the run comes to the vertex, where the ratio is meant for what leaves.
+            run.ratio.atEnd = {ratioAt(ratios, halfedges[begin]),
+                               -ratioAt(ratios, mesh.opposite_halfedge_handle(halfedges[end - 1]))};
+            network.runs.push_back(run);
+            begin = end;
+        }
+    }
+    return network;
+}
+
+} // namespace qm

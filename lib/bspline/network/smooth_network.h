@@ -1,0 +1,25 @@
+/// \file The network of a layout's borders: stretches, and the runs along which surfaces are to be smooth.
+#pragma once
+
+#include "bspline/network/continuity.h"
+#include "bspline/network/stretches.h"
+#include "bspline/network/vertex_fan.h"
+#include "layout/layout.h"
+
+#include <vector>
+
+namespace qm {
+
+struct SmoothNetwork {
+    BorderMarks marks;
+    std::vector<VertexRule> rules; ///< of all vertices
+    std::vector<Stretch> stretches;
+    std::vector<SmoothRun> runs; ///< their ratios have values at their ends, but no reach yet
+};
+
+/// Linear in the mesh. \param dihedralAngles  by edge index, radians
+/// \param rho  a border edge of a larger dihedral angle is a crease
+[[nodiscard]] SmoothNetwork buildNetwork(const QuadMesh& mesh, const Layout& layout,
+                                         const std::vector<double>& dihedralAngles, double rho);
+
+} // namespace qm

@@ -1,0 +1,55 @@
+#include "bspline/network/stretches.h"
+
+#include <tuple>
+
+namespace qm {
+namespace {
+
+bool follows(const BorderEdge& edge, const BorderEdge& before) {
+    const auto& [first, second] = std::tie(edge.places[0], edge.places[1]);
+    const auto& [firstBefore, secondBefore] = std::tie(before.places[0], before.places[1]);
+    return first.patch == firstBefore.patch && first.side == firstBefore.side &&
+           first.position == firstBefore.position + 1 && second.patch == secondBefore.patch &&
+           second.side == secondBefore.side && second.position == secondBefore.position - 1;
+}
+
+Stretch beginAt(const BorderEdge& edge) {
+    const BorderPlace& first = edge.places[0];
+    const BorderPlace& second = edge.places[1];
+    Stretch stretch;
+    stretch.sides = {StretchSide{first.patch, first.side, first.position, 1},
+                     StretchSide{second.patch, second.side, second.position + 1, -1}};
+    return stretch;
+}
+
+/// From a distance from a side's beginning to the patch's parameter; and back, for it is its own inverse.
+double mirrored(const std::array<int, 2>& size, int side, double distance) {
+    return side < 2 ? distance : size[directionAlong(side)] - distance;
+}
+
+} // namespace
+
+double patchParameter(const std::array<int, 2>& size, const StretchSide& place, double x) {
+    return mirrored(size, place.side, place.origin + place.direction * x);
+}
+
+double stretchParameter(const std::array<int, 2>& size, const StretchSide& place, double parameter) {
+    return (mirrored(size, place.side, parameter) - place.origin) * place.direction;
+}
+
+std::vector<Stretch> findStretches(const std::vector<BorderEdge>& borders) {
+    std::vector<Stretch> stretches;
+    const BorderEdge* before = nullptr;
+    for (const BorderEdge& edge : borders) {
+        if (edge.places.size() != 2) {
+            before = nullptr;
+            continue;
+        }
+        if (before == nullptr || !follows(edge, *before)) stretches.push_back(beginAt(edge));
+        stretches.back().halfedges.push_back(edge.halfedge);
+        before = &edge;
+    }
+    return stretches;
+}
+
+} // namespace qm

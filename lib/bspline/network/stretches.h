@@ -1,0 +1,46 @@
+/// \file Stretches: where one side of a patch runs along one side of another.
+#pragma once
+
+#include "bspline/network/borders.h"
+#include "layout/layout.h"
+#include "mesh/quad_mesh.h"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace qm {
+
+/// Where a stretch lies on a side of a patch: the stretch's parameter x, counted in mesh edges from its
+/// beginning, belongs to `origin + direction * x` of the side, counted from the side's beginning.
+struct StretchSide {
+    std::size_t patch = 0;
+    int side = 0;
+    int origin = 0;
+    int direction = 1; ///< 1 for the first side, -1 for the second, which sees the stretch the other way round
+};
+
+/// A maximal run of border edges shared by one side of each of two patches, which may be the same patch.
+/// Sides fall into several stretches where other patches meet at T-joints.
+struct Stretch {
+    std::array<StretchSide, 2> sides;
+    std::vector<HalfedgeId> halfedges; ///< in the direction of the first side
+
+    [[nodiscard]] int length() const { return static_cast<int>(halfedges.size()); }
+};
+
+/// The direction of the patch's parameters that runs along a side: 0 for u, 1 for v.
+[[nodiscard]] inline std::size_t directionAlong(int side) {
+    return side % 2 == 0 ? 0 : 1;
+}
+
+/// The patch's parameter along its side at a parameter of the stretch. Sides 2 and 3 run against u and v.
+[[nodiscard]] double patchParameter(const std::array<int, 2>& size, const StretchSide& place, double x);
+
+/// The parameter of the stretch at a parameter of the patch along its side.
+[[nodiscard]] double stretchParameter(const std::array<int, 2>& size, const StretchSide& place, double parameter);
+
+/// All stretches, in the order of the first patch, side and position that has them.
+[[nodiscard]] std::vector<Stretch> findStretches(const std::vector<BorderEdge>& borders);
+
+} // namespace qm

@@ -1,0 +1,32 @@
+/// \file How derivatives across a smooth border are tied to the derivative along it.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace qm {
+
+/// The function lambda of a smooth border, over 0 to its length: from the values at its ends it falls to zero,
+/// quadratically, within a reach from either end; or, if it has no reach, it is linear from end to end.
+struct TangentRatio {
+    std::array<double, 2> atEnd{};
+    std::array<double, 2> reach{}; ///< 0 only if the value is; together at most the length
+    bool isLinear = false;
+    double length = 0;
+
+    [[nodiscard]] bool isZero() const { return atEnd[0] == 0 && atEnd[1] == 0; }
+
+    [[nodiscard]] double operator()(double x) const {
+        if (isLinear) return atEnd[0] + (atEnd[1] - atEnd[0]) * x / length;
+        return quadratic(0, x) + quadratic(1, length - x);
+    }
+
+private:
+    [[nodiscard]] double quadratic(std::size_t end, double distance) const {
+        if (atEnd[end] == 0 || distance >= reach[end]) return 0;
+        const double rest = 1 - distance / reach[end];
+        return atEnd[end] * rest * rest;
+    }
+};
+
+} // namespace qm

@@ -1,0 +1,143 @@
+#include "bspline/network/vertex_fan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <optional>
+
+namespace qm {
+namespace {
+
+Point along(const QuadMesh& mesh, HalfedgeId halfedge) {
+    return mesh.point(mesh.to_vertex_handle(halfedge)) - mesh.point(mesh.from_vertex_handle(halfedge));
+}
+
+/// The next halfedge that leaves the same vertex, counter-clockwise; the halfedge must have a face.
+HalfedgeId nextAround(const QuadMesh& mesh, HalfedgeId halfedge) {
+    return mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(halfedge));
+}
+
+/// Consecutive patches of a fan with creases at both ends only; or all of them if there is one crease at most.
+struct Sector {
+    std::size_t begin = 0; ///< the border at which it begins
+    std::size_t size = 0;  ///< how many patches it has
+    bool isWhole = false;  ///< it begins and ends at the same border
+};
+
+std::vector<Sector> sectors(const VertexFan& fan) {
+    const std::size_t count = fan.borders.size();
+    std::vector<std::size_t> creases;
+    for (std::size_t k = 0; k < count; ++k)
+        if (fan.isCrease[k]) creases.push_back(k);
+    if (creases.size() <= 1) return {{creases.empty() ? 0 : creases.front(), count, true}};
+    std::vector<Sector> result;
+    for (std::size_t k = 0; k < creases.size(); ++k) {
+        const bool last = k + 1 == creases.size();
+        if (last && !fan.isClosed) break;
+        const std::size_t end = last ? creases.front() + count : creases[k + 1];
+        result.push_back({creases[k], end - creases[k], false});
+    }
+    return result;
+}
+
+/// The angle of each patch of a sector that has a corner at the vertex, if those whose sides pass straight
+/// through take half a turn each; nothing if that leaves no room.
+std::optional<double> angleOfCorners(const VertexFan& fan, const Sector& sector, double total) {
+    int corners = 0;
+    for (std::size_t k = 0; k < sector.size; ++k) {
+        if (fan.faces[(sector.begin + k) % fan.borders.size()] == 1)
+            ++corners;
+        else
+            total -= std::numbers::pi;
+    }
+    constexpr double minAngle = 0.1;
+    if (corners == 0) return total > -minAngle ? std::optional(0.0) : std::nullopt;
+    const double angle = total / corners;
+    return angle > minAngle ? std::optional(angle) : std::nullopt;
+}
+
+/// The direction in which a patch leaves the vertex across the border on its one side: along its other side,
+/// or, if its side passes straight through, along the mesh edge between its two faces.
+Point inward(const QuadMesh& mesh, const VertexFan& fan, std::size_t patch, bool fromNext) {
+    const std::size_t count = fan.borders.size();
+    if (fan.faces[patch] == 1)
+        return along(mesh, fan.borders[fromNext ? patch : (patch + 1) % count]);
+    return along(mesh, nextAround(mesh, fan.borders[patch]));
+}
+
+/// What the mesh itself has.
+double measuredRatio(const QuadMesh& mesh, const VertexFan& fan, std::size_t border) {
+    const std::size_t count = fan.borders.size();
+    const Point on = along(mesh, fan.borders[border]);
+    const Point sum = inward(mesh, fan, border, false) + inward(mesh, fan, (border + count - 1) % count, true);
+    constexpr double max = 1.8;
+    const double length = on.sqrnorm();
+    return length > 0 ? std::clamp((sum | on) / length, -max, max) : 0;
+}
+
+} // namespace
+
+VertexFan vertexFan(const QuadMesh& mesh, const BorderMarks& marks, VertexId vertex) {
+    const auto edge = [&](HalfedgeId halfedge) {
+        return static_cast<std::size_t>(mesh.edge_handle(halfedge).idx());
+    };
+    VertexFan fan;
+    HalfedgeId first = mesh.halfedge_handle(vertex);
+    // On the boundary the first halfedge counter-clockwise is the one with a face whose opposite has none.
+    if (mesh.is_boundary(vertex)) {
+        fan.isClosed = false;
+        while (!mesh.is_boundary(mesh.opposite_halfedge_handle(first)))
+            first = mesh.next_halfedge_handle(mesh.opposite_halfedge_handle(first));
+    } else {
+        HalfedgeId start = first;
+        do {
+            if (marks.isBorder[edge(start)]) break;
+            start = nextAround(mesh, start);
+        } while (start != first);
+        first = start;
+    }
+    HalfedgeId halfedge = first;
+    do {
+        if (marks.isBorder[edge(halfedge)]) {
+            fan.borders.push_back(halfedge);
+            fan.isCrease.push_back(marks.isCrease[edge(halfedge)]);
+            fan.faces.push_back(0);
+        }
+        if (mesh.is_boundary(halfedge)) break;
+        if (!fan.faces.empty()) ++fan.faces.back();
+        halfedge = nextAround(mesh, halfedge);
+    } while (halfedge != first);
+    return fan;
+}
+
+std::vector<double> tangentRatios(const QuadMesh& mesh, const VertexFan& fan, const VertexRule& rule) {
+    constexpr double halfTurn = std::numbers::pi;
+    const std::size_t count = fan.borders.size();
+    const auto isPassed = [&](std::size_t border) {
+        return rule.kind == VertexRule::Kind::crease && std::ranges::count(rule.along, fan.borders[border]) > 0;
+    };
+    std::vector<double> ratios(count);
+    for (const Sector& sector : sectors(fan)) {
+        const std::size_t end = sector.begin + sector.size;
+        std::optional<double> angle;
+        if (sector.isWhole)
+            angle = angleOfCorners(fan, sector, 2 * halfTurn);
+        else if (isPassed(sector.begin) && isPassed(end % count))
+            angle = angleOfCorners(fan, sector, halfTurn);
+        for (std::size_t k = sector.begin + (sector.isWhole ? 0 : 1); k < end; ++k) {
+            const std::size_t border = k % count;
+            if (fan.isCrease[border]) continue;
+            const std::size_t before = (border + count - 1) % count;
+            const auto cosine = [&](std::size_t patch) {
+                return fan.faces[patch] == 1 ? std::cos(*angle) : 0;
+            };
+            double ratio = angle ? cosine(border) + cosine(before) : measuredRatio(mesh, fan, border);
+            if (std::abs(ratio) < 1e-12) ratio = 0;
+            ratios[border] = ratio;
+        }
+    }
+    return ratios;
+}
+
+} // namespace qm

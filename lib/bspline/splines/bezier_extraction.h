@@ -1,0 +1,42 @@
+/// \file From control points to Bernstein's form, interval by interval, along one direction.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace qm {
+
+/// Over each of several intervals a spline is one polynomial; its Bezier points are fixed combinations of the
+/// control points that have a say there.
+struct BezierExtraction {
+    int controls = 0;               ///< how many control points have a say in an interval
+    int degree = 0;                 ///< of the Bezier form
+    std::vector<double> breaks;     ///< ends of the intervals, ascending; one more than intervals
+    std::vector<std::size_t> first; ///< of every interval: its first control point
+    std::vector<double> weights;    ///< of every interval degree + 1 rows of `controls` weights
+
+    [[nodiscard]] std::size_t intervals() const { return first.size(); }
+    /// Row by row.
+    [[nodiscard]] std::span<const double> of(std::size_t interval) const;
+    /// The interval with the parameter; the nearest one if it is outside.
+    [[nodiscard]] std::size_t intervalAt(double parameter) const;
+};
+
+/// The different knots of a domain, its ends among them.
+[[nodiscard]] std::vector<double> differentKnots(std::span<const double> knots, int degree);
+
+/// Both lists as one, ascending; what is nearer than 1e-9 to its neighbour counts once.
+[[nodiscard]] std::vector<double> mergedBreaks(std::span<const double> a, std::span<const double> b);
+
+/// Of a spline. \param breaks  within its domain, all its different knots among them
+/// \param raisedTo  degree of the Bezier form, at least that of the spline
+[[nodiscard]] BezierExtraction splineExtraction(std::span<const double> knots, int degree,
+                                                std::vector<double> breaks, int raisedTo);
+
+/// Of the polynomials of degree `steps` through values at `steps` steps of every unit interval, which have
+/// the values at its ends in common. \param breaks  from 0 to a whole number, all whole numbers between among
+/// them
+[[nodiscard]] BezierExtraction latticeExtraction(int steps, std::vector<double> breaks, int raisedTo);
+
+} // namespace qm

@@ -1,0 +1,64 @@
+#include "bspline/splines/clamped_patch.h"
+
+#include <algorithm>
+
+namespace qm {
+namespace {
+
+std::vector<double> clampedKnots(const std::vector<double>& knots, int degree) {
+    if (degree < 3) return knots;
+    std::vector<double> result = knots;
+    const std::size_t last = knots.size() - 4;
+    std::fill_n(result.begin(), 3, knots[3]);
+    std::fill(result.begin() + static_cast<std::ptrdiff_t>(last), result.end(), knots[last]);
+    return result;
+}
+
+} // namespace
+
+Patch clamped(const Patch& patch) {
+    const std::array<std::vector<double>, 2> knots = {clampedKnots(patch.knots[0], patch.degree[0]),
+                                                      clampedKnots(patch.knots[1], patch.degree[1])};
+    if (knots == patch.knots) return patch;
+    Patch result = patch;
+    result.knots = knots;
+    const auto columns = static_cast<std::size_t>(patch.count[0]);
+    const auto rows = static_cast<std::size_t>(patch.count[1]);
+    SplineCurve line;
+    line.knots = patch.knots[0];
+    for (std::size_t j = 0; j < rows && knots[0] != patch.knots[0]; ++j) {
+        const auto row = result.controlPoints.begin() + static_cast<std::ptrdiff_t>(j * columns);
+        line.points.assign(row, row + static_cast<std::ptrdiff_t>(columns));
+        std::ranges::copy(withKnots(line, knots[0]).points, row);
+    }
+    line.knots = patch.knots[1];
+    line.points.resize(rows);
+    for (std::size_t i = 0; i < columns && knots[1] != patch.knots[1]; ++i) {
+        for (std::size_t j = 0; j < rows; ++j)
+            line.points[j] = result.controlPoints[j * columns + i];
+        const SplineCurve column = withKnots(line, knots[1]);
+        for (std::size_t j = 0; j < rows; ++j)
+            result.controlPoints[j * columns + i] = column.points[j];
+    }
+    return result;
+}
+
+SplineCurve borderCurve(const Patch& clampedPatch, int side) {
+    const auto columns = static_cast<std::size_t>(clampedPatch.count[0]);
+    const auto rows = static_cast<std::size_t>(clampedPatch.count[1]);
+    SplineCurve curve;
+    if (side % 2 == 0) {
+        curve.knots = clampedPatch.knots[0];
+        const auto row = clampedPatch.controlPoints.begin() +
+                         static_cast<std::ptrdiff_t>(side == 0 ? 0 : (rows - 1) * columns);
+        curve.points.assign(row, row + static_cast<std::ptrdiff_t>(columns));
+    } else {
+        curve.knots = clampedPatch.knots[1];
+        for (std::size_t j = 0; j < rows; ++j)
+            curve.points.push_back(clampedPatch.controlPoints[j * columns + (side == 1 ? columns - 1 : 0)]);
+    }
+    if (clampedPatch.degree[side % 2 == 0 ? 0 : 1] < 3) curve = bezier(curve.points, curve.knots.back());
+    return side < 2 ? curve : reversed(curve);
+}
+
+} // namespace qm

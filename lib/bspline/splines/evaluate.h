@@ -1,0 +1,42 @@
+/// \file Points, derivatives and normals of a patch.
+#pragma once
+
+#include "bspline/splines/basis.h"
+#include "bspline/splines/surfaces.h"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace qm {
+
+struct SurfacePoint {
+    Point position{0, 0, 0};
+    Point du{0, 0, 0}; ///< partial derivatives
+    Point dv{0, 0, 0};
+};
+
+/// Smallest and largest u, smallest and largest v.
+[[nodiscard]] std::array<std::array<double, 2>, 2> domain(const Patch& patch);
+
+/// Outside its domain a patch goes on as the polynomial at its end.
+[[nodiscard]] SurfacePoint evaluate(const Patch& patch, double u, double v);
+
+/// The same from basis values already at hand, for many points on common parameter lines.
+[[nodiscard]] SurfacePoint evaluate(const Patch& patch, const BasisValues& u, const BasisValues& v);
+
+/// All points of a lattice: (us[i], vs[j]) at j * us.size() + i.
+[[nodiscard]] std::vector<SurfacePoint> evaluateLattice(const Patch& patch, std::span<const double> us,
+                                                        std::span<const double> vs);
+
+/// Positions alone, at less than half the cost, from the basis at the columns' and the rows' parameters.
+[[nodiscard]] std::vector<Point> positionLattice(const Patch& patch, const std::vector<BasisValues>& us,
+                                                 const std::vector<BasisValues>& vs);
+
+/// Unit length, on the side from which u turns to v counter-clockwise; zero where the patch is degenerate.
+[[nodiscard]] Point unitNormal(const Point& du, const Point& dv);
+
+/// Angle between two unit vectors, in degrees; 0 if one of them is zero.
+[[nodiscard]] double angleInDegrees(const Point& a, const Point& b);
+
+} // namespace qm

@@ -1,0 +1,191 @@
+#include "bspline/splines/patch_bezier.h"
+
+#include "bspline/splines/basis.h"
+#include "bspline/splines/eigen_point.h"
+
+#include <utility>
+
+namespace qm {
+namespace {
+
+using Row = std::array<double, 2 * maxDegree + 1>;
+
+std::size_t index(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+/// "degree over k" for k from 0 to degree.
+Row binomials(int degree) {
+    Row row{};
+    row[0] = 1;
+    for (int k = 1; k <= degree; ++k)
+        row[index(k)] = row[index(k - 1)] * (degree - k + 1) / k;
+    return row;
+}
+
+/// Every point times the binomials of its place: products of polynomials are then sums of products.
+std::vector<Eigen::Vector3d> scaled(const BezierPiece& piece) {
+    const Row u = binomials(piece.degree[0]);
+    const Row v = binomials(piece.degree[1]);
+    std::vector<Eigen::Vector3d> points = piece.points;
+    std::size_t k = 0;
+    for (int j = 0; j <= piece.degree[1]; ++j)
+        for (int i = 0; i <= piece.degree[0]; ++i)
+            points[k++] *= u[index(i)] * v[index(j)];
+    return points;
+}
+
+/// Bernstein's polynomials of a degree and their derivatives.
+void bernstein(int degree, double t, Row& value, Row& derivative) {
+    value[0] = 1;
+    derivative[0] = 0;
+    for (int d = 1; d <= degree; ++d) {
+        if (d == degree) {
+            derivative[0] = -degree * value[0];
+            for (int i = 1; i < degree; ++i)
+                derivative[index(i)] = degree * (value[index(i - 1)] - value[index(i)]);
+            derivative[index(degree)] = degree * value[index(degree - 1)];
+        }
+        value[index(d)] = t * value[index(d - 1)];
+        for (int i = d - 1; i > 0; --i)
+            value[index(i)] = t * value[index(i - 1)] + (1 - t) * value[index(i)];
+        value[0] *= 1 - t;
+    }
+}
+
+/// Restricts a row of points, `stride` apart, to [from, to].
+void restrictRow(Eigen::Vector3d* points, std::size_t stride, int degree, double from, double to) {
+    if (to < 1)
+        for (int level = 1; level <= degree; ++level)
+            for (int i = degree; i >= level; --i)
+                points[index(i) * stride] =
+                    (1 - to) * points[index(i - 1) * stride] + to * points[index(i) * stride];
+    const double begin = to > 0 ? from / to : 0;
+    if (begin > 0)
+        for (int level = 1; level <= degree; ++level)
+            for (int i = 0; i + level <= degree; ++i)
+                points[index(i) * stride] =
+                    (1 - begin) * points[index(i) * stride] + begin * points[index(i + 1) * stride];
+}
+
+} // namespace
+
+void BezierPieces::get(std::size_t i, std::size_t j, BezierPiece& piece) const {
+    const BezierExtraction& u = along[0];
+    const BezierExtraction& v = along[1];
+    const std::span<const double> weightsU = u.of(i);
+    const std::span<const double> weightsV = v.of(j);
+    const std::size_t columns = index(u.degree) + 1;
+    const std::size_t rows = index(v.degree) + 1;
+    piece.degree = {u.degree, v.degree};
+    piece.points.assign(columns * rows, Eigen::Vector3d::Zero());
+    std::array<Eigen::Vector3d, maxDegree + 1> onRow;
+    const double* weightU = nullptr;
+    for (std::size_t r = 0; r < index(v.controls); ++r) {
+        const Point* control = controls.data() + (v.first[j] + r) * width + u.first[i];
+        weightU = weightsU.data();
+        for (std::size_t column = 0; column < columns; ++column) {
+            onRow[column] = *weightU++ * vector(control[0]);
+            for (std::size_t c = 1; c < index(u.controls); ++c)
+                onRow[column] += *weightU++ * vector(control[c]);
+        }
+        for (std::size_t row = 0; row < rows; ++row) {
+            const double weight = weightsV[row * index(v.controls) + r];
+            for (std::size_t column = 0; column < columns; ++column)
+                piece.points[row * columns + column] += weight * onRow[column];
+        }
+    }
+}
+
+BezierPieces bezierPieces(const Patch& patch) {
+    BezierPieces pieces;
+    for (std::size_t k = 0; k < 2; ++k)
+        pieces.along[k] = splineExtraction(patch.knots[k], patch.degree[k],
+                                           differentKnots(patch.knots[k], patch.degree[k]), patch.degree[k]);
+    pieces.controls = patch.controlPoints;
+    pieces.width = index(patch.count[0]);
+    return pieces;
+}
+
+BezierPieces bezierPieces(const Patch& patch, const std::array<std::vector<double>, 2>& breaks,
+                          int raisedTo) {
+    BezierPieces pieces;
+    for (std::size_t k = 0; k < 2; ++k)
+        pieces.along[k] = splineExtraction(patch.knots[k], patch.degree[k], breaks[k], raisedTo);
+    pieces.controls = patch.controlPoints;
+    pieces.width = index(patch.count[0]);
+    return pieces;
+}
+
+void restrict(const BezierPiece& piece, const std::array<double, 2>& from, const std::array<double, 2>& to,
+              BezierPiece& result) {
+    result = piece;
+    const std::size_t columns = index(piece.degree[0]) + 1;
+    for (std::size_t row = 0; row <= index(piece.degree[1]); ++row)
+        restrictRow(&result.points[row * columns], 1, piece.degree[0], from[0], to[0]);
+    for (std::size_t column = 0; column < columns; ++column)
+        restrictRow(&result.points[column], columns, piece.degree[1], from[1], to[1]);
+}
+
+PiecePoint evaluate(const BezierPiece& piece, double u, double v) {
+    Row valueU;
+    Row valueV;
+    Row slopeU;
+    Row slopeV;
+    bernstein(piece.degree[0], u, valueU, slopeU);
+    bernstein(piece.degree[1], v, valueV, slopeV);
+    PiecePoint result{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+    const Eigen::Vector3d* point = piece.points.data();
+    for (int j = 0; j <= piece.degree[1]; ++j) {
+        Eigen::Vector3d onRow = Eigen::Vector3d::Zero();
+        Eigen::Vector3d slope = Eigen::Vector3d::Zero();
+        for (int i = 0; i <= piece.degree[0]; ++i, ++point) {
+            onRow += valueU[index(i)] * *point;
+            slope += slopeU[index(i)] * *point;
+        }
+        result.position += valueV[index(j)] * onRow;
+        result.du += valueV[index(j)] * slope;
+        result.dv += slopeV[index(j)] * onRow;
+    }
+    return result;
+}
+
+BezierPiece derivative(const BezierPiece& piece, int direction) {
+    BezierPiece result;
+    result.degree = piece.degree;
+    --result.degree[index(direction)];
+    const int stepI = direction == 0 ? 1 : 0;
+    result.points.reserve(piece.points.size());
+    for (int j = 0; j <= result.degree[1]; ++j)
+        for (int i = 0; i <= result.degree[0]; ++i)
+            result.points.emplace_back(piece.degree[index(direction)] *
+                                       (piece.at(i + stepI, j + 1 - stepI) - piece.at(i, j)));
+    return result;
+}
+
+BezierPiece normalPiece(const BezierPiece& piece) {
+    const BezierPiece du = derivative(piece, 0);
+    const BezierPiece dv = derivative(piece, 1);
+    const auto left = scaled(du);
+    const auto right = scaled(dv);
+    BezierPiece normal;
+    normal.degree = {2 * piece.degree[0] - 1, 2 * piece.degree[1] - 1};
+    const std::size_t columns = index(normal.degree[0]) + 1;
+    const std::size_t rows = index(normal.degree[1]) + 1;
+    const std::size_t leftColumns = index(du.degree[0]) + 1;
+    const std::size_t rightColumns = index(dv.degree[0]) + 1;
+    normal.points.assign(columns * rows, Eigen::Vector3d::Zero());
+    for (std::size_t a = 0; a < left.size(); ++a)
+        for (std::size_t b = 0; b < right.size(); ++b) {
+            const std::size_t row = a / leftColumns + b / rightColumns;
+            const std::size_t column = a % leftColumns + b % rightColumns;
+            normal.points[row * columns + column] += left[a].cross(right[b]);
+        }
+    const Row u = binomials(normal.degree[0]);
+    const Row v = binomials(normal.degree[1]);
+    for (std::size_t k = 0; k < normal.points.size(); ++k)
+        normal.points[k] /= u[k % columns] * v[k / columns];
+    return normal;
+}
+
+} // namespace qm

@@ -1,0 +1,61 @@
+/// \file Polynomial pieces of tensor-product surfaces in Bernstein's form, whose points bound what lies
+/// between (Farin, Curves and Surfaces for CAGD).
+#pragma once
+
+#include "bspline/splines/bezier_extraction.h"
+#include "bspline/splines/surfaces.h"
+
+#include <Eigen/Geometry>
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace qm {
+
+/// A polynomial over [0, 1] x [0, 1]: point (i, j), i along u, is points[j * (degree[0] + 1) + i].
+struct BezierPiece {
+    std::array<int, 2> degree{};
+    std::vector<Eigen::Vector3d> points;
+
+    [[nodiscard]] const Eigen::Vector3d& at(int i, int j) const {
+        return points[static_cast<std::size_t>(j * (degree[0] + 1) + i)];
+    }
+};
+
+/// A lattice of control points with the extractions along u and along v. What is passed must outlive it.
+struct BezierPieces {
+    std::array<BezierExtraction, 2> along;
+    std::span<const Point> controls; ///< row by row
+    std::size_t width = 0;           ///< of a row
+
+    /// The piece over interval i of u and j of v. \param piece  written over; keeps its memory
+    void get(std::size_t i, std::size_t j, BezierPiece& piece) const;
+};
+
+/// The pieces between the knots of a patch, which must outlive them.
+[[nodiscard]] BezierPieces bezierPieces(const Patch& patch);
+/// The same cut at further parameters as well, and of a higher degree.
+[[nodiscard]] BezierPieces bezierPieces(const Patch& patch, const std::array<std::vector<double>, 2>& breaks,
+                                        int raisedTo);
+
+/// The piece over a box within (0, 0) to (1, 1). \param result  another piece; keeps its memory
+void restrict(const BezierPiece& piece, const std::array<double, 2>& from, const std::array<double, 2>& to,
+              BezierPiece& result);
+
+/// Point and derivatives by the parameters of the unit square.
+struct PiecePoint {
+    Eigen::Vector3d position;
+    Eigen::Vector3d du;
+    Eigen::Vector3d dv;
+};
+[[nodiscard]] PiecePoint evaluate(const BezierPiece& piece, double u, double v);
+
+/// By u: direction 0, by v: direction 1. Of one degree less in that direction, which must be at least 1.
+[[nodiscard]] BezierPiece derivative(const BezierPiece& piece, int direction);
+
+/// du x dv, of degrees 2 degree[0] - 1 and 2 degree[1] - 1; degrees must be at least 1.
+[[nodiscard]] BezierPiece normalPiece(const BezierPiece& piece);
+
+} // namespace qm

@@ -1,0 +1,104 @@
+#include "bspline/splines/spline_curve.h"
+
+#include "bspline/splines/basis.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+namespace qm {
+namespace {
+
+/// The blossom, at three arguments, of the polynomial that the curve is on knot interval `span`: the control
+/// point that belongs to three successive knots, whatever the knots around them.
+Point blossom(const SplineCurve& curve, std::size_t span, const std::array<double, 3>& arguments) {
+    std::array<Point, 4> points;
+    for (std::size_t k = 0; k < 4; ++k)
+        points[k] = curve.points[span - 3 + k];
+    for (std::size_t round = 1; round <= 3; ++round)
+        for (std::size_t k = 0; k + round <= 3; ++k) {
+            const double left = curve.knots[span - 3 + k + round];
+            const double right = curve.knots[span + 1 + k];
+            const double share = (arguments[round - 1] - left) / (right - left);
+            // An argument at one end gives that end's point to the last bit.
+            points[k] = share == 0   ? points[k]
+                        : share == 1 ? points[k + 1]
+                                     : (1 - share) * points[k] + share * points[k + 1];
+        }
+    return points[0];
+}
+
+} // namespace
+
+Point evaluate(const SplineCurve& curve, double t) {
+    return blossom(curve, knotSpan(curve.knots, 3, t), {t, t, t});
+}
+
+Point derivative(const SplineCurve& curve, double t) {
+    const BasisValues basis = basisValues(curve.knots, 3, t);
+    Point result{0, 0, 0};
+    for (std::size_t k = 0; k < 4; ++k)
+        result += basis.derivative[k] * curve.points[basis.first + k];
+    return result;
+}
+
+SplineCurve withKnots(const SplineCurve& curve, const std::vector<double>& knots) {
+    SplineCurve result;
+    result.knots = knots;
+    result.degree = curve.degree;
+    result.points.reserve(knots.size() - 4);
+    for (std::size_t k = 0; k + 4 < knots.size(); ++k) {
+        std::size_t interval = k; // a non-empty one on which this control point counts
+        while (interval < k + 3 && !(knots[interval] < knots[interval + 1]))
+            ++interval;
+        const double middle = (knots[interval] + knots[interval + 1]) / 2;
+        result.points.push_back(
+            blossom(curve, knotSpan(curve.knots, 3, middle), {knots[k + 1], knots[k + 2], knots[k + 3]}));
+    }
+    return result;
+}
+
+SplineCurve restricted(const SplineCurve& curve, double begin, double end) {
+    std::vector<double> knots(4, begin);
+    std::copy_if(curve.knots.begin(), curve.knots.end(), std::back_inserter(knots),
+                 [&](double knot) { return knot > begin && knot < end; });
+    knots.insert(knots.end(), 4, end);
+    SplineCurve result = withKnots(curve, knots);
+    for (double& knot : result.knots)
+        knot -= begin;
+    return result;
+}
+
+SplineCurve reversed(const SplineCurve& curve) {
+    SplineCurve result;
+    result.degree = curve.degree;
+    result.points.assign(curve.points.rbegin(), curve.points.rend());
+    result.knots.reserve(curve.knots.size());
+    for (auto knot = curve.knots.rbegin(); knot != curve.knots.rend(); ++knot)
+        result.knots.push_back(curve.length() - *knot);
+    return result;
+}
+
+std::vector<Point> lowered(const SplineCurve& curve, int degree) {
+    const auto& p = curve.points;
+    if (degree == 1) return {p[0], p[3]};
+    if (degree == 2) return {p[0], (3.0 * (p[1] + p[2]) - p[0] - p[3]) / 4.0, p[3]};
+    return p;
+}
+
+SplineCurve bezier(std::span<const Point> points, double length) {
+    SplineCurve curve;
+    curve.degree = static_cast<int>(points.size()) - 1;
+    curve.knots = {0, 0, 0, 0, length, length, length, length};
+    const Point& p = points.front();
+    const Point& q = points.back();
+    if (curve.degree == 1)
+        curve.points = {p, (2.0 * p + q) / 3.0, (p + 2.0 * q) / 3.0, q};
+    else if (curve.degree == 2)
+        curve.points = {p, (p + 2.0 * points[1]) / 3.0, (2.0 * points[1] + q) / 3.0, q};
+    else
+        curve.points.assign(points.begin(), points.end());
+    return curve;
+}
+
+} // namespace qm

@@ -1,0 +1,265 @@
+#include "check/check_figures.h"
+
+#include "base/number_text.h"
+
+#include "check/check_meetings.h"
+#include "check/check_segments.h"
+#include "check/distance.h"
+#include "check/spline.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace qm::check {
+
+namespace {
+
+using Patch = SurfacesPart::Patch;
+using Figures = SurfacesPart::Figures;
+using Parameters = std::array<double, 2>;
+
+constexpr int perEdge = 16;
+
+std::size_t index(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+double dot(const Place& a, const Place& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+Place cross(const Place& a, const Place& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+Place normalOf(const SurfacePoint& at) {
+    return cross(at.alongU, at.alongV);
+}
+
+class FigureCheck {
+public:
+    FigureCheck(const Context& context, const LayoutPart& layout, const SurfacesPart& part, Report& report)
+        : mesh_(context.mesh), around_(context.around), layout_(layout), part_(part), report_(report),
+          places_(context.mesh.quads.size()) {
+        for (std::size_t p = 0; p < layout.segments.size(); ++p) {
+            const auto& segment = layout.segments[p];
+            for (std::size_t f = 0; f < segment.faces.size(); ++f)
+                places_[index(segment.faces[f])] = {p, static_cast<int>(f) % segment.size[0],
+                                                    static_cast<int>(f) / segment.size[0]};
+        }
+    }
+
+    void run() {
+        for (std::size_t p = 0; p < part_.patches.size(); ++p)
+            patchFigures(p);
+        totals();
+    }
+
+private:
+    bool compare(std::size_t p, const char* figure, const std::optional<double>& stated, double found,
+                 double slack, const std::string& where) {
+        return checkFigure(p, figure, stated, found, slack, where, report_);
+    }
+
+    void patchFigures(std::size_t p) {
+        const auto& segment = layout_.segments[p];
+        Report unused;
+        const std::vector<int> vertices = gridOf(mesh_, segment, "", unused);
+        for (int row = 0; row < segment.size[1]; ++row)
+            if (!rowFigures(p, vertices, row)) return;
+    }
+
+    /// A row of quads. \return false if something was wrong
+    bool rowFigures(std::size_t p, const std::vector<int>& vertices, int row) {
+        const Patch& patch = part_.patches[p];
+        const auto& [columns, rows] = layout_.segments[p].size;
+        std::vector<double> us;
+        std::vector<double> vs;
+        for (int i = 0; i <= columns * perEdge; ++i)
+            us.push_back(static_cast<double>(i) / perEdge);
+        for (int j = 0; j <= perEdge; ++j)
+            vs.push_back(row + static_cast<double>(j) / perEdge);
+        const auto points = evaluateLattice(patch, us, vs);
+        const std::size_t width = us.size();
+        for (int column = 0; column < columns; ++column) {
+            const std::size_t low = index(row * (columns + 1) + column);
+            const std::size_t high = low + index(columns) + 1;
+            const Quad quad{{mesh_.points[index(vertices[low])], mesh_.points[index(vertices[low + 1])],
+                             mesh_.points[index(vertices[high + 1])], mesh_.points[index(vertices[high])]},
+                            layout_.segments[p].faces[index(row * columns + column)]};
+            const bool last = column + 1 == columns;
+            const bool top = row + 1 == rows;
+            for (int j = 0; j < (top ? perEdge + 1 : perEdge); ++j)
+                for (int i = 0; i < (last ? perEdge + 1 : perEdge); ++i) {
+                    const SurfacePoint& on = points[index(j) * width + index(column * perEdge + i)];
+                    if (isTooFar(p, quad, {column, row}, i, j, on)) return false;
+                }
+            if (isFolded(p, quad, points, width, column)) return false;
+        }
+        return true;
+    }
+
+    struct Quad {
+        std::array<Place, 4> corners;
+        int face;
+
+        [[nodiscard]] Place at(double s, double t) const {
+            Place sum{};
+            const std::array<double, 4> weight{(1 - s) * (1 - t), s * (1 - t), s * t, (1 - s) * t};
+            for (std::size_t i = 0; i < 4; ++i)
+                for (std::size_t k = 0; k < 3; ++k)
+                    sum[k] += weight[i] * corners[i][k];
+            return sum;
+        }
+        [[nodiscard]] Place normal() const {
+            Place diagonal{};
+            Place other{};
+            for (std::size_t k = 0; k < 3; ++k) {
+                diagonal[k] = corners[2][k] - corners[0][k];
+                other[k] = corners[3][k] - corners[1][k];
+            }
+            return cross(diagonal, other);
+        }
+        /// At every corner it faces the same way.
+        [[nodiscard]] bool isConvex() const {
+            const Place outwards = normal();
+            for (std::size_t k = 0; k < 4; ++k) {
+                Place next{};
+                Place before{};
+                for (std::size_t i = 0; i < 3; ++i) {
+                    next[i] = corners[(k + 1) % 4][i] - corners[k][i];
+                    before[i] = corners[(k + 3) % 4][i] - corners[k][i];
+                }
+                if (!(dot(cross(next, before), outwards) > 0)) return false;
+            }
+            return true;
+        }
+    };
+
+    bool isTooFar(std::size_t p, const Quad& quad, const std::array<int, 2>& cell, int i, int j,
+                  const SurfacePoint& on) {
+        const Patch& patch = part_.patches[p];
+        const double s = static_cast<double>(i) / perEdge;
+        const double t = static_cast<double>(j) / perEdge;
+        const Place of = quad.at(s, t);
+        const double plain = distance(of, on.point);
+        const Parameters parameters{cell[0] + s, cell[1] + t};
+        const std::string where = "at face " + std::to_string(quad.face);
+        const double slack = rounding(quad);
+        if (patch.figures.maxFromFacets && plain > *patch.figures.maxFromFacets + slack) {
+            const double limit = *patch.figures.maxFromFacets + slack;
+            double error = distanceToFace(mesh_, quad.face, startIn(quad, s, t), on.point);
+            if (error > limit) error = distanceToMesh(mesh_, around_, quad.face, on.point);
+            if (error <= limit) error = distanceToSurfaces(p, parameters, of, quad.face, limit);
+            if (compare(p, "maxFromFacets", patch.figures.maxFromFacets, error, slack, where)) return true;
+        }
+        const bool atVertex = i % perEdge == 0 && j % perEdge == 0;
+        return atVertex && patch.figures.maxFromVertices && plain > *patch.figures.maxFromVertices + slack &&
+               compare(
+                   p, "maxFromVertices", patch.figures.maxFromVertices,
+                   distanceToSurfaces(p, parameters, of, quad.face, *patch.figures.maxFromVertices + slack),
+                   slack, where);
+    }
+
+    /// From a point of a face to its patch, and if that is farther than the limit, to those of the faces
+    /// around it, into which surfaces may slide.
+    [[nodiscard]] double distanceToSurfaces(std::size_t p, const Parameters& parameters, const Place& point,
+                                            int face, double limit) const {
+        double least = distanceToPatch(part_.patches[p], parameters, point);
+        if (least <= limit) return least;
+        for (const int vertex : mesh_.quads[index(face)])
+            for (int k = 0; k < around_.valence(vertex); ++k) {
+                const int other = around_.leftFace(around_.firstStep(vertex) + k);
+                if (other < 0 || places_[index(other)].patch == p) continue;
+                const FacePlace& place = places_[index(other)];
+                least = std::min(least, distanceToPatch(part_.patches[place.patch],
+                                                        {place.column + 0.5, place.row + 0.5}, point));
+                if (least <= limit) return least;
+            }
+        return least;
+    }
+
+    [[nodiscard]] static double rounding(const Quad& quad) {
+        double largest = 0;
+        for (const Place& corner : quad.corners)
+            for (const double x : corner)
+                largest = std::max(largest, std::abs(x));
+        return 1e-12 * largest;
+    }
+
+    /// From the segment's parameters in a quad to those of the face, which may begin at another corner.
+    [[nodiscard]] Parameters startIn(const Quad& quad, double s, double t) const {
+        const auto& face = mesh_.quads[index(quad.face)];
+        std::size_t turns = 0;
+        while (turns < 3 && mesh_.points[index(face[turns])] != quad.corners[0])
+            ++turns;
+        for (std::size_t k = 0; k < turns; ++k) {
+            const double turned = 1 - t;
+            t = s;
+            s = turned;
+        }
+        return {s, t};
+    }
+
+    /// Somewhere the normal looks away from the quad.
+    bool isFolded(std::size_t p, const Quad& quad, const std::vector<SurfacePoint>& points, std::size_t width,
+                  int column) {
+        if (part_.patches[p].figures.folds.value_or(1) > 0) return false;
+        if (!quad.isConvex()) return false;
+        const Place outwards = quad.normal();
+        constexpr int step = perEdge / 4;
+        for (int j = step / 2; j < perEdge; j += step)
+            for (int i = step / 2; i < perEdge; i += step) {
+                const Place normal = normalOf(points[index(j) * width + index(column * perEdge + i)]);
+                const double cosine = dot(normal, outwards);
+                constexpr double away = -0.5; // surely more than a right angle
+                if (cosine >= away * std::sqrt(dot(normal, normal) * dot(outwards, outwards))) continue;
+                report_.violate(at(at(at("/surfaces/patches", p), "deviation"), "folds"), "deviation",
+                                "the normal turns over at face " + std::to_string(quad.face));
+                return true;
+            }
+        return false;
+    }
+
+    /// The figures of all patches are not less than those of one.
+    void totals() {
+        const auto total = [&](const char* figure, std::optional<double> Figures::*member) {
+            const auto& stated = part_.figures.*member;
+            for (const Patch& patch : part_.patches)
+                if (stated && (patch.figures.*member).value_or(0) > *stated) {
+                    report_.violate(at("/surfaces/deviation", figure), "deviation",
+                                    "a patch has " + numberText(*(patch.figures.*member)));
+                    return;
+                }
+        };
+        total("maxFromFacets", &Figures::maxFromFacets);
+        total("maxFromVertices", &Figures::maxFromVertices);
+        total("largestGap", &Figures::largestGap);
+        total("largestNormalAngle", &Figures::largestNormalAngle);
+        total("largestInnerNormalAngle", &Figures::largestInnerNormalAngle);
+        total("folds", &Figures::folds);
+    }
+
+    const CheckedMesh& mesh_;
+    const Neighbourhoods& around_;
+    const LayoutPart& layout_;
+    const SurfacesPart& part_;
+    Report& report_;
+
+    struct FacePlace {
+        std::size_t patch = 0;
+        int column = 0;
+        int row = 0;
+    };
+    std::vector<FacePlace> places_; ///< by face
+};
+
+} // namespace
+
+void checkFigures(const Context& context, const LayoutPart& layout, const SurfacesPart& part,
+                  Report& report) {
+    FigureCheck(context, layout, part, report).run();
+    checkMeetings(context, layout, part, report);
+}
+
+} // namespace qm::check

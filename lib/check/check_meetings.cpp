@@ -1,0 +1,154 @@
+#include "check/check_meetings.h"
+
+#include "base/number_text.h"
+#include "check/distance.h"
+#include "check/patch_borders.h"
+#include "check/spline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+namespace qm::check {
+
+namespace {
+
+using Patch = SurfacesPart::Patch;
+
+constexpr int perEdge = 16;
+
+std::size_t index(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+Place cross(const Place& a, const Place& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// Degrees; 0 if one of both surfaces has no normal.
+double angleBetween(const SurfacePoint& a, const SurfacePoint& b) {
+    const Place left = cross(a.alongU, a.alongV);
+    const Place right = cross(b.alongU, b.alongV);
+    const Place both = cross(left, right);
+    const double cosine = left[0] * right[0] + left[1] * right[1] + left[2] * right[2];
+    return std::atan2(std::hypot(both[0], both[1], both[2]), cosine + 0.0) * 180 / std::numbers::pi;
+}
+
+class MeetingCheck {
+public:
+    MeetingCheck(const Context& context, const LayoutPart& layout, const SurfacesPart& part, Report& report)
+        : around_(context.around), angles_(context.angles), layout_(layout), part_(part), report_(report) {}
+
+    void run() {
+        for (std::size_t p = 0; p < part_.patches.size(); ++p)
+            innerLines(p);
+        const auto places = patchBorders(around_, layout_);
+        for (std::size_t edge = 0; edge < places.size(); ++edge)
+            if (places[edge].size() == 2) meet(places[edge], edge);
+    }
+
+private:
+    bool compare(std::size_t p, const char* figure, const std::optional<double>& stated, double found,
+                 double slack, const std::string& where) {
+        return checkFigure(p, figure, stated, found, slack, where, report_);
+    }
+
+    /// Lines within a patch at which a knot stands as often as the degree says, or more often.
+    void innerLines(std::size_t p) {
+        const Patch& patch = part_.patches[p];
+        for (std::size_t k = 0; k < 2; ++k) {
+            const auto& knots = patch.knots[k];
+            const auto degree = index(patch.degree[k]);
+            const auto count = index(patch.count[k]);
+            for (std::size_t i = degree + 1; i + degree <= count; ++i) {
+                const double line = knots[i];
+                const bool begins = knots[i - 1] < line;
+                if (!begins || knots[i + degree - 1] > line || line >= knots[count]) continue;
+                if (isCreased(p, k, line)) return;
+            }
+        }
+    }
+
+    bool isCreased(std::size_t p, std::size_t direction, double line) {
+        const Patch& patch = part_.patches[p];
+        const double before = std::nextafter(line, -HUGE_VAL);
+        const int steps = layout_.segments[p].size[1 - direction] * perEdge;
+        for (int step = 0; step <= steps; ++step) {
+            const double along = static_cast<double>(step) / perEdge;
+            const auto there = [&](double across) {
+                return direction == 0 ? evaluate(patch, across, along) : evaluate(patch, along, across);
+            };
+            const SurfacePoint left = there(before);
+            const SurfacePoint right = there(line);
+            const std::string where =
+                std::string("at ") + (direction == 0 ? "u" : "v") + " = " + numberText(line);
+            if (compare(p, "largestInnerNormalAngle", patch.figures.largestInnerNormalAngle,
+                        angleBetween(left, right), 1e-4, where) ||
+                compare(p, "largestGap", patch.figures.largestGap, distance(left.point, right.point),
+                        1e-12 * size(patch), where))
+                return true;
+        }
+        return false;
+    }
+
+    /// The largest coordinate, by which rounding is judged.
+    [[nodiscard]] static double size(const Patch& patch) {
+        double largest = 0;
+        for (const Place& control : patch.controlPoints)
+            for (const double x : control)
+                largest = std::max(largest, std::abs(x));
+        return largest;
+    }
+
+    /// Where two patches meet along an edge.
+    void meet(const std::vector<BorderPlace>& place, std::size_t edge) {
+        constexpr double nearEnd = 1.0 / 200;
+        const bool smooth = part_.rho && angles_.angle[edge] + angles_.doubt[edge] <= *part_.rho;
+        const auto there = [&](std::size_t side, double along) {
+            const BorderPlace& of = place[side];
+            return evaluate(part_.patches[of.patch], std::lerp(of.begin[0], of.end[0], along),
+                            std::lerp(of.begin[1], of.end[1], along));
+        };
+        for (int sample = 0; sample < perEdge; ++sample) {
+            const double along =
+                std::clamp(static_cast<double>(sample) / (perEdge - 1), nearEnd, 1 - nearEnd);
+            const SurfacePoint left = there(0, along);
+            const SurfacePoint right = there(1, 1 - along);
+            for (std::size_t side = 0; side < 2; ++side) {
+                const std::size_t p = place[side].patch;
+                const Patch& patch = part_.patches[p];
+                const std::string where =
+                    "along the border to patch " + std::to_string(place[1 - side].patch);
+                if (compare(p, "largestGap", patch.figures.largestGap, distance(left.point, right.point),
+                            1e-12 * size(patch), where) ||
+                    (smooth && compare(p, "largestNormalAngle", patch.figures.largestNormalAngle,
+                                       angleBetween(left, right), 1e-4, where)))
+                    return;
+            }
+        }
+    }
+
+    const Neighbourhoods& around_;
+    const Angles& angles_;
+    const LayoutPart& layout_;
+    const SurfacesPart& part_;
+    Report& report_;
+};
+
+} // namespace
+
+void checkMeetings(const Context& context, const LayoutPart& layout, const SurfacesPart& part,
+                   Report& report) {
+    MeetingCheck(context, layout, part, report).run();
+}
+
+bool checkFigure(std::size_t patch, const char* figure, const std::optional<double>& stated, double found,
+                 double slack, const std::string& where, Report& report) {
+    if (!stated || found <= *stated * (1 + 1e-6) + slack) return false;
+    report.violate(at(at(at("/surfaces/patches", patch), "deviation"), figure), "deviation",
+                   "it is " + numberText(found) + " " + where);
+    return true;
+}
+
+} // namespace qm::check

@@ -1,0 +1,164 @@
+#include "bspline/splines/interpolate.h"
+#include "bspline/measure/certified_deviation.h"
+#include "bspline/measure/folds.h"
+#include "bspline/measure/foot_search.h"
+#include "support/grid_layout.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <random>
+
+namespace qm {
+namespace {
+
+using test::Grid;
+
+std::vector<Patch> interpolateAll(const QuadMesh& mesh, const Layout& layout) {
+    std::vector<Patch> patches;
+    for (const Segment& segment : layout.segments)
+        patches.push_back(interpolate(pointGrid(mesh, segment), segment.size));
+    return patches;
+}
+
+/// A patch through points of a smooth shape, and the shape itself.
+struct Pair {
+    Grid grid;
+    std::vector<test::Rectangle> rectangles;
+    std::function<Point(double, double)> shape;
+    int steps = 4;
+
+    QuadMesh mesh = test::makeMesh(grid);
+    Layout layout = test::makeLayout(grid, rectangles);
+    std::vector<Patch> patches = interpolateAll(mesh, layout);
+    std::vector<BorderEdge> borders = borderEdges(mesh, layout);
+    std::vector<ReferenceGrid> references = makeReferences();
+
+    [[nodiscard]] std::vector<ReferenceGrid> makeReferences() const {
+        std::vector<ReferenceGrid> result;
+        for (const test::Rectangle& r : rectangles) {
+            ReferenceGrid reference{{r.i1 - r.i0, r.j1 - r.j0}, steps};
+            if (r.turned % 2 == 1) std::swap(reference.size[0], reference.size[1]);
+            for (int j = 0; j <= reference.size[1] * steps; ++j)
+                for (int i = 0; i <= reference.size[0] * steps; ++i) {
+                    const double u = static_cast<double>(i) / steps;
+                    const double v = static_cast<double>(j) / steps;
+                    const double width = r.i1 - r.i0;
+                    const double height = r.j1 - r.j0;
+                    const std::array<std::array<double, 2>, 4> at{
+                        {{u, v}, {width - v, u}, {width - u, height - v}, {v, height - u}}};
+                    const auto& [column, row] = at[static_cast<std::size_t>(r.turned)];
+                    reference.points.push_back(shape(r.i0 + column, r.j0 + row));
+                }
+            result.push_back(reference);
+        }
+        return result;
+    }
+
+    [[nodiscard]] PairedSurfaces paired() const { return {layout, patches, references, borders}; }
+};
+
+/// The distance of many points of one surface from the other, found by search from the same parameters.
+double sampledMaximum(const PairedSurfaces& surfaces, std::size_t patch, int perEdge) {
+    FootSearch search(surfaces);
+    const auto extent = surfaces.extent(patch);
+    double largest = 0;
+    BezierPiece piece;
+    for (std::size_t surface : {0U, 1U})
+        for (int j = 0; j <= extent[1] * perEdge; ++j)
+            for (int i = 0; i <= extent[0] * perEdge; ++i) {
+                const LayoutPlace place{patch, {1.0 * i / perEdge, 1.0 * j / perEdge}};
+                const Cell cell = surfaces.cellAt(place);
+                surfaces.get(surface, cell, piece);
+                const auto [u0, u1] = surfaces.range(cell, 0);
+                const auto [v0, v1] = surfaces.range(cell, 1);
+                const auto at =
+                    evaluate(piece, (place.at[0] - u0) / (u1 - u0), (place.at[1] - v0) / (v1 - v0));
+                largest = std::max(largest, search(1 - surface, place, at.position).distance);
+            }
+    return largest;
+}
+
+const auto wave = [](double i, double j) { return Point(i, j, std::sin(0.7 * i) * std::cos(0.5 * j)); };
+
+TEST(CertifiedDeviation, ClosesAroundTheTrueMaximum) {
+    const Pair pair{{12, 9, wave}, {{0, 0, 12, 4}, {0, 4, 5, 9, 1}, {5, 4, 12, 9, 3}}, wave};
+    const PairedSurfaces surfaces = pair.paired();
+    for (std::size_t patch = 0; patch < surfaces.patches(); ++patch) {
+        const auto deviation = certifiedDeviation(surfaces, patch, {});
+        const double sampled = sampledMaximum(surfaces, patch, 40);
+        EXPECT_GE(deviation.upper, sampled);
+        EXPECT_LE(deviation.upper, 1.021 * deviation.lower);
+        EXPECT_LE(deviation.lower, 1.01 * sampled);
+        EXPECT_LT(deviation.rms, deviation.upper);
+        EXPECT_GT(deviation.rms, 0);
+    }
+}
+
+TEST(CertifiedDeviation, IsNotMisledBySlidingParameters) {
+    // The same plane at other parameters, a cylinder that slides along itself, and both lifted a little.
+    for (const double lift : {0.0, 0.01}) {
+        const auto tube = [&](double radius, double shift) {
+            return [=](double i, double j) {
+                const double angle = 0.1 * (i + shift * std::sin(0.4 * i) * (1 + 0.05 * j));
+                return Point(radius * std::cos(angle), j, radius * std::sin(angle));
+            };
+        };
+        const auto moved = tube(10 + lift, 0.1);
+        const Pair pair{{16, 6, tube(10, 0)}, {{0, 0, 8, 6}, {8, 0, 16, 6, 2}}, moved};
+        const PairedSurfaces surfaces = pair.paired();
+        // The second patch begins where both meet again at neither end.
+        const auto deviation = certifiedDeviation(surfaces, 0, {.effort = 200});
+        const double sampled = sampledMaximum(surfaces, 0, 40);
+        EXPECT_GE(deviation.upper, 0.999999 * sampled);
+        EXPECT_LE(deviation.upper, 1.021 * deviation.lower) << lift;
+        EXPECT_LT(deviation.rms, 0.02 + lift);
+    }
+}
+
+TEST(CertifiedDeviation, FindsASpikeBetweenSamples) {
+    // One double step between grid lines that no sample at halves of edges sees.
+    Pair pair{{8, 8, wave}, {{0, 0, 8, 8}}, wave};
+    Patch& patch = pair.patches[0];
+    const auto before = certifiedDeviation(pair.paired(), 0, {});
+    patch.controlPoints[5 * 11 + 5] += Point(0, 0, 0.5);
+    const auto after = certifiedDeviation(pair.paired(), 0, {});
+    EXPECT_LT(before.upper, 0.1);
+    EXPECT_NEAR(after.lower, 0.5 * 4 / 9, 0.1);
+    EXPECT_NEAR(after.place.at[0], 4, 0.3);
+    EXPECT_NEAR(after.place.at[1], 4, 0.3);
+}
+
+TEST(CertifiedDeviation, OfEqualSurfacesIsNothing) {
+    const auto plane = [](double i, double j) { return Point(i, j, 0); };
+    Pair pair{{6, 6, plane}, {{0, 0, 6, 6}}, plane};
+    for (int k = 0; k < 81; ++k)
+        pair.patches[0].controlPoints[static_cast<std::size_t>(k)] = Point(k % 9 - 1, k / 9 - 1, 0);
+    const auto deviation = certifiedDeviation(pair.paired(), 0, {.negligible = 1e-12});
+    EXPECT_LT(deviation.upper, 1e-12);
+}
+
+TEST(Folds, AreFoundWhereTheNormalTurnsOver) {
+    const auto plane = [](double i, double j) { return Point(i, j, 0.1 * i * j); };
+    Pair pair{{6, 6, plane}, {{0, 0, 6, 6}}, plane};
+    EXPECT_TRUE(findFolds(pair.patches[0], pair.references[0]).empty());
+    Patch& patch = pair.patches[0];
+    patch.controlPoints[4 * 9 + 4] += Point(4, 0, 0);
+    const auto folds = findFolds(patch, pair.references[0]);
+    ASSERT_FALSE(folds.empty());
+    for (const auto& fold : folds) {
+        EXPECT_NEAR(fold[0], 3, 2);
+        EXPECT_NEAR(fold[1], 3, 2);
+    }
+}
+
+TEST(Folds, AreNotSeenInStronglyBentPatches) {
+    const auto roll = [](double i, double j) { return Point(std::cos(0.3 * i), j, std::sin(0.3 * i)); };
+    const Pair pair{{20, 3, roll}, {{0, 0, 20, 3}}, roll};
+    EXPECT_TRUE(findFolds(pair.patches[0], pair.references[0]).empty());
+}
+
+} // namespace
+} // namespace qm

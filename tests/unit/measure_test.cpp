@@ -1,0 +1,209 @@
+// What is measured of finished surfaces.
+#include "bspline/splines/evaluate.h"
+#include "bspline/splines/interpolate.h"
+#include "bspline/measure/border_measures.h"
+#include "bspline/measure/measure.h"
+#include "bspline/measure/scan_deviation.h"
+#include "support/grid_layout.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace qm {
+namespace {
+
+using test::Grid;
+
+std::vector<Patch> interpolateAll(const QuadMesh& mesh, const Layout& layout) {
+    std::vector<Patch> patches;
+    for (const Segment& segment : layout.segments)
+        patches.push_back(interpolate(pointGrid(mesh, segment), segment.size));
+    return patches;
+}
+
+Measurement measure(const QuadMesh& mesh, const Layout& layout, const std::vector<Patch>& patches,
+                    bool smooth = true, const MeasuredScan& scan = {}, unsigned jobs = 1) {
+    Control control;
+    control.jobs = jobs;
+    return measureSurfaces(mesh, layout, patches, facetGrids(mesh, layout),
+                           std::vector<bool>(mesh.n_edges(), smooth), {}, scan, control);
+}
+
+const Grid plane{8, 6, [](double i, double j) { return Point(i, j, 0); }};
+// Three rectangles that meet at a T-joint, each turned in another way.
+const std::vector<test::Rectangle> tJoint = {{0, 0, 8, 3, 2}, {0, 3, 5, 6, 1}, {5, 3, 8, 6, 3}};
+
+/// A bilinear patch over one quad.
+Patch bilinearPatch(const std::array<Point, 4>& corners) {
+    Patch patch;
+    patch.degree = {1, 1};
+    patch.knots = {{{0, 0, 1, 1}, {0, 0, 1, 1}}};
+    patch.count = {2, 2};
+    patch.controlPoints = {corners[0], corners[1], corners[3], corners[2]};
+    return patch;
+}
+
+TEST(Measure, FindsADisplacementTwoSidedAndRelative) {
+    const QuadMesh mesh = test::makeMesh(plane);
+    const Layout layout = test::makeLayout(plane, tJoint);
+    auto patches = interpolateAll(mesh, layout);
+    for (Point& point : patches[1].controlPoints)
+        point += Point(0, 0, 0.5);
+    const Measurement measured = measure(mesh, layout, patches);
+    const Deviation& moved = measured.ofPatch[1].deviation;
+    EXPECT_NEAR(moved.rms, 0.5, 1e-3);
+    EXPECT_NEAR(moved.percentile95, 0.5, 1e-3);
+    EXPECT_GE(moved.max, 0.5 - 1e-12);
+    EXPECT_LE(moved.max, 0.51);
+    EXPECT_EQ(moved.max, moved.maxFromFacets);
+    EXPECT_NEAR(moved.maxFromVertices, 0.5, 1e-9);
+    EXPECT_EQ(measured.ofAll.farthest.patch, 1U);
+    const Deviation& all = measured.ofAll.deviation;
+    EXPECT_NEAR(all.maxRelative, all.max / 10, 1e-15);
+    EXPECT_NEAR(all.largestGap, 0.5, 5e-3);
+    EXPECT_NEAR(measured.ofPatch[0].deviation.largestGap, moved.largestGap, 1e-12);
+    EXPECT_LT(measured.ofPatch[0].deviation.max, 0.01) << "free ends slide along the boundary";
+    EXPECT_LT(all.rms, moved.rms);
+    EXPECT_LT(all.largestNormalAngle, 1e-6);
+    EXPECT_EQ(all.folds, 0U);
+    EXPECT_NEAR(all.bendingRatio, 1, 1e-6) << "all is plane";
+}
+
+TEST(Measure, SeesWhatHappensBetweenSamplesAtHalfEdges) {
+    // A patch with a knot at every eighth of an edge, one control point of which is off.
+    const QuadMesh mesh = test::makeMesh({1, 1, [](double i, double j) { return Point(i, j, 0); }});
+    const Layout layout = test::makeLayout({1, 1, plane.place}, {{0, 0, 1, 1}});
+    Patch patch;
+    for (auto& knots : patch.knots) {
+        knots = {0, 0, 0, 0};
+        for (int k = 1; k < 8; ++k)
+            knots.push_back(k / 8.0);
+        knots.insert(knots.end(), 4, 1);
+    }
+    patch.count = {11, 11};
+    for (std::size_t j = 0; j < 11; ++j)
+        for (std::size_t i = 0; i < 11; ++i) {
+            const auto mean = [&](std::size_t k) {
+                return (patch.knots[0][k + 1] + patch.knots[0][k + 2] + patch.knots[0][k + 3]) / 3;
+            };
+            patch.controlPoints.emplace_back(mean(i), mean(j), i == 4 && j == 4 ? 0.1 : 0);
+        }
+    const Measurement measured = measure(mesh, layout, {patch});
+    EXPECT_NEAR(measured.ofAll.deviation.max, 0.1 * 4 / 9, 0.002);
+    EXPECT_NEAR(measured.ofAll.farthest.at[0], 0.375, 0.02);
+    EXPECT_GT(measured.ofAll.deviation.bendingRatio, 1000);
+}
+
+TEST(Measure, ComparesNormalsAcrossSmoothBordersOnly) {
+    const Grid roof{8, 4, [](double i, double j) { return Point(i, j, -std::abs(i - 4)); }};
+    const QuadMesh mesh = test::makeMesh(roof);
+    const Layout layout = test::makeLayout(roof, {{0, 0, 4, 4}, {4, 0, 8, 4}});
+    const auto patches = interpolateAll(mesh, layout);
+    const Deviation kinked = measure(mesh, layout, patches).ofAll.deviation;
+    EXPECT_NEAR(kinked.largestNormalAngle, 90, 1e-6);
+    EXPECT_NEAR(kinked.rmsNormalAngle, 90, 1e-6);
+    EXPECT_NEAR(kinked.percentile95NormalAngle, 90, 1e-6);
+    EXPECT_LT(kinked.largestGap, 1e-12);
+    EXPECT_EQ(measure(mesh, layout, patches, false).ofAll.deviation.largestNormalAngle, 0);
+}
+
+TEST(Measure, FindsAnglesWithinPatches) {
+    // Linear between knots: a roof within one patch.
+    const Grid roof{2, 1, [](double i, double j) { return Point(i, j, -std::abs(i - 1)); }};
+    const QuadMesh mesh = test::makeMesh(roof);
+    const Layout layout = test::makeLayout(roof, {{0, 0, 2, 1}});
+    Patch patch;
+    patch.degree = {1, 1};
+    patch.knots = {{{0, 0, 1, 2, 2}, {0, 0, 1, 1}}};
+    patch.count = {3, 2};
+    for (const double j : {0.0, 1.0})
+        for (const double i : {0.0, 1.0, 2.0})
+            patch.controlPoints.push_back(roof.place(i, j));
+    EXPECT_NEAR(measure(mesh, layout, {patch}).ofAll.deviation.largestInnerNormalAngle, 90, 1e-6);
+    EXPECT_LT(measure(mesh, layout, {patch}).ofAll.deviation.max, 1e-12);
+    const MeetingMeasures smooth = measureInnerLines(interpolateAll(mesh, layout)[0], 16);
+    EXPECT_TRUE(smooth.angles.empty()) << "simple knots of a cubic";
+}
+
+TEST(Measure, CountsFolds) {
+    const QuadMesh mesh = test::makeMesh(plane);
+    const Layout layout = test::makeLayout(plane, {{0, 0, 8, 6}});
+    auto patches = interpolateAll(mesh, layout);
+    EXPECT_EQ(measure(mesh, layout, patches).ofAll.deviation.folds, 0U);
+    patches[0].controlPoints[5 * 11 + 5] += Point(4, 0, 0);
+    const Measurement folded = measure(mesh, layout, patches);
+    EXPECT_GT(folded.ofAll.deviation.folds, 0U);
+    EXPECT_EQ(folded.ofAll.deviation.folds, folded.ofPatch[0].folds.size());
+    EXPECT_GT(folded.ofAll.deviation.largestNormalDeviation, 170);
+}
+
+/// Two triangles above a square.
+NearestOnScan sheetAt(double height, double until) {
+    return [=](const Point& point) {
+        const Point a(-1, -1, height), b(until, -1, height), c(until, 9, height), d(-1, 9, height);
+        const std::array<std::array<Point, 3>, 2> triangles{{{a, b, c}, {a, c, d}}};
+        ScanPoint best;
+        best.distance = HUGE_VAL;
+        for (const auto& triangle : triangles) {
+            const double distance = distanceToTriangle(triangle, point);
+            if (distance < best.distance) best = {triangle, distance, point[0] > until};
+        }
+        return best;
+    };
+}
+
+TEST(Measure, MeasuresFromAScan) {
+    const QuadMesh mesh = test::makeMesh(plane);
+    const Layout layout = test::makeLayout(plane, tJoint);
+    const auto patches = interpolateAll(mesh, layout);
+    const Measurement whole = measure(mesh, layout, patches, true, {sheetAt(0.25, 9), HUGE_VAL});
+    EXPECT_NEAR(whole.ofAll.deviation.max, 0.25, 0.0051);
+    EXPECT_GE(whole.ofAll.deviation.max, 0.25 - 1e-12);
+    EXPECT_NEAR(whole.ofAll.deviation.rms, 0.25, 1e-9);
+    EXPECT_LT(whole.ofAll.deviation.maxFromVertices, 1e-9);
+    EXPECT_NEAR(whole.ofAll.covered, 1, 1e-12);
+    const Measurement half = measure(mesh, layout, patches, true, {sheetAt(0.25, 4), HUGE_VAL});
+    EXPECT_NEAR(half.ofAll.covered, 0.5, 0.01);
+    EXPECT_NEAR(half.ofAll.deviation.max, 0.25, 0.0051);
+    EXPECT_EQ(measure(mesh, layout, patches, true, {sheetAt(0.25, 9), 0.2}).ofAll.covered, 0);
+}
+
+TEST(Measure, DistanceToATriangleIsThatToItsNearestPoint) {
+    const std::array<Point, 3> triangle{Point(0, 0, 0), Point(2, 0, 0), Point(0, 2, 0)};
+    EXPECT_NEAR(distanceToTriangle(triangle, {0.5, 0.5, -3}), 3, 1e-12);
+    EXPECT_NEAR(distanceToTriangle(triangle, {2, 2, 0}), std::sqrt(2.0), 1e-12);
+    EXPECT_NEAR(distanceToTriangle(triangle, {-3, -4, 0}), 5, 1e-12);
+    EXPECT_NEAR(distanceToTriangle({Point(0, 0, 0), Point(1, 0, 0), Point(3, 0, 0)}, {2, 1, 0}), 1, 1e-12);
+}
+
+TEST(Measure, DoesNotDependOnTheNumberOfThreads) {
+    const Grid waves{40, 30, [](double i, double j) { return Point(i, j, std::sin(i) * std::cos(0.5 * j)); }};
+    const QuadMesh mesh = test::makeMesh(waves);
+    const Layout layout = test::makeLayout(waves, {{0, 0, 40, 7}, {0, 7, 11, 30}, {11, 7, 40, 30, 1}});
+    const auto patches = interpolateAll(mesh, layout);
+    const Deviation one = measure(mesh, layout, patches).ofAll.deviation;
+    const Deviation three = measure(mesh, layout, patches, true, {}, 3).ofAll.deviation;
+    EXPECT_EQ(one.max, three.max);
+    EXPECT_EQ(one.rms, three.rms);
+    EXPECT_EQ(one.percentile95, three.percentile95);
+    EXPECT_EQ(one.rmsNormalAngle, three.rmsNormalAngle);
+    EXPECT_EQ(one.bendingRatio, three.bendingRatio);
+}
+
+TEST(Measure, StandsDegeneratePatches) {
+    const Grid point{2, 2, [](double, double) { return Point(1, 2, 3); }};
+    const QuadMesh mesh = test::makeMesh(point);
+    const Layout layout = test::makeLayout(point, {{0, 0, 2, 2}});
+    const Measurement measured = measure(mesh, layout, interpolateAll(mesh, layout));
+    EXPECT_LT(measured.ofAll.deviation.max, 1e-12);
+    EXPECT_EQ(measured.ofAll.deviation.folds, 4U) << "every piece is without a normal";
+    const Grid quad{1, 1, [](double i, double j) { return Point(i, j, 0); }};
+    const Patch folded = bilinearPatch({Point(0, 0, 0), Point(1, 0, 0), Point(0.2, 0.2, 0), Point(0, 1, 0)});
+    EXPECT_EQ(
+        measure(test::makeMesh(quad), test::makeLayout(quad, {{0, 0, 1, 1}}), {folded}).ofAll.deviation.folds,
+        1U);
+}
+
+} // namespace
+} // namespace qm
