@@ -7,6 +7,9 @@ namespace {
 void report(qm::Tool& tool, const qm::ShapeReport& shape, qm::LengthUnit unit) {
     tool.count("solids", static_cast<double>(shape.solids));
     tool.count("openEdges", static_cast<double>(shape.openEdges));
+    tool.count("shapeFaces", static_cast<double>(shape.faces));
+    tool.count("simpleFaces", static_cast<double>(shape.simpleFaces));
+    tool.count("smoothEdges", static_cast<double>(shape.smoothEdges));
     tool.count("valid", shape.valid ? 1 : 0);
     tool.count("tolerance", shape.largestTolerance);
     if (!shape.valid)
@@ -30,6 +33,11 @@ int main(int argc, char** argv) {
             tool.option("format", format, "what to write");
             tool.option("unit", options.unit, "the mesh's unit, which STEP and IGES declare");
             tool.option("colour", options.colour, "what colours in PLY and glTF mean");
+            tool.option("join", options.join, "neighbours that are one smooth surface become one face");
+            tool.option("analytic", options.analytic,
+                        "patches become cylinders, cones, spheres and tori where they are nothing else");
+            tool.option("analytic-tolerance", options.analyticTolerance, qm::Range{0, 100},
+                        "how far a patch may be from what takes its place, in per cent of the diagonal");
             tool.explain(
                 "STEP and IGES need the surfaces of qm-bspline; with --watertight or --fit tolerance "
                 "they have no gaps. Faces become one shell, and a solid where the mesh is closed.");

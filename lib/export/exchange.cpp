@@ -95,10 +95,21 @@ private:
     std::lock_guard<std::mutex> lock_;
 };
 
-void nameFaces(const BoundaryShape& shape, const Handle(Transfer_FinderProcess) & process) {
+using Origins = std::vector<std::vector<std::size_t>>;
+
+/// "segment 4", or "segments 4 7" of a face that was joined.
+std::string faceName(const std::vector<std::size_t>& segments) {
+    std::string name = segments.size() == 1 ? "segment" : "segments";
+    for (const std::size_t segment : segments)
+        name += " " + std::to_string(segment);
+    return name;
+}
+
+void nameFaces(const BoundaryShape& shape, const Origins& origins,
+               const Handle(Transfer_FinderProcess) & process) {
     for (std::size_t k = 0; k < shape.faces.size(); ++k) {
         const auto item = STEPConstruct::FindEntity(process, shape.faces[k]);
-        if (!item.IsNull()) item->SetName(text("segment " + std::to_string(k)));
+        if (!item.IsNull()) item->SetName(text(faceName(origins[k])));
     }
 }
 
@@ -116,23 +127,24 @@ void nameProducts(const Handle(StepData_StepModel) & model) {
     }
 }
 
-void labelFaces(const BoundaryShape& shape, const Handle(Transfer_FinderProcess) & process) {
+void labelFaces(const BoundaryShape& shape, const Origins& origins,
+                const Handle(Transfer_FinderProcess) & process) {
     for (std::size_t k = 0; k < shape.faces.size(); ++k) {
         Handle(IGESData_IGESEntity) entity;
         const auto mapper = TransferBRep::ShapeMapper(process, shape.faces[k]);
         if (process->FindTypedTransient(mapper, STANDARD_TYPE(IGESData_IGESEntity), entity))
-            entity->SetLabel(text("S" + std::to_string(k)));
+            entity->SetLabel(text("S" + std::to_string(origins[k].front())));
     }
 }
 
 } // namespace
 
-std::string shapeAsStep(const BoundaryShape& shape, LengthUnit unit) {
+std::string shapeAsStep(const BoundaryShape& shape, const Origins& origins, LengthUnit unit) {
     const Session session(unit);
     STEPControl_Writer writer;
     if (writer.Transfer(shape.shape, STEPControl_AsIs) != IFSelect_RetDone)
         throw Error("surfaces", "cannot be translated to STEP", "Look at the patches' deviation and kinks");
-    nameFaces(shape, writer.WS()->TransferWriter()->FinderProcess());
+    nameFaces(shape, origins, writer.WS()->TransferWriter()->FinderProcess());
 
     const Handle(StepData_StepModel) model = writer.Model();
     nameProducts(model);
@@ -150,14 +162,14 @@ std::string shapeAsStep(const BoundaryShape& shape, LengthUnit unit) {
     return stream.str();
 }
 
-std::string shapeAsIges(const BoundaryShape& shape, LengthUnit unit) {
+std::string shapeAsIges(const BoundaryShape& shape, const Origins& origins, LengthUnit unit) {
     const Session session(LengthUnit::mm);
     // The writer would convert from millimetres; so it is given those, and the unit is declared afterwards.
     IGESControl_Writer writer("MM", 1);
     if (!writer.AddShape(shape.shape))
         throw Error("surfaces", "cannot be translated to IGES", "Look at the patches' deviation and kinks");
     writer.ComputeModel();
-    labelFaces(shape, writer.TransferProcess());
+    labelFaces(shape, origins, writer.TransferProcess());
     IGESData_GlobalSection global = writer.Model()->GlobalSection();
     global.SetUnitFlag(unitFlag(unit));
     global.SetUnitName(text(unitName(unit)));

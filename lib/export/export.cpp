@@ -1,15 +1,21 @@
 #include "export/export.h"
 
 #include "base/error.h"
+#include "bspline/bounding_box.h"
 #include "export/colours.h"
 #include "export/exchange.h"
+#include "export/join.h"
 #include "export/quads.h"
+#include "export/separate.h"
 #include "export/shape.h"
 
 #include <Standard_Failure.hxx>
 
 namespace qm {
 namespace {
+
+/// How far points may move where knots are removed, in shares of the mesh's diagonal: by rounding only.
+constexpr double knotTolerance = 1e-10;
 
 const Surfaces& required(const Surfaces* surfaces, const std::string& forWhat) {
     if (surfaces == nullptr)
@@ -20,9 +26,14 @@ const Surfaces& required(const Surfaces* surfaces, const std::string& forWhat) {
 Exported exportShape(const QuadMesh& mesh, const Layout& layout, const Surfaces& surfaces,
                      const ExportOptions& options) {
     try {
-        const BoundaryShape shape = buildShape(mesh, layout, surfaces.patches);
-        return {options.format == ExportFormat::step ? shapeAsStep(shape, options.unit)
-                                                     : shapeAsIges(shape, options.unit),
+        const double diagonal = boundingBoxDiagonal(mesh);
+        FacePatches faces = facePatches(layout, surfaces.patches);
+        if (options.join) faces = joined(std::move(faces), knotTolerance * diagonal);
+        faces = separated(mesh, std::move(faces), knotTolerance * diagonal);
+        const double simplify = options.analytic ? options.analyticTolerance / 100 * diagonal : 0;
+        const BoundaryShape shape = buildShape(mesh, faces, simplify);
+        return {options.format == ExportFormat::step ? shapeAsStep(shape, faces.origins, options.unit)
+                                                     : shapeAsIges(shape, faces.origins, options.unit),
                 shape.report};
     } catch (const Standard_Failure& failure) {
         throw Error("surfaces",

@@ -1,9 +1,11 @@
 #include "export/shape.h"
 
-#include "base/error.h"
-#include "bspline/basis.h"
+#include "bspline/bounding_box.h"
 #include "bspline/clamped_patch.h"
+#include "export/curve_on_surface.h"
+#include "export/geometry.h"
 #include "export/shared_edges.h"
+#include "export/simple_surface.h"
 
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
@@ -11,8 +13,6 @@
 #include <GProp_GProps.hxx>
 #include <Geom2d_Line.hxx>
 #include <Geom2d_TrimmedCurve.hxx>
-#include <Geom_BSplineCurve.hxx>
-#include <Geom_BSplineSurface.hxx>
 #include <Precision.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
@@ -23,102 +23,15 @@
 #include <TopoDS_Wire.hxx>
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <string>
 #include <utility>
 
 namespace qm {
 namespace {
 
-gp_Pnt place(const Point& point) {
-    return {point[0], point[1], point[2]};
-}
-
-/// Distinct knots and how often each is there, as OpenCASCADE wants them.
-struct KnotTable {
-    TColStd_Array1OfReal values;
-    TColStd_Array1OfInteger multiplicities;
-};
-
-KnotTable knotTable(const std::vector<double>& knots) {
-    std::vector<std::pair<double, int>> distinct;
-    for (const double knot : knots) {
-        if (distinct.empty() || distinct.back().first != knot) distinct.emplace_back(knot, 0);
-        ++distinct.back().second;
-    }
-    const auto size = static_cast<int>(distinct.size());
-    KnotTable table{TColStd_Array1OfReal(1, size), TColStd_Array1OfInteger(1, size)};
-    for (int k = 0; k < size; ++k) {
-        const auto& [knot, multiplicity] = distinct[static_cast<std::size_t>(k)];
-        table.values.SetValue(k + 1, knot);
-        table.multiplicities.SetValue(k + 1, multiplicity);
-    }
-    return table;
-}
-
-Handle(Geom_BSplineSurface) surface(const Patch& patch) {
-    TColgp_Array2OfPnt poles(1, patch.count[0], 1, patch.count[1]);
-    for (int j = 0; j < patch.count[1]; ++j)
-        for (int i = 0; i < patch.count[0]; ++i)
-            poles.SetValue(i + 1, j + 1,
-                           place(patch.controlPoints[static_cast<std::size_t>(j) *
-                                                         static_cast<std::size_t>(patch.count[0]) +
-                                                     static_cast<std::size_t>(i)]));
-    const KnotTable u = knotTable(patch.knots[0]);
-    const KnotTable v = knotTable(patch.knots[1]);
-    return new Geom_BSplineSurface(poles, u.values, v.values, u.multiplicities, v.multiplicities,
-                                   patch.degree[0], patch.degree[1]);
-}
-
-Handle(Geom_BSplineCurve) curve(const SplineCurve& spline) {
-    TColgp_Array1OfPnt poles(1, static_cast<int>(spline.points.size()));
-    for (int k = 0; k < poles.Length(); ++k)
-        poles.SetValue(k + 1, place(spline.points[static_cast<std::size_t>(k)]));
-    const KnotTable knots = knotTable(spline.knots);
-    return new Geom_BSplineCurve(poles, knots.values, knots.multiplicities, 3);
-}
-
-/// Whether no inner knot is there more often than the degree allows, and none of them at an end.
-bool isContinuous(const std::vector<double>& knots, int degree) {
-    const auto first = static_cast<std::size_t>(degree);
-    const std::size_t last = knots.size() - first - 1;
-    for (std::size_t k = first + 1; k < last; ++k)
-        if (knots[k] <= knots[first] || knots[k] >= knots[last] || knots[k] >= knots[k + first]) return false;
-    return true;
-}
-
-void requireMatching(const Layout& layout, const std::vector<Patch>& patches) {
-    if (layout.segments.size() != patches.size())
-        throw Error("surfaces",
-                    "there are " + std::to_string(patches.size()) + " patches for " +
-                        std::to_string(layout.segments.size()) + " segments",
-                    "Fit the surfaces anew");
-    for (std::size_t k = 0; k < patches.size(); ++k) {
-        const Patch& patch = patches[k];
-        const std::string name = "patch " + std::to_string(k);
-        for (std::size_t d = 0; d < 2; ++d) {
-            const auto& knots = patch.knots[d];
-            const int degree = patch.degree[d];
-            const bool cubic = degree == 3 && patch.count[d] >= 4;
-            const bool lower = degree > 0 && degree < 3 && patch.count[d] == degree + 1;
-            if (!cubic && !lower)
-                throw Error(name, "is neither cubic nor of a lower degree without inner knots",
-                            "Fit the surfaces anew");
-            const std::size_t due =
-                static_cast<std::size_t>(patch.count[d]) + static_cast<std::size_t>(degree) + 1;
-            if (knots.size() != due || !std::is_sorted(knots.begin(), knots.end()) ||
-                (lower && clampedDegree(knots) != degree) ||
-                domain(knots, degree) !=
-                    std::array<double, 2>{0, static_cast<double>(layout.segments[k].size[d])})
-                throw Error(name, "has knots that do not belong to its segment", "Fit the surfaces anew");
-            if (!isContinuous(knots, degree))
-                throw Error(name, "has one knot so often that it falls apart there", "Fit the surfaces anew");
-        }
-        if (patch.controlPoints.size() !=
-            static_cast<std::size_t>(patch.count[0]) * static_cast<std::size_t>(patch.count[1]))
-            throw Error(name, "has a wrong number of control points", "Fit the surfaces anew");
-    }
-}
+/// How far the control points of a plane patch may be from its plane, in shares of the mesh's diagonal.
+constexpr double planeTolerance = 1e-7;
+/// Programs take two faces for one smooth surface below this angle, in degrees: 0.01 radians.
+constexpr double smoothAngle = 0.57;
 
 /// The smallest tolerance. Files have 13 digits: points that are one may be that far apart when read back.
 double resolution(const QuadMesh& mesh) {
@@ -128,16 +41,32 @@ double resolution(const QuadMesh& mesh) {
     return std::max(Precision::Confusion(), 4e-12 * largest);
 }
 
+/// The surface of a face. One that is simple needs no curves in its parameter plane to be agreed upon.
+struct FaceSurface {
+    Handle(Geom_Surface) surface;
+    Handle(Geom_ElementarySurface) simple; ///< the same, or none if it is a spline surface
+    bool reversed = false;                 ///< its normal is not the patch's
+};
+
+FaceSurface faceSurface(const Patch& patch, double flatness, double simplify) {
+    auto found = planeOf(patch, flatness);
+    if (!found && simplify > 0) found = simpleSurfaceOf(patch, simplify);
+    if (found) return {found->surface, found->surface, found->reversed};
+    return {splineSurface(patch), nullptr, false};
+}
+
 class ShapeBuilder {
 public:
-    ShapeBuilder(const QuadMesh& mesh, const Layout& layout, const std::vector<Patch>& patches)
-        : mesh_(mesh), layout_(layout), resolution_(resolution(mesh)),
-          shared_(shareEdges(mesh, layout, patches)), vertices_(mesh.n_vertices()) {
-        for (const Patch& patch : patches)
-            patches_.push_back(clamped(patch));
-        borders_.resize(patches.size());
+    ShapeBuilder(const QuadMesh& mesh, const FacePatches& faces, double simplify)
+        : layout_(faces.layout), patches_(faces.patches), resolution_(resolution(mesh)),
+          shared_(shareEdges(mesh, faces.layout, faces.patches)), vertices_(mesh.n_vertices()),
+          borders_(faces.patches.size()) {
+        const double flatness = std::max(resolution_ / 2, planeTolerance * boundingBoxDiagonal(mesh));
+        for (const Patch& patch : patches_)
+            surfaces_.push_back(faceSurface(patch, flatness, simplify));
         for (const SharedEdge& edge : shared_.edges)
-            edges_.push_back(makeEdge(edge));
+            makeEdge(edge);
+        makeVertices();
     }
 
     BoundaryShape build() {
@@ -152,14 +81,6 @@ private:
     /// A tolerance has to cover a gap, with a margin for what lies between the samples.
     [[nodiscard]] double toleranceFor(double gap) const { return std::max(1.1 * gap, resolution_); }
 
-    const TopoDS_Vertex& vertexAt(VertexId vertex) {
-        const auto index = static_cast<std::size_t>(vertex.idx());
-        if (vertices_[index].IsNull())
-            builder_.MakeVertex(vertices_[index], place(mesh_.point(vertex)),
-                                toleranceFor(shared_.vertexGap[index]));
-        return vertices_[index];
-    }
-
     /// Made once, as one side may be many edges.
     const SplineCurve& border(std::size_t patch, int side) {
         SplineCurve& curve = borders_[patch][static_cast<std::size_t>(side)];
@@ -167,22 +88,49 @@ private:
         return curve;
     }
 
-    /// Its curve is the border of the first patch that uses it.
-    TopoDS_Edge makeEdge(const SharedEdge& edge) {
+    /// Its curve is the border of the first patch that uses it. Vertices come when all tolerances are known.
+    void makeEdge(const SharedEdge& edge) {
         const BorderPlace& at = edge.places.front();
-        const SplineCurve part =
-            restricted(border(at.patch, at.side), at.position, at.position + edge.length);
-        TopoDS_Edge result;
-        builder_.MakeEdge(result, curve(part), toleranceFor(edge.gap));
-        builder_.Add(result, vertexAt(edge.start).Oriented(TopAbs_FORWARD));
-        builder_.Add(result, vertexAt(edge.end).Oriented(TopAbs_REVERSED));
-        builder_.Range(result, 0, edge.length);
-        return result;
+        const Handle(Geom_BSplineCurve) curve =
+            splineCurve(restricted(border(at.patch, at.side), at.position, at.position + edge.length));
+        Edge& made = edges_.emplace_back();
+        double gap = edge.gap;
+        for (std::size_t use = 0; use < edge.places.size(); ++use) {
+            const FaceSurface& on = surfaces_[edge.places[use].patch];
+            if (on.simple.IsNull()) {
+                made.inPlane.at(use) = inPlane(edge, use);
+            } else {
+                const CurveOnSurface found = curveOnSurface(curve, on.simple);
+                made.inPlane.at(use) = found.curve;
+                gap = std::max(gap, found.gap);
+            }
+        }
+        made.tolerance = toleranceFor(gap);
+        builder_.MakeEdge(made.edge, curve, made.tolerance);
+        for (const VertexId vertex : {edge.start, edge.end}) {
+            double& reach = shared_.vertexGap[static_cast<std::size_t>(vertex.idx())];
+            reach = std::max(reach, gap);
+        }
     }
 
-    /// An edge in the parameter plane of a patch that uses it; it runs in the edge's own direction. It is
-    /// bounded, and so keeps its ends in a file: those of a bare line would be sought along the whole side,
-    /// which may pass one and the same vertex twice.
+    void makeVertices() {
+        for (std::size_t e = 0; e < edges_.size(); ++e) {
+            const SharedEdge& edge = shared_.edges[e];
+            builder_.Add(edges_[e].edge, vertexAt(edge.start).Oriented(TopAbs_FORWARD));
+            builder_.Add(edges_[e].edge, vertexAt(edge.end).Oriented(TopAbs_REVERSED));
+            builder_.Range(edges_[e].edge, 0, edge.length);
+        }
+    }
+
+    const TopoDS_Vertex& vertexAt(VertexId vertex) {
+        const auto index = static_cast<std::size_t>(vertex.idx());
+        if (vertices_[index].IsNull())
+            builder_.MakeVertex(vertices_[index], place(shared_.vertexPoint[index]),
+                                toleranceFor(shared_.vertexGap[index]));
+        return vertices_[index];
+    }
+
+    /// An edge in the parameter plane of a patch that uses it; it runs in the edge's own direction.
     [[nodiscard]] Handle(Geom2d_Curve) inPlane(const SharedEdge& edge, std::size_t use) const {
         const BorderPlace& at = edge.places[use];
         const auto& size = layout_.segments[at.patch].size;
@@ -195,28 +143,23 @@ private:
     }
 
     TopoDS_Face makeFace(std::size_t patch) {
+        const FaceSurface& on = surfaces_[patch];
         TopoDS_Face face;
-        builder_.MakeFace(face, surface(patches_[patch]), resolution_);
+        builder_.MakeFace(face, on.surface, resolution_);
         TopoDS_Wire wire;
         builder_.MakeWire(wire);
         for (const EdgeUse& use : shared_.ofPatch[patch]) {
-            placeOn(use, face);
-            builder_.Add(wire, edges_[use.edge].Oriented(use.forwards ? TopAbs_FORWARD : TopAbs_REVERSED));
+            const Edge& made = edges_[use.edge];
+            if (const auto& curve = made.inPlane.at(use.forwards ? 0 : 1); !curve.IsNull()) {
+                builder_.UpdateEdge(made.edge, curve, face, made.tolerance);
+                builder_.Range(made.edge, face, 0, shared_.edges[use.edge].length);
+            }
+            builder_.Add(wire, made.edge.Oriented(use.forwards ? TopAbs_FORWARD : TopAbs_REVERSED));
         }
         wire.Closed(true);
-        builder_.Add(face, wire);
+        builder_.Add(face, on.reversed ? wire.Reversed() : wire);
+        if (on.reversed) face.Reverse();
         return face;
-    }
-
-    void placeOn(const EdgeUse& use, const TopoDS_Face& face) {
-        const SharedEdge& edge = shared_.edges[use.edge];
-        const TopoDS_Edge& made = edges_[use.edge];
-        const double tolerance = toleranceFor(edge.gap);
-        if (isSeam(edge))
-            builder_.UpdateEdge(made, inPlane(edge, 0), inPlane(edge, 1), face, tolerance);
-        else
-            builder_.UpdateEdge(made, inPlane(edge, use.forwards ? 0 : 1), face, tolerance);
-        builder_.Range(made, face, 0, edge.length);
     }
 
     void assemble(BoundaryShape& result) {
@@ -233,6 +176,8 @@ private:
             if (edge.places.size() < 2) {
                 closed[component[edge.places.front().patch]] = false;
                 ++result.report.openEdges;
+            } else if (edge.angle < smoothAngle) {
+                ++result.report.smoothEdges;
             }
         std::vector<TopoDS_Shape> parts;
         for (std::size_t k = 0; k < count; ++k) {
@@ -245,6 +190,8 @@ private:
         result.report.edges = edges_.size();
         for (const double gap : shared_.vertexGap)
             result.report.largestTolerance = std::max(result.report.largestTolerance, toleranceFor(gap));
+        for (const FaceSurface& surface : surfaces_)
+            if (!surface.simple.IsNull()) ++result.report.simpleFaces;
         result.report.valid = BRepCheck_Analyzer(result.shape).IsValid();
     }
 
@@ -266,22 +213,27 @@ private:
         return result;
     }
 
-    const QuadMesh& mesh_;
+    struct Edge {
+        TopoDS_Edge edge;
+        std::array<Handle(Geom2d_Curve), 2> inPlane; ///< of its uses; none in planes
+        double tolerance = 0;
+    };
+
     const Layout& layout_;
+    const std::vector<Patch>& patches_;
     double resolution_;
     SharedEdges shared_;
-    std::vector<Patch> patches_;                      ///< clamped
-    std::vector<std::array<SplineCurve, 4>> borders_; ///< of the sides; empty until they are needed
     std::vector<TopoDS_Vertex> vertices_;
-    std::vector<TopoDS_Edge> edges_;
+    std::vector<std::array<SplineCurve, 4>> borders_; ///< of the sides; empty until they are needed
+    std::vector<FaceSurface> surfaces_;
+    std::vector<Edge> edges_;
     BRep_Builder builder_;
 };
 
 } // namespace
 
-BoundaryShape buildShape(const QuadMesh& mesh, const Layout& layout, const std::vector<Patch>& patches) {
-    requireMatching(layout, patches);
-    return ShapeBuilder(mesh, layout, patches).build();
+BoundaryShape buildShape(const QuadMesh& mesh, const FacePatches& faces, double simplify) {
+    return ShapeBuilder(mesh, faces, simplify).build();
 }
 
 } // namespace qm

@@ -1,9 +1,8 @@
 /// \file Surfaces as a boundary representation: OpenCASCADE faces that share their edges.
 #pragma once
 
-#include "bspline/surfaces.h"
 #include "export/export.h"
-#include "layout/layout.h"
+#include "export/face_patches.h"
 
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
@@ -19,10 +18,10 @@ struct BoundaryShape {
 
 /// The topology is the layout's: one face for every patch, an edge between any two vertices where borders
 /// meet, used by the patches on both sides. So nothing has to be sewn, and a gap between patches becomes the
-/// tolerance of the edge that they share.
-/// \throw Error  if patches are not of degrees 1 to 3, those below 3 without inner knots, are not continuous,
-/// or do not belong to the layout
-[[nodiscard]] BoundaryShape buildShape(const QuadMesh& mesh, const Layout& layout,
-                                       const std::vector<Patch>& patches);
+/// tolerance of the edge that they share. Patches that are plane become planes.
+/// \param faces  none touches itself, see separate.h
+/// \param simplify  the largest distance between a patch and the cylinder, cone, sphere, torus or plane that
+/// takes its place; 0 for none of them but exact planes
+[[nodiscard]] BoundaryShape buildShape(const QuadMesh& mesh, const FacePatches& faces, double simplify = 0);
 
 } // namespace qm

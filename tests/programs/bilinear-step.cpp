@@ -42,15 +42,17 @@ public:
         TColgp_Array2OfPnt poles(1, 2, 1, 2);
         for (int j = 0; j < 2; ++j)
             for (int i = 0; i < 2; ++i)
-                poles.SetValue(i + 1, j + 1, points_.at(corners.at(static_cast<std::size_t>(j == 0 ? i : 3 - i))));
+                poles.SetValue(i + 1, j + 1,
+                               points_.at(corners.at(static_cast<std::size_t>(j == 0 ? i : 3 - i))));
         TColStd_Array1OfReal knots(1, 2);
         knots.SetValue(1, 0);
         knots.SetValue(2, 1);
         TColStd_Array1OfInteger multiplicities(1, 2);
         multiplicities.Init(2);
         TopoDS_Face face;
-        builder_.MakeFace(
-            face, new Geom_BSplineSurface(poles, knots, knots, multiplicities, multiplicities, 1, 1), tolerance);
+        builder_.MakeFace(face,
+                          new Geom_BSplineSurface(poles, knots, knots, multiplicities, multiplicities, 1, 1),
+                          tolerance);
         TopoDS_Wire wire;
         builder_.MakeWire(wire);
         for (std::size_t side = 0; side < 4; ++side)
