@@ -3,12 +3,13 @@
 #include "base/error.h"
 #include "bspline/bounding_box.h"
 #include "export/colours.h"
-#include "export/exchange.h"
+#include "export/iges.h"
 #include "export/join.h"
 #include "export/quads.h"
 #include "export/separate.h"
-#include "export/shape.h"
+#include "export/step.h"
 
+#include <BRepCheck_Analyzer.hxx>
 #include <Standard_Failure.hxx>
 
 namespace qm {
@@ -23,6 +24,43 @@ const Surfaces& required(const Surfaces* surfaces, const std::string& forWhat) {
     return *surfaces;
 }
 
+struct CheckedShape {
+    Boundary boundary;
+    BoundaryShape shape;
+    bool valid = false;
+};
+
+/// A simple surface is given up where OpenCASCADE finds that its borders do not allow it.
+CheckedShape checkedShape(const QuadMesh& mesh, const FacePatches& faces, double simplify) {
+    std::vector<double> simplifyFace(faces.patches.size(), simplify);
+    while (true) {
+        CheckedShape made{makeBoundary(mesh, faces, simplifyFace), {}, false};
+        made.shape = buildShape(made.boundary);
+        const BRepCheck_Analyzer analyser(made.shape.shape, Standard_True, Standard_True);
+        made.valid = analyser.IsValid();
+        bool changed = false;
+        for (std::size_t f = 0; f < simplifyFace.size() && !made.valid; ++f)
+            if (simplifyFace[f] > 0 && !analyser.IsValid(made.shape.faces[f])) {
+                simplifyFace[f] = 0;
+                changed = true;
+            }
+        if (!changed) return made;
+    }
+}
+
+ShapeReport reportOf(const Boundary& boundary) {
+    ShapeReport report;
+    report.faces = boundary.faces.size();
+    report.edges = boundary.edges.size();
+    report.openEdges = boundary.openEdges;
+    report.smoothEdges = boundary.smoothEdges;
+    report.simpleFaces = boundary.simpleFaces;
+    for (const BoundaryPart& part : boundary.parts)
+        ++(part.closed ? report.solids : report.shells);
+    report.largestTolerance = boundary.largestTolerance;
+    return report;
+}
+
 Exported exportShape(const QuadMesh& mesh, const Layout& layout, const Surfaces& surfaces,
                      const ExportOptions& options) {
     try {
@@ -30,11 +68,14 @@ Exported exportShape(const QuadMesh& mesh, const Layout& layout, const Surfaces&
         FacePatches faces = facePatches(layout, surfaces.patches);
         if (options.join) faces = joined(std::move(faces), knotTolerance * diagonal);
         faces = separated(mesh, std::move(faces), knotTolerance * diagonal);
-        const double simplify = options.analytic ? options.analyticTolerance / 100 * diagonal : 0;
-        const BoundaryShape shape = buildShape(mesh, faces, simplify);
-        return {options.format == ExportFormat::step ? shapeAsStep(shape, faces.origins, options.unit)
-                                                     : shapeAsIges(shape, faces.origins, options.unit),
-                shape.report};
+        const CheckedShape made =
+            checkedShape(mesh, faces, options.analytic ? options.analyticTolerance / 100 * diagonal : 0);
+        Exported result{options.format == ExportFormat::step
+                            ? boundaryAsStep(made.boundary, faces.origins, options.unit)
+                            : shapeAsIges(made.shape, faces.origins, options.unit),
+                        reportOf(made.boundary)};
+        result.shape->valid = made.valid;
+        return result;
     } catch (const Standard_Failure& failure) {
         throw Error("surfaces",
                     std::string("are nothing that OpenCASCADE takes: ") + failure.DynamicType()->Name(),

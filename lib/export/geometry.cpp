@@ -72,6 +72,14 @@ Handle(Geom_BSplineCurve) splineCurve(const SplineCurve& curve) {
     return new Geom_BSplineCurve(poles, knots.values, knots.multiplicities, 3);
 }
 
+Handle(Geom2d_BSplineCurve) line(const gp_Pnt2d& from, const gp_Pnt2d& to, double length) {
+    TColgp_Array1OfPnt2d poles(1, 2);
+    poles.SetValue(1, from);
+    poles.SetValue(2, to);
+    const KnotTable knots = knotTable({0, 0, length, length});
+    return new Geom2d_BSplineCurve(poles, knots.values, knots.multiplicities, 1);
+}
+
 Patch withoutNeedlessKnots(const Patch& clampedPatch, double tolerance) {
     if (!hasRepeatedInnerKnot(clampedPatch.knots[0], clampedPatch.degree[0]) &&
         !hasRepeatedInnerKnot(clampedPatch.knots[1], clampedPatch.degree[1]))

@@ -4,6 +4,7 @@
 #include "bspline/spline_curve.h"
 #include "bspline/surfaces.h"
 
+#include <Geom2d_BSplineCurve.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <gp_Pnt.hxx>
@@ -16,6 +17,8 @@ namespace qm {
 /// \param clampedPatch  of degrees 1 to 3 \throw Standard_Failure  if OpenCASCADE takes knots for equal
 [[nodiscard]] Handle(Geom_BSplineSurface) splineSurface(const Patch& clampedPatch);
 [[nodiscard]] Handle(Geom_BSplineCurve) splineCurve(const SplineCurve& curve);
+/// A straight line from one point to another, over [0, length].
+[[nodiscard]] Handle(Geom2d_BSplineCurve) line(const gp_Pnt2d& from, const gp_Pnt2d& to, double length);
 
 /// The patch without inner knots that are there more often than its shape needs.
 /// \param tolerance  how far a point of the surface may move

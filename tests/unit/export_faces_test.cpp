@@ -149,11 +149,10 @@ TEST(Edges, AreFoundSmoothByTheReader) {
     // A roof whose ridge is sharp, and a seam along which nothing bends.
     const Grid grid{8, 4, [](double i, double j) { return Point(i, j, 0.1 * i * i - std::abs(j - 2)); }};
     const FittedModel model = fitted(grid, {{0, 0, 8, 2}, {0, 2, 3, 4}, {3, 2, 8, 4}}, watertight());
-    const FacePatches faces = separated(model.mesh, facePatches(model.layout, model.surfaces.patches), 1e-9);
-    const BoundaryShape made = buildShape(model.mesh, faces);
+    const ShapeReport report = *exportModel(model.mesh, model.layout, &model.surfaces, {}).shape;
     const TopoDS_Shape shape = readBack(model);
-    EXPECT_GT(made.report.smoothEdges, 0U);
-    EXPECT_EQ(countSmoothEdges(shape), static_cast<int>(made.report.smoothEdges));
+    EXPECT_GT(report.smoothEdges, 0U);
+    EXPECT_EQ(countSmoothEdges(shape), static_cast<int>(report.smoothEdges));
     for (const TopoDS_Shape& edge : all(shape, TopAbs_EDGE))
         EXPECT_LE(BRep_Tool::Tolerance(TopoDS::Edge(edge)), 1.0001e-7);
 }
@@ -241,10 +240,10 @@ TEST(Join, PutsTogetherWhatWasCut) {
         EXPECT_EQ(segment.sides[side].back(), segment.sides[(side + 1) % 4].front());
     GProp_GProps before;
     GProp_GProps after;
-    BRepGProp::SurfaceProperties(buildShape(model.mesh, whole).shape, before);
-    const BoundaryShape made = buildShape(model.mesh, again);
+    BRepGProp::SurfaceProperties(buildShape(makeBoundary(model.mesh, whole)).shape, before);
+    const BoundaryShape made = buildShape(makeBoundary(model.mesh, again));
     BRepGProp::SurfaceProperties(made.shape, after);
-    EXPECT_TRUE(made.report.valid);
+    EXPECT_TRUE(BRepCheck_Analyzer(made.shape).IsValid());
     EXPECT_NEAR(before.Mass(), after.Mass(), 1e-9 * before.Mass());
 }
 

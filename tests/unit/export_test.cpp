@@ -42,10 +42,16 @@ using test::torus;
 using test::watertight;
 using Model = test::FittedModel;
 
+struct Made {
+    TopoDS_Shape shape;
+    ShapeReport report;
+};
+
 /// As qm-export does.
-BoundaryShape shapeOf(const Model& model) {
-    return buildShape(model.mesh,
-                      separated(model.mesh, facePatches(model.layout, model.surfaces.patches), 1e-9));
+Made shapeOf(const Model& model) {
+    const FacePatches faces = separated(model.mesh, facePatches(model.layout, model.surfaces.patches), 1e-9);
+    return {buildShape(makeBoundary(model.mesh, faces)).shape,
+            *exportModel(model.mesh, model.layout, &model.surfaces, {}).shape};
 }
 
 TEST(ClampedPatch, IsTheSameSurface) {
@@ -65,7 +71,7 @@ TEST(ClampedPatch, IsTheSameSurface) {
 
 TEST(Shape, IsAnOpenShellWithSharedEdges) {
     const Model model = fitted(sheet(), tJoint(), watertight());
-    const BoundaryShape shape = shapeOf(model);
+    const Made shape = shapeOf(model);
     EXPECT_TRUE(shape.report.valid);
     EXPECT_EQ(shape.report.faces, 3U);
     EXPECT_EQ(shape.report.edges, 10U) << "the long side is two edges on the other side of the T-joint";
@@ -78,7 +84,7 @@ TEST(Shape, IsAnOpenShellWithSharedEdges) {
 
 TEST(Shape, BridgesTheGapsOfIndependentPatchesByTolerance) {
     const Model model = fitted(sheet(), tJoint(), {});
-    const BoundaryShape shape = shapeOf(model);
+    const Made shape = shapeOf(model);
     EXPECT_TRUE(shape.report.valid);
     EXPECT_EQ(shape.report.edges, 10U);
     EXPECT_GE(shape.report.largestTolerance, model.surfaces.deviation.largestGap);
@@ -92,7 +98,7 @@ TEST(Shape, IsASolidIfTheMeshIsClosed) {
                                                       {{0, 0, 16, 5}, {0, 5, 16, 12}},
                                                       {{0, 0, 9, 12}, {9, 0, 16, 4}, {9, 4, 16, 12}}}) {
         const Model model = torus(rectangles);
-        const BoundaryShape shape = shapeOf(model);
+        const Made shape = shapeOf(model);
         EXPECT_TRUE(shape.report.valid);
         EXPECT_EQ(shape.report.solids, 1U);
         EXPECT_EQ(shape.report.openEdges, 0U);
@@ -110,7 +116,7 @@ TEST(Shape, TakesPatchesOfLowerDegrees) {
     ASSERT_TRUE(std::ranges::any_of(model.surfaces.patches, [](const Patch& patch) {
         return patch.degree == std::array{3, 1};
     }));
-    const BoundaryShape made = shapeOf(model);
+    const Made made = shapeOf(model);
     EXPECT_TRUE(made.report.valid);
     EXPECT_LT(made.report.largestTolerance, 1e-6);
 }
@@ -187,7 +193,7 @@ TEST(Step, IsReadBackFarFromTheOrigin) {
         model.mesh.point(vertex) += Point(4.5e6, 5e6, 0);
     for (Point& point : model.surfaces.patches[0].controlPoints)
         point += Point(4.5e6, 5e6, 0);
-    const BoundaryShape made = shapeOf(model);
+    const Made made = shapeOf(model);
     EXPECT_TRUE(made.report.valid);
     EXPECT_LT(made.report.largestTolerance, 1e-4);
     EXPECT_TRUE(BRepCheck_Analyzer(readStep(exported(model, ExportFormat::step))).IsValid());
@@ -198,7 +204,7 @@ class Contacts : public testing::TestWithParam<std::tuple<Grid (*)(), int>> {};
 TEST_P(Contacts, AreBetweenFacesAndNeverWithinOne) {
     const auto& [grid, turned] = GetParam();
     const Model model = glued(grid(), turned);
-    const BoundaryShape made = shapeOf(model);
+    const Made made = shapeOf(model);
     EXPECT_TRUE(made.report.valid);
     EXPECT_GT(made.report.faces, 1U);
     for (const TopoDS_Shape& shape :
