@@ -40,11 +40,17 @@ int main(int argc, char** argv) {
                         "how far a patch may be from what takes its place, in per cent of the diagonal");
             tool.explain(
                 "STEP and IGES need the surfaces of qm-bspline; with --watertight or --fit tolerance "
-                "they have no gaps. Faces become one shell, and a solid where the mesh is closed.");
+                "they have no gaps. Faces become one shell, and a solid where the mesh is closed. Plane "
+                "patches "
+                "become planes. A patch is cut where it is only C0, and where it touches itself.");
             tool.example("qm-export part.surfaces.json -o part.step");
             tool.example("qm-bspline --watertight part.layout.json | qm-export --format iges -o part.igs");
+            tool.example("qm-export --join --analytic part.surfaces.json -o part.step");
             tool.example("qm-export --format ply --colour deviation part.surfaces.json > part.ply");
-            tool.verify([&] { options.format = qm::exportFormat(format, tool.outputPath()); });
+            tool.verify([&] {
+                options.format = qm::exportFormat(format, tool.outputPath());
+                qm::requireEffect(tool, options);
+            });
             return [&tool, &options, stage] {
                 const qm::Model& model = stage->read(qm::neededKind(options));
                 const qm::Surfaces* surfaces = model.surfaces ? &*model.surfaces : nullptr;

@@ -8,6 +8,7 @@
 
 #include <Precision.hxx>
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace qm {
@@ -66,7 +67,7 @@ private:
             auto found = planeOf(patches_[k], flatness);
             if (!found && !simplify_.empty() && simplify_[k] > 0)
                 found = simpleSurfaceOf(patches_[k], simplify_[k]);
-            simple_.push_back(found ? found->surface : nullptr);
+            simple_.push_back(found);
             const Handle(Geom_Surface) surface =
                 found ? Handle(Geom_Surface)(found->surface) : splineSurface(patches_[k]);
             result_.faces.push_back({surface, found && found->reversed, shared_.ofPatch[k]});
@@ -99,11 +100,11 @@ private:
             splineCurve(restricted(border(at.patch, at.side), at.position, at.position + edge.length));
         double gap = edge.gap;
         for (std::size_t use = 0; use < edge.places.size(); ++use) {
-            const Handle(Geom_ElementarySurface)& simple = simple_[edge.places[use].patch];
-            if (simple.IsNull()) {
+            const auto& simple = simple_[edge.places[use].patch];
+            if (!simple) {
                 made.onFaces.at(use) = inPlane(edge, use);
             } else {
-                const CurveOnSurface found = curveOnSurface(made.curve, simple);
+                const CurveOnSurface found = curveOnSurface(made.curve, *simple);
                 made.onFaces.at(use) = found.curve;
                 gap = std::max(gap, found.gap);
             }
@@ -159,8 +160,8 @@ private:
     const std::vector<double>& simplify_;
     double resolution_;
     SharedEdges shared_;
-    std::vector<std::array<SplineCurve, 4>> borders_;    ///< of the sides; empty until they are needed
-    std::vector<Handle(Geom_ElementarySurface)> simple_; ///< of faces that need no control points
+    std::vector<std::array<SplineCurve, 4>> borders_;  ///< of the sides; empty until they are needed
+    std::vector<std::optional<SimpleSurface>> simple_; ///< of faces that need no control points
     Boundary result_;
 };
 

@@ -51,8 +51,8 @@ std::vector<double> parametersOf(const Geom_BSplineCurve& curve, int perInterval
 
 } // namespace
 
-CurveOnSurface curveOnSurface(const Handle(Geom_BSplineCurve) & curve,
-                              const Handle(Geom_ElementarySurface) & surface) {
+CurveOnSurface curveOnSurface(const Handle(Geom_BSplineCurve) & curve, const SimpleSurface& on) {
+    const Handle(Geom_ElementarySurface)& surface = on.surface;
     CurveOnSurface result;
     const bool isPlane = surface->IsKind(STANDARD_TYPE(Geom_Plane));
     if (!isPlane) {
@@ -60,14 +60,13 @@ CurveOnSurface curveOnSurface(const Handle(Geom_BSplineCurve) & curve,
         const auto size = static_cast<int>(parameters.size());
         const Handle(TColgp_HArray1OfPnt2d) points = new TColgp_HArray1OfPnt2d(1, size);
         const Handle(TColStd_HArray1OfReal) at = new TColStd_HArray1OfReal(1, size);
-        // The patch lies about the middle of all angles u; around a torus's tube it may lie anywhere.
-        gp_Pnt2d last(std::numbers::pi, 0);
+        // The patch lies about the middle of all angles u, opposite to the seam.
+        gp_Pnt2d last(std::numbers::pi, on.tubeAngle);
         for (int k = 1; k <= size; ++k) {
             const double t = parameters[static_cast<std::size_t>(k - 1)];
             gp_Pnt2d point = nearest(surface, curve->Value(t));
-            if (surface->IsUPeriodic())
-                point.SetX(angleNear(point.X(), k == 1 ? std::numbers::pi : last.X()));
-            if (surface->IsVPeriodic() && k > 1) point.SetY(angleNear(point.Y(), last.Y()));
+            if (surface->IsUPeriodic()) point.SetX(angleNear(point.X(), last.X()));
+            if (surface->IsVPeriodic()) point.SetY(angleNear(point.Y(), last.Y()));
             points->SetValue(k, last = point);
             at->SetValue(k, t);
         }

@@ -1,9 +1,10 @@
 /// \file Curves in the parameter planes of planes, cylinders, cones, spheres and tori.
 #pragma once
 
+#include "export/simple_surface.h"
+
 #include <Geom2d_BSplineCurve.hxx>
 #include <Geom_BSplineCurve.hxx>
-#include <Geom_ElementarySurface.hxx>
 
 namespace qm {
 
@@ -14,7 +15,6 @@ struct CurveOnSurface {
 };
 
 /// Of the points of the surface next to those of the curve.
-[[nodiscard]] CurveOnSurface curveOnSurface(const Handle(Geom_BSplineCurve) & curve,
-                                            const Handle(Geom_ElementarySurface) & surface);
+[[nodiscard]] CurveOnSurface curveOnSurface(const Handle(Geom_BSplineCurve) & curve, const SimpleSurface& on);
 
 } // namespace qm

@@ -146,6 +146,18 @@ Handle(Geom_ElementarySurface) surfaceOf(SimpleShape shape, const Cloud& cloud) 
     }
 }
 
+/// Around the tube of a torus, from its outermost circle, the middle of the points.
+double tubeAngle(const SimpleShape& torus, const OrientedPoints& samples) {
+    double away = 0;
+    double height = 0;
+    for (const Vector3d& point : samples.points) {
+        const Vector3d normal = torus.normal(point);
+        away += normal.dot(torus.radial(point).normalized());
+        height += normal.dot(torus.axis);
+    }
+    return std::atan2(height, away);
+}
+
 } // namespace
 
 std::optional<SimpleSurface> planeOf(const Patch& clampedPatch, double tolerance) {
@@ -163,7 +175,7 @@ std::optional<SimpleSurface> planeOf(const Patch& clampedPatch, double tolerance
     if (plane->axis.dot(normal) < 0) plane->axis = -plane->axis;
     for (const Vector3d& at : cloud.samples.normals) // a patch that is folded in its plane stays what it is
         if (at.dot(plane->axis) < 0) return std::nullopt;
-    return SimpleSurface{surfaceOf(*plane, Cloud{}), false};
+    return SimpleSurface{surfaceOf(*plane, Cloud{}), false, 0};
 }
 
 std::optional<SimpleSurface> simpleSurfaceOf(const Patch& clampedPatch, double tolerance) {
@@ -179,7 +191,9 @@ std::optional<SimpleSurface> simpleSurfaceOf(const Patch& clampedPatch, double t
         SimpleShape facing = *shape;
         if (kind == SimpleKind::plane) facing.axis *= side;
         const Handle(Geom_ElementarySurface) surface = surfaceOf(facing, fine);
-        if (!surface.IsNull()) return SimpleSurface{surface, kind != SimpleKind::plane && side < 0};
+        if (!surface.IsNull())
+            return SimpleSurface{surface, kind != SimpleKind::plane && side < 0,
+                                 kind == SimpleKind::torus ? tubeAngle(facing, fine.samples) : 0};
     }
     return std::nullopt;
 }

@@ -12,6 +12,7 @@ namespace qm {
 struct SimpleSurface {
     Handle(Geom_ElementarySurface) surface;
     bool reversed = false; ///< its normal points to the other side than the patch's
+    double tubeAngle = 0;  ///< parameter v in the middle of the patch; of a torus
 };
 
 /// The plane in which all control points lie. \param tolerance  how far they may be from it

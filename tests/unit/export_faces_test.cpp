@@ -173,14 +173,22 @@ ExportOptions analytic() {
     return options;
 }
 
-TEST(Analytic, ATorusIsATorus) {
-    const FittedModel model = test::torus({{0, 0, 9, 12}, {9, 0, 16, 4}, {9, 4, 16, 12}});
+class Tori : public testing::TestWithParam<std::vector<std::array<int, 4>>> {};
+
+TEST_P(Tori, AreToriWhereverTheyAreCut) {
+    const FittedModel model = test::torus(GetParam());
     const TopoDS_Shape shape = readBack(model, analytic());
     EXPECT_EQ(countSurfaces<Geom_ToroidalSurface>(shape), static_cast<int>(all(shape, TopAbs_FACE).size()));
     EXPECT_EQ(all(shape, TopAbs_SOLID).size(), 1U);
     EXPECT_NEAR(volume(shape), 2 * std::numbers::pi * 5 * std::numbers::pi * 4, 0.2);
     EXPECT_EQ(countSurfaces<Geom_ToroidalSurface>(readBack(model)), 0) << "only on request";
 }
+
+INSTANTIATE_TEST_SUITE_P(
+    All, Tori,
+    testing::Values(std::vector<std::array<int, 4>>{{0, 0, 16, 12}},
+                    std::vector<std::array<int, 4>>{{0, 0, 9, 12}, {9, 0, 16, 4}, {9, 4, 16, 12}},
+                    std::vector<std::array<int, 4>>{{3, 5, 11, 13}, {11, 5, 19, 13}, {3, 1, 19, 5}}));
 
 /// A sheet on a surface of revolution: distance from the axis by height.
 FittedModel revolved(const std::function<double(double)>& radius, bool inwards) {
