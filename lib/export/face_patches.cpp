@@ -106,9 +106,8 @@ FacePatches facePatches(const Layout& layout, const std::vector<Patch>& patches)
     return result;
 }
 
-Segment partOf(const QuadMesh& mesh, const Segment& segment, const std::array<int, 2>& from,
+Segment partOf(const std::vector<VertexId>& vertices, const Segment& segment, const std::array<int, 2>& from,
                const std::array<int, 2>& to) {
-    const auto vertices = vertexGrid(mesh, segment);
     const auto at = [&](int i, int j) {
         return vertices[static_cast<std::size_t>(j) * (static_cast<std::size_t>(segment.size[0]) + 1) +
                         static_cast<std::size_t>(i)];

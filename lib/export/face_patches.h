@@ -21,9 +21,10 @@ struct FacePatches {
 /// inner knots, are not continuous, or do not belong to the layout
 [[nodiscard]] FacePatches facePatches(const Layout& layout, const std::vector<Patch>& patches);
 
-/// The quads of columns [from[0], to[0]) and rows [from[1], to[1]) of a segment.
-[[nodiscard]] Segment partOf(const QuadMesh& mesh, const Segment& segment, const std::array<int, 2>& from,
-                             const std::array<int, 2>& to);
+/// The quads of columns [from[0], to[0]) and rows [from[1], to[1]) of a segment. \param vertices  as
+/// vertexGrid has them
+[[nodiscard]] Segment partOf(const std::vector<VertexId>& vertices, const Segment& segment,
+                             const std::array<int, 2>& from, const std::array<int, 2>& to);
 
 /// The same part of its patch, over a domain from 0.
 [[nodiscard]] Patch partOf(const Patch& clampedPatch, const std::array<int, 2>& from,

@@ -28,6 +28,34 @@ Cuts kinkLines(const Patch& patch) {
     return cuts;
 }
 
+/// What other programs do with every edge of a face takes time in proportion to the whole face, so that a
+/// side with thousands of edges would hold them up: it gets no more than this.
+constexpr std::size_t mostEdges = 128;
+
+/// By vertex: whether a face has a corner there.
+std::vector<bool> cornersOf(const QuadMesh& mesh, const Layout& layout) {
+    std::vector<bool> result(mesh.n_vertices(), false);
+    for (const Segment& segment : layout.segments)
+        for (const VertexId corner : segment.corners)
+            result[static_cast<std::size_t>(corner.idx())] = true;
+    return result;
+}
+
+/// Cuts sides of too many edges at some of the T-joints there.
+void addCrowds(const Segment& segment, const std::vector<bool>& isCorner, Cuts& cuts) {
+    for (std::size_t side = 0; side < 4; ++side) {
+        const auto& line = segment.sides[side];
+        std::size_t count = 0;
+        for (std::size_t k = 1; k + 1 < line.size(); ++k)
+            if (isCorner[static_cast<std::size_t>(line[k].idx())] && ++count % mostEdges == 0)
+                cuts[side % 2].push_back(static_cast<int>(side < 2 ? k : line.size() - 1 - k));
+    }
+    for (std::vector<int>& lines : cuts) {
+        std::ranges::sort(lines);
+        lines.erase(std::ranges::unique(lines).begin(), lines.end());
+    }
+}
+
 /// A vertex on a face's border, and its place in the grid.
 struct BorderVertex {
     VertexId vertex;
@@ -93,10 +121,12 @@ FacePatches separated(const QuadMesh& mesh, FacePatches faces, double tolerance)
         result.patches.push_back(std::move(patch));
         result.origins.push_back(std::move(origins));
     };
+    const auto isCorner = cornersOf(mesh, faces.layout);
     for (std::size_t f = 0; f < faces.patches.size(); ++f) {
         Segment& segment = faces.layout.segments[f];
         faces.patches[f] = withoutNeedlessKnots(faces.patches[f], tolerance);
         Cuts cuts = kinkLines(faces.patches[f]);
+        addCrowds(segment, isCorner, cuts);
         addContacts(segment, cuts);
         if (cuts[0].empty() && cuts[1].empty()) {
             add(std::move(segment), std::move(faces.patches[f]), std::move(faces.origins[f]));
@@ -106,11 +136,13 @@ FacePatches separated(const QuadMesh& mesh, FacePatches faces, double tolerance)
             cuts[d].insert(cuts[d].begin(), 0);
             cuts[d].push_back(segment.size[d]);
         }
+        const auto vertices = vertexGrid(mesh, segment);
         for (std::size_t j = 0; j + 1 < cuts[1].size(); ++j)
             for (std::size_t i = 0; i + 1 < cuts[0].size(); ++i) {
                 const std::array<int, 2> from{cuts[0][i], cuts[1][j]};
                 const std::array<int, 2> to{cuts[0][i + 1], cuts[1][j + 1]};
-                add(partOf(mesh, segment, from, to), partOf(faces.patches[f], from, to), faces.origins[f]);
+                add(partOf(vertices, segment, from, to), partOf(faces.patches[f], from, to),
+                    faces.origins[f]);
             }
     }
     return result;

@@ -19,6 +19,7 @@ Part = shapes.Part
 OFFSET = 0.01  # of the diagonal
 RADIUS = 0.005  # of fillets
 DEFLECTION = 0.001  # of tessellations
+ANGLE = math.radians(30)  # of them, as FreeCAD proposes
 SHARP = math.radians(20)  # between the normals of two faces
 FILLETS = 12  # edges tried, the longest
 
@@ -117,8 +118,9 @@ def thickness(shape):
 
 
 def tessellation(shape):
-    import Mesh
-    mesh = Mesh.Mesh(shape.tessellate(DEFLECTION * shapes.diagonal(shape)))
+    import MeshPart
+    mesh = MeshPart.meshFromShape(Shape=shape, LinearDeflection=DEFLECTION * shapes.diagonal(shape),
+                                  AngularDeflection=ANGLE, Relative=False)
     if not mesh.isSolid():
         return verdict(False, "not closed")
     crossings = len(mesh.getSelfIntersections()) if mesh.hasSelfIntersections() else 0

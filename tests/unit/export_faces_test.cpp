@@ -136,6 +136,18 @@ TEST(Separate, LeavesASmoothSurfaceWhole) {
         EXPECT_EQ(surface->UMultiplicity(k), 1);
 }
 
+TEST(Separate, LeavesNoSideWithHundredsOfEdges) {
+    const Grid grid{300, 2, [](double i, double j) { return Point(i, j, std::sin(0.1 * i)); }};
+    std::vector<test::Rectangle> rectangles{{0, 0, 300, 1}};
+    for (int k = 0; k < 300; ++k)
+        rectangles.push_back({k, 1, k + 1, 2, 0});
+    const FittedModel model = fitted(grid, rectangles, {});
+    const FacePatches faces = separated(model.mesh, facePatches(model.layout, model.surfaces.patches), 1e-9);
+    EXPECT_EQ(faces.patches.size(), 303U);
+    for (const BoundaryFace& face : makeBoundary(model.mesh, faces).faces)
+        EXPECT_LE(face.uses.size(), 131U);
+}
+
 TEST(KnotRemoval, KeepsTheSurface) {
     const Patch patch = bentSheet(false).surfaces.patches[0];
     const Patch lighter = withoutNeedlessKnots(patch, 1e-9);
@@ -234,7 +246,8 @@ TEST(Join, PutsTogetherWhatWasCut) {
     for (const std::array<int, 2> from :
          {std::array{0, 0}, std::array{4, 0}, std::array{0, 3}, std::array{4, 3}}) {
         const std::array<int, 2> to{from[0] == 0 ? 4 : 10, from[1] == 0 ? 3 : 8};
-        parts.layout.segments.push_back(partOf(model.mesh, whole.layout.segments[0], from, to));
+        parts.layout.segments.push_back(
+            partOf(vertexGrid(model.mesh, whole.layout.segments[0]), whole.layout.segments[0], from, to));
         parts.patches.push_back(partOf(whole.patches[0], from, to));
         parts.origins.push_back({parts.origins.size()});
     }
