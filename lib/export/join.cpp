@@ -131,8 +131,8 @@ class Joiner {
 public:
     Joiner(FacePatches faces, double tolerance) : tolerance_(tolerance) {
         for (std::size_t f = 0; f < faces.patches.size(); ++f) {
-            faces_.push_back(Face{std::move(faces.layout.segments[f]), std::move(faces.patches[f]),
-                                  std::move(faces.origins[f])});
+            faces_.emplace_back(Face{std::move(faces.layout.segments[f]), std::move(faces.patches[f]),
+                                     std::move(faces.origins[f])});
             enter(f);
         }
     }

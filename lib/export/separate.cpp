@@ -52,7 +52,7 @@ void addCrowds(const Segment& segment, const std::vector<bool>& isCorner, Cuts& 
     }
     for (std::vector<int>& lines : cuts) {
         std::ranges::sort(lines);
-        lines.erase(std::ranges::unique(lines).begin(), lines.end());
+        lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
     }
 }
 
