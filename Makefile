@@ -297,6 +297,12 @@ bench-surfaces: ## fit and export surfaces for a folder of real meshes and print
 	@$(again) all $(programs)
 	@QM_BIN=$(abspath $(bin)) READ_STEP=$(abspath $(O)/tests/read-step) scripts/bench-surfaces '$(only)'
 
+.PHONY: bench-cad
+bench-cad: ## what CAD systems and meshers do with our STEP files, as a table; only=REGEX to filter models
+	@scripts/install-dependencies build bench
+	@$(again) all $(programs)
+	@QM_BIN=$(abspath $(bin)) BILINEAR_STEP=$(abspath $(O)/tests/bilinear-step) scripts/bench-cad '$(only)'
+
 .PHONY: pictures
 pictures: ## make the pictures of README.md anew
 	@scripts/install-dependencies --verify build view

@@ -7,6 +7,9 @@ namespace {
 void report(qm::Tool& tool, const qm::ShapeReport& shape, qm::LengthUnit unit) {
     tool.count("solids", static_cast<double>(shape.solids));
     tool.count("openEdges", static_cast<double>(shape.openEdges));
+    tool.count("shapeFaces", static_cast<double>(shape.faces));
+    tool.count("simpleFaces", static_cast<double>(shape.simpleFaces));
+    tool.count("smoothEdges", static_cast<double>(shape.smoothEdges));
     tool.count("valid", shape.valid ? 1 : 0);
     tool.count("tolerance", shape.largestTolerance);
     if (!shape.valid)
@@ -30,13 +33,23 @@ int main(int argc, char** argv) {
             tool.option("format", format, "what to write");
             tool.option("unit", options.unit, "the mesh's unit, which STEP and IGES declare");
             tool.option("colour", options.colour, "what colours in PLY and glTF mean");
+            tool.option("join", options.join, "neighbours that are one smooth surface become one face");
+            tool.option("analytic", options.analytic,
+                        "patches become cylinders, cones, spheres and tori where they are nothing else");
+            tool.option("analytic-tolerance", options.analyticTolerance, qm::Range{0, 100},
+                        "how far a patch may be from what takes its place, in per cent of the diagonal");
             tool.explain(
                 "STEP and IGES need the surfaces of qm-bspline, which have no gaps unless they interpolate. "
-                "Faces become one shell, and a solid where the mesh is closed.");
+                "Faces become one shell, and a solid where the mesh is closed. Plane patches become planes. "
+                "A patch is cut where it is only C0, and where it touches itself.");
             tool.example("qm-export part.surfaces.json -o part.step");
             tool.example("qm-bspline part.layout.json | qm-export --format iges -o part.igs");
+            tool.example("qm-export --join --analytic part.surfaces.json -o part.step");
             tool.example("qm-export --format ply --colour deviation part.surfaces.json > part.ply");
-            tool.verify([&] { options.format = qm::exportFormat(format, tool.outputPath()); });
+            tool.verify([&] {
+                options.format = qm::exportFormat(format, tool.outputPath());
+                qm::requireEffect(tool, options);
+            });
             return [&tool, &options, stage] {
                 const qm::Model& model = stage->read(qm::neededKind(options));
                 const qm::Surfaces* surfaces = model.surfaces ? &*model.surfaces : nullptr;

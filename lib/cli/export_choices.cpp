@@ -24,6 +24,18 @@ ExportFormat exportFormat(NamedFormat format, const std::string& outputPath) {
     return found->second;
 }
 
+void requireEffect(const Tool& tool, const ExportOptions& options) {
+    using enum ExportFormat;
+    const bool solid = options.format == step || options.format == iges;
+    for (const char* name : {"unit", "join", "analytic", "analytic-tolerance"})
+        if (tool.given(name) && !solid)
+            throw UsageError("--" + std::string(name) + " is for STEP and IGES. Leave it out");
+    if (tool.given("colour") && (solid || options.format == obj))
+        throw UsageError("--colour is for PLY and glTF. Leave it out");
+    if (tool.given("analytic-tolerance") && !options.analytic)
+        throw UsageError("--analytic-tolerance needs --analytic. Give both, or neither");
+}
+
 Kind neededKind(const ExportOptions& options) {
     using enum ExportFormat;
     const bool quads = options.format == obj || options.format == ply || options.format == glb;

@@ -10,6 +10,8 @@
 
 namespace qm {
 
+class Tool;
+
 /// What --format may say: a format, or that the output's name tells it.
 enum class NamedFormat { ending, step, iges, obj, ply, glb };
 
@@ -38,6 +40,9 @@ template <> struct Choices<ColourBy> {
 
 /// \throw UsageError  if neither the option nor the output's name tells the format
 [[nodiscard]] ExportFormat exportFormat(NamedFormat format, const std::string& outputPath);
+
+/// \throw UsageError  if an option was given that has no effect on what is written
+void requireEffect(const Tool& tool, const ExportOptions& options);
 
 /// What a document must hold. Quads need no surfaces, unless they are coloured by them.
 [[nodiscard]] Kind neededKind(const ExportOptions& options);

@@ -1,15 +1,22 @@
 #include "export/export.h"
 
 #include "base/error.h"
+#include "bspline/splines/bounding_box.h"
 #include "export/colours.h"
-#include "export/exchange.h"
+#include "export/iges.h"
+#include "export/join.h"
 #include "export/quads.h"
-#include "export/shape.h"
+#include "export/separate.h"
+#include "export/step.h"
 
+#include <BRepCheck_Analyzer.hxx>
 #include <Standard_Failure.hxx>
 
 namespace qm {
 namespace {
+
+/// How far points may move where knots are removed, in shares of the mesh's diagonal: by rounding only.
+constexpr double knotTolerance = 1e-10;
 
 const Surfaces& required(const Surfaces* surfaces, const std::string& forWhat) {
     if (surfaces == nullptr)
@@ -17,13 +24,58 @@ const Surfaces& required(const Surfaces* surfaces, const std::string& forWhat) {
     return *surfaces;
 }
 
+struct CheckedShape {
+    Boundary boundary;
+    BoundaryShape shape;
+    bool valid = false;
+};
+
+/// A simple surface is given up where OpenCASCADE finds that its borders do not allow it.
+CheckedShape checkedShape(const QuadMesh& mesh, const FacePatches& faces, double simplify) {
+    std::vector<double> simplifyFace(faces.patches.size(), simplify);
+    while (true) {
+        CheckedShape made{makeBoundary(mesh, faces, simplifyFace), {}, false};
+        made.shape = buildShape(made.boundary);
+        const BRepCheck_Analyzer analyser(made.shape.shape, Standard_True, Standard_True);
+        made.valid = analyser.IsValid();
+        bool changed = false;
+        for (std::size_t f = 0; f < simplifyFace.size() && !made.valid; ++f)
+            if (simplifyFace[f] > 0 && !analyser.IsValid(made.shape.faces[f])) {
+                simplifyFace[f] = 0;
+                changed = true;
+            }
+        if (!changed) return made;
+    }
+}
+
+ShapeReport reportOf(const Boundary& boundary) {
+    ShapeReport report;
+    report.faces = boundary.faces.size();
+    report.edges = boundary.edges.size();
+    report.openEdges = boundary.openEdges;
+    report.smoothEdges = boundary.smoothEdges;
+    report.simpleFaces = boundary.simpleFaces;
+    for (const BoundaryPart& part : boundary.parts)
+        ++(part.closed ? report.solids : report.shells);
+    report.largestTolerance = boundary.largestTolerance;
+    return report;
+}
+
 Exported exportShape(const QuadMesh& mesh, const Layout& layout, const Surfaces& surfaces,
                      const ExportOptions& options) {
     try {
-        const BoundaryShape shape = buildShape(mesh, layout, surfaces.patches);
-        return {options.format == ExportFormat::step ? shapeAsStep(shape, options.unit)
-                                                     : shapeAsIges(shape, options.unit),
-                shape.report};
+        const double diagonal = boundingBoxDiagonal(mesh);
+        FacePatches faces = facePatches(layout, surfaces.patches);
+        if (options.join) faces = joined(std::move(faces), knotTolerance * diagonal);
+        faces = separated(mesh, std::move(faces), knotTolerance * diagonal);
+        const CheckedShape made =
+            checkedShape(mesh, faces, options.analytic ? options.analyticTolerance / 100 * diagonal : 0);
+        Exported result{options.format == ExportFormat::step
+                            ? boundaryAsStep(made.boundary, faces.origins, options.unit)
+                            : shapeAsIges(made.shape, faces.origins, options.unit),
+                        reportOf(made.boundary)};
+        result.shape->valid = made.valid;
+        return result;
     } catch (const Standard_Failure& failure) {
         throw Error("surfaces",
                     std::string("are nothing that OpenCASCADE takes: ") + failure.DynamicType()->Name(),

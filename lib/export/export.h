@@ -32,6 +32,11 @@ struct ExportOptions {
     ExportFormat format = ExportFormat::step;
     LengthUnit unit = LengthUnit::mm;
     ColourBy colour = ColourBy::segment; ///< PLY and glTF
+    bool join = false;                   ///< STEP and IGES: neighbours that are one surface become one face
+    bool analytic =
+        false; ///< STEP and IGES: patches become cylinders, cones, spheres and tori where they can
+    double analyticTolerance =
+        0.01; ///< how far a patch may be from what takes its place, per cent of the diagonal
 };
 
 /// What OpenCASCADE's own check says about a boundary representation.
@@ -39,8 +44,11 @@ struct ShapeReport {
     std::size_t faces = 0;
     std::size_t edges = 0;
     std::size_t openEdges = 0; ///< with a face on one side only
-    std::size_t solids = 0;    ///< closed components
-    std::size_t shells = 0;    ///< open components
+    std::size_t smoothEdges =
+        0; ///< whose faces' normals differ by less than 0.01 radians: readers take them for smooth
+    std::size_t simpleFaces = 0; ///< planes, cylinders, cones, spheres and tori
+    std::size_t solids = 0;      ///< closed components
+    std::size_t shells = 0;      ///< open components
     bool valid = false;
     /// Of an edge or vertex: the largest gap that had to be bridged. Where it is above one millimetre,
     /// readers that are made with OpenCASCADE look for the edge on the surfaces anew, and may not find it.

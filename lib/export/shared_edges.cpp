@@ -76,66 +76,54 @@ SharedEdges cutSides(const QuadMesh& mesh, const Layout& layout) {
     return result;
 }
 
-/// Which of the two curves of a seam belongs to which use, a STEP file does not say. OpenCASCADE guesses from
-/// the first curve's direction and which of them lies further up or to the right, but takes the last use to
-/// walk the edge forwards. So that is how it has to be, except where both lie on one line and the guess, too,
-/// goes wrong: along side 0 and side 1.
-bool walkedForwardsAtLast(const SharedEdge& seam) {
-    return seam.places[0].side != seam.places[1].side || seam.places[0].side > 1;
-}
-
-void turn(SharedEdge& edge) {
-    std::swap(edge.places[0], edge.places[1]);
-    std::swap(edge.start, edge.end);
-}
-
-/// Each seam runs, so far, as its first use walks it.
-void turnSeams(SharedEdges& shared) {
-    std::vector<bool> turned(shared.edges.size(), false);
-    for (std::size_t e = 0; e < turned.size(); ++e) {
-        turned[e] = isSeam(shared.edges[e]) && walkedForwardsAtLast(shared.edges[e]);
-        if (turned[e]) turn(shared.edges[e]);
-    }
-    for (std::vector<EdgeUse>& uses : shared.ofPatch)
-        for (EdgeUse& use : uses)
-            if (turned[use.edge]) use.forwards = !use.forwards;
-}
-
-Point pointOn(const Layout& layout, const std::vector<Patch>& patches, const BorderPlace& at, double along) {
+SurfacePoint pointOn(const Layout& layout, const std::vector<Patch>& patches, const BorderPlace& at,
+                     double along) {
     const auto [u, v] = parametersOnSide(layout.segments[at.patch].size, at.side, at.position + along);
-    return evaluate(patches[at.patch], u, v).position;
+    return evaluate(patches[at.patch], u, v);
 }
 
-double gapAlong(const Layout& layout, const std::vector<Patch>& patches, const SharedEdge& edge) {
-    double gap = 0;
+/// Gap and angle between an edge's two patches.
+void compareSides(const Layout& layout, const std::vector<Patch>& patches, SharedEdge& edge) {
     for (int k = 0; k <= edge.length * gapSteps && edge.places.size() > 1; ++k) {
         const double along = static_cast<double>(k) / gapSteps;
-        const Point one = pointOn(layout, patches, edge.places[0], along);
-        gap = std::max(gap, (one - pointOn(layout, patches, edge.places[1], edge.length - along)).norm());
+        const SurfacePoint one = pointOn(layout, patches, edge.places[0], along);
+        const SurfacePoint other = pointOn(layout, patches, edge.places[1], edge.length - along);
+        edge.gap = std::max(edge.gap, (one.position - other.position).norm());
+        edge.angle =
+            std::max(edge.angle, angleInDegrees(unitNormal(one.du, one.dv), unitNormal(other.du, other.dv)));
     }
-    return gap;
+}
+
+/// Calls f(vertex, end of an edge on one of its patches) for all of them.
+template <class Function>
+void forEnds(const Layout& layout, const std::vector<Patch>& patches, const std::vector<SharedEdge>& edges,
+             const Function& f) {
+    for (const SharedEdge& edge : edges)
+        for (std::size_t use = 0; use < edge.places.size(); ++use)
+            for (const bool atEnd : {false, true})
+                f(index(atEnd == (use == 0) ? edge.end : edge.start),
+                  pointOn(layout, patches, edge.places[use], atEnd ? edge.length : 0).position, edge.gap);
 }
 
 } // namespace
 
-bool isSeam(const SharedEdge& edge) {
-    return edge.places.size() == 2 && edge.places[0].patch == edge.places[1].patch;
-}
-
 SharedEdges shareEdges(const QuadMesh& mesh, const Layout& layout, const std::vector<Patch>& patches) {
     SharedEdges result = cutSides(mesh, layout);
-    turnSeams(result);
+    for (SharedEdge& edge : result.edges)
+        compareSides(layout, patches, edge);
+    std::vector<double> count(mesh.n_vertices(), 0);
+    result.vertexPoint.assign(mesh.n_vertices(), Point(0, 0, 0));
     result.vertexGap.assign(mesh.n_vertices(), 0);
-    for (SharedEdge& edge : result.edges) {
-        edge.gap = gapAlong(layout, patches, edge);
-        for (std::size_t use = 0; use < edge.places.size(); ++use)
-            for (const bool atEnd : {false, true}) {
-                const VertexId vertex = atEnd == (use == 0) ? edge.end : edge.start;
-                const Point point = pointOn(layout, patches, edge.places[use], atEnd ? edge.length : 0);
-                double& gap = result.vertexGap[index(vertex)];
-                gap = std::max(gap, (point - mesh.point(vertex)).norm() + edge.gap);
-            }
-    }
+    forEnds(layout, patches, result.edges, [&](std::size_t vertex, const Point& point, double) {
+        result.vertexPoint[vertex] += point;
+        ++count[vertex];
+    });
+    for (std::size_t v = 0; v < count.size(); ++v)
+        if (count[v] > 0) result.vertexPoint[v] /= count[v];
+    forEnds(layout, patches, result.edges, [&](std::size_t vertex, const Point& point, double edgeGap) {
+        double& gap = result.vertexGap[vertex];
+        gap = std::max(gap, (point - result.vertexPoint[vertex]).norm() + edgeGap);
+    });
     return result;
 }
 

@@ -17,11 +17,9 @@ struct SharedEdge {
     int length = 0;                  ///< in border edges
     VertexId start;                  ///< in the direction of the first place
     VertexId end;
-    double gap = 0; ///< between the two patches
+    double gap = 0;   ///< between the two patches
+    double angle = 0; ///< largest between their normals along the edge, in degrees; 0 on the boundary
 };
-
-/// Whether both places belong to one patch.
-[[nodiscard]] bool isSeam(const SharedEdge& edge);
 
 /// One use of a shared edge by a side of a patch.
 struct EdgeUse {
@@ -33,11 +31,14 @@ struct SharedEdges {
     std::vector<SharedEdge> edges;
     /// The uses of each patch, counter-clockwise from its corner 0.
     std::vector<std::vector<EdgeUse>> ofPatch;
-    /// How far the patches' and edges' ends are from each vertex, by vertex index; 0 inside edges.
+    /// The middle of where edges end at each vertex, and how far they are from it, by vertex index; of no
+    /// meaning inside edges.
+    std::vector<Point> vertexPoint;
     std::vector<double> vertexGap;
 };
 
-/// \param patches  in the order of the segments, each with its segment's grid as its domain
+/// \param patches  in the order of the segments, each with its segment's grid as its domain; none touches
+/// itself
 [[nodiscard]] SharedEdges shareEdges(const QuadMesh& mesh, const Layout& layout,
                                      const std::vector<Patch>& patches);
 

@@ -9,10 +9,10 @@ setup_file() {
 
 patches() { field '.surfaces.patches | length' "$(stage surfaces "$1")"; }
 
-@test "STEP has one named face for every segment and is a solid" {
+@test "STEP has faces named by their segments and is a solid" {
     quietly qm-bspline "$(stage pruned block)" -o block.json
     quietly qm-export block.json -o block.step
-    assert_equal "$(grep -c "ADVANCED_FACE('segment " block.step)" "$(patches block)"
+    assert_equal "$(grep -o "ADVANCED_FACE('segment [0-9]*'" block.step | sort -u | wc -l)" "$(patches block)"
     assert_equal "$(grep -c "MANIFOLD_SOLID_BREP" block.step)" 1
     grep -q "SI_UNIT(.MILLI.,.METRE.)" block.step
 }
@@ -21,10 +21,41 @@ patches() { field '.surfaces.patches | length' "$(stage surfaces "$1")"; }
     printf '%s\n' 'v 0 0 0' 'v 1 0 0' 'v 1 1 0' 'v 0 1 0' 'v 5 0 0' 'v 6 0 0' 'v 6 1 0' 'v 5 1 0' 'f 1 2 3 4' 'f 5 6 7 8' >two.obj
     qm-basecomplex -q two.obj | qm-features | qm-cut | qm-enum -q | qm-merge -q | qm-bspline | qm-export --format step >two.step
     run grep -o "PRODUCT('[^']*'" two.step
-    assert_output "PRODUCT('quadmesh'
-PRODUCT('quadmesh 1'
+    assert_output "PRODUCT('quadmesh 1'
 PRODUCT('quadmesh 2'"
     assert_equal "$(grep -c "ADVANCED_FACE('segment " two.step)" 2
+}
+
+@test "simple surfaces on request" {
+    qm-bspline "$(stage pruned torus)" -o torus.json
+    quietly qm-export torus.json -o plain.step
+    quietly qm-export --analytic --analytic-tolerance 1 torus.json -o analytic.step
+    refute grep -q TOROIDAL_SURFACE plain.step
+    assert_equal "$(grep -c TOROIDAL_SURFACE analytic.step)" "$(grep -c ADVANCED_FACE analytic.step)"
+    quietly qm-export --analytic --analytic-tolerance 0 torus.json -o none.step
+    assert_same_bytes plain.step none.step
+}
+
+@test "neighbours that are one surface become one face" {
+    qm-bspline "$(stage layout plate)" -o plate.json
+    quietly qm-export plate.json -o apart.step
+    quietly qm-export --join plate.json -o joined.step
+    assert [ "$(grep -c ADVANCED_FACE joined.step)" -lt "$(grep -c ADVANCED_FACE apart.step)" ]
+    grep -q "ADVANCED_FACE('segments [0-9]* [0-9]" joined.step
+}
+
+@test "a patch that meets itself is several faces" {
+    quietly qm-export "$(stage surfaces torus)" -o torus.step
+    assert_equal "$(patches torus)" 1
+    assert_equal "$(grep -c "ADVANCED_FACE('segment 0'" torus.step)" 4
+}
+
+@test "options that have no effect are wrong" {
+    misused qm-export --analytic-tolerance 1 "$(stage surfaces block)" -o block.step
+    misused qm-export --join "$(stage surfaces block)" -o block.ply
+    misused qm-export --analytic "$(stage surfaces block)" -o block.obj
+    misused qm-export --unit cm "$(stage surfaces block)" -o block.glb
+    misused qm-export --colour deviation "$(stage surfaces block)" -o block.step
 }
 
 @test "the unit is declared" {

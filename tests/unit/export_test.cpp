@@ -3,8 +3,9 @@
 #include "bspline/splines/evaluate.h"
 #include "bspline/fit.h"
 #include "export/export.h"
+#include "export/separate.h"
 #include "export/shape.h"
-#include "support/grid_layout.h"
+#include "support/fitted_model.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +15,9 @@
 #include <IGESControl_Reader.hxx>
 #include <STEPControl_Reader.hxx>
 #include <TopAbs_ShapeEnum.hxx>
+#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -29,131 +32,24 @@
 namespace qm {
 namespace {
 
+using test::fitted;
+using test::glued;
 using test::Grid;
+using test::sheet;
+using test::tJoint;
+using test::torus;
+using Model = test::FittedModel;
 
-struct Model {
-    QuadMesh mesh;
-    Layout layout;
-    Surfaces surfaces;
+struct Made {
+    TopoDS_Shape shape;
+    ShapeReport report;
 };
 
-Model fitted(const Grid& grid, const std::vector<test::Rectangle>& rectangles, const FitOptions& options) {
-    Model model{test::makeMesh(grid), test::makeLayout(grid, rectangles), {}};
-    const std::vector<double> angles(model.mesh.n_edges(), 0.1);
-    model.surfaces = fitSurfaces(model.mesh, model.layout, angles, options);
-    return model;
-}
-
-Grid sheet() {
-    return {10, 8, [](double i, double j) { return Point(i, j, std::sin(0.5 * i) + std::cos(0.4 * j)); }};
-}
-
-std::vector<test::Rectangle> tJoint() {
-    return {{0, 0, 10, 3, 2}, {0, 3, 6, 8, 1}, {6, 3, 10, 8, 3}};
-}
-
-/// A torus as one patch whose sides meet, or as several; closed either way.
-Model torus(const std::vector<std::array<int, 4>>& rectangles) {
-    constexpr int around = 16;
-    constexpr int across = 12;
-    Model model;
-    const auto number = [](int i, int j) { return VertexId((j % across) * around + i % around); };
-    for (int j = 0; j < across; ++j)
-        for (int i = 0; i < around; ++i) {
-            const double big = 2 * std::numbers::pi * i / around;
-            const double small = 2 * std::numbers::pi * j / across;
-            const double radius = 5 + 2 * std::cos(small);
-            model.mesh.add_vertex({radius * std::cos(big), radius * std::sin(big), 2 * std::sin(small)});
-        }
-    for (int j = 0; j < across; ++j)
-        for (int i = 0; i < around; ++i)
-            model.mesh.add_face({number(i, j), number(i + 1, j), number(i + 1, j + 1), number(i, j + 1)});
-    for (const auto& [i0, j0, i1, j1] : rectangles) {
-        Segment segment;
-        segment.size = {i1 - i0, j1 - j0};
-        for (int j = j0; j < j1; ++j)
-            for (int i = i0; i < i1; ++i)
-                segment.faces.emplace_back((j % across) * around + i % around);
-        for (int i = i0; i <= i1; ++i) {
-            segment.sides[0].push_back(number(i, j0));
-            segment.sides[2].push_back(number(i1 + i0 - i, j1));
-        }
-        for (int j = j0; j <= j1; ++j) {
-            segment.sides[1].push_back(number(i1, j));
-            segment.sides[3].push_back(number(i0, j1 + j0 - j));
-        }
-        for (std::size_t k = 0; k < 4; ++k)
-            segment.corners[k] = segment.sides[k].front();
-        model.layout.segments.push_back(segment);
-    }
-    const std::vector<double> angles(model.mesh.n_edges(), 0.1);
-    model.surfaces = fitSurfaces(model.mesh, model.layout, angles, FitOptions());
-    return model;
-}
-
-/// A grid of which vertices at the same place are the same, as one patch.
-/// \param turned  as in test::Rectangle
-Model glued(const Grid& grid, int turned) {
-    const QuadMesh flat = test::makeMesh(grid);
-    Model model;
-    std::map<std::array<long, 3>, VertexId> known;
-    std::vector<VertexId> merged;
-    for (const VertexId vertex : flat.vertices()) {
-        const Point point = flat.point(vertex);
-        const auto key = [&](unsigned k) { return std::lround(point[k] * 1e6); };
-        const auto [at, isNew] = known.try_emplace({key(0), key(1), key(2)});
-        if (isNew) at->second = model.mesh.add_vertex(point);
-        merged.push_back(at->second);
-    }
-    for (const FaceId face : flat.faces()) {
-        std::vector<VertexId> corners;
-        for (const VertexId vertex : flat.fv_range(face))
-            corners.push_back(merged[static_cast<std::size_t>(vertex.idx())]);
-        model.mesh.add_face(corners);
-    }
-    model.layout = test::makeLayout(grid, {{0, 0, grid.columns, grid.rows, turned}});
-    for (Segment& segment : model.layout.segments) {
-        for (auto& side : segment.sides)
-            for (VertexId& vertex : side)
-                vertex = merged[static_cast<std::size_t>(vertex.idx())];
-        for (std::size_t k = 0; k < 4; ++k)
-            segment.corners[k] = segment.sides[k].front();
-    }
-    const std::vector<double> angles(model.mesh.n_edges(), 0.1);
-    model.surfaces = fitSurfaces(model.mesh, model.layout, angles, FitOptions());
-    return model;
-}
-
-/// A strip that goes round in a loop until it passes its own beginning: like the letter rho.
-Grid loop() {
-    return {
-        1, 10, [](double i, double j) {
-            const double side = i - 0.5;
-            const double t = std::clamp(j - 1, 0.0, 6.0) * std::numbers::pi / 4;
-            const double up = std::array{0.0, 1.5, 2.5, 3.5}[static_cast<std::size_t>(std::max(j - 7, 0.0))];
-            const double back = j == 0 ? -1.5 : 0;
-            const double radius = 2 - side;
-            return Point(back + radius * std::sin(t), -2 + radius * std::cos(t) + up, 0.1 * std::sin(2 * t));
-        }};
-}
-
-/// A strip that winds round a cylinder, side by side.
-Grid helix() {
-    return {2, 14, [](double i, double j) {
-                const double t = std::numbers::pi * j / 3;
-                return Point(2 * std::cos(t), 2 * std::sin(t), i + j / 3);
-            }};
-}
-
-/// A sheet whose side 0 is folded: its two ends are one line, its middle the rim of a hole.
-Grid pocket() {
-    return {10, 2, [](double i, double j) {
-                const double k = std::min(i, 10 - i);
-                const double side = i < 5 ? 1 : -1;
-                if (k <= 3) return Point(side * j, k, 0.2 * j);
-                if (k < 5) return Point(side * 0.7 * (1 + j), 3.7 + 0.3 * j, 0.2 * j);
-                return Point(0, 4.4 + j, 0.2 * j);
-            }};
+/// As qm-export does.
+Made shapeOf(const Model& model) {
+    const FacePatches faces = separated(model.mesh, facePatches(model.layout, model.surfaces.patches), 1e-9);
+    return {buildShape(makeBoundary(model.mesh, faces)).shape,
+            *exportModel(model.mesh, model.layout, &model.surfaces, {}).shape};
 }
 
 TEST(ClampedPatch, IsTheSameSurface) {
@@ -173,7 +69,7 @@ TEST(ClampedPatch, IsTheSameSurface) {
 
 TEST(Shape, IsAnOpenShellWithSharedEdges) {
     const Model model = fitted(sheet(), tJoint(), FitOptions());
-    const BoundaryShape shape = buildShape(model.mesh, model.layout, model.surfaces.patches);
+    const Made shape = shapeOf(model);
     EXPECT_TRUE(shape.report.valid);
     EXPECT_EQ(shape.report.faces, 3U);
     EXPECT_EQ(shape.report.edges, 10U) << "the long side is two edges on the other side of the T-joint";
@@ -186,7 +82,7 @@ TEST(Shape, IsAnOpenShellWithSharedEdges) {
 
 TEST(Shape, BridgesTheGapsOfIndependentPatchesByTolerance) {
     const Model model = fitted(sheet(), tJoint(), {});
-    const BoundaryShape shape = buildShape(model.mesh, model.layout, model.surfaces.patches);
+    const Made shape = shapeOf(model);
     EXPECT_TRUE(shape.report.valid);
     EXPECT_EQ(shape.report.edges, 10U);
     EXPECT_GE(shape.report.largestTolerance, model.surfaces.deviation.largestGap);
@@ -200,7 +96,7 @@ TEST(Shape, IsASolidIfTheMeshIsClosed) {
                                                       {{0, 0, 16, 5}, {0, 5, 16, 12}},
                                                       {{0, 0, 9, 12}, {9, 0, 16, 4}, {9, 4, 16, 12}}}) {
         const Model model = torus(rectangles);
-        const BoundaryShape shape = buildShape(model.mesh, model.layout, model.surfaces.patches);
+        const Made shape = shapeOf(model);
         EXPECT_TRUE(shape.report.valid);
         EXPECT_EQ(shape.report.solids, 1U);
         EXPECT_EQ(shape.report.openEdges, 0U);
@@ -224,34 +120,34 @@ TEST(Shape, TakesPatchesOfLowerDegrees) {
         patch.count[1] = 2;
         patch.knots[1] = {0, 0, length, length};
     }
-    const BoundaryShape made = buildShape(model.mesh, model.layout, model.surfaces.patches);
+    const Made made = shapeOf(model);
     EXPECT_TRUE(made.report.valid);
     EXPECT_LT(made.report.largestTolerance, 1e-6);
 }
 
-TEST(Shape, RefusesPatchesThatDoNotBelong) {
+TEST(FacePatches, RefusePatchesThatDoNotBelong) {
     Model model = fitted(sheet(), tJoint(), {});
     auto patches = model.surfaces.patches;
     patches.pop_back();
-    EXPECT_THROW((void)buildShape(model.mesh, model.layout, patches), Error);
+    EXPECT_THROW((void)facePatches(model.layout, patches), Error);
     patches = model.surfaces.patches;
     std::swap(patches[0], patches[1]);
-    EXPECT_THROW((void)buildShape(model.mesh, model.layout, patches), Error);
+    EXPECT_THROW((void)facePatches(model.layout, patches), Error);
     patches = model.surfaces.patches;
     patches[2].controlPoints.pop_back();
-    EXPECT_THROW((void)buildShape(model.mesh, model.layout, patches), Error);
+    EXPECT_THROW((void)facePatches(model.layout, patches), Error);
     patches = model.surfaces.patches;
     patches[2].degree = {2, 3};
-    EXPECT_THROW((void)buildShape(model.mesh, model.layout, patches), Error);
+    EXPECT_THROW((void)facePatches(model.layout, patches), Error);
     patches = model.surfaces.patches;
     patches[2].knots[1].clear();
-    EXPECT_THROW((void)buildShape(model.mesh, model.layout, patches), Error);
+    EXPECT_THROW((void)facePatches(model.layout, patches), Error);
     for (const std::size_t first : {2U, 4U}) {
         patches = model.surfaces.patches;
         auto& knots = patches[2].knots[0];
         ASSERT_GE(knots.size(), 11U);
         std::fill_n(knots.begin() + static_cast<std::ptrdiff_t>(first), 4, knots[first]);
-        EXPECT_THROW((void)buildShape(model.mesh, model.layout, patches), Error) << first;
+        EXPECT_THROW((void)facePatches(model.layout, patches), Error) << first;
     }
 }
 
@@ -291,39 +187,48 @@ TEST(Step, IsReadBackAsTheSameSolid) {
     const std::string text = exported(model, ExportFormat::step);
     const TopoDS_Shape shape = readStep(text);
     EXPECT_TRUE(BRepCheck_Analyzer(shape).IsValid());
-    EXPECT_EQ(countShapes(shape, TopAbs_FACE), 3U);
+    EXPECT_EQ(countShapes(shape, TopAbs_FACE), 4U) << "the first patch meets itself and is cut";
     EXPECT_EQ(countShapes(shape, TopAbs_SOLID), 1U);
 }
 
 TEST(Step, IsReadBackFarFromTheOrigin) {
-    Model model = glued(loop(), 0);
+    Model model = glued(test::loop(), 0);
     for (const VertexId vertex : model.mesh.vertices())
         model.mesh.point(vertex) += Point(4.5e6, 5e6, 0);
     for (Point& point : model.surfaces.patches[0].controlPoints)
         point += Point(4.5e6, 5e6, 0);
-    const BoundaryShape made = buildShape(model.mesh, model.layout, model.surfaces.patches);
+    const Made made = shapeOf(model);
     EXPECT_TRUE(made.report.valid);
     EXPECT_LT(made.report.largestTolerance, 1e-4);
     EXPECT_TRUE(BRepCheck_Analyzer(readStep(exported(model, ExportFormat::step))).IsValid());
 }
 
-class Seams : public testing::TestWithParam<std::tuple<Grid (*)(), int>> {};
+class Contacts : public testing::TestWithParam<std::tuple<Grid (*)(), int>> {};
 
-TEST_P(Seams, AreReadBackAsTheyAre) {
+TEST_P(Contacts, AreBetweenFacesAndNeverWithinOne) {
     const auto& [grid, turned] = GetParam();
     const Model model = glued(grid(), turned);
-    const BoundaryShape made = buildShape(model.mesh, model.layout, model.surfaces.patches);
+    const Made made = shapeOf(model);
     EXPECT_TRUE(made.report.valid);
+    EXPECT_GT(made.report.faces, 1U);
     for (const TopoDS_Shape& shape :
          {readStep(exported(model, ExportFormat::step)), readIges(exported(model, ExportFormat::iges))}) {
         EXPECT_TRUE(BRepCheck_Analyzer(shape).IsValid());
-        EXPECT_EQ(countShapes(shape, TopAbs_FACE), 1U);
-        EXPECT_EQ(countShapes(shape, TopAbs_EDGE), made.report.edges + 1) << "the seam is met twice";
+        EXPECT_EQ(countShapes(shape, TopAbs_FACE), made.report.faces);
+        for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) {
+            TopTools_IndexedMapOfShape edges;
+            TopTools_IndexedMapOfShape vertices;
+            TopExp::MapShapes(face.Current(), TopAbs_EDGE, edges);
+            TopExp::MapShapes(face.Current(), TopAbs_VERTEX, vertices);
+            EXPECT_EQ(countShapes(face.Current(), TopAbs_EDGE), static_cast<std::size_t>(edges.Extent()));
+            EXPECT_EQ(vertices.Extent(), edges.Extent()) << "every vertex once";
+        }
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Turned, Seams,
-                         testing::Combine(testing::Values(&loop, &helix, &pocket), testing::Range(0, 4)));
+INSTANTIATE_TEST_SUITE_P(Turned, Contacts,
+                         testing::Combine(testing::Values(&test::loop, &test::helix, &test::pocket),
+                                          testing::Range(0, 4)));
 
 TEST(Step, NamesFacesAndDeclaresTheUnitWithoutConverting) {
     const Model model = fitted(sheet(), tJoint(), FitOptions());

@@ -60,8 +60,8 @@ SplineCurve withKnots(const SplineCurve& curve, const std::vector<double>& knots
 
 SplineCurve restricted(const SplineCurve& curve, double begin, double end) {
     std::vector<double> knots(4, begin);
-    std::copy_if(curve.knots.begin(), curve.knots.end(), std::back_inserter(knots),
-                 [&](double knot) { return knot > begin && knot < end; });
+    const auto inner = std::ranges::upper_bound(curve.knots, begin);
+    knots.insert(knots.end(), inner, std::lower_bound(inner, curve.knots.end(), end));
     knots.insert(knots.end(), 4, end);
     SplineCurve result = withKnots(curve, knots);
     for (double& knot : result.knots)

@@ -1,0 +1,174 @@
+#include "export/boundary.h"
+
+#include "bspline/splines/bounding_box.h"
+#include "bspline/splines/clamped_patch.h"
+#include "export/curve_on_surface.h"
+#include "export/geometry.h"
+#include "export/simple_surface.h"
+
+#include <Precision.hxx>
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace qm {
+namespace {
+
+/// How far the control points of a plane patch may be from its plane, in shares of the mesh's diagonal.
+constexpr double planeTolerance = 1e-7;
+/// Programs take two faces for one smooth surface below this angle, in degrees: 0.01 radians.
+constexpr double smoothAngle = 0.57;
+
+/// The smallest tolerance: what OpenCASCADE takes for equal, and coordinates can tell apart.
+double resolution(const QuadMesh& mesh) {
+    double largest = 0;
+    for (const VertexId vertex : mesh.vertices())
+        largest = std::max(largest, mesh.point(vertex).max_abs());
+    return std::max(Precision::Confusion(), 4e-12 * largest);
+}
+
+/// Of the mesh's quads, times six: negative if they look inwards.
+double signedVolume(const QuadMesh& mesh, const Segment& segment, const Point& origin) {
+    double sum = 0;
+    for (const FaceId face : segment.faces) {
+        std::vector<Point> corners;
+        for (const VertexId vertex : mesh.fv_range(face))
+            corners.push_back(mesh.point(vertex) - origin);
+        for (std::size_t k = 2; k < corners.size(); ++k)
+            sum += corners[0] | (corners[k - 1] % corners[k]);
+    }
+    return sum;
+}
+
+/// The boundary in the making.
+class Maker {
+public:
+    Maker(const QuadMesh& mesh, const FacePatches& faces, const std::vector<double>& simplify)
+        : mesh_(mesh), layout_(faces.layout), patches_(faces.patches), simplify_(simplify),
+          resolution_(resolution(mesh)), shared_(shareEdges(mesh, faces.layout, faces.patches)),
+          borders_(faces.patches.size()) {}
+
+    Boundary make() {
+        makeFaces();
+        for (const SharedEdge& edge : shared_.edges)
+            makeEdge(edge);
+        makeVertices();
+        makeParts();
+        return std::move(result_);
+    }
+
+private:
+    /// A tolerance has to cover a gap, with a margin for what lies between the samples.
+    [[nodiscard]] double toleranceFor(double gap) const { return std::max(1.1 * gap, resolution_); }
+
+    void makeFaces() {
+        const double flatness = std::max(resolution_ / 2, planeTolerance * boundingBoxDiagonal(mesh_));
+        for (std::size_t k = 0; k < patches_.size(); ++k) {
+            auto found = planeOf(patches_[k], flatness);
+            if (!found && !simplify_.empty() && simplify_[k] > 0)
+                found = simpleSurfaceOf(patches_[k], simplify_[k]);
+            simple_.push_back(found);
+            const Handle(Geom_Surface) surface =
+                found ? Handle(Geom_Surface)(found->surface) : splineSurface(patches_[k]);
+            result_.faces.push_back({surface, found && found->reversed, shared_.ofPatch[k]});
+            if (found) ++result_.simpleFaces;
+        }
+    }
+
+    /// Made once, as one side may be many edges.
+    const SplineCurve& border(std::size_t patch, int side) {
+        SplineCurve& curve = borders_[patch][static_cast<std::size_t>(side)];
+        if (curve.points.empty()) curve = borderCurve(patches_[patch], side);
+        return curve;
+    }
+
+    /// An edge in the parameter plane of a patch that uses it; it runs in the edge's own direction.
+    [[nodiscard]] Handle(Geom2d_BSplineCurve) inPlane(const SharedEdge& edge, std::size_t use) const {
+        const BorderPlace& at = edge.places[use];
+        const auto& size = layout_.segments[at.patch].size;
+        auto from = parametersOnSide(size, at.side, at.position);
+        auto to = parametersOnSide(size, at.side, at.position + edge.length);
+        if (use > 0) std::swap(from, to);
+        return line({from[0], from[1]}, {to[0], to[1]}, edge.length);
+    }
+
+    /// Its curve is the border of the first patch that uses it.
+    void makeEdge(const SharedEdge& edge) {
+        const BorderPlace& at = edge.places.front();
+        BoundaryEdge& made = result_.edges.emplace_back();
+        made.curve =
+            splineCurve(restricted(border(at.patch, at.side), at.position, at.position + edge.length));
+        double gap = edge.gap;
+        for (std::size_t use = 0; use < edge.places.size(); ++use) {
+            const auto& simple = simple_[edge.places[use].patch];
+            if (!simple) {
+                made.onFaces.at(use) = inPlane(edge, use);
+            } else {
+                const CurveOnSurface found = curveOnSurface(made.curve, *simple);
+                made.onFaces.at(use) = found.curve;
+                gap = std::max(gap, found.gap);
+            }
+        }
+        made.tolerance = toleranceFor(gap);
+        for (const VertexId vertex : {edge.start, edge.end}) {
+            double& reach = shared_.vertexGap[static_cast<std::size_t>(vertex.idx())];
+            reach = std::max(reach, gap);
+        }
+        if (edge.places.size() < 2)
+            ++result_.openEdges;
+        else if (edge.angle < smoothAngle)
+            ++result_.smoothEdges;
+    }
+
+    /// When the reach of all edges is known.
+    void makeVertices() {
+        std::vector<std::ptrdiff_t> number(mesh_.n_vertices(), -1);
+        for (std::size_t e = 0; e < result_.edges.size(); ++e)
+            for (const bool atEnd : {false, true}) {
+                const VertexId vertex = atEnd ? shared_.edges[e].end : shared_.edges[e].start;
+                const auto index = static_cast<std::size_t>(vertex.idx());
+                if (number[index] < 0) {
+                    number[index] = static_cast<std::ptrdiff_t>(result_.vertices.size());
+                    const double tolerance = toleranceFor(shared_.vertexGap[index]);
+                    result_.vertices.push_back({place(shared_.vertexPoint[index]), tolerance});
+                    result_.largestTolerance = std::max(result_.largestTolerance, tolerance);
+                }
+                result_.edges[e].ends.at(atEnd ? 1 : 0) = static_cast<std::size_t>(number[index]);
+            }
+    }
+
+    void makeParts() {
+        const auto component = patchComponents(shared_);
+        std::vector<double> volume;
+        for (std::size_t k = 0; k < component.size(); ++k) {
+            if (component[k] == result_.parts.size()) {
+                result_.parts.push_back({{}, true, false});
+                volume.push_back(0);
+            }
+            result_.parts[component[k]].faces.push_back(k);
+            volume[component[k]] += signedVolume(mesh_, layout_.segments[k], mesh_.point(VertexId(0)));
+        }
+        for (const SharedEdge& edge : shared_.edges)
+            if (edge.places.size() < 2) result_.parts[component[edge.places.front().patch]].closed = false;
+        for (std::size_t k = 0; k < volume.size(); ++k)
+            result_.parts[k].inward = result_.parts[k].closed && volume[k] < 0;
+    }
+
+    const QuadMesh& mesh_;
+    const Layout& layout_;
+    const std::vector<Patch>& patches_;
+    const std::vector<double>& simplify_;
+    double resolution_;
+    SharedEdges shared_;
+    std::vector<std::array<SplineCurve, 4>> borders_;  ///< of the sides; empty until they are needed
+    std::vector<std::optional<SimpleSurface>> simple_; ///< of faces that need no control points
+    Boundary result_;
+};
+
+} // namespace
+
+Boundary makeBoundary(const QuadMesh& mesh, const FacePatches& faces, const std::vector<double>& simplify) {
+    return Maker(mesh, faces, simplify).make();
+}
+
+} // namespace qm

@@ -1,0 +1,63 @@
+/// \file Surfaces as a boundary representation: vertices, edges and faces that share them, as plain lists.
+#pragma once
+
+#include "export/face_patches.h"
+#include "export/shared_edges.h"
+#include "mesh/quad_mesh.h"
+
+#include <Geom2d_BSplineCurve.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <Geom_Surface.hxx>
+#include <array>
+#include <cstddef>
+#include <gp_Pnt.hxx>
+#include <vector>
+
+namespace qm {
+
+struct BoundaryVertex {
+    gp_Pnt point;
+    double tolerance = 0; ///< of all that ends here
+};
+
+struct BoundaryEdge {
+    Handle(Geom_BSplineCurve) curve; ///< from start to end; over the same parameters as those of `onFaces`
+    std::array<Handle(Geom2d_BSplineCurve), 2> onFaces; ///< forwards and backwards; none on planes
+    std::array<std::size_t, 2> ends{};                  ///< numbers of the vertices where it starts and ends
+    double tolerance = 0;                               ///< largest distance from the faces' surfaces
+};
+
+struct BoundaryFace {
+    Handle(Geom_Surface) surface;
+    bool reversed = false;     ///< the surface's normal points inwards
+    std::vector<EdgeUse> uses; ///< counter-clockwise, seen from outside
+};
+
+/// Faces that hang together.
+struct BoundaryPart {
+    std::vector<std::size_t> faces;
+    bool closed = false;
+    bool inward = false; ///< closed, and its faces look to the inside: all of them are to be turned over
+};
+
+struct Boundary {
+    std::vector<BoundaryVertex> vertices;
+    std::vector<BoundaryEdge> edges;
+    std::vector<BoundaryFace> faces; ///< in the order of the patches
+    std::vector<BoundaryPart> parts;
+    std::size_t openEdges = 0;
+    std::size_t smoothEdges = 0; ///< whose faces' normals differ by less than 0.01 radians
+    std::size_t simpleFaces = 0; ///< planes, cylinders, cones, spheres and tori
+    double largestTolerance = 0;
+};
+
+/// The topology is the layout's: one face for every patch, an edge between any two vertices where borders
+/// meet, used by the patches on both sides. So nothing has to be sewn, and a gap between patches becomes the
+/// tolerance of the edge that they share. Patches that are plane become planes.
+/// \param faces  none touches itself, see separate.h
+/// \param simplify  of every face, the largest distance between a patch and the cylinder, cone, sphere, torus
+/// or plane that takes its place; none, or 0, for nothing but exact planes
+[[nodiscard]] Boundary makeBoundary(const QuadMesh& mesh, const FacePatches& faces,
+                                    const std::vector<double>& simplify = {});
+
+} // namespace qm

@@ -1,0 +1,33 @@
+/// \file What becomes the faces of a solid: the patches of a layout, or parts of them.
+#pragma once
+
+#include "bspline/splines/surfaces.h"
+#include "layout/layout.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace qm {
+
+/// Faces in place of segments: each a grid of quads and its surface, clamped, over [0, a] x [0, b].
+struct FacePatches {
+    Layout layout; ///< a segment for every face; no tracks
+    std::vector<Patch> patches;
+    /// Which segments of the given layout a face is made of: one, or several that were joined.
+    std::vector<std::vector<std::size_t>> origins;
+};
+
+/// One face for every segment. \throw Error  if patches are not of degrees 1 to 3, those below 3 without
+/// inner knots, are not continuous, or do not belong to the layout
+[[nodiscard]] FacePatches facePatches(const Layout& layout, const std::vector<Patch>& patches);
+
+/// The quads of columns [from[0], to[0]) and rows [from[1], to[1]) of a segment. \param vertices  as
+/// vertexGrid has them
+[[nodiscard]] Segment partOf(const std::vector<VertexId>& vertices, const Segment& segment,
+                             const std::array<int, 2>& from, const std::array<int, 2>& to);
+
+/// The same part of its patch, over a domain from 0.
+[[nodiscard]] Patch partOf(const Patch& clampedPatch, const std::array<int, 2>& from,
+                           const std::array<int, 2>& to);
+
+} // namespace qm

@@ -1,0 +1,26 @@
+/// \file Planes, cylinders, cones, spheres and tori in the place of patches that are nothing else.
+#pragma once
+
+#include "bspline/splines/surfaces.h"
+
+#include <Geom_ElementarySurface.hxx>
+#include <optional>
+
+namespace qm {
+
+/// A surface that needs no control points.
+struct SimpleSurface {
+    Handle(Geom_ElementarySurface) surface;
+    bool reversed = false; ///< its normal points to the other side than the patch's
+    double tubeAngle = 0;  ///< parameter v in the middle of the patch; of a torus
+};
+
+/// The plane in which all control points lie. \param tolerance  how far they may be from it
+[[nodiscard]] std::optional<SimpleSurface> planeOf(const Patch& clampedPatch, double tolerance);
+
+/// The first of plane, cylinder, cone, sphere and torus that lies within the tolerance of the patch, and
+/// whose normals are within three degrees of the patch's. Its poles, apex and seam keep away from the patch.
+/// Radii are at most ten times the patch's size: what is flatter is no cylinder to anybody.
+[[nodiscard]] std::optional<SimpleSurface> simpleSurfaceOf(const Patch& clampedPatch, double tolerance);
+
+} // namespace qm

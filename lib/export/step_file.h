@@ -1,0 +1,55 @@
+/// \file Entities of a STEP file (ISO 10303-21), one after the other, as text.
+#pragma once
+
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace qm {
+
+/// The number of an entity, as others refer to it.
+struct StepId {
+    int number = 0;
+};
+
+/// Text of an entity in the making: `StepText("DIRECTION('',").reals(xyz).end()`.
+class StepText {
+public:
+    explicit StepText(std::string_view begin) : text_(begin) {}
+
+    StepText& raw(std::string_view text);
+    /// With a decimal point, in as few digits as read back as the same number.
+    StepText& real(double value);
+    StepText& integer(int value);
+    StepText& flag(bool value); ///< .T. or .F.
+    StepText& id(StepId entity);
+    /// Lists in parentheses.
+    StepText& reals(std::span<const double> values);
+    StepText& reals(std::initializer_list<double> values) {
+        return reals(std::span(values.begin(), values.size()));
+    }
+    StepText& integers(std::span<const int> values);
+    StepText& ids(std::span<const StepId> entities);
+
+    [[nodiscard]] const std::string& text() const { return text_; }
+
+private:
+    std::string text_;
+};
+
+class StepFile {
+public:
+    /// \param entity  without its number and the semicolon
+    StepId add(const StepText& entity);
+    StepId add(std::string_view entity) { return add(StepText(entity)); }
+
+    /// The whole file. \param name  of the file, in its header \param schema  as FILE_SCHEMA has it
+    [[nodiscard]] std::string text(std::string_view name, std::string_view schema) const;
+
+private:
+    std::string data_;
+    int count_ = 0;
+};
+
+} // namespace qm

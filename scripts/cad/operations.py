@@ -1,0 +1,145 @@
+"""What engineers do with a solid, one operation a call: prints one line of JSON about what came of it.
+
+usage: operations.py OPERATION FILE [NUMBER]
+
+{"ok": done as it should be, "note": what is wrong}. `sharp` says {"edges": numbers of the edges to fillet}.
+"""
+
+import collections
+import json
+import math
+import os
+import sys
+
+import shapes
+from FreeCAD import Vector
+
+Part = shapes.Part
+
+OFFSET = 0.01  # of the diagonal
+RADIUS = 0.005  # of fillets
+DEFLECTION = 0.001  # of tessellations
+ANGLE = math.radians(30)  # of them, as FreeCAD proposes
+SHARP = math.radians(20)  # between the normals of two faces
+FILLETS = 12  # edges tried, the longest
+
+
+def verdict(ok, note=""):
+    return {"ok": bool(ok), "note": "" if ok else note}
+
+
+def valid(shape):
+    return verdict(shapes.is_sound(shape), "no valid closed solid")
+
+
+def analyser(shape):
+    """OpenCASCADE's check of what Boolean operations need."""
+    try:
+        shape.check(True)
+    except ValueError as error:
+        kinds = collections.Counter(line.split(":")[-1].strip() for line in str(error).splitlines()[1:] if line.strip())
+        return verdict(False, ", ".join(f"{count} {kind}" for kind, count in sorted(kinds.items())))
+    return verdict(True)
+
+
+def smooth_faces(shape):
+    """No surface has a knot so often that it counts as C0 there."""
+    kinked = 0
+    for face in shape.Faces:
+        surface = face.Surface
+        if not isinstance(surface, Part.BSplineSurface):
+            continue
+        inner_u = surface.getUMultiplicities()[1:-1]
+        inner_v = surface.getVMultiplicities()[1:-1]
+        kinked += max(inner_u, default=0) >= surface.UDegree or max(inner_v, default=0) >= surface.VDegree
+    return verdict(kinked == 0, f"{kinked} of {len(shape.Faces)} faces")
+
+
+def is_divided(shape, inside, outside):
+    """Whether two parts are sound and together what they were cut from."""
+    if not shapes.is_sound(inside) or not shapes.is_sound(outside):
+        return verdict(False, "a part is no valid solid")
+    off = abs(inside.Volume + outside.Volume - shape.Volume) / shape.Volume
+    return verdict(off < 2e-3, f"volume off by {off:.1e}")
+
+
+def box_cut(shape):
+    box = shape.BoundBox
+    corner = box.Center + Vector(box.XLength, box.YLength, box.ZLength) * 0.013
+    tool = Part.makeBox(box.XLength, box.YLength, box.ZLength, corner - Vector(box.XLength, 0, 0))
+    return is_divided(shape, shape.common(tool), shape.cut(tool))
+
+
+def half_space_cut(shape):
+    middle = shape.BoundBox.Center
+    normal = Vector(0.83, 0.41, 0.37)
+    half = shapes.diagonal(shape)
+    plane = Part.Plane(middle, normal).toShape(-half, half, -half, half)
+    tool = plane.makeHalfSpace(middle + normal)
+    return is_divided(shape, shape.common(tool), shape.cut(tool))
+
+
+def sharp(shape):
+    """The longest edges where faces meet at an angle, and which are long enough for a fillet."""
+    found = []
+    for number, edge in enumerate(shape.Edges):
+        faces = shape.ancestorsOfType(edge, Part.Face)
+        if len(faces) != 2 or edge.Length < 4 * RADIUS * shapes.diagonal(shape):
+            continue
+        middle = edge.valueAt((edge.FirstParameter + edge.LastParameter) / 2)
+        normals = [face.normalAt(*face.Surface.parameter(middle)) for face in faces]
+        if normals[0].getAngle(normals[1]) > SHARP:
+            found.append((-round(edge.Length, 9), number))
+    return {"edges": [number for _, number in sorted(found)[:FILLETS]]}
+
+
+def fillet(shape, number):
+    made = shape.makeFillet(RADIUS * shapes.diagonal(shape), [shape.Edges[number]])
+    return verdict(shapes.is_sound(made), "result is no valid solid")
+
+
+def offset(shape):
+    by = OFFSET * shapes.diagonal(shape)
+    made = shape.makeOffsetShape(by, 1e-4 * by, join=2)
+    if not shapes.is_sound(made):
+        return verdict(False, "result is no valid solid")
+    grown = (made.Volume - shape.Volume) / (by * shape.Area)
+    return verdict(0.7 < grown < 1.5, f"volume grows by {grown:.2f} of the expected")
+
+
+def thickness(shape):
+    by = OFFSET * shapes.diagonal(shape)
+    opened = max(shape.Faces, key=lambda face: round(face.Area, 9))
+    made = shape.makeThickness([opened], -by, 1e-4 * by)
+    if not shapes.is_sound(made):
+        return verdict(False, "result is no valid solid")
+    wall = made.Volume / (by * (shape.Area - opened.Area))
+    return verdict(0.6 < wall < 1.3, f"volume is {wall:.2f} of the expected")
+
+
+def tessellation(shape):
+    import MeshPart
+    mesh = MeshPart.meshFromShape(Shape=shape, LinearDeflection=DEFLECTION * shapes.diagonal(shape),
+                                  AngularDeflection=ANGLE, Relative=False)
+    if not mesh.isSolid():
+        return verdict(False, "not closed")
+    crossings = len(mesh.getSelfIntersections()) if mesh.hasSelfIntersections() else 0
+    return verdict(crossings == 0, f"{crossings} of {mesh.CountFacets} triangles cross")
+
+
+def main():
+    sys.stdout.flush()
+    answers = os.dup(1)
+    os.dup2(2, 1)  # libraries talk on standard output
+    operation, path = sys.argv[1:3]
+    numbers = [int(text) for text in sys.argv[3:]]
+    try:
+        result = globals()[operation](shapes.read(path), *numbers)
+    except Exception as error:  # FreeCAD throws many kinds
+        text = " ".join(str(error).split()) or type(error).__name__
+        result = verdict(False, text[:80])
+    os.write(answers, (json.dumps(result) + "\n").encode())
+    os._exit(0)  # destructors of broken shapes may fail
+
+
+main()

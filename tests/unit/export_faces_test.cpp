@@ -1,0 +1,281 @@
+#include "bspline/splines/evaluate.h"
+#include "bspline/splines/spline_curve.h"
+#include "export/export.h"
+#include "export/geometry.h"
+#include "export/join.h"
+#include "export/separate.h"
+#include "export/shape.h"
+#include "support/fitted_model.h"
+
+#include <gtest/gtest.h>
+
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepGProp.hxx>
+#include <BRep_Tool.hxx>
+#include <GProp_GProps.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <Geom_ConicalSurface.hxx>
+#include <Geom_CylindricalSurface.hxx>
+#include <Geom_Plane.hxx>
+#include <Geom_SphericalSurface.hxx>
+#include <Geom_ToroidalSurface.hxx>
+#include <STEPControl_Reader.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+namespace qm {
+namespace {
+
+using test::fitted;
+using test::FittedModel;
+using test::Grid;
+using test::sheet;
+
+TopoDS_Shape readBack(const FittedModel& model, const ExportOptions& options = {}) {
+    STEPControl_Reader reader;
+    std::istringstream stream(exportModel(model.mesh, model.layout, &model.surfaces, options).bytes);
+    EXPECT_EQ(reader.ReadStream("shape.step", stream), IFSelect_RetDone);
+    EXPECT_GT(reader.TransferRoots(), 0);
+    EXPECT_TRUE(BRepCheck_Analyzer(reader.OneShape()).IsValid());
+    return reader.OneShape();
+}
+
+/// Every one once.
+std::vector<TopoDS_Shape> all(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
+    TopTools_IndexedMapOfShape found;
+    TopExp::MapShapes(shape, kind, found);
+    std::vector<TopoDS_Shape> result;
+    for (int k = 1; k <= found.Extent(); ++k)
+        result.push_back(found(k));
+    return result;
+}
+
+template <class Surface> int countSurfaces(const TopoDS_Shape& shape) {
+    int count = 0;
+    for (const TopoDS_Shape& face : all(shape, TopAbs_FACE))
+        if (!Handle(Surface)::DownCast(BRep_Tool::Surface(TopoDS::Face(face))).IsNull()) ++count;
+    return count;
+}
+
+int countSmoothEdges(const TopoDS_Shape& shape) {
+    int count = 0;
+    for (const TopoDS_Shape& edge : all(shape, TopAbs_EDGE))
+        if (BRep_Tool::MaxContinuity(TopoDS::Edge(edge)) >= GeomAbs_G1) ++count;
+    return count;
+}
+
+double volume(const TopoDS_Shape& shape) {
+    GProp_GProps properties;
+    BRepGProp::VolumeProperties(shape, properties);
+    return properties.Mass();
+}
+
+double distance(const Patch& one, const Patch& other) {
+    double largest = 0;
+    for (double u = 0; u <= one.knots[0].back(); u += 0.37)
+        for (double v = 0; v <= one.knots[1].back(); v += 0.37)
+            largest =
+                std::max(largest, (evaluate(one, u, v).position - evaluate(other, u, v).position).norm());
+    return largest;
+}
+
+/// One patch of a sheet with a sharp bend along a grid line, or with knots there as if it had one.
+FittedModel bentSheet(bool sharp) {
+    const Grid grid{4, 2, [](double i, double j) { return Point(i, j, 0.1 * i * i); }};
+    FittedModel model = fitted(grid, {{0, 0, 4, 2}}, FitOptions());
+    Patch& patch = model.surfaces.patches[0];
+    Patch refined = patch;
+    refined.knots[0] = {0, 0, 0, 0, 1, 2, 2, 2, 3, 4, 4, 4, 4};
+    refined.controlPoints.clear();
+    for (auto row = patch.controlPoints.begin(); row != patch.controlPoints.end(); row += patch.count[0]) {
+        SplineCurve line = withKnots({patch.knots[0], {row, row + patch.count[0]}}, refined.knots[0]);
+        if (sharp)
+            for (std::size_t k = 5; k < line.points.size(); ++k)
+                line.points[k][2] += line.points[k][0] - 2;
+        refined.controlPoints.insert(refined.controlPoints.end(), line.points.begin(), line.points.end());
+        refined.count[0] = static_cast<int>(line.points.size());
+    }
+    patch = refined;
+    return model;
+}
+
+TEST(Separate, CutsWhereASurfaceIsOnlyContinuous) {
+    const FittedModel model = bentSheet(true);
+    const FacePatches faces = separated(model.mesh, facePatches(model.layout, model.surfaces.patches), 1e-9);
+    ASSERT_EQ(faces.patches.size(), 2U);
+    for (std::size_t k = 0; k < 2; ++k) {
+        const Segment& segment = faces.layout.segments[k];
+        EXPECT_EQ(segment.size, (std::array{2, 2}));
+        EXPECT_EQ(segment.corners[0], VertexId(k == 0 ? 0 : 2));
+        EXPECT_EQ(segment.corners[2], VertexId(k == 0 ? 12 : 14));
+        EXPECT_EQ(segment.faces.front(), FaceId(k == 0 ? 0 : 2));
+        const Point whole =
+            evaluate(model.surfaces.patches[0], 0.7 + 2.0 * static_cast<double>(k), 1.2).position;
+        EXPECT_LT((evaluate(faces.patches[k], 0.7, 1.2).position - whole).norm(), 1e-13);
+    }
+    const TopoDS_Shape shape = readBack(model);
+    EXPECT_EQ(all(shape, TopAbs_FACE).size(), 2U);
+    EXPECT_EQ(countSmoothEdges(shape), 0);
+    for (const TopoDS_Shape& face : all(shape, TopAbs_FACE))
+        EXPECT_GE(BRep_Tool::Surface(TopoDS::Face(face))->Continuity(), GeomAbs_C1);
+}
+
+TEST(Separate, LeavesASmoothSurfaceWhole) {
+    const FittedModel model = bentSheet(false);
+    const TopoDS_Shape shape = readBack(model);
+    ASSERT_EQ(all(shape, TopAbs_FACE).size(), 1U) << "its triple knot is not needed";
+    const auto surface = Handle(Geom_BSplineSurface)::DownCast(
+        BRep_Tool::Surface(TopoDS::Face(all(shape, TopAbs_FACE).front())));
+    ASSERT_FALSE(surface.IsNull());
+    for (int k = 2; k < surface->NbUKnots(); ++k)
+        EXPECT_EQ(surface->UMultiplicity(k), 1);
+}
+
+TEST(Separate, LeavesNoSideWithHundredsOfEdges) {
+    const Grid grid{300, 2, [](double i, double j) { return Point(i, j, std::sin(0.1 * i)); }};
+    std::vector<test::Rectangle> rectangles{{0, 0, 300, 1}};
+    for (int k = 0; k < 300; ++k)
+        rectangles.push_back({k, 1, k + 1, 2, 0});
+    const FittedModel model = fitted(grid, rectangles, {});
+    const FacePatches faces = separated(model.mesh, facePatches(model.layout, model.surfaces.patches), 1e-9);
+    EXPECT_EQ(faces.patches.size(), 303U);
+    for (const BoundaryFace& face : makeBoundary(model.mesh, faces).faces)
+        EXPECT_LE(face.uses.size(), 131U);
+}
+
+TEST(KnotRemoval, KeepsTheSurface) {
+    const Patch patch = bentSheet(false).surfaces.patches[0];
+    const Patch lighter = withoutNeedlessKnots(patch, 1e-9);
+    EXPECT_LT(lighter.count[0], patch.count[0]);
+    EXPECT_LT(distance(lighter, patch), 1e-9);
+    const Patch sharp = bentSheet(true).surfaces.patches[0];
+    EXPECT_EQ(withoutNeedlessKnots(sharp, 1e-9).knots, sharp.knots);
+}
+
+TEST(Edges, AreFoundSmoothByTheReader) {
+    // A roof whose ridge is sharp, and a seam along which nothing bends.
+    const Grid grid{8, 4, [](double i, double j) { return Point(i, j, 0.1 * i * i - std::abs(j - 2)); }};
+    const FittedModel model = fitted(grid, {{0, 0, 8, 2}, {0, 2, 3, 4}, {3, 2, 8, 4}}, FitOptions());
+    const ShapeReport report = *exportModel(model.mesh, model.layout, &model.surfaces, {}).shape;
+    const TopoDS_Shape shape = readBack(model);
+    EXPECT_GT(report.smoothEdges, 0U);
+    EXPECT_EQ(countSmoothEdges(shape), static_cast<int>(report.smoothEdges));
+    for (const TopoDS_Shape& edge : all(shape, TopAbs_EDGE))
+        EXPECT_LE(BRep_Tool::Tolerance(TopoDS::Edge(edge)), 1.0001e-7);
+}
+
+TEST(Planes, AreExportedAsPlanes) {
+    const Grid grid{6, 4, [](double i, double j) { return Point(i, j + 0.05 * j * j, i < 3 ? 0 : i - 3); }};
+    const FittedModel model = fitted(grid, {{0, 0, 3, 4}, {3, 0, 6, 4}}, {});
+    const TopoDS_Shape shape = readBack(model);
+    EXPECT_EQ(countSurfaces<Geom_Plane>(shape), 2);
+    const FittedModel wavy = fitted(sheet(), test::tJoint(), FitOptions());
+    EXPECT_EQ(countSurfaces<Geom_Plane>(readBack(wavy)), 0);
+}
+
+ExportOptions analytic() {
+    ExportOptions options;
+    options.analytic = true;
+    options.analyticTolerance = 0.1;
+    return options;
+}
+
+class Tori : public testing::TestWithParam<std::vector<std::array<int, 4>>> {};
+
+TEST_P(Tori, AreToriWhereverTheyAreCut) {
+    const FittedModel model = test::torus(GetParam());
+    const TopoDS_Shape shape = readBack(model, analytic());
+    EXPECT_EQ(countSurfaces<Geom_ToroidalSurface>(shape), static_cast<int>(all(shape, TopAbs_FACE).size()));
+    EXPECT_EQ(all(shape, TopAbs_SOLID).size(), 1U);
+    EXPECT_NEAR(volume(shape), 2 * std::numbers::pi * 5 * std::numbers::pi * 4, 0.2);
+    EXPECT_EQ(countSurfaces<Geom_ToroidalSurface>(readBack(model)), 0) << "only on request";
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, Tori,
+    testing::Values(std::vector<std::array<int, 4>>{{0, 0, 16, 12}},
+                    std::vector<std::array<int, 4>>{{0, 0, 9, 12}, {9, 0, 16, 4}, {9, 4, 16, 12}},
+                    std::vector<std::array<int, 4>>{{3, 5, 11, 13}, {11, 5, 19, 13}, {3, 1, 19, 5}}));
+
+/// A sheet on a surface of revolution: distance from the axis by height.
+FittedModel revolved(const std::function<double(double)>& radius, bool inwards) {
+    const Grid grid{64, 16, [&](double i, double j) {
+                        const double angle = (inwards ? -1 : 1) * 0.06 * i;
+                        const double away = radius(0.2 * j);
+                        return Point(7 + away * std::cos(angle), 0.2 * j - 3, away * std::sin(angle));
+                    }};
+    return fitted(grid, {{0, 0, 28, 16}, {28, 0, 64, 16}}, FitOptions());
+}
+
+TEST(Analytic, EveryKindIsRecognised) {
+    for (const bool inwards : {false, true}) {
+        const TopoDS_Shape cylinder = readBack(revolved([](double) { return 3.0; }, inwards), analytic());
+        EXPECT_EQ(countSurfaces<Geom_CylindricalSurface>(cylinder), 2) << inwards;
+        const TopoDS_Shape cone =
+            readBack(revolved([](double z) { return 4 - 0.5 * z; }, inwards), analytic());
+        EXPECT_EQ(countSurfaces<Geom_ConicalSurface>(cone), 2) << inwards;
+        const TopoDS_Shape sphere = readBack(
+            revolved([](double z) { return std::sqrt(16 - (z - 1.2) * (z - 1.2)); }, inwards), analytic());
+        EXPECT_EQ(countSurfaces<Geom_SphericalSurface>(sphere), 2) << inwards;
+        const TopoDS_Shape none =
+            readBack(revolved([](double z) { return 3 + 0.2 * std::sin(2 * z); }, inwards), analytic());
+        EXPECT_EQ(countSurfaces<Geom_BSplineSurface>(none), 2) << inwards;
+    }
+}
+
+TEST(Analytic, FacesLookToTheSameSideAsPatches) {
+    for (const bool inwards : {false, true}) {
+        const FittedModel model = revolved([](double) { return 3.0; }, inwards);
+        GProp_GProps asSplines;
+        GProp_GProps asCylinders;
+        BRepGProp::VolumeProperties(readBack(model), asSplines);
+        BRepGProp::VolumeProperties(readBack(model, analytic()), asCylinders);
+        EXPECT_NEAR(asSplines.Mass(), asCylinders.Mass(), 1e-2);
+    }
+}
+
+TEST(Join, PutsTogetherWhatWasCut) {
+    const FittedModel model = fitted(sheet(), {{0, 0, 10, 8}}, FitOptions());
+    const FacePatches whole = facePatches(model.layout, model.surfaces.patches);
+    FacePatches parts;
+    for (const std::array<int, 2> from :
+         {std::array{0, 0}, std::array{4, 0}, std::array{0, 3}, std::array{4, 3}}) {
+        const std::array<int, 2> to{from[0] == 0 ? 4 : 10, from[1] == 0 ? 3 : 8};
+        parts.layout.segments.push_back(
+            partOf(vertexGrid(model.mesh, whole.layout.segments[0]), whole.layout.segments[0], from, to));
+        parts.patches.push_back(partOf(whole.patches[0], from, to));
+        parts.origins.push_back({parts.origins.size()});
+    }
+    const FacePatches again = joined(parts, 1e-9);
+    ASSERT_EQ(again.patches.size(), 1U);
+    EXPECT_EQ(again.origins[0], (std::vector<std::size_t>{0, 1, 2, 3}));
+    EXPECT_EQ(again.layout.segments[0].faces.size(), model.mesh.n_faces());
+    EXPECT_EQ(again.patches[0].controlPoints.size(), whole.patches[0].controlPoints.size());
+    const Segment& segment = again.layout.segments[0];
+    for (std::size_t side = 0; side < 4; ++side)
+        EXPECT_EQ(segment.sides[side].back(), segment.sides[(side + 1) % 4].front());
+    GProp_GProps before;
+    GProp_GProps after;
+    BRepGProp::SurfaceProperties(buildShape(makeBoundary(model.mesh, whole)).shape, before);
+    const BoundaryShape made = buildShape(makeBoundary(model.mesh, again));
+    BRepGProp::SurfaceProperties(made.shape, after);
+    EXPECT_TRUE(BRepCheck_Analyzer(made.shape).IsValid());
+    EXPECT_NEAR(before.Mass(), after.Mass(), 1e-9 * before.Mass());
+}
+
+TEST(Join, LeavesWhatIsBentAndWhatWouldTouchItself) {
+    const FittedModel bent = bentSheet(true);
+    const FacePatches parts = separated(bent.mesh, facePatches(bent.layout, bent.surfaces.patches), 1e-9);
+    EXPECT_EQ(joined(parts, 1e-9).patches.size(), 2U);
+    const FittedModel ring = test::torus({{0, 0, 16, 12}});
+    const FacePatches faces = separated(ring.mesh, facePatches(ring.layout, ring.surfaces.patches), 1e-9);
+    for (const Segment& segment : joined(faces, 1e-9).layout.segments)
+        EXPECT_FALSE(touchesItself(segment));
+}
+
+} // namespace
+} // namespace qm
