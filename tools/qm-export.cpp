@@ -2,26 +2,6 @@
 #include "cli/export_choices.h"
 #include "cli/stage.h"
 
-namespace {
-
-void report(qm::Tool& tool, const qm::ShapeReport& shape, qm::LengthUnit unit) {
-    tool.count("solids", static_cast<double>(shape.solids));
-    tool.count("openEdges", static_cast<double>(shape.openEdges));
-    tool.count("shapeFaces", static_cast<double>(shape.faces));
-    tool.count("simpleFaces", static_cast<double>(shape.simpleFaces));
-    tool.count("smoothEdges", static_cast<double>(shape.smoothEdges));
-    tool.count("valid", shape.valid ? 1 : 0);
-    tool.count("tolerance", shape.largestTolerance);
-    if (!shape.valid)
-        tool.warn("OpenCASCADE finds faults in the boundary representation. Fit the surfaces with "
-                  "qm-bspline --fit smooth, or with a smaller tolerance");
-    else if (shape.largestTolerance * qm::inMillimetres(unit) > 1)
-        tool.warn("Patches are more than a millimetre apart, which programs that read the file may find too "
-                  "much. Fit the surfaces with qm-bspline --fit smooth");
-}
-
-} // namespace
-
 int main(int argc, char** argv) {
     qm::ExportOptions options;
     qm::NamedFormat format = qm::NamedFormat::ending;
@@ -55,7 +35,7 @@ int main(int argc, char** argv) {
                 const qm::Surfaces* surfaces = model.surfaces ? &*model.surfaces : nullptr;
                 const qm::Exported result = qm::exportModel(model.mesh, *model.layout, surfaces, options);
                 tool.count("segments", static_cast<double>(model.layout->segments.size()));
-                if (result.shape) report(tool, *result.shape, options.unit);
+                if (result.shape) qm::reportShape(tool, *result.shape, options.unit);
                 tool.write(result.bytes);
                 return qm::exitDone;
             };

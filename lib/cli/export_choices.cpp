@@ -43,4 +43,20 @@ Kind neededKind(const ExportOptions& options) {
     return quads && !coloured ? Kind::layout : Kind::surfaces;
 }
 
+void reportShape(Tool& tool, const ShapeReport& shape, LengthUnit unit) {
+    tool.count("solids", static_cast<double>(shape.solids));
+    tool.count("openEdges", static_cast<double>(shape.openEdges));
+    tool.count("shapeFaces", static_cast<double>(shape.faces));
+    tool.count("simpleFaces", static_cast<double>(shape.simpleFaces));
+    tool.count("smoothEdges", static_cast<double>(shape.smoothEdges));
+    tool.count("valid", shape.valid ? 1 : 0);
+    tool.count("tolerance", shape.largestTolerance);
+    if (!shape.valid)
+        tool.warn("OpenCASCADE finds faults in the boundary representation. Fit the surfaces with "
+                  "qm-bspline --fit smooth, or with a smaller tolerance");
+    else if (shape.largestTolerance * inMillimetres(unit) > 1)
+        tool.warn("Patches are more than a millimetre apart, which programs that read the file may find too "
+                  "much. Fit the surfaces with qm-bspline --fit smooth");
+}
+
 } // namespace qm

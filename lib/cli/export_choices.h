@@ -47,4 +47,7 @@ void requireEffect(const Tool& tool, const ExportOptions& options);
 /// What a document must hold. Quads need no surfaces, unless they are coloured by them.
 [[nodiscard]] Kind neededKind(const ExportOptions& options);
 
+/// Counts what a shape has, and warns of faults and gaps.
+void reportShape(Tool& tool, const ShapeReport& shape, LengthUnit unit);
+
 } // namespace qm

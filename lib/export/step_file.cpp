@@ -1,5 +1,6 @@
 #include "export/step_file.h"
 
+#include "base/number_text.h"
 #include "export/bytes.h"
 
 #include <cstddef>
@@ -42,7 +43,7 @@ StepText& StepText::raw(std::string_view text) {
 
 StepText& StepText::real(double value) {
     const std::size_t begin = text_.size();
-    appendText(text_, value);
+    appendNumber(text_, value);
     const std::size_t exponent = text_.find('e', begin);
     if (exponent != std::string::npos) text_[exponent] = 'E';
     if (text_.find('.', begin) == std::string::npos)
@@ -51,7 +52,7 @@ StepText& StepText::real(double value) {
 }
 
 StepText& StepText::integer(int value) {
-    appendText(text_, value);
+    appendNumber(text_, value);
     return *this;
 }
 
@@ -81,7 +82,7 @@ StepText& StepText::ids(std::span<const StepId> entities) {
 
 StepId StepFile::add(const StepText& entity) {
     data_ += '#';
-    appendText(data_, ++count_);
+    appendNumber(data_, ++count_);
     data_ += '=';
     appendBroken(data_, entity.text());
     data_ += ";\n";

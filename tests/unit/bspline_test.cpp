@@ -161,5 +161,16 @@ TEST(SplineCurve, IsTheSameInALowerDegree) {
     EXPECT_EQ(restricted(parabola, 1, 2).degree, 2);
 }
 
+TEST(SplineCurve, JoinsWithACorner) {
+    const SplineCurve first = bezier(std::vector<Point>{{0, 0, 0}, {1, 2, 0}, {2, 1, 1}, {4, 0, 3}}, 2);
+    const SplineCurve second = bezier(std::vector<Point>{{4, 0, 3}, {5, 5, 1}, {7, 4, 0}, {8, 2, 2}}, 3);
+    const std::vector<SplineCurve> parts = {first, second};
+    const SplineCurve whole = joined(parts);
+    EXPECT_EQ(whole.knots.size(), whole.points.size() + 4);
+    EXPECT_EQ(std::count(whole.knots.begin(), whole.knots.end(), 2.0), 3);
+    for (double t = 0; t <= 5; t += 0.125)
+        EXPECT_LT((evaluate(whole, t) - (t < 2 ? evaluate(first, t) : evaluate(second, t - 2))).norm(), 1e-14);
+}
+
 } // namespace
 } // namespace qm

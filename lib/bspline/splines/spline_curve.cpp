@@ -101,4 +101,17 @@ SplineCurve bezier(std::span<const Point> points, double length) {
     return curve;
 }
 
+SplineCurve joined(std::span<const SplineCurve> curves) {
+    SplineCurve result = curves.front();
+    if (curves.size() > 1) result.degree = 3;
+    for (const SplineCurve& curve : curves.subspan(1)) {
+        const double offset = result.length();
+        result.knots.pop_back();
+        for (std::size_t k = 4; k < curve.knots.size(); ++k)
+            result.knots.push_back(curve.knots[k] + offset);
+        result.points.insert(result.points.end(), curve.points.begin() + 1, curve.points.end());
+    }
+    return result;
+}
+
 } // namespace qm

@@ -40,4 +40,7 @@ struct SplineCurve {
 /// own.
 [[nodiscard]] std::vector<Point> lowered(const SplineCurve& curve, int degree);
 
+/// Curves end to end; each begins where the one before ends. A triple knot marks every joint.
+[[nodiscard]] SplineCurve joined(std::span<const SplineCurve> curves);
+
 } // namespace qm
