@@ -160,7 +160,8 @@ $(library): $(O)/objects
 
 gtest = -lgtest_main -lgtest
 
-# Small programs that scripts ask: no tools, and without the library.
+# Small programs that scripts ask: no tools. One of them borrows the checker's readers.
+$(O)/tests/measure-surfaces: $(addprefix $(O)/tests/,programs/measure/subdivision.o support/checked_mesh.o) $(library)
 $(programs): $(O)/tests/%: $(O)/tests/programs/%.o
 	@mkdir -p $(@D)
 	$(call quietly,link,$@) $(link) $^ -o $@ $(libraries)
@@ -295,7 +296,7 @@ bench-dev: ## run the pipeline on a folder of real meshes and print a table; onl
 bench-surfaces: ## fit and export surfaces for a folder of real meshes and print tables; only=REGEX to filter
 	@scripts/install-dependencies --verify build bench
 	@$(again) all $(programs)
-	@QM_BIN=$(abspath $(bin)) READ_STEP=$(abspath $(O)/tests/read-step) scripts/bench-surfaces '$(only)'
+	@QM_BIN=$(abspath $(bin)) PROGRAMS=$(abspath $(O)/tests) scripts/bench-surfaces '$(only)'
 
 .PHONY: bench-cad
 bench-cad: ## what CAD systems and meshers do with our STEP files, as a table; only=REGEX to filter models

@@ -1,0 +1,282 @@
+#include "programs/measure/subdivision.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+namespace measure {
+namespace {
+
+using qm::check::CheckedMesh;
+using qm::check::LayoutPart;
+using qm::check::Neighbourhoods;
+
+std::size_t index(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+void addTo(Place& sum, double weight, const Place& place) {
+    for (std::size_t k = 0; k < 3; ++k)
+        sum[k] += weight * place[k];
+}
+
+Place minus(const Place& a, const Place& b) {
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+/// Radians by which a path turns that comes from a and goes on to b.
+double turn(const Place& a, const Place& at, const Place& b) {
+    const Place in = minus(at, a);
+    const Place out = minus(b, at);
+    const double product = in[0] * out[0] + in[1] * out[1] + in[2] * out[2];
+    return std::acos(std::clamp(
+        product / (std::hypot(in[0], in[1], in[2]) * std::hypot(out[0], out[1], out[2])), -1.0, 1.0));
+}
+
+/// A smooth vertex has no neighbours along a crease, a corner itself twice.
+struct Rule {
+    std::array<int, 2> along{-1, -1};
+
+    [[nodiscard]] bool isSmooth() const { return along[0] < 0; }
+};
+
+struct Mesh {
+    std::vector<Place> points;
+    std::vector<std::array<int, 4>> quads;
+    std::vector<Rule> rules;               ///< by vertex
+    std::vector<std::array<int, 2>> edges; ///< the lower vertex first
+    std::vector<char> sharp;               ///< by edge
+    std::vector<std::array<int, 4>> edgesOfQuad;
+};
+
+void findEdges(Mesh& mesh) {
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> sides;
+    for (std::size_t q = 0; q < mesh.quads.size(); ++q)
+        for (std::size_t k = 0; k < 4; ++k) {
+            const auto a = static_cast<std::uint64_t>(mesh.quads[q][k]);
+            const auto b = static_cast<std::uint64_t>(mesh.quads[q][(k + 1) % 4]);
+            sides.emplace_back(std::min(a, b) << 32U | std::max(a, b), static_cast<std::uint32_t>(4 * q + k));
+        }
+    std::sort(sides.begin(), sides.end());
+    mesh.edgesOfQuad.resize(mesh.quads.size());
+    mesh.edges.clear();
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+        if (i == 0 || sides[i].first != sides[i - 1].first)
+            mesh.edges.push_back(
+                {static_cast<int>(sides[i].first >> 32U), static_cast<int>(sides[i].first & 0xffffffffU)});
+        mesh.edgesOfQuad[sides[i].second / 4][sides[i].second % 4] = static_cast<int>(mesh.edges.size()) - 1;
+    }
+}
+
+/// Of every vertex: how many edges, and sums over neighbours, and over the far corners of its quads.
+struct Stars {
+    explicit Stars(const Mesh& mesh)
+        : valence(mesh.points.size()), near(mesh.points.size()), far(mesh.points.size()) {
+        for (const auto& edge : mesh.edges)
+            for (std::size_t k = 0; k < 2; ++k) {
+                ++valence[index(edge[k])];
+                addTo(near[index(edge[k])], 1, mesh.points[index(edge[1 - k])]);
+            }
+        for (const auto& quad : mesh.quads)
+            for (std::size_t k = 0; k < 4; ++k)
+                addTo(far[index(quad[k])], 1, mesh.points[index(quad[(k + 2) % 4])]);
+    }
+    std::vector<int> valence;
+    std::vector<Place> near;
+    std::vector<Place> far;
+};
+
+std::vector<Place> limits(const Mesh& mesh) {
+    const Stars stars(mesh);
+    std::vector<Place> result(mesh.points.size());
+    for (std::size_t v = 0; v < result.size(); ++v) {
+        const Rule& rule = mesh.rules[v];
+        const double n = stars.valence[v];
+        if (n == 0) {
+            result[v] = mesh.points[v];
+        } else if (rule.isSmooth()) {
+            addTo(result[v], n / (n + 5), mesh.points[v]);
+            addTo(result[v], 4 / (n * (n + 5)), stars.near[v]);
+            addTo(result[v], 1 / (n * (n + 5)), stars.far[v]);
+        } else {
+            addTo(result[v], 4.0 / 6, mesh.points[v]);
+            for (const int neighbour : rule.along)
+                addTo(result[v], 1.0 / 6, mesh.points[index(neighbour)]);
+        }
+    }
+    return result;
+}
+
+Mesh subdivided(const Mesh& mesh) {
+    const int vertices = static_cast<int>(mesh.points.size());
+    const int edges = static_cast<int>(mesh.edges.size());
+    Mesh result;
+    result.points.resize(index(vertices + edges) + mesh.quads.size());
+    result.rules.resize(result.points.size());
+    Place* edgePoints = &result.points[index(vertices)];
+    std::vector<int> facesOfEdge(mesh.edges.size());
+
+    for (std::size_t q = 0; q < mesh.quads.size(); ++q) {
+        const auto& quad = mesh.quads[q];
+        Place& centre = result.points[index(vertices + edges) + q];
+        for (const int corner : quad)
+            addTo(centre, 0.25, mesh.points[index(corner)]);
+        for (const int edge : mesh.edgesOfQuad[q])
+            if (!mesh.sharp[index(edge)]) addTo(edgePoints[edge], 0.25, centre);
+        const auto& sides = mesh.edgesOfQuad[q];
+        const int middle = vertices + edges + static_cast<int>(q);
+        const auto side = [&](std::size_t k) { return vertices + sides[k]; };
+        result.quads.push_back({quad[0], side(0), middle, side(3)});
+        result.quads.push_back({side(0), quad[1], side(1), middle});
+        result.quads.push_back({middle, side(1), quad[2], side(2)});
+        result.quads.push_back({side(3), middle, side(2), quad[3]});
+    }
+    for (int e = 0; e < edges; ++e) {
+        const auto& edge = mesh.edges[index(e)];
+        for (const int end : edge)
+            addTo(edgePoints[e], mesh.sharp[index(e)] ? 0.5 : 0.25, mesh.points[index(end)]);
+        if (mesh.sharp[index(e)]) result.rules[index(vertices + e)].along = edge;
+    }
+    const Stars stars(mesh);
+    for (int v = 0; v < vertices; ++v) {
+        const Rule& rule = mesh.rules[index(v)];
+        Place& point = result.points[index(v)];
+        const double n = stars.valence[index(v)];
+        if (rule.isSmooth() && n > 0) {
+            // The mean of the quads' centres holds near and far corners: (v n + 2 near + far) / 4n.
+            addTo(point, (n - 3) / n + 1 / n + 1 / (4 * n), mesh.points[index(v)]);
+            addTo(point, 1 / (n * n) + 2 / (4 * n * n), stars.near[index(v)]);
+            addTo(point, 1 / (4 * n * n), stars.far[index(v)]);
+        } else {
+            addTo(point, 6.0 / 8, mesh.points[index(v)]);
+            for (const int neighbour : n > 0 ? rule.along : std::array<int, 2>{v, v})
+                addTo(point, 1.0 / 8, mesh.points[index(neighbour)]);
+        }
+        result.rules[index(v)] = rule;
+    }
+    // Along a crease the next vertices are those of the edges, and sharp edges have sharp halves.
+    for (int e = 0; e < edges; ++e) {
+        const auto& edge = mesh.edges[index(e)];
+        for (std::size_t k = 0; k < 2; ++k)
+            for (std::size_t side = 0; side < 2; ++side)
+                if (mesh.rules[index(edge[k])].along[side] == edge[1 - k])
+                    result.rules[index(edge[k])].along[side] = vertices + e;
+    }
+    findEdges(result);
+    for (const auto& half : result.edges) {
+        const bool isHalf = half[0] < vertices && half[1] < vertices + edges;
+        result.sharp.push_back(isHalf && mesh.sharp[index(half[1] - vertices)] ? 1 : 0);
+    }
+    return result;
+}
+
+/// What curve of sharp edges passes a vertex, if any does.
+class Rules {
+public:
+    Rules(const CheckedMesh& mesh, const Neighbourhoods& around, const std::vector<char>& sharp,
+          const LayoutPart& layout)
+        : mesh_(mesh), around_(around), sharp_(sharp), straightest_(mesh.points.size(), HUGE_VAL),
+          passing_(mesh.points.size()) {
+        for (const auto& segment : layout.segments)
+            for (const auto& side : segment.sides)
+                for (std::size_t i = 1; i + 1 < side.size(); ++i)
+                    pass(side[i - 1], side[i], side[i + 1]);
+    }
+
+    [[nodiscard]] Rule of(int vertex) const {
+        std::vector<int> ranks;
+        const int first = around_.firstStep(vertex);
+        const int valence = around_.valence(vertex);
+        for (int k = 0; k < valence; ++k)
+            if (isSharp(first + k)) ranks.push_back(k);
+        if (ranks.size() < 2) return {};
+        if (straightest_[index(vertex)] < HUGE_VAL) return passing_[index(vertex)];
+        const Rule corner{{vertex, vertex}};
+        if (ranks.size() > 2) return corner;
+        const int between = ranks[1] - ranks[0];
+        const bool closed = around_.interior(vertex);
+        if (between < 2 || (closed && valence - between < 2)) return corner;
+        const int a = around_.to(first + ranks[0]);
+        const int b = around_.to(first + ranks[1]);
+        constexpr double most = 1.2; // radians
+        const bool straight =
+            turn(mesh_.points[index(a)], mesh_.points[index(vertex)], mesh_.points[index(b)]) <= most;
+        return straight ? Rule{{a, b}} : corner;
+    }
+
+private:
+    [[nodiscard]] bool isSharp(int step) const {
+        return around_.boundary(step) || sharp_[index(around_.edge(step))] != 0;
+    }
+
+    /// A side of a segment comes from a and goes on to b.
+    void pass(int a, int vertex, int b) {
+        if (!isSharp(around_.stepBetween(vertex, a)) || !isSharp(around_.stepBetween(vertex, b))) return;
+        const double angle =
+            turn(mesh_.points[index(a)], mesh_.points[index(vertex)], mesh_.points[index(b)]);
+        if (angle >= straightest_[index(vertex)] - 1e-12) return;
+        straightest_[index(vertex)] = angle;
+        passing_[index(vertex)].along = {a, b};
+    }
+
+    const CheckedMesh& mesh_;
+    const Neighbourhoods& around_;
+    const std::vector<char>& sharp_;
+    std::vector<double> straightest_;
+    std::vector<Rule> passing_;
+};
+
+/// Moves the vertices until their limits are where the mesh has them.
+void interpolate(Mesh& mesh) {
+    const std::vector<Place> targets = mesh.points;
+    constexpr int most = 400;
+    constexpr double relaxation = 1.5; // all eigenvalues of the limit masks lie between 1/9 and 1
+    for (int round = 0; round < most; ++round) {
+        const auto reached = limits(mesh);
+        for (std::size_t v = 0; v < targets.size(); ++v)
+            addTo(mesh.points[v], relaxation, minus(targets[v], reached[v]));
+    }
+}
+
+} // namespace
+
+LimitLattices limitThroughVertices(const CheckedMesh& mesh, const Neighbourhoods& around,
+                                   const std::vector<char>& sharp, const LayoutPart& layout) {
+    Mesh control;
+    control.points = mesh.points;
+    control.quads = mesh.quads;
+    const Rules rules(mesh, around, sharp, layout);
+    for (int v = 0; v < around.vertices(); ++v)
+        control.rules.push_back(rules.of(v));
+    findEdges(control);
+    for (const auto& edge : control.edges) {
+        const int step = around.stepBetween(edge[0], edge[1]);
+        control.sharp.push_back(around.boundary(step) || sharp[index(around.edge(step))] ? 1 : 0);
+    }
+    interpolate(control);
+    for (int level = 0; level < levels; ++level)
+        control = subdivided(control);
+    const auto points = limits(control);
+
+    // Quad q of a level has the children 4 q ... 4 q + 3, in the order of its corners.
+    LimitLattices lattices(mesh.quads.size(), std::vector<Place>((perQuad + 1) * (perQuad + 1)));
+    constexpr std::size_t children = std::size_t{1} << (2 * levels);
+    for (std::size_t q = 0; q < control.quads.size(); ++q) {
+        std::size_t column = 0;
+        std::size_t row = 0;
+        for (int level = 0; level < levels; ++level) {
+            const std::size_t corner = q >> (2 * level) & 3U;
+            column += (corner == 1 || corner == 2 ? 1U : 0U) << level;
+            row += (corner >= 2 ? 1U : 0U) << level;
+        }
+        auto& lattice = lattices[q / children];
+        const std::size_t first = row * (perQuad + 1) + column;
+        const std::array<std::size_t, 4> at{first, first + 1, first + perQuad + 2, first + perQuad + 1};
+        for (std::size_t k = 0; k < 4; ++k)
+            lattice[at[k]] = points[index(control.quads[q][k])];
+    }
+    return lattices;
+}
+
+} // namespace measure

@@ -1,0 +1,29 @@
+/// \file The Catmull-Clark limit through the vertices of a mesh, by plain uniform subdivision: nothing but
+/// the definition is shared with the library's own.
+#pragma once
+
+#include "check/checked_document.h"
+#include "check/neighbourhoods.h"
+
+#include <array>
+#include <vector>
+
+namespace measure {
+
+using Place = std::array<double, 3>;
+
+constexpr int levels = 3;
+constexpr int perQuad = 1 << levels; ///< lattice steps along an edge of the mesh
+
+/// Limit points above every quad: (perQuad + 1)^2 of them, row by row from its first corner towards its
+/// second.
+using LimitLattices = std::vector<std::vector<Place>>;
+
+/// \param sharp  by edge; the boundary of the mesh counts as sharp in any case \param layout  its sides say
+/// where a curve of sharp edges goes straight on
+[[nodiscard]] LimitLattices limitThroughVertices(const qm::check::CheckedMesh& mesh,
+                                                 const qm::check::Neighbourhoods& around,
+                                                 const std::vector<char>& sharp,
+                                                 const qm::check::LayoutPart& layout);
+
+} // namespace measure
