@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <utility>
 
 namespace measure {
@@ -34,9 +35,11 @@ double turn(const Place& a, const Place& at, const Place& b) {
         product / (std::hypot(in[0], in[1], in[2]) * std::hypot(out[0], out[1], out[2])), -1.0, 1.0));
 }
 
-/// A smooth vertex has no neighbours along a crease, a corner itself twice.
+/// A smooth vertex has no neighbours along a crease, a corner itself twice. A crease may end at a smooth
+/// vertex.
 struct Rule {
     std::array<int, 2> along{-1, -1};
+    int end = -1; ///< the neighbour from which a crease comes that ends here
 
     [[nodiscard]] bool isSmooth() const { return along[0] < 0; }
 };
@@ -87,6 +90,69 @@ struct Stars {
     std::vector<Place> far;
 };
 
+/// The weights of the limit of a vertex at which a crease ends: of itself, then of its neighbours from that
+/// of the crease on, then of the far corners between them. The row that the powers of the ring's subdivision
+/// matrix tend to.
+std::vector<double> endMask(std::size_t valence) {
+    const std::size_t n = valence;
+    const double count = static_cast<double>(n);
+    std::vector<double> mask(2 * n + 1);
+    mask[0] = 1;
+    constexpr int powers = 60;
+    for (int power = 0; power < powers; ++power) {
+        std::vector<double> next(mask.size());
+        const auto centreOfQuad = [&](std::size_t k, double weight) {
+            for (const std::size_t corner : {std::size_t{0}, 1 + k, 1 + (k + 1) % n, 1 + n + k})
+                next[corner] += weight / 4;
+        };
+        next[0] += mask[0] * (count - 2) / count;
+        for (std::size_t k = 0; k < n; ++k) {
+            next[1 + k] += mask[0] / (count * count);
+            centreOfQuad(k, mask[0] / (count * count) + mask[1 + n + k]);
+            const double share = k == 0 ? 0.5 : 0.25;
+            next[0] += share * mask[1 + k];
+            next[1 + k] += share * mask[1 + k];
+            if (k == 0) continue;
+            centreOfQuad(k, mask[1 + k] / 4);
+            centreOfQuad(k - 1, mask[1 + k] / 4);
+        }
+        mask = std::move(next);
+    }
+    return mask;
+}
+
+/// The ring of every vertex at which a crease ends, in the order of its mask.
+std::vector<std::pair<int, std::vector<int>>> endRings(const Mesh& mesh, const Stars& stars) {
+    std::vector<int> place(mesh.points.size(), -1);
+    std::vector<std::pair<int, std::vector<std::array<int, 3>>>> fans;
+    for (std::size_t v = 0; v < place.size(); ++v)
+        if (mesh.rules[v].end >= 0) {
+            place[v] = static_cast<int>(fans.size());
+            fans.emplace_back(static_cast<int>(v), std::vector<std::array<int, 3>>());
+        }
+    for (const auto& quad : mesh.quads)
+        for (std::size_t k = 0; k < 4; ++k)
+            if (place[index(quad[k])] >= 0)
+                fans[index(place[index(quad[k])])].second.push_back(
+                    {quad[(k + 1) % 4], quad[(k + 2) % 4], quad[(k + 3) % 4]});
+    std::vector<std::pair<int, std::vector<int>>> rings;
+    for (const auto& [vertex, fan] : fans) {
+        const std::size_t n = index(stars.valence[index(vertex)]);
+        std::vector<int> ring(2 * n + 1, vertex);
+        int near = mesh.rules[index(vertex)].end;
+        for (std::size_t k = 0; k < n; ++k) {
+            const auto corner =
+                std::find_if(fan.begin(), fan.end(), [&](const auto& c) { return c[0] == near; });
+            if (corner == fan.end()) break;
+            ring[1 + k] = near;
+            ring[1 + n + k] = (*corner)[1];
+            near = (*corner)[2];
+        }
+        rings.emplace_back(vertex, std::move(ring));
+    }
+    return rings;
+}
+
 std::vector<Place> limits(const Mesh& mesh) {
     const Stars stars(mesh);
     std::vector<Place> result(mesh.points.size());
@@ -104,6 +170,14 @@ std::vector<Place> limits(const Mesh& mesh) {
             for (const int neighbour : rule.along)
                 addTo(result[v], 1.0 / 6, mesh.points[index(neighbour)]);
         }
+    }
+    std::map<std::size_t, std::vector<double>> masks;
+    for (const auto& [vertex, ring] : endRings(mesh, stars)) {
+        auto& mask = masks[ring.size()];
+        if (mask.empty()) mask = endMask(ring.size() / 2);
+        result[index(vertex)] = {};
+        for (std::size_t k = 0; k < ring.size(); ++k)
+            addTo(result[index(vertex)], mask[k], mesh.points[index(ring[k])]);
     }
     return result;
 }
@@ -158,10 +232,13 @@ Mesh subdivided(const Mesh& mesh) {
     // Along a crease the next vertices are those of the edges, and sharp edges have sharp halves.
     for (int e = 0; e < edges; ++e) {
         const auto& edge = mesh.edges[index(e)];
-        for (std::size_t k = 0; k < 2; ++k)
+        for (std::size_t k = 0; k < 2; ++k) {
+            const Rule& before = mesh.rules[index(edge[k])];
+            Rule& rule = result.rules[index(edge[k])];
             for (std::size_t side = 0; side < 2; ++side)
-                if (mesh.rules[index(edge[k])].along[side] == edge[1 - k])
-                    result.rules[index(edge[k])].along[side] = vertices + e;
+                if (before.along[side] == edge[1 - k]) rule.along[side] = vertices + e;
+            if (before.end == edge[1 - k]) rule.end = vertices + e;
+        }
     }
     findEdges(result);
     for (const auto& half : result.edges) {
@@ -190,9 +267,10 @@ public:
         const int valence = around_.valence(vertex);
         for (int k = 0; k < valence; ++k)
             if (isSharp(first + k)) ranks.push_back(k);
-        if (ranks.size() < 2) return {};
+        if (ranks.empty()) return {};
+        if (ranks.size() == 1) return {{-1, -1}, around_.to(first + ranks[0])};
         if (straightest_[index(vertex)] < HUGE_VAL) return passing_[index(vertex)];
-        const Rule corner{{vertex, vertex}};
+        const Rule corner{{vertex, vertex}, -1};
         if (ranks.size() > 2) return corner;
         const int between = ranks[1] - ranks[0];
         const bool closed = around_.interior(vertex);
@@ -202,7 +280,7 @@ public:
         constexpr double most = 1.2; // radians
         const bool straight =
             turn(mesh_.points[index(a)], mesh_.points[index(vertex)], mesh_.points[index(b)]) <= most;
-        return straight ? Rule{{a, b}} : corner;
+        return straight ? Rule{{a, b}, -1} : corner;
     }
 
 private:
@@ -230,9 +308,9 @@ private:
 /// Moves the vertices until their limits are where the mesh has them.
 void interpolate(Mesh& mesh) {
     const std::vector<Place> targets = mesh.points;
-    constexpr int most = 400;
+    constexpr int rounds = 300;
     constexpr double relaxation = 1.5; // all eigenvalues of the limit masks lie between 1/9 and 1
-    for (int round = 0; round < most; ++round) {
+    for (int round = 0; round < rounds; ++round) {
         const auto reached = limits(mesh);
         for (std::size_t v = 0; v < targets.size(); ++v)
             addTo(mesh.points[v], relaxation, minus(targets[v], reached[v]));
