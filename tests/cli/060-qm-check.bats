@@ -132,8 +132,9 @@ untrue() {
     untrue /surfaces/patches/0/knots/0/2 knots
     spoilt '.surfaces.patches |= .[1:]' surfaces
     untrue /surfaces/patches 'one patch per segment'
-    spoilt '.surfaces.patches[0].deviation.maxFromFacets *= 0.9' surfaces
-    untrue /surfaces/patches/0/deviation/maxFromFacets deviation
+    farthest=$(field '.surfaces.patches | map(.deviation.maxFromFacets) | index(max)' "$(stage surfaces block)")
+    spoilt ".surfaces.patches[$farthest].deviation.maxFromFacets *= 0.5" surfaces
+    untrue "/surfaces/patches/$farthest/deviation/maxFromFacets" deviation
 }
 
 @test "history" {
