@@ -170,8 +170,12 @@ private:
         for (const int vertex : mesh_.quads[index(face)])
             for (int k = 0; k < around_.valence(vertex); ++k) {
                 const int other = around_.leftFace(around_.firstStep(vertex) + k);
-                if (other < 0 || places_[index(other)].patch == p) continue;
+                if (other < 0) continue;
+                // A patch that meets itself has two places there.
                 const FacePlace& place = places_[index(other)];
+                const double columns = std::abs(place.column + 0.5 - parameters[0]);
+                const double rows = std::abs(place.row + 0.5 - parameters[1]);
+                if (place.patch == p && columns < 2 && rows < 2) continue;
                 least = std::min(least, distanceToPatch(part_.patches[place.patch],
                                                         {place.column + 0.5, place.row + 0.5}, point));
                 if (least <= limit) return least;

@@ -74,6 +74,7 @@ std::vector<SurfacePoint> evaluateLattice(const SurfacesPart::Patch& patch, cons
                                           const std::vector<double>& vs) {
     const auto columns = static_cast<std::size_t>(patch.count[0]);
     std::vector<Basis> across;
+    across.reserve(us.size());
     for (const double u : us)
         across.push_back(basisAt(patch.knots[0], static_cast<std::size_t>(patch.degree[0]), u));
     std::vector<SurfacePoint> points(us.size() * vs.size());

@@ -282,11 +282,10 @@ private:
             for (int k = 0; k < around_.valence(vertex); ++k) {
                 const int step = around_.firstStep(vertex) + k;
                 for (const BorderPlace& place : borders_[index(around_.edge(step))])
-                    if (place.patch != p)
-                        least = std::min(least, distanceToPatch(part_.patches[place.patch],
-                                                                {0.5 * (place.begin[0] + place.end[0]),
-                                                                 0.5 * (place.begin[1] + place.end[1])},
-                                                                point));
+                    least = std::min(least, distanceToPatch(part_.patches[place.patch],
+                                                            {0.5 * (place.begin[0] + place.end[0]),
+                                                             0.5 * (place.begin[1] + place.end[1])},
+                                                            point));
             }
         return least;
     }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <ranges>
 
 namespace qm {
 namespace {
@@ -192,9 +193,9 @@ double percentile95(std::vector<std::pair<double, double>> samples) {
     for (const auto& sample : samples)
         above += sample.second;
     above *= 0.05;
-    for (auto sample = samples.rbegin(); sample != samples.rend(); ++sample) {
-        above -= sample->second;
-        if (above < 0) return sample->first;
+    for (const auto& [distance, weight] : std::views::reverse(samples)) {
+        above -= weight;
+        if (above < 0) return distance;
     }
     return 0;
 }

@@ -36,6 +36,7 @@ LayoutPlace DistanceBound::middle(const SurfacePart& part) const {
 
 void DistanceBound::subtractOther(int turns) {
     const int degree = own_.degree[0];
+    const std::size_t width = static_cast<std::size_t>(degree) + 1;
     difference_ = other_;
     auto point = own_.points.begin();
     for (int j = 0; j <= degree; ++j)
@@ -43,7 +44,8 @@ void DistanceBound::subtractOther(int turns) {
             const std::array<std::array<int, 2>, 4> places{
                 {{i, j}, {degree - j, i}, {degree - i, degree - j}, {j, degree - i}}};
             const auto& [column, row] = places[static_cast<std::size_t>(turns)];
-            Eigen::Vector3d& here = difference_.points[static_cast<std::size_t>(row * (degree + 1) + column)];
+            Eigen::Vector3d& here =
+                difference_.points[static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column)];
             here = *point - here;
         }
 }

@@ -44,7 +44,8 @@ public:
         for (std::size_t k = 0; k < 2; ++k) {
             breaks[k] = differentKnots(patch_.knots[k], patch_.degree[k]);
             std::vector<double> gridLines;
-            for (double line = 0; line <= breaks[k].back(); ++line)
+            const int edges = static_cast<int>(std::lround(breaks[k].back()));
+            for (int line = 0; line <= edges; ++line)
                 gridLines.push_back(line);
             breaks[k] = mergedBreaks(breaks[k], gridLines);
         }

@@ -20,7 +20,8 @@ struct BezierPiece {
     std::vector<Eigen::Vector3d> points;
 
     [[nodiscard]] const Eigen::Vector3d& at(int i, int j) const {
-        return points[static_cast<std::size_t>(j * (degree[0] + 1) + i)];
+        return points[static_cast<std::size_t>(j) * (static_cast<std::size_t>(degree[0]) + 1) +
+                      static_cast<std::size_t>(i)];
     }
 };
 

@@ -338,7 +338,7 @@ LimitLattices limitThroughVertices(const CheckedMesh& mesh, const Neighbourhoods
     const auto points = limits(control);
 
     // Quad q of a level has the children 4 q ... 4 q + 3, in the order of its corners.
-    LimitLattices lattices(mesh.quads.size(), std::vector<Place>((perQuad + 1) * (perQuad + 1)));
+    LimitLattices lattices(mesh.quads.size(), std::vector<Place>(latticeSize));
     constexpr std::size_t children = std::size_t{1} << (2 * levels);
     for (std::size_t q = 0; q < control.quads.size(); ++q) {
         std::size_t column = 0;

@@ -6,6 +6,7 @@
 #include "check/neighbourhoods.h"
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 namespace measure {
@@ -15,7 +16,9 @@ using Place = std::array<double, 3>;
 constexpr int levels = 3;
 constexpr int perQuad = 1 << levels; ///< lattice steps along an edge of the mesh
 
-/// Limit points above every quad: (perQuad + 1)^2 of them, row by row from its first corner towards its
+constexpr std::size_t latticeSize = std::size_t{perQuad + 1} * (perQuad + 1);
+
+/// Limit points above every quad: `latticeSize` of them, row by row from its first corner towards its
 /// second.
 using LimitLattices = std::vector<std::vector<Place>>;
 
