@@ -1,6 +1,6 @@
 #include "base/error.h"
 #include "bspline/evaluate.h"
-#include "export/bytes.h"
+#include "base/bytes.h"
 #include "export/quads.h"
 
 #include <nlohmann/json.hpp>

@@ -1,3 +1,4 @@
+#include "base/bytes.h"
 #include "base/error.h"
 #include "bspline/clamped_patch.h"
 #include "bspline/evaluate.h"
