@@ -96,12 +96,12 @@ double coarsestQuads(const Recipe& recipe, ShapeOptions options) {
 }
 
 void checkAround(const Recipe& recipe, int around) {
-    constexpr int fewest = 4;
+    constexpr int min = 4;
     const std::string name = recipe.kind.name;
     if (!recipe.round) throw Error("around", name + " has no such number", "Give a resolution");
-    if (around < fewest || around % recipe.aroundStep != 0)
+    if (around < min || around % recipe.aroundStep != 0)
         throw Error("around", std::string("must be ") + (recipe.aroundStep == 2 ? "even and " : "") +
-                                  "at least " + std::to_string(fewest));
+                                  "at least " + std::to_string(min));
 }
 
 QuadList makeQuads(const Recipe& recipe, const ShapeOptions& options) {
@@ -132,10 +132,18 @@ Triangles makeScan(const std::string& name, double triangles, ShapeOptions optio
         throw Error("scan", "the number of triangles must be from 1 to twenty million");
     options.around = 0;
     const double coarsest = coarsestQuads(recipe, options);
-    const double finest = std::floor(std::sqrt(maxQuads / coarsest));
-    options.resolution =
-        static_cast<int>(std::clamp(std::round(std::sqrt(triangles / 2 / coarsest)), 1.0, finest));
-    return trianglesOf(makeQuads(recipe, options));
+    const auto make = [&](double resolution) {
+        const double finest = std::floor(std::sqrt(maxQuads / coarsest));
+        options.resolution = static_cast<int>(std::clamp(std::round(resolution), 1.0, finest));
+        return makeQuads(recipe, options);
+    };
+    const double quads = triangles / 2;
+    QuadList list = make(std::sqrt(quads / coarsest));
+    // Where the number does not quite grow with the square, a second step comes nearer.
+    const double share = static_cast<double>(list.quads.size()) / quads;
+    if (std::abs(share - 1) > 0.1 && options.resolution > 1)
+        list = make(options.resolution / std::sqrt(share));
+    return trianglesOf(list);
 }
 
 std::optional<TrueSurface> trueSurface(const std::string& name) {

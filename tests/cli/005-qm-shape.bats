@@ -69,7 +69,7 @@ shapes() { qm-shape --list | awk 'NR > 1 { print $1 }'; }
 
 @test "a scan as STL has the size that its number of facets says" {
     qm-shape torus --scan 5000 -o scan.stl
-    facets=$(od -An -t u4 -j 80 -N 4 scan.stl)
+    facets=$(($(od -An -t u4 -j 80 -N 4 scan.stl)))
     assert_equal "$(wc -c <scan.stl)" $((84 + 50 * facets))
     assert_equal "$facets" "$(qm-shape torus --scan 5000 | grep -c '^f ')"
 }

@@ -255,7 +255,7 @@ TEST(Scans, HaveAboutAsManyTrianglesAsAskedFor) {
     for (const ShapeKind& kind : shapeKinds())
         for (const double wanted : {5000.0, 20'000.0}) {
             const auto found = static_cast<double>(makeScan(kind.name, wanted).faces.size());
-            EXPECT_NEAR(found / wanted, 1, 0.35) << kind.name;
+            EXPECT_NEAR(found / wanted, 1, 0.2) << kind.name;
         }
     EXPECT_THROW((void)makeScan("cube", 0), Error);
     EXPECT_THROW((void)makeScan("cube", 1e9), Error);
