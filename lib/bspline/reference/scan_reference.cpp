@@ -53,7 +53,8 @@ public:
 
     /// Sharp points go where their sides meet, unless that is farther from the scan than they are already,
     /// beyond what noise explains: then the sides bend, and the nearest point of the scan is better.
-    void carryOnToSharpEdges(const TriangleSurface& scan, double maxDistance) {
+    /// \param mostRounding  how far at most a scan's edge is from the sharp one
+    void carryOnToSharpEdges(const TriangleSurface& scan, double maxDistance, double mostRounding) {
         struct Planes {
             Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
             Eigen::Vector3d right = Eigen::Vector3d::Zero();
@@ -79,7 +80,9 @@ public:
             Eigen::Vector3d moved = shortestSolution(all[k].matrix, all[k].right);
             const TriangleSurface::Nearest nearest = scan.nearest(point(from), maxDistance);
             if (!nearest.found()) continue;
-            if (!scan.nearest(point(from + moved), 1.1 * nearest.distance + 3 * noise_).found()) {
+            if (!scan.nearest(point(from + moved),
+                              std::min(1.1 * nearest.distance, mostRounding) + 3 * noise_)
+                     .found()) {
                 if (nearest.onBoundary) continue;
                 moved = vector(nearest.position) - from;
             }
@@ -194,7 +197,7 @@ ScanReference scanReference(const QuadMesh& mesh, const Layout& layout,
     ScanProjection projection = projectOntoScan(lattice, scan, reach, std::cos(options.maxAngle), jobs);
     Targets targets(lattice, surface, std::move(projection.displacements));
     targets.weighOutliers(step / 10);
-    targets.carryOnToSharpEdges(scan, projection.maxDistance);
+    targets.carryOnToSharpEdges(scan, projection.maxDistance, step / 4);
     ScanReference result = targets.result();
     result.maxDistance = projection.maxDistance;
     return result;
