@@ -49,4 +49,13 @@ template <class Function> void parallelFor(std::size_t count, unsigned jobs, con
     if (failure) std::rethrow_exception(failure);
 }
 
+/// The same where every call is a small piece of work: many in a row on one thread.
+template <class Function> void parallelForMany(std::size_t count, unsigned jobs, const Function& f) {
+    constexpr std::size_t block = 2048;
+    parallelFor((count + block - 1) / block, jobs, [&](std::size_t number) {
+        for (std::size_t k = number * block; k < std::min(count, (number + 1) * block); ++k)
+            f(k);
+    });
+}
+
 } // namespace qm

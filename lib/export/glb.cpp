@@ -1,6 +1,6 @@
 #include "base/error.h"
+#include "base/bytes.h"
 #include "bspline/splines/evaluate.h"
-#include "export/bytes.h"
 #include "export/quads.h"
 
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 #include "export/quads.h"
 
+#include "base/bytes.h"
 #include "base/number_text.h"
-#include "export/bytes.h"
 
 #include <cstdint>
 

@@ -11,7 +11,7 @@ constexpr const char* cutOff = "The file seems to be cut off: get it whole";
 
 class ObjReader {
 public:
-    explicit ObjReader(std::string_view text) : lines_(text) {}
+    ObjReader(std::string_view text, std::size_t sides) : lines_(text), sides_(sides) {}
 
     Soup read() {
         while (lines_.nextLine(true)) {
@@ -49,7 +49,7 @@ private:
             soup_.corners.push_back(cornerOf(word));
         soup_.endFace(line);
         const std::size_t corners = soup_.corners.size() - begin;
-        if (lines_.unfinished() && corners < 4)
+        if (lines_.unfinished() && corners < sides_)
             throw Error(soup_.facePlace(soup_.faceCount() - 1),
                         "the last line ends after " + std::to_string(corners) +
                             (corners == 1 ? " vertex" : " vertices"),
@@ -68,13 +68,14 @@ private:
     }
 
     TextLines lines_;
+    std::size_t sides_;
     Soup soup_;
 };
 
 } // namespace
 
-Soup readObj(std::string_view text) {
-    return ObjReader(text).read();
+Soup readObj(std::string_view text, std::size_t sides) {
+    return ObjReader(text, sides).read();
 }
 
 } // namespace qm

@@ -40,9 +40,9 @@ struct Soup {
 };
 
 /// Relative indices, texture and normal indices, colours, continued lines and any line ends are understood;
-/// other statements are passed over.
+/// other statements are passed over. \param sides  a face at the end of the text that has fewer is cut off
 /// \throw Error  naming the line, if the text is no OBJ or is cut off
-[[nodiscard]] Soup readObj(std::string_view text);
+[[nodiscard]] Soup readObj(std::string_view text, std::size_t sides);
 
 /// Colours and normals are passed over, and a face may be spread over lines.
 /// \throw Error  naming the line, if the text is no OFF in ASCII or holds less or more than its header says
@@ -52,5 +52,14 @@ struct Soup {
 /// over.
 /// \throw Error  if the bytes are no PLY or hold less or more than their header says
 [[nodiscard]] Soup readPly(std::string_view bytes);
+
+/// Text or binary. Every facet has points of its own.
+/// \throw Error  if the bytes are no STL or hold less or more than they announce
+[[nodiscard]] Soup readStl(std::string_view bytes);
+
+/// Any of these. \param name  of the file; its extension tells the format, and where it has none the first
+/// word does \param sides  of the faces that are wanted
+/// \throw Error  as above, and if the format is not known
+[[nodiscard]] Soup readSoup(std::string_view bytes, std::string_view name, std::size_t sides);
 
 } // namespace qm

@@ -23,9 +23,15 @@ std::string edgePlace(const Soup& soup, Side side) {
            " and " + std::to_string(soup.pointNumber(static_cast<std::size_t>(b)));
 }
 
-void checkQuads(const Soup& soup) {
+void checkSize(const Soup& soup) {
     constexpr std::size_t max = std::size_t{1} << 29; // halfedges and sides are numbered in 32 bits
     if (soup.faceCount() == 0) throw Error("", "it holds no faces", "Is it cut off, or another format?");
+    if (std::max(soup.corners.size() / 4, soup.points.size()) > max)
+        throw Error("", "it holds more than " + std::to_string(max) + " faces or vertices",
+                    "Divide the model");
+}
+
+void checkQuads(const Soup& soup) {
     std::optional<std::size_t> first;
     std::size_t others = 0;
     for (std::size_t k = 0; k < soup.faceCount(); ++k) {
@@ -39,9 +45,13 @@ void checkQuads(const Soup& soup) {
                         " of " + plural(soup.faceCount(), "face") + (others == 1 ? " is" : " are") +
                         " not four-sided",
                     "Remesh the model with quads only");
-    if (std::max(soup.faceCount(), soup.points.size()) > max)
-        throw Error("", "it holds more than " + std::to_string(max) + " faces or vertices",
-                    "Divide the model");
+}
+
+void checkSides(const Soup& soup) {
+    for (std::size_t k = 0; k < soup.faceCount(); ++k)
+        if (soup.face(k).size() < 3)
+            throw Error(soup.facePlace(k), "it has " + plural(soup.face(k).size(), "side"),
+                        "Get the file anew, or take the face out");
 }
 
 void checkIndices(const Soup& soup) {
@@ -51,7 +61,9 @@ void checkIndices(const Soup& soup) {
     const auto wrong =
         std::ranges::find_if(soup.corners, [&](std::int64_t k) { return k < 0 || k >= count; });
     const bool oneBased = lowest == 1 && highest == count;
-    throw Error(soup.facePlace(static_cast<std::size_t>(wrong - soup.corners.begin()) / 4),
+    const auto corner = static_cast<std::size_t>(wrong - soup.corners.begin());
+    const auto behind = std::ranges::upper_bound(soup.faceBegins, corner);
+    throw Error(soup.facePlace(static_cast<std::size_t>(behind - soup.faceBegins.begin()) - 1),
                 "vertex index " + std::to_string(*wrong) + " is out of range: there are " +
                     std::to_string(soup.points.size()) + " vertices" + ", counted from 0",
                 oneBased ? "The file seems to count from 1: subtract 1 from every index"
@@ -161,7 +173,15 @@ std::array<std::int64_t, 4> sortedCorners(const Soup& soup, std::size_t face) {
     return corners;
 }
 
+void validatePolygons(const Soup& soup) {
+    checkSize(soup);
+    checkSides(soup);
+    checkIndices(soup);
+    checkPoints(soup);
+}
+
 void validateElements(const Soup& soup) {
+    checkSize(soup);
     checkQuads(soup);
     checkIndices(soup);
     checkPoints(soup);

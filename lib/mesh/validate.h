@@ -7,6 +7,11 @@
 
 namespace qm {
 
+/// What surfaces of any polygons need: at least one face, three sides or more, indices in range, coordinates
+/// that are numbers and not too large to be squared.
+/// \throw Error  naming the first offending face or vertex, with its line where there is one
+void validatePolygons(const Soup& soup);
+
 /// What cannot be mended: at least one face, quads only, indices in range, coordinates that are numbers
 /// and not too large to be squared.
 /// \throw Error  naming the first offending face or vertex, with its line where there is one

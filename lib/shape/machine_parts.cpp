@@ -20,10 +20,15 @@ Place quarterCircle(double share) {
     return {std::sin(angle), 1 - std::cos(angle)};
 }
 
+constexpr RoundHole blockHole{.hole = 0.5, .frame = 1.5, .radius = 0.6};
+constexpr double blockFillet = 0.35;
+constexpr RoundHole plateHole{.hole = 0.2, .frame = 0.5, .radius = 0.3};
+constexpr RoundHole drilledHole{.hole = 0.5, .frame = 1.5, .radius = 0.75};
+
 /// Turns the hole through the middle of the block into a round one with filleted rims.
 Point blockPoint(const Point& point, double middle, double height) {
-    constexpr RoundHole hole{.hole = 0.5, .frame = 1.5, .radius = 0.6};
-    constexpr double fillet = 0.35;
+    constexpr RoundHole hole = blockHole;
+    constexpr double fillet = blockFillet;
     constexpr double band = 0.4; // of the frame's width becomes half of the fillet
     const Place place{point[0] - middle, point[1] - middle};
     const double outward = hole.outwardness(place);
@@ -74,6 +79,21 @@ Point bracketPoint(Point point) {
     return point;
 }
 
+/// Puts vertical holes into the faces at the top and the bottom, and adds their walls.
+std::vector<std::variant<Revolved, FlatFace>> withHoles(const std::vector<FlatFace>& faces,
+                                                        const std::vector<std::array<double, 2>>& centres,
+                                                        double radius, const std::vector<Revolved>& walls) {
+    std::vector<std::variant<Revolved, FlatFace>> pieces(walls.begin(), walls.end());
+    for (FlatFace face : faces) {
+        if (face.axis == 2) {
+            face.holes = centres;
+            face.radius = radius;
+        }
+        pieces.emplace_back(face);
+    }
+    return pieces;
+}
+
 template <class Move> QuadList moved(QuadList list, const Move& move) {
     for (Point& point : list.points)
         point = move(point);
@@ -90,6 +110,24 @@ QuadList blockShape(int n) {
                  [](const Point& point) { return blockPoint(point, 1.5, 2); });
 }
 
+TrueSurface blockSurface() {
+    constexpr double height = 2, rim = blockHole.radius + blockFillet;
+    constexpr std::array<double, 2> middle{1.5, 1.5};
+    constexpr double quarter = std::numbers::pi / 2;
+    return TrueSurface(withHoles(boxFaces({3, 3, height}), {middle}, rim,
+                                 {Revolved{.axis = middle,
+                                           .from = {blockHole.radius, height - blockFillet},
+                                           .to = {blockHole.radius, blockFillet}},
+                                  Revolved{.axis = middle,
+                                           .from = {rim, height - blockFillet},
+                                           .radius = blockFillet,
+                                           .angles = {quarter, 2 * quarter}},
+                                  Revolved{.axis = middle,
+                                           .from = {rim, blockFillet},
+                                           .radius = blockFillet,
+                                           .angles = {2 * quarter, 3 * quarter}}}));
+}
+
 QuadList bracketShape(int n) {
     Voxels voxels = voxelBox(6, 3, 1);
     voxels.merge(voxelBox(1, 3, 6));
@@ -99,7 +137,7 @@ QuadList bracketShape(int n) {
 }
 
 QuadList plateShape(int n) {
-    constexpr RoundHole hole{.hole = 0.2, .frame = 0.5, .radius = 0.3};
+    constexpr RoundHole hole = plateHole;
     constexpr double middleX = 2.5, middleY = 1.5;
     const GridTopology grid{.columns = 5, .rows = 3};
     QuadList sheet{{}, grid.quads()};
@@ -123,8 +161,12 @@ QuadList plateShape(int n) {
     });
 }
 
+TrueSurface plateSurface() {
+    return TrueSurface({FlatFace{.high = {5, 3}, .holes = {{2.5, 1.5}}, .radius = plateHole.radius}});
+}
+
 QuadList drilledShape(int n, int holes) {
-    constexpr RoundHole hole{.hole = 0.5, .frame = 1.5, .radius = 0.75};
+    constexpr RoundHole hole = drilledHole;
     Voxels voxels = voxelBox(3 * holes, 3, 1);
     for (int k = 0; k < holes; ++k)
         voxels.erase({3 * k + 1, 1, 0});
@@ -134,6 +176,17 @@ QuadList drilledShape(int n, int holes) {
         const Place round = hole.moved({point[0] - x, point[1] - y});
         return Point(round.x + x, round.y + y, point[2]);
     });
+}
+
+TrueSurface drilledSurface(int holes) {
+    std::vector<std::array<double, 2>> centres;
+    std::vector<Revolved> walls;
+    for (int k = 0; k < holes; ++k) {
+        centres.push_back({3 * k + 1.5, 1.5});
+        walls.push_back(
+            {.axis = centres.back(), .from = {drilledHole.radius, 1}, .to = {drilledHole.radius, 0}});
+    }
+    return TrueSurface(withHoles(boxFaces({3.0 * holes, 3, 1}), centres, drilledHole.radius, walls));
 }
 
 } // namespace qm

@@ -1,6 +1,7 @@
 #include "shape/quad_list.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -10,7 +11,9 @@ namespace {
 /// Numbers the vertices of the finer mesh: the coarse ones, then those on edges, then those in quads.
 class Refinement {
 public:
-    Refinement(const QuadList& coarse, int n) : coarse_(coarse), n_(n) { fine_.points = coarse.points; }
+    Refinement(const QuadList& coarse, const std::array<int, 3>& n) : coarse_(coarse), n_(n) {
+        fine_.points = coarse.points;
+    }
 
     QuadList run() {
         for (const auto& quad : coarse_.quads)
@@ -20,48 +23,63 @@ public:
 
 private:
     void divide(const std::array<int, 4>& quad) {
-        std::vector<int> grid(static_cast<std::size_t>((n_ + 1) * (n_ + 1)));
-        const auto at = [&](int i, int j) -> int& {
-            return grid[static_cast<std::size_t>(j * (n_ + 1) + i)];
-        };
         const auto [a, b, c, d] = quad;
-        for (int k = 0; k <= n_; ++k) {
-            at(k, 0) = onEdge(a, b, k);
-            at(n_, k) = onEdge(b, c, k);
-            at(k, n_) = onEdge(d, c, k);
-            at(0, k) = onEdge(a, d, k);
+        const int columns = parts(a, b), rows = parts(b, c);
+        std::vector<int> grid(static_cast<std::size_t>((columns + 1) * (rows + 1)));
+        const auto at = [&](int i, int j) -> int& {
+            return grid[static_cast<std::size_t>(j * (columns + 1) + i)];
+        };
+        for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(d, c), std::pair(a, d)})
+            (void)onEdge(from, to, 1);
+        for (int i = 0; i <= columns; ++i) {
+            at(i, 0) = onEdge(a, b, i);
+            at(i, rows) = onEdge(d, c, i);
         }
-        for (int j = 1; j < n_; ++j)
-            for (int i = 1; i < n_; ++i) {
+        for (int j = 0; j <= rows; ++j) {
+            at(0, j) = onEdge(a, d, j);
+            at(columns, j) = onEdge(b, c, j);
+        }
+        for (int j = 1; j < rows; ++j)
+            for (int i = 1; i < columns; ++i) {
                 at(i, j) = static_cast<int>(fine_.points.size());
-                fine_.points.push_back(
-                    between(between(point(a), point(b), i), between(point(d), point(c), i), j));
+                fine_.points.push_back(between(between(point(a), point(b), i, columns),
+                                               between(point(d), point(c), i, columns), j, rows));
             }
-        for (int j = 0; j < n_; ++j)
-            for (int i = 0; i < n_; ++i)
+        for (int j = 0; j < rows; ++j)
+            for (int i = 0; i < columns; ++i)
                 fine_.quads.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
     }
 
     [[nodiscard]] const Point& point(int k) const { return coarse_.points[static_cast<std::size_t>(k)]; }
 
+    /// How many parts an edge falls into.
+    [[nodiscard]] int parts(int a, int b) const {
+        const Point along = point(b) - point(a);
+        std::size_t axis = 0;
+        for (const std::size_t k : {1U, 2U})
+            if (std::abs(along[k]) > std::abs(along[axis])) axis = k;
+        return n_[axis];
+    }
+
     /// The same on whichever side of the edge it is asked for.
-    [[nodiscard]] Point between(const Point& a, const Point& b, int k) const {
-        return (a * static_cast<double>(n_ - k) + b * static_cast<double>(k)) / static_cast<double>(n_);
+    static Point between(const Point& a, const Point& b, int k, int n) {
+        return (a * static_cast<double>(n - k) + b * static_cast<double>(k)) / static_cast<double>(n);
     }
 
     int onEdge(int a, int b, int k) {
+        const int n = parts(a, b);
         if (k == 0) return a;
-        if (k == n_) return b;
-        if (a > b) return onEdge(b, a, n_ - k);
+        if (k == n) return b;
+        if (a > b) return onEdge(b, a, n - k);
         const auto [entry, isNew] = firstOnEdge_.try_emplace({a, b}, static_cast<int>(fine_.points.size()));
         if (isNew)
-            for (int i = 1; i < n_; ++i)
-                fine_.points.push_back(between(point(a), point(b), i));
+            for (int i = 1; i < n; ++i)
+                fine_.points.push_back(between(point(a), point(b), i, n));
         return entry->second + k - 1;
     }
 
     const QuadList& coarse_;
-    int n_;
+    std::array<int, 3> n_;
     QuadList fine_;
     std::map<std::pair<int, int>, int> firstOnEdge_;
 };
@@ -85,6 +103,10 @@ void moveToNeighbours(QuadList& list, double factor) {
 } // namespace
 
 QuadList refined(const QuadList& coarse, int n) {
+    return refined(coarse, {n, n, n});
+}
+
+QuadList refined(const QuadList& coarse, const std::array<int, 3>& n) {
     return Refinement(coarse, n).run();
 }
 

@@ -17,6 +17,8 @@ struct QuadList {
 /// Divides every quad into n x n. New points lie on the edges and in the quads, bilinearly.
 /// \pre n > 0; neighbours share their vertices
 [[nodiscard]] QuadList refined(const QuadList& coarse, int n);
+/// The same with as many parts as the axis has that an edge runs along, mostly.
+[[nodiscard]] QuadList refined(const QuadList& coarse, const std::array<int, 3>& n);
 
 /// Moves every point towards the middle of its neighbours and part of the way back, which rounds edges and
 /// keeps the volume about the same (Taubin 1995).

@@ -72,8 +72,8 @@ void raiseBoss(QuadList& list, const Ring& ring, int firstColumn, int firstRow, 
 
 } // namespace
 
-QuadList tubeShape(int n) {
-    const GridTopology grid{.columns = 4 * n, .rows = 6 * n, .columnsClosed = true};
+QuadList tubeShape(int around) {
+    const GridTopology grid{.columns = around, .rows = 3 * around / 2, .columnsClosed = true};
     QuadList list{{}, grid.quads()};
     for (int row = 0; row < grid.height(); ++row)
         for (int column = 0; column < grid.width(); ++column) {
@@ -83,9 +83,19 @@ QuadList tubeShape(int n) {
     return list;
 }
 
-QuadList torusShape(int n) {
-    const GridTopology grid{.columns = 4 * n, .rows = 12 * n, .columnsClosed = true, .rowsClosed = true};
+TrueSurface tubeSurface() {
+    return TrueSurface({Revolved{.from = {1, 0}, .to = {1, 6}}});
+}
+
+QuadList torusShape(int around) {
+    const GridTopology grid{.columns = around, .rows = 3 * around, .columnsClosed = true, .rowsClosed = true};
     return surfaceOf({.grid = grid});
+}
+
+TrueSurface torusSurface() {
+    constexpr Ring ring{};
+    return TrueSurface(
+        {Revolved{.from = {ring.radius, 0}, .radius = ring.thickness, .angles = {0, fullTurn}}});
 }
 
 QuadList helixShape(int n) {

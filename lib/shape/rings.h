@@ -2,19 +2,23 @@
 #pragma once
 
 #include "shape/quad_list.h"
+#include "shape/true_surface.h"
 
 namespace qm {
 
-// n is the number of quads along the shortest way around the tube, divided by 4.
+/// An open tube of radius 1 and length 6: an annulus, with no extraordinary vertex.
+/// \param around  quads around, at least 3
+[[nodiscard]] QuadList tubeShape(int around);
+[[nodiscard]] TrueSurface tubeSurface();
 
-/// An open tube: an annulus, with no extraordinary vertex.
-[[nodiscard]] QuadList tubeShape(int n);
-
-/// A ring with no extraordinary vertex.
-[[nodiscard]] QuadList torusShape(int n);
+/// A ring of radius 3 with a tube of radius 1 and no extraordinary vertex.
+/// \param around  quads around the tube, at least 3
+[[nodiscard]] QuadList torusShape(int around);
+[[nodiscard]] TrueSurface torusSurface();
 
 /// A ring whose lines wind around it like the threads of a screw, with a boss on its outside: the boss's
 /// eight extraordinary vertices send out separatrices that wind around the ring many times.
+/// \param n  quads around the tube, divided by 4
 [[nodiscard]] QuadList helixShape(int n);
 
 } // namespace qm

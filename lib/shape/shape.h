@@ -2,8 +2,11 @@
 #pragma once
 
 #include "mesh/quad_mesh.h"
+#include "mesh/triangles.h"
+#include "shape/true_surface.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -11,6 +14,7 @@ namespace qm {
 
 struct ShapeOptions {
     int resolution = 0;     ///< how fine, 1 or more; the number of quads grows with its square; 0: as listed
+    int around = 0;         ///< quads around cylinder, sphere, torus and tube instead; 0: by the resolution
     std::uint64_t seed = 1; ///< of the random shapes
     int voxels = 12;        ///< cubes that a random shape is made of, 1 or more
 };
@@ -27,5 +31,13 @@ struct ShapeKind {
 /// The same options make the same mesh everywhere.
 /// \throw Error  if there is no such shape, or it would have more than ten million quads
 [[nodiscard]] QuadMesh makeShape(const std::string& name, const ShapeOptions& options = {});
+
+/// The same shape as triangles, without noise. \param triangles  about so many; they take the place of
+/// resolution and number around \throw Error  as above, and if the number is out of range
+[[nodiscard]] Triangles makeScan(const std::string& name, double triangles, ShapeOptions options = {});
+
+/// What the vertices lie on. Nothing for shapes without a formula.
+/// \throw Error  if there is no such shape
+[[nodiscard]] std::optional<TrueSurface> trueSurface(const std::string& name);
 
 } // namespace qm

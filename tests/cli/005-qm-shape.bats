@@ -31,6 +31,60 @@ shapes() { qm-shape --list | awk 'NR > 1 { print $1 }'; }
     assert_failure
 }
 
+@test "round shapes have as many quads around as asked for" {
+    qm-shape tube --around 30 -o tube.obj
+    assert_equal "$(awk '$1 == "v" && $4 == 0' tube.obj | wc -l)" 30
+    qm-shape cylinder --around 30 -o cylinder.obj
+    assert_equal "$(awk '$1 == "v" && $4 == 0 && $2 ^ 2 + $3 ^ 2 > 0.999' cylinder.obj | wc -l)" 30
+    complains qm-shape block --around 30
+    complains qm-shape sphere --around 31
+}
+
+@test "all formats hold the same mesh" {
+    for format in obj off ply; do
+        qm-shape bracket --format $format >by-option
+        qm-shape bracket -o by-name.$format
+        assert_same_bytes by-option by-name.$format
+        qm-basecomplex by-name.$format -o $format.json
+        assert_equal "$(jq -c .baseComplex $format.json)" "$(jq -c .baseComplex obj.json)"
+    done
+}
+
+@test "a scan has about as many triangles as asked for, and the noise of its seed" {
+    qm-shape block --scan 20000 -o clean.obj
+    faces=$(grep -c '^f ' clean.obj)
+    assert [ "$faces" -gt 18000 ] && assert [ "$faces" -lt 22000 ]
+    assert_equal "$(grep '^f ' clean.obj | awk 'NF != 4' | wc -l)" 0
+    qm-shape block --scan 20000 --noise 0.05% -o noisy.obj
+    qm-shape block --scan 20000 --noise 0.05% --seed 1 -o same.obj
+    qm-shape block --scan 20000 --noise 0.05% --seed 2 -o other.obj
+    assert_same_bytes noisy.obj same.obj
+    run cmp noisy.obj other.obj
+    assert_failure
+    # The points of a sphere are away from it by what was asked for: 0.1% of the diagonal, or a length.
+    spread() { awk '$1 == "v" { d = sqrt($2 ^ 2 + $3 ^ 2 + $4 ^ 2) - 1; s += d * d; n++ } END { printf "%.4f", sqrt(s / n) }'; }
+    assert_equal "$(qm-shape sphere --scan 100000 --noise 0.1% | spread)" 0.0035
+    assert_equal "$(qm-shape sphere --scan 100000 --noise 0.02 | spread | cut -c 1-4)" 0.02
+}
+
+@test "a scan as STL has the size that its number of facets says" {
+    qm-shape torus --scan 5000 -o scan.stl
+    facets=$(($(od -An -t u4 -j 80 -N 4 scan.stl)))
+    assert_equal "$(wc -c <scan.stl)" $((84 + 50 * facets))
+    assert_equal "$facets" "$(qm-shape torus --scan 5000 | grep -c '^f ')"
+}
+
+@test "what belongs to scans and what does not" {
+    misused qm-shape cube --noise 0.1%
+    misused qm-shape cube --format stl
+    misused qm-shape cube -o cube.stl
+    misused qm-shape cube --scan 100 --resolution 3
+    misused qm-shape sphere --scan 100 --around 8
+    misused qm-shape sphere --resolution 3 --around 8
+    misused qm-shape cube --scan 100 --noise 0
+    misused qm-shape cube --scan 20000001
+}
+
 @test "a sheet has a boundary, a ring has none" {
     boundary_edges() {
         awk '/^f/ { for (i = 2; i <= 5; i++) { a = $i; b = i < 5 ? $(i + 1) : $2; n[a < b ? a " " b : b " " a]++ } }

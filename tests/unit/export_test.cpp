@@ -1,3 +1,4 @@
+#include "base/bytes.h"
 #include "base/error.h"
 #include "bspline/splines/clamped_patch.h"
 #include "bspline/splines/evaluate.h"

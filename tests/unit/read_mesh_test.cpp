@@ -90,7 +90,7 @@ TEST(ReadMesh, KnowsFormatsByExtensionOrFirstWord) {
         expectTwoSquares("# a comment\n" + twoOff, name);
         expectTwoSquares(twoPly, name);
     }
-    EXPECT_TRUE(says(refusal("solid cube\n", "a.stl"), "format is not known"));
+    EXPECT_TRUE(says(refusal("solid cube\n", "a.stl"), "line 1", "but the file ends"));
     EXPECT_TRUE(says(refusal(std::string("\0\1\2", 3), ""), "format is not known"));
     EXPECT_TRUE(says(refusal("   \n", ""), "format is not known"));
 }

@@ -29,22 +29,10 @@ MeshLattice limitLattice(const QuadMesh& mesh, const Layout& layout, const std::
 }
 
 /// The part of a lattice that covers a segment.
-ReferenceGrid gridOf(const QuadMesh& mesh, const Segment& segment, const MeshLattice& lattice) {
+ReferenceGrid gridOf(const Segment& segment, const MeshLattice& lattice) {
     ReferenceGrid grid{segment.size, lattice.squares()};
-    const auto [columns, rows] = segment.size;
-    const std::size_t width = at(columns * grid.steps + 1);
-    grid.points.resize(width * at(rows * grid.steps + 1));
-    const std::vector<VertexId> vertices = vertexGrid(mesh, segment);
-    for (int j = 0; j < rows; ++j)
-        for (int i = 0; i < columns; ++i) {
-            HalfedgeId halfedge = mesh.halfedge_handle(segment.faces[at(j * columns + i)]);
-            while (mesh.from_vertex_handle(halfedge) != vertices[at(j * (columns + 1) + i)])
-                halfedge = mesh.next_halfedge_handle(halfedge);
-            Point* corner = grid.points.data() + at(j * grid.steps) * width + at(i * grid.steps);
-            for (int depth = 0; depth <= grid.steps; ++depth)
-                for (int along = 0; along <= grid.steps; ++along)
-                    corner[at(depth) * width + at(along)] = lattice.at(halfedge, along, depth);
-        }
+    for (const std::size_t number : lattice.numbers().ofSegment(segment))
+        grid.points.push_back(lattice.point(number));
     return grid;
 }
 
@@ -54,8 +42,7 @@ std::vector<ReferenceGrid> limitSurface(const QuadMesh& mesh, const Layout& layo
                                         const std::vector<bool>& isCrease, int steps, unsigned jobs) {
     const MeshLattice lattice = limitLattice(mesh, layout, isCrease, steps, jobs);
     std::vector<ReferenceGrid> grids(layout.segments.size());
-    parallelFor(grids.size(), jobs,
-                [&](std::size_t k) { grids[k] = gridOf(mesh, layout.segments[k], lattice); });
+    parallelFor(grids.size(), jobs, [&](std::size_t k) { grids[k] = gridOf(layout.segments[k], lattice); });
     return grids;
 }
 

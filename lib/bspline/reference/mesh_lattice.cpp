@@ -3,24 +3,13 @@
 #include "base/parallel.h"
 #include "bspline/reference/vertex_stencil.h"
 
-#include <algorithm>
 #include <span>
-#include <utility>
 
 namespace qm {
 namespace {
 
 std::size_t size(int number) {
     return static_cast<std::size_t>(number);
-}
-
-/// Calls f(0) ... f(count - 1), many in a row on one thread.
-template <class Function> void inBlocks(std::size_t count, unsigned jobs, const Function& f) {
-    constexpr std::size_t block = 2048;
-    parallelFor((count + block - 1) / block, jobs, [&](std::size_t number) {
-        for (std::size_t k = number * block; k < std::min(count, (number + 1) * block); ++k)
-            f(k);
-    });
 }
 
 } // namespace
@@ -51,38 +40,14 @@ struct MeshLattice::Step {
     }
 };
 
-MeshLattice::MeshLattice(const QuadMesh& mesh, const std::vector<Point>& points) : mesh_(&mesh) {
+MeshLattice::MeshLattice(const QuadMesh& mesh, const std::vector<Point>& points) : numbers_(mesh, 1) {
     points_.reserve(points.size());
     for (const Point& point : points)
         points_.push_back(vector(point));
 }
 
-MeshLattice::MeshLattice(const QuadMesh& mesh, int squares)
-    : mesh_(&mesh), squares_(squares), points_(mesh.n_vertices() + mesh.n_edges() * (size(squares) - 1) +
-                                                   mesh.n_faces() * (size(squares) - 1) * (size(squares) - 1),
-                                               Eigen::Vector3d::Zero()) {}
-
-std::size_t MeshLattice::numberOnEdge(HalfedgeId halfedge, int along) const {
-    if (along == 0) return size(mesh_->from_vertex_handle(halfedge).idx());
-    if (along == squares_) return size(mesh_->to_vertex_handle(halfedge).idx());
-    const EdgeId edge = mesh_->edge_handle(halfedge);
-    const int place = halfedge == mesh_->halfedge_handle(edge, 0) ? along : squares_ - along;
-    return mesh_->n_vertices() + size(edge.idx()) * size(squares_ - 1) + size(place - 1);
-}
-
-std::size_t MeshLattice::number(HalfedgeId halfedge, int along, int depth) const {
-    if (depth == 0) return numberOnEdge(halfedge, along);
-    if (along == squares_) return numberOnEdge(mesh_->next_halfedge_handle(halfedge), depth);
-    const HalfedgeId previous = mesh_->prev_halfedge_handle(halfedge);
-    if (along == 0) return numberOnEdge(previous, squares_ - depth);
-    if (depth == squares_) return numberOnEdge(mesh_->prev_halfedge_handle(previous), squares_ - along);
-    const FaceId face = mesh_->face_handle(halfedge);
-    const HalfedgeId first = mesh_->halfedge_handle(face);
-    for (HalfedgeId h = halfedge; h != first; h = mesh_->prev_halfedge_handle(h))
-        along = std::exchange(depth, along), along = squares_ - along;
-    return mesh_->n_vertices() + mesh_->n_edges() * size(squares_ - 1) +
-           (size(face.idx()) * size(squares_ - 1) + size(depth - 1)) * size(squares_ - 1) + size(along - 1);
-}
+MeshLattice::MeshLattice(const LatticeNumbers& numbers)
+    : numbers_(numbers), points_(numbers.count(), Eigen::Vector3d::Zero()) {}
 
 MeshLattice MeshLattice::subdivided(const std::vector<VertexRule>& rules, const std::vector<bool>& sharp,
                                     unsigned jobs) const {
@@ -96,58 +61,59 @@ MeshLattice MeshLattice::limit(const std::vector<VertexRule>& rules, const std::
 
 MeshLattice MeshLattice::filtered(const Step& step, const std::vector<VertexRule>& rules,
                                   const std::vector<bool>& sharp, unsigned jobs) const {
-    MeshLattice to(*mesh_, step.subdivides ? 2 * squares_ : squares_);
-    inBlocks(mesh_->n_vertices(), jobs,
-             [&](std::size_t k) { filterVertex(step, VertexId(static_cast<int>(k)), rules[k], to); });
-    inBlocks(mesh_->n_edges(), jobs,
-             [&](std::size_t k) { filterEdge(step, EdgeId(static_cast<int>(k)), sharp[k], to); });
-    inBlocks(mesh_->n_faces(), jobs,
-             [&](std::size_t k) { filterFace(step, FaceId(static_cast<int>(k)), to); });
+    const QuadMesh& mesh = numbers_.mesh();
+    MeshLattice to(LatticeNumbers(mesh, step.subdivides ? 2 * squares() : squares()));
+    parallelForMany(mesh.n_vertices(), jobs,
+                    [&](std::size_t k) { filterVertex(step, VertexId(static_cast<int>(k)), rules[k], to); });
+    parallelForMany(mesh.n_edges(), jobs,
+                    [&](std::size_t k) { filterEdge(step, EdgeId(static_cast<int>(k)), sharp[k], to); });
+    parallelForMany(mesh.n_faces(), jobs,
+                    [&](std::size_t k) { filterFace(step, FaceId(static_cast<int>(k)), to); });
     return to;
 }
 
 void MeshLattice::filterVertex(const Step& step, VertexId vertex, const VertexRule& rule,
                                MeshLattice& to) const {
     thread_local VertexStencil stencil;
-    step.vertexStencil(*mesh_, vertex, rule, stencil);
+    step.vertexStencil(numbers_.mesh(), vertex, rule, stencil);
     Eigen::Vector3d sum = stencil.own * points_[size(vertex.idx())];
     for (const VertexStencil::Term& term : stencil.around)
-        sum += term.weight * points_[number(term.halfedge, 1, term.diagonal ? 1 : 0)];
+        sum += term.weight * points_[numbers_(term.halfedge, 1, term.diagonal ? 1 : 0)];
     to.points_[size(vertex.idx())] = sum;
 }
 
 void MeshLattice::filterEdge(const Step& step, EdgeId edge, bool sharp, MeshLattice& to) const {
-    const HalfedgeId halfedge = mesh_->halfedge_handle(edge, 0);
-    const HalfedgeId opposite = mesh_->halfedge_handle(edge, 1);
+    const HalfedgeId halfedge = numbers_.mesh().halfedge_handle(edge, 0);
+    const HalfedgeId opposite = numbers_.mesh().halfedge_handle(edge, 1);
     thread_local std::vector<Eigen::Vector3d> line;
     line.clear();
-    for (int k = 0; k <= squares_; ++k) {
-        const Eigen::Vector3d& point = points_[numberOnEdge(halfedge, k)];
+    for (int k = 0; k <= squares(); ++k) {
+        const Eigen::Vector3d& point = points_[numbers_(halfedge, k, 0)];
         line.push_back(sharp ? point
-                             : step.smooth(points_[number(halfedge, k, 1)], point,
-                                           points_[number(opposite, squares_ - k, 1)]));
+                             : step.smooth(points_[numbers_(halfedge, k, 1)], point,
+                                           points_[numbers_(opposite, squares() - k, 1)]));
     }
-    step.line(squares_, line, 1,
-              [&](int k, const Eigen::Vector3d& point) { to.points_[to.numberOnEdge(halfedge, k)] = point; });
+    step.line(squares(), line, 1,
+              [&](int k, const Eigen::Vector3d& point) { to.points_[to.numbers_(halfedge, k, 0)] = point; });
 }
 
 void MeshLattice::filterFace(const Step& step, FaceId face, MeshLattice& to) const {
-    const HalfedgeId first = mesh_->halfedge_handle(face);
+    const HalfedgeId first = numbers_.mesh().halfedge_handle(face);
     thread_local std::vector<Eigen::Vector3d> rows;
     thread_local std::vector<Eigen::Vector3d> half; // filtered along the rows, not yet across
-    const std::size_t width = size(squares_) + 1;
-    const std::size_t newWidth = size(to.squares_) + 1;
+    const std::size_t width = size(squares()) + 1;
+    const std::size_t newWidth = size(to.squares()) + 1;
     rows.clear();
-    for (int j = 0; j <= squares_; ++j)
-        for (int i = 0; i <= squares_; ++i)
-            rows.push_back(points_[number(first, i, j)]);
+    for (int j = 0; j <= squares(); ++j)
+        for (int i = 0; i <= squares(); ++i)
+            rows.push_back(points_[numbers_(first, i, j)]);
     half.assign(width * newWidth, Eigen::Vector3d::Zero());
     for (std::size_t j = 0; j < width; ++j)
-        step.line(squares_, std::span(rows).subspan(j * width), 1,
+        step.line(squares(), std::span(rows).subspan(j * width), 1,
                   [&](int i, const Eigen::Vector3d& point) { half[j * newWidth + size(i)] = point; });
-    for (int i = 1; i < to.squares_; ++i)
-        step.line(squares_, std::span(half).subspan(size(i)), newWidth,
-                  [&](int j, const Eigen::Vector3d& point) { to.points_[to.number(first, i, j)] = point; });
+    for (int i = 1; i < to.squares(); ++i)
+        step.line(squares(), std::span(half).subspan(size(i)), newWidth,
+                  [&](int j, const Eigen::Vector3d& point) { to.points_[to.numbers_(first, i, j)] = point; });
 }
 
 } // namespace qm

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bspline/splines/eigen_point.h"
+#include "bspline/reference/lattice_numbers.h"
 #include "bspline/network/vertex_rules.h"
 #include "mesh/quad_mesh.h"
 
@@ -10,19 +11,15 @@
 
 namespace qm {
 
-/// A lattice of n x n squares over every quad. Quads that meet share the points on their common edge, so no
-/// two values of one point can differ.
+/// A point for every number of a lattice.
 class MeshLattice {
 public:
     /// With the vertices alone. \param points  by vertex
     MeshLattice(const QuadMesh& mesh, const std::vector<Point>& points);
 
-    [[nodiscard]] int squares() const { return squares_; }
-    /// The point of a halfedge's face that is `along` squares from the halfedge's beginning and `depth`
-    /// squares away from it; for a boundary halfedge only depth 0.
-    [[nodiscard]] Point at(HalfedgeId halfedge, int along, int depth) const {
-        return point(points_[number(halfedge, along, depth)]);
-    }
+    [[nodiscard]] int squares() const { return numbers_.squares(); }
+    [[nodiscard]] const LatticeNumbers& numbers() const { return numbers_; }
+    [[nodiscard]] Point point(std::size_t number) const { return qm::point(points_[number]); }
     void move(VertexId vertex, const Point& to) {
         points_[static_cast<std::size_t>(vertex.idx())] = vector(to);
     }
@@ -38,18 +35,15 @@ public:
 
 private:
     struct Step;
-    MeshLattice(const QuadMesh& mesh, int squares);
+    explicit MeshLattice(const LatticeNumbers& numbers);
     [[nodiscard]] MeshLattice filtered(const Step& step, const std::vector<VertexRule>& rules,
                                        const std::vector<bool>& sharp, unsigned jobs) const;
     void filterVertex(const Step& step, VertexId vertex, const VertexRule& rule, MeshLattice& to) const;
     void filterEdge(const Step& step, EdgeId edge, bool sharp, MeshLattice& to) const;
     void filterFace(const Step& step, FaceId face, MeshLattice& to) const;
-    [[nodiscard]] std::size_t number(HalfedgeId halfedge, int along, int depth) const;
-    [[nodiscard]] std::size_t numberOnEdge(HalfedgeId halfedge, int along) const;
 
-    const QuadMesh* mesh_;
-    int squares_ = 1;
-    std::vector<Eigen::Vector3d> points_; ///< of the vertices, then inside the edges, then inside the faces
+    LatticeNumbers numbers_;
+    std::vector<Eigen::Vector3d> points_;
 };
 
 } // namespace qm

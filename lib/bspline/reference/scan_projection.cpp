@@ -1,0 +1,104 @@
+#include "bspline/reference/scan_projection.h"
+
+#include "base/parallel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace qm {
+namespace {
+
+using Nearest = TriangleSurface::Nearest;
+
+/// What this share of the points is not farther from the scan than. The scan's holes do not count.
+double commonDistance(const std::vector<Nearest>& nearest, double share) {
+    std::vector<double> distances;
+    for (const Nearest& place : nearest)
+        if (place.found() && !place.onBoundary) distances.push_back(place.distance);
+    if (distances.empty()) return 0;
+    const auto last =
+        distances.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(distances.size() - 1));
+    std::ranges::nth_element(distances, last);
+    return *last;
+}
+
+/// 1 if most of the scan's normals agree with the surface's, -1 if most are opposite, 0 if neither. Those
+/// that are near count alone: far ones may be another side of the part.
+double orientation(const LatticeNormals& lattice, const std::vector<Nearest>& nearest) {
+    constexpr std::size_t most = 3; // times as many as the others
+    const double near = commonDistance(nearest, 0.25);
+    std::size_t along = 0;
+    std::size_t against = 0;
+    for (std::size_t k = 0; k < nearest.size(); ++k)
+        if (nearest[k].found() && !nearest[k].onBoundary && nearest[k].distance <= near)
+            ++(vector(nearest[k].normal).dot(lattice.normals[k]) > 0 ? along : against);
+    if (along >= most * against) return 1;
+    return against >= most * along ? -1 : 0;
+}
+
+/// How one point finds its place on the scan.
+class Projector {
+public:
+    Projector(const TriangleSurface& scan, double maxDistance, double minCosine, double orientation)
+        : scan_(scan), maxDistance_(maxDistance), minCosine_(minCosine), orientation_(orientation) {}
+
+    [[nodiscard]] Displacement project(const Eigen::Vector3d& place, const Eigen::Vector3d& normal,
+                                       const Nearest& nearest) const {
+        if (!nearest.found() || nearest.distance > maxDistance_) return std::nullopt;
+        const bool fits = agrees(nearest, normal);
+        // A line that meets the same piece of the scan does so at most this far away.
+        const double reach =
+            fits && minCosine_ > 0 ? std::min(nearest.distance / minCosine_, maxDistance_) : maxDistance_;
+        Nearest hit = onLine(place, normal, reach);
+        if (!hit.found() && fits) hit = nearest;
+        if (!hit.found() || hit.onBoundary) return std::nullopt;
+        return vector(hit.position) - place;
+    }
+
+private:
+    [[nodiscard]] bool agrees(const Nearest& place, const Eigen::Vector3d& normal) const {
+        const double cosine = vector(place.normal).dot(normal);
+        return (orientation_ == 0 ? std::abs(cosine) : orientation_ * cosine) >= minCosine_;
+    }
+
+    [[nodiscard]] Nearest onLine(const Eigen::Vector3d& place, const Eigen::Vector3d& normal,
+                                 double reach) const {
+        const auto towards = [&](double sign) {
+            return scan_.alongLine(point(place), point(sign * normal), reach, minCosine_);
+        };
+        if (orientation_ != 0) return towards(orientation_);
+        const Nearest along = towards(1);
+        const Nearest against = towards(-1);
+        return along.distance <= against.distance ? along : against;
+    }
+
+    const TriangleSurface& scan_;
+    double maxDistance_;
+    double minCosine_;
+    double orientation_;
+};
+
+} // namespace
+
+ScanProjection projectOntoScan(const LatticeNormals& lattice, const TriangleSurface& scan,
+                               const ScanReach& reach, double minCosine, unsigned jobs) {
+    const std::size_t count = lattice.points.size();
+    const auto hasNormal = [&](std::size_t k) {
+        return lattice.used[k] && !lattice.sharp[k] && !lattice.normals[k].isZero(0);
+    };
+    std::vector<Nearest> nearest(count);
+    parallelForMany(count, jobs, [&](std::size_t k) {
+        if (hasNormal(k)) nearest[k] = scan.nearest(point(lattice.points[k]), reach.most);
+    });
+    ScanProjection result;
+    result.maxDistance = std::clamp(4 * commonDistance(nearest, 0.9), reach.least, reach.most);
+    const Projector projector(scan, result.maxDistance, minCosine, orientation(lattice, nearest));
+    result.displacements.resize(count);
+    parallelForMany(count, jobs, [&](std::size_t k) {
+        if (hasNormal(k))
+            result.displacements[k] = projector.project(lattice.points[k], lattice.normals[k], nearest[k]);
+    });
+    return result;
+}
+
+} // namespace qm

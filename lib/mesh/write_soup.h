@@ -1,0 +1,20 @@
+/// \file Writing polygons as the formats that can be read.
+#pragma once
+
+#include "mesh/mesh_format.h"
+#include "mesh/soup.h"
+#include "mesh/triangles.h"
+
+#include <string>
+
+namespace qm {
+
+/// OBJ and OFF are text in which coordinates have the fewest digits that read back exactly, PLY is binary
+/// with double precision, STL is binary with single precision. \pre indices are in range; for STL all
+/// polygons are triangles
+[[nodiscard]] std::string writeSoup(const Soup& soup, MeshFormat format);
+
+[[nodiscard]] Soup soupOf(const QuadMesh& mesh);
+[[nodiscard]] Soup soupOf(const Triangles& triangles);
+
+} // namespace qm

@@ -1,0 +1,188 @@
+#include "bspline/reference/limit_surface.h"
+#include "bspline/reference/scan_reference.h"
+#include "mesh/dihedral.h"
+#include "shape/scan.h"
+#include "shape/shape.h"
+#include "support/quad_layout.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+namespace qm {
+namespace {
+
+/// A coarse mesh of a sample part with a segment for every quad, and its limit surface.
+struct Part {
+    std::string name;
+    QuadMesh mesh;
+    Layout layout;
+    std::vector<ReferenceGrid> limit;
+    double diagonal;
+
+    Part(const std::string& part, int resolution, double rho = 0.6)
+        : name(part), mesh(makeShape(part, {.resolution = resolution})),
+          layout(testing::segmentPerQuad(mesh)), diagonal(diagonalOf(makeScan(part, 2000))) {
+        std::vector<bool> creases;
+        for (const double angle : dihedralAngles(mesh))
+            creases.push_back(angle > rho);
+        limit = limitSurface(mesh, layout, creases, 2, 1);
+    }
+
+    [[nodiscard]] ScanReference against(const Triangles& scan, const ScanOptions& options = {},
+                                        unsigned jobs = 1) const {
+        return scanReference(mesh, layout, limit, TriangleSurface(scan), options, jobs);
+    }
+    [[nodiscard]] double distance(const Point& point) const {
+        return trueSurface(name)->nearest(point).distance;
+    }
+
+    /// Root mean square of the distances of weighted targets from the true surface.
+    [[nodiscard]] double error(const ScanReference& reference) const {
+        double sum = 0;
+        double count = 0;
+        for (std::size_t g = 0; g < reference.grids.size(); ++g)
+            for (std::size_t k = 0; k < reference.weights[g].size(); ++k) {
+                const double off = distance(reference.grids[g].points[k]);
+                sum += reference.weights[g][k] * off * off;
+                count += reference.weights[g][k];
+            }
+        return std::sqrt(sum / count);
+    }
+};
+
+Triangles without(const Triangles& scan, const std::function<bool(const Point&)>& gone) {
+    Triangles result{scan.points, {}};
+    for (const auto& face : scan.faces)
+        if (!gone(scan.points[static_cast<std::size_t>(face[0])])) result.faces.push_back(face);
+    return result;
+}
+
+TEST(ScanReference, CoversCleanScansOfAllPartsAndLiesOnThem) {
+    for (const char* name : {"sphere", "torus", "cylinder", "cube", "genus3", "block"}) {
+        const Part part(name, 5);
+        const ScanReference reference = part.against(makeScan(name, 60000));
+        EXPECT_GT(reference.coverage, 0.98) << name;
+        EXPECT_LT(part.error(reference), 2e-4 * part.diagonal) << name;
+        EXPECT_GT(reference.maxDistance, 0);
+    }
+}
+
+TEST(ScanReference, IsNearerToTheTruthThanTheLimitOfACoarseMesh) {
+    const Part part("torus", 2, 1);
+    ScanReference limit{part.limit, {}};
+    for (const ReferenceGrid& grid : part.limit)
+        limit.weights.emplace_back(grid.points.size(), 1.0);
+    EXPECT_LT(part.error(part.against(makeScan("torus", 300'000))), part.error(limit) / 4);
+}
+
+TEST(ScanReference, BordersAreTheSameOnBothSidesAndOnAnyNumberOfThreads) {
+    const Part part("block", 3);
+    Triangles scan = makeScan("block", 20000);
+    addNoise(scan, 5e-4 * part.diagonal, 1);
+    const ScanReference one = part.against(scan);
+    const ScanReference three = part.against(scan, {}, 3);
+    for (std::size_t g = 0; g < one.grids.size(); ++g) {
+        EXPECT_EQ(one.grids[g].points, three.grids[g].points);
+        EXPECT_EQ(one.weights[g], three.weights[g]);
+        for (std::size_t other = 0; other < g; ++other)
+            for (std::size_t k = 0; k < part.limit[g].points.size(); ++k)
+                for (std::size_t n = 0; n < part.limit[other].points.size(); ++n)
+                    if (part.limit[g].points[k] == part.limit[other].points[n]) {
+                        EXPECT_EQ(one.grids[g].points[k], one.grids[other].points[n]);
+                        EXPECT_EQ(one.weights[g][k], one.weights[other][n]);
+                    }
+    }
+}
+
+TEST(ScanReference, HasNoTargetsInHoles) {
+    const Part part("sphere", 8);
+    const auto gone = [](const Point& point) { return point[2] > 0.8; };
+    const ScanReference reference = part.against(without(makeScan("sphere", 60000), gone));
+    for (std::size_t g = 0; g < reference.grids.size(); ++g)
+        for (std::size_t k = 0; k < reference.weights[g].size(); ++k) {
+            const double height = part.limit[g].points[k][2];
+            if (height > 0.83) {
+                EXPECT_EQ(reference.weights[g][k], 0) << part.limit[g].points[k];
+                EXPECT_EQ(reference.grids[g].points[k], part.limit[g].points[k]);
+            }
+            if (height < 0.77) {
+                EXPECT_GT(reference.weights[g][k], 0);
+            }
+        }
+    EXPECT_NEAR(reference.coverage, 0.9, 0.05);
+}
+
+TEST(ScanReference, OutliersWeighNothing) {
+    const Part part("sphere", 8);
+    Triangles scan = makeScan("sphere", 60000);
+    for (std::size_t k = 0; k < scan.points.size(); k += 500)
+        scan.points[k] *= 1.1;
+    const ScanReference reference = part.against(scan);
+    EXPECT_GT(reference.coverage, 0.9);
+    EXPECT_LT(part.error(reference), 2e-3);
+}
+
+TEST(ScanReference, TakesNoOtherSideOfAThinWall) {
+    // The scan of the plate's top alone is a scan of what lies below it, seen from there.
+    const Part part("cube", 6);
+    const auto top = [](const Point& point) { return point[2] < 0.999; };
+    ScanOptions options;
+    options.maxDistance = 5; // far enough for the opposite face
+    const ScanReference reference = part.against(without(makeScan("cube", 20000), top), options);
+    for (std::size_t g = 0; g < reference.grids.size(); ++g)
+        for (std::size_t k = 0; k < reference.weights[g].size(); ++k)
+            if (part.limit[g].points[k][2] < 0.5) {
+                EXPECT_EQ(reference.weights[g][k], 0);
+            }
+    EXPECT_GT(reference.coverage, 0.1);
+}
+
+TEST(ScanReference, DoesNotMindHowTheScanIsOriented) {
+    const Part part("torus", 3);
+    const Triangles scan = makeScan("torus", 20000);
+    Triangles inverted = scan;
+    for (auto& face : inverted.faces)
+        std::swap(face[0], face[1]);
+    const ScanReference expected = part.against(scan);
+    const ScanReference found = part.against(inverted);
+    EXPECT_EQ(found.coverage, expected.coverage);
+    EXPECT_NEAR(part.error(found), part.error(expected), 1e-9);
+}
+
+TEST(ScanReference, KeepsEdgesSharpThatTheScanHasRounded) {
+    const Part part("cube", 6);
+    Triangles scan = makeScan("cube", 60000);
+    for (Point& point : scan.points) { // everything near two faces or three is pulled in
+        double near = 0;
+        for (const double coordinate : point)
+            near += std::max(0.0, 1 - std::min(coordinate, 1 - coordinate) / 0.02);
+        if (near > 1.2) point += 0.01 * (Point(0.5, 0.5, 0.5) - point).normalized();
+    }
+    const ScanReference reference = part.against(scan);
+    for (std::size_t g = 0; g < reference.grids.size(); ++g)
+        for (std::size_t k = 0; k < reference.weights[g].size(); ++k) {
+            int sides = 0;
+            for (const double coordinate : part.limit[g].points[k])
+                if (coordinate < 1e-9 || coordinate > 1 - 1e-9) ++sides;
+            if (sides < 2) continue;
+            EXPECT_GT(reference.weights[g][k], 0);
+            EXPECT_LT((reference.grids[g].points[k] - part.limit[g].points[k]).norm(), 1e-6);
+        }
+}
+
+TEST(ScanReference, WhatIsFartherThanAskedForDoesNotCount) {
+    const Part part("sphere", 6);
+    Triangles scan = makeScan("sphere", 20000);
+    for (Point& point : scan.points)
+        point *= 1.05;
+    ScanOptions options;
+    options.maxDistance = 0.02;
+    EXPECT_EQ(part.against(scan, options).coverage, 0);
+    options.maxDistance = 0.08;
+    EXPECT_GT(part.against(scan, options).coverage, 0.99);
+}
+
+} // namespace
+} // namespace qm
