@@ -25,9 +25,10 @@ private:
     void divide(const std::array<int, 4>& quad) {
         const auto [a, b, c, d] = quad;
         const int columns = parts(a, b), rows = parts(b, c);
-        std::vector<int> grid(static_cast<std::size_t>((columns + 1) * (rows + 1)));
+        const auto width = static_cast<std::size_t>(columns) + 1;
+        std::vector<int> grid(width * (static_cast<std::size_t>(rows) + 1));
         const auto at = [&](int i, int j) -> int& {
-            return grid[static_cast<std::size_t>(j * (columns + 1) + i)];
+            return grid[static_cast<std::size_t>(j) * width + static_cast<std::size_t>(i)];
         };
         for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(d, c), std::pair(a, d)})
             (void)onEdge(from, to, 1);
