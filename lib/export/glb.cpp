@@ -1,5 +1,5 @@
-#include "base/error.h"
 #include "base/bytes.h"
+#include "base/error.h"
 #include "bspline/splines/evaluate.h"
 #include "export/quads.h"
 
