@@ -161,8 +161,8 @@ private:
                    slack, where);
     }
 
-    /// From a point of a face to its patch, and if that is farther than the limit, to those of the faces
-    /// around it, into which surfaces may slide.
+    /// From a point of a face to its patch, and if that is farther than the limit, from more places of the
+    /// faces around it as well: surfaces may slide into other patches, and a patch may meet itself.
     [[nodiscard]] double distanceToSurfaces(std::size_t p, const Parameters& parameters, const Place& point,
                                             int face, double limit) const {
         double least = distanceToPatch(part_.patches[p], parameters, point);
@@ -171,14 +171,13 @@ private:
             for (int k = 0; k < around_.valence(vertex); ++k) {
                 const int other = around_.leftFace(around_.firstStep(vertex) + k);
                 if (other < 0) continue;
-                // A patch that meets itself has two places there.
                 const FacePlace& place = places_[index(other)];
-                const double columns = std::abs(place.column + 0.5 - parameters[0]);
-                const double rows = std::abs(place.row + 0.5 - parameters[1]);
-                if (place.patch == p && columns < 2 && rows < 2) continue;
-                least = std::min(least, distanceToPatch(part_.patches[place.patch],
-                                                        {place.column + 0.5, place.row + 0.5}, point));
-                if (least <= limit) return least;
+                for (const Parameters& start : {Parameters{0.5, 0.5}, {0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
+                    least = std::min(least,
+                                     distanceToPatch(part_.patches[place.patch],
+                                                     {place.column + start[0], place.row + start[1]}, point));
+                    if (least <= limit) return least;
+                }
             }
         return least;
     }

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <ranges>
+#include <functional>
 
 namespace qm {
 namespace {
@@ -188,12 +188,12 @@ double rootMeanSquare(const std::vector<std::pair<double, double>>& samples) {
 }
 
 double percentile95(std::vector<std::pair<double, double>> samples) {
-    std::ranges::sort(samples);
+    std::ranges::sort(samples, std::greater<>());
     double above = 0;
     for (const auto& sample : samples)
         above += sample.second;
     above *= 0.05;
-    for (const auto& [distance, weight] : std::views::reverse(samples)) {
+    for (const auto& [distance, weight] : samples) {
         above -= weight;
         if (above < 0) return distance;
     }
