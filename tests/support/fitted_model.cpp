@@ -1,5 +1,7 @@
 #include "support/fitted_model.h"
 
+#include "mesh/dihedral.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -9,7 +11,7 @@ namespace qm::test {
 
 FittedModel fitted(const Grid& grid, const std::vector<Rectangle>& rectangles, const FitOptions& options) {
     FittedModel model{makeMesh(grid), makeLayout(grid, rectangles), {}};
-    const std::vector<double> angles(model.mesh.n_edges(), 0.1);
+    const std::vector<double> angles = dihedralAngles(model.mesh);
     model.surfaces = fitSurfaces(model.mesh, model.layout, angles, options);
     return model;
 }
@@ -55,7 +57,7 @@ FittedModel torus(const std::vector<std::array<int, 4>>& rectangles) {
             segment.corners[k] = segment.sides[k].front();
         model.layout.segments.push_back(segment);
     }
-    const std::vector<double> angles(model.mesh.n_edges(), 0.1);
+    const std::vector<double> angles(model.mesh.n_edges(), 0.1); // coarse, but smooth
     model.surfaces = fitSurfaces(model.mesh, model.layout, angles, FitOptions());
     return model;
 }
@@ -86,7 +88,7 @@ FittedModel glued(const Grid& grid, int turned) {
         for (std::size_t k = 0; k < 4; ++k)
             segment.corners[k] = segment.sides[k].front();
     }
-    const std::vector<double> angles(model.mesh.n_edges(), 0.1);
+    const std::vector<double> angles(model.mesh.n_edges(), 0.1); // coarse, but smooth
     model.surfaces = fitSurfaces(model.mesh, model.layout, angles, FitOptions());
     return model;
 }
@@ -118,6 +120,12 @@ Grid pocket() {
                 if (k < 5) return Point(side * 0.7 * (1 + j), 3.7 + 0.3 * j, 0.2 * j);
                 return Point(0, 4.4 + j, 0.2 * j);
             }};
+}
+
+FitOptions interpolating() {
+    FitOptions options;
+    options.fit = Fit::interpolate;
+    return options;
 }
 
 } // namespace qm::test

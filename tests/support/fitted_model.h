@@ -19,6 +19,8 @@ struct FittedModel {
 [[nodiscard]] FittedModel fitted(const Grid& grid, const std::vector<Rectangle>& rectangles,
                                  const FitOptions& options);
 
+/// Options of a fit that has the vertices exactly, and gaps.
+[[nodiscard]] FitOptions interpolating();
 
 /// A wavy sheet, 10 x 8 quads, and three rectangles on it that make a T-joint.
 [[nodiscard]] Grid sheet();

@@ -208,7 +208,9 @@ FittedModel revolved(const std::function<double(double)>& radius, bool inwards) 
                         const double away = radius(0.2 * j);
                         return Point(7 + away * std::cos(angle), 0.2 * j - 3, away * std::sin(angle));
                     }};
-    return fitted(grid, {{0, 0, 28, 16}, {28, 0, 64, 16}}, FitOptions());
+    FitOptions options;
+    options.tolerance.value = 0.01;
+    return fitted(grid, {{0, 0, 28, 16}, {28, 0, 64, 16}}, options);
 }
 
 TEST(Analytic, EveryKindIsRecognised) {
@@ -239,7 +241,7 @@ TEST(Analytic, FacesLookToTheSameSideAsPatches) {
 }
 
 TEST(Join, PutsTogetherWhatWasCut) {
-    const FittedModel model = fitted(sheet(), {{0, 0, 10, 8}}, FitOptions());
+    const FittedModel model = fitted(sheet(), {{0, 0, 10, 8}}, test::interpolating());
     const FacePatches whole = facePatches(model.layout, model.surfaces.patches);
     FacePatches parts;
     for (const std::array<int, 2> from :

@@ -82,7 +82,7 @@ TEST(Shape, IsAnOpenShellWithSharedEdges) {
 }
 
 TEST(Shape, BridgesTheGapsOfIndependentPatchesByTolerance) {
-    const Model model = fitted(sheet(), tJoint(), {});
+    const Model model = fitted(sheet(), tJoint(), test::interpolating());
     const Made shape = shapeOf(model);
     EXPECT_TRUE(shape.report.valid);
     EXPECT_EQ(shape.report.edges, 10U);
@@ -109,9 +109,7 @@ TEST(Shape, IsASolidIfTheMeshIsClosed) {
 
 TEST(Shape, TakesPatchesOfLowerDegrees) {
     const Grid ruled{10, 8, [](double i, double j) { return Point(i, j, std::sin(0.5 * i)); }};
-    FitOptions options;
-    options.fit = Fit::interpolate;
-    Model model = fitted(ruled, tJoint(), options);
+    Model model = fitted(ruled, {{0, 0, 10, 8}}, test::interpolating());
     for (Patch& patch : model.surfaces.patches) { // between the two curves that the others lie between, too
         patch = clamped(patch);
         const auto columns = static_cast<std::ptrdiff_t>(patch.count[0]);
@@ -127,7 +125,7 @@ TEST(Shape, TakesPatchesOfLowerDegrees) {
 }
 
 TEST(FacePatches, RefusePatchesThatDoNotBelong) {
-    Model model = fitted(sheet(), tJoint(), {});
+    Model model = fitted(sheet(), tJoint(), test::interpolating());
     auto patches = model.surfaces.patches;
     patches.pop_back();
     EXPECT_THROW((void)facePatches(model.layout, patches), Error);
@@ -232,7 +230,7 @@ INSTANTIATE_TEST_SUITE_P(Turned, Contacts,
                                           testing::Range(0, 4)));
 
 TEST(Step, NamesFacesAndDeclaresTheUnitWithoutConverting) {
-    const Model model = fitted(sheet(), tJoint(), FitOptions());
+    const Model model = fitted(sheet(), tJoint(), test::interpolating());
     const std::string millimetres = exported(model, ExportFormat::step);
     for (const char* name :
          {"ADVANCED_FACE('segment 0'", "ADVANCED_FACE('segment 1'", "ADVANCED_FACE('segment 2'"})
@@ -271,7 +269,7 @@ class Units : public testing::TestWithParam<LengthUnit> {};
 
 TEST_P(Units, AreDeclaredAndNothingIsConverted) {
     const Grid grid{1, 1, [](double i, double j) { return Point(12.5 * i, 37.5 * j, 0); }};
-    const Model model = fitted(grid, {{0, 0, 1, 1}}, FitOptions());
+    const Model model = fitted(grid, {{0, 0, 1, 1}}, test::interpolating());
     ExportOptions options;
     options.unit = GetParam();
     const std::string step = exported(model, ExportFormat::step, options);
