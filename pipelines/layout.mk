@@ -30,6 +30,9 @@ ENUMERATION_OPTIONS ?=
 LAYOUT_OPTIONS      ?=
 PRUNED_OPTIONS      ?=
 SURFACES_OPTIONS    ?=
+
+# Set, it makes a stage fail that wrote its document but not what was asked for (exit status 3).
+STRICT              ?=
 # Options that change no result, for every tool: --quiet, --verbose, --jobs N. They make nothing run again.
 COMMON_OPTIONS ?=
 
@@ -57,7 +60,7 @@ options = $(strip $(if $(filter undefined,$(flavor $(1)_OPTIONS.$(2))),$($(1)_OP
 define stage
 $(OUT)/%.$(1).json: $(4) $(OUT)/.stages/%.$(1).options
 	@$$(call put_edits_aside,$(OUT)/.stages/$$*.$(1).sha256)
-	$(3) $$(strip $$(COMMON_OPTIONS) $$(call options,$(2),$$*) $$< -o $$@)
+	$(3) $$(strip $$(COMMON_OPTIONS) $$(call options,$(2),$$*) $$< -o $$@) || [[ $$$$? == 3 && -z '$$(STRICT)' ]]
 	@sha256sum $$@ > $(OUT)/.stages/$$*.$(1).sha256
 endef
 

@@ -159,7 +159,7 @@ untrue() {
     [[ -d $SHARED_MESHES/dev ]] || skip "there are none"
     for mesh in duck_miq_8.obj fandisk_qex.obj gitter.off torus_regular.obj unwelded.obj; do
         qm-basecomplex --quiet "$SHARED_MESHES/dev/$mesh" | qm-features --quiet | qm-cut --quiet --chi 40 |
-            qm-enum --quiet --time-limit 2 | qm-merge --quiet | qm-prune --quiet | qm-bspline --quiet >"$mesh.json"
+            qm-enum --quiet --time-limit 2 | qm-merge --quiet | qm-prune --quiet | qm-bspline --quiet --fit interpolate >"$mesh.json"
         quietly qm-check "$mesh.json"
     done
 }

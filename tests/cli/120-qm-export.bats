@@ -10,7 +10,7 @@ setup_file() {
 patches() { field '.surfaces.patches | length' "$(stage surfaces "$1")"; }
 
 @test "STEP has faces named by their segments and is a solid" {
-    quietly qm-bspline "$(stage pruned block)" -o block.json
+    quietly qm-bspline --tolerance 0.5% "$(stage pruned block)" -o block.json
     quietly qm-export block.json -o block.step
     assert_equal "$(grep -o "ADVANCED_FACE('segment [0-9]*'" block.step | sort -u | wc -l)" "$(patches block)"
     assert_equal "$(grep -c "MANIFOLD_SOLID_BREP" block.step)" 1
@@ -19,7 +19,7 @@ patches() { field '.surfaces.patches | length' "$(stage surfaces "$1")"; }
 
 @test "the parts of a mesh are parts of the STEP file, each with a name" {
     printf '%s\n' 'v 0 0 0' 'v 1 0 0' 'v 1 1 0' 'v 0 1 0' 'v 5 0 0' 'v 6 0 0' 'v 6 1 0' 'v 5 1 0' 'f 1 2 3 4' 'f 5 6 7 8' >two.obj
-    qm-basecomplex -q two.obj | qm-features | qm-cut | qm-enum -q | qm-merge -q | qm-bspline | qm-export --format step >two.step
+    qm-basecomplex -q two.obj | qm-features | qm-cut | qm-enum -q | qm-merge -q | qm-bspline --tolerance 0.5% | qm-export --format step >two.step
     run grep -o "PRODUCT('[^']*'" two.step
     assert_output "PRODUCT('quadmesh 1'
 PRODUCT('quadmesh 2'"
@@ -27,7 +27,7 @@ PRODUCT('quadmesh 2'"
 }
 
 @test "simple surfaces on request" {
-    qm-bspline "$(stage pruned torus)" -o torus.json
+    qm-bspline --tolerance 0.5% "$(stage pruned torus)" -o torus.json
     quietly qm-export torus.json -o plain.step
     quietly qm-export --analytic --analytic-tolerance 1 torus.json -o analytic.step
     refute grep -q TOROIDAL_SURFACE plain.step
@@ -37,7 +37,7 @@ PRODUCT('quadmesh 2'"
 }
 
 @test "neighbours that are one surface become one face" {
-    qm-bspline "$(stage layout plate)" -o plate.json
+    qm-bspline --tolerance 0.5% "$(stage layout plate)" -o plate.json
     quietly qm-export plate.json -o apart.step
     quietly qm-export --join plate.json -o joined.step
     assert [ "$(grep -c ADVANCED_FACE joined.step)" -lt "$(grep -c ADVANCED_FACE apart.step)" ]
@@ -68,7 +68,7 @@ PRODUCT('quadmesh 2'"
     run --separate-stderr qm-export --unit m gaps.json -o block.step
     assert_success
     assert_regex "$stderr" 'millimetre.*--fit smooth'
-    quietly qm-bspline "$(stage pruned block)" -o block.json
+    quietly qm-bspline --tolerance 0.5% "$(stage pruned block)" -o block.json
     quietly qm-export --unit m block.json -o block.step
 }
 

@@ -136,3 +136,11 @@ END
     quietly layout_sh 'my part.obj' -o 'my part.json'
     assert_equal "$(field .kind 'my part.json')" surfaces
 }
+
+@test "a tolerance that is missed is told and kept, unless STRICT is set" {
+    run --separate-stderr layout_mk SURFACES_OPTIONS='--tolerance 1e-12' out/part.surfaces.json
+    assert_success
+    assert_regex "$stderr" 'tolerance is missed'
+    run layout_mk STRICT=1 SURFACES_OPTIONS='--tolerance 1e-13' out/part.surfaces.json
+    assert_failure
+}

@@ -90,7 +90,7 @@ stage() {
     enumeration) once "$file" qm-enum --quiet "$(stage cut "$model")" ;;
     layout) once "$file" qm-merge --quiet "$(stage enumeration "$model")" ;;
     pruned) once "$file" qm-prune --quiet "$(stage layout "$model")" ;;
-    surfaces) once "$file" qm-bspline --quiet "$(stage pruned "$model")" ;;
+    surfaces) once "$file" qm-bspline --quiet --tolerance 0.5% "$(stage pruned "$model")" ;;
     esac && echo "$file"
 }
 

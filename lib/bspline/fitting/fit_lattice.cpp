@@ -110,7 +110,11 @@ std::vector<double> errors(const FitLattice& lattice, const Patch& patch, double
     const auto points = evaluateLattice(patch, lattice.targets.parameters[0], lattice.targets.parameters[1]);
     std::vector<double> result(points.size());
     for (std::size_t k = 0; k < points.size(); ++k) {
-        result[k] = distance(lattice, k, points[k].position - lattice.targets.points[k]) / tolerance;
+        const Point offset = points[k].position - lattice.targets.points[k];
+        // Where the surface has slid along a bend, the mean of both normals tells how far it is.
+        const Point mean = lattice.axes[k] + unitNormal(points[k].du, points[k].dv);
+        const bool canSlide = lattice.freedom[k] == Freedom::surface && mean.sqrnorm() > 1;
+        result[k] = (canSlide ? std::abs(offset | mean) / mean.norm() : distance(lattice, k, offset)) / tolerance;
         const bool isFolded = lattice.freedom[k] == Freedom::surface &&
                               ((points[k].du % points[k].dv) | lattice.axes[k]) < minJacobian * lattice.jacobian[k];
         if (isFolded) result[k] = std::max(result[k], 2.0);
