@@ -157,20 +157,7 @@ private:
     /// Extends what is still free straight on, the cheapest first.
     void extendRest() {
         result_.searches = searches_;
-        for (auto particles = freeParticles(space_.graph, present_); !particles.empty();
-             particles = freeParticles(space_.graph, present_)) {
-            const auto cost = [&](Particle particle) {
-                std::vector<bool> trial = present_;
-                extendParticle(space_.graph, particle, trial);
-                double sum = 0;
-                for (std::size_t arc = 0; arc < trial.size(); ++arc)
-                    if (trial[arc] && !present_[arc]) sum += space_.arcCosts[arc];
-                return sum;
-            };
-            const auto cheapest = std::ranges::min_element(particles, {}, cost);
-            ++result_.extended;
-            if (extendParticle(space_.graph, *cheapest, present_) == 0) return;
-        }
+        result_.extended = extendCheapestFirst(space_.graph, space_.arcCosts, present_);
     }
 
     const QuadMesh& mesh_;
