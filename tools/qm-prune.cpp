@@ -16,6 +16,7 @@ int main(int argc, char** argv) {
             auto stage =
                 std::make_shared<qm::Stage>(tool, qm::Kind::layout, qm::Kind::layout, qm::Kind::layout);
             tool.options(options);
+            tool.stopsGracefully();
             tool.verify([&options] {
                 if (options.fewestPatches && std::isfinite(options.maxSegments))
                     throw qm::UsageError("--fewest-patches and --max-segments exclude each other");

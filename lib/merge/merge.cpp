@@ -195,7 +195,8 @@ MergeResult wholeGraph(const Enumeration& enumeration) {
 MergeResult mergeGraphs(const QuadMesh& mesh, const BaseComplex& complex,
                         const std::vector<double>& dihedralAngles, const SubMeshes& subMeshes,
                         const Enumeration& enumeration, const Constraints& constraints,
-                        double complexityLimit, const MergeOptions& options, const Control& control) {
+                        double complexityLimit, const MergeOptions& options, const Control& control,
+                        const KnownCost& tell) {
     if (enumeration.graphClass == GraphClass::tmesh) return wholeGraph(enumeration);
     const std::vector<double> costs = edgeCosts(mesh, dihedralAngles, enumeration.cost, constraints);
     const SearchSpace space =
@@ -233,7 +234,7 @@ MergeResult mergeGraphs(const QuadMesh& mesh, const BaseComplex& complex,
     const bool proven = result.lowerBound && result.graph.cost <= *result.lowerBound + Incumbents::tolerance;
     if (options.improve > 0 && !proven) {
         Improvement better = improveGraph(mesh, complex, costs, cornerCost(enumeration.cost.terms),
-                                          constraints, result.graph, options.improve, control);
+                                          constraints, result.graph, options.improve, control, tell);
         result.graph = std::move(better.graph);
         if (bounds)
             result.lowerBound = std::max(better.lowerBound, result.lowerBound.value_or(better.lowerBound));

@@ -83,3 +83,25 @@ is() { assert_equal "$(field "$1" out.json)" true; }
         misused qm-merge $options "$(stage enumeration block)"
     done
 }
+
+@test "an improvement that is interrupted is written, and says so" {
+    qm-shape random --seed 3 --voxels 400 >hard.obj
+    qm-basecomplex hard.obj | qm-cut --chi 20 | qm-enum | qm-merge --max-rounds 1 -o first.json
+    for signal in INT TERM; do
+        # timeout sends its signal to the tool and once more to its group.
+        run -3 --separate-stderr timeout --preserve-status -s "$signal" 2 qm-merge --improve 600 -o "$signal.json" \
+            <(jq 'del(.layout) | .kind = "enumeration" | .history |= .[:-1]' first.json)
+        assert_regex "$stderr" 'interrupted'
+        quietly qm-check "$signal.json"
+    done
+}
+
+@test "what is known is said every few seconds" {
+    qm-shape random --seed 3 --voxels 400 >hard.obj
+    qm-basecomplex hard.obj | qm-cut --chi 20 | qm-enum -o hard.json
+    run --separate-stderr qm-merge --improve 8 hard.json -o out.json
+    assert_regex "$stderr" 'qm-merge: cost -?[0-9.]+, (no bound yet|at least -?[0-9.]+, gap [0-9.]+)'
+    quietly qm-check out.json
+    run --separate-stderr qm-merge --quiet --improve 4 hard.json -o out.json
+    assert_equal "$stderr" ''
+}

@@ -187,6 +187,7 @@ private:
                     input.states[arc] = stateOf(result_.present[arc]);
             });
         ++result_.improvements;
+        options_.improved(result_.present);
     }
 
     /// Whether the window's arcs are valid and cheaper beside what has become of the others.
