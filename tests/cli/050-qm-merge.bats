@@ -84,24 +84,27 @@ is() { assert_equal "$(field "$1" out.json)" true; }
     done
 }
 
+# Harder than can be proven in seconds.
+hard() {
+    once "$SAMPLES/hard.obj" qm-shape random --seed 5 --voxels 40000 --resolution 1
+    once "$SAMPLES/hard.json" bash -c 'qm-basecomplex -q "$1" | qm-cut --chi 20 | qm-enum -q --time-limit 5' _ "$SAMPLES/hard.obj"
+    echo "$SAMPLES/hard.json"
+}
+
 @test "an improvement that is interrupted is written, and says so" {
-    qm-shape random --seed 3 --voxels 400 >hard.obj
-    qm-basecomplex hard.obj | qm-cut --chi 20 | qm-enum | qm-merge --max-rounds 1 -o first.json
+    input=$(hard)
     for signal in INT TERM; do
         # timeout sends its signal to the tool and once more to its group.
-        run -3 --separate-stderr timeout --preserve-status -s "$signal" 2 qm-merge --improve 600 -o "$signal.json" \
-            <(jq 'del(.layout) | .kind = "enumeration" | .history |= .[:-1]' first.json)
+        run -3 --separate-stderr timeout --preserve-status -s "$signal" 6 qm-merge --improve 600 "$input" -o "$signal.json"
         assert_regex "$stderr" 'interrupted'
         quietly qm-check "$signal.json"
     done
 }
 
 @test "what is known is said every few seconds" {
-    qm-shape random --seed 3 --voxels 400 >hard.obj
-    qm-basecomplex hard.obj | qm-cut --chi 20 | qm-enum -o hard.json
-    run --separate-stderr qm-merge --improve 8 hard.json -o out.json
+    input=$(hard)
+    run -0 --separate-stderr qm-merge --improve 8 "$input" -o out.json
     assert_regex "$stderr" 'qm-merge: cost -?[0-9.]+, (no bound yet|at least -?[0-9.]+, gap [0-9.]+)'
-    quietly qm-check out.json
-    run --separate-stderr qm-merge --quiet --improve 4 hard.json -o out.json
+    run -0 --separate-stderr qm-merge --quiet --improve 4 "$input" -o out.json
     assert_equal "$stderr" ''
 }
