@@ -1,6 +1,6 @@
 #include "cli/known_results.h"
 
-#include "document/number_text.h"
+#include "base/number_text.h"
 
 #include <cmath>
 
