@@ -40,7 +40,8 @@ enum ExitStatus : int {
     exitDone = 0,
     exitFailure = 1, ///< bad input, or anything that went wrong
     exitUsage = 2,   ///< bad command line
-    /// Written, but not what was asked for: a tolerance, --require-complete, --require-optimal; or interrupted.
+    /// Written, but not what was asked for: a tolerance, --require-complete, --require-optimal; or
+    /// interrupted.
     exitUnmet = 3
 };
 
