@@ -20,7 +20,7 @@ int main(int argc, char** argv) {
                 const double chi = model.cut ? model.cut->options.chi : qm::CutOptions{}.chi;
                 const qm::MergeResult merged = qm::mergeGraphs(
                     model.mesh, model.complex, model.dihedralAngles, model.subMeshes, *model.enumeration,
-                    model.constraints, chi, options, tool.control("merging"));
+                    model.constraints, chi, options, tool.control("merging"), tool.sayingKnown());
                 qm::Layout layout =
                     qm::buildLayout(model.mesh, merged.graph.tracks, model.dihedralAngles, model.edgeCosts);
                 // The loops that components without sources get are in every layout.

@@ -1,8 +1,11 @@
 /// \file qm-prune: boundaries that follow nothing are removed.
+#include "cli/prune_messages.h"
 #include "cli/stage.h"
 #include "document/features_section.h"
 #include "document/layout_section.h"
 #include "prune/prune_optimum.h"
+
+#include <cmath>
 
 int main(int argc, char** argv) {
     qm::PruneOptions options;
@@ -13,8 +16,14 @@ int main(int argc, char** argv) {
             auto stage =
                 std::make_shared<qm::Stage>(tool, qm::Kind::layout, qm::Kind::layout, qm::Kind::layout);
             tool.options(options);
+            tool.stopsGracefully();
+            tool.verify([&options] {
+                if (options.fewestPatches && std::isfinite(options.maxSegments))
+                    throw qm::UsageError("--fewest-patches and --max-segments exclude each other");
+            });
             tool.example("qm-prune --eta -3 part.layout.json -o part.pruned.json");
             tool.example("qm-prune --method optimum --beta 2 --front part.layout.json -o part.pruned.json");
+            tool.example("qm-prune --method optimum --fewest-patches part.layout.json -o part.pruned.json");
             tool.example("qm-merge part.enumeration.json | qm-prune --no-smooth > part.pruned.json");
             return [&tool, &options, stage] {
                 const qm::Model& model = stage->read();
@@ -22,6 +31,7 @@ int main(int argc, char** argv) {
                 const qm::PruneResult pruned =
                     qm::prune(model.mesh, model.complex, *model.layout, model.dihedralAngles, model.edgeCosts,
                               options, rho, tool.control("pruning"));
+                qm::reportProofs(tool, options, pruned);
                 tool.count("segments", static_cast<double>(pruned.layout.segments.size()));
                 tool.count("removedTracks", static_cast<double>(pruned.removedTracks));
                 const qm::Json& before = stage->document().section(qm::Kind::layout).value();

@@ -104,11 +104,13 @@ private:
         }
         line.arcCount = static_cast<int>(graph_.arcs.size()) - line.firstArc.value();
         const ArcId last(graph_.arcs.size() - 1);
-        attachToSeed(mesh_.from_vertex_handle(halfedges.front()), line.firstArc);
-        if (endsAtOwnTrack(line))
-            graph_.junctions[junctionAt_[at(mesh_.to_vertex_handle(halfedges.back()))].idx()].arcs[1] = last;
-        else
-            attachToSeed(mesh_.to_vertex_handle(halfedges.back()), last);
+        line.beginsAt = attachToSeed(mesh_.from_vertex_handle(halfedges.front()), line.firstArc);
+        if (endsAtOwnTrack(line)) {
+            line.endsAt = junctionAt_[at(mesh_.to_vertex_handle(halfedges.back()))];
+            graph_.junctions[line.endsAt.idx()].arcs[1] = last;
+        } else {
+            line.endsAt = attachToSeed(mesh_.to_vertex_handle(halfedges.back()), last);
+        }
     }
 
     /// A line that passes a junction takes the next free pair; at a seed the first pair is the seed's.
@@ -119,12 +121,13 @@ private:
     }
 
     /// An end of a line at a seed's junction is one of the seed's two arcs. Extraordinary vertices and
-    /// boundary vertices, the other ends of lines, bear no junction.
-    void attachToSeed(VertexId end, ArcId arc) {
+    /// boundary vertices, the other ends of lines, bear no junction. \return the junction
+    JunctionId attachToSeed(VertexId end, ArcId arc) {
         const JunctionId junction = junctionAt_[at(end)];
-        if (!junction.valid()) return;
+        if (!junction.valid()) return {};
         auto& arcs = graph_.junctions[junction.idx()].arcs;
         arcs[arcs[0].valid() ? 2 : 0] = arc;
+        return junction;
     }
 
     const QuadMesh& mesh_;

@@ -21,6 +21,8 @@ struct Line {
     std::size_t length = 0;               ///< halfedges
     ArcId firstArc;
     int arcCount = 0;
+    JunctionId beginsAt = {}; ///< where it begins at a seed that another line crosses
+    JunctionId endsAt = {};   ///< likewise, or where it ends at its own track
 };
 
 /// The part of a line between successive stops.

@@ -2,6 +2,7 @@
 
 #include "base/number_text.h"
 #include "check/check_constraints.h"
+#include "check/check_front.h"
 #include "check/check_graph.h"
 #include "check/check_quality.h"
 #include "check/check_segments.h"
@@ -97,6 +98,7 @@ public:
         for (const ReadTrack& track : transversals)
             transversal(track);
         checkConstraints(around_, context_.constraints, onTrack_, true, tracksPlace, report_);
+        checkFront(part_, report_);
         const std::size_t before = report_.total();
         if (part_.divided) checkSegments(context_.mesh, around_, onTrack_, part_, report_);
         if (report_.total() == before) checkQuality(around_, context_.angles, onTrack_, part_, report_);

@@ -99,6 +99,15 @@ struct LayoutPart {
         std::optional<double> maxAspect;
         std::optional<double> gap;
     };
+    /// What pruning found for one price of a segment.
+    struct FrontPoint {
+        double beta = 0;
+        double segments = 0;
+        double cost = 0;
+        double capturedSharpness = 0;
+        std::optional<double> objectiveBound;
+        bool proven = false;
+    };
     std::optional<double> cost;
     std::optional<double> lowerBound;
     bool pruned = false; ///< the last tool that wrote it removed tracks
@@ -107,6 +116,7 @@ struct LayoutPart {
     bool divided = false; ///< segments are given; they may be left out
     std::vector<Segment> segments;
     Quality quality;
+    std::vector<FrontPoint> front;
 };
 
 struct SurfacesPart {

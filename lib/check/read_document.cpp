@@ -166,6 +166,12 @@ LayoutPart::Segment readSegment(const Json& segment) {
     return part;
 }
 
+LayoutPart::FrontPoint readFrontPoint(const Json& point) {
+    return {numberOrNan(member(point, "beta")),      numberOrNan(member(point, "segments")),
+            numberOrNan(member(point, "cost")),      numberOrNan(member(point, "capturedSharpness")),
+            number(member(point, "objectiveBound")), isTrue(member(point, "proven"))};
+}
+
 LayoutPart readLayout(const Json& section) {
     LayoutPart part;
     part.cost = number(member(section, "cost"));
@@ -178,6 +184,7 @@ LayoutPart readLayout(const Json& section) {
                     number(member(quality, "tJoints")),      number(member(quality, "capturedSharpness")),
                     number(member(quality, "medianAspect")), number(member(quality, "maxAspect")),
                     number(member(quality, "gap"))};
+    part.front = all<LayoutPart::FrontPoint>(member(member(section, "prune"), "front"), readFrontPoint);
     return part;
 }
 

@@ -8,6 +8,7 @@
 #include <atomic>
 #include <csignal>
 #include <cstring>
+#include <ctime>
 #include <unistd.h>
 
 namespace qm {
@@ -22,10 +23,25 @@ struct TemporaryFile {
 std::array<TemporaryFile, 4> temporaryFiles;
 std::atomic<bool> deferring{false};
 std::atomic<bool> interrupted{false};
-static_assert(std::atomic<bool>::is_always_lock_free);
+std::atomic<long> interruptedAt{0}; ///< seconds of a clock that only goes forward
+static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<long>::is_always_lock_free);
+
+long secondsNow() {
+    struct timespec now {};
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return static_cast<long>(now.tv_sec);
+}
+
+/// timeout(1) and batch systems send their signal to the process and to its group: that is one wish, not two.
+/// The limit on processor time repeats its own every second.
+bool mayGoOn(int signal) {
+    if (!deferring || (signal != SIGINT && signal != SIGTERM && signal != SIGXCPU)) return false;
+    if (!interrupted.exchange(true)) interruptedAt = secondsNow();
+    return signal == SIGXCPU || secondsNow() - interruptedAt <= 1;
+}
 
 extern "C" void onSignal(int signal) {
-    if ((signal == SIGINT || signal == SIGTERM) && deferring && !interrupted.exchange(true)) return;
+    if (mayGoOn(signal)) return;
     for (const TemporaryFile& file : temporaryFiles)
         if (file.inUse) unlink(file.path.data());
     std::signal(signal, SIG_DFL);

@@ -9,7 +9,8 @@ namespace qm {
 /// ignores stay ignored.
 void watchSignals();
 
-/// The next interrupt only makes `wasInterrupted` true; one more ends the process.
+/// The next interrupt only makes `wasInterrupted` true, and so do others within a second of it; one more ends
+/// the process.
 void deferInterrupt();
 [[nodiscard]] bool wasInterrupted();
 

@@ -1,6 +1,7 @@
 #include "cli/tool.h"
 
 #include "cli/command_line.h"
+#include "cli/known_results.h"
 #include "cli/messages.h"
 #include "cli/output_file.h"
 #include "cli/progress.h"
@@ -243,6 +244,13 @@ Control Tool::control(const std::string& label) const {
     return control;
 }
 
+KnownCost Tool::sayingKnown() const {
+    if (state_->quiet) return {};
+    return [this, last = std::make_shared<LastReport>()](double cost, double lowerBound) {
+        if (last->isDue()) state_->say(knownText(cost, lowerBound));
+    };
+}
+
 // ------------------------------------------------------------------------------------------- the one main
 
 void Tool::noteSettings() const {
@@ -276,7 +284,11 @@ int Tool::answer(const ToolBody& body) {
     if (s.printUsage) return writeFile("-", jsonUsage(s.usage)), exitDone;
     noteSettings();
     if (s.hasOutput) verifyWritable(s.output);
-    const int status = body();
+    int status = body();
+    if (wasInterrupted() && status == exitDone) {
+        warn("interrupted: what is written is the best that was found until then");
+        status = exitUnmet;
+    }
     printStats();
     return status;
 }

@@ -23,6 +23,7 @@
 #pragma once
 
 #include "base/control.h"
+#include "base/known_cost.h"
 #include "cli/command_line.h"
 #include "cli/option_record.h"
 #include "document/option.h"
@@ -39,7 +40,9 @@ enum ExitStatus : int {
     exitDone = 0,
     exitFailure = 1, ///< bad input, or anything that went wrong
     exitUsage = 2,   ///< bad command line
-    exitUnmet = 3    ///< written, but not what was asked for: a tolerance, --require-complete, --require-optimal
+    /// Written, but not what was asked for: a tolerance, --require-complete, --require-optimal; or
+    /// interrupted.
+    exitUnmet = 3
 };
 
 using ToolBody = std::function<int()>;
@@ -85,8 +88,9 @@ public:
     void example(const std::string& command);
     /// A paragraph of --help, below the summary.
     void explain(const std::string& paragraph);
-    /// The first interrupt asks the body through `Control::stopRequested` to end with the best so far; the
-    /// second ends the tool. Without this the first one does.
+    /// The first interrupt asks the body through `Control::stopRequested` to end with the best so far, and
+    /// the exit status is `exitUnmet`; a second one, later than a second, ends the tool. Without this the
+    /// first one does.
     void stopsGracefully();
     /// Called when the command line has been read and before anything else. What it throws, UsageError or
     /// Error, is a usage error.
@@ -123,6 +127,8 @@ public:
     /// Progress bar, interrupts and threads for a long computation. The bar appears on terminals only, after
     /// two seconds.
     [[nodiscard]] Control control(const std::string& label) const;
+    /// Says every few seconds what a search tells it; not with --quiet.
+    [[nodiscard]] KnownCost sayingKnown() const;
     /// True once the user has interrupted a tool that `stopsGracefully`.
     [[nodiscard]] bool interrupted() const;
 

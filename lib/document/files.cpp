@@ -37,6 +37,11 @@ std::string displayName(const std::string& path) {
     return path == "-" ? "standard input" : path;
 }
 
+bool isRegularFile(const std::string& path) {
+    struct stat status {};
+    return stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode);
+}
+
 std::string readFile(const std::string& path) {
     const std::string name = displayName(path);
     const Descriptor file(path);
@@ -44,6 +49,8 @@ std::string readFile(const std::string& path) {
     if (file.number() < 0 || fstat(file.number(), &status) != 0)
         throw FileError(name, std::string("cannot be read: ") + std::strerror(errno));
     if (S_ISDIR(status.st_mode)) throw FileError(name, "is a folder", "Name a file");
+    if (path != "-" && (S_ISCHR(status.st_mode) || S_ISBLK(status.st_mode)))
+        throw FileError(name, "is a device", "Name a file");
 
     std::string bytes;
     std::size_t used = 0;

@@ -25,8 +25,11 @@ template <class Function> decltype(auto) inFile(const std::string& file, Functio
     }
 }
 
+/// False of folders, pipes and devices, and of what is not there.
+[[nodiscard]] bool isRegularFile(const std::string& path);
+
 /// The bytes of a file; "-" is standard input.
-/// \throw FileError  if it cannot be read, is a folder, or larger than any document or mesh can be
+/// \throw FileError  if it cannot be read, is a folder or a device, or larger than any document or mesh can be
 [[nodiscard]] std::string readFile(const std::string& path);
 
 /// How messages call a file: its path, or "standard input".

@@ -80,7 +80,9 @@ Json pruneFigures(const PruneResult& result) {
         front.push_back({{"beta", point.beta},
                          {"segments", point.segments},
                          {"cost", point.cost},
-                         {"capturedSharpness", point.capturedSharpness}});
+                         {"capturedSharpness", point.capturedSharpness},
+                         {"objectiveBound", point.objectiveBound},
+                         {"proven", point.proven}});
     return {{"removedTracks", result.removedTracks},
             {"keptNotQuadrilateral", result.keptNotQuadrilateral},
             {"keptNotSmooth", result.keptNotSmooth},

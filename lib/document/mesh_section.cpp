@@ -54,6 +54,11 @@ MeshFile findMesh(const JsonPlace& section, const std::string& documentPath, con
         meshPath.empty() ? candidates(recorded, documentPath) : std::vector<std::string>{meshPath};
     for (const std::string& path : paths) {
         if (!exists(path)) continue;
+        if (!isRegularFile(path))
+            throw FileError(path,
+                            "the mesh that " + displayName(documentPath) +
+                                " refers to is no file but a folder, a pipe or a device",
+                            remedy);
         MeshFile file{path, readFile(path)};
         if (sha256(file.bytes) == fingerprint) return file;
         if (changed.empty()) changed = path;

@@ -50,11 +50,14 @@ template <> struct Choices<Fit> {
     static constexpr std::array all{
         Choice<Fit>{Fit::smooth, "smooth",
                     "watertight, smooth across all borders that are no creases, within the tolerance"},
-        Choice<Fit>{Fit::interpolate, "interpolate", "the paper's: through every vertex, every patch by itself"}};
+        Choice<Fit>{Fit::interpolate, "interpolate",
+                    "the paper's: through every vertex, every patch by itself"}};
 };
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double maxCount = 1e9; ///< of anything that a user may ask for
+/// Of a segment: beyond it the solver's precision ends, and nothing but their number counts anyway.
+constexpr double highestPrice = 1e4;
 
 template <class Visitor> void describe(FeatureOptions& options, Visitor&& option) {
     option("rho", options.rho, Range{0, std::numbers::pi},
@@ -114,23 +117,23 @@ template <class Visitor> void describe(PruneOptions& options, Visitor&& option) 
     option("smooth", options.smooth, Range{}, "leave out the smoothness criterion");
     option("max-turn", options.maxTurn, Range{0, 180},
            "P, the most that the boundary may turn where a removed track ended, degrees");
-    option("beta", options.beta, Range{0, infinite}, "with --method optimum: the price of a segment");
-    option(
-        "max-segments", options.maxSegments, Range{0, infinite},
-        "with --method optimum: the cheapest layout of so many segments at most, annuli not counted, instead "
-        "of their price");
+    option("beta", options.beta, Range{0, highestPrice}, "with --method optimum: the price of a segment");
+    option("fewest-patches", options.fewestPatches, Range{},
+           "with --method optimum: as few segments as can be, and only then the lowest G_T");
+    option("max-segments", options.maxSegments, Range{0, infinite},
+           "with --method optimum: the cheapest layout of so many segments at most, instead of their price");
     option("time-limit", options.timeLimit, Range{0, infinite},
-           "with --method optimum: stop after this many seconds with the best so far");
+           "with --method optimum or --front: stop after this many seconds with the best so far");
     option("front", options.front, Range{},
-           "list which numbers of segments, G_T and captured sharpness can be had, for prices of 1/16 to 64, "
-           "each within the time limit");
+           "list which numbers of segments, G_T and captured sharpness can be had, for prices of 1/16 to 64");
 }
 
 template <class Visitor> void describe(FitOptions& options, Visitor&& option) {
     option("fit", options.fit, Range{}, "how surfaces follow the mesh");
-    option("tolerance", options.tolerance, Range{},
-           "with --fit smooth: the largest distance from the smooth surface through the mesh's vertices, in the "
-           "mesh's unit, or with % as a share of the bounding box's diagonal");
+    option(
+        "tolerance", options.tolerance, Range{},
+        "with --fit smooth: the largest distance from the smooth surface through the mesh's vertices, in the "
+        "mesh's unit, or with % as a share of the bounding box's diagonal");
     option("rho", options.rho, Range{0, std::numbers::pi},
            "a border edge is smooth up to this dihedral angle, radians");
 }

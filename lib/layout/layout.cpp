@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "layout/grid.h"
+#include "layout/seed_line.h"
 #include "mesh/topology.h"
 
 #include <algorithm>
@@ -88,7 +89,7 @@ private:
         const bool ring = region.loops.size() == 2 && isRing(region.loops[0]) && isRing(region.loops[1]);
         if (!ring && !region.loops.empty()) return false;
         if (hasNoTrack(region))
-            addPath(lineThrough(mostCurvedEdge(region)), false);
+            addPath(seedLine(mesh_, region.faces, dihedralAngles_), false);
         else
             addPath(cheapestTransversal(region.loops.front()), true);
         return true;
@@ -104,37 +105,6 @@ private:
             return std::ranges::all_of(
                 loop.halfedges, [this](HalfedgeId h) { return mesh_.is_boundary(mesh_.edge_handle(h)); });
         });
-    }
-
-    HalfedgeId mostCurvedEdge(const Region& region) const {
-        EdgeId best;
-        const auto angle = [&](EdgeId edge) { return dihedralAngles_[at(edge.idx())]; };
-        for (const FaceId face : region.faces)
-            for (const EdgeId edge : mesh_.fe_range(face)) {
-                if (mesh_.is_boundary(edge)) continue;
-                if (!best.is_valid() || angle(edge) > angle(best) ||
-                    (angle(edge) == angle(best) && edge < best))
-                    best = edge;
-            }
-        return mesh_.halfedge_handle(best, 0);
-    }
-
-    /// The whole mesh line over an edge, a loop or from boundary to boundary.
-    std::vector<HalfedgeId> lineThrough(HalfedgeId start) const {
-        std::vector<HalfedgeId> line{start};
-        while (continuesStraight(mesh_, mesh_.to_vertex_handle(line.back()))) {
-            const HalfedgeId next = straightOn(mesh_, line.back());
-            if (next == start) return line;
-            line.push_back(next);
-        }
-        std::vector<HalfedgeId> back{mesh_.opposite_halfedge_handle(start)};
-        while (continuesStraight(mesh_, mesh_.to_vertex_handle(back.back())))
-            back.push_back(straightOn(mesh_, back.back()));
-        std::vector<HalfedgeId> whole;
-        for (std::size_t k = back.size(); k-- > 1;)
-            whole.push_back(mesh_.opposite_halfedge_handle(back[k]));
-        whole.insert(whole.end(), line.begin(), line.end());
-        return whole;
     }
 
     /// Straight across an annulus from one loop; ties go to the lowest vertex.

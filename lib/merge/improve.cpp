@@ -5,6 +5,8 @@
 #include "layout/tracks.h"
 
 #include <algorithm>
+#include <atomic>
+#include <limits>
 
 namespace qm {
 namespace {
@@ -19,13 +21,38 @@ ProblemInput wholeInput(const SearchSpace& space) {
         {},          space.cornerCost};
 }
 
+/// What is known of a graph that becomes cheaper, for those who wait.
+class Known {
+public:
+    Known(const Control& control, const KnownCost& tell, double cost)
+        : control_(control), tell_(tell), cost_(cost) {}
+
+    void cost(double cost) { cost_ = cost; }
+    void bound(double bound) { bound_ = bound; }
+    /// Tells what is known whenever it is asked whether to stop.
+    [[nodiscard]] Control control() const {
+        Control control = control_;
+        control.stopRequested = [this] {
+            if (tell_) tell_(cost_, bound_);
+            return control_.stopRequested();
+        };
+        return control;
+    }
+
+private:
+    const Control& control_;
+    const KnownCost& tell_;
+    std::atomic<double> cost_;
+    std::atomic<double> bound_ = -std::numeric_limits<double>::infinity();
+};
+
 /// One graph that becomes cheaper, by a search of the whole and by windows.
 class Improver {
 public:
     /// \param counters  what to count windows and improvements in
-    Improver(const SearchSpace& space, std::vector<bool> present, Improvement& counters)
+    Improver(const SearchSpace& space, std::vector<bool> present, Improvement& counters, Known& known)
         : space_(space), input_(wholeInput(space)), problem_(makeProblem(input_)),
-          present_(std::move(present)), counters_(counters) {}
+          present_(std::move(present)), counters_(counters), known_(known) {}
 
     /// \return with the bound
     OptimumResult searchTree(const Control& control) {
@@ -34,6 +61,7 @@ public:
         options.keepOpenParts = true;
         options.polish = [&](const Assignment& graph, const std::vector<double>& relaxed) {
             apply(problem_, graph, present_);
+            known_.cost(costOf(space_, present_));
             searchWindows(relaxed, fastWindows(), control);
             return assignmentOf(problem_, present_);
         };
@@ -45,6 +73,7 @@ public:
     /// \param relaxed  of every variable, or empty
     void searchWindows(const std::vector<double>& relaxed, WindowOptions options, const Control& control) {
         options.relaxed = relaxedArcs(relaxed);
+        options.improved = [&](const std::vector<bool>& present) { known_.cost(costOf(space_, present)); };
         WindowResult windows = improveByWindows(input_, present_, options, control);
         present_ = std::move(windows.present);
         counters_.windows += windows.windows;
@@ -76,6 +105,7 @@ private:
     const Problem problem_;
     std::vector<bool> present_;
     Improvement& counters_;
+    Known& known_;
 };
 
 } // namespace
@@ -83,16 +113,19 @@ private:
 Improvement improveGraph(const QuadMesh& mesh, const BaseComplex& complex,
                          const std::vector<double>& edgeCosts, double cornerCost,
                          const Constraints& constraints, const MotorcycleGraph& graph, double seconds,
-                         const Control& control) {
+                         const Control& control, const KnownCost& tell) {
     const SubMeshes whole{std::vector<int>(mesh.n_vertices(), 0), 1};
     const SearchSpace space = makeSearchSpace(mesh, complex, edgeCosts, whole, constraints, cornerCost);
-    const Deadline tree(control, shareOfTree * seconds), windows(control, shareOfGraph * seconds),
-        end(control, seconds);
+    Known known(control, tell, graph.cost);
+    const Control telling = known.control();
+    const Deadline tree(telling, shareOfTree * seconds), windows(telling, shareOfGraph * seconds),
+        end(telling, seconds);
     Improvement result;
-    Improver improver(space, presentArcs(mesh, complex, space.graph, graph.tracks), result);
+    Improver improver(space, presentArcs(mesh, complex, space.graph, graph.tracks), result, known);
 
     const OptimumResult found = improver.searchTree(tree.control());
     result.lowerBound = found.lowerBound;
+    known.bound(result.lowerBound);
     control.progress(shareOfTree);
     if (!found.complete) {
         WindowOptions allSizes;
@@ -104,8 +137,9 @@ Improvement improveGraph(const QuadMesh& mesh, const BaseComplex& complex,
     for (const OpenPart& part : found.openParts) {
         DecompositionOptions options;
         options.seconds = end.secondsLeft();
-        const double bound = decompositionBound(part.relaxed, options, control);
+        const double bound = decompositionBound(part.relaxed, options, telling);
         result.lowerBound += std::max(0.0, bound - part.lowerBound);
+        known.bound(result.lowerBound);
     }
     control.progress(1);
     // The bound sums what the search summed, in another order than the tracks' costs.

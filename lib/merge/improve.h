@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/control.h"
+#include "base/known_cost.h"
 #include "enumerate/sub_mesh/search_space.h"
 #include "enumerate/window/window_search.h"
 #include "layout/motorcycle_graph.h"
@@ -24,10 +25,12 @@ struct Improvement {
 /// \param cornerCost  of every corner of a segment
 /// \param seconds     in all; without a limit, the result is proven
 /// \param control     if it is stopped, the best so far
+/// \param tell        told what is known
 [[nodiscard]] Improvement improveGraph(const QuadMesh& mesh, const BaseComplex& complex,
                                        const std::vector<double>& edgeCosts, double cornerCost,
                                        const Constraints& constraints, const MotorcycleGraph& graph,
-                                       double seconds, const Control& control = {});
+                                       double seconds, const Control& control = {},
+                                       const KnownCost& tell = {});
 
 /// Searches windows that are no harder than a sub-mesh, wherever the cut runs; of very many, the first.
 /// \param present     the arcs of a valid graph of the whole mesh

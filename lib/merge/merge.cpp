@@ -157,20 +157,7 @@ private:
     /// Extends what is still free straight on, the cheapest first.
     void extendRest() {
         result_.searches = searches_;
-        for (auto particles = freeParticles(space_.graph, present_); !particles.empty();
-             particles = freeParticles(space_.graph, present_)) {
-            const auto cost = [&](Particle particle) {
-                std::vector<bool> trial = present_;
-                extendParticle(space_.graph, particle, trial);
-                double sum = 0;
-                for (std::size_t arc = 0; arc < trial.size(); ++arc)
-                    if (trial[arc] && !present_[arc]) sum += space_.arcCosts[arc];
-                return sum;
-            };
-            const auto cheapest = std::ranges::min_element(particles, {}, cost);
-            ++result_.extended;
-            if (extendParticle(space_.graph, *cheapest, present_) == 0) return;
-        }
+        result_.extended = extendCheapestFirst(space_.graph, space_.arcCosts, present_);
     }
 
     const QuadMesh& mesh_;
@@ -208,7 +195,8 @@ MergeResult wholeGraph(const Enumeration& enumeration) {
 MergeResult mergeGraphs(const QuadMesh& mesh, const BaseComplex& complex,
                         const std::vector<double>& dihedralAngles, const SubMeshes& subMeshes,
                         const Enumeration& enumeration, const Constraints& constraints,
-                        double complexityLimit, const MergeOptions& options, const Control& control) {
+                        double complexityLimit, const MergeOptions& options, const Control& control,
+                        const KnownCost& tell) {
     if (enumeration.graphClass == GraphClass::tmesh) return wholeGraph(enumeration);
     const std::vector<double> costs = edgeCosts(mesh, dihedralAngles, enumeration.cost, constraints);
     const SearchSpace space =
@@ -246,7 +234,7 @@ MergeResult mergeGraphs(const QuadMesh& mesh, const BaseComplex& complex,
     const bool proven = result.lowerBound && result.graph.cost <= *result.lowerBound + Incumbents::tolerance;
     if (options.improve > 0 && !proven) {
         Improvement better = improveGraph(mesh, complex, costs, cornerCost(enumeration.cost.terms),
-                                          constraints, result.graph, options.improve, control);
+                                          constraints, result.graph, options.improve, control, tell);
         result.graph = std::move(better.graph);
         if (bounds)
             result.lowerBound = std::max(better.lowerBound, result.lowerBound.value_or(better.lowerBound));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/control.h"
+#include "base/known_cost.h"
 #include "enumerate/enumerate.h"
 
 namespace qm {
@@ -29,11 +30,12 @@ struct MergeResult {
 /// PMG, then CMG until no particle is free, then improvements if there is time. Always ends in a valid
 /// motorcycle graph of the whole mesh.
 /// \param enumeration  its first graph of every sub-mesh is the starting point; its cost options are used
+/// \param tell  told what is known while it improves
 /// \param complexityLimit  chi: a closed set of linked particles at least this complex is reduced
 [[nodiscard]] MergeResult mergeGraphs(const QuadMesh& mesh, const BaseComplex& complex,
                                       const std::vector<double>& dihedralAngles, const SubMeshes& subMeshes,
                                       const Enumeration& enumeration, const Constraints& constraints,
                                       double complexityLimit, const MergeOptions& options,
-                                      const Control& control = {});
+                                      const Control& control = {}, const KnownCost& tell = {});
 
 } // namespace qm

@@ -1,9 +1,12 @@
 #include "prune/grid_program.h"
 
+#include "layout/seed_line.h"
 #include "mesh/topology.h"
+#include "prune/annuli.h"
 #include "prune/turn.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -19,23 +22,31 @@ std::size_t at(int index) {
 class Builder {
 public:
     Builder(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
-            const std::vector<double>& arcCosts, double maxTurn)
-        : mesh_(mesh), complex_(complex), graph_(graph), maxTurn_(maxTurn), arcOf_(mesh.n_edges()) {
-        result_.program.costs = arcCosts;
-        result_.quarters.assign(arcCosts.size(), 0);
+            const std::vector<double>& dihedralAngles, const std::vector<double>& edgeCosts, double maxTurn)
+        : mesh_(mesh), complex_(complex), graph_(graph), dihedralAngles_(dihedralAngles),
+          edgeCosts_(edgeCosts), maxTurn_(maxTurn), arcOf_(mesh.n_edges()), inLayout_(mesh.n_edges(), false) {
+        result_.program.costs = sumOverArcs(mesh, graph, complex, edgeCosts);
+        result_.quarters.assign(graph.arcs.size(), 0);
         for (std::size_t arc = 0; arc < graph.arcs.size(); ++arc)
             for (const HalfedgeId halfedge : halfedgesOf(graph, complex, ArcId(arc)))
                 arcOf_[at(mesh.edge_handle(halfedge).idx())] = ArcId(arc);
     }
 
     GridProgram build(const Layout& layout) {
+        for (const LayoutTrack& track : layout.tracks)
+            for (const HalfedgeId halfedge : track.track.halfedges)
+                inLayout_[at(mesh_.edge_handle(halfedge).idx())] = !track.transversal;
         for (const Junction& junction : graph_.junctions)
             addJunction(junction);
+        for (const Seed seed : complex_.seeds)
+            addSeed(seed);
         for (const VertexId vertex : complex_.extraordinaryVertices)
             addExtraordinary(vertex);
         for (const VertexId vertex : mesh_.vertices())
             if (mesh_.is_boundary(vertex) && !mesh_.is_isolated(vertex) && isRegular(mesh_, vertex))
                 addBoundary(vertex);
+        addAnnuli();
+        addSeedLines();
         for (const LayoutTrack& track : layout.tracks)
             if (!track.transversal) {
                 keepSmooth(track.track.halfedges.back());
@@ -55,6 +66,14 @@ private:
         result_.program.rows.push_back(std::move(row));
     }
 
+    /// \return the new column
+    int addIndicator(std::vector<ArcId> arcs, bool ofAny, double quarters, double cost = 0) {
+        result_.program.costs.push_back(cost);
+        result_.quarters.push_back(quarters);
+        result_.indicators.push_back({std::move(arcs), ofAny});
+        return static_cast<int>(result_.program.costs.size()) - 1;
+    }
+
     void addJunction(const Junction& junction) {
         const auto& arcs = junction.arcs;
         for (const std::size_t k : {0U, 1U, 2U, 3U})
@@ -66,16 +85,28 @@ private:
 
     /// A T has two corners and a + four: two for every arc, less four if there are any.
     void addCorners(const Junction& junction) {
-        const int touched = static_cast<int>(result_.program.costs.size());
-        result_.program.costs.push_back(0);
-        result_.quarters.push_back(-4);
-        IntegerProgram::Row row{{touched}, {-2}, 0, infinity};
-        for (const ArcId arc : junction.arcs)
-            if (arc.valid()) {
-                result_.quarters[arc.idx()] += 2;
-                row.add(arc.value(), 1);
-            }
+        std::vector<ArcId> arcs;
+        std::ranges::copy_if(junction.arcs, std::back_inserter(arcs), &ArcId::valid);
+        IntegerProgram::Row row{{addIndicator(arcs, true, -4)}, {-2}, 0, infinity};
+        for (const ArcId arc : arcs) {
+            result_.quarters[arc.idx()] += 2;
+            row.add(arc.value(), 1);
+        }
         result_.program.rows.push_back(std::move(row));
+    }
+
+    /// Where no line crosses a seed's there is no junction, but the line goes on all the same.
+    void addSeed(Seed seed) {
+        if (hasJunction(mesh_.from_vertex_handle(seed.direction))) return;
+        const ArcId ahead = arcAt(seed.direction),
+                    behind = arcAt(straightOn(mesh_, mesh_.opposite_halfedge_handle(seed.direction)));
+        if (ahead == behind) return;
+        result_.program.rows.push_back({{ahead.value(), behind.value()}, {1, -1}, 0, 0});
+    }
+
+    bool hasJunction(VertexId vertex) const {
+        return std::ranges::binary_search(graph_.junctions, vertex.idx(), {},
+                                          [](const Junction& junction) { return junction.vertex.idx(); });
     }
 
     ArcId arcAt(HalfedgeId leaving) const { return arcOf_[at(mesh_.edge_handle(leaving).idx())]; }
@@ -102,7 +133,8 @@ private:
             for (const ArcId arc : {a, b})
                 if (arc.valid()) result_.quarters[arc.idx()] += 1;
             result_.corners += known - 1;
-            const bool mayEnd = !isBoundary(next) && b.valid() && haveQuadBetween(next, afterNext);
+            const bool mayEnd =
+                inLayout_[at(mesh_.edge_handle(next).idx())] && b.valid() && haveQuadBetween(next, afterNext);
             if (mayEnd && turnBetween(mesh_, edge, afterNext) > maxTurn_) atLeast({{b, 1}}, 1);
         }
     }
@@ -119,7 +151,72 @@ private:
             if (arcAt(halfedge).valid()) result_.quarters[arcAt(halfedge).idx()] += 2;
     }
 
-    /// A track of the layout that ends where others turn by too much stays as long as these pass.
+    void addAnnuli() {
+        const AnnulusBands bands = annulusBands(mesh_, arcOf_);
+        std::vector<int> columnOf;
+        for (const std::vector<ArcId>& across : bands.across) {
+            columnOf.push_back(addIndicator(across, false, 4));
+            someOf(across, columnOf.back());
+        }
+        for (const AnnulusBands::Joint& joint : bands.joints) {
+            std::vector<ArcId> arcs = joint.arcs;
+            for (const std::size_t band : joint.bands)
+                arcs.insert(arcs.end(), bands.across[band].begin(), bands.across[band].end());
+            const int column = addIndicator(std::move(arcs), false, -4);
+            for (const std::size_t band : joint.bands)
+                result_.program.rows.push_back({{columnOf[band], column}, {1, -1}, 0, infinity});
+            noneOf(joint.arcs, column);
+        }
+    }
+
+    /// A torus or an annulus without any source gets a line when nothing else is there.
+    void addSeedLines() {
+        const Components parts = components(mesh_);
+        std::vector<bool> ring(at(parts.count), true);
+        for (const VertexId vertex : mesh_.vertices())
+            if (!isRegular(mesh_, vertex) || mesh_.is_isolated(vertex) || mesh_.valence(vertex) == 2)
+                ring[at(parts.ofVertex[at(vertex.idx())])] = false;
+        const auto partOf = [&](HalfedgeId halfedge) {
+            return at(parts.ofVertex[at(mesh_.to_vertex_handle(halfedge).idx())]);
+        };
+        std::vector<std::vector<FaceId>> faces(ring.size());
+        std::vector<std::vector<ArcId>> arcs(ring.size());
+        for (const FaceId face : mesh_.faces())
+            faces[partOf(mesh_.halfedge_handle(face))].push_back(face);
+        for (std::size_t arc = 0; arc < graph_.arcs.size(); ++arc)
+            arcs[partOf(halfedgesOf(graph_, complex_, ArcId(arc)).front())].emplace_back(arc);
+        for (std::size_t part = 0; part < ring.size(); ++part)
+            if (ring[part]) addSeedLine(faces[part], arcs[part]);
+    }
+
+    void addSeedLine(const std::vector<FaceId>& faces, const std::vector<ArcId>& arcs) {
+        double cost = 0;
+        const std::vector<HalfedgeId> line = seedLine(mesh_, faces, dihedralAngles_);
+        for (const HalfedgeId halfedge : line)
+            cost += edgeCosts_[at(mesh_.edge_handle(halfedge).idx())];
+        // A loop makes an annulus of a torus, or two of one; a line from border to border a grid of one.
+        const bool loop = !mesh_.is_boundary(mesh_.from_vertex_handle(line.front()));
+        const int column = addIndicator(arcs, false, loop ? 4 : 0, cost);
+        someOf(arcs, column);
+        noneOf(arcs, column);
+    }
+
+    /// The column is 1 unless an arc is in.
+    void someOf(const std::vector<ArcId>& arcs, int column) {
+        IntegerProgram::Row row{{column}, {1}, 1, infinity};
+        for (const ArcId arc : arcs)
+            row.columns.push_back(arc.value());
+        row.weights.resize(row.columns.size(), 1);
+        result_.program.rows.push_back(std::move(row));
+    }
+
+    /// The column is 0 if an arc is in.
+    void noneOf(const std::vector<ArcId>& arcs, int column) {
+        for (const ArcId arc : arcs)
+            result_.program.rows.push_back({{column, arc.value()}, {1, 1}, 0, 1});
+    }
+
+    /// Where a track of the layout ends at others that turn there, it stays as long as these pass.
     void keepSmooth(HalfedgeId arriving) {
         const VertexId vertex = mesh_.to_vertex_handle(arriving);
         if (!continuesStraight(mesh_, vertex)) return;
@@ -134,8 +231,11 @@ private:
     const QuadMesh& mesh_;
     const BaseComplex& complex_;
     const ArcGraph& graph_;
+    const std::vector<double>& dihedralAngles_;
+    const std::vector<double>& edgeCosts_;
     double maxTurn_;
-    std::vector<ArcId> arcOf_; ///< of every edge
+    std::vector<ArcId> arcOf_;   ///< of every edge
+    std::vector<bool> inLayout_; ///< of every edge, on a track that is no transversal
     GridProgram result_;
 };
 
@@ -148,9 +248,19 @@ double GridProgram::segments(const std::vector<double>& values) const {
     return sum / 4;
 }
 
+std::vector<double> GridProgram::valuesOf(const std::vector<bool>& present) const {
+    std::vector<double> values(present.begin(), present.end());
+    for (const Indicator& indicator : indicators) {
+        const bool any = std::ranges::any_of(indicator.arcs, [&](ArcId arc) { return present[arc.idx()]; });
+        values.push_back(any == indicator.ofAny ? 1 : 0);
+    }
+    return values;
+}
+
 GridProgram gridProgram(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
-                        const std::vector<double>& arcCosts, const Layout& layout, double maxTurn) {
-    return Builder(mesh, complex, graph, arcCosts, maxTurn).build(layout);
+                        const std::vector<double>& dihedralAngles, const std::vector<double>& edgeCosts,
+                        const Layout& layout, double maxTurn) {
+    return Builder(mesh, complex, graph, dihedralAngles, edgeCosts, maxTurn).build(layout);
 }
 
 } // namespace qm

@@ -1,11 +1,13 @@
 /// \file Which arcs of the base complex keep every segment a grid, as an integer program
 /// (docs/METHOD.md#pruning-program).
 ///
-/// One binary variable an arc, and one a junction that says whether any track runs over it. A segment takes
-/// at most two quads at any vertex, so that by Gauss-Bonnet it is a grid with four corners or an annulus:
+/// One binary variable an arc. A segment takes at most two quads at any vertex, so that by Gauss-Bonnet it is
+/// a grid with four corners, or an annulus or torus with none:
 /// - at a junction where exactly one arc of a line is in, both arcs of the other are;
+/// - at a seed that no line crosses both arcs are in, or both are out;
 /// - of two neighbouring edges at an extraordinary vertex at least one is in.
-/// The number of segments is linear: every corner of one counts a quarter.
+/// Further variables make the number of segments linear: every corner counts a quarter, and every annulus,
+/// which becomes one segment when it is split, counts like four corners.
 #pragma once
 
 #include "basecomplex/arc_graph.h"
@@ -16,20 +18,32 @@
 
 namespace qm {
 
-/// Columns 0 .. arcs - 1 are the arcs, and after them come the junctions.
+/// Columns 0 .. arcs - 1 are the arcs, and after them come the indicators.
 struct GridProgram {
-    IntegerProgram program;       ///< minimises G_T
-    std::vector<double> quarters; ///< corners that every column adds
-    double corners = 0;           ///< that every layout has
+    /// A column that follows from the arcs.
+    struct Indicator {
+        std::vector<ArcId> arcs;
+        bool ofAny = true; ///< 1 if any of them is in, else 1 if none is
+    };
 
-    /// Corners / 4; annuli are not counted.
+    IntegerProgram program;       ///< minimises G_T, with the lines that components without tracks get
+    std::vector<double> quarters; ///< corners that every column adds
+    double corners = 0;           ///< that are there anyway
+    std::vector<Indicator> indicators;
+
+    /// Corners / 4.
     [[nodiscard]] double segments(const std::vector<double>& values) const;
+
+    /// All columns. \param present  of every arc: whether it is in
+    [[nodiscard]] std::vector<double> valuesOf(const std::vector<bool>& present) const;
 };
 
-/// \param layout   the start; where its tracks end, a removal could make a border turn
-/// \param maxTurn  degrees: where a border turns by more, the track that ends there must stay
+/// \param layout   what it has removed already may stay so, and where its tracks end is where a further
+///                 removal could make a border turn
+/// \param maxTurn  degrees: where a border would turn by more, what supports it must stay
 [[nodiscard]] GridProgram gridProgram(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
-                                      const std::vector<double>& arcCosts, const Layout& layout,
+                                      const std::vector<double>& dihedralAngles,
+                                      const std::vector<double>& edgeCosts, const Layout& layout,
                                       double maxTurn);
 
 } // namespace qm

@@ -21,9 +21,11 @@ struct PruneOptions {
     bool smooth = true;  ///< apply the smoothness criterion
     double maxTurn = 25; ///< P, degrees: the most that the boundary may turn where a removed track ended
     double beta = 1;     ///< optimum: the price of a segment
+    /// optimum: as few segments as can be, and only then the least G_T; then beta does not count
+    bool fewestPatches = false;
     /// optimum: at most so many segments, whatever they cost; then beta does not count
     double maxSegments = std::numeric_limits<double>::infinity();
-    double timeLimit = 60; ///< optimum: seconds for one layout
+    double timeLimit = 60; ///< optimum and front: seconds for all together
     bool front = false;    ///< list what can be had for how many segments
 };
 
@@ -33,6 +35,8 @@ struct FrontPoint {
     std::size_t segments = 0;
     double cost = 0;
     double capturedSharpness = 0;
+    double objectiveBound = 0; ///< no layout has a lower G_T + beta * segments
+    bool proven = false;       ///< it attains the bound
 };
 
 struct PruneResult {
@@ -40,7 +44,8 @@ struct PruneResult {
     std::size_t removedTracks = 0;
     std::size_t keptNotQuadrilateral = 0; ///< candidates kept because a segment would lose its four corners
     std::size_t keptNotSmooth = 0;        ///< candidates kept because of the smoothness criterion
-    /// Optimum: no layout has a lower G_T + beta * segments (or G_T, if their number is limited).
+    /// Optimum: no layout has a lower G_T + beta * segments; or a lower G_T, if the number of segments is
+    /// limited; or a lower number, if that is to be as low as can be.
     std::optional<double> objectiveBound;
     bool proven = false;           ///< optimum: the layout attains the bound
     std::vector<FrontPoint> front; ///< if asked for

@@ -1,5 +1,6 @@
 #include "prune/prune_optimum.h"
 
+#include "base/deadline.h"
 #include "base/error.h"
 #include "layout/quality.h"
 #include "layout/tracks.h"
@@ -22,6 +23,12 @@ std::size_t at(EdgeId edge) {
     return static_cast<std::size_t>(edge.idx());
 }
 
+/// What a search is after.
+struct Aim {
+    double beta = 0; ///< price of a segment
+    double maxSegments = infinity;
+};
+
 class Pruner {
 public:
     Pruner(const QuadMesh& mesh, const BaseComplex& complex, const Layout& layout,
@@ -29,51 +36,129 @@ public:
            const PruneOptions& options, const Control& control)
         : mesh_(mesh), complex_(complex), dihedralAngles_(dihedralAngles), edgeCosts_(edgeCosts),
           options_(options), control_(control), graph_(buildArcGraph(mesh, complex)),
-          grids_(gridProgram(mesh, complex, graph_, sumOverArcs(mesh, graph_, complex, edgeCosts), layout,
+          grids_(gridProgram(mesh, complex, graph_, dihedralAngles, edgeCosts, layout,
                              options.smooth ? options.maxTurn : flat)),
-          layout_(layout), known_{valuesOf(layout)} {}
+          layout_(layout), known_{valuesOf(layout)} {
+        if (!grids_.program.allows(known_.front()))
+            throw Error("/layout/tracks", "they are not made of whole arcs of the base complex",
+                        "Leave --method optimum out, or run qm-merge again");
+    }
 
-    /// \param beta  price of a segment
-    [[nodiscard]] PruneResult prune(double beta, double maxSegments) {
-        IntegerProgram program = pricedAt(beta);
-        const double worth = std::isfinite(maxSegments) ? infinity : beta;
-        removeTracks(layout_, worth);
-        removeTracks(layoutOf(*bestKnown(program, infinity)), worth);
-        if (!bestKnown(grids_.program, maxSegments)) approach(maxSegments);
-        if (std::isfinite(maxSegments)) program.rows.push_back(limitOn(maxSegments));
-        const std::optional<Values> start = bestKnown(program, maxSegments);
-        // Half of the time to prove the optimum; otherwise the rest for the best without a proof.
-        ProgramSolution solution =
-            solveProgram(program, start.value_or(Values{}), {.seconds = options_.timeLimit / 2}, control_);
-        if (!solution.values && !start)
-            throw Error("--max-segments", "no layout of so few segments was found",
-                        "allow more, or more time");
-        Values values = start.value_or(Values{});
-        if (solution.values) values = std::move(*solution.values);
-        if (!solution.proven)
-            values = improveByNeighbourhoods(program, std::move(values), lines(),
-                                             {.seconds = options_.timeLimit / 2}, control_);
+    /// What the options ask for.
+    [[nodiscard]] PruneResult prune(double seconds) {
+        if (options_.fewestPatches) return pruneToFewest(seconds);
+        if (std::isfinite(options_.maxSegments)) return prune({0, options_.maxSegments}, seconds);
+        return prune({options_.beta}, seconds);
+    }
+
+    [[nodiscard]] PruneResult prune(const Aim& aim, double seconds) {
+        const IntegerProgram program = programFor(aim);
+        const Deadline end(control_, seconds);
+        const bool limited = std::isfinite(aim.maxSegments);
+        prepare(program, limited ? dearest : aim.beta);
+        if (limited) approach(aim.maxSegments, end);
+        Found found = solve(program, aim.maxSegments, end);
         PruneResult result;
-        result.layout = layoutOf(values);
-        // Every component without sources gets a loop, whatever the program says.
-        const double loops = result.layout.cost - grids_.program.cost(values);
-        result.objectiveBound = solution.lowerBound + beta * grids_.corners / 4 + loops;
-        result.proven = solution.proven;
-        known_.push_back(std::move(values));
+        result.layout = layoutOf(found.values);
+        result.objectiveBound = found.lowerBound + aim.beta * grids_.corners / 4;
+        result.proven = found.proven;
         return result;
+    }
+
+    /// Layouts for a range of prices.
+    [[nodiscard]] std::vector<FrontPoint> front(double rho, double seconds) {
+        const Deadline end(control_, seconds);
+        std::vector<FrontPoint> points;
+        int left = frontPrices;
+        for (double beta = cheapestPrice; left > 0 && !control_.stopRequested(); beta *= 2, --left) {
+            const PruneResult pruned = prune({beta}, std::min(end.secondsLeft(), seconds) / left);
+            const LayoutQuality quality = measureLayout(mesh_, pruned.layout, dihedralAngles_, rho);
+            const FrontPoint point{beta,
+                                   quality.segments,
+                                   pruned.layout.cost,
+                                   quality.capturedSharpness,
+                                   *pruned.objectiveBound,
+                                   pruned.proven};
+            if (std::ranges::any_of(points, [&](const FrontPoint& other) { return covers(other, point); }))
+                continue;
+            std::erase_if(points, [&](const FrontPoint& other) { return covers(point, other); });
+            points.push_back(point);
+        }
+        std::ranges::sort(points, std::ranges::greater{}, &FrontPoint::segments);
+        return points;
     }
 
 private:
     using Values = std::vector<double>; ///< of every column of the program
+    struct Found {
+        Values values;
+        double lowerBound = 0;
+        bool proven = false;
+    };
 
-    IntegerProgram pricedAt(double beta) const {
-        IntegerProgram program = grids_.program;
+    /// A price beyond which only the number of segments counts.
+    static constexpr double dearest = std::numeric_limits<double>::max();
+    static constexpr double cheapestPrice = 1.0 / 16; ///< of a front; the next is twice as much
+    static constexpr int frontPrices = 11;
+
+    /// Whether the first is as good in everything.
+    static bool covers(const FrontPoint& a, const FrontPoint& b) {
+        constexpr double tiny = 1e-9;
+        return a.segments <= b.segments && a.cost <= b.cost + tiny &&
+               a.capturedSharpness >= b.capturedSharpness - tiny;
+    }
+
+    /// First their number, then G_T with no more than that.
+    PruneResult pruneToFewest(double seconds) {
+        IntegerProgram numbers = grids_.program;
+        numbers.costs.assign(numbers.costs.size(), 0);
+        addPrice(numbers, 1);
+        const Deadline end(control_, seconds), firstEnd(control_, seconds / 2);
+        prepare(numbers, dearest);
+        const Found fewest = solve(numbers, infinity, firstEnd);
+        PruneResult result = prune({0, grids_.segments(fewest.values)}, end.secondsLeft());
+        result.proven = result.proven && fewest.proven;
+        result.objectiveBound = std::ceil(fewest.lowerBound + grids_.corners / 4 - 1e-6);
+        return result;
+    }
+
+    void addPrice(IntegerProgram& program, double beta) const {
         for (std::size_t column = 0; column < program.costs.size(); ++column)
             program.costs[column] += beta * grids_.quarters[column] / 4;
+    }
+
+    IntegerProgram programFor(const Aim& aim) const {
+        IntegerProgram program = grids_.program;
+        addPrice(program, aim.beta);
+        if (std::isfinite(aim.maxSegments)) program.rows.push_back(limitOn(aim.maxSegments));
         return program;
     }
 
-    /// The cheapest solution found so far, of at most so many segments.
+    /// Makes solutions known to begin with. \param worth  of a segment
+    void prepare(const IntegerProgram& program, double worth) {
+        removeTracks(layout_, worth);
+        removeTracks(layoutOf(*bestKnown(program, infinity)), worth);
+    }
+
+    /// Half of the time to prove the optimum; otherwise the rest for the best without a proof.
+    Found solve(const IntegerProgram& program, double maxSegments, const Deadline& end) {
+        const std::optional<Values> start = bestKnown(program, maxSegments);
+        const double seconds = end.secondsLeft();
+        ProgramSolution solution =
+            solveProgram(program, start.value_or(Values{}), {.seconds = seconds / 2}, control_);
+        if (!solution.values && !start)
+            throw Error("--max-segments", "no layout of so few segments was found",
+                        "allow more, or more time");
+        Values values = solution.values ? valuesOf(*solution.values) : *start;
+        if (start && program.cost(*start) < program.cost(values)) values = *start;
+        if (!solution.proven)
+            values = valuesOf(improveByNeighbourhoods(program, std::move(values), lines(),
+                                                      {.seconds = end.secondsLeft()}, control_));
+        known_.push_back(values);
+        return {std::move(values), solution.lowerBound, solution.proven};
+    }
+
+    /// Of the solutions that were found so far.
     std::optional<Values> bestKnown(const IntegerProgram& program, double maxSegments) const {
         const Values* best = nullptr;
         for (const Values& values : known_)
@@ -92,13 +177,15 @@ private:
         if (grids_.program.allows(values)) known_.push_back(std::move(values));
     }
 
-    /// Looks for a first layout of so few segments by raising their price.
-    void approach(double maxSegments) {
-        constexpr double dearest = 1024;
-        for (double beta = 1; beta <= dearest && !bestKnown(grids_.program, maxSegments); beta *= 4) {
-            const IntegerProgram program = pricedAt(beta);
-            known_.push_back(improveByNeighbourhoods(program, *bestKnown(program, infinity), lines(),
-                                                     {.seconds = options_.timeLimit / 12}, control_));
+    /// Looks for a first layout of so few segments, by making them dearer and dearer. Takes at most half of
+    /// the time.
+    void approach(double maxSegments, const Deadline& end) {
+        constexpr double highest = 1024;
+        const double seconds = end.secondsLeft() / 12;
+        for (double beta = 1; beta <= highest && !bestKnown(grids_.program, maxSegments); beta *= 4) {
+            const IntegerProgram program = programFor({beta});
+            known_.push_back(valuesOf(improveByNeighbourhoods(program, *bestKnown(program, infinity), lines(),
+                                                              {.seconds = seconds}, control_)));
         }
     }
 
@@ -132,14 +219,15 @@ private:
         for (const LayoutTrack& track : layout.tracks)
             if (!track.transversal && onArc[at(mesh_.edge_handle(track.track.halfedges.front()))])
                 tracks.push_back(track.track);
-        const std::vector<bool> present = presentArcs(mesh_, complex_, graph_, tracks);
-        Values values(present.begin(), present.end());
-        for (const Junction& junction : graph_.junctions)
-            values.push_back(std::ranges::any_of(junction.arcs,
-                                                 [&](ArcId arc) { return arc.valid() && present[arc.idx()]; })
-                                 ? 1
-                                 : 0);
-        return values;
+        return grids_.valuesOf(presentArcs(mesh_, complex_, graph_, tracks));
+    }
+
+    /// Columns that follow from the arcs may have any value that costs nothing; here they get their own.
+    Values valuesOf(const Values& solved) const {
+        std::vector<bool> present(graph_.arcs.size());
+        for (std::size_t arc = 0; arc < present.size(); ++arc)
+            present[arc] = solved[arc] > 0.5;
+        return grids_.valuesOf(present);
     }
 
     /// Every run of arcs that are in, along a line, is a track.
@@ -174,50 +262,34 @@ private:
     std::vector<Values> known_; ///< solutions, whatever they cost
 };
 
-/// Whether the first is as good as the second, or better, in everything.
-bool covers(const FrontPoint& a, const FrontPoint& b) {
-    constexpr double tiny = 1e-9;
-    return a.segments <= b.segments && a.cost <= b.cost + tiny &&
-           a.capturedSharpness >= b.capturedSharpness - tiny;
-}
-
 } // namespace
 
 PruneResult pruneToOptimum(const QuadMesh& mesh, const BaseComplex& complex, const Layout& layout,
                            const std::vector<double>& dihedralAngles, const std::vector<double>& edgeCosts,
                            const PruneOptions& options, const Control& control) {
-    Pruner pruner(mesh, complex, layout, dihedralAngles, edgeCosts, options, control);
-    return pruner.prune(std::isfinite(options.maxSegments) ? 0 : options.beta, options.maxSegments);
+    return Pruner(mesh, complex, layout, dihedralAngles, edgeCosts, options, control)
+        .prune(options.timeLimit);
 }
 
 std::vector<FrontPoint> pruneFront(const QuadMesh& mesh, const BaseComplex& complex, const Layout& layout,
                                    const std::vector<double>& dihedralAngles,
                                    const std::vector<double>& edgeCosts, const PruneOptions& options,
                                    double rho, const Control& control) {
-    Pruner pruner(mesh, complex, layout, dihedralAngles, edgeCosts, options, control);
-    std::vector<FrontPoint> points;
-    for (double beta = 1.0 / 16; beta <= 64 && !control.stopRequested(); beta *= 2) {
-        const PruneResult pruned = pruner.prune(beta, infinity);
-        const LayoutQuality quality = measureLayout(mesh, pruned.layout, dihedralAngles, rho);
-        const FrontPoint point{beta, quality.segments, pruned.layout.cost, quality.capturedSharpness};
-        if (std::ranges::any_of(points, [&](const FrontPoint& other) { return covers(other, point); }))
-            continue;
-        std::erase_if(points, [&](const FrontPoint& other) { return covers(point, other); });
-        points.push_back(point);
-    }
-    std::ranges::sort(points, std::ranges::greater{}, &FrontPoint::segments);
-    return points;
+    return Pruner(mesh, complex, layout, dihedralAngles, edgeCosts, options, control)
+        .front(rho, options.timeLimit);
 }
 
 PruneResult prune(const QuadMesh& mesh, const BaseComplex& complex, const Layout& layout,
                   const std::vector<double>& dihedralAngles, const std::vector<double>& edgeCosts,
                   const PruneOptions& options, double rho, const Control& control) {
-    PruneResult result =
-        options.method == PruneMethod::optimum
-            ? pruneToOptimum(mesh, complex, layout, dihedralAngles, edgeCosts, options, control)
-            : pruneLayout(mesh, layout, dihedralAngles, edgeCosts, options, control);
-    if (options.front)
-        result.front = pruneFront(mesh, complex, layout, dihedralAngles, edgeCosts, options, rho, control);
+    const bool greedy = options.method == PruneMethod::greedy;
+    PruneResult result;
+    if (greedy) result = pruneLayout(mesh, layout, dihedralAngles, edgeCosts, options, control);
+    if (greedy && !options.front) return result;
+    const Deadline end(control, options.timeLimit);
+    Pruner pruner(mesh, complex, layout, dihedralAngles, edgeCosts, options, control);
+    if (!greedy) result = pruner.prune(options.timeLimit / (options.front ? 2 : 1));
+    if (options.front) result.front = pruner.front(rho, end.secondsLeft());
     return result;
 }
 

@@ -83,3 +83,28 @@ is() { assert_equal "$(field "$1" out.json)" true; }
         misused qm-merge $options "$(stage enumeration block)"
     done
 }
+
+# Harder than can be proven in seconds.
+hard() {
+    once "$SAMPLES/hard.obj" qm-shape random --seed 5 --voxels 40000 --resolution 1
+    once "$SAMPLES/hard.json" bash -c 'qm-basecomplex -q "$1" | qm-cut --chi 20 | qm-enum -q --time-limit 5' _ "$SAMPLES/hard.obj"
+    echo "$SAMPLES/hard.json"
+}
+
+@test "an improvement that is interrupted is written, and says so" {
+    input=$(hard)
+    for signal in INT TERM; do
+        # timeout sends its signal to the tool and once more to its group.
+        run -3 --separate-stderr timeout --preserve-status -s "$signal" 6 qm-merge --improve 600 "$input" -o "$signal.json"
+        assert_regex "$stderr" 'interrupted'
+        quietly qm-check "$signal.json"
+    done
+}
+
+@test "what is known is said every few seconds" {
+    input=$(hard)
+    run -0 --separate-stderr qm-merge --improve 8 "$input" -o out.json
+    assert_regex "$stderr" 'qm-merge: cost -?[0-9.]+, (no bound yet|at least -?[0-9.]+, gap [0-9.]+)'
+    run -0 --separate-stderr qm-merge --quiet --improve 4 "$input" -o out.json
+    assert_equal "$stderr" ''
+}

@@ -93,12 +93,52 @@ objective() { field ".layout.cost + $1 * (.layout.segments | length)" "$2"; }
     is '.layout.prune.front | [range(length) as $j | range(length) as $k | select($j != $k) | [.[$j], .[$k]]
         | .[0].segments <= .[1].segments and .[0].cost <= .[1].cost and .[0].capturedSharpness >= .[1].capturedSharpness]
         | any | not'
+    quietly qm-check out.json
     prune random --no-smooth
     is '.layout.prune.front == []'
 }
 
+@test "every layout of a front says what is proven of it, and the front keeps to the time limit" {
+    prune random --front --no-smooth --method optimum
+    is '.layout.prune.front | map(.proven and (.objectiveBound - .cost - .beta * .segments | fabs) < 1e-6) | all'
+    run -0 --separate-stderr qm-prune --front --no-smooth --verbose "$(stage layout random)" -o out.json
+    assert_equal "$(grep -c 'front: beta .* proven$' <<<"$stderr")" "$(field '.layout.prune.front | length' out.json)"
+    SECONDS=0
+    run -0 --separate-stderr qm-prune --front --method optimum --time-limit 0 "$(stage layout block)" -o out.json
+    assert [ "$SECONDS" -lt 10 ]
+    is '.layout.prune | .proven or (.front | map(.proven) | all) | not'
+    assert_regex "$stderr" 'the search was ended early'
+    quietly qm-check out.json
+}
+
+@test "feature curves are pruned to the optimum at every price" {
+    qm-basecomplex "$(sample random)" | qm-features --rho 0.3 --tau 3 --zeta 0 | qm-enum | qm-merge -o curves.json
+    assert [ "$(field '.features.curves | length' curves.json)" -gt 2 ]
+    for beta in 0 0.1 1 10 1e3; do
+        quietly qm-prune --method optimum --no-smooth --beta "$beta" curves.json -o out.json
+        best=$(objective "$beta" out.json)
+        is ".layout.prune.proven and ($best - .layout.prune.objectiveBound | fabs) < 1e-6"
+        quietly qm-check out.json
+        quietly qm-prune --no-smooth --eta "-$beta" curves.json -o out.json
+        is ".layout.cost + $beta * (.layout.segments | length) >= $best - 1e-6"
+    done
+}
+
+@test "the fewest patches are no more than any price leaves, and the cheapest of so few" {
+    for model in block random; do
+        prune "$model" --method optimum --no-smooth --fewest-patches
+        is '.layout.prune.proven and .layout.prune.objectiveBound == (.layout.segments | length)'
+        quietly qm-check out.json
+        fewest=$(field '.layout.segments | length' out.json)
+        cost=$(field '.layout.cost' out.json)
+        prune "$model" --method optimum --no-smooth --beta 1e4
+        is "(.layout.segments | length) == $fewest and (.layout.cost - $cost | fabs) < 1e-6"
+    done
+    misused qm-prune --method optimum --fewest-patches --max-segments 5 "$(stage layout block)"
+}
+
 @test "options out of range" {
-    for options in '--eta x' '--eta nan' '--max-turn -1' '--max-turn 181' '--max-turn' '--beta -1' '--max-segments -1' '--method best' '--time-limit x'; do
+    for options in '--eta x' '--eta nan' '--max-turn -1' '--max-turn 181' '--max-turn' '--beta -1' '--beta 1e300' '--max-segments -1' '--method best' '--time-limit x'; do
         # shellcheck disable=SC2086  # a list of words
         misused qm-prune $options "$(stage layout block)"
     done

@@ -417,6 +417,16 @@ INSTANTIATE_TEST_SUITE_P(
  layout(d).quality.rho = 0.45;
  layout(d).quality.capturedSharpness = 0.5; },
                "/layout/quality/capturedSharpness", "quality"},
+        Spoilt{"frontCovered", cornerModel, [](Doc& d) {
+ layout(d).front = {{1, 9, -5, 0.5, -1.0, false}, {2, 7, -4, 0.4, -2.0, false}, {4, 6, -4, 0.4, 20.0, true}}; },
+               "/layout/prune/front/1", "front"},
+        Spoilt{"frontOrder", cornerModel, [](Doc& d) {
+ layout(d).front = {{1, 6, -4, 0.5, 2.0, true}, {2, 7, -5, 0.5, 9.0, true}}; },
+               "/layout/prune/front/1/segments", "front"},
+        Spoilt{"frontBound", cornerModel, [](Doc& d) { layout(d).front = {{1, 6, -4, 0.5, 3.0, false}}; },
+               "/layout/prune/front/0/objectiveBound", "front"},
+        Spoilt{"frontProof", cornerModel, [](Doc& d) { layout(d).front = {{1, 6, -4, 0.5, 1.0, true}}; },
+               "/layout/prune/front/0/proven", "front"},
         Spoilt{"wholeLine", torusModel, [](Doc& d) { layout(d).tracks[0].vertices.pop_back(); }, "/layout/tracks/0",
                "whole line"},
         Spoilt{"transversalBend", torusModel,

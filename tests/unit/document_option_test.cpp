@@ -20,6 +20,7 @@ TEST(Options, AreRecordedAsTheyAreInEffect) {
                                               {"smooth", true},
                                               {"maxTurn", 25.0},
                                               {"beta", 1.0},
+                                              {"fewestPatches", false},
                                               {"maxSegments", nullptr},
                                               {"timeLimit", 60.0},
                                               {"front", false}}));

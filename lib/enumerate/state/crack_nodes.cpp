@@ -1,6 +1,11 @@
 #include "enumerate/state/crack_nodes.h"
 
-#include <numeric>
+#include <algorithm>
+#include <map>
+#include <set>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
 
 namespace qm {
 namespace {
@@ -11,83 +16,99 @@ std::size_t at(int index) {
 
 class Maker {
 public:
-    Maker(const ProblemInput& input, const std::vector<Chain>& chains, const std::vector<int>& chainOf)
-        : input_(input), graph_(input.graph), chains_(chains), chainOf_(chainOf),
-          parent_(graph_.lines.size()), capacity_(graph_.lines.size(), 0) {
-        std::iota(parent_.begin(), parent_.end(), 0);
-        for (std::size_t line = 0; line < graph_.lines.size(); ++line) {
-            crackable_.push_back(findCrackable(LineId(line)));
-            if (crackable_.back()) capacity_[line] = 1;
-        }
-    }
+    Maker(const ProblemInput& input, const std::vector<Chain>& chains, const SparseIndex& chainOf)
+        : input_(input), graph_(input.graph), chains_(chains), chainOf_(chainOf) {}
 
-    CrackNodes make() {
-        for (const Junction& junction : graph_.junctions)
-            joinFixed(junction);
+    CrackNodes make(const std::vector<LineId>& lines) {
+        std::map<LineId, std::vector<LineId>> groups; // by their lowest line, so that nodes have their order
+        std::map<LineId, int> capacities;
+        for (const LineId line : lines) {
+            if (!isCrackable(line) || !reached_.insert(line).second) continue;
+            auto [group, capacity] = joined(line);
+            const LineId lowest = *std::ranges::min_element(group);
+            capacities[lowest] = capacity;
+            groups[lowest] = std::move(group);
+        }
         CrackNodes result;
-        result.nodeOf.assign(graph_.lines.size(), -1);
-        for (std::size_t line = 0; line < graph_.lines.size(); ++line) {
-            if (!crackable_[line]) continue;
-            const std::size_t root = find(static_cast<int>(line));
-            if (result.nodeOf[root] < 0) {
-                result.nodeOf[root] = static_cast<int>(result.nodes.size());
-                result.nodes.push_back({chainOf_[root], capacity_[root]});
-            }
-            result.nodeOf[line] = result.nodeOf[root];
+        for (const auto& [lowest, group] : groups) {
+            for (const LineId line : group)
+                result.nodeOf.put(line.value(), static_cast<int>(result.nodes.size()));
+            result.nodes.push_back({chainOf_[lowest.value()], capacities[lowest]});
         }
         return result;
     }
 
 private:
     /// Two particles run on it, and everything outside its chain is in.
+    [[nodiscard]] bool isCrackable(LineId id) {
+        const auto [known, added] = crackable_.try_emplace(id, false);
+        if (added) known->second = findCrackable(id);
+        return known->second;
+    }
+
     [[nodiscard]] bool findCrackable(LineId id) const {
         const Line& line = graph_.lines[id.idx()];
         if (!line.backward) return false;
-        const int chain = chainOf_[id.idx()];
+        const int chain = chainOf_[id.value()];
         if (chain >= 0) return chains_[at(chain)].coveredBefore && chains_[at(chain)].coveredAfter;
         for (int k = 0; k < line.arcCount; ++k)
             if (input_.states[ArcId(line.firstArc.value() + k).idx()] != ArcState::in) return false;
         return true;
     }
 
-    [[nodiscard]] std::size_t find(int line) const {
-        while (parent_[at(line)] != line)
-            line = parent_[at(line)];
-        return at(line);
+    [[nodiscard]] LineId lineOf(ArcId arc) const { return graph_.arcs[arc.idx()].line; }
+    [[nodiscard]] bool isFixed(LineId line) const { return chainOf_[line.value()] < 0; }
+
+    /// The lines that fixed crossings join with one, and how many cracks are left for all together: one for
+    /// every line, less one for every crossing.
+    std::pair<std::vector<LineId>, int> joined(LineId start) {
+        std::vector<LineId> lines{start};
+        std::set<JunctionId> crossings;
+        for (std::size_t next = 0; next < lines.size(); ++next) {
+            if (!isFixed(lines[next])) continue;
+            const Line& line = graph_.lines[lines[next].idx()];
+            for (int k = -1; k < line.arcCount; ++k) {
+                const JunctionId junction =
+                    k < 0 ? line.beginsAt
+                          : (k == line.arcCount - 1 ? line.endsAt
+                                                    : graph_.junctionAfter[at(line.firstArc.value() + k)]);
+                if (junction.valid()) follow(lines[next], junction, lines, crossings);
+            }
+        }
+        return {lines, static_cast<int>(lines.size()) - static_cast<int>(crossings.size())};
     }
 
-    [[nodiscard]] LineId lineOf(ArcId arc) const { return graph_.arcs[arc.idx()].line; }
+    /// A line that begins or ends at a seed is not cracked there.
+    void follow(LineId from, JunctionId id, std::vector<LineId>& lines, std::set<JunctionId>& crossings) {
+        const Junction& junction = graph_.junctions[id.idx()];
+        if (!isFixedCrossing(junction)) return;
+        const LineId a = lineOf(junction.arcs[0]), b = lineOf(junction.arcs[1]);
+        const bool aFull = !junction.seeded && isCrackable(a), bFull = isCrackable(b);
+        if ((from == a && aFull) || (from == b && bFull)) crossings.insert(id);
+        if (!aFull || !bFull) return;
+        for (const LineId line : {a, b})
+            if (reached_.insert(line).second) lines.push_back(line);
+    }
 
-    void joinFixed(const Junction& junction) {
-        if (!junction.crossed()) return;
-        for (const ArcId arc : junction.arcs)
-            if (!arc.valid() || chainOf_[lineOf(arc).idx()] >= 0 || input_.states[arc.idx()] != ArcState::in)
-                return;
-        const int a = junction.seeded ? -1 : lineOf(junction.arcs[0]).value();
-        const int b = lineOf(junction.arcs[1]).value();
-        const bool aFull = a >= 0 && crackable_[at(a)], bFull = crackable_[at(b)];
-        if (aFull && bFull && find(a) != find(b)) {
-            capacity_[find(b)] += capacity_[find(a)] - 1;
-            parent_[find(a)] = static_cast<int>(find(b));
-        } else if (aFull || bFull) {
-            --capacity_[find(bFull ? b : a)];
-        }
+    [[nodiscard]] bool isFixedCrossing(const Junction& junction) const {
+        return junction.crossed() && std::ranges::all_of(junction.arcs, [&](ArcId arc) {
+                   return arc.valid() && isFixed(lineOf(arc)) && input_.states[arc.idx()] == ArcState::in;
+               });
     }
 
     const ProblemInput& input_;
     const ArcGraph& graph_;
     const std::vector<Chain>& chains_;
-    const std::vector<int>& chainOf_;
-    std::vector<bool> crackable_; ///< of every line
-    std::vector<int> parent_;     ///< of joined lines
-    std::vector<int> capacity_;   ///< of every root
+    const SparseIndex& chainOf_;
+    std::unordered_map<LineId, bool> crackable_;
+    std::unordered_set<LineId> reached_;
 };
 
 } // namespace
 
-CrackNodes crackNodes(const ProblemInput& input, const std::vector<Chain>& chains,
-                      const std::vector<int>& chainOf) {
-    return Maker(input, chains, chainOf).make();
+CrackNodes crackNodes(const ProblemInput& input, const std::vector<Chain>& chains, const SparseIndex& chainOf,
+                      const std::vector<LineId>& lines) {
+    return Maker(input, chains, chainOf).make(lines);
 }
 
 } // namespace qm

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "enumerate/state/problem.h"
+#include "enumerate/state/sparse_index.h"
 
 #include <vector>
 
@@ -9,12 +10,14 @@ namespace qm {
 
 struct CrackNodes {
     std::vector<CrackNode> nodes;
-    std::vector<int> nodeOf; ///< of every line; -1 if it cannot be cracked
+    SparseIndex nodeOf; ///< of the lines that can be cracked
 };
 
-/// Crossings between two fixed lines use up cracks once and for all.
-/// \param chainOf  of every line its chain, the first if there are two; -1 if it has none
+/// Fixed crossings of fixed lines use up their capacity once and for all. Looks at the given lines, and those
+/// that such crossings join with them.
+/// \param chainOf  of lines their chain, the first if there are two
+/// \param lines    that nodes are asked of, ascending
 [[nodiscard]] CrackNodes crackNodes(const ProblemInput& input, const std::vector<Chain>& chains,
-                                    const std::vector<int>& chainOf);
+                                    const SparseIndex& chainOf, const std::vector<LineId>& lines);
 
 } // namespace qm

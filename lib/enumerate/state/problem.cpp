@@ -2,7 +2,9 @@
 
 #include "base/error.h"
 #include "enumerate/state/crack_nodes.h"
+#include "enumerate/state/sparse_index.h"
 
+#include <algorithm>
 #include <string>
 
 namespace qm {
@@ -20,25 +22,52 @@ struct Stretch {
 
 class Maker {
 public:
-    explicit Maker(const ProblemInput& input)
-        : input_(input), graph_(input.graph), variableOf_(graph_.arcs.size(), -1),
-          chainOf_(graph_.lines.size(), -1) {}
+    explicit Maker(const ProblemInput& input) : input_(input), graph_(input.graph) {}
 
     Problem make() {
-        for (std::size_t line = 0; line < graph_.lines.size(); ++line)
-            addChain(LineId(line));
+        if (input_.lines.empty())
+            for (std::size_t line = 0; line < graph_.lines.size(); ++line)
+                addChain(LineId(line));
+        for (const LineId line : input_.lines)
+            addChain(line);
         problem_.domains.push_back(ArcState::in);
         problem_.domains.push_back(ArcState::out);
         problem_.costs.insert(problem_.costs.end(), {0.0, 0.0});
-        CrackNodes nodes = crackNodes(input_, problem_.chains, chainOf_);
+        const std::vector<JunctionId> junctions = junctionsOfChains();
+        CrackNodes nodes = crackNodes(input_, problem_.chains, chainOf_, linesAt(junctions));
         problem_.nodes = std::move(nodes.nodes);
         nodeOf_ = std::move(nodes.nodeOf);
-        for (std::size_t junction = 0; junction < graph_.junctions.size(); ++junction)
-            addCrossing(JunctionId(junction));
+        for (const JunctionId junction : junctions)
+            addCrossing(junction);
         return std::move(problem_);
     }
 
 private:
+    /// No other takes part in anything that is left to decide.
+    std::vector<JunctionId> junctionsOfChains() const {
+        std::vector<JunctionId> junctions;
+        for (const LineId id : chainLines_) {
+            const Line& line = graph_.lines[id.idx()];
+            junctions.insert(junctions.end(), {line.beginsAt, line.endsAt});
+            const auto inner = graph_.junctionAfter.begin() + line.firstArc.value();
+            junctions.insert(junctions.end(), inner, inner + line.arcCount - 1);
+        }
+        std::erase_if(junctions, [](JunctionId junction) { return !junction.valid(); });
+        std::ranges::sort(junctions);
+        junctions.erase(std::unique(junctions.begin(), junctions.end()), junctions.end());
+        return junctions;
+    }
+
+    std::vector<LineId> linesAt(const std::vector<JunctionId>& junctions) const {
+        std::vector<LineId> lines = chainLines_;
+        for (const JunctionId id : junctions)
+            for (const ArcId arc : graph_.junctions[id.idx()].arcs)
+                if (arc.valid()) lines.push_back(graph_.arcs[arc.idx()].line);
+        std::ranges::sort(lines);
+        lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+        return lines;
+    }
+
     ArcState state(const Line& line, int position) const {
         return input_.states[ArcId(line.firstArc.value() + position).idx()];
     }
@@ -72,7 +101,8 @@ private:
     void addChain(LineId id) {
         const Stretch stretch = stretchOf(id);
         if (stretch.last < 0) return;
-        chainOf_[id.idx()] = static_cast<int>(problem_.chains.size());
+        chainOf_.put(id.value(), static_cast<int>(problem_.chains.size()));
+        chainLines_.push_back(id);
         const ArcId meeting = input_.walkers.meeting(id);
         const int met = meeting.valid() ? meeting.value() - graph_.lines[id.idx()].firstArc.value() : -1;
         if (met < stretch.first || met >= stretch.last) return addStretch(id, stretch);
@@ -122,7 +152,7 @@ private:
             problem_.costs.push_back(input_.arcCosts[arc.idx()]);
             problem_.domains.push_back(domain);
         }
-        variableOf_[arc.idx()] = problem_.variables() - 1;
+        variableOf_.put(arc.value(), problem_.variables() - 1);
     }
 
     /// No track can end at the junction after an arc: nothing crosses there.
@@ -156,12 +186,12 @@ private:
                     "take the edge out of /constraints");
     }
 
-    int chainOfArc(ArcId arc) const { return chainOf_[graph_.arcs[arc.idx()].line.idx()]; }
+    int chainOfArc(ArcId arc) const { return chainOf_[graph_.arcs[arc.idx()].line.value()]; }
     bool isOpen(JunctionId id) const { return !input_.open.empty() && input_.open[id.idx()]; }
 
     int variable(ArcId arc) const {
         if (!arc.valid()) return problem_.out();
-        const int variable = variableOf_[arc.idx()];
+        const int variable = variableOf_[arc.value()];
         if (variable >= 0) return variable;
         return input_.states[arc.idx()] == ArcState::in ? problem_.in() : problem_.out();
     }
@@ -170,7 +200,8 @@ private:
         const Junction& junction = graph_.junctions[id.idx()];
         const LineId line = graph_.arcs[junction.arcs[k].idx()].line;
         const bool ends = junction.seeded && k == 0;
-        return {variable(junction.arcs[k]), variable(junction.arcs[k + 2]), ends ? -1 : nodeOf_[line.idx()]};
+        return {variable(junction.arcs[k]), variable(junction.arcs[k + 2]),
+                ends ? -1 : nodeOf_[line.value()]};
     }
 
     /// One line is absent and the other a single variable, so that no rule is left to obey.
@@ -210,9 +241,10 @@ private:
 
     const ProblemInput& input_;
     const ArcGraph& graph_;
-    std::vector<int> variableOf_;
-    std::vector<int> chainOf_;
-    std::vector<int> nodeOf_;
+    SparseIndex variableOf_;         ///< of arcs
+    SparseIndex chainOf_;            ///< of lines
+    std::vector<LineId> chainLines_; ///< that have a chain, ascending
+    SparseIndex nodeOf_;             ///< of lines
     Problem problem_;
 };
 

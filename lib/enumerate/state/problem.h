@@ -82,10 +82,13 @@ struct ProblemInput {
     std::vector<bool> open; ///< junctions where tracks may end unfinished: those past a cut; may be empty
     Walkers walkers;        ///< which particles take part
     double cornerCost = 0;  ///< of every segment's corner at a junction that is not open
+    /// Those with free arcs, ascending; may be empty, then all are looked at.
+    std::vector<LineId> lines = {};
 };
 
-/// Linear in the graph.
-/// \throw Error  if the demands contradict rule 1 or fixed arcs
+/// Linear in the graph, or where `lines` are given, in these, the lines across them, and those fixed lines
+/// that are joined with one of them by crossings. \throw Error  if the demands contradict rule 1 or fixed
+/// arcs
 [[nodiscard]] Problem makeProblem(const ProblemInput& input);
 
 } // namespace qm

@@ -21,6 +21,12 @@ struct Particle {
 int extendParticle(const ArcGraph& graph, Particle particle, std::vector<bool>& present,
                    const std::vector<bool>& open = {});
 
+/// Walks the free particles on until none is left, always the one whose new arcs cost the least, of equal
+/// ones the first. Walks of particles that a new track crosses get shorter; no others are looked at again.
+/// \return how many were walked on
+std::size_t extendCheapestFirst(const ArcGraph& graph, const std::vector<double>& arcCosts,
+                                std::vector<bool>& present);
+
 /// Both particles of every line, in the lines' order.
 [[nodiscard]] std::vector<Particle> particlesOf(const ArcGraph& graph);
 

@@ -4,6 +4,7 @@
 #include "enumerate/sub_mesh/extend.h"
 #include "mesh/topology.h"
 
+#include <algorithm>
 #include <string>
 
 namespace qm {
@@ -139,8 +140,12 @@ Problem subMeshProblem(const SearchSpace& space, int subMesh, const std::vector<
         space.graph, space.arcCosts, {}, space.demands, {}, walkersOf(space, subMesh, present)};
     for (const bool in : present)
         input.states.push_back(in ? ArcState::in : ArcState::out);
-    for (const ArcId arc : freeArcs)
+    for (const ArcId arc : freeArcs) {
         input.states[arc.idx()] = ArcState::free;
+        input.lines.push_back(space.graph.arcs[arc.idx()].line);
+    }
+    std::ranges::sort(input.lines);
+    input.lines.erase(std::unique(input.lines.begin(), input.lines.end()), input.lines.end());
     for (const int label : space.junctionLabels)
         input.open.push_back(label != subMesh);
     input.cornerCost = space.cornerCost;

@@ -33,9 +33,13 @@ class WindowSearch {
 public:
     WindowSearch(const ProblemInput& input, const std::vector<bool>& present, const WindowOptions& options,
                  const Control& control)
-        : input_(input), whole_(makeProblem(input)), options_(options), control_(control), links_(whole_),
+        : whole_(makeProblem(input)), options_(options), control_(control), links_(whole_),
           changed_(whole_.chains.size(), 1), searched_(whole_.chains.size(), 0), nodes_(options.nodes) {
         result_.present = present;
+        ProblemInput fixed = input;
+        for (std::size_t arc = 0; arc < fixed.states.size(); ++arc)
+            if (fixed.states[arc] == ArcState::free) fixed.states[arc] = stateOf(present[arc]);
+        inputs_ = std::vector<ProblemInput>(batch, fixed);
     }
 
     WindowResult run() {
@@ -108,7 +112,7 @@ private:
     }
 
     void searchBatch(std::vector<Window>& windows) {
-        parallelFor(windows.size(), control_.jobs, [&](std::size_t k) { search(windows[k]); });
+        parallelFor(windows.size(), control_.jobs, [&](std::size_t k) { search(windows[k], inputs_[k]); });
         ++clock_;
         const std::size_t before = result_.improvements;
         for (Window& window : windows) {
@@ -128,19 +132,27 @@ private:
                 visit(at(whole_.arcs[at(v)].first.value() + k));
     }
 
-    /// The problem of a window: everything outside stays as it is, so that it is small.
-    [[nodiscard]] Problem problemOf(const Window& window) const {
-        ProblemInput input = input_;
-        for (std::size_t arc = 0; arc < input.states.size(); ++arc)
-            if (input.states[arc] == ArcState::free)
-                input.states[arc] = result_.present[arc] ? ArcState::in : ArcState::out;
-        for (const int chain : window.chains)
+    /// The search of a window: everything outside stays as it is, so that little of the mesh remains.
+    /// \param input  where all is fixed; in the end it is so again
+    [[nodiscard]] Problem problemOf(const Window& window, ProblemInput& input) const {
+        input.lines.clear();
+        for (const int chain : window.chains) {
             forEachArc(chain, [&](std::size_t arc) { input.states[arc] = ArcState::free; });
-        return makeProblem(input);
+            const ArcId first = whole_.arcs[at(whole_.chains[at(chain)].first)].first;
+            input.lines.push_back(input.graph.arcs[first.idx()].line);
+        }
+        std::ranges::sort(input.lines);
+        input.lines.erase(std::unique(input.lines.begin(), input.lines.end()), input.lines.end());
+        Problem problem = makeProblem(input);
+        for (const int chain : window.chains)
+            forEachArc(chain, [&](std::size_t arc) { input.states[arc] = stateOf(result_.present[arc]); });
+        return problem;
     }
 
-    void search(Window& window) const {
-        const Problem problem = problemOf(window);
+    static ArcState stateOf(bool present) { return present ? ArcState::in : ArcState::out; }
+
+    void search(Window& window, ProblemInput& input) const {
+        const Problem problem = problemOf(window, input);
         OptimumOptions options;
         options.start = assignmentOf(problem, result_.present);
         options.nodes = nodes_;
@@ -169,19 +181,24 @@ private:
                 changed_[at(neighbour)] = clock_;
         }
         result_.present = std::move(merged);
+        for (const int chain : window.chains)
+            forEachArc(chain, [&](std::size_t arc) {
+                for (ProblemInput& input : inputs_)
+                    input.states[arc] = stateOf(result_.present[arc]);
+            });
         ++result_.improvements;
+        options_.improved(result_.present);
     }
 
-    /// Whether the window's arcs are still valid and cheaper after the other windows' changes.
-    [[nodiscard]] bool improves(const Window& window, const std::vector<bool>& merged) const {
-        const Problem problem = problemOf(window);
+    /// Whether the window's arcs are valid and cheaper beside what has become of the others.
+    [[nodiscard]] bool improves(const Window& window, const std::vector<bool>& merged) {
+        const Problem problem = problemOf(window, inputs_.front());
         const Assignment graph = assignmentOf(problem, merged);
         return costOf(problem, graph) <
                    costOf(problem, assignmentOf(problem, result_.present)) - Incumbents::tolerance &&
                isValid(problem, graph);
     }
 
-    const ProblemInput& input_;
     const Problem whole_;
     const WindowOptions& options_;
     const Control& control_;
@@ -193,6 +210,7 @@ private:
     std::size_t size_ = 0; ///< of the windows that are being searched
     std::size_t hard_ = 0; ///< the first size at which a search ended without a proof; 0 if none did
     WindowResult result_;
+    std::vector<ProblemInput> inputs_; ///< of a batch's windows: everything fixed as in the result
 };
 
 } // namespace

@@ -7,6 +7,7 @@
 #include "base/control.h"
 #include "enumerate/state/problem.h"
 
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -20,6 +21,8 @@ struct WindowOptions {
     std::size_t nodes = 50;      ///< of the search tree of one window, at first
     bool patient = false;        ///< when no window helps any more, begin again with larger trees
     std::vector<double> relaxed; ///< value of every arc in the relaxed solution; empty if there is none
+    /// Told the arcs of every cheaper graph.
+    std::function<void(const std::vector<bool>& present)> improved = [](const std::vector<bool>&) {};
 };
 
 struct WindowResult {
@@ -30,7 +33,7 @@ struct WindowResult {
 
 /// Ends when no window improves the graph (patient: when none could), or when `control.stopRequested`. The
 /// graph is valid at every step and its cost never rises. The result does not depend on `control.jobs`. What
-/// a window takes beside its search is linear in the arc graph.
+/// a window takes beside its search is linear in its lines and those across them.
 /// \param input    the whole search; its free arcs are those that windows are made of
 /// \param present  the arcs of a graph that is valid in it
 [[nodiscard]] WindowResult improveByWindows(const ProblemInput& input, const std::vector<bool>& present,

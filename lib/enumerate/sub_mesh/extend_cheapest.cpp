@@ -1,0 +1,115 @@
+#include "enumerate/sub_mesh/extend.h"
+#include "enumerate/sub_mesh/line_walk.h"
+
+#include <set>
+#include <utility>
+
+namespace qm {
+namespace {
+
+/// What free particles would walk, kept up to date while others walk.
+class Extender {
+public:
+    Extender(const ArcGraph& graph, const std::vector<double>& arcCosts, std::vector<bool>& present)
+        : graph_(graph), arcCosts_(arcCosts), present_(present), particles_(freeParticles(graph, present)),
+          plans_(particles_.size()), ofLine_(graph.lines.size(), {none, none}) {
+        for (std::size_t i = 0; i < particles_.size(); ++i) {
+            ofLine_[particles_[i].line.idx()][particles_[i].fromEnd ? 1 : 0] = i;
+            plan(i);
+        }
+    }
+
+    std::size_t run() {
+        std::size_t extended = 0;
+        while (!queue_.empty()) {
+            const std::size_t i = queue_.begin()->second;
+            const Plan walked = plans_[i];
+            ++extended;
+            if (walked.begin == walked.end) break;
+            for (int k = walked.begin; k < walked.end; ++k)
+                present_[walk(i).arc(k).idx()] = true;
+            for (int k = walked.begin; k < walked.end; ++k)
+                reconsiderBeside(walk(i).arc(k));
+            reconsiderLine(particles_[i].line);
+        }
+        return extended;
+    }
+
+private:
+    static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+    /// The arcs begin .. end - 1 of a particle's walk, counted from its source.
+    struct Plan {
+        int begin = 0;
+        int end = 0;
+        double cost = 0;
+        bool free = false;
+    };
+
+    [[nodiscard]] LineWalk walk(std::size_t i) const { return {graph_, particles_[i]}; }
+
+    void plan(std::size_t i) {
+        Plan& plan = plans_[i];
+        if (plan.free) queue_.erase({plan.cost, i});
+        const LineWalk way = walk(i);
+        plan.begin = plan.end = way.covered(present_);
+        plan.free = plan.begin < way.arcCount() && !way.blocked(plan.begin, present_);
+        if (!plan.free) return;
+        do
+            ++plan.end;
+        while (plan.end < way.arcCount() && !way.blocked(plan.end, present_) &&
+               !present_[way.arc(plan.end).idx()]);
+        plan.cost = 0;
+        // In the arcs' own order, so that equal walks cost the same from both ends.
+        for (int k = 0; k < plan.end - plan.begin; ++k)
+            plan.cost += arcCosts_[way.arc(particles_[i].fromEnd ? plan.end - 1 - k : plan.begin + k).idx()];
+        queue_.emplace(plan.cost, i);
+    }
+
+    void reconsiderLine(LineId line) {
+        for (const std::size_t i : ofLine_[line.idx()])
+            if (i != none && plans_[i].free) plan(i);
+    }
+
+    /// A walk over the junctions at the ends of a new arc may stop there now.
+    void reconsiderBeside(ArcId arc) {
+        const Line& line = graph_.lineOf(arc);
+        reconsiderAt(graph_.junctionAfter[arc.idx()], arc);
+        if (arc != line.firstArc) reconsiderAt(graph_.junctionAfter[arc.idx() - 1], arc);
+    }
+
+    void reconsiderAt(JunctionId id, ArcId arc) {
+        if (!id.valid()) return;
+        const Junction& junction = graph_.junctions[id.idx()];
+        const std::size_t other = junction.arcs[0] == arc || junction.arcs[2] == arc ? 1 : 0;
+        for (const ArcId crossing : {junction.arcs[other], junction.arcs[other + 2]})
+            if (crossing.valid())
+                for (const std::size_t i : ofLine_[graph_.arcs[crossing.idx()].line.idx()])
+                    if (i != none && plans_[i].free && reaches(i, crossing)) plan(i);
+    }
+
+    /// Whether an arc is one that the particle would walk or the last that it has walked.
+    [[nodiscard]] bool reaches(std::size_t i, ArcId arc) const {
+        const Line& line = graph_.lines[particles_[i].line.idx()];
+        const int position = arc.value() - line.firstArc.value();
+        const int walked = particles_[i].fromEnd ? line.arcCount - 1 - position : position;
+        return walked >= plans_[i].begin - 1 && walked < plans_[i].end;
+    }
+
+    const ArcGraph& graph_;
+    const std::vector<double>& arcCosts_;
+    std::vector<bool>& present_;
+    std::vector<Particle> particles_;
+    std::vector<Plan> plans_;                        ///< of every particle
+    std::vector<std::array<std::size_t, 2>> ofLine_; ///< its free particles, from begin and from end
+    std::set<std::pair<double, std::size_t>> queue_; ///< free particles by cost
+};
+
+} // namespace
+
+std::size_t extendCheapestFirst(const ArcGraph& graph, const std::vector<double>& arcCosts,
+                                std::vector<bool>& present) {
+    return Extender(graph, arcCosts, present).run();
+}
+
+} // namespace qm

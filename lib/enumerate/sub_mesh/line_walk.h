@@ -1,0 +1,50 @@
+/// \file The way of a particle along its line.
+#pragma once
+
+#include "enumerate/sub_mesh/extend.h"
+
+#include <vector>
+
+namespace qm {
+
+/// Walks along a line from one of its ends.
+class LineWalk {
+public:
+    LineWalk(const ArcGraph& graph, Particle particle)
+        : graph_(graph), line_(graph.lines[particle.line.idx()]), fromEnd_(particle.fromEnd) {}
+
+    [[nodiscard]] int arcCount() const { return line_.arcCount; }
+    /// The arc after `walked` arcs.
+    [[nodiscard]] ArcId arc(int walked) const {
+        return ArcId(line_.firstArc.value() + (fromEnd_ ? line_.arcCount - 1 - walked : walked));
+    }
+    /// The junction reached after `walked` arcs, at least one; invalid at the far end.
+    [[nodiscard]] JunctionId junction(int walked) const {
+        if (walked >= line_.arcCount) return {};
+        return graph_.junctionAfter[fromEnd_ ? arc(walked).idx() : arc(walked - 1).idx()];
+    }
+    /// Arcs present from the start on.
+    [[nodiscard]] int covered(const std::vector<bool>& present) const {
+        int count = 0;
+        while (count < line_.arcCount && present[arc(count).idx()])
+            ++count;
+        return count;
+    }
+    /// Both arcs of the line that crosses at the junction reached are present.
+    [[nodiscard]] bool blocked(int walked, const std::vector<bool>& present) const {
+        const JunctionId id = junction(walked);
+        if (!id.valid()) return false;
+        const Junction& junction = graph_.junctions[id.idx()];
+        const ArcId here = arc(walked - 1);
+        const std::size_t other = junction.arcs[0] == here || junction.arcs[2] == here ? 1 : 0;
+        const ArcId a = junction.arcs[other], b = junction.arcs[other + 2];
+        return a.valid() && b.valid() && present[a.idx()] && present[b.idx()];
+    }
+
+private:
+    const ArcGraph& graph_;
+    const Line& line_;
+    bool fromEnd_;
+};
+
+} // namespace qm
