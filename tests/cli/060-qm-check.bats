@@ -126,8 +126,11 @@ untrue() {
 }
 
 @test "surfaces" {
-    spoilt '.surfaces.patches[0].controlPoints[1][1][2] += 1e-3' surfaces
+    quietly qm-bspline --fit interpolate "$(stage pruned block)" -o interpolated.json
+    jq '.surfaces.patches[0].controlPoints[1][1][2] += 1e-3' interpolated.json >spoilt.json
     untrue /surfaces/patches/0 interpolation
+    spoilt '.surfaces.patches[0].controlPoints[0][0][2] += 1e-3' surfaces
+    untrue '/surfaces/patches/[0-9]+(/deviation/[a-zA-Z]+)?' '(watertight|deviation)'
     spoilt '.surfaces.patches[0].knots[0][1] = 1e6' surfaces
     untrue /surfaces/patches/0/knots/0/2 knots
     spoilt '.surfaces.patches |= .[1:]' surfaces

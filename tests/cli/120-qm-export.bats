@@ -37,7 +37,7 @@ PRODUCT('quadmesh 2'"
 }
 
 @test "neighbours that are one surface become one face" {
-    qm-bspline --tolerance 0.5% "$(stage layout plate)" -o plate.json
+    qm-bspline --fit interpolate "$(stage layout plate)" -o plate.json
     quietly qm-export plate.json -o apart.step
     quietly qm-export --join plate.json -o joined.step
     assert [ "$(grep -c ADVANCED_FACE joined.step)" -lt "$(grep -c ADVANCED_FACE apart.step)" ]

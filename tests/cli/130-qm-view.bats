@@ -9,9 +9,11 @@ setup_file() {
 
 KINDS=(basecomplex features cut enumeration layout surfaces)
 
+# A test that needs a browser ends here where there is none.
+needs_browser() { command -v chromium >/dev/null || skip 'there is no Chromium'; }
+
 # seen PAGE: how many items of each layer a headless Chromium sees, as JSON; fails if the page complains in any way.
 seen() {
-    command -v chromium >/dev/null || skip 'there is no Chromium'
     local root=()
     ((EUID != 0)) || root=(--no-sandbox)
     timeout 120 chromium --headless "${root[@]}" --use-angle=swiftshader --enable-unsafe-swiftshader --window-size=1000,700 \
@@ -42,6 +44,7 @@ seen() {
 }
 
 @test "the layers of every kind are seen" {
+    needs_browser
     for kind in "${KINDS[@]}"; do
         qm-view "$(stage "$kind" block)" >page.html
         census=$(seen page.html)
@@ -57,6 +60,7 @@ seen() {
 }
 
 @test "--show switches layers, and looking from the other side shows other items" {
+    needs_browser
     qm-view --show segments,tracks "$(stage layout block)" >page.html
     assert_equal "$(seen page.html | jq -c 'keys')" '["segments","tracks"]'
     for view in 0,0,1 0,0,-1; do
@@ -69,6 +73,7 @@ seen() {
 }
 
 @test "pointing, finding and keys work" {
+    needs_browser
     qm-view "$(stage layout block)" >page.html
     cat >>page.html <<'EOF'
 <script>
@@ -106,7 +111,6 @@ EOF
 }
 
 @test "--png takes a picture of the size that was asked for, and writes no page unless told" {
-    command -v chromium >/dev/null || skip 'there is no Chromium'
     quietly qm-view "$(stage layout block)" --png block.png --size 320x240
     assert_equal "$output" ''
     # Width and height stand at byte 16 of a PNG file.
