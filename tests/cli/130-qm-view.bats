@@ -111,6 +111,7 @@ EOF
 }
 
 @test "--png takes a picture of the size that was asked for, and writes no page unless told" {
+    needs_browser
     quietly qm-view "$(stage layout block)" --png block.png --size 320x240
     assert_equal "$output" ''
     # Width and height stand at byte 16 of a PNG file.
