@@ -12,7 +12,7 @@ int main(int argc, char** argv) {
                 std::make_shared<qm::Stage>(tool, qm::Kind::layout, qm::Kind::layout, qm::Kind::surfaces);
             tool.options(options);
             tool.example("qm-bspline part.layout.json -o part.surfaces.json");
-            tool.example("qm-prune part.layout.json | qm-bspline --tolerance 0.05% > "
+            tool.example("qm-prune part.layout.json | qm-bspline --tolerance 0.5% > "
                          "part.surfaces.json");
             return [&tool, &options, stage] {
                 const qm::Model& model = stage->read();

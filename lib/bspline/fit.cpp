@@ -19,7 +19,8 @@ namespace qm {
 namespace {
 
 void requireValid(const FitOptions& options) {
-    if (options.fit == Fit::smooth && !(options.tolerance.value > 0 && std::isfinite(options.tolerance.value)))
+    if (options.fit == Fit::smooth &&
+        !(options.tolerance.value > 0 && std::isfinite(options.tolerance.value)))
         throw Error("tolerance", "must be a positive number", "Give the largest deviation that is allowed");
     if (!(options.rho >= 0)) throw Error("rho", "must not be negative", "Give an angle in radians");
 }
@@ -52,13 +53,15 @@ Surfaces fitSurfaces(const QuadMesh& mesh, const Layout& layout, const std::vect
         const double tolerance = options.tolerance.length(boundingBoxDiagonal(mesh));
         // What lies between samples, and the width of the bound that is measured in the end.
         constexpr double share = 0.96;
-        surfaces.patches = fitSmooth(mesh, layout, network, reference, {.tolerance = share * tolerance}, control);
+        surfaces.patches =
+            fitSmooth(mesh, layout, network, reference, {.tolerance = share * tolerance}, control);
     } else {
         surfaces.patches = interpolateSegments(mesh, layout, control);
     }
     std::vector<bool> isSmooth = network.marks.isCrease;
     isSmooth.flip();
-    const Measurement measurement = measureSurfaces(mesh, layout, surfaces.patches, reference, isSmooth, {}, {}, control);
+    const Measurement measurement =
+        measureSurfaces(mesh, layout, surfaces.patches, reference, isSmooth, {}, {}, control);
     surfaces.deviation = measurement.ofAll.deviation;
     surfaces.farthest = measurement.ofAll.farthest;
     for (const PatchMeasurement& ofPatch : measurement.ofPatch)
@@ -75,8 +78,9 @@ std::string missedTolerance(const Surfaces& surfaces, const FitOptions& options)
     std::ostringstream text;
     text.imbue(std::locale::classic());
     text.precision(3);
-    text << "the tolerance is missed in patch " << surfaces.farthest.patch << " at u = " << surfaces.farthest.at[0]
-         << ", v = " << surfaces.farthest.at[1] << ": " << deviation.max / tolerance
+    text << "the tolerance is missed in patch " << surfaces.farthest.patch
+         << " at u = " << surfaces.farthest.at[0] << ", v = " << surfaces.farthest.at[1] << ": "
+         << deviation.max / tolerance
          << " times as far from the smooth surface through the vertices. Allow more, or mend the mesh there";
     return text.str();
 }

@@ -1,4 +1,4 @@
-/// \file From a layout to its surfaces: the one call that does everything (docs/METHOD.md#surfaces).
+/// \file From a layout to its surfaces: the one call that does everything (docs/METHOD.md#smooth-fit).
 #pragma once
 
 #include "base/control.h"
@@ -32,8 +32,8 @@ struct FitOptions {
     double rho = 0.45;
 };
 
-/// One patch for every segment, and how far they are from the reference, the smooth surface through the mesh's
-/// vertices, and from the mesh.
+/// One patch for every segment, and how far they are from the reference, the smooth surface through the
+/// mesh's vertices, and from the mesh.
 /// \param dihedralAngles  of every edge, in radians, by edge index
 /// \throw Error  if an option is out of range
 [[nodiscard]] Surfaces fitSurfaces(const QuadMesh& mesh, const Layout& layout,

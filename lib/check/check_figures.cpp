@@ -1,7 +1,6 @@
 #include "check/check_figures.h"
 
 #include "base/number_text.h"
-
 #include "check/check_meetings.h"
 #include "check/check_segments.h"
 #include "check/distance.h"

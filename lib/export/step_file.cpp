@@ -1,7 +1,7 @@
 #include "export/step_file.h"
 
-#include "base/number_text.h"
 #include "base/bytes.h"
+#include "base/number_text.h"
 
 #include <cstddef>
 

@@ -1,4 +1,4 @@
-/// \file The line that a component without any source gets (method 7).
+/// \file The line that a component without any source gets (docs/METHOD.md#layout).
 #pragma once
 
 #include "mesh/quad_mesh.h"

@@ -1,4 +1,4 @@
-/// \file Where annuli can come to lie, so that a program can count them (method 7).
+/// \file Where annuli can come to lie, so that a program can count them (docs/METHOD.md#layout).
 ///
 /// An annulus is a stack of closed strips of quads: no border crosses them, and none lies between two of
 /// them. So annuli are counted by strips that no border crosses, less the places where two of these lie side

@@ -1,6 +1,6 @@
 #include "base/parallel.h"
-#include "bspline/splines/evaluate.h"
 #include "bspline/measure/mesh_distance.h"
+#include "bspline/splines/evaluate.h"
 #include "view/items.h"
 #include "view/layers.h"
 #include "view/sampled_patch.h"

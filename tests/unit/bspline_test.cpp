@@ -169,7 +169,8 @@ TEST(SplineCurve, JoinsWithACorner) {
     EXPECT_EQ(whole.knots.size(), whole.points.size() + 4);
     EXPECT_EQ(std::count(whole.knots.begin(), whole.knots.end(), 2.0), 3);
     for (double t = 0; t <= 5; t += 0.125)
-        EXPECT_LT((evaluate(whole, t) - (t < 2 ? evaluate(first, t) : evaluate(second, t - 2))).norm(), 1e-14);
+        EXPECT_LT((evaluate(whole, t) - (t < 2 ? evaluate(first, t) : evaluate(second, t - 2))).norm(),
+                  1e-14);
 }
 
 } // namespace

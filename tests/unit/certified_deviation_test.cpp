@@ -1,7 +1,7 @@
-#include "bspline/splines/interpolate.h"
 #include "bspline/measure/certified_deviation.h"
 #include "bspline/measure/folds.h"
 #include "bspline/measure/foot_search.h"
+#include "bspline/splines/interpolate.h"
 #include "support/grid_layout.h"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 // What is measured of finished surfaces.
-#include "bspline/splines/evaluate.h"
-#include "bspline/splines/interpolate.h"
 #include "bspline/measure/border_measures.h"
 #include "bspline/measure/measure.h"
 #include "bspline/measure/scan_deviation.h"
+#include "bspline/splines/evaluate.h"
+#include "bspline/splines/interpolate.h"
 #include "support/grid_layout.h"
 
 #include <gtest/gtest.h>

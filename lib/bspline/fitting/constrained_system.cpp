@@ -52,7 +52,8 @@ ConstrainedSystem::ConstrainedSystem(std::size_t unknowns, const std::vector<Eig
     const auto append = [&all](const Eigen::SparseMatrix<double>& matrix, Eigen::Index rowOffset) {
         for (Eigen::Index column = 0; column < matrix.outerSize(); ++column)
             for (Eigen::SparseMatrix<double>::InnerIterator it(matrix, column); it; ++it)
-                all.emplace_back(static_cast<int>(it.row() + rowOffset), static_cast<int>(it.col()), it.value());
+                all.emplace_back(static_cast<int>(it.row() + rowOffset), static_cast<int>(it.col()),
+                                 it.value());
     };
     append(form_, 0);
     append(equations_, size);

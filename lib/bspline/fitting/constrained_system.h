@@ -1,4 +1,4 @@
-/// \file A quadratic form minimised under linear equations (docs/METHOD.md#smooth-surfaces).
+/// \file A quadratic form minimised under linear equations (docs/METHOD.md#smooth-fit).
 #pragma once
 
 #include "bspline/network/border_strip.h"

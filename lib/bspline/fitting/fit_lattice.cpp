@@ -82,7 +82,8 @@ std::vector<FitLattice> fitLattices(const QuadMesh& mesh, const Layout& layout, 
         const ReferenceGrid& grid = reference[k];
         FitLattice& lattice = lattices[k];
         lattice.steps = grid.steps;
-        lattice.targets.parameters = {parametersOf(grid.size[0], grid.steps), parametersOf(grid.size[1], grid.steps)};
+        lattice.targets.parameters = {parametersOf(grid.size[0], grid.steps),
+                                      parametersOf(grid.size[1], grid.steps)};
         lattice.targets.points = grid.points;
         lattice.targets.weights.assign(grid.points.size(), 1.0 / (grid.steps * grid.steps));
         lattice.freedom.assign(grid.points.size(), Freedom::surface);
@@ -114,9 +115,11 @@ std::vector<double> errors(const FitLattice& lattice, const Patch& patch, double
         // Where the surface has slid along a bend, the mean of both normals tells how far it is.
         const Point mean = lattice.axes[k] + unitNormal(points[k].du, points[k].dv);
         const bool canSlide = lattice.freedom[k] == Freedom::surface && mean.sqrnorm() > 1;
-        result[k] = (canSlide ? std::abs(offset | mean) / mean.norm() : distance(lattice, k, offset)) / tolerance;
-        const bool isFolded = lattice.freedom[k] == Freedom::surface &&
-                              ((points[k].du % points[k].dv) | lattice.axes[k]) < minJacobian * lattice.jacobian[k];
+        result[k] =
+            (canSlide ? std::abs(offset | mean) / mean.norm() : distance(lattice, k, offset)) / tolerance;
+        const bool isFolded =
+            lattice.freedom[k] == Freedom::surface &&
+            ((points[k].du % points[k].dv) | lattice.axes[k]) < minJacobian * lattice.jacobian[k];
         if (isFolded) result[k] = std::max(result[k], 2.0);
     }
     return result;

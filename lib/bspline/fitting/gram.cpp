@@ -13,10 +13,9 @@ struct GaussPoint {
 };
 
 /// Exact up to degree 7; a product of two cubics has 6.
-constexpr std::array<GaussPoint, 4> gauss = {GaussPoint{-0.8611363115940526, 0.3478548451374538},
-                                             GaussPoint{-0.3399810435848563, 0.6521451548625461},
-                                             GaussPoint{0.3399810435848563, 0.6521451548625461},
-                                             GaussPoint{0.8611363115940526, 0.3478548451374538}};
+constexpr std::array<GaussPoint, 4> gauss = {
+    GaussPoint{-0.8611363115940526, 0.3478548451374538}, GaussPoint{-0.3399810435848563, 0.6521451548625461},
+    GaussPoint{0.3399810435848563, 0.6521451548625461}, GaussPoint{0.8611363115940526, 0.3478548451374538}};
 
 /// Values, first and second derivatives of the four B-splines at a parameter inside a knot interval.
 std::array<std::array<double, 4>, 3> jets(std::span<const double> knots, double at, double step) {

@@ -58,7 +58,8 @@ private:
             points.row(i) = vector(lattice_.targets.points[index(line, begin + static_cast<std::size_t>(i))]);
         points -= basis * (basis.transpose() * points).eval();
         for (Eigen::Index i = 0; i < basis.rows(); ++i)
-            if (distance(lattice_, index(line, begin + static_cast<std::size_t>(i)), point(points.row(i))) > tolerance_)
+            if (distance(lattice_, index(line, begin + static_cast<std::size_t>(i)), point(points.row(i))) >
+                tolerance_)
                 return false;
         return true;
     }

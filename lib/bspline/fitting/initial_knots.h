@@ -17,7 +17,7 @@ void insertInitialKnots(const Layout& layout, const std::vector<FitLattice>& lat
 
 /// The knots that a patch's neighbours have across the sides along u (0) or v (1), as its own parameters,
 /// ascending.
-[[nodiscard]] std::vector<double> knotsBeside(const Layout& layout, const StretchMap& map, const KnotPlan& plan,
-                                              std::size_t patch, std::size_t direction);
+[[nodiscard]] std::vector<double> knotsBeside(const Layout& layout, const StretchMap& map,
+                                              const KnotPlan& plan, std::size_t patch, std::size_t direction);
 
 } // namespace qm

@@ -1,7 +1,7 @@
 #include "bspline/fitting/knot_insertion.h"
 
-#include "bspline/splines/basis.h"
 #include "bspline/fitting/initial_knots.h"
+#include "bspline/splines/basis.h"
 
 #include <algorithm>
 #include <array>
@@ -43,7 +43,8 @@ Worst worstIn(const Cell& cell, const FitLattice& lattice, const std::vector<dou
     Worst worst;
     for (int j = range.begin[1]; j <= range.end[1]; ++j)
         for (int i = range.begin[0]; i <= range.end[0]; ++i) {
-            const double error = errors[static_cast<std::size_t>(j) * lattice.columns() + static_cast<std::size_t>(i)];
+            const double error =
+                errors[static_cast<std::size_t>(j) * lattice.columns() + static_cast<std::size_t>(i)];
             if (error <= worst.error) continue;
             worst.error = error;
             worst.at = {static_cast<double>(i) / lattice.steps, static_cast<double>(j) / lattice.steps};
@@ -132,7 +133,8 @@ private:
         const double reach = run.ratio.reach[end];
         const double x = end == 0 ? run.begin : run.end - reach;
         for (const StretchSide& place : plan_.network().stretches[run.stretch].sides) {
-            const Worst worst = worstIn(beside(place, x, reach), lattices_[place.patch], errors_[place.patch]);
+            const Worst worst =
+                worstIn(beside(place, x, reach), lattices_[place.patch], errors_[place.patch]);
             if (worst.error <= limits_[place.patch]) continue;
             changed_ = plan_.shorten(index, end) || changed_;
             return;

@@ -12,12 +12,14 @@ namespace qm {
 /// Errors of all patches at their lattices, as `errors` gives them.
 using LatticeErrors = std::vector<std::vector<double>>;
 
-/// Divides the knot intervals in which an error is above 1, and halves the reach of tangent ratios beside such
-/// places; along a border the interval of the side that has the longer one, for only knots of both sides serve
-/// the border. Places with errors far below their neighbourhood's are left for later: they may be due to those.
+/// Divides the knot intervals in which an error is above 1, and halves the reach of tangent ratios beside
+/// such places; along a border the interval of the side that has the longer one, for only knots of both sides
+/// serve the border. Places with errors far below their neighbourhood's are left for later: they may be due
+/// to those.
 /// \param spaces  of the fit that has the errors
 /// \return false if there was nothing to do, or nothing could be done
-[[nodiscard]] bool refine(const Layout& layout, const std::vector<FitLattice>& lattices, const StretchMap& map,
-                          const std::vector<PatchSpace>& spaces, const LatticeErrors& errors, KnotPlan& plan);
+[[nodiscard]] bool refine(const Layout& layout, const std::vector<FitLattice>& lattices,
+                          const StretchMap& map, const std::vector<PatchSpace>& spaces,
+                          const LatticeErrors& errors, KnotPlan& plan);
 
 } // namespace qm

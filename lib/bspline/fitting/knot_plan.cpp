@@ -26,7 +26,8 @@ SmoothFlags smoothSides(const std::vector<std::array<int, 2>>& sizes, const Smoo
         for (const StretchSide& place : network.stretches[run.stretch].sides)
             for (int x = run.begin; x < run.end; ++x) {
                 const double middle = patchParameter(sizes[place.patch], place, x + 0.5);
-                flags[place.patch][static_cast<std::size_t>(place.side)][static_cast<std::size_t>(middle)] = true;
+                flags[place.patch][static_cast<std::size_t>(place.side)][static_cast<std::size_t>(middle)] =
+                    true;
             }
     return flags;
 }

@@ -15,7 +15,8 @@ std::vector<Point> thirdDerivatives(const Patch& patch, std::size_t direction, d
     // First derivatives are quadratic there, so their second differences are exact.
     const double step = (end - begin) / 4;
     const std::vector<double> along{begin + step, begin + 2 * step, begin + 3 * step};
-    const auto points = direction == 0 ? evaluateLattice(patch, along, lines) : evaluateLattice(patch, lines, along);
+    const auto points =
+        direction == 0 ? evaluateLattice(patch, along, lines) : evaluateLattice(patch, lines, along);
     std::vector<Point> result;
     for (std::size_t line = 0; line < lines.size(); ++line) {
         const auto slope = [&](std::size_t k) {
@@ -37,7 +38,9 @@ double errorWithout(const FitLattice& lattice, const Patch& patch, const std::ve
     const auto after = thirdDerivatives(patch, direction, knots[knot], knots[knot + 1], lines);
     const double length = knots[knot + 1] - knots[knot - 1];
     const double scale = deflection * length * length * length / tolerance;
-    const auto step = [&](double parameter) { return static_cast<std::size_t>(std::lround(parameter * lattice.steps)); };
+    const auto step = [&](double parameter) {
+        return static_cast<std::size_t>(std::lround(parameter * lattice.steps));
+    };
     const auto index = [&](std::size_t line, std::size_t along) {
         return direction == 0 ? line * lattice.columns() + along : along * lattice.columns() + line;
     };
@@ -63,8 +66,8 @@ std::size_t removeKnots(const std::vector<FitLattice>& lattices, const std::vect
             for (const double chosen : plan.chosen(patch, direction)) {
                 if (std::ranges::count(knots, chosen) != 1) continue;
                 const auto knot = static_cast<std::size_t>(std::ranges::find(knots, chosen) - knots.begin());
-                const double error = errorWithout(lattices[patch], patches[patch], errors[patch], tolerance,
-                                                  direction, knot);
+                const double error =
+                    errorWithout(lattices[patch], patches[patch], errors[patch], tolerance, direction, knot);
                 if (error < limit) candidates.emplace_back(error, knot);
             }
             std::ranges::sort(candidates);

@@ -11,9 +11,9 @@
 
 namespace qm {
 
-/// Removes chosen knots, no two that follow one another, for which the jump of the third derivative tells that
-/// the errors would stay below `limit` without them. What jumps tell is not certain: the fit is to be made and
-/// measured anew.
+/// Removes chosen knots, no two that follow one another, for which the jump of the third derivative tells
+/// that the errors would stay below `limit` without them. What jumps tell is not certain: the fit is to be
+/// made and measured anew.
 /// \return how many
 std::size_t removeKnots(const std::vector<FitLattice>& lattices, const std::vector<Patch>& patches,
                         const LatticeErrors& errors, double tolerance, double limit, KnotPlan& plan);

@@ -1,7 +1,7 @@
 #include "bspline/fitting/patch_form.h"
 
-#include "bspline/splines/eigen_point.h"
 #include "bspline/fitting/gram.h"
+#include "bspline/splines/eigen_point.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -29,7 +29,8 @@ public:
                     for (std::ptrdiff_t di = dj == 0 ? 0 : -3; di <= 3; ++di) {
                         if (i + di < 0 || i + di >= columns) continue;
                         const auto column = static_cast<std::ptrdiff_t>(firstUnknown + j * columns_) + i;
-                        const auto row = static_cast<std::ptrdiff_t>(firstUnknown + (j + dj) * columns_) + i + di;
+                        const auto row =
+                            static_cast<std::ptrdiff_t>(firstUnknown + (j + dj) * columns_) + i + di;
                         entries.emplace_back(static_cast<int>(row), static_cast<int>(column),
                                              at(static_cast<std::size_t>(i), j, di, dj));
                     }
@@ -86,7 +87,8 @@ void addPatchForm(const PatchSpace& space, const PatchTargets& targets, double b
     const auto basisU = basisTable(space.knots[0], 3, targets.parameters[0]);
     const auto basisV = basisTable(space.knots[1], 3, targets.parameters[1]);
     for (std::size_t j = 0; j < basisV.size(); ++j)
-        addRow(rowProducts(basisU, targets.weights.data() + j * basisU.size(), space.count(0)), basisV[j], form);
+        addRow(rowProducts(basisU, targets.weights.data() + j * basisU.size(), space.count(0)), basisV[j],
+               form);
     const auto u = gramMatrices(space.knots[0]);
     const auto v = gramMatrices(space.knots[1]);
     addProduct(u[2], v[0], bending, form);
@@ -109,7 +111,8 @@ void addPatchTargets(const PatchSpace& space, const PatchTargets& targets, Eigen
                 row.row(static_cast<Eigen::Index>(basisU[i].first + a)) += basisU[i].value[a] * target;
         }
         for (std::size_t b = 0; b < 4; ++b) {
-            const auto first = static_cast<Eigen::Index>(space.firstUnknown + (basisV[j].first + b) * columns);
+            const auto first =
+                static_cast<Eigen::Index>(space.firstUnknown + (basisV[j].first + b) * columns);
             rightHandSide.middleRows(first, static_cast<Eigen::Index>(columns)) += basisV[j].value[b] * row;
         }
     }

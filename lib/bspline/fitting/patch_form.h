@@ -1,8 +1,8 @@
 /// \file What a patch is to minimise: weighted squared distances from points, and bending.
 #pragma once
 
-#include "bspline/splines/basis.h"
 #include "bspline/network/border_strip.h"
+#include "bspline/splines/basis.h"
 #include "mesh/quad_mesh.h"
 
 #include <Eigen/Core>

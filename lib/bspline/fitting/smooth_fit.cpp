@@ -27,8 +27,8 @@ class SmoothFit {
 public:
     SmoothFit(const QuadMesh& mesh, const Layout& layout, const SmoothNetwork& network,
               const std::vector<ReferenceGrid>& reference, const SmoothFitOptions& options, unsigned jobs)
-        : layout_(layout), options_(options), jobs_(jobs), map_(mesh, layout, network), plan_(layout, network),
-          lattices_(fitLattices(mesh, layout, network, reference)) {
+        : layout_(layout), options_(options), jobs_(jobs), map_(mesh, layout, network),
+          plan_(layout, network), lattices_(fitLattices(mesh, layout, network, reference)) {
         insertInitialKnots(layout, lattices_, map_, cubicsShare * options.tolerance, plan_);
         plan_.endAtFirstKnots();
     }
@@ -41,7 +41,8 @@ public:
             keepIfBest();
             if (worst_ <= 1 && removals < maxRemovals) {
                 ++removals;
-                if (removeKnots(lattices_, patches_, errors_, options_.tolerance, removalLimit, plan_) == 0) break;
+                if (removeKnots(lattices_, patches_, errors_, options_.tolerance, removalLimit, plan_) == 0)
+                    break;
             } else {
                 const bool canWeigh = weighWhatIsMissed();
                 if (!refine(layout_, lattices_, map_, spaces_, errors_, plan_) && !canWeigh) break;
@@ -85,9 +86,10 @@ private:
     void keepIfBest() {
         const bool keeps = worst_ <= 1;
         const bool bestKeeps = bestWorst_ <= 1;
-        const bool isBetter = best_.empty() || keeps != bestKeeps
-                                  ? best_.empty() || keeps
-                                  : (keeps ? controlPointCount(patches_) < controlPointCount(best_) : worst_ < bestWorst_);
+        const bool isBetter =
+            best_.empty() || keeps != bestKeeps
+                ? best_.empty() || keeps
+                : (keeps ? controlPointCount(patches_) < controlPointCount(best_) : worst_ < bestWorst_);
         if (!isBetter) return;
         best_ = patches_;
         bestWorst_ = worst_;

@@ -1,5 +1,5 @@
 /// \file Surfaces that are exactly smooth across all smooth borders, with as few knots as a tolerance allows
-/// (docs/METHOD.md#smooth-surfaces).
+/// (docs/METHOD.md#smooth-fit).
 #pragma once
 
 #include "base/control.h"
@@ -21,7 +21,8 @@ struct SmoothFitOptions {
 /// knot intervals of a quarter of a mesh edge, or bicubics cannot follow the reference, it is missed.
 /// \param reference  of every segment, in their order
 /// \return one patch for every segment, in their order
-[[nodiscard]] std::vector<Patch> fitSmooth(const QuadMesh& mesh, const Layout& layout, const SmoothNetwork& network,
+[[nodiscard]] std::vector<Patch> fitSmooth(const QuadMesh& mesh, const Layout& layout,
+                                           const SmoothNetwork& network,
                                            const std::vector<ReferenceGrid>& reference,
                                            const SmoothFitOptions& options, const Control& control = {});
 

@@ -1,9 +1,9 @@
 #include "bspline/fitting/smooth_system.h"
 
 #include "base/parallel.h"
-#include "bspline/splines/eigen_point.h"
 #include "bspline/fitting/constrained_system.h"
 #include "bspline/network/continuity.h"
+#include "bspline/splines/eigen_point.h"
 
 #include <array>
 #include <cstddef>

@@ -1,7 +1,7 @@
 #include "bspline/measure/border_measures.h"
 
-#include "bspline/splines/evaluate.h"
 #include "bspline/splines/bezier_extraction.h"
+#include "bspline/splines/evaluate.h"
 
 #include <algorithm>
 #include <array>

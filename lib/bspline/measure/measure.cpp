@@ -1,14 +1,14 @@
 #include "bspline/measure/measure.h"
 
 #include "base/parallel.h"
-#include "bspline/splines/bounding_box.h"
-#include "bspline/splines/eigen_point.h"
-#include "bspline/splines/interpolate.h"
 #include "bspline/measure/border_measures.h"
 #include "bspline/measure/certified_deviation.h"
 #include "bspline/measure/folds.h"
 #include "bspline/measure/foot_search.h"
 #include "bspline/measure/shape_measures.h"
+#include "bspline/splines/bounding_box.h"
+#include "bspline/splines/eigen_point.h"
+#include "bspline/splines/interpolate.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -89,8 +89,7 @@ void BorderStrip::addBlossom(Across what, const std::array<double, 3>& at, doubl
                              LinearForm& form) const {
     const auto& knots = space_.knots[directionAlong(side_)];
     const std::size_t span = knotSpan(knots, degree, parameter(within));
-    const auto weights =
-        blossomWeights(knots, span, {parameter(at[0]), parameter(at[1]), parameter(at[2])});
+    const auto weights = blossomWeights(knots, span, {parameter(at[0]), parameter(at[1]), parameter(at[2])});
     addPoints(what, span - 3, weights, factor, form);
 }
 

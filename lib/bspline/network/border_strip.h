@@ -62,9 +62,9 @@ private:
 
     const PatchSpace& space_;
     int side_;
-    double origin_;         ///< parameter of the patch along the border where the stretch begins
-    double direction_;      ///< and whether it grows with that of the stretch: 1 or -1
-    double firstInterval_;  ///< the knot interval at the border, across it
+    double origin_;        ///< parameter of the patch along the border where the stretch begins
+    double direction_;     ///< and whether it grows with that of the stretch: 1 or -1
+    double firstInterval_; ///< the knot interval at the border, across it
     std::vector<double> inner_;
 };
 

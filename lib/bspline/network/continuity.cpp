@@ -18,7 +18,8 @@ std::vector<double> unionOf(const std::vector<double>& a, const std::vector<doub
 /// The part of a list strictly between two parameters.
 std::vector<double> between(const std::vector<double>& knots, double begin, double end) {
     std::vector<double> result;
-    std::ranges::copy_if(knots, std::back_inserter(result), [&](double knot) { return begin < knot && knot < end; });
+    std::ranges::copy_if(knots, std::back_inserter(result),
+                         [&](double knot) { return begin < knot && knot < end; });
     return result;
 }
 
@@ -38,7 +39,8 @@ std::vector<RefinedPoint> refinedPoints(double begin, double end, const std::vec
         std::size_t widest = k;
         for (std::size_t i = k; i < k + 4; ++i)
             if (knots[i + 1] - knots[i] > knots[widest + 1] - knots[widest]) widest = i;
-        points.push_back({{knots[k + 1], knots[k + 2], knots[k + 3]}, (knots[widest] + knots[widest + 1]) / 2});
+        points.push_back(
+            {{knots[k + 1], knots[k + 2], knots[k + 3]}, (knots[widest] + knots[widest + 1]) / 2});
     }
     return points;
 }

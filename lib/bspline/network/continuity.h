@@ -1,4 +1,5 @@
-/// \file The equations that make neighbouring patches meet, and meet smoothly (docs/METHOD.md#smooth-surfaces).
+/// \file The equations that make neighbouring patches meet, and meet smoothly
+/// (docs/METHOD.md#smooth-fit).
 #pragma once
 
 #include "bspline/network/border_strip.h"

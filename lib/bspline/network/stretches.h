@@ -17,7 +17,8 @@ struct StretchSide {
     std::size_t patch = 0;
     int side = 0;
     int origin = 0;
-    int direction = 1; ///< 1 for the first side, -1 for the second, which sees the stretch the other way round
+    int direction =
+        1; ///< 1 for the first side, -1 for the second, which sees the stretch the other way round
 };
 
 /// A maximal run of border edges shared by one side of each of two patches, which may be the same patch.
@@ -38,7 +39,8 @@ struct Stretch {
 [[nodiscard]] double patchParameter(const std::array<int, 2>& size, const StretchSide& place, double x);
 
 /// The parameter of the stretch at a parameter of the patch along its side.
-[[nodiscard]] double stretchParameter(const std::array<int, 2>& size, const StretchSide& place, double parameter);
+[[nodiscard]] double stretchParameter(const std::array<int, 2>& size, const StretchSide& place,
+                                      double parameter);
 
 /// All stretches, in the order of the first patch, side and position that has them.
 [[nodiscard]] std::vector<Stretch> findStretches(const std::vector<BorderEdge>& borders);

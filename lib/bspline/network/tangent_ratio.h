@@ -6,8 +6,8 @@
 
 namespace qm {
 
-/// The function lambda of a smooth border, over 0 to its length: from the values at its ends it falls to zero,
-/// quadratically, within a reach from either end; or, if it has no reach, it is linear from end to end.
+/// The function lambda of a smooth border, over 0 to its length: from the values at its ends it falls to
+/// zero, quadratically, within a reach from either end; or, if it has no reach, it is linear from end to end.
 struct TangentRatio {
     std::array<double, 2> atEnd{};
     std::array<double, 2> reach{}; ///< 0 only if the value is; together at most the length

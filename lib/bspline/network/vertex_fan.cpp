@@ -18,7 +18,8 @@ HalfedgeId nextAround(const QuadMesh& mesh, HalfedgeId halfedge) {
     return mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(halfedge));
 }
 
-/// Consecutive patches of a fan with creases at both ends only; or all of them if there is one crease at most.
+/// Consecutive patches of a fan with creases at both ends only; or all of them if there is one crease at
+/// most.
 struct Sector {
     std::size_t begin = 0; ///< the border at which it begins
     std::size_t size = 0;  ///< how many patches it has
@@ -61,8 +62,7 @@ std::optional<double> angleOfCorners(const VertexFan& fan, const Sector& sector,
 /// or, if its side passes straight through, along the mesh edge between its two faces.
 Point inward(const QuadMesh& mesh, const VertexFan& fan, std::size_t patch, bool fromNext) {
     const std::size_t count = fan.borders.size();
-    if (fan.faces[patch] == 1)
-        return along(mesh, fan.borders[fromNext ? patch : (patch + 1) % count]);
+    if (fan.faces[patch] == 1) return along(mesh, fan.borders[fromNext ? patch : (patch + 1) % count]);
     return along(mesh, nextAround(mesh, fan.borders[patch]));
 }
 
@@ -70,7 +70,8 @@ Point inward(const QuadMesh& mesh, const VertexFan& fan, std::size_t patch, bool
 double measuredRatio(const QuadMesh& mesh, const VertexFan& fan, std::size_t border) {
     const std::size_t count = fan.borders.size();
     const Point on = along(mesh, fan.borders[border]);
-    const Point sum = inward(mesh, fan, border, false) + inward(mesh, fan, (border + count - 1) % count, true);
+    const Point sum =
+        inward(mesh, fan, border, false) + inward(mesh, fan, (border + count - 1) % count, true);
     constexpr double max = 1.8;
     const double length = on.sqrnorm();
     return length > 0 ? std::clamp((sum | on) / length, -max, max) : 0;
@@ -115,7 +116,8 @@ std::vector<double> tangentRatios(const QuadMesh& mesh, const VertexFan& fan, co
     constexpr double halfTurn = std::numbers::pi;
     const std::size_t count = fan.borders.size();
     const auto isPassed = [&](std::size_t border) {
-        return rule.kind == VertexRule::Kind::crease && std::ranges::count(rule.along, fan.borders[border]) > 0;
+        return rule.kind == VertexRule::Kind::crease &&
+               std::ranges::count(rule.along, fan.borders[border]) > 0;
     };
     std::vector<double> ratios(count);
     for (const Sector& sector : sectors(fan)) {

@@ -1,5 +1,5 @@
 /// \file What meets at a vertex of the layout: patches, smooth borders and creases, and the angles that they
-/// should have in the tangent plane (docs/METHOD.md#smooth-surfaces).
+/// should have in the tangent plane (docs/METHOD.md#smooth-fit).
 #pragma once
 
 #include "bspline/network/vertex_rules.h"

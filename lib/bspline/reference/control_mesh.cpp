@@ -1,8 +1,8 @@
 #include "bspline/reference/control_mesh.h"
 
+#include "bspline/reference/vertex_stencil.h"
 #include "bspline/splines/bounding_box.h"
 #include "bspline/splines/eigen_point.h"
-#include "bspline/reference/vertex_stencil.h"
 #include "mesh/topology.h"
 
 #include <algorithm>

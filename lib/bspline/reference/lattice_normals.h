@@ -1,8 +1,8 @@
 /// \file The points and normals of a surface on the lattice of a mesh.
 #pragma once
 
-#include "bspline/splines/eigen_point.h"
 #include "bspline/reference/reference_grid.h"
+#include "bspline/splines/eigen_point.h"
 #include "layout/layout.h"
 
 #include <Eigen/Core>

@@ -1,9 +1,9 @@
 #include "bspline/reference/limit_surface.h"
 
 #include "base/parallel.h"
+#include "bspline/network/vertex_rules.h"
 #include "bspline/reference/control_mesh.h"
 #include "bspline/reference/mesh_lattice.h"
-#include "bspline/network/vertex_rules.h"
 
 #include <cstddef>
 

@@ -1,9 +1,9 @@
 /// \file Points on a lattice over all quads of a mesh, and Catmull-Clark subdivision on it.
 #pragma once
 
-#include "bspline/splines/eigen_point.h"
-#include "bspline/reference/lattice_numbers.h"
 #include "bspline/network/vertex_rules.h"
+#include "bspline/reference/lattice_numbers.h"
+#include "bspline/splines/eigen_point.h"
 #include "mesh/quad_mesh.h"
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 #include "bspline/reference/triangle_surface.h"
 
-#include "bspline/splines/eigen_point.h"
 #include "bspline/reference/boundary_sides.h"
+#include "bspline/splines/eigen_point.h"
 
 #include <Eigen/Geometry>
 #include <boost/geometry/geometries/box.hpp>

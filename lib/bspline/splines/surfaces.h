@@ -1,4 +1,4 @@
-/// \file Bicubic B-spline patches, one for each segment (docs/METHOD.md#surfaces).
+/// \file Bicubic B-spline patches, one for each segment (docs/METHOD.md#smooth-fit).
 #pragma once
 
 #include "base/ids.h"
