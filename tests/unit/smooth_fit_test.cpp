@@ -1,0 +1,197 @@
+#include "bspline/fit.h"
+#include "bspline/fitting/constrained_system.h"
+#include "bspline/fitting/gram.h"
+#include "bspline/fitting/knot_plan.h"
+#include "bspline/network/smooth_network.h"
+#include "bspline/network/vertex_fan.h"
+#include "bspline/splines/basis.h"
+#include "mesh/dihedral.h"
+#include "support/fitted_model.h"
+#include "support/grid_layout.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace qm {
+namespace {
+
+using test::Grid;
+
+SmoothNetwork networkOf(const QuadMesh& mesh, const Layout& layout) {
+    return buildNetwork(mesh, layout, dihedralAngles(mesh), 0.45);
+}
+
+/// A sheet that bends by a right angle at i = 4.
+Grid folded() {
+    return {8, 6, [](double i, double j) { return Point(std::min(i, 4.0), j, std::max(i - 4, 0.0)); }};
+}
+
+TEST(TangentRatio, FallsToZeroWithinItsReachAndIsSmoothThere) {
+    TangentRatio ratio;
+    ratio.atEnd = {2, -1};
+    ratio.reach = {2, 1};
+    ratio.length = 5;
+    EXPECT_EQ(ratio(0), 2);
+    EXPECT_EQ(ratio(1), 0.5);
+    EXPECT_EQ(ratio(3), 0);
+    EXPECT_EQ(ratio(5), -1);
+    EXPECT_NEAR((ratio(2) - ratio(2 - 1e-6)) / 1e-6, 0, 1e-5);
+    ratio.isLinear = true;
+    EXPECT_DOUBLE_EQ(ratio(2.5), 0.5);
+}
+
+TEST(VertexFan, KnowsWhereSidesPassStraightThrough) {
+    const QuadMesh mesh = test::makeMesh(test::sheet());
+    const Layout layout = test::makeLayout(test::sheet(), test::tJoint());
+    const SmoothNetwork network = networkOf(mesh, layout);
+    const VertexId joint(3 * 11 + 6); // where two rectangles meet the side of the third
+    const VertexFan fan = vertexFan(mesh, network.marks, joint);
+    ASSERT_EQ(fan.faces.size(), 3U);
+    EXPECT_TRUE(fan.isClosed);
+    EXPECT_EQ(std::ranges::count(fan.faces, 2), 1);
+    for (const double ratio : tangentRatios(mesh, fan, network.rules[static_cast<std::size_t>(joint.idx())]))
+        EXPECT_EQ(ratio, 0) << "all is regular there";
+}
+
+TEST(SmoothNetwork, StretchesEndAtTJoints) {
+    const QuadMesh mesh = test::makeMesh(test::sheet());
+    const SmoothNetwork network = networkOf(mesh, test::makeLayout(test::sheet(), test::tJoint()));
+    std::vector<int> lengths;
+    for (const Stretch& stretch : network.stretches)
+        lengths.push_back(stretch.length());
+    std::ranges::sort(lengths);
+    EXPECT_EQ(lengths, (std::vector<int>{4, 5, 6}));
+    EXPECT_EQ(network.runs.size(), 3U);
+}
+
+TEST(SmoothNetwork, CreasesAreNoRuns) {
+    const QuadMesh mesh = test::makeMesh(folded());
+    const SmoothNetwork network = networkOf(mesh, test::makeLayout(folded(), {{0, 0, 4, 6}, {4, 0, 8, 6}}));
+    EXPECT_EQ(network.stretches.size(), 1U);
+    EXPECT_TRUE(network.runs.empty());
+}
+
+TEST(Gram, IntegratesProductsOfSplinesExactly) {
+    const std::vector<double> knots = {0, 0, 0, 0, 1, 2.5, 2.5, 4, 4, 4, 4};
+    const auto matrices = gramMatrices(knots);
+    // The splines sum up to one, so all entries of the first matrix sum up to the length of the domain.
+    double sum = 0;
+    for (const auto& row : matrices[0])
+        sum += row[0] + 2 * (row[1] + row[2] + row[3]);
+    EXPECT_NEAR(sum, 4, 1e-13);
+    // Control points at the knots' means are the identity, whose slope is one and whose bend is none.
+    std::vector<double> identity;
+    for (std::size_t k = 0; k + 4 < knots.size(); ++k)
+        identity.push_back((knots[k + 1] + knots[k + 2] + knots[k + 3]) / 3);
+    const auto energy = [&](const BandMatrix& matrix) {
+        double result = 0;
+        for (std::size_t i = 0; i < matrix.size(); ++i)
+            for (std::size_t d = 0; d < 4 && i + d < matrix.size(); ++d)
+                result += (d == 0 ? 1 : 2) * matrix[i][d] * identity[i] * identity[i + d];
+        return result;
+    };
+    EXPECT_NEAR(energy(matrices[1]), 4, 1e-12);
+    EXPECT_NEAR(energy(matrices[2]), 0, 1e-9);
+}
+
+TEST(ConstrainedSystem, KeepsEquationsThatSayTheSameTwice) {
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int k = 0; k < 4; ++k)
+        entries.emplace_back(k, k, k + 1.0);
+    LinearForm first;
+    first.add(0, 1);
+    first.add(1, -1);
+    LinearForm second; // twice the first
+    second.add(0, 2);
+    second.add(1, -2);
+    LinearForm third;
+    third.add(1, 1);
+    third.add(3, 1);
+    const ConstrainedSystem system(4, entries, {first, second, third});
+    Eigen::MatrixX3d right = Eigen::MatrixX3d::Zero(4, 3);
+    right.col(0) << 3, -1, 2, 5;
+    const Eigen::MatrixX3d x = system.solve(right);
+    EXPECT_NEAR(x(0, 0), x(1, 0), 1e-14);
+    EXPECT_NEAR(x(1, 0), -x(3, 0), 1e-14);
+    // With x0 = x1 = -x3 = t the form is (1 + 2 + 4) t^2 / 2 - (3 - 1 - 5) t.
+    EXPECT_NEAR(x(0, 0), -3.0 / 7, 1e-12);
+    EXPECT_NEAR(x(2, 0), 2.0 / 3, 1e-12);
+}
+
+TEST(KnotPlan, ForcesDoubleKnotsWhereSmoothBordersTurnIntoCreases) {
+    // Sharp along j = 3 for i < 4, flat beyond.
+    const Grid grid{
+        8, 6, [](double i, double j) { return Point(i, j, std::max(0.0, 4 - i) * 0.4 * std::abs(j - 3)); }};
+    const QuadMesh mesh = test::makeMesh(grid);
+    const Layout layout = test::makeLayout(grid, {{0, 0, 8, 3}, {0, 3, 8, 6}});
+    const SmoothNetwork network = networkOf(mesh, layout);
+    ASSERT_EQ(network.runs.size(), 1U);
+    KnotPlan plan(layout, network);
+    for (const PatchSpace& space : plan.spaces()) {
+        const auto inner = space.knots[0].size() - 8 + space.knots[1].size() - 8;
+        EXPECT_EQ(inner, 2U) << "one knot, twice";
+    }
+    EXPECT_TRUE(plan.insert(0, 1, 1));
+    EXPECT_FALSE(plan.insert(0, 1, 1));
+    EXPECT_FALSE(plan.insert(0, 1, 3)) << "its end";
+    plan.erase(0, 1, 1);
+    EXPECT_TRUE(plan.chosen(0, 1).empty());
+}
+
+TEST(SmoothFit, IsSmoothAcrossTJointsAndWithinTheTolerance) {
+    for (const double percent : {1.0, 0.1, 0.01}) {
+        FitOptions options;
+        options.tolerance = {percent, true};
+        const Surfaces surfaces = test::fitted(test::sheet(), test::tJoint(), options).surfaces;
+        EXPECT_LE(surfaces.deviation.maxRelative, percent / 100);
+        EXPECT_LT(surfaces.deviation.largestGapRelative, 1e-13);
+        EXPECT_LT(surfaces.deviation.largestNormalAngle, 1e-9);
+        EXPECT_EQ(surfaces.deviation.folds, 0U);
+        EXPECT_TRUE(missedTolerance(surfaces, options).empty());
+    }
+}
+
+TEST(SmoothFit, TakesFewerControlPointsForLooserTolerances) {
+    std::size_t before = std::numeric_limits<std::size_t>::max();
+    for (const double percent : {0.01, 0.1, 1.0}) {
+        FitOptions options;
+        options.tolerance = {percent, true};
+        const std::size_t points =
+            controlPointCount(test::fitted(test::sheet(), test::tJoint(), options).surfaces.patches);
+        EXPECT_LT(points, before);
+        before = points;
+    }
+}
+
+TEST(SmoothFit, KeepsCreasesSharpAndPlanesPlane) {
+    const Surfaces surfaces = test::fitted(folded(), {{0, 0, 4, 6}, {4, 0, 8, 6}}, {}).surfaces;
+    EXPECT_EQ(controlPointCount(surfaces.patches), 32U) << "one cubic each way";
+    for (const Point& point : surfaces.patches[0].controlPoints)
+        EXPECT_NEAR(point[2], 0, 1e-12);
+    for (const Point& point : surfaces.patches[1].controlPoints)
+        EXPECT_NEAR(point[0], 4, 1e-12);
+}
+
+TEST(SmoothFit, SaysWhereItMissesATolerance) {
+    FitOptions options;
+    options.tolerance = {1e-13, true};
+    const Surfaces surfaces = test::fitted(test::sheet(), test::tJoint(), options).surfaces;
+    EXPECT_NE(missedTolerance(surfaces, options).find("missed in patch"), std::string::npos);
+}
+
+TEST(SmoothFit, DoesNotDependOnTheNumberOfThreads) {
+    const QuadMesh mesh = test::makeMesh(test::sheet());
+    const Layout layout = test::makeLayout(test::sheet(), test::tJoint());
+    Control several;
+    several.jobs = 3;
+    const auto one = fitSurfaces(mesh, layout, dihedralAngles(mesh), {});
+    const auto three = fitSurfaces(mesh, layout, dihedralAngles(mesh), {}, several);
+    for (std::size_t k = 0; k < one.patches.size(); ++k)
+        EXPECT_EQ(one.patches[k].controlPoints, three.patches[k].controlPoints);
+}
+
+} // namespace
+} // namespace qm
