@@ -34,7 +34,7 @@ Eigen::SparseMatrix<double> equationMatrix(const std::vector<LinearForm>& equati
 
 /// Makes the whole matrix quasi-definite, so that every order of elimination works and equations may depend
 /// on one another; what it changes is mended by refinement.
-constexpr double relaxation = 1e-9;
+constexpr double relaxation = 1e-10;
 
 } // namespace
 
@@ -67,7 +67,7 @@ ConstrainedSystem::ConstrainedSystem(std::size_t unknowns, const std::vector<Eig
 ConstrainedSystem::~ConstrainedSystem() = default;
 
 Eigen::MatrixX3d ConstrainedSystem::solve(const Eigen::MatrixX3d& rightHandSide) const {
-    constexpr int maxRefinements = 10;
+    constexpr int maxRefinements = 20;
     constexpr double negligible = 1e-15;
     double before = std::numeric_limits<double>::infinity();
     const Eigen::Index size = form_.rows();
@@ -81,7 +81,7 @@ Eigen::MatrixX3d ConstrainedSystem::solve(const Eigen::MatrixX3d& rightHandSide)
         const Eigen::MatrixX3d correction = factors_->ldlt.solve(residual);
         // What does not become smaller is rounding.
         const double change = correction.topRows(size).norm();
-        if (change > before / 2) break;
+        if (change > 0.9 * before) break;
         before = change;
         solution += correction;
         if (change <= negligible * solution.topRows(size).norm()) break;
