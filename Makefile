@@ -71,6 +71,7 @@ own_headers := $(filter $(sources:.cpp=.h),$(headers))
 schemas     := $(wildcard schemas/*.schema.json)
 three       := /usr/share/javascript/three
 page_parts  := $(wildcard lib/view/page/*) $(three)/three.min.js $(three)/examples/js/controls/OrbitControls.js
+scripts     := $(wildcard lib/cli/remesh/*.py)
 tool_names  := $(patsubst tools/%.cpp,%,$(wildcard tools/qm-*.cpp))
 library     := $(O)/libquadmesh.a
 # The release tools are what people use, so they lie where they are found.
@@ -90,7 +91,7 @@ parts       := unit property cli layers headers schemas docs
 # ------------------------------------------------------------------------------------------ everything
 
 .PHONY: all
-all: $(tools) ## build the tools
+all: $(tools) $(bin)/quadmesh ## build the tools
 
 .PHONY: help
 help: ## this list
@@ -123,7 +124,12 @@ $(tools): $(bin)/%: $(O)/tools/%.o $(library)
 	@mkdir -p $(@D)
 	$(call quietly,link,$@) $(link) $^ -o $@ $(libraries)
 
-$(library): $(sources:%.cpp=$(O)/%.o) $(O)/gen/schemas.o $(O)/gen/page_parts.o
+# The one command is a script; it finds the tools beside itself.
+$(bin)/quadmesh: pipelines/quadmesh
+	@mkdir -p $(@D)
+	$(call quietly,link,$@) ln -sfr $< $@
+
+$(library): $(sources:%.cpp=$(O)/%.o) $(O)/gen/schemas.o $(O)/gen/page_parts.o $(O)/gen/blender_scripts.o
 	@rm -f $@
 	$(call quietly,archive,$@) $(AR) rcs $@ $^
 
@@ -138,6 +144,10 @@ $(O)/gen/schemas.cpp: $(schemas) scripts/embed
 $(O)/gen/page_parts.cpp: $(page_parts) scripts/embed
 	@mkdir -p $(@D)
 	$(call quietly,embed,$@) scripts/embed view/page_parts.h PagePart embeddedPageParts $(page_parts) > $@
+
+$(O)/gen/blender_scripts.cpp: $(scripts) scripts/embed
+	@mkdir -p $(@D)
+	$(call quietly,embed,$@) scripts/embed cli/blender_script.h BlenderScript embeddedBlenderScripts $(scripts) > $@
 
 # clang warns of the length of texts.
 $(O)/gen/%.o: $(O)/gen/%.cpp $(O)/flags
@@ -318,7 +328,8 @@ compile_commands.json: export command = $(filter-out ccache,$(compile))
 
 # --------------------------------------------------------------------------------------------- install
 
-man_pages   := $(tool_names:%=$(O)/man/%.1)
+commands    := quadmesh $(tool_names)
+man_pages   := $(commands:%=$(O)/man/%.1)
 completions := $(O)/completion/quadmesh
 
 .PHONY: man
@@ -331,15 +342,15 @@ $(O)/man/%.1: $(bin)/% scripts/man VERSION
 .PHONY: completion
 completion: $(completions) ## completion for bash, from the tools' own descriptions
 
-$(completions): $(tools) scripts/completion
+$(completions): $(tools) $(bin)/quadmesh scripts/completion
 	@mkdir -p $(@D)
-	$(call quietly,complete,$@) scripts/completion $(tools) > $@
+	$(call quietly,complete,$@) scripts/completion $(commands:%=$(bin)/%) > $@
 
 # What is installed, by the folder it goes to.
 man_folder     := share/man/man1
 bash_folder    := share/bash-completion/completions
 own_folders    := include/quadmesh share/quadmesh share/doc/quadmesh
-installed      := $(tool_names:%=bin/%) $(tool_names:%=$(man_folder)/%.1) $(tool_names:%=$(bash_folder)/%) \
+installed      := $(commands:%=bin/%) $(commands:%=$(man_folder)/%.1) $(commands:%=$(bash_folder)/%) \
                   lib/libquadmesh.a lib/pkgconfig/quadmesh.pc
 public_headers := $(filter-out lib/cli/%,$(headers))
 
@@ -360,10 +371,10 @@ endef
 .PHONY: install
 install: all man completion ## install tools, library and headers below DESTDIR and prefix=/usr/local
 	install -d $(addprefix $(DESTDIR)$(prefix)/,$(sort $(dir $(installed))) $(own_folders))
-	install $(tools) $(DESTDIR)$(prefix)/bin
+	install $(tools) pipelines/quadmesh $(DESTDIR)$(prefix)/bin
 	install -m 644 $(man_pages) $(DESTDIR)$(prefix)/$(man_folder)
-	for tool in $(tool_names); do \
-	    install -m 644 $(completions) $(DESTDIR)$(prefix)/$(bash_folder)/$$tool; \
+	for command in $(commands); do \
+	    install -m 644 $(completions) $(DESTDIR)$(prefix)/$(bash_folder)/$$command; \
 	done
 	install -m 644 $(library) $(DESTDIR)$(prefix)/lib
 	printf '%s\n' "$$pkg_config" > $(DESTDIR)$(prefix)/lib/pkgconfig/quadmesh.pc

@@ -51,6 +51,7 @@ public:
             sound = sound && thisOne;
         }
         if (sound && part_.watertight) gaps();
+        if (sound && part_.farthest) farthest(*part_.farthest);
     }
 
 private:
@@ -143,6 +144,21 @@ private:
                 break;
             }
         }
+    }
+
+    void farthest(const SurfacesPart::Farthest& place) {
+        const bool there = place.patch >= 0 && index(place.patch) < part_.patches.size();
+        const auto inside = [&](std::size_t k) {
+            return place.at[k] >= 0 && place.at[k] <= layout_.segments[index(place.patch)].size[k];
+        };
+        if (!there || !inside(0) || !inside(1)) {
+            report_.violate("/surfaces/farthest", "farthest place", "it lies on no patch");
+            return;
+        }
+        const Place point = evaluate(part_.patches[index(place.patch)], place.at[0], place.at[1]).point;
+        if (!(distance(point, place.point) <= 1e-9 * diagonal_))
+            report_.violate("/surfaces/farthest/point", "farthest place",
+                            "the patch is elsewhere at these parameters");
     }
 
     [[nodiscard]] Place pointAt(const BorderPlace& place, double along) const {

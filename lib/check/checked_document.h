@@ -144,6 +144,13 @@ struct SurfacesPart {
     bool watertight = false;
     std::optional<double> rho; ///< a border edge is smooth up to this dihedral angle
     Figures figures = {};      ///< of all patches
+    /// Where the document says that the surfaces are farthest from the reference.
+    struct Farthest {
+        int patch = -1;
+        std::array<double, 2> at{};
+        std::array<double, 3> point{};
+    };
+    std::optional<Farthest> farthest = {};
     std::vector<Patch> patches;
 };
 

@@ -226,11 +226,22 @@ const Json& optionsOf(const Json& root, const char* tool) {
     return last == history.rend() ? none : member(*last, "options");
 }
 
+std::optional<SurfacesPart::Farthest> readFarthest(const Json& place) {
+    if (!place.is_object()) return {};
+    SurfacesPart::Farthest farthest{whole(member(place, "patch")), {}, {}};
+    for (std::size_t k = 0; k < 2; ++k)
+        farthest.at[k] = numberOrNan(element(member(place, "at"), k));
+    for (std::size_t k = 0; k < 3; ++k)
+        farthest.point[k] = numberOrNan(element(member(place, "point"), k));
+    return farthest;
+}
+
 /// A number is a length, a text such as "0.1%" a share of the diagonal.
 SurfacesPart readSurfaces(const Json& section, const Json& options) {
     SurfacesPart part;
     part.patches = all<SurfacesPart::Patch>(member(section, "patches"), readPatch);
     part.figures = readFigures(member(section, "deviation"));
+    part.farthest = readFarthest(member(section, "farthest"));
     part.rho = number(member(options, "rho"));
     part.interpolates = text(member(options, "fit")) == "interpolate";
     part.watertight = text(member(options, "fit")) == "smooth";

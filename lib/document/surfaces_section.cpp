@@ -1,5 +1,7 @@
 #include "document/surfaces_section.h"
 
+#include "bspline/splines/evaluate.h"
+
 #include <array>
 #include <cmath>
 #include <optional>
@@ -64,7 +66,14 @@ Json surfacesToJson(const Surfaces& surfaces) {
                            {"controlPoints", pointsToJson(patch)}});
         if (i < surfaces.ofPatch.size()) patches.back()["deviation"] = deviationToJson(surfaces.ofPatch[i]);
     }
-    return {{"patches", std::move(patches)}, {"deviation", deviationToJson(surfaces.deviation)}};
+    Json section{{"patches", std::move(patches)}, {"deviation", deviationToJson(surfaces.deviation)}};
+    if (surfaces.farthest.patch < surfaces.patches.size()) {
+        const LayoutPlace& place = surfaces.farthest;
+        const Point point = evaluate(surfaces.patches[place.patch], place.at[0], place.at[1]).position;
+        section["farthest"] = {
+            {"patch", place.patch}, {"at", place.at}, {"point", {point[0], point[1], point[2]}}};
+    }
+    return section;
 }
 
 namespace {
@@ -136,6 +145,17 @@ Patch readPatch(const JsonPlace& place, std::size_t index, const std::array<int,
     return patch;
 }
 
+LayoutPlace readFarthest(const std::vector<std::array<int, 2>>& sizes, const JsonPlace& place) {
+    const auto last = static_cast<std::int64_t>(sizes.size()) - 1;
+    LayoutPlace result{static_cast<std::size_t>(place["patch"].whole(0, last)), {}};
+    for (std::size_t k = 0; k < 2; ++k) {
+        result.at[k] = place["at"][k].number();
+        if (result.at[k] < 0 || result.at[k] > sizes[result.patch][k])
+            place["at"].failAt(k, "lies outside of the patch");
+    }
+    return result;
+}
+
 } // namespace
 
 Surfaces readSurfaces(const std::vector<std::array<int, 2>>& sizes, const JsonPlace& section) {
@@ -151,6 +171,7 @@ Surfaces readSurfaces(const std::vector<std::array<int, 2>>& sizes, const JsonPl
     }
     if (surfaces.ofPatch.size() != surfaces.patches.size()) surfaces.ofPatch.clear();
     surfaces.deviation = readDeviation(section["deviation"]);
+    if (const auto farthest = section.find("farthest")) surfaces.farthest = readFarthest(sizes, *farthest);
     return surfaces;
 }
 

@@ -1,0 +1,125 @@
+#include "cli/quadriflow.h"
+
+#include "base/error.h"
+#include "cli/blender_script.h"
+#include "cli/child_process.h"
+#include "cli/output_file.h"
+#include "document/files.h"
+#include "mesh/boundary_loops.h"
+#include "mesh/read_mesh.h"
+#include "mesh/triangle_edges.h"
+#include "mesh/write_soup.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
+
+namespace qm {
+namespace {
+
+constexpr int maxAttempts = 3;
+
+/// Moves a box about the origin, and scales it to length 1.
+class UnitBox {
+public:
+    explicit UnitBox(const std::vector<Point>& points) {
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        Point low{infinity, infinity, infinity};
+        Point high = -low;
+        for (const Point& point : points) {
+            low.minimize(point);
+            high.maximize(point);
+        }
+        centre_ = low / 2 + high / 2;
+        size_ = (high - low).max();
+    }
+    [[nodiscard]] Point to(const Point& point) const { return (point - centre_) / size_; }
+    [[nodiscard]] Point from(const Point& point) const { return point * size_ + centre_; }
+
+private:
+    Point centre_{0, 0, 0};
+    double size_ = 1;
+};
+
+void runBlender(const TemporaryFolder& folder, const HeldSignals& signals, const RemeshOptions& options,
+                bool isOpen) {
+    const auto flag = [](bool value) { return std::string(value ? "1" : "0"); };
+    const std::vector<std::string> words = {"blender",
+                                            "--background",
+                                            "--factory-startup",
+                                            "--python-exit-code",
+                                            "1",
+                                            "--python",
+                                            folder.file("quadriflow.py"),
+                                            "--",
+                                            folder.file("scan.obj"),
+                                            folder.file("quads.obj"),
+                                            std::to_string(options.quads),
+                                            flag(options.preserveSharp),
+                                            flag(isOpen),
+                                            std::to_string(options.seed)};
+    if (!runProgram(words, signals, folder.file("messages")))
+        throw Error("", "Blender makes the quads, and is not there", "Install Debian's package blender");
+}
+
+/// What QuadriFlow made, or why that is no quad mesh.
+struct Attempt {
+    std::optional<Remeshed> result;
+    std::string problem;
+};
+
+Attempt attempt(const TemporaryFolder& folder, const HeldSignals& signals, const UnitBox& box,
+                const RemeshOptions& options, std::size_t scanLoops) {
+    std::filesystem::remove(folder.file("quads.obj"));
+    runBlender(folder, signals, options, scanLoops > 0);
+    if (HeldSignals::oneWaits() || !std::filesystem::exists(folder.file("quads.obj")))
+        return {{}, "QuadriFlow gave up"};
+    try {
+        ReadResult read = readMesh(readFile(folder.file("quads.obj")), "", {.repair = true});
+        for (const VertexId vertex : read.mesh.vertices())
+            read.mesh.set_point(vertex, box.from(read.mesh.point(vertex)));
+        const std::size_t loops = boundaryLoops(read.mesh).size();
+        return {Remeshed{std::move(read.mesh), read.repair, loops, scanLoops, options.seed}, {}};
+    } catch (const Error& error) {
+        return {{}, error.what()};
+    }
+}
+
+std::size_t difference(const Remeshed& remeshed) {
+    return std::max(remeshed.loops, remeshed.scanLoops) - std::min(remeshed.loops, remeshed.scanLoops);
+}
+
+} // namespace
+
+Remeshed remeshWithBlender(const Triangles& scan, const RemeshOptions& options) {
+    const std::size_t scanLoops = validateTriangleEdges(scan);
+    const HeldSignals signals;
+    const TemporaryFolder folder("qm-remesh");
+    const UnitBox box(scan.points);
+    Triangles scaled = scan;
+    std::ranges::transform(scan.points, scaled.points.begin(),
+                           [&](const Point& point) { return box.to(point); });
+    writeFile(folder.file("scan.obj"), writeSoup(soupOf(scaled), MeshFormat::obj));
+    for (const BlenderScript& script : embeddedBlenderScripts())
+        writeFile(folder.file(std::string(script.name).c_str()), script.text);
+
+    std::optional<Remeshed> best;
+    std::string problem;
+    for (int k = 0; k < maxAttempts && !HeldSignals::oneWaits() && (!best || difference(*best) > 0); ++k) {
+        RemeshOptions next = options;
+        next.seed += k;
+        Attempt made = attempt(folder, signals, box, next, scanLoops);
+        if (made.result && (!best || difference(*made.result) < difference(*best)))
+            best = std::move(made.result);
+        if (problem.empty()) problem = made.problem;
+    }
+    if (!best)
+        throw Error("", "QuadriFlow makes no quad mesh of it: " + problem,
+                    "Try another number of quads, or mend the scan");
+    return std::move(*best);
+}
+
+} // namespace qm

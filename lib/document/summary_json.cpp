@@ -1,0 +1,62 @@
+#include "document/summary_json.h"
+
+#include "document/options.h"
+#include "document/tolerance_text.h"
+
+namespace qm {
+namespace {
+
+Json fitToJson(const FitSummary& fit) {
+    const Deviation& deviation = fit.deviation;
+    const auto& point = fit.farthestPoint;
+    Json json{{"fit", choiceName(fit.smooth ? Fit::smooth : Fit::interpolate)}};
+    json["tolerance"] = fit.smooth ? Json(fit.tolerance) : Json();
+    json["deviation"] = deviation.max;
+    json["deviationRelative"] = deviation.maxRelative;
+    json["farthest"] = {
+        {"patch", fit.farthest.patch}, {"at", fit.farthest.at}, {"point", {point[0], point[1], point[2]}}};
+    json["gap"] = deviation.largestGap;
+    json["largestNormalAngle"] = deviation.largestNormalAngle;
+    json["percentile95NormalAngle"] = deviation.percentile95NormalAngle;
+    json["folds"] = deviation.folds;
+    return json;
+}
+
+} // namespace
+
+FitOptions recordedFit(const JsonPlace& history) {
+    FitOptions fit;
+    for (std::size_t k = 0; k < history.size(); ++k) {
+        if (history[k]["tool"].value() != "qm-bspline") continue;
+        const JsonPlace options = history[k]["options"];
+        if (const auto name = options.find("fit"))
+            if (!choiceValue(name->text(), fit.fit)) name->fail("is no kind of fit");
+        const auto tolerance = options.find("tolerance");
+        if (!tolerance) continue;
+        if (tolerance->value().is_number())
+            fit.tolerance = {tolerance->number(), false};
+        else if (!parseTolerance(tolerance->text(), fit.tolerance))
+            tolerance->fail("is no tolerance");
+    }
+    return fit;
+}
+
+Json summaryToJson(const Summary& summary, const std::string& name, const std::string& unit,
+                   std::optional<double> seconds, const std::vector<std::string>& unmet) {
+    Json json{{"mesh", name}, {"unit", unit}, {"quads", summary.quads}, {"vertices", summary.vertices}};
+    json["pieces"] = summary.pieces;
+    json["size"] = summary.size;
+    json["diagonal"] = summary.diagonal;
+    json["boundaryLoops"] = Json::array();
+    for (const BoundaryLoop& loop : summary.loops)
+        json["boundaryLoops"].push_back(
+            {{"vertex", loop.vertex.idx()}, {"edges", loop.edges}, {"length", loop.length}});
+    json["patches"] = summary.patches ? Json(*summary.patches) : Json();
+    json["surfaces"] = summary.fit ? fitToJson(*summary.fit) : Json();
+    json["solid"] = isSolid(summary);
+    json["seconds"] = seconds ? Json(*seconds) : Json();
+    json["unmet"] = unmet;
+    return json;
+}
+
+} // namespace qm

@@ -1,0 +1,19 @@
+/// \file Figures as a person reads them: three digits, and no exponents where they can be done without.
+#pragma once
+
+#include "mesh/quad_mesh.h"
+
+#include <string>
+
+namespace qm {
+
+/// "0.0123", "12.3", "1234", "1.2e-15".
+[[nodiscard]] std::string figureText(double value);
+
+/// "(0.12, 3.4, 5)".
+[[nodiscard]] std::string pointText(const Point& point);
+
+/// "1 hole", "2 holes".
+[[nodiscard]] std::string countText(std::size_t count, const std::string& noun);
+
+} // namespace qm

@@ -1,0 +1,89 @@
+#include "summary/summary.h"
+
+#include "bspline/splines/evaluate.h"
+#include "mesh/topology.h"
+#include "summary/figure_text.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace qm {
+namespace {
+
+/// STEP files say how close points must be to be one; this is what ours say where nothing is farther apart.
+constexpr double stepTolerance = 1e-7;
+
+void measureSize(const QuadMesh& mesh, Summary& summary) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    Point low{infinity, infinity, infinity};
+    Point high = -low;
+    for (const VertexId vertex : mesh.vertices())
+        if (!mesh.is_isolated(vertex)) {
+            low.minimize(mesh.point(vertex));
+            high.maximize(mesh.point(vertex));
+        }
+    if (mesh.n_faces() == 0) return;
+    const Point size = high - low;
+    summary.size = {size[0], size[1], size[2]};
+    summary.diagonal = size.norm();
+}
+
+int piecesOf(const QuadMesh& mesh) {
+    const auto isolated =
+        std::ranges::count_if(mesh.vertices(), [&](VertexId vertex) { return mesh.is_isolated(vertex); });
+    return components(mesh).count - static_cast<int>(isolated);
+}
+
+std::string missedTolerance(const FitSummary& fit, const std::string& unit) {
+    return "the tolerance is missed: " + figureText(fit.deviation.max) + unit + " where " +
+           figureText(fit.tolerance) + unit + " are allowed, in patch " + std::to_string(fit.farthest.patch) +
+           " at " + pointText(fit.farthestPoint) + ". Allow more, or mend the mesh there";
+}
+
+} // namespace
+
+Summary summarise(const QuadMesh& mesh, const Layout* layout, const Surfaces* surfaces,
+                  const FitOptions& fit) {
+    Summary summary;
+    summary.quads = mesh.n_faces();
+    summary.vertices = mesh.n_vertices();
+    summary.pieces = piecesOf(mesh);
+    summary.loops = boundaryLoops(mesh);
+    measureSize(mesh, summary);
+    if (layout != nullptr) summary.patches = layout->segments.size();
+    if (surfaces == nullptr || surfaces->patches.empty()) return summary;
+    FitSummary& figures = summary.fit.emplace();
+    figures.smooth = fit.fit == Fit::smooth;
+    figures.tolerance = fit.tolerance.length(summary.diagonal);
+    figures.deviation = surfaces->deviation;
+    figures.farthest = surfaces->farthest;
+    figures.farthestPoint =
+        evaluate(surfaces->patches[figures.farthest.patch], figures.farthest.at[0], figures.farthest.at[1])
+            .position;
+    return summary;
+}
+
+bool isSolid(const Summary& summary) {
+    return summary.fit && summary.loops.empty() && summary.fit->deviation.largestGap <= stepTolerance;
+}
+
+std::vector<std::string> unmetLimits(const Summary& summary, const Limits& limits, const std::string& unit) {
+    std::vector<std::string> unmet;
+    const std::string length = " " + unit;
+    if (limits.maxPatches && summary.patches && *summary.patches > *limits.maxPatches)
+        unmet.push_back("there are " + std::to_string(*summary.patches) + " patches where " +
+                        std::to_string(*limits.maxPatches) + " are allowed. Allow more, or smooth the mesh");
+    if (!summary.fit || !summary.fit->smooth) return unmet;
+    const FitSummary& fit = *summary.fit;
+    if (fit.deviation.max > fit.tolerance) unmet.push_back(missedTolerance(fit, length));
+    if (fit.deviation.largestNormalAngle > limits.maxNormalAngle)
+        unmet.push_back("normals jump by " + figureText(fit.deviation.largestNormalAngle) +
+                        " degrees across a smooth border where " + figureText(limits.maxNormalAngle) +
+                        " are allowed. Give a larger tolerance, or a finer mesh");
+    if (summary.loops.empty() && !isSolid(summary))
+        unmet.push_back("patches are " + figureText(fit.deviation.largestGap) + length +
+                        " apart, so the closed mesh gives no solid");
+    return unmet;
+}
+
+} // namespace qm

@@ -1,0 +1,60 @@
+/// \file What somebody who needs the surfaces asks first: how many patches, how good, and where they are not.
+#pragma once
+
+#include "bspline/fit.h"
+#include "mesh/boundary_loops.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace qm {
+
+/// Figures of surfaces that were fitted.
+struct FitSummary {
+    bool smooth = true;   ///< Fit::smooth, which heeds a tolerance and leaves no gaps
+    double tolerance = 0; ///< in the mesh's unit; of a smooth fit
+    Deviation deviation;
+    LayoutPlace farthest; ///< where deviation.max was found
+    Point farthestPoint{0, 0, 0};
+};
+
+/// Of a mesh and, as far as there are any, its layout and surfaces. Lengths are in the mesh's unit.
+struct Summary {
+    std::size_t quads = 0;
+    std::size_t vertices = 0;
+    int pieces = 0; ///< connected components that have faces
+    std::vector<BoundaryLoop> loops;
+    std::array<double, 3> size{}; ///< of the bounding box of all faces
+    double diagonal = 0;
+    std::optional<std::size_t> patches;
+    std::optional<FitSummary> fit;
+};
+
+/// \param layout, surfaces  null if there are none
+/// \param fit  what the surfaces were fitted with
+[[nodiscard]] Summary summarise(const QuadMesh& mesh, const Layout* layout, const Surfaces* surfaces,
+                                const FitOptions& fit);
+
+/// Closed, and without gaps that a STEP reader would see.
+[[nodiscard]] bool isSolid(const Summary& summary);
+
+/// What a result must keep to.
+struct Limits {
+    std::optional<std::size_t> maxPatches;
+    double maxNormalAngle = 1; ///< across the borders that a smooth fit makes smooth, degrees
+};
+
+/// Every limit that is not met, as a sentence with figures and place.
+/// \param unit  of the mesh, behind lengths
+[[nodiscard]] std::vector<std::string> unmetLimits(const Summary& summary, const Limits& limits,
+                                                   const std::string& unit);
+
+/// A few lines of at most 80 columns, but for names.
+/// \param name  of the mesh
+/// \param seconds  that it took to make the surfaces, if known
+[[nodiscard]] std::string summaryText(const Summary& summary, const std::string& name,
+                                      const std::string& unit, std::optional<double> seconds);
+
+} // namespace qm

@@ -1,0 +1,70 @@
+#include "summary/figure_text.h"
+#include "summary/summary.h"
+
+#include <algorithm>
+
+namespace qm {
+namespace {
+
+constexpr std::size_t loopsShown = 4;
+
+std::string line(const std::string& label, const std::string& text) {
+    return label + std::string(12 - label.size(), ' ') + text + "\n";
+}
+
+std::string sizeText(const Summary& summary, const std::string& unit) {
+    return figureText(summary.size[0]) + " x " + figureText(summary.size[1]) + " x " +
+           figureText(summary.size[2]) + " " + unit;
+}
+
+/// "2 open loops, 12.3 and 4.5 mm long".
+std::string loopsText(const Summary& summary, const std::string& unit) {
+    std::string text = countText(summary.loops.size(), "open loop") + ", ";
+    const std::size_t shown = std::min(summary.loops.size(), loopsShown);
+    for (std::size_t k = 0; k < shown; ++k)
+        text += (k == 0 ? "" : ", ") + figureText(summary.loops[k].length);
+    return text + (shown < summary.loops.size() ? ", ... " : " ") + unit + " long";
+}
+
+std::string shapeText(const Summary& summary, const std::string& unit) {
+    if (!summary.loops.empty()) return (summary.fit ? "shell, " : "") + loopsText(summary, unit);
+    if (isSolid(summary)) return summary.pieces == 1 ? "solid" : countText(summary.pieces, "solid");
+    return summary.fit ? "closed, but patches are apart" : "closed";
+}
+
+std::string deviationLines(const FitSummary& fit, const std::string& unit) {
+    std::string text = figureText(fit.deviation.max) + " " + unit;
+    if (fit.smooth)
+        text += ", " + figureText(100 * fit.deviation.max / fit.tolerance) + "% of the tolerance, " +
+                figureText(fit.tolerance) + " " + unit;
+    return line("deviation", text) + line("  largest", "in patch " + std::to_string(fit.farthest.patch) +
+                                                           " at " + pointText(fit.farthestPoint));
+}
+
+std::string fitLines(const FitSummary& fit, const std::string& unit) {
+    std::string text = deviationLines(fit, unit) +
+                       line("gap", figureText(fit.deviation.largestGap) + " " + unit) +
+                       line("normals", "jump by " + figureText(fit.deviation.largestNormalAngle) +
+                                           " degrees at most, 95% by less than " +
+                                           figureText(fit.deviation.percentile95NormalAngle));
+    if (fit.deviation.folds > 0)
+        text += line("folds", countText(fit.deviation.folds, "piece") + " of patches may fold over");
+    return text;
+}
+
+} // namespace
+
+std::string summaryText(const Summary& summary, const std::string& name, const std::string& unit,
+                        std::optional<double> seconds) {
+    std::string text = line("mesh", name) +
+                       line("quads", std::to_string(summary.quads) + " in " +
+                                         countText(static_cast<std::size_t>(summary.pieces), "piece")) +
+                       line("size", sizeText(summary, unit));
+    if (summary.patches) text += line("patches", std::to_string(*summary.patches));
+    if (summary.fit) text += fitLines(*summary.fit, unit);
+    text += line("shape", shapeText(summary, unit));
+    if (seconds) text += line("seconds", figureText(*seconds));
+    return text;
+}
+
+} // namespace qm

@@ -1,0 +1,108 @@
+# qm-remesh: quads from triangles, with Blender where it is installed.
+
+load helpers.bash
+
+blender_or_skip() { command -v blender >/dev/null || skip 'there is no Blender'; }
+
+@test "a scan becomes a mesh of about so many quads" {
+    blender_or_skip
+    qm-shape bracket --scan 6000 -o scan.stl
+    quietly qm-remesh scan.stl --quads 1200 -o part.obj
+    quietly qm-basecomplex part.obj -o part.json
+    quads=$(field .mesh.faces part.json)
+    assert [ "$quads" -gt 900 ]
+    assert [ "$quads" -lt 1500 ]
+    # It stays where the scan is, and has neither holes nor other parts.
+    quietly qm-summary --json part.json
+    jq -e '.boundaryLoops == [] and .pieces == 1' <<<"$output"
+    qm-remesh scan.stl --quads 1200 | cmp - part.obj
+}
+
+@test "every format of triangles is read, wherever the scan lies" {
+    blender_or_skip
+    qm-shape block --scan 3000 -o scan.obj
+    for ending in ply off stl; do
+        qm-shape block --scan 3000 -o "scan.$ending"
+        quietly qm-remesh --quads 400 "scan.$ending" -o "$ending.obj"
+    done
+    assert_same_bytes ply.obj off.obj
+    # Far from the origin single precision alone would leave steps.
+    awk '/^v / { $2 += 1e6; $3 -= 1e6 } { print }' OFMT=%.17g CONVFMT=%.17g scan.obj >far.obj
+    quietly qm-remesh --quads 400 far.obj -o far-quads.obj
+    quietly qm-summary --json <(qm-basecomplex far-quads.obj) --mesh far-quads.obj
+    jq -e '(.size[0] - 3 | fabs) < 0.05 and (.size[2] - 2 | fabs) < 0.05' <<<"$output"
+}
+
+@test "what is asked for reaches QuadriFlow" {
+    # In its place: takes down what it is told, and gives back a cube.
+    mkdir folder
+    qm-shape cube --resolution 1 -o cube.obj
+    printf '#!/bin/bash\nprintf "%%s " "${@: -4}" >>%q\ncp %q "${@: -5:1}"\n' "$PWD/told" "$PWD/cube.obj" >folder/blender
+    chmod +x folder/blender
+    export PATH=$PWD/folder:$PATH
+    qm-shape block --scan 500 -o scan.stl
+    qm-shape plate --scan 500 -o open.stl
+    quietly qm-remesh scan.stl -o part.obj
+    assert_equal "$(cat told)" '5000 1 0 0 '
+    rm told
+    quietly qm-remesh scan.stl --quads 70 --no-preserve-sharp --seed 4 -o part.obj
+    assert_equal "$(cat told)" '70 0 0 4 '
+    # Boundaries are kept; a result without them makes it try other seeds, and say so.
+    rm told
+    run --separate-stderr qm-remesh open.stl -o part.obj
+    assert_success
+    assert_equal "$(cat told)" '5000 1 1 0 5000 1 1 1 5000 1 1 2 '
+    assert_regex "$stderr" 'the quad mesh has 0 boundary loops, the scan has 2'
+}
+
+@test "an open scan keeps its boundary" {
+    blender_or_skip
+    qm-shape plate --scan 3000 -o scan.stl
+    quietly qm-remesh scan.stl --quads 600 -o part.obj
+    quietly qm-summary <(qm-basecomplex part.obj) --mesh part.obj
+    assert_line --regexp '^shape +2 open loops'
+}
+
+@test "scans that are no manifold are refused with the place" {
+    qm-shape block --scan 500 -o scan.obj
+    awk '{ print } /^f / && ++n == 1 { print }' scan.obj >twice.obj
+    complains qm-remesh twice.obj
+    assert_regex "$stderr" 'at \(.*\): 3 triangles meet at an edge, and more than two at 3 in all'
+    awk '/^f / && ++n == 7 { print "f", $3, $2, $4; next } { print }' scan.obj >turned.obj
+    complains qm-remesh turned.obj
+    assert_regex "$stderr" 'two neighbours are oriented inconsistently, as at 3 edges in all'
+}
+
+@test "without Blender it says what to install" {
+    qm-shape block --scan 500 -o scan.stl
+    mkdir folder
+    ln -s "$QM_BIN/qm-remesh" folder
+    run --separate-stderr env PATH="$PWD/folder" qm-remesh scan.stl
+    assert_complaint qm-remesh
+    assert_regex "$stderr" "Install Debian's package blender"
+}
+
+@test "what QuadriFlow can do nothing with is told" {
+    mkdir folder
+    printf '#!/bin/sh\necho Error; exit 1\n' >folder/blender
+    chmod +x folder/blender
+    qm-shape block --scan 500 -o scan.stl
+    PATH=$PWD/folder:$PATH complains qm-remesh scan.stl
+    assert_regex "$stderr" 'QuadriFlow gave up'
+}
+
+@test "an interrupt ends Blender and leaves nothing" {
+    mkdir folder temporary
+    printf '#!/bin/sh\necho $$ >%s/pid\nexec sleep 60\n' "$PWD" >folder/blender
+    chmod +x folder/blender
+    qm-shape block --scan 500 -o scan.stl
+    TMPDIR=$PWD/temporary PATH=$PWD/folder:$PATH qm-remesh scan.stl -o part.obj &
+    command=$!
+    for _ in {1..50}; do [[ -s pid ]] && break; sleep 0.1; done
+    kill -TERM "$command"
+    wait "$command" || true
+    assert_equal "$(ls -A temporary)" ''
+    assert [ ! -e part.obj ]
+    run kill -0 "$(cat pid)"
+    assert_failure
+}

@@ -1,0 +1,74 @@
+# qm-summary: figures of any document, and limits.
+
+load helpers.bash
+
+figures() { run --separate-stderr qm-summary --json "$@"; }
+
+@test "the figures are those of the document" {
+    local document
+    document=$(stage surfaces block)
+    figures "$document"
+    assert_success
+    for pair in .quads=.mesh.faces .vertices=.mesh.vertices '.patches=(.layout.segments | length)' \
+        .surfaces.deviation=.surfaces.deviation.max .surfaces.gap=.surfaces.deviation.largestGap \
+        .surfaces.largestNormalAngle=.surfaces.deviation.largestNormalAngle \
+        .surfaces.percentile95NormalAngle=.surfaces.deviation.percentile95NormalAngle \
+        .surfaces.farthest=.surfaces.farthest; do
+        assert_equal "$(jq -c "${pair%%=*}" <<<"$output")" "$(jq -c "${pair#*=}" "$document")"
+    done
+    assert_equal "$(jq .surfaces.tolerance <<<"$output")" "$(jq '.diagonal * 0.005' <<<"$output")"
+}
+
+@test "documents of every kind have a summary" {
+    for kind in basecomplex features cut enumeration layout pruned surfaces; do
+        quietly qm-summary "$(stage $kind cube)"
+        assert_line --regexp '^quads +384 in 1 piece$'
+    done
+    figures "$(stage cut cube)"
+    assert_equal "$(jq -c '[.patches, .surfaces, .solid]' <<<"$output")" '[null,null,false]'
+}
+
+@test "boundary loops are listed, the longest first" {
+    figures "$(stage basecomplex plate)"
+    jq -e '.boundaryLoops | length == 2 and .[0].length > .[1].length and all(.edges > 3)' <<<"$output"
+    quietly qm-summary "$(stage basecomplex plate)"
+    assert_line --regexp '^shape +2 open loops, '
+}
+
+@test "a limit that is not met is a line, and status 3" {
+    run --separate-stderr qm-summary --max-patches 2 "$(stage pruned block)"
+    assert_equal "$status" 3
+    assert_regex "$stderr" 'patches where 2 are allowed'
+    quietly qm-summary --max-patches 1000 "$(stage pruned block)"
+}
+
+@test "a missed tolerance, a jump of normals and gaps are not met" {
+    jq '(.history[] | select(.tool == "qm-bspline") | .options.tolerance) = 1e-9
+        | .surfaces.deviation.largestNormalAngle = 7 | .surfaces.deviation.largestGap = 0.1' "$(stage surfaces block)" >poor.json
+    run --separate-stderr qm-summary --max-normal-angle 5 poor.json --mesh "$(sample block)"
+    assert_equal "$status" 3
+    assert_equal "${#stderr_lines[@]}" 3
+    assert_regex "${stderr_lines[0]}" 'the tolerance is missed: .* in patch [0-9]+ at \('
+    assert_regex "${stderr_lines[1]}" 'normals jump by 7 degrees across a smooth border where 5 are allowed'
+    assert_regex "${stderr_lines[2]}" 'patches are 0.1 mm apart'
+    assert_line --regexp '^shape +closed, but patches are apart$'
+}
+
+@test "what interpolates is not held to what it does not promise" {
+    qm-bspline --fit interpolate "$(stage pruned block)" -o paper.json
+    quietly qm-summary --unit cm paper.json
+    assert_line --regexp '^deviation +[0-9.]+ cm$'
+}
+
+@test "a place that is on no patch is refused" {
+    jq '.surfaces.farthest.patch = 99' "$(stage surfaces block)" >wrong.json
+    complains qm-summary --mesh "$(sample block)" wrong.json
+    assert_regex "$stderr" '/surfaces/farthest/patch'
+    jq '.surfaces.farthest.at[1] = -1' "$(stage surfaces block)" >wrong.json
+    complains qm-summary --mesh "$(sample block)" wrong.json
+    assert_regex "$stderr" '/surfaces/farthest/at/1'
+    jq '.surfaces.farthest.point[0] += 0.1' "$(stage surfaces block)" >wrong.json
+    run --separate-stderr qm-check --mesh "$(sample block)" wrong.json
+    assert_equal "$status" 1
+    assert_regex "$stderr" '/surfaces/farthest/point'
+}

@@ -1,0 +1,245 @@
+# quadmesh, the one command: what it writes, how it ends, and what it leaves behind.
+
+load helpers.bash
+
+setup() {
+    empty_folder
+    cp "$(sample block)" part.obj
+    export TMPDIR=$PWD/temporary
+    mkdir "$TMPDIR"
+}
+
+# Nothing is left of temporary files, whatever the test did.
+teardown() {
+    run ls -A "$TMPDIR"
+    assert_output ''
+}
+
+refused() {
+    run --separate-stderr quadmesh "$@"
+    assert_equal "$status" 2
+    assert_equal "${#stderr_lines[@]}" 1
+    assert_regex "$stderr" "^quadmesh: .*Try 'quadmesh --help'\.$"
+    assert_equal "$output" ''
+}
+
+fails_with() {
+    run --separate-stderr quadmesh "${@:2}"
+    assert_equal "$status" 1
+    assert_equal "${#stderr_lines[@]}" 1
+    assert_regex "$stderr" "$1"
+    assert_equal "$output" ''
+}
+
+@test "a mesh becomes a STEP file, and a summary fits a terminal" {
+    quietly quadmesh part.obj -o part.step
+    assert_line --regexp '^quads +3072 in 1 piece$'
+    assert_line --regexp '^size +3 x 3 x 2 mm$'
+    assert_line --regexp '^patches +[1-9][0-9]*$'
+    assert_line --regexp '^deviation +[0-9.]+ mm, [0-9.]+% of the tolerance, 0\.00469 mm$'
+    assert_line --regexp '^normals +jump by .* degrees at most, 95% by less than '
+    assert_line --regexp '^shape +solid$'
+    assert_line --regexp '^seconds +[0-9.]+$'
+    assert [ "${#lines[@]}" -le 24 ]
+    for line in "${lines[@]}"; do assert [ "${#line}" -le 80 ]; done
+    assert_equal "$(head -1 part.step)" 'ISO-10303-21;'
+}
+
+@test "every ending has its format, and several are written at once" {
+    quietly quadmesh part.obj -o a.step -o b.STP -o c.igs -o d.obj -o e.ply -o f.glb -o g.html -o h.json
+    assert_equal "$(head -1 b.STP)" 'ISO-10303-21;'
+    assert [ -s c.igs ]
+    assert_equal "$(grep -c '^f ' d.obj)" 3072
+    assert_equal "$(head -c 3 e.ply)" ply
+    assert_equal "$(head -c 4 f.glb)" glTF
+    assert_regex "$(head -c 15 g.html)" '^<!doctype html>'
+    quietly qm-check h.json
+}
+
+@test "pictures need Chromium" {
+    command -v chromium >/dev/null || skip 'there is no Chromium'
+    quietly quadmesh part.obj -o part.png --view.size 320x240
+    assert_equal "$(head -c 4 part.png | tail -c 3)" PNG
+}
+
+@test "the document is that of the pipe" {
+    quadmesh --quiet part.obj -o one.json --cut.chi 20 --features.tau=4 --features.zeta 1
+    FEATURES_OPTIONS='--tau 4 --zeta 1' CUT_OPTIONS='--chi 20' SURFACES_OPTIONS='' "$ROOT/pipelines/layout.sh" part.obj -o pipe.json
+    assert_same_bytes pipe.json one.json
+}
+
+@test "--keep leaves the documents that layout.mk would" {
+    quadmesh --quiet part.obj --keep stages
+    make -s --no-print-directory -f "$ROOT/pipelines/layout.mk" out/part.surfaces.json
+    for document in out/*.json; do
+        assert_same_bytes "$document" "stages/${document#out/}"
+    done
+    assert_equal "$(find stages -type f | wc -l)" 7
+}
+
+@test "a tolerance that is missed is told with its place, and the exit status is 3" {
+    run --separate-stderr quadmesh part.obj -o part.step --tolerance 1e-12
+    assert_equal "$status" 3
+    assert_equal "${#stderr_lines[@]}" 1
+    assert_regex "$stderr" '^quadmesh: the tolerance is missed: .* mm where 1e-12 mm are allowed, in patch [0-9]+ at \(.*\)'
+    assert [ -s part.step ]
+}
+
+@test "--max-patches prunes further, and where that is not enough the exit status is 3" {
+    cp "$(sample bracket)" part.obj
+    quadmesh --json part.obj --tolerance 5% >all.json
+    all=$(field .patches all.json)
+    quadmesh --json part.obj --tolerance 5% --max-patches $((all - 1)) >fewer.json
+    assert [ "$(field .patches fewer.json)" -lt "$all" ]
+    run --separate-stderr quadmesh part.obj --tolerance 5% --max-patches 2
+    assert_equal "$status" 3
+    assert_equal "${#stderr_lines[@]}" 1
+    assert_regex "$stderr" '^quadmesh: there are [0-9]+ patches where 2 are allowed'
+}
+
+@test "--json gives the same figures" {
+    quietly quadmesh --json part.obj --unit inch -o part.step
+    jq -e '.unit == "inch" and .quads == 3072 and .solid and .surfaces.deviation <= .surfaces.tolerance
+        and .surfaces.gap < 1e-9 and .seconds > 0 and .unmet == [] and .boundaryLoops == []' <<<"$output"
+    grep -q INCH part.step
+}
+
+@test "an open mesh is told with the lengths of its loops" {
+    quietly quadmesh "$(sample plate)" --tolerance 5%
+    assert_line --regexp '^shape +shell, 2 open loops, [0-9.]+, [0-9.]+ mm long$'
+}
+
+@test "a limit of time ends a search, which is told" {
+    cp "$(sample genus3)" part.obj
+    run --separate-stderr quadmesh part.obj --time-limit 1 --cut.chi 1e9 --tolerance 5% --json
+    assert_success
+    [[ -z $stderr ]] || assert_regex "$stderr" 'a limit ended the search'
+}
+
+@test "names with blanks, and names that look like options" {
+    cp part.obj 'my part.obj'
+    cp part.obj ./-o.obj
+    mkdir 'my folder'
+    quietly quadmesh 'my part.obj' -o 'my folder/a part.step' --keep 'my stages'
+    assert [ -s 'my folder/a part.step' ]
+    assert [ -s 'my stages/my part.surfaces.json' ]
+    quietly quadmesh ./-o.obj
+}
+
+@test "a stage that fails gives one message" {
+    echo 'f 1 2 3 4' >broken.obj
+    fails_with '^qm-basecomplex: .*broken\.obj: ' broken.obj -o broken.step
+    assert [ ! -e broken.step ]
+    fails_with 'no-such-file.obj' no-such-file.obj
+}
+
+@test "where nothing can be written it is told before the work" {
+    mkdir folder.step
+    fails_with '^quadmesh: folder.step: is a folder' part.obj -o folder.step
+    fails_with '^quadmesh: nowhere/part.step: cannot be written' part.obj -o nowhere/part.step
+    fails_with '^quadmesh: part.obj: is the mesh itself' part.obj -o part.obj
+}
+
+@test "a wrong command line is told at once" {
+    refused
+    refused --no-such-option part.obj
+    refused part.obj other.obj
+    refused part.obj -o
+    refused part.obj -o part.xyz
+    refused part.obj --tolerance x
+    refused part.obj --max-patches 0
+    refused part.obj --unit furlong
+    refused part.obj --cut.chi
+    refused part.obj --cut.chi x
+    refused part.obj --cut.no-such-option 1
+    refused part.obj --cut.avoid-features=yes
+    refused part.obj --nothing.chi 1
+    refused part.obj --cut.mesh other.obj
+    refused -
+}
+
+@test "an option that has no effect is told" {
+    refused part.obj --view.size 10x10 -o part.step
+    refused part.obj --export.join -o part.obj.json
+    refused part.obj --export.colour deviation -o part.step
+    refused part.obj --remesh.seed 3
+}
+
+@test "--repair mends, and the mesh lies beside the document" {
+    awk '/^f / && ++n == 5 { print } { print }' part.obj >twice.obj
+    run --separate-stderr quadmesh twice.obj
+    assert_failure
+    mkdir result
+    run --separate-stderr quadmesh --repair twice.obj -o result/twice.json
+    assert_success
+    assert_regex "$stderr" 'duplicate faces removed'
+    cd result && quietly qm-check twice.json
+}
+
+@test "a signal ends it at once and leaves nothing" {
+    cp "$(sample genus3)" part.obj
+    for signal in INT TERM HUP; do
+        quadmesh part.obj -o part.step --cut.chi 1e9 2>messages &
+        command=$!
+        # A command in the background of a script cannot be interrupted from the keyboard.
+        [[ $signal == INT ]] && signal=TERM
+        sleep 0.2
+        kill -"$signal" "$command"
+        wait "$command" || true
+        assert [ ! -e part.step ]
+        assert_equal "$(ls -A "$TMPDIR")" ''
+    done
+}
+
+@test "standard output that is closed or full is an error" {
+    run --separate-stderr bash -c 'quadmesh part.obj >/dev/full'
+    assert_equal "$status" 1
+    run --separate-stderr bash -c 'quadmesh --help >/dev/full'
+    assert_equal "$status" 1
+}
+
+@test "triangles need --quads, and --quads needs Blender" {
+    qm-shape block --scan 3000 -o 'my scan.stl'
+    fails_with 'my scan.stl: .* faces are not four-sided. Make quads of the triangles: quadmesh --quads N' 'my scan.stl' -o scan.step
+    mkdir folder
+    for tool in "$QM_BIN"/* /usr/bin/{env,bash,dirname,basename,readlink,mktemp,rm,cat,sed,grep,mkdir}; do ln -s "$tool" folder; done
+    PATH=$PWD/folder run --separate-stderr quadmesh 'my scan.stl' --quads 500
+    assert_equal "$status" 1
+    assert_regex "$stderr" "Install Debian's package blender"
+    assert_equal "${#stderr_lines[@]}" 1
+}
+
+@test "a scan becomes a STEP file" {
+    command -v blender >/dev/null || skip 'there is no Blender'
+    qm-shape block --scan 6000 -o 'my scan.stl'
+    mkdir result
+    quietly quadmesh 'my scan.stl' --quads 1500 --tolerance 5% -o scan.step -o 'result/my scan.json' --keep stages
+    assert_line 'mesh        my scan.quads.obj'
+    assert_line --regexp '^shape +solid$'
+    assert [ -s 'stages/my scan.quads.obj' ]
+    # The document lies beside its mesh, and is the same again.
+    (cd result && quietly qm-summary 'my scan.json')
+    quietly quadmesh 'my scan.stl' --quads 1500 --tolerance 5% -o again.json
+    assert_same_bytes again.json 'result/my scan.json'
+    quietly quadmesh 'my scan.stl' --quads 1500 --remesh.seed 5 --tolerance 5% -o other.json
+    run cmp again.json other.json
+    assert_failure
+}
+
+@test "--quiet says nothing, and a summary only where JSON is asked for" {
+    quietly quadmesh --quiet part.obj
+    assert_output ''
+    quietly quadmesh --quiet --json part.obj
+    assert_output --partial '"patches"'
+}
+
+@test "it explains itself, with examples that run" {
+    quietly quadmesh --help
+    assert_line --regexp '^Usage: quadmesh'
+    quietly quadmesh --version
+    assert_regex "${lines[0]}" '^quadmesh \(quadmesh\) [0-9]'
+    quietly bash -c 'quadmesh --json-usage | jq -e ".options | length > 10"'
+    while IFS= read -r example; do
+        quietly bash -euc "$example"
+    done < <(quadmesh --help | sed -n '/^Examples/,$ s/^  quadmesh/quadmesh/p' | grep -v -- --quads)
+}

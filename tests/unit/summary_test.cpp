@@ -1,0 +1,104 @@
+#include "shape/shape.h"
+#include "summary/figure_text.h"
+#include "summary/summary.h"
+
+#include <gtest/gtest.h>
+
+namespace qm {
+namespace {
+
+TEST(FigureText, HasThreeDigitsAndFewExponents) {
+    EXPECT_EQ(figureText(0), "0");
+    EXPECT_EQ(figureText(0.0123456), "0.0123");
+    EXPECT_EQ(figureText(12.3456), "12.3");
+    EXPECT_EQ(figureText(1234.56), "1235");
+    EXPECT_EQ(figureText(123456789), "123456789");
+    EXPECT_EQ(figureText(-1234.56), "-1235");
+    EXPECT_EQ(figureText(1.2345e-15), "1.2e-15");
+    EXPECT_EQ(figureText(1.2345e20), "1.23e+20");
+}
+
+TEST(FigureText, PointsLeaveOutWhatRoundingLeft) {
+    EXPECT_EQ(pointText({1, -2e-17, 3.14159}), "(1, 0, 3.14)");
+    EXPECT_EQ(pointText({0, 0, 0}), "(0, 0, 0)");
+}
+
+/// A closed mesh with surfaces that keep their tolerance.
+Summary good() {
+    Summary summary = summarise(makeShape("cube"), nullptr, nullptr, {});
+    summary.patches = 6;
+    FitSummary& fit = summary.fit.emplace();
+    fit.tolerance = 0.1;
+    fit.deviation.max = 0.05;
+    return summary;
+}
+
+TEST(Summary, OfAMeshAlone) {
+    const Summary cube = summarise(makeShape("cube"), nullptr, nullptr, {});
+    EXPECT_EQ(cube.quads, 384U);
+    EXPECT_EQ(cube.pieces, 1);
+    EXPECT_TRUE(cube.loops.empty());
+    EXPECT_DOUBLE_EQ(cube.diagonal, std::sqrt(3) * cube.size[0]);
+    EXPECT_FALSE(cube.patches || cube.fit || isSolid(cube));
+}
+
+TEST(Summary, IsolatedVerticesAreNoPieces) {
+    QuadMesh mesh = makeShape("cube");
+    mesh.add_vertex({100, 0, 0});
+    const Summary cube = summarise(mesh, nullptr, nullptr, {});
+    EXPECT_EQ(cube.pieces, 1);
+    EXPECT_LT(cube.size[0], 10);
+}
+
+TEST(Summary, WhatIsClosedWithoutGapsIsASolid) {
+    Summary summary = good();
+    EXPECT_TRUE(isSolid(summary));
+    EXPECT_TRUE(unmetLimits(summary, {}, "mm").empty());
+    summary.fit->deviation.largestGap = 1e-6;
+    EXPECT_FALSE(isSolid(summary));
+    EXPECT_EQ(unmetLimits(summary, {}, "mm").size(), 1U);
+    summary.loops.emplace_back();
+    EXPECT_TRUE(unmetLimits(summary, {}, "mm").empty()) << "an open mesh makes no solid anyway";
+}
+
+TEST(Summary, LimitsAreToldWithFiguresAndPlace) {
+    Summary summary = good();
+    summary.fit->deviation.max = 0.25;
+    summary.fit->farthest.patch = 4;
+    summary.fit->farthestPoint = {1, 2, 3};
+    summary.fit->deviation.largestNormalAngle = 2;
+    const auto unmet = unmetLimits(summary, {.maxPatches = 5, .maxNormalAngle = 1.5}, "mm");
+    ASSERT_EQ(unmet.size(), 3U);
+    EXPECT_EQ(unmet[0].substr(0, unmet[0].find('.')), "there are 6 patches where 5 are allowed");
+    EXPECT_EQ(unmet[1].substr(0, unmet[1].find(". ")),
+              "the tolerance is missed: 0.25 mm where 0.1 mm are allowed, in patch 4 at (1, 2, 3)");
+    EXPECT_NE(unmet[2].find("normals jump by 2 degrees across a smooth border where 1.5 are"),
+              std::string::npos);
+}
+
+TEST(Summary, WhatInterpolatesPromisesNothing) {
+    Summary summary = good();
+    summary.fit->smooth = false;
+    summary.fit->deviation.max = 5;
+    summary.fit->deviation.largestGap = 1;
+    summary.fit->deviation.largestNormalAngle = 30;
+    EXPECT_TRUE(unmetLimits(summary, {}, "mm").empty());
+}
+
+TEST(Summary, TextFitsATerminal) {
+    Summary summary = good();
+    summary.loops.assign(9, {VertexId(0), 4, 123.456});
+    summary.fit->deviation.folds = 3;
+    const std::string text = summaryText(summary, "part.obj", "inch", 12345.6);
+    std::size_t lines = 0;
+    for (std::size_t begin = 0; begin < text.size(); ++lines) {
+        const std::size_t end = text.find('\n', begin);
+        EXPECT_LE(end - begin, 80U);
+        begin = end + 1;
+    }
+    EXPECT_LE(lines, 24U);
+    EXPECT_NE(text.find("shell, 9 open loops, 123, 123, 123, 123, ... inch long"), std::string::npos) << text;
+}
+
+} // namespace
+} // namespace qm

@@ -1,0 +1,48 @@
+/// \file qm-remesh: quads from the triangles of a scan, by QuadriFlow as it stands in Blender.
+#include "cli/quadriflow.h"
+#include "cli/tool.h"
+#include "mesh/read_triangles.h"
+#include "mesh/write_mesh.h"
+
+namespace {
+
+std::string loopsText(std::size_t count) {
+    return std::to_string(count) + " boundary loop" + (count == 1 ? "" : "s");
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    qm::RemeshOptions options;
+    return qm::runTool(
+        argc, argv, "qm-remesh", "Make a quad mesh of a surface of triangles, with Blender.",
+        [&](qm::Tool& tool) -> qm::ToolBody {
+            tool.reads("SCAN", "a surface of triangles in a file of type STL, PLY, OBJ or OFF");
+            tool.writes("a quad mesh, OBJ");
+            tool.explain(
+                "The work is QuadriFlow's, as it stands in Blender 3 and 4, which must be installed. "
+                "Where it fails or leaves holes, other seeds are tried.");
+            tool.option("quads", options.quads, qm::Range{8, 10'000'000}, "make about so many");
+            tool.option("preserve-sharp", options.preserveSharp, {},
+                        "do not make edges follow the sharp edges of the scan");
+            tool.option("seed", options.seed, qm::Range{0, 1'000'000}, "another one, another mesh");
+            tool.example("qm-remesh scan.stl --quads 2000 -o part.obj");
+            return [&] {
+                const qm::Triangles scan =
+                    qm::readTriangles(tool.readInput(), tool.inputPath() == "-" ? "" : tool.inputPath());
+                tool.protect(tool.inputPath());
+                tool.count("triangles", static_cast<double>(scan.faces.size()));
+                const qm::Remeshed remeshed = qm::remeshWithBlender(scan, options);
+                if (remeshed.loops != remeshed.scanLoops)
+                    tool.warn(tool.inputName() + ": the quad mesh has " + loopsText(remeshed.loops) +
+                              ", the scan has " + std::to_string(remeshed.scanLoops) +
+                              ". Another number of quads may help");
+                if (remeshed.seed != options.seed)
+                    tool.note("made with --seed " + std::to_string(remeshed.seed));
+                tool.count("quads", static_cast<double>(remeshed.mesh.n_faces()));
+                tool.count("weldedVertices", static_cast<double>(remeshed.repair.weldedVertices));
+                tool.write(qm::writeObj(remeshed.mesh));
+                return qm::exitDone;
+            };
+        });
+}

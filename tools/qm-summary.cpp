@@ -1,0 +1,56 @@
+/// \file qm-summary: the figures of a document that somebody who needs its surfaces asks for.
+#include "cli/export_choices.h"
+#include "cli/stage.h"
+#include "document/summary_json.h"
+
+#include <filesystem>
+
+namespace {
+
+template <class Part> const Part* orNull(const std::optional<Part>& part) {
+    return part ? &*part : nullptr;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    qm::LengthUnit unit = qm::LengthUnit::mm;
+    std::size_t maxPatches = 0;
+    double seconds = 0;
+    bool asJson = false;
+    qm::Limits limits;
+    return qm::runTool(
+        argc, argv, "qm-summary", "Say in a few lines how good a result is.",
+        [&](qm::Tool& tool) -> qm::ToolBody {
+            auto stage = std::make_shared<qm::Stage>(tool, qm::Kind::basecomplex, qm::Kind::basecomplex);
+            tool.writes("the summary");
+            tool.explain("Exit status 3, with a line for each, if a limit is not met: the tolerance of the "
+                         "fit, those of the options, and that a closed mesh becomes a solid.");
+            tool.option("max-patches", maxPatches, qm::Range{1, qm::maxCount},
+                        "how many patches are allowed");
+            tool.option("max-normal-angle", limits.maxNormalAngle, qm::Range{0, 180},
+                        "how far normals of smooth surfaces may jump across smooth borders, degrees");
+            tool.option("unit", unit, "the mesh's unit");
+            tool.option("seconds", seconds, qm::Range{0, qm::infinite},
+                        "that it took, to be told with the rest");
+            tool.option("json", asJson, "as JSON");
+            tool.example("qm-summary part.surfaces.json");
+            tool.example("qm-summary --json --max-patches 200 part.pruned.json | jq .patches");
+            return [&, stage] {
+                const qm::Model& model = stage->readWhole();
+                const qm::JsonPlace history = qm::JsonPlace(stage->document().root)["history"];
+                if (tool.given("max-patches")) limits.maxPatches = maxPatches;
+                const auto took = tool.given("seconds") ? std::optional(seconds) : std::nullopt;
+                const std::string name = std::filesystem::path(model.meshPath).filename().string();
+                const std::string unitName(qm::choiceName(unit));
+                const qm::Summary summary = qm::summarise(model.mesh, orNull(model.layout),
+                                                          orNull(model.surfaces), qm::recordedFit(history));
+                const auto unmet = qm::unmetLimits(summary, limits, unitName);
+                tool.write(asJson ? qm::printJson(qm::summaryToJson(summary, name, unitName, took, unmet))
+                                  : qm::summaryText(summary, name, unitName, took));
+                for (const std::string& sentence : unmet)
+                    tool.warn(tool.inputName() + ": " + sentence);
+                return unmet.empty() ? qm::exitDone : qm::exitUnmet;
+            };
+        });
+}
