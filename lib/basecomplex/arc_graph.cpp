@@ -149,6 +149,14 @@ std::span<const HalfedgeId> halfedgesOf(const ArcGraph& graph, const BaseComplex
     return path.subspan(static_cast<std::size_t>(arc.begin), static_cast<std::size_t>(arc.end - arc.begin));
 }
 
+std::vector<ArcId> arcsOfEdges(const QuadMesh& mesh, const ArcGraph& graph, const BaseComplex& complex) {
+    std::vector<ArcId> result(mesh.n_edges());
+    for (std::size_t arc = 0; arc < graph.arcs.size(); ++arc)
+        for (const HalfedgeId halfedge : halfedgesOf(graph, complex, ArcId(arc)))
+            result[static_cast<std::size_t>(mesh.edge_handle(halfedge).idx())] = ArcId(arc);
+    return result;
+}
+
 std::vector<double> sumOverArcs(const QuadMesh& mesh, const ArcGraph& graph, const BaseComplex& complex,
                                 const std::vector<double>& perEdge) {
     std::vector<double> sums;

@@ -23,6 +23,8 @@ struct Line {
     int arcCount = 0;
     JunctionId beginsAt = {}; ///< where it begins at a seed that another line crosses
     JunctionId endsAt = {};   ///< likewise, or where it ends at its own track
+
+    [[nodiscard]] ArcId lastArc() const { return ArcId(firstArc.value() + arcCount - 1); }
 };
 
 /// The part of a line between successive stops.
@@ -64,6 +66,10 @@ struct ArcGraph {
 /// The halfedges of an arc, in the line's direction.
 [[nodiscard]] std::span<const HalfedgeId> halfedgesOf(const ArcGraph& graph, const BaseComplex& complex,
                                                       ArcId arc);
+
+/// The arc of every edge; invalid where no line runs.
+[[nodiscard]] std::vector<ArcId> arcsOfEdges(const QuadMesh& mesh, const ArcGraph& graph,
+                                             const BaseComplex& complex);
 
 /// Sum of a value per edge over every arc.
 [[nodiscard]] std::vector<double> sumOverArcs(const QuadMesh& mesh, const ArcGraph& graph,

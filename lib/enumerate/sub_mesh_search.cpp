@@ -8,6 +8,7 @@
 #include "enumerate/paper/coordinates.h"
 #include "enumerate/state/depth_first.h"
 #include "enumerate/state/incumbents.h"
+#include "enumerate/sub_mesh/own_space.h"
 #include "layout/tracks.h"
 
 #include <cmath>
@@ -53,9 +54,10 @@ SubMeshSearch::SubMeshSearch(const QuadMesh& mesh, const BaseComplex& complex,
 }
 
 SubMeshSearch::Task SubMeshSearch::task(int subMesh) const {
-    const std::vector<bool> none(space_.graph.arcs.size(), false);
-    Task task{subMesh, subMeshProblem(space_, subMesh, ownArcs(space_, subMesh), none),
-              walkersOf(space_, subMesh, none)};
+    Task task{subMesh, std::make_shared<SearchSpace>(ownSpace(space_, subMesh)), {}, {}};
+    const std::vector<bool> none(task.space->graph.arcs.size(), false);
+    task.problem = subMeshProblem(*task.space, subMesh, ownArcs(*task.space, subMesh), none);
+    task.walkers = walkersOf(*task.space, subMesh, none);
     task.problem.gaps = options_.graphClass == GraphClass::motorcycle;
     return task;
 }
@@ -66,11 +68,12 @@ double SubMeshSearch::maxCost(int subMesh) const {
 }
 
 MotorcycleGraph SubMeshSearch::graph(const Task& task, const Assignment& assignment) const {
-    std::vector<bool> present(space_.graph.arcs.size(), false);
+    const ArcGraph& arcs = task.space->graph;
+    std::vector<bool> present(arcs.arcs.size(), false);
     apply(task.problem, assignment, present);
     MotorcycleGraph result = task.problem.gaps
-                                 ? graphOf(mesh_, complex_, space_.graph, present, edgeCosts_, task.walkers)
-                                 : tMeshOf(mesh_, complex_, space_.graph, present, edgeCosts_);
+                                 ? graphOf(mesh_, complex_, arcs, present, edgeCosts_, task.walkers)
+                                 : tMeshOf(mesh_, complex_, arcs, present, edgeCosts_);
     if (space_.cornerCost != 0) result.cost = costOf(task.problem, assignment) + sureCosts_[at(task.subMesh)];
     return result;
 }
@@ -123,15 +126,9 @@ bool SubMeshSearch::findRanked(const Task& task, const std::function<bool(const 
 /// Every particle straight on in turn: a graph to begin with, however hard the search.
 std::optional<Assignment> SubMeshSearch::simpleGraph(const Task& task) const {
     if (!space_.demands.empty()) return std::nullopt;
-    std::vector<bool> present(space_.graph.arcs.size(), false);
-    goStraight(space_, task.subMesh, present);
-    const Problem& problem = task.problem;
-    Assignment assignment(problem.domains.size(), 0);
-    assignment[static_cast<std::size_t>(problem.in())] = 1;
-    for (int v = 0; v < problem.variables(); ++v)
-        assignment[static_cast<std::size_t>(v)] =
-            present[problem.arcs[static_cast<std::size_t>(v)].first.idx()] ? 1 : 0;
-    return assignment;
+    std::vector<bool> present(task.space->graph.arcs.size(), false);
+    goStraight(*task.space, task.subMesh, present);
+    return assignmentOf(task.problem, present);
 }
 
 SubMeshGraphs SubMeshSearch::searchOptimum(const Task& task, const Control& control,

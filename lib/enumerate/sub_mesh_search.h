@@ -7,6 +7,7 @@
 
 #include <atomic>
 #include <functional>
+#include <memory>
 #include <optional>
 
 namespace qm {
@@ -28,6 +29,7 @@ public:
 private:
     struct Task {
         int subMesh;
+        std::shared_ptr<const SearchSpace> space; ///< where its own particles walk
         Problem problem;
         Walkers walkers;
     };

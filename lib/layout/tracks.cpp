@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 namespace qm {
 namespace {
@@ -197,30 +198,38 @@ MotorcycleGraph tMeshOf(const QuadMesh& mesh, const BaseComplex& complex, const 
     return result;
 }
 
-std::vector<bool> presentArcs(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
-                              const std::vector<Track>& tracks) {
-    enum class Cover : char { none, track, arc };
-    std::vector<Cover> covers(mesh.n_edges(), Cover::none);
-    const auto cover = [&](HalfedgeId halfedge) -> Cover& {
-        return covers[at(mesh.edge_handle(halfedge).idx())];
-    };
+std::vector<ArcId> coveredArcs(const QuadMesh& mesh, const ArcGraph& graph,
+                               const std::vector<ArcId>& arcOfEdge, const std::vector<Track>& tracks) {
+    const auto edgeOf = [&](HalfedgeId halfedge) { return mesh.edge_handle(halfedge).idx(); };
+    std::vector<std::pair<ArcId, int>> edges; // and the arc of each
     for (const Track& track : tracks)
         for (const HalfedgeId halfedge : track.halfedges)
-            cover(halfedge) = Cover::track;
-    std::vector<bool> present(graph.arcs.size(), false);
-    for (std::size_t arc = 0; arc < graph.arcs.size(); ++arc) {
-        const auto halfedges = halfedgesOf(graph, complex, ArcId(arc));
-        present[arc] = std::ranges::all_of(halfedges, [&](HalfedgeId h) { return cover(h) == Cover::track; });
-        if (present[arc])
-            for (const HalfedgeId halfedge : halfedges)
-                cover(halfedge) = Cover::arc;
+            edges.emplace_back(arcOfEdge[at(edgeOf(halfedge))], edgeOf(halfedge));
+    std::ranges::sort(edges);
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    std::vector<ArcId> result;
+    for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
+        const ArcId id = edges[begin].first;
+        while (end < edges.size() && edges[end].first == id)
+            ++end;
+        if (!id.valid()) continue;
+        const Arc& arc = graph.arcs[id.idx()];
+        if (end - begin == at(arc.end - arc.begin)) result.push_back(id);
     }
     for (const Track& track : tracks)
         for (const HalfedgeId halfedge : track.halfedges)
-            if (cover(halfedge) != Cover::arc)
+            if (!std::ranges::binary_search(result, arcOfEdge[at(edgeOf(halfedge))]))
                 throw Error("track over vertex " + std::to_string(mesh.to_vertex_handle(halfedge).idx()),
                             "the tracks do not cover whole arcs of separatrices",
                             "run the stage that wrote them again");
+    return result;
+}
+
+std::vector<bool> presentArcs(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
+                              const std::vector<Track>& tracks) {
+    std::vector<bool> present(graph.arcs.size(), false);
+    for (const ArcId arc : coveredArcs(mesh, graph, arcsOfEdges(mesh, graph, complex), tracks))
+        present[arc.idx()] = true;
     return present;
 }
 

@@ -32,8 +32,15 @@ struct Coverage {
 [[nodiscard]] MotorcycleGraph tMeshOf(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
                                       const std::vector<bool>& present, const std::vector<double>& edgeCosts);
 
-/// The arcs that tracks cover together; two that meet head-on may do so inside an arc.
+/// The arcs that tracks cover together, ascending; two that meet head-on may do so inside an arc.
+/// \param arcOfEdge  the arc of every edge
 /// \throw Error  if an edge of a track is on no arc that is covered throughout
+[[nodiscard]] std::vector<ArcId> coveredArcs(const QuadMesh& mesh, const ArcGraph& graph,
+                                             const std::vector<ArcId>& arcOfEdge,
+                                             const std::vector<Track>& tracks);
+
+/// The same, of every arc whether it is covered.
+/// \throw Error  likewise
 [[nodiscard]] std::vector<bool> presentArcs(const QuadMesh& mesh, const BaseComplex& complex,
                                             const ArcGraph& graph, const std::vector<Track>& tracks);
 

@@ -1,25 +1,42 @@
 /// \file Which particles take part.
 #pragma once
 
-#include "basecomplex/arc_graph.h"
+#include "base/ids.h"
 
-#include <vector>
+#include <optional>
+#include <unordered_map>
 
 namespace qm {
 
-/// Which particles take part: of every line the one from its begin and the one from its end. Empty means all.
-struct Walkers {
-    std::vector<bool> fromBegin;
-    std::vector<bool> fromEnd;
-    /// The last arc that the particle from the begin can walk, of every line whose two particles leave the
-    /// sub-mesh over the same vertex outside and can only meet there; else invalid. May be empty.
-    std::vector<ArcId> meetings;
+/// Which particles of a line take part.
+struct LineWalkers {
+    bool fromBegin = false;
+    bool fromEnd = false;
+    /// The last arc that the particle from the begin can walk, of a line whose two particles leave the
+    /// sub-mesh over the same vertex outside and can only meet there; else invalid.
+    ArcId meeting = {};
+};
 
-    [[nodiscard]] ArcId meeting(LineId line) const {
-        return meetings.empty() ? ArcId{} : meetings[line.idx()];
+/// Of every line, in memory that depends on those only whose particles take part.
+class Walkers {
+public:
+    /// All particles.
+    Walkers() = default;
+    /// Those of the given lines, and no others.
+    explicit Walkers(std::unordered_map<LineId, LineWalkers> ofLine) : ofLine_(std::move(ofLine)) {}
+
+    [[nodiscard]] ArcId meeting(LineId line) const { return of(line).meeting; }
+    [[nodiscard]] bool begin(LineId line) const { return of(line).fromBegin; }
+    [[nodiscard]] bool end(LineId line) const { return of(line).fromEnd; }
+
+private:
+    [[nodiscard]] LineWalkers of(LineId line) const {
+        if (!ofLine_) return {true, true, {}};
+        const auto found = ofLine_->find(line);
+        return found == ofLine_->end() ? LineWalkers{} : found->second;
     }
-    [[nodiscard]] bool begin(LineId line) const { return fromBegin.empty() || fromBegin[line.idx()]; }
-    [[nodiscard]] bool end(LineId line) const { return fromEnd.empty() || fromEnd[line.idx()]; }
+
+    std::optional<std::unordered_map<LineId, LineWalkers>> ofLine_;
 };
 
 } // namespace qm

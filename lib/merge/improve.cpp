@@ -16,9 +16,7 @@ constexpr double shareOfTree = 0.55;
 constexpr double shareOfGraph = 0.65; ///< from here on the bound is improved, not the graph
 
 ProblemInput wholeInput(const SearchSpace& space) {
-    return {
-        space.graph, space.arcCosts,  std::vector(space.graph.arcs.size(), ArcState::free), space.demands, {},
-        {},          space.cornerCost};
+    return {space.graph, space.arcCosts, {}, space.demands, {}, {}, space.cornerCost};
 }
 
 /// What is known of a graph that becomes cheaper, for those who wait.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <unordered_set>
 
 namespace qm {
 namespace {
@@ -10,7 +12,7 @@ namespace {
 class Closure {
 public:
     Closure(const SearchSpace& space, const std::vector<bool>& present, int subMesh)
-        : space_(space), present_(present), subMesh_(subMesh), taken_(space.graph.arcs.size(), false) {}
+        : space_(space), present_(present), subMesh_(subMesh) {}
 
     /// The way of a free particle from its crash point on, up to the arc that leaves the sub-mesh.
     void addFree(Particle particle) {
@@ -47,21 +49,18 @@ public:
         LinkedParticles result;
         result.arcs = order_;
         std::ranges::sort(result.arcs);
-        std::vector<int> stops(space_.graph.lines.size(), 0);
-        std::size_t lines = 0;
+        std::map<LineId, int> stops;
         for (const ArcId arc : order_)
-            if (++stops[space_.graph.arcs[arc.idx()].line.idx()] == 1) ++lines;
-        result.linked = lines - std::min(lines, freeLines);
-        for (const int count : stops)
-            if (count > 0) result.quasiComplexity += std::log2(count + 1);
+            ++stops[space_.graph.arcs[arc.idx()].line];
+        result.linked = stops.size() - std::min(stops.size(), freeLines);
+        for (const auto& [line, count] : stops)
+            result.quasiComplexity += std::log2(count + 1);
         return result;
     }
 
 private:
     void take(ArcId arc) {
-        if (taken_[arc.idx()]) return;
-        taken_[arc.idx()] = true;
-        order_.push_back(arc);
+        if (taken_.insert(arc).second) order_.push_back(arc);
     }
 
     [[nodiscard]] bool touches(ArcId arc) const {
@@ -85,7 +84,7 @@ private:
 
     /// All of a line inside the sub-mesh around one of its arcs.
     void addStretch(ArcId arc) {
-        if (taken_[arc.idx()]) return;
+        if (taken_.contains(arc)) return;
         const Line& line = space_.graph.lineOf(arc);
         const int first = line.firstArc.value(), last = first + line.arcCount - 1;
         int begin = arc.value(), end = arc.value();
@@ -107,7 +106,7 @@ private:
     const SearchSpace& space_;
     const std::vector<bool>& present_;
     int subMesh_;
-    std::vector<bool> taken_;
+    std::unordered_set<ArcId> taken_;
     std::vector<ArcId> order_;
     std::size_t followed_ = 0;
 };

@@ -5,13 +5,17 @@
 #include "enumerate/optimum/optimum.h"
 #include "enumerate/paper/plain_graph.h"
 #include "enumerate/state/incumbents.h"
+#include "enumerate/sub_mesh/line_walk.h"
 #include "layout/tracks.h"
+#include "merge/free_particles.h"
 #include "merge/improve.h"
 #include "merge/linked_particles.h"
 
 #include <algorithm>
 #include <atomic>
+#include <optional>
 #include <set>
+#include <unordered_set>
 
 namespace qm {
 namespace {
@@ -25,30 +29,31 @@ public:
     Generator(const QuadMesh& mesh, const BaseComplex& complex, const SearchSpace& space,
               const Enumeration& enumeration, int subMeshes, double complexityLimit, const Control& control)
         : mesh_(mesh), complex_(complex), space_(space), enumeration_(enumeration), subMeshes_(subMeshes),
-          complexityLimit_(complexityLimit), control_(control), present_(space.graph.arcs.size(), false) {}
+          complexityLimit_(complexityLimit), control_(control),
+          arcOfEdge_(arcsOfEdges(mesh, space.graph, complex)), present_(space.graph.arcs.size(), false),
+          free_(space, present_) {}
 
     /// PMG: searches sub-meshes that no arc joins at the same time, the others one after the other.
     void partial() {
         double done = 0;
         for (const auto& group : separateGroups()) {
-            std::vector<std::vector<bool>> results(group.size());
+            std::vector<std::vector<ArcId>> additions(group.size());
             parallelFor(group.size(), control_.jobs,
-                        [&](std::size_t i) { results[i] = searchPartial(group[i]); });
-            for (const auto& result : results)
-                for (std::size_t arc = 0; arc < result.size(); ++arc)
-                    if (result[arc]) present_[arc] = true;
+                        [&](std::size_t i) { additions[i] = searchPartial(group[i]); });
+            for (const auto& arcs : additions)
+                add(arcs);
             done += static_cast<double>(group.size());
             control_.progress(0.5 * done / subMeshes_);
         }
-        result_.freeAfterPartial = freeParticles(space_.graph, present_).size();
+        result_.freeAfterPartial = free_.count();
     }
 
     /// CMG: until no particle is free, or a configuration repeats.
     void complete(int maxRounds) {
-        std::set<std::vector<bool>> seen;
-        while (static_cast<int>(result_.rounds) < maxRounds && seen.insert(present_).second &&
-               !freeParticles(space_.graph, present_).empty() && !control_.stopRequested()) {
+        while (static_cast<int>(result_.rounds) < maxRounds && !repeats() && free_.count() > 0 &&
+               !control_.stopRequested()) {
             ++result_.rounds;
+            rounds_.emplace_back();
             for (int subMesh = 0; subMesh < subMeshes_; ++subMesh)
                 searchComplete(subMesh);
         }
@@ -85,40 +90,64 @@ private:
         return groups;
     }
 
+    void add(std::vector<ArcId> arcs) {
+        std::erase_if(arcs, [&](ArcId arc) { return present_[arc.idx()]; });
+        change(arcs);
+    }
+
+    /// Arcs that are there go, others come. No arc is given twice.
+    void change(const std::vector<ArcId>& arcs) {
+        for (const ArcId arc : arcs)
+            present_[arc.idx()].flip();
+        free_.update(arcs);
+        if (!rounds_.empty()) rounds_.back().insert(rounds_.back().end(), arcs.begin(), arcs.end());
+    }
+
+    /// Whether the arcs are as they were before one of the rounds.
+    [[nodiscard]] bool repeats() const {
+        std::unordered_set<ArcId> differing;
+        for (auto changes = rounds_.rbegin(); changes != rounds_.rend(); ++changes) {
+            for (const ArcId arc : *changes)
+                if (!differing.insert(arc).second) differing.erase(arc);
+            if (differing.empty()) return true;
+        }
+        return false;
+    }
+
     /// Where free particles that came in may go on.
     [[nodiscard]] std::vector<ArcId> enteringWalks(int subMesh) const {
         std::vector<ArcId> arcs;
-        for (const Particle particle : freeParticles(space_.graph, present_)) {
-            const JunctionId junction = crashJunction(space_.graph, particle, present_);
-            if (space_.junctionLabels[junction.idx()] != subMesh) continue;
-            const Line& line = space_.graph.lines[particle.line.idx()];
-            int walked = 0;
-            while (present_[at(line.firstArc.value() +
-                               (particle.fromEnd ? line.arcCount - 1 - walked : walked))])
-                ++walked;
+        for (const Particle particle : free_.in(subMesh)) {
+            const int walked = LineWalk(space_.graph, particle).covered(present_);
             appendWalk(space_, particle.line, particle.fromEnd, walked, subMesh, arcs);
         }
         return arcs;
     }
 
-    std::vector<bool> searchPartial(int subMesh) const {
-        std::vector<bool> result = present_;
+    /// \return the arcs that it adds
+    [[nodiscard]] std::vector<ArcId> searchPartial(int subMesh) const {
         std::vector<ArcId> arcs = enteringWalks(subMesh);
         const auto& graphs = enumeration_.subMeshes[at(subMesh)].graphs;
         if (arcs.empty() && !graphs.empty()) {
-            const auto found = presentArcs(mesh_, complex_, space_.graph, graphs.front().tracks);
-            for (std::size_t arc = 0; arc < found.size(); ++arc)
-                if (found[arc]) result[arc] = true;
-            return result;
+            return coveredArcs(mesh_, space_.graph, arcOfEdge_, graphs.front().tracks);
         }
         for (const ArcId arc : ownArcs(space_, subMesh))
             arcs.push_back(arc);
         std::erase_if(arcs, [&](ArcId arc) { return present_[arc.idx()]; });
+        std::ranges::sort(arcs);
+        arcs.erase(std::unique(arcs.begin(), arcs.end()), arcs.end());
         ++searches_;
-        if (improve(subMesh, arcs, result)) return result;
+        if (const auto found = changesOf(subMesh, arcs)) return *found;
         if (!space_.demands.empty()) throwImpossible(subMesh);
-        goStraight(space_, subMesh, result);
-        return result;
+        return straightArcs(subMesh, arcs);
+    }
+
+    /// Of the given arcs those that particles walk which only go straight on.
+    [[nodiscard]] std::vector<ArcId> straightArcs(int subMesh, std::vector<ArcId> arcs) const {
+        std::vector<bool> straight = present_;
+        goStraight(space_, subMesh, straight);
+        std::erase_if(arcs, [&](ArcId arc) { return !straight[arc.idx()]; });
+        return arcs;
     }
 
     [[noreturn]] static void throwImpossible(int subMesh) {
@@ -127,28 +156,27 @@ private:
     }
 
     /// Searches with these arcs free.
-    /// \return false if nothing is valid
-    bool improve(int subMesh, const std::vector<ArcId>& arcs, std::vector<bool>& present) const {
-        const Problem problem = subMeshProblem(space_, subMesh, arcs, present);
+    /// \return the arcs that come or go; none if nothing is valid
+    [[nodiscard]] std::optional<std::vector<ArcId>> changesOf(int subMesh,
+                                                              const std::vector<ArcId>& arcs) const {
+        const Problem problem = subMeshProblem(space_, subMesh, arcs, present_);
         Control control;
         control.stopRequested = control_.stopRequested;
         const OptimumResult found = findOptimum(problem, {}, control);
-        if (found.graphs.empty()) return false;
-        apply(problem, found.graphs.front(), present);
-        return true;
+        if (found.graphs.empty()) return std::nullopt;
+        return differences(problem, found.graphs.front(), present_);
     }
 
     void searchComplete(int subMesh) {
-        std::vector<Particle> particles;
-        for (const Particle particle : freeParticles(space_.graph, present_))
-            if (space_.junctionLabels[crashJunction(space_.graph, particle, present_).idx()] == subMesh)
-                particles.push_back(particle);
+        const std::vector<Particle> particles(free_.in(subMesh).begin(), free_.in(subMesh).end());
         if (particles.empty()) return;
         for (const Linking linking : {Linking::closed, Linking::direct, Linking::none}) {
             const LinkedParticles movable = linkedParticles(space_, present_, particles, subMesh, linking);
             if (linking != Linking::none && movable.quasiComplexity >= complexityLimit_) continue;
             ++searches_;
-            if (!improve(subMesh, movable.arcs, present_)) continue;
+            const auto changes = changesOf(subMesh, movable.arcs);
+            if (!changes) continue;
+            change(*changes);
             result_.linked += movable.linked;
             return;
         }
@@ -167,7 +195,10 @@ private:
     int subMeshes_;
     double complexityLimit_;
     const Control& control_;
+    const std::vector<ArcId> arcOfEdge_;
     std::vector<bool> present_;
+    FreeParticles free_;
+    std::vector<std::vector<ArcId>> rounds_; ///< the arcs that came or went in each, as often as they did
     mutable std::atomic<std::size_t> searches_ = 0;
     MergeResult result_;
 };

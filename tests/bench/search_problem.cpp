@@ -8,7 +8,7 @@ namespace qm::bench {
 Problem searchProblem(const QuadMesh& mesh, const BaseComplex& complex, GraphClass graphClass) {
     const ArcGraph graph = buildArcGraph(mesh, complex);
     const auto costs = sumOverArcs(mesh, graph, complex, edgeCosts(dihedralAngles(mesh), {}));
-    Problem problem = makeProblem({graph, costs, std::vector(graph.arcs.size(), ArcState::free), {}, {}, {}});
+    Problem problem = makeProblem({graph, costs, {}, {}, {}, {}});
     problem.gaps = graphClass == GraphClass::motorcycle;
     return problem;
 }

@@ -84,9 +84,31 @@ is() { assert_equal "$(field "$1" out.json)" true; }
     done
 }
 
+# A torus whose lines wind around it many times, with holes of one quad.
+helical() {
+    awk -v n=100 -v shift=37 -v holes=30 '
+        function at(i, j) {
+            if (j == n) { j = 0; i += shift }
+            return 1 + (i % n) * n + j
+        }
+        BEGIN {
+            for (i = 0; i < n; ++i)
+                for (j = 0; j < n; ++j) {
+                    u = 6.283185 * (i + shift * j / n) / n
+                    v = 6.283185 * j / n
+                    print "v", (3 + cos(v)) * cos(u), (3 + cos(v)) * sin(u), sin(v)
+                }
+            for (h = 0; h < holes; ++h)
+                hole[(h * 37 + int(h * h / 3)) % n, (h * 61 + 5) % n] = 1
+            for (i = 0; i < n; ++i)
+                for (j = 0; j < n; ++j)
+                    if (!((i, j) in hole)) print "f", at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)
+        }'
+}
+
 # Harder than can be proven in seconds.
 hard() {
-    once "$SAMPLES/hard.obj" qm-shape random --seed 5 --voxels 40000 --resolution 1
+    once "$SAMPLES/hard.obj" helical
     once "$SAMPLES/hard.json" bash -c 'qm-basecomplex -q "$1" | qm-cut --chi 20 | qm-enum -q --time-limit 5' _ "$SAMPLES/hard.obj"
     echo "$SAMPLES/hard.json"
 }

@@ -51,7 +51,7 @@ Problem problemOf(const QuadMesh& mesh) {
     const BaseComplex complex = buildBaseComplex(mesh);
     const ArcGraph graph = buildArcGraph(mesh, complex);
     const auto arcCosts = sumOverArcs(mesh, graph, complex, costs);
-    return makeProblem({graph, arcCosts, std::vector(graph.arcs.size(), ArcState::free), {}, {}, {}});
+    return makeProblem({graph, arcCosts, {}, {}, {}, {}});
 }
 
 void expectCosts(const Problem& problem, const std::vector<Assignment>& found,

@@ -36,8 +36,7 @@ Torus drawTorus(unsigned number) {
     const BaseComplex complex = buildBaseComplex(mesh, randomSeeds(mesh, 60, random));
     Torus drawn{buildArcGraph(mesh, complex), {}, {}, 0};
     const auto arcCosts = sumOverArcs(mesh, drawn.graph, complex, costs);
-    drawn.problem = makeProblem(
-        {drawn.graph, arcCosts, std::vector(drawn.graph.arcs.size(), ArcState::free), {}, {}, {}});
+    drawn.problem = makeProblem({drawn.graph, arcCosts, {}, {}, {}, {}});
     drawn.plain = assignmentOf(drawn.problem, presentArcs(mesh, complex, drawn.graph,
                                                           plainMotorcycleGraph(mesh, complex, costs).tracks));
     drawn.minCost = costOf(drawn.problem, findOptimum(drawn.problem, {}).graphs.front());

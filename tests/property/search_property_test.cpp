@@ -59,8 +59,7 @@ std::optional<Case> drawCase(unsigned number) {
     drawn.complex = buildBaseComplex(drawn.mesh, randomSeeds(drawn.mesh, 2, random));
     drawn.graph = buildArcGraph(drawn.mesh, drawn.complex);
     const auto arcCosts = sumOverArcs(drawn.mesh, drawn.graph, drawn.complex, drawn.costs);
-    drawn.problem = makeProblem(
-        {drawn.graph, arcCosts, std::vector(drawn.graph.arcs.size(), ArcState::free), {}, {}, {}});
+    drawn.problem = makeProblem({drawn.graph, arcCosts, {}, {}, {}, {}});
     return drawn;
 }
 
@@ -325,8 +324,7 @@ TEST(SearchProperty, WindowsImproveAndLargeOnesReachTheOptimum) {
         const Assignment start = *std::next(graphs->begin(), random() % graphs->size());
         const double minCost = costOf(drawn->problem, findOptimum(drawn->problem, {}).graphs.front());
         const auto arcCosts = sumOverArcs(drawn->mesh, drawn->graph, drawn->complex, drawn->costs);
-        const ProblemInput input{
-            drawn->graph, arcCosts, std::vector(drawn->graph.arcs.size(), ArcState::free), {}, {}, {}};
+        const ProblemInput input{drawn->graph, arcCosts, {}, {}, {}, {}};
         const auto improve = [&](const WindowOptions& options, const Control& control) {
             WindowResult result = improveByWindows(input, presentIn(*drawn, start), options, control);
             improvements += result.improvements;

@@ -55,8 +55,7 @@ std::optional<Case> drawCase(unsigned number) {
     drawn.graph = buildArcGraph(*mesh, complex);
     for (std::size_t arc = 0; arc < drawn.graph.arcs.size(); ++arc)
         drawn.costs.push_back(drawCost(random, number % 2 == 0));
-    drawn.whole = makeProblem(
-        {drawn.graph, drawn.costs, std::vector(drawn.graph.arcs.size(), ArcState::free), {}, {}, {}});
+    drawn.whole = makeProblem({drawn.graph, drawn.costs, {}, {}, {}, {}});
     drawn.whole.gaps = number % 3 != 0;
     auto graphs = tryEverything(drawn.whole);
     if (!graphs || graphs->empty()) return std::nullopt;
@@ -66,20 +65,17 @@ std::optional<Case> drawCase(unsigned number) {
 
 /// A window in one of the graphs: some arcs are free, the others stay; at some junctions tracks may end.
 Problem drawWindow(const Case& drawn, std::mt19937& random) {
-    ProblemInput input{drawn.graph, drawn.costs, std::vector(drawn.graph.arcs.size(), ArcState::out),
-                       {},          {},          {}};
+    std::vector<bool> present(drawn.graph.arcs.size(), false);
     const Assignment& graph = drawn.graphs[random() % drawn.graphs.size()];
-    for (int v = 0; v < drawn.whole.variables(); ++v) {
-        const ArcRun& run = drawn.whole.arcs[static_cast<std::size_t>(v)];
-        for (int k = 0; k < run.count; ++k)
-            if (graph[static_cast<std::size_t>(v)] == 1)
-                input.states[static_cast<std::size_t>(run.first.value() + k)] = ArcState::in;
-    }
-    for (ArcState& state : input.states)
-        if (random() % 2 == 0) state = ArcState::free;
+    apply(drawn.whole, graph, present);
+    std::vector<ArcId> freeArcs;
+    for (std::size_t arc = 0; arc < present.size(); ++arc)
+        if (random() % 2 == 0) freeArcs.emplace_back(arc);
+    std::vector<int> labels;
     for (std::size_t junction = 0; junction < drawn.graph.junctions.size(); ++junction)
-        input.open.push_back(random() % 5 == 0);
-    Problem problem = makeProblem(input);
+        labels.push_back(random() % 5 == 0 ? 1 : 0);
+    Problem problem = makeProblem(
+        {drawn.graph, drawn.costs, ArcStates(present, freeArcs), {}, OpenJunctions(labels, 0), {}});
     problem.gaps = drawn.whole.gaps;
     return problem;
 }

@@ -31,6 +31,18 @@ Assignment assignmentOf(const Problem& problem, const std::vector<bool>& present
     return assignment;
 }
 
+std::vector<ArcId> differences(const Problem& problem, const Assignment& assignment,
+                               const std::vector<bool>& present) {
+    std::vector<ArcId> result;
+    for (int v = 0; v < problem.variables(); ++v) {
+        const ArcRun& run = problem.arcs[at(v)];
+        for (int k = 0; k < run.count; ++k)
+            if (const ArcId arc(run.first.value() + k); present[arc.idx()] != (assignment[at(v)] == 1))
+                result.push_back(arc);
+    }
+    return result;
+}
+
 void apply(const Problem& problem, const Assignment& assignment, std::vector<bool>& present) {
     for (int v = 0; v < problem.variables(); ++v) {
         const ArcRun& run = problem.arcs[at(v)];

@@ -16,6 +16,10 @@ using Assignment = std::vector<signed char>;
 /// The values that variables have where these arcs are present.
 [[nodiscard]] Assignment assignmentOf(const Problem& problem, const std::vector<bool>& present);
 
+/// The arcs that are present in only one of a graph and an assignment.
+[[nodiscard]] std::vector<ArcId> differences(const Problem& problem, const Assignment& assignment,
+                                             const std::vector<bool>& present);
+
 /// Writes the values of an assignment into the arcs of its variables.
 void apply(const Problem& problem, const Assignment& assignment, std::vector<bool>& present);
 

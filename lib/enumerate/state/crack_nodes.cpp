@@ -52,7 +52,7 @@ private:
         const int chain = chainOf_[id.value()];
         if (chain >= 0) return chains_[at(chain)].coveredBefore && chains_[at(chain)].coveredAfter;
         for (int k = 0; k < line.arcCount; ++k)
-            if (input_.states[ArcId(line.firstArc.value() + k).idx()] != ArcState::in) return false;
+            if (input_.states[ArcId(line.firstArc.value() + k)] != ArcState::in) return false;
         return true;
     }
 
@@ -92,7 +92,7 @@ private:
 
     [[nodiscard]] bool isFixedCrossing(const Junction& junction) const {
         return junction.crossed() && std::ranges::all_of(junction.arcs, [&](ArcId arc) {
-                   return arc.valid() && isFixed(lineOf(arc)) && input_.states[arc.idx()] == ArcState::in;
+                   return arc.valid() && isFixed(lineOf(arc)) && input_.states[arc] == ArcState::in;
                });
     }
 

@@ -69,7 +69,7 @@ private:
     }
 
     ArcState state(const Line& line, int position) const {
-        return input_.states[ArcId(line.firstArc.value() + position).idx()];
+        return input_.states[ArcId(line.firstArc.value() + position)];
     }
 
     bool allIn(const Line& line, int begin, int end) const {
@@ -159,10 +159,10 @@ private:
     bool passesFreely(ArcId arc) const {
         const JunctionId id = graph_.junctionAfter[arc.idx()];
         const Junction& junction = graph_.junctions[id.idx()];
-        if (isOpen(id)) return false;
+        if (input_.open.contains(id)) return false;
         const std::size_t other = junction.arcs[0] == arc || junction.arcs[2] == arc ? 1 : 0;
         const auto isOut = [&](ArcId crossing) {
-            return !crossing.valid() || input_.states[crossing.idx()] == ArcState::out;
+            return !crossing.valid() || input_.states[crossing] == ArcState::out;
         };
         return isOut(junction.arcs[other]) && isOut(junction.arcs[other + 2]);
     }
@@ -187,13 +187,12 @@ private:
     }
 
     int chainOfArc(ArcId arc) const { return chainOf_[graph_.arcs[arc.idx()].line.value()]; }
-    bool isOpen(JunctionId id) const { return !input_.open.empty() && input_.open[id.idx()]; }
 
     int variable(ArcId arc) const {
         if (!arc.valid()) return problem_.out();
         const int variable = variableOf_[arc.value()];
         if (variable >= 0) return variable;
-        return input_.states[arc.idx()] == ArcState::in ? problem_.in() : problem_.out();
+        return input_.states[arc] == ArcState::in ? problem_.in() : problem_.out();
     }
 
     CrossingSide side(JunctionId id, std::size_t k) const {
@@ -204,11 +203,12 @@ private:
                 ends ? -1 : nodeOf_[line.value()]};
     }
 
-    /// One line is absent and the other a single variable, so that no rule is left to obey.
-    bool sameVariables(const Junction& junction) const {
+    /// One line is absent and the other a single variable or a seed's, so that no rule is left to obey.
+    bool isSettled(const Junction& junction) const {
         for (const std::size_t k : {0U, 1U}) {
-            const int other = variable(junction.arcs[1 - k]);
-            if (variable(junction.arcs[k]) == variable(junction.arcs[k + 2]) && other == problem_.out() &&
+            const bool together =
+                variable(junction.arcs[k]) == variable(junction.arcs[k + 2]) || (junction.seeded && k == 0);
+            if (together && variable(junction.arcs[1 - k]) == problem_.out() &&
                 variable(junction.arcs[3 - k]) == problem_.out())
                 return true;
         }
@@ -227,16 +227,17 @@ private:
 
     void addCrossing(JunctionId id) {
         const Junction& junction = graph_.junctions[id.idx()];
-        if (!junction.crossed() || sameVariables(junction) || isMeeting(junction)) return;
+        if (!junction.crossed() || isSettled(junction) || isMeeting(junction)) return;
         bool anyFree = false, anyOut = false, onChain = false;
         for (const ArcId arc : junction.arcs) {
             anyFree = anyFree || variable(arc) < problem_.in();
             anyOut = anyOut || variable(arc) == problem_.out();
             onChain = onChain || (arc.valid() && chainOfArc(arc) >= 0);
         }
-        if (isOpen(id) ? !anyOut && onChain : anyFree || (!anyOut && onChain))
-            problem_.crossings.push_back(
-                {{side(id, 0), side(id, 1)}, isOpen(id), isOpen(id) ? 0 : input_.cornerCost});
+        if (input_.open.contains(id) ? !anyOut && onChain : anyFree || (!anyOut && onChain))
+            problem_.crossings.push_back({{side(id, 0), side(id, 1)},
+                                          input_.open.contains(id),
+                                          input_.open.contains(id) ? 0 : input_.cornerCost});
     }
 
     const ProblemInput& input_;

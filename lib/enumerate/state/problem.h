@@ -5,15 +5,14 @@
 #pragma once
 
 #include "basecomplex/arc_graph.h"
+#include "enumerate/state/arc_states.h"
 #include "layout/walkers.h"
 
 #include <array>
+#include <span>
 #include <vector>
 
 namespace qm {
-
-/// What is known of an arc before a search.
-enum class ArcState : signed char { out = 0, in = 1, free = -1 };
 
 /// Consecutive variables first .. first + count - 1: the stretch of one line that holds all its free arcs
 /// (rule 3).
@@ -77,11 +76,12 @@ constexpr int cornersAt(int arcsOfOne, int arcsOfOther) {
 struct ProblemInput {
     const ArcGraph& graph;
     const std::vector<double>& arcCosts;
-    std::vector<ArcState> states;  ///< of every arc; the free ones become variables
-    std::vector<ArcState> demands; ///< `in` or `out` where a person demands it, else `free`; may be empty
-    std::vector<bool> open; ///< junctions where tracks may end unfinished: those past a cut; may be empty
-    Walkers walkers;        ///< which particles take part
-    double cornerCost = 0;  ///< of every segment's corner at a junction that is not open
+    ArcStates states; ///< the free arcs become variables
+    /// Of every arc: `in` or `out` where a person demands it, else `free`; may be empty.
+    std::span<const ArcState> demands;
+    OpenJunctions open;    ///< where tracks may end unfinished
+    Walkers walkers;       ///< which particles take part
+    double cornerCost = 0; ///< of every segment's corner at a junction that is not open
     /// Those with free arcs, ascending; may be empty, then all are looked at.
     std::vector<LineId> lines = {};
 };

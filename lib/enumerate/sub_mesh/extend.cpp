@@ -5,14 +5,14 @@
 
 namespace qm {
 int extendParticle(const ArcGraph& graph, Particle particle, std::vector<bool>& present,
-                   const std::vector<bool>& open) {
+                   const OpenJunctions& open) {
     const LineWalk walk(graph, particle);
     int walked = walk.covered(present), added = 0;
     const auto stops = [&] {
         if (walked == walk.arcCount()) return true;
         if (walked == 0) return false;
         const JunctionId junction = walk.junction(walked);
-        return walk.blocked(walked, present) || (!open.empty() && open[junction.idx()]);
+        return walk.blocked(walked, present) || open.contains(junction);
     };
     while (!stops() && !present[walk.arc(walked).idx()]) {
         present[walk.arc(walked).idx()] = true;
@@ -37,20 +37,22 @@ JunctionId crashJunction(const ArcGraph& graph, Particle particle, const std::ve
     return covered == 0 ? JunctionId{} : walk.junction(covered);
 }
 
+bool isFree(const ArcGraph& graph, Particle particle, const std::vector<bool>& present) {
+    const LineWalk walk(graph, particle);
+    const int covered = walk.covered(present);
+    return covered > 0 && covered < walk.arcCount() && !walk.blocked(covered, present);
+}
+
 std::vector<Particle> freeParticles(const ArcGraph& graph, const std::vector<bool>& present) {
     std::vector<Particle> result;
-    for (const Particle particle : particlesOf(graph)) {
-        const LineWalk walk(graph, particle);
-        const int covered = walk.covered(present);
-        if (covered > 0 && covered < walk.arcCount() && !walk.blocked(covered, present))
-            result.push_back(particle);
-    }
+    for (const Particle particle : particlesOf(graph))
+        if (isFree(graph, particle, present)) result.push_back(particle);
     return result;
 }
 
 bool isMotorcycleGraph(const ArcGraph& graph, const std::vector<bool>& present, bool gaps) {
     const std::vector<double> costs(graph.arcs.size(), 0);
-    Problem problem = makeProblem({graph, costs, std::vector(graph.arcs.size(), ArcState::free), {}, {}, {}});
+    Problem problem = makeProblem({graph, costs, {}, {}, {}, {}});
     problem.gaps = gaps;
     SearchState state(problem);
     if (!state.consistent()) return false;

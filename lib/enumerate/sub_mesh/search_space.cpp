@@ -20,19 +20,10 @@ std::string nameOf(const QuadMesh& mesh, EdgeId edge) {
            std::to_string(mesh.to_vertex_handle(halfedge).idx());
 }
 
-/// The arc of every edge; invalid where no separatrix runs.
-std::vector<ArcId> arcsOfEdges(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph) {
-    std::vector<ArcId> result(mesh.n_edges());
-    for (std::size_t arc = 0; arc < graph.arcs.size(); ++arc)
-        for (const HalfedgeId halfedge : halfedgesOf(graph, complex, ArcId(arc)))
-            result[at(mesh.edge_handle(halfedge).idx())] = ArcId(arc);
-    return result;
-}
-
 std::vector<ArcState> demandsOf(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
                                 const Constraints& constraints) {
     if (constraints.required.empty() && constraints.forbidden.empty()) return {};
-    const std::vector<ArcId> arcOf = arcsOfEdges(mesh, complex, graph);
+    const std::vector<ArcId> arcOf = arcsOfEdges(mesh, graph, complex);
     std::vector<ArcState> demands(graph.arcs.size(), ArcState::free);
     const auto demand = [&](EdgeId edge, ArcState state) {
         const ArcId arc = arcOf[at(edge.idx())];
@@ -77,13 +68,20 @@ SearchSpace makeSearchSpace(const QuadMesh& mesh, const BaseComplex& complex,
     }
     // A track that ends on the boundary makes two corners there.
     for (const Line& line : space.graph.lines) {
-        const ArcId last(line.firstArc.value() + line.arcCount - 1);
+        const ArcId last = line.lastArc();
         const VertexId end = mesh.to_vertex_handle(halfedgesOf(space.graph, complex, last).back());
         if (!line.backward && mesh.is_boundary(end) && isRegular(mesh, end))
             space.arcCosts[last.idx()] += 2 * cornerCost;
     }
     for (const Junction& junction : space.graph.junctions)
         space.junctionLabels.push_back(label(junction.vertex));
+    space.linesOf.resize(at(subMeshes.count));
+    for (std::size_t i = 0; i < space.graph.lines.size(); ++i) {
+        const Line& line = space.graph.lines[i];
+        const int begin = space.arcBegins[line.firstArc.idx()], end = space.arcEnds[line.lastArc().idx()];
+        space.linesOf[at(begin)].emplace_back(i);
+        if (line.backward && end != begin) space.linesOf[at(end)].emplace_back(i);
+    }
     return space;
 }
 
@@ -111,61 +109,58 @@ void appendWalk(const SearchSpace& space, LineId id, bool fromEnd, int from, int
 
 std::vector<ArcId> ownArcs(const SearchSpace& space, int subMesh) {
     std::vector<ArcId> arcs;
-    for (std::size_t line = 0; line < space.graph.lines.size(); ++line) {
-        appendWalk(space, LineId(line), false, 0, subMesh, arcs);
-        if (space.graph.lines[line].backward) appendWalk(space, LineId(line), true, 0, subMesh, arcs);
+    for (const LineId line : space.linesOf[at(subMesh)]) {
+        appendWalk(space, line, false, 0, subMesh, arcs);
+        if (space.graph.lines[line.idx()].backward) appendWalk(space, line, true, 0, subMesh, arcs);
     }
     return arcs;
 }
 
-Walkers walkersOf(const SearchSpace& space, int subMesh, const std::vector<bool>& present) {
-    Walkers walkers;
-    for (std::size_t i = 0; i < space.graph.lines.size(); ++i) {
-        const Line& line = space.graph.lines[i];
-        const ArcId first = line.firstArc, last(first.value() + line.arcCount - 1);
-        walkers.fromBegin.push_back(space.arcBegins[first.idx()] == subMesh || present[first.idx()]);
-        walkers.fromEnd.push_back(space.arcEnds[last.idx()] == subMesh || present[last.idx()]);
-        std::vector<ArcId> there, back;
-        appendWalk(space, LineId(i), false, 0, subMesh, there);
-        if (line.backward) appendWalk(space, LineId(i), true, 0, subMesh, back);
-        const bool meet = !there.empty() && !back.empty() && there.size() + back.size() == at(line.arcCount);
-        walkers.meetings.push_back(meet ? there.back() : ArcId{});
-    }
-    return walkers;
+Walkers walkersOf(const SearchSpace& space, int subMesh, const std::vector<bool>& present,
+                  const std::vector<LineId>& others) {
+    std::unordered_map<LineId, LineWalkers> walkers;
+    for (const auto* lines : {&others, &space.linesOf[at(subMesh)]})
+        for (const LineId id : *lines) {
+            const Line& line = space.graph.lines[id.idx()];
+            const std::size_t first = line.firstArc.idx(), last = line.lastArc().idx();
+            std::vector<ArcId> there, back;
+            appendWalk(space, id, false, 0, subMesh, there);
+            if (line.backward) appendWalk(space, id, true, 0, subMesh, back);
+            const bool meet =
+                !there.empty() && !back.empty() && there.size() + back.size() == at(line.arcCount);
+            walkers[id] = {space.arcBegins[first] == subMesh || present[first],
+                           space.arcEnds[last] == subMesh || present[last], meet ? there.back() : ArcId{}};
+        }
+    return Walkers(std::move(walkers));
 }
 
 Problem subMeshProblem(const SearchSpace& space, int subMesh, const std::vector<ArcId>& freeArcs,
                        const std::vector<bool>& present) {
-    ProblemInput input{
-        space.graph, space.arcCosts, {}, space.demands, {}, walkersOf(space, subMesh, present)};
-    for (const bool in : present)
-        input.states.push_back(in ? ArcState::in : ArcState::out);
-    for (const ArcId arc : freeArcs) {
-        input.states[arc.idx()] = ArcState::free;
-        input.lines.push_back(space.graph.arcs[arc.idx()].line);
-    }
-    std::ranges::sort(input.lines);
-    input.lines.erase(std::unique(input.lines.begin(), input.lines.end()), input.lines.end());
-    for (const int label : space.junctionLabels)
-        input.open.push_back(label != subMesh);
-    input.cornerCost = space.cornerCost;
-    return makeProblem(input);
+    std::vector<LineId> lines;
+    lines.reserve(freeArcs.size());
+    for (const ArcId arc : freeArcs)
+        lines.push_back(space.graph.arcs[arc.idx()].line);
+    std::ranges::sort(lines);
+    lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+    return makeProblem({space.graph, space.arcCosts, ArcStates(present, freeArcs), space.demands,
+                        OpenJunctions(space.junctionLabels, subMesh),
+                        walkersOf(space, subMesh, present, lines), space.cornerCost, lines});
 }
 
 void goStraight(const SearchSpace& space, int subMesh, std::vector<bool>& present) {
-    std::vector<bool> open;
-    for (const int label : space.junctionLabels)
-        open.push_back(label != subMesh);
     std::vector<Particle> own;
-    for (const Particle particle : particlesOf(space.graph)) {
+    for (const LineId id : space.linesOf[at(subMesh)]) {
+        const Line& line = space.graph.lines[id.idx()];
+        if (space.arcBegins[line.firstArc.idx()] == subMesh) own.push_back({id, false});
+        if (line.backward && space.arcEnds[line.lastArc().idx()] == subMesh) own.push_back({id, true});
+    }
+    // Nobody is idle: all of these are in before anyone passes a seed.
+    for (const Particle particle : own) {
         const Line& line = space.graph.lines[particle.line.idx()];
-        const std::size_t first = at(line.firstArc.value() + (particle.fromEnd ? line.arcCount - 1 : 0));
-        if ((particle.fromEnd ? space.arcEnds : space.arcBegins)[first] != subMesh) continue;
-        present[first] = true; // nobody is idle: all of these are in before anyone passes a seed
-        own.push_back(particle);
+        present[(particle.fromEnd ? line.lastArc() : line.firstArc).idx()] = true;
     }
     for (const Particle particle : own)
-        extendParticle(space.graph, particle, present, open);
+        extendParticle(space.graph, particle, present, OpenJunctions(space.junctionLabels, subMesh));
 }
 
 } // namespace qm

@@ -22,7 +22,8 @@ struct SearchSpace {
     std::vector<int> arcBegins;    ///< sub-mesh of the vertex where an arc begins, in its line's direction
     std::vector<int> arcEnds;      ///< likewise where it ends
     std::vector<int> junctionLabels;
-    double cornerCost = 0; ///< of every corner of a segment
+    std::vector<std::vector<LineId>> linesOf; ///< of every sub-mesh: those with a source in it, ascending
+    double cornerCost = 0;                    ///< of every corner of a segment
 };
 
 /// \throw Error  if a constraint names an edge on no separatrix, or forbids an edge of the mesh boundary
@@ -41,11 +42,12 @@ void appendWalk(const SearchSpace& space, LineId line, bool fromEnd, int from, i
 /// The arcs that the particles of a sub-mesh can walk before they leave it.
 [[nodiscard]] std::vector<ArcId> ownArcs(const SearchSpace& space, int subMesh);
 
-/// The particles that start in a sub-mesh, and those that have walked already.
-[[nodiscard]] Walkers walkersOf(const SearchSpace& space, int subMesh, const std::vector<bool>& present);
+/// The particles that start in a sub-mesh, and those on some other lines that have walked already.
+[[nodiscard]] Walkers walkersOf(const SearchSpace& space, int subMesh, const std::vector<bool>& present,
+                                const std::vector<LineId>& others = {});
 
 /// A search in one sub-mesh: the given arcs are free, every other arc stays as it is in `present`. Tracks may
-/// end unfinished at the first vertex outside.
+/// end unfinished at the first vertex outside. Takes time linear in what `makeProblem` looks at.
 [[nodiscard]] Problem subMeshProblem(const SearchSpace& space, int subMesh,
                                      const std::vector<ArcId>& freeArcs, const std::vector<bool>& present);
 

@@ -1,6 +1,7 @@
 #include "enumerate/window/chain_links.h"
 
 #include <map>
+#include <unordered_set>
 
 namespace qm {
 namespace {
@@ -39,7 +40,7 @@ std::vector<int> ChainLinks::cluster(int start, std::size_t variables,
                                      const std::vector<double>& weights) const {
     std::vector<int> members;
     std::map<int, int> waiting{{start, 1}};
-    std::vector<bool> taken(lengths_.size(), false);
+    std::unordered_set<int> taken;
     for (std::size_t size = 0; size < variables && !waiting.empty();) {
         const auto closeness = [&](const auto& entry) {
             return entry.second * weights[at(entry.first)] / lengths_[at(entry.first)];
@@ -47,11 +48,11 @@ std::vector<int> ChainLinks::cluster(int start, std::size_t variables,
         const auto next = std::ranges::max_element(waiting, {}, closeness);
         const int chain = next->first;
         waiting.erase(next);
-        taken[at(chain)] = true;
+        taken.insert(chain);
         members.push_back(chain);
         size += at(lengths_[at(chain)]);
         for (std::size_t k = 0; k < neighbours_[at(chain)].size(); ++k)
-            if (const int neighbour = neighbours_[at(chain)][k]; !taken[at(neighbour)])
+            if (const int neighbour = neighbours_[at(chain)][k]; !taken.contains(neighbour))
                 waiting[neighbour] += crossings_[at(chain)][k];
     }
     return members;

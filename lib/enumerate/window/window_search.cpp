@@ -9,6 +9,7 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
+#include <unordered_set>
 
 namespace qm {
 namespace {
@@ -29,17 +30,19 @@ bool isValid(const Problem& problem, const Assignment& graph) {
     return true;
 }
 
+/// Whether a graph is valid and cheaper than another.
+bool improves(const Problem& problem, const Assignment& before, const Assignment& graph) {
+    return costOf(problem, graph) < costOf(problem, before) - Incumbents::tolerance &&
+           isValid(problem, graph);
+}
+
 class WindowSearch {
 public:
     WindowSearch(const ProblemInput& input, const std::vector<bool>& present, const WindowOptions& options,
                  const Control& control)
-        : whole_(makeProblem(input)), options_(options), control_(control), links_(whole_),
+        : input_(input), whole_(makeProblem(input)), options_(options), control_(control), links_(whole_),
           changed_(whole_.chains.size(), 1), searched_(whole_.chains.size(), 0), nodes_(options.nodes) {
         result_.present = present;
-        ProblemInput fixed = input;
-        for (std::size_t arc = 0; arc < fixed.states.size(); ++arc)
-            if (fixed.states[arc] == ArcState::free) fixed.states[arc] = stateOf(present[arc]);
-        inputs_ = std::vector<ProblemInput>(batch, fixed);
     }
 
     WindowResult run() {
@@ -54,11 +57,16 @@ public:
     }
 
 private:
+    struct ArcValue {
+        ArcId arc;
+        bool present;
+    };
+
     struct Window {
         int chain = 0;
         std::vector<int> chains;
-        std::vector<bool> present; ///< empty unless it is cheaper
-        bool complete = false;     ///< its search ended with a proof
+        std::vector<ArcValue> values; ///< of the arcs of its chains; empty unless they are cheaper
+        bool complete = false;        ///< its search ended with a proof
     };
 
     [[nodiscard]] bool isOver() const {
@@ -83,8 +91,8 @@ private:
         constexpr double slight = 0.01; // of an arc: chains that agree follow last
         for (std::size_t c = 0; c < sums.size(); ++c) {
             sums[c] = slight * whole_.chains[c].count;
-            forEachArc(static_cast<int>(c), [&](std::size_t arc) {
-                sums[c] += std::abs(options_.relaxed[arc] - (result_.present[arc] ? 1 : 0));
+            forEachArc(static_cast<int>(c), [&](ArcId arc) {
+                sums[c] += std::abs(options_.relaxed[arc.idx()] - (result_.present[arc.idx()] ? 1 : 0));
             });
         }
         return sums;
@@ -112,14 +120,14 @@ private:
     }
 
     void searchBatch(std::vector<Window>& windows) {
-        parallelFor(windows.size(), control_.jobs, [&](std::size_t k) { search(windows[k], inputs_[k]); });
+        parallelFor(windows.size(), control_.jobs, [&](std::size_t k) { search(windows[k]); });
         ++clock_;
         const std::size_t before = result_.improvements;
         for (Window& window : windows) {
             ++result_.windows;
             if (!window.complete && hard_ == 0) hard_ = size_;
             searched_[at(window.chain)] = clock_;
-            if (!window.present.empty()) accept(window, result_.improvements == before);
+            if (!window.values.empty()) accept(window, result_.improvements == before);
         }
         windows.clear();
     }
@@ -129,30 +137,25 @@ private:
         const Chain& c = whole_.chains[at(chain)];
         for (int v = c.first; v < c.first + c.count; ++v)
             for (int k = 0; k < whole_.arcs[at(v)].count; ++k)
-                visit(at(whole_.arcs[at(v)].first.value() + k));
+                visit(ArcId(whole_.arcs[at(v)].first.value() + k));
     }
 
     /// The search of a window: everything outside stays as it is, so that little of the mesh remains.
-    /// \param input  where all is fixed; in the end it is so again
-    [[nodiscard]] Problem problemOf(const Window& window, ProblemInput& input) const {
-        input.lines.clear();
+    [[nodiscard]] Problem problemOf(const Window& window) const {
+        std::vector<ArcId> arcs;
+        std::vector<LineId> lines;
         for (const int chain : window.chains) {
-            forEachArc(chain, [&](std::size_t arc) { input.states[arc] = ArcState::free; });
-            const ArcId first = whole_.arcs[at(whole_.chains[at(chain)].first)].first;
-            input.lines.push_back(input.graph.arcs[first.idx()].line);
+            forEachArc(chain, [&](ArcId arc) { arcs.push_back(arc); });
+            lines.push_back(input_.graph.arcs[arcs.back().idx()].line);
         }
-        std::ranges::sort(input.lines);
-        input.lines.erase(std::unique(input.lines.begin(), input.lines.end()), input.lines.end());
-        Problem problem = makeProblem(input);
-        for (const int chain : window.chains)
-            forEachArc(chain, [&](std::size_t arc) { input.states[arc] = stateOf(result_.present[arc]); });
-        return problem;
+        std::ranges::sort(lines);
+        lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+        return makeProblem({input_.graph, input_.arcCosts, ArcStates(result_.present, arcs), input_.demands,
+                            input_.open, input_.walkers, input_.cornerCost, std::move(lines)});
     }
 
-    static ArcState stateOf(bool present) { return present ? ArcState::in : ArcState::out; }
-
-    void search(Window& window, ProblemInput& input) const {
-        const Problem problem = problemOf(window, input);
+    void search(Window& window) const {
+        const Problem problem = problemOf(window);
         OptimumOptions options;
         options.start = assignmentOf(problem, result_.present);
         options.nodes = nodes_;
@@ -161,44 +164,43 @@ private:
         if (found.graphs.empty() ||
             costOf(problem, found.graphs.front()) >= costOf(problem, *options.start) - Incumbents::tolerance)
             return;
-        window.present = result_.present;
-        apply(problem, found.graphs.front(), window.present);
+        for (std::size_t v = 0; v < problem.arcs.size(); ++v)
+            for (int k = 0; k < problem.arcs[v].count; ++k)
+                window.values.push_back(
+                    {ArcId(problem.arcs[v].first.value() + k), found.graphs.front()[v] == 1});
     }
 
     /// Takes the window's arcs over, unless an earlier window of the batch forbids it.
     void accept(const Window& window, bool first) {
-        std::vector<bool> merged = result_.present;
-        for (const int chain : window.chains)
-            forEachArc(chain, [&](std::size_t arc) { merged[arc] = window.present[arc]; });
-        if (!first && !improves(window, merged)) return;
+        std::unordered_set<ArcId> changes;
+        for (const ArcValue& value : window.values)
+            if (result_.present[value.arc.idx()] != value.present) changes.insert(value.arc);
+        const auto change = [&] {
+            for (const ArcId arc : changes)
+                result_.present[arc.idx()].flip();
+        };
+        if (first) {
+            change();
+        } else {
+            const Problem problem = problemOf(window);
+            const Assignment before = assignmentOf(problem, result_.present);
+            change();
+            if (!improves(problem, before, assignmentOf(problem, result_.present))) return change();
+        }
         ++clock_;
         for (const int chain : window.chains) {
             bool same = true;
-            forEachArc(chain, [&](std::size_t arc) { same = same && merged[arc] == result_.present[arc]; });
+            forEachArc(chain, [&](ArcId arc) { same = same && !changes.contains(arc); });
             if (same) continue;
             changed_[at(chain)] = clock_;
             for (const int neighbour : links_.neighbours(chain))
                 changed_[at(neighbour)] = clock_;
         }
-        result_.present = std::move(merged);
-        for (const int chain : window.chains)
-            forEachArc(chain, [&](std::size_t arc) {
-                for (ProblemInput& input : inputs_)
-                    input.states[arc] = stateOf(result_.present[arc]);
-            });
         ++result_.improvements;
         options_.improved(result_.present);
     }
 
-    /// Whether the window's arcs are valid and cheaper beside what has become of the others.
-    [[nodiscard]] bool improves(const Window& window, const std::vector<bool>& merged) {
-        const Problem problem = problemOf(window, inputs_.front());
-        const Assignment graph = assignmentOf(problem, merged);
-        return costOf(problem, graph) <
-                   costOf(problem, assignmentOf(problem, result_.present)) - Incumbents::tolerance &&
-               isValid(problem, graph);
-    }
-
+    const ProblemInput& input_;
     const Problem whole_;
     const WindowOptions& options_;
     const Control& control_;
@@ -210,7 +212,6 @@ private:
     std::size_t size_ = 0; ///< of the windows that are being searched
     std::size_t hard_ = 0; ///< the first size at which a search ended without a proof; 0 if none did
     WindowResult result_;
-    std::vector<ProblemInput> inputs_; ///< of a batch's windows: everything fixed as in the result
 };
 
 } // namespace

@@ -1,0 +1,99 @@
+#include "enumerate/sub_mesh/own_space.h"
+
+#include "enumerate/state/sparse_index.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace qm {
+namespace {
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+class Extractor {
+public:
+    Extractor(const SearchSpace& space, int subMesh)
+        : space_(space), whole_(space.graph), subMesh_(subMesh) {}
+
+    SearchSpace extract() {
+        const std::vector<LineId>& lines = space_.linesOf[at(subMesh_)];
+        for (const LineId line : lines)
+            addLine(line);
+        addJunctions();
+        part_.cornerCost = space_.cornerCost;
+        part_.linesOf.resize(space_.linesOf.size());
+        for (std::size_t i = 0; i < lines.size(); ++i)
+            part_.linesOf[at(subMesh_)].emplace_back(i);
+        return std::move(part_);
+    }
+
+private:
+    void addLine(LineId id) {
+        const Line& line = whole_.lines[id.idx()];
+        ArcGraph& graph = part_.graph;
+        const LineId own(graph.lines.size());
+        graph.lines.push_back(line);
+        graph.lines.back().firstArc = ArcId(graph.arcs.size());
+        for (int k = 0; k < line.arcCount; ++k) {
+            const std::size_t arc = at(line.firstArc.value() + k);
+            arcOf_.put(static_cast<int>(arc), static_cast<int>(graph.arcs.size()));
+            graph.arcs.push_back({own, whole_.arcs[arc].begin, whole_.arcs[arc].end});
+            graph.junctionAfter.push_back(whole_.junctionAfter[arc]);
+            part_.arcCosts.push_back(space_.arcCosts[arc]);
+            part_.arcBegins.push_back(space_.arcBegins[arc]);
+            part_.arcEnds.push_back(space_.arcEnds[arc]);
+            if (!space_.demands.empty()) part_.demands.push_back(space_.demands[arc]);
+        }
+    }
+
+    /// Up to here lines and arcs name the junctions of the whole space.
+    void addJunctions() {
+        std::vector<JunctionId> met;
+        forEachNamed([&](JunctionId& junction) { met.push_back(junction); });
+        std::ranges::sort(met);
+        met.erase(std::unique(met.begin(), met.end()), met.end());
+        SparseIndex junctionOf;
+        for (const JunctionId id : met) {
+            junctionOf.put(id.value(), static_cast<int>(part_.graph.junctions.size()));
+            part_.graph.junctions.push_back(ownJunction(whole_.junctions[id.idx()]));
+            part_.junctionLabels.push_back(space_.junctionLabels[id.idx()]);
+        }
+        forEachNamed([&](JunctionId& junction) { junction = JunctionId(junctionOf[junction.value()]); });
+    }
+
+    template <class Visit> void forEachNamed(const Visit& visit) {
+        for (JunctionId& junction : part_.graph.junctionAfter)
+            if (junction.valid()) visit(junction);
+        for (Line& line : part_.graph.lines)
+            for (JunctionId* junction : {&line.beginsAt, &line.endsAt})
+                if (junction->valid()) visit(*junction);
+    }
+
+    [[nodiscard]] Junction ownJunction(const Junction& junction) const {
+        Junction own = junction;
+        for (ArcId& arc : own.arcs)
+            if (arc.valid()) arc = ArcId(arcOf_[arc.value()]);
+        // Of two lines only the second is left.
+        if (!own.seeded && !own.arcs[0].valid() && !own.arcs[2].valid()) {
+            std::swap(own.arcs[0], own.arcs[1]);
+            std::swap(own.arcs[2], own.arcs[3]);
+        }
+        return own;
+    }
+
+    const SearchSpace& space_;
+    const ArcGraph& whole_;
+    int subMesh_;
+    SearchSpace part_;
+    SparseIndex arcOf_; ///< in the part
+};
+
+} // namespace
+
+SearchSpace ownSpace(const SearchSpace& space, int subMesh) {
+    return Extractor(space, subMesh).extract();
+}
+
+} // namespace qm

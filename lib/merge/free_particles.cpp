@@ -1,0 +1,48 @@
+#include "merge/free_particles.h"
+
+namespace qm {
+
+FreeParticles::FreeParticles(const SearchSpace& space, const std::vector<bool>& present)
+    : space_(space), present_(present), waiting_(space.linesOf.size()),
+      placeOf_(2 * space.graph.lines.size(), none) {
+    for (const Particle particle : freeParticles(space.graph, present))
+        place(particle);
+}
+
+const std::set<Particle>& FreeParticles::in(int subMesh) const {
+    return waiting_[static_cast<std::size_t>(subMesh)];
+}
+
+void FreeParticles::update(const std::vector<ArcId>& changed) {
+    const ArcGraph& graph = space_.graph;
+    std::set<LineId> lines;
+    const auto addLinesAt = [&](JunctionId junction) {
+        if (!junction.valid()) return;
+        for (const ArcId arc : graph.junctions[junction.idx()].arcs)
+            if (arc.valid()) lines.insert(graph.arcs[arc.idx()].line);
+    };
+    for (const ArcId arc : changed) {
+        const Line& line = graph.lineOf(arc);
+        lines.insert(graph.arcs[arc.idx()].line);
+        addLinesAt(arc == line.firstArc ? line.beginsAt : graph.junctionAfter[arc.idx() - 1]);
+        addLinesAt(arc == line.lastArc() ? line.endsAt : graph.junctionAfter[arc.idx()]);
+    }
+    for (const LineId line : lines) {
+        place({line, false});
+        if (graph.lines[line.idx()].backward) place({line, true});
+    }
+}
+
+void FreeParticles::place(Particle particle) {
+    int& place = placeOf_[2 * particle.line.idx() + (particle.fromEnd ? 1 : 0)];
+    if (place != none) count_ -= waiting_[static_cast<std::size_t>(place)].erase(particle);
+    place = subMeshOf(particle);
+    if (place != none) count_ += waiting_[static_cast<std::size_t>(place)].insert(particle).second ? 1 : 0;
+}
+
+int FreeParticles::subMeshOf(Particle particle) const {
+    if (!isFree(space_.graph, particle, present_)) return none;
+    return space_.junctionLabels[crashJunction(space_.graph, particle, present_).idx()];
+}
+
+} // namespace qm

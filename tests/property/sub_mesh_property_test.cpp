@@ -1,0 +1,137 @@
+// What searches of sub-meshes look at, against the same on the whole mesh: random meshes, seeds and cuts.
+#include "enumerate/state/assignment.h"
+#include "enumerate/sub_mesh/own_space.h"
+#include "enumerate/sub_mesh/search_space.h"
+#include "layout/tracks.h"
+#include "merge/free_particles.h"
+#include "support/random_graph.h"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <random>
+
+namespace qm::testing {
+namespace {
+
+constexpr unsigned cases = 200;
+
+struct Case {
+    QuadMesh mesh;
+    BaseComplex complex;
+    std::vector<double> edgeCosts;
+    SubMeshes parts;
+    SearchSpace space;
+};
+
+/// Random labels are the hardest cuts there are: particles leave and enter everywhere.
+std::optional<Case> drawCase(std::mt19937& random) {
+    std::optional<QuadMesh> mesh = randomMesh(random);
+    if (!mesh) return std::nullopt;
+    Case drawn;
+    drawn.mesh = std::move(*mesh);
+    drawn.complex = buildBaseComplex(drawn.mesh, randomSeeds(drawn.mesh, 3, random));
+    std::uniform_real_distribution<double> cost(-1, 1);
+    for (std::size_t edge = 0; edge < drawn.mesh.n_edges(); ++edge)
+        drawn.edgeCosts.push_back(cost(random));
+    drawn.parts = {std::vector<int>(drawn.mesh.n_vertices()), 1 + static_cast<int>(random() % 3)};
+    for (int& label : drawn.parts.labels)
+        label = static_cast<int>(random() % static_cast<unsigned>(drawn.parts.count));
+    drawn.space = makeSearchSpace(drawn.mesh, drawn.complex, drawn.edgeCosts, drawn.parts, {}, 0.5);
+    return drawn;
+}
+
+/// All that a search knows of a problem, but for the ids of arcs.
+using Numbers = std::vector<double>;
+Numbers numbersOf(const Problem& problem) {
+    Numbers numbers = problem.costs;
+    for (const ArcState domain : problem.domains)
+        numbers.push_back(static_cast<double>(domain));
+    const auto add = [&](auto... values) { (numbers.push_back(static_cast<double>(values)), ...); };
+    for (const Chain& chain : problem.chains)
+        add(chain.first, chain.count, chain.coveredBefore, chain.coveredAfter);
+    for (const CrackNode& node : problem.nodes)
+        add(node.chain, node.capacity);
+    for (const Crossing& crossing : problem.crossings) {
+        add(crossing.open, crossing.cornerCost);
+        for (const CrossingSide& side : crossing.sides)
+            add(side.before, side.after, side.node);
+    }
+    return numbers;
+}
+
+TEST(SubMeshProperty, ASubMeshesOwnLinesAreAllThatItsSearchNeeds) {
+    int smaller = 0;
+    for (unsigned number = 0; number < cases; ++number) {
+        SCOPED_TRACE(number);
+        std::mt19937 random(number);
+        const auto drawn = drawCase(random);
+        if (!drawn) continue;
+        const SearchSpace& whole = drawn->space;
+        const std::vector<bool> none(whole.graph.arcs.size(), false);
+        std::size_t lines = 0;
+        for (int subMesh = 0; subMesh < drawn->parts.count; ++subMesh) {
+            const SearchSpace own = ownSpace(whole, subMesh);
+            const std::vector<bool> ownNone(own.graph.arcs.size(), false);
+            lines += own.graph.lines.size();
+            if (own.graph.lines.size() < whole.graph.lines.size()) ++smaller;
+            const Problem ownProblem = subMeshProblem(own, subMesh, ownArcs(own, subMesh), ownNone);
+            const Problem wholeProblem = subMeshProblem(whole, subMesh, ownArcs(whole, subMesh), none);
+            EXPECT_EQ(numbersOf(ownProblem), numbersOf(wholeProblem));
+            std::vector<bool> ownStraight = ownNone, straight = none;
+            goStraight(own, subMesh, ownStraight);
+            goStraight(whole, subMesh, straight);
+            EXPECT_EQ(assignmentOf(ownProblem, ownStraight), assignmentOf(wholeProblem, straight));
+            const auto tracksOf = [&](const SearchSpace& space, const std::vector<bool>& present) {
+                return graphOf(drawn->mesh, drawn->complex, space.graph, present, drawn->edgeCosts,
+                               walkersOf(space, subMesh, std::vector(present.size(), false)))
+                    .tracks;
+            };
+            const auto ownTracks = tracksOf(own, ownStraight), tracks = tracksOf(whole, straight);
+            ASSERT_EQ(ownTracks.size(), tracks.size());
+            for (std::size_t k = 0; k < tracks.size(); ++k)
+                EXPECT_EQ(ownTracks[k].halfedges, tracks[k].halfedges);
+        }
+        EXPECT_LE(lines, 2 * whole.graph.lines.size());
+    }
+    EXPECT_GT(smaller, 20);
+}
+
+TEST(SubMeshProperty, FreeParticlesAreKnownAfterEveryChange) {
+    std::size_t met = 0;
+    for (unsigned number = 0; number < cases; ++number) {
+        SCOPED_TRACE(number);
+        std::mt19937 random(number + 1000);
+        const auto drawn = drawCase(random);
+        if (!drawn || drawn->space.graph.arcs.empty()) continue;
+        const ArcGraph& graph = drawn->space.graph;
+        std::vector<bool> present(graph.arcs.size(), false);
+        FreeParticles free(drawn->space, present);
+        for (int step = 0; step < 20; ++step) {
+            std::vector<ArcId> changed;
+            for (std::size_t arc = 0; arc < present.size(); ++arc)
+                if (random() % 10 == 0) changed.emplace_back(arc);
+            for (const ArcId arc : changed)
+                present[arc.idx()].flip();
+            free.update(changed);
+            std::vector<std::vector<Particle>> expected(static_cast<std::size_t>(drawn->parts.count));
+            for (const Particle particle : freeParticles(graph, present)) {
+                const JunctionId junction = crashJunction(graph, particle, present);
+                expected[static_cast<std::size_t>(drawn->space.junctionLabels[junction.idx()])].push_back(
+                    particle);
+            }
+            std::size_t count = 0;
+            for (int subMesh = 0; subMesh < drawn->parts.count; ++subMesh) {
+                const auto& in = free.in(subMesh);
+                EXPECT_EQ(std::vector(in.begin(), in.end()), expected[static_cast<std::size_t>(subMesh)]);
+                count += in.size();
+            }
+            EXPECT_EQ(free.count(), count);
+            met += count;
+        }
+    }
+    EXPECT_GT(met, 1000U);
+}
+
+} // namespace
+} // namespace qm::testing
