@@ -22,6 +22,9 @@ public:
     [[nodiscard]] constexpr std::size_t idx() const { return static_cast<std::size_t>(value_); }
 
     constexpr auto operator<=>(const Id&) const = default;
+    /// The id so many places further on, or back.
+    [[nodiscard]] constexpr Id operator+(int places) const { return Id(value_ + places); }
+    [[nodiscard]] constexpr Id operator-(int places) const { return Id(value_ - places); }
 
 private:
     std::int32_t value_ = -1;

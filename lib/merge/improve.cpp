@@ -57,7 +57,7 @@ public:
         OptimumOptions options;
         options.start = assignmentOf(problem_, present_);
         options.keepOpenParts = true;
-        options.polish = [&](const Assignment& graph, const std::vector<double>& relaxed) {
+        options.polish = [&](const Assignment& graph, const IdVector<VariableId, double>& relaxed) {
             apply(problem_, graph, present_);
             known_.cost(costOf(space_, present_));
             searchWindows(relaxed, fastWindows(), control);
@@ -69,7 +69,8 @@ public:
     }
 
     /// \param relaxed  of every variable, or empty
-    void searchWindows(const std::vector<double>& relaxed, WindowOptions options, const Control& control) {
+    void searchWindows(const IdVector<VariableId, double>& relaxed, WindowOptions options,
+                       const Control& control) {
         options.relaxed = relaxedArcs(relaxed);
         options.improved = [&](const std::vector<bool>& present) { known_.cost(costOf(space_, present)); };
         WindowResult windows = improveByWindows(input_, present_, options, control);
@@ -85,15 +86,15 @@ private:
     [[nodiscard]] WindowOptions fastWindows() const {
         constexpr std::size_t always = 500, share = 8;
         WindowOptions options;
-        options.maxVariables = std::max(always, static_cast<std::size_t>(problem_.variables()) / share);
+        options.maxVariables = std::max(always, problem_.arcs.size() / share);
         return options;
     }
 
     /// The same of every arc.
-    [[nodiscard]] std::vector<double> relaxedArcs(const std::vector<double>& relaxed) const {
+    [[nodiscard]] std::vector<double> relaxedArcs(const IdVector<VariableId, double>& relaxed) const {
         if (relaxed.empty()) return {};
         std::vector<double> values(space_.graph.arcs.size(), 0);
-        for (std::size_t v = 0; v < problem_.arcs.size(); ++v)
+        for (const VariableId v : problem_.variables())
             std::fill_n(values.begin() + problem_.arcs[v].first.value(), problem_.arcs[v].count, relaxed[v]);
         return values;
     }

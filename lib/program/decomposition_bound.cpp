@@ -16,15 +16,11 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 /// Sets of columns that rows tie together; every column is in one.
 struct Clusters {
-    std::vector<std::vector<int>> members;
-    std::vector<std::size_t> clusterOf; ///< of every column
-    std::vector<int> indexOf;           ///< of every column among its cluster's members
+    std::vector<std::vector<ColumnId>> members;
+    IdVector<ColumnId, std::size_t> clusterOf;
+    IdVector<ColumnId, ColumnId> indexOf; ///< among its cluster's members
 };
 
 class ClusterBuilder {
@@ -32,62 +28,71 @@ public:
     ClusterBuilder(const RelaxedProgram& relaxed, std::size_t columns)
         : relaxed_(relaxed), columns_(columns), rowsOf_(relaxed.values.size()),
           gains_(relaxed.values.size(), 0), taken_(relaxed.values.size(), false) {
-        for (std::size_t row = 0; row < relaxed.program.rows.size(); ++row)
-            for (const int column : relaxed.program.rows[row].columns)
-                rowsOf_[at(column)].push_back(row);
+        for (const RowId row : relaxed.program.rows.ids())
+            for (const ColumnId column : relaxed.program.rows[row].columns)
+                rowsOf_[column].push_back(row);
     }
 
     Clusters build() {
         Clusters clusters;
-        for (std::size_t column = 0; column < taken_.size(); ++column)
-            if (!taken_[column]) clusters.members.push_back(grow(static_cast<int>(column)));
+        for (const ColumnId column : taken_.ids())
+            if (!taken_[column]) clusters.members.push_back(grow(column));
         // Clusters that are solved fast leave their time to the others.
         std::ranges::stable_sort(clusters.members, {}, [this](const auto& members) {
             return std::ranges::count_if(members,
-                                         [this](int c) { return isFractional(relaxed_.values[at(c)]); });
+                                         [this](ColumnId c) { return isFractional(relaxed_.values[c]); });
         });
         clusters.clusterOf.resize(taken_.size());
         clusters.indexOf.resize(taken_.size());
         for (std::size_t k = 0; k < clusters.members.size(); ++k)
-            for (int index = 0; const int column : clusters.members[k]) {
-                clusters.clusterOf[at(column)] = k;
-                clusters.indexOf[at(column)] = index++;
+            for (ColumnId index(0); const ColumnId column : clusters.members[k]) {
+                clusters.clusterOf[column] = k;
+                clusters.indexOf[column] = index;
+                index = index + 1;
             }
         return clusters;
     }
 
 private:
+    struct Waiting {
+        double gain;
+        ColumnId column;
+        /// The queue hands out the largest gain first, and of equal ones the first column.
+        bool operator<(const Waiting& other) const {
+            return gain != other.gain ? gain < other.gain : column > other.column;
+        }
+    };
+
     /// Adds the column with the closest ties to the cluster next. Rows with large duals tie closest.
-    std::vector<int> grow(int start) {
+    std::vector<ColumnId> grow(ColumnId start) {
         constexpr double dualWeight = 20; // against the mere number of rows
-        std::vector<int> cluster, touched;
-        std::priority_queue<std::pair<double, int>> waiting;
-        waiting.emplace(0.0, -start);
+        std::vector<ColumnId> cluster, touched;
+        std::priority_queue<Waiting> waiting;
+        waiting.push({0, start});
         while (!waiting.empty() && cluster.size() < columns_) {
-            const double gain = waiting.top().first;
-            const int column = -waiting.top().second;
+            const auto [gain, column] = waiting.top();
             waiting.pop();
-            if (taken_[at(column)] || gain < gains_[at(column)]) continue;
-            taken_[at(column)] = true;
+            if (taken_[column] || gain < gains_[column]) continue;
+            taken_[column] = true;
             cluster.push_back(column);
-            for (const std::size_t row : rowsOf_[at(column)])
-                for (const int other : relaxed_.program.rows[row].columns) {
-                    if (taken_[at(other)]) continue;
-                    gains_[at(other)] += 1 + dualWeight * std::abs(relaxed_.duals[row]);
+            for (const RowId row : rowsOf_[column])
+                for (const ColumnId other : relaxed_.program.rows[row].columns) {
+                    if (taken_[other]) continue;
+                    gains_[other] += 1 + dualWeight * std::abs(relaxed_.duals[row]);
                     touched.push_back(other);
-                    waiting.emplace(gains_[at(other)], -other);
+                    waiting.push({gains_[other], other});
                 }
         }
-        for (const int column : touched)
-            gains_[at(column)] = 0;
+        for (const ColumnId column : touched)
+            gains_[column] = 0;
         return cluster;
     }
 
     const RelaxedProgram& relaxed_;
     std::size_t columns_;
-    std::vector<std::vector<std::size_t>> rowsOf_;
-    std::vector<double> gains_; ///< of columns that wait: how closely they are tied
-    std::vector<bool> taken_;
+    IdVector<ColumnId, std::vector<RowId>> rowsOf_;
+    ColumnValues gains_; ///< of columns that wait: how closely they are tied
+    IdVector<ColumnId, bool> taken_;
 };
 
 /// The program with the rows between clusters in its costs.
@@ -96,7 +101,7 @@ public:
     Decomposition(const RelaxedProgram& relaxed, std::size_t columns)
         : relaxed_(relaxed), clusters_(ClusterBuilder(relaxed, columns).build()),
           costs_(relaxed.program.costs), constant_(relaxed.constant), rowsOf_(size()) {
-        for (std::size_t row = 0; row < relaxed.program.rows.size(); ++row)
+        for (const RowId row : relaxed.program.rows.ids())
             placeRow(row);
     }
 
@@ -123,11 +128,11 @@ public:
     }
 
 private:
-    void placeRow(std::size_t id) {
+    void placeRow(RowId id) {
         const IntegerProgram::Row& row = relaxed_.program.rows[id];
-        const std::size_t cluster = clusters_.clusterOf[at(row.columns.front())];
+        const std::size_t cluster = clusters_.clusterOf[row.columns.front()];
         if (std::ranges::all_of(row.columns,
-                                [&](int column) { return clusters_.clusterOf[at(column)] == cluster; })) {
+                                [&](ColumnId column) { return clusters_.clusterOf[column] == cluster; })) {
             rowsOf_[cluster].push_back(id);
             return;
         }
@@ -135,37 +140,37 @@ private:
         if (dual == 0 || std::isinf(side)) return; // a dual of the wrong sign is the solver's noise
         constant_ += dual * side;
         for (std::size_t k = 0; k < row.columns.size(); ++k)
-            costs_[at(row.columns[k])] -= dual * row.weights[k];
+            costs_[row.columns[k]] -= dual * row.weights[k];
     }
 
     [[nodiscard]] double relaxedCost(std::size_t cluster) const {
         double cost = 0;
-        for (const int column : clusters_.members[cluster])
-            cost += costs_[at(column)] * relaxed_.values[at(column)];
+        for (const ColumnId column : clusters_.members[cluster])
+            cost += costs_[column] * relaxed_.values[column];
         return cost;
     }
 
     [[nodiscard]] double gainOf(std::size_t cluster, double seconds, const Control& control) const {
-        const std::vector<int>& members = clusters_.members[cluster];
+        const std::vector<ColumnId>& members = clusters_.members[cluster];
         if (control.stopRequested() ||
-            std::ranges::none_of(members, [&](int c) { return isFractional(relaxed_.values[at(c)]); }))
+            std::ranges::none_of(members, [&](ColumnId c) { return isFractional(relaxed_.values[c]); }))
             return 0;
         IntegerProgram program;
-        for (const int column : members)
-            program.costs.push_back(costs_[at(column)]);
-        for (const std::size_t row : rowsOf_[cluster]) {
+        for (const ColumnId column : members)
+            program.costs.push_back(costs_[column]);
+        for (const RowId row : rowsOf_[cluster]) {
             program.rows.push_back(relaxed_.program.rows[row]);
-            for (int& column : program.rows.back().columns)
-                column = clusters_.indexOf[at(column)];
+            for (ColumnId& column : program.rows.back().columns)
+                column = clusters_.indexOf[column];
         }
         return std::max(0.0, boundProgram(program, seconds, control) - relaxedCost(cluster));
     }
 
     const RelaxedProgram& relaxed_;
     const Clusters clusters_;
-    std::vector<double> costs_;
+    ColumnValues costs_;
     double constant_;
-    std::vector<std::vector<std::size_t>> rowsOf_; ///< of every cluster, those inside
+    std::vector<std::vector<RowId>> rowsOf_; ///< of every cluster, those inside
 };
 
 } // namespace

@@ -17,9 +17,9 @@ namespace qm {
 /// An integer program with an optimum of its linear relaxation.
 struct RelaxedProgram {
     IntegerProgram program;
-    double constant = 0;        ///< of the cost
-    std::vector<double> values; ///< of every column
-    std::vector<double> duals;  ///< of every row: by how much the relaxed optimum grows with its bounds
+    double constant = 0;           ///< of the cost
+    ColumnValues values;           ///< of every column
+    IdVector<RowId, double> duals; ///< of every row: by how much the relaxed optimum grows with its bounds
     double cutoff =
         std::numeric_limits<double>::infinity(); ///< solutions of at least this cost do not matter
 };

@@ -5,7 +5,7 @@
 
 namespace qm {
 
-void IntegerProgram::Row::add(int column, double weight) {
+void IntegerProgram::Row::add(ColumnId column, double weight) {
     const auto known = std::ranges::find(columns, column);
     if (known == columns.end()) {
         columns.push_back(column);
@@ -15,16 +15,16 @@ void IntegerProgram::Row::add(int column, double weight) {
     }
 }
 
-double IntegerProgram::cost(const std::vector<double>& values) const {
+double IntegerProgram::cost(const ColumnValues& values) const {
     return std::inner_product(values.begin(), values.end(), costs.begin(), 0.0);
 }
 
-bool IntegerProgram::allows(const std::vector<double>& values) const {
+bool IntegerProgram::allows(const ColumnValues& values) const {
     constexpr double rounding = 1e-9;
     return std::ranges::all_of(rows, [&](const Row& row) {
         double sum = 0;
         for (std::size_t k = 0; k < row.columns.size(); ++k)
-            sum += row.weights[k] * values[static_cast<std::size_t>(row.columns[k])];
+            sum += row.weights[k] * values[row.columns[k]];
         return row.lower - rounding <= sum && sum <= row.upper + rounding;
     });
 }

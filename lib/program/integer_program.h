@@ -1,28 +1,34 @@
 /// \file A linear program in binary variables.
 #pragma once
 
+#include "base/id_vector.h"
+
 #include <vector>
 
 namespace qm {
 
+using ColumnId = Id<struct ColumnTag>;
+using RowId = Id<struct RowTag>;
+using ColumnValues = IdVector<ColumnId, double>;
+
 struct IntegerProgram {
     /// lower <= weights . columns <= upper
     struct Row {
-        std::vector<int> columns;
+        std::vector<ColumnId> columns;
         std::vector<double> weights;
         double lower = 0;
         double upper = 0;
 
         /// Weights of the same column add up.
-        void add(int column, double weight);
+        void add(ColumnId column, double weight);
     };
-    std::vector<double> costs; ///< of every column; all are 0 or 1
-    std::vector<Row> rows;
+    ColumnValues costs; ///< of every column; all are 0 or 1
+    IdVector<RowId, Row> rows;
 
     /// \param values  of every column
-    [[nodiscard]] double cost(const std::vector<double>& values) const;
+    [[nodiscard]] double cost(const ColumnValues& values) const;
     /// Whether they obey all rows, but for rounding.
-    [[nodiscard]] bool allows(const std::vector<double>& values) const;
+    [[nodiscard]] bool allows(const ColumnValues& values) const;
 };
 
 /// A relaxed value closer to 0 or 1 than this is taken for it.

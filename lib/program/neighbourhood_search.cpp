@@ -11,41 +11,41 @@ namespace {
 
 class NeighbourhoodSearch {
 public:
-    NeighbourhoodSearch(const IntegerProgram& program, std::vector<double> values,
+    NeighbourhoodSearch(const IntegerProgram& program, ColumnValues values,
                         const NeighbourhoodOptions& options)
         : program_(program), options_(options), values_(std::move(values)), rowsOf_(program.costs.size()),
-          place_(program.costs.size(), -1) {
-        for (std::size_t row = 0; row < program.rows.size(); ++row)
-            for (const int column : program.rows[row].columns)
-                rowsOf_[static_cast<std::size_t>(column)].push_back(row);
+          place_(program.costs.size()) {
+        for (const RowId row : program.rows.ids())
+            for (const ColumnId column : program.rows[row].columns)
+                rowsOf_[column].push_back(row);
     }
 
     [[nodiscard]] std::size_t columns() const { return program_.costs.size(); }
-    [[nodiscard]] const std::vector<double>& values() const { return values_; }
+    [[nodiscard]] const ColumnValues& values() const { return values_; }
 
     /// The columns nearest to the sources.
-    [[nodiscard]] std::vector<int> around(const std::vector<int>& sources, std::size_t size) const {
-        std::vector<bool> seen(columns(), false);
-        std::vector<int> found;
-        const auto see = [&](int column) {
-            if (seen[static_cast<std::size_t>(column)] || found.size() >= size) return;
-            seen[static_cast<std::size_t>(column)] = true;
+    [[nodiscard]] std::vector<ColumnId> around(const std::vector<ColumnId>& sources, std::size_t size) const {
+        IdVector<ColumnId, bool> seen(columns(), false);
+        std::vector<ColumnId> found;
+        const auto see = [&](ColumnId column) {
+            if (seen[column] || found.size() >= size) return;
+            seen[column] = true;
             found.push_back(column);
         };
         std::ranges::for_each(sources, see);
         for (std::size_t k = 0; k < found.size() && found.size() < size; ++k)
-            for (const std::size_t row : rowsOf_[static_cast<std::size_t>(found[k])])
+            for (const RowId row : rowsOf_[found[k]])
                 if (program_.rows[row].columns.size() <= options_.longRow)
                     std::ranges::for_each(program_.rows[row].columns, see);
         return found;
     }
 
     /// \return whether the values became better
-    bool solve(const std::vector<int>& free, double seconds, const Control& control) {
-        std::vector<double> start;
+    bool solve(const std::vector<ColumnId>& free, double seconds, const Control& control) {
+        ColumnValues start;
         start.reserve(free.size());
-        for (const int column : free)
-            start.push_back(values_[static_cast<std::size_t>(column)]);
+        for (const ColumnId column : free)
+            start.push_back(values_[column]);
         const IntegerProgram part = restrictedTo(free);
         const double before = part.cost(start);
         const ProgramSolution solution = solveProgram(part, start, {seconds, options_.nodes}, control);
@@ -53,35 +53,35 @@ public:
         const double after = part.cost(*solution.values);
         if (after > before - 1e-9) return false;
         for (std::size_t k = 0; k < free.size(); ++k)
-            values_[static_cast<std::size_t>(free[k])] = (*solution.values)[k];
+            values_[free[k]] = (*solution.values)[ColumnId(k)];
         return true;
     }
 
 private:
     /// The program in which all other columns keep their values.
-    IntegerProgram restrictedTo(const std::vector<int>& free) {
+    IntegerProgram restrictedTo(const std::vector<ColumnId>& free) {
         IntegerProgram part;
-        std::vector<std::size_t> rows;
+        std::vector<RowId> rows;
         for (std::size_t k = 0; k < free.size(); ++k) {
-            const auto column = static_cast<std::size_t>(free[k]);
-            place_[column] = static_cast<int>(k);
+            const ColumnId column = free[k];
+            place_[column] = ColumnId(k);
             part.costs.push_back(program_.costs[column]);
             rows.insert(rows.end(), rowsOf_[column].begin(), rowsOf_[column].end());
         }
         std::ranges::sort(rows);
         rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-        for (const std::size_t row : rows)
+        for (const RowId row : rows)
             part.rows.push_back(restricted(program_.rows[row]));
-        for (const int column : free)
-            place_[static_cast<std::size_t>(column)] = -1;
+        for (const ColumnId column : free)
+            place_[column] = {};
         return part;
     }
 
     IntegerProgram::Row restricted(const IntegerProgram::Row& row) const {
         IntegerProgram::Row part{{}, {}, row.lower, row.upper};
         for (std::size_t k = 0; k < row.columns.size(); ++k) {
-            const auto column = static_cast<std::size_t>(row.columns[k]);
-            if (place_[column] >= 0) {
+            const ColumnId column = row.columns[k];
+            if (place_[column].valid()) {
                 part.columns.push_back(place_[column]);
                 part.weights.push_back(row.weights[k]);
             } else {
@@ -94,25 +94,25 @@ private:
 
     const IntegerProgram& program_;
     const NeighbourhoodOptions& options_;
-    std::vector<double> values_;
-    std::vector<std::vector<std::size_t>> rowsOf_;
-    std::vector<int> place_; ///< in the part that is being made, -1 elsewhere
+    ColumnValues values_;
+    IdVector<ColumnId, std::vector<RowId>> rowsOf_;
+    IdVector<ColumnId, ColumnId> place_; ///< in the part that is being made; none elsewhere
 };
 
 } // namespace
 
-std::vector<double> improveByNeighbourhoods(const IntegerProgram& program, std::vector<double> values,
-                                            const std::vector<std::vector<int>>& groups,
-                                            const NeighbourhoodOptions& options, const Control& control) {
+ColumnValues improveByNeighbourhoods(const IntegerProgram& program, ColumnValues values,
+                                     const std::vector<std::vector<ColumnId>>& groups,
+                                     const NeighbourhoodOptions& options, const Control& control) {
     const Deadline deadline(control, options.seconds);
     const Control inTime = deadline.control();
     NeighbourhoodSearch search(program, std::move(values), options);
     std::mt19937 random(options.seed);
     std::size_t size = options.columns;
     for (int turn = 0, inVain = 0; search.columns() > 0 && !inTime.stopRequested(); ++turn) {
-        std::vector<int> sources{static_cast<int>(random() % search.columns())};
+        std::vector<ColumnId> sources{ColumnId(random() % search.columns())};
         if (turn % 2 == 1 && !groups.empty()) sources = groups[random() % groups.size()];
-        const std::vector<int> free = search.around(sources, size);
+        const std::vector<ColumnId> free = search.around(sources, size);
         const bool better = search.solve(free, deadline.secondsLeft(), inTime);
         inVain = better ? 0 : inVain + 1;
         if (inVain < options.patience) continue;

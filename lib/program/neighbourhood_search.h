@@ -27,10 +27,9 @@ struct NeighbourhoodOptions {
 /// Neighbourhoods grow when they no longer help, up to the whole program.
 /// \param values   obey all rows; the result does too, and never costs more
 /// \param groups   columns that tend to change together
-[[nodiscard]] std::vector<double> improveByNeighbourhoods(const IntegerProgram& program,
-                                                          std::vector<double> values,
-                                                          const std::vector<std::vector<int>>& groups,
-                                                          const NeighbourhoodOptions& options,
-                                                          const Control& control = {});
+[[nodiscard]] ColumnValues improveByNeighbourhoods(const IntegerProgram& program, ColumnValues values,
+                                                   const std::vector<std::vector<ColumnId>>& groups,
+                                                   const NeighbourhoodOptions& options,
+                                                   const Control& control = {});
 
 } // namespace qm

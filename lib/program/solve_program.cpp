@@ -38,7 +38,7 @@ void load(const IntegerProgram& program, OsiClpSolverInterface& solver) {
     for (const IntegerProgram::Row& row : program.rows) {
         for (std::size_t k = 0; k < row.columns.size(); ++k) {
             rowOf.push_back(static_cast<int>(lower.size()));
-            columnOf.push_back(row.columns[k]);
+            columnOf.push_back(row.columns[k].value());
             weights.push_back(row.weights[k]);
         }
         lower.push_back(bounded(row.lower));
@@ -50,8 +50,8 @@ void load(const IntegerProgram& program, OsiClpSolverInterface& solver) {
     const std::vector<double> zeros(program.costs.size(), 0), ones(program.costs.size(), 1);
     solver.messageHandler()->setLogLevel(0);
     solver.loadProblem(matrix, zeros.data(), ones.data(), program.costs.data(), lower.data(), upper.data());
-    for (int column = 0; column < static_cast<int>(program.costs.size()); ++column)
-        solver.setInteger(column);
+    for (const ColumnId column : program.costs.ids())
+        solver.setInteger(column.value());
 }
 
 /// A bound that takes no row into account.
@@ -73,9 +73,9 @@ bool relax(OsiClpSolverInterface& solver, double seconds) {
 
 } // namespace
 
-ProgramSolution solveProgram(const IntegerProgram& program, const std::vector<double>& start,
+ProgramSolution solveProgram(const IntegerProgram& program, const ColumnValues& start,
                              const ProgramLimits& limits, const Control& control) {
-    if (program.costs.empty()) return {std::vector<double>{}, 0, true}; // CBC proves nothing about nothing
+    if (program.costs.empty()) return {ColumnValues{}, 0, true}; // CBC proves nothing about nothing
     const Deadline end(control, limits.seconds);
     OsiClpSolverInterface solver;
     load(program, solver);

@@ -11,8 +11,8 @@
 namespace qm {
 
 struct ProgramSolution {
-    std::optional<std::vector<double>> values; ///< 0 or 1 of every column; none if nothing was found
-    double lowerBound = 0;                     ///< of the costs
+    std::optional<ColumnValues> values; ///< 0 or 1 of every column; none if nothing was found
+    double lowerBound = 0;              ///< of the costs
     bool proven = false;
 };
 
@@ -23,7 +23,7 @@ struct ProgramLimits {
 
 /// Minimises the costs; stops at a limit with the best so far, or soon after `control.stopRequested`.
 /// \param start  values to begin with that obey all rows; may be empty
-[[nodiscard]] ProgramSolution solveProgram(const IntegerProgram& program, const std::vector<double>& start,
+[[nodiscard]] ProgramSolution solveProgram(const IntegerProgram& program, const ColumnValues& start,
                                            const ProgramLimits& limits, const Control& control = {});
 
 /// A lower bound of the cost, which is the minimum itself if there is time enough; minus infinity if there

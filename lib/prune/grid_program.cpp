@@ -25,7 +25,7 @@ public:
             const std::vector<double>& dihedralAngles, const std::vector<double>& edgeCosts, double maxTurn)
         : mesh_(mesh), complex_(complex), graph_(graph), dihedralAngles_(dihedralAngles),
           edgeCosts_(edgeCosts), maxTurn_(maxTurn), arcOf_(mesh.n_edges()), inLayout_(mesh.n_edges(), false) {
-        result_.program.costs = sumOverArcs(mesh, graph, complex, edgeCosts);
+        result_.program.costs = ColumnValues(sumOverArcs(mesh, graph, complex, edgeCosts));
         result_.quarters.assign(graph.arcs.size(), 0);
         for (std::size_t arc = 0; arc < graph.arcs.size(); ++arc)
             for (const HalfedgeId halfedge : halfedgesOf(graph, complex, ArcId(arc)))
@@ -56,22 +56,24 @@ public:
     }
 
 private:
+    static ColumnId columnOf(ArcId arc) { return GridProgram::columnOf(arc); }
+
     using Terms = std::vector<std::pair<ArcId, double>>;
 
     /// Sum of the terms >= lower; arcs that are invalid are out.
     void atLeast(const Terms& terms, double lower) {
         IntegerProgram::Row row{{}, {}, lower, infinity};
         for (const auto& [arc, weight] : terms)
-            if (arc.valid()) row.add(arc.value(), weight);
+            if (arc.valid()) row.add(columnOf(arc), weight);
         result_.program.rows.push_back(std::move(row));
     }
 
     /// \return the new column
-    int addIndicator(std::vector<ArcId> arcs, bool ofAny, double quarters, double cost = 0) {
+    ColumnId addIndicator(std::vector<ArcId> arcs, bool ofAny, double quarters, double cost = 0) {
         result_.program.costs.push_back(cost);
         result_.quarters.push_back(quarters);
         result_.indicators.push_back({std::move(arcs), ofAny});
-        return static_cast<int>(result_.program.costs.size()) - 1;
+        return result_.program.costs.nextId() - 1;
     }
 
     void addJunction(const Junction& junction) {
@@ -89,8 +91,8 @@ private:
         std::ranges::copy_if(junction.arcs, std::back_inserter(arcs), &ArcId::valid);
         IntegerProgram::Row row{{addIndicator(arcs, true, -4)}, {-2}, 0, infinity};
         for (const ArcId arc : arcs) {
-            result_.quarters[arc.idx()] += 2;
-            row.add(arc.value(), 1);
+            result_.quarters[columnOf(arc)] += 2;
+            row.add(columnOf(arc), 1);
         }
         result_.program.rows.push_back(std::move(row));
     }
@@ -101,7 +103,7 @@ private:
         const ArcId ahead = arcAt(seed.direction),
                     behind = arcAt(straightOn(mesh_, mesh_.opposite_halfedge_handle(seed.direction)));
         if (ahead == behind) return;
-        result_.program.rows.push_back({{ahead.value(), behind.value()}, {1, -1}, 0, 0});
+        result_.program.rows.push_back({{columnOf(ahead), columnOf(behind)}, {1, -1}, 0, 0});
     }
 
     bool hasJunction(VertexId vertex) const {
@@ -131,7 +133,7 @@ private:
             const double known = (isBoundary(edge) ? 1 : 0) + (isBoundary(next) ? 1 : 0);
             if (known == 0) atLeast({{a, 1}, {b, 1}}, 1);
             for (const ArcId arc : {a, b})
-                if (arc.valid()) result_.quarters[arc.idx()] += 1;
+                if (arc.valid()) result_.quarters[columnOf(arc)] += 1;
             result_.corners += known - 1;
             const bool mayEnd =
                 inLayout_[at(mesh_.edge_handle(next).idx())] && b.valid() && haveQuadBetween(next, afterNext);
@@ -148,23 +150,23 @@ private:
     void addBoundary(VertexId vertex) {
         if (mesh_.valence(vertex) == 2) result_.corners += 1;
         for (const HalfedgeId halfedge : mesh_.voh_range(vertex))
-            if (arcAt(halfedge).valid()) result_.quarters[arcAt(halfedge).idx()] += 2;
+            if (arcAt(halfedge).valid()) result_.quarters[columnOf(arcAt(halfedge))] += 2;
     }
 
     void addAnnuli() {
         const AnnulusBands bands = annulusBands(mesh_, arcOf_);
-        std::vector<int> columnOf;
+        std::vector<ColumnId> columns;
         for (const std::vector<ArcId>& across : bands.across) {
-            columnOf.push_back(addIndicator(across, false, 4));
-            someOf(across, columnOf.back());
+            columns.push_back(addIndicator(across, false, 4));
+            someOf(across, columns.back());
         }
         for (const AnnulusBands::Joint& joint : bands.joints) {
             std::vector<ArcId> arcs = joint.arcs;
             for (const std::size_t band : joint.bands)
                 arcs.insert(arcs.end(), bands.across[band].begin(), bands.across[band].end());
-            const int column = addIndicator(std::move(arcs), false, -4);
+            const ColumnId column = addIndicator(std::move(arcs), false, -4);
             for (const std::size_t band : joint.bands)
-                result_.program.rows.push_back({{columnOf[band], column}, {1, -1}, 0, infinity});
+                result_.program.rows.push_back({{columns[band], column}, {1, -1}, 0, infinity});
             noneOf(joint.arcs, column);
         }
     }
@@ -196,24 +198,24 @@ private:
             cost += edgeCosts_[at(mesh_.edge_handle(halfedge).idx())];
         // A loop makes an annulus of a torus, or two of one; a line from border to border a grid of one.
         const bool loop = !mesh_.is_boundary(mesh_.from_vertex_handle(line.front()));
-        const int column = addIndicator(arcs, false, loop ? 4 : 0, cost);
+        const ColumnId column = addIndicator(arcs, false, loop ? 4 : 0, cost);
         someOf(arcs, column);
         noneOf(arcs, column);
     }
 
     /// The column is 1 unless an arc is in.
-    void someOf(const std::vector<ArcId>& arcs, int column) {
+    void someOf(const std::vector<ArcId>& arcs, ColumnId column) {
         IntegerProgram::Row row{{column}, {1}, 1, infinity};
         for (const ArcId arc : arcs)
-            row.columns.push_back(arc.value());
+            row.columns.push_back(columnOf(arc));
         row.weights.resize(row.columns.size(), 1);
         result_.program.rows.push_back(std::move(row));
     }
 
     /// The column is 0 if an arc is in.
-    void noneOf(const std::vector<ArcId>& arcs, int column) {
+    void noneOf(const std::vector<ArcId>& arcs, ColumnId column) {
         for (const ArcId arc : arcs)
-            result_.program.rows.push_back({{column, arc.value()}, {1, 1}, 0, 1});
+            result_.program.rows.push_back({{column, columnOf(arc)}, {1, 1}, 0, 1});
     }
 
     /// Where a track of the layout ends at others that turn there, it stays as long as these pass.
@@ -241,15 +243,15 @@ private:
 
 } // namespace
 
-double GridProgram::segments(const std::vector<double>& values) const {
+double GridProgram::segments(const ColumnValues& values) const {
     double sum = corners;
-    for (std::size_t column = 0; column < values.size(); ++column)
+    for (const ColumnId column : values.ids())
         sum += quarters[column] * values[column];
     return sum / 4;
 }
 
-std::vector<double> GridProgram::valuesOf(const std::vector<bool>& present) const {
-    std::vector<double> values(present.begin(), present.end());
+ColumnValues GridProgram::valuesOf(const std::vector<bool>& present) const {
+    ColumnValues values(present.begin(), present.end());
     for (const Indicator& indicator : indicators) {
         const bool any = std::ranges::any_of(indicator.arcs, [&](ArcId arc) { return present[arc.idx()]; });
         values.push_back(any == indicator.ofAny ? 1 : 0);

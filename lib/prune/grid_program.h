@@ -18,24 +18,26 @@
 
 namespace qm {
 
-/// Columns 0 .. arcs - 1 are the arcs, and after them come the indicators.
+/// The first columns are the arcs, and after them come the indicators.
 struct GridProgram {
+    [[nodiscard]] static ColumnId columnOf(ArcId arc) { return ColumnId(arc.value()); }
+
     /// A column that follows from the arcs.
     struct Indicator {
         std::vector<ArcId> arcs;
         bool ofAny = true; ///< 1 if any of them is in, else 1 if none is
     };
 
-    IntegerProgram program;       ///< minimises G_T, with the lines that components without tracks get
-    std::vector<double> quarters; ///< corners that every column adds
-    double corners = 0;           ///< that are there anyway
+    IntegerProgram program; ///< minimises G_T, with the lines that components without tracks get
+    ColumnValues quarters;  ///< corners that every column adds
+    double corners = 0;     ///< that are there anyway
     std::vector<Indicator> indicators;
 
     /// Corners / 4.
-    [[nodiscard]] double segments(const std::vector<double>& values) const;
+    [[nodiscard]] double segments(const ColumnValues& values) const;
 
     /// All columns. \param present  of every arc: whether it is in
-    [[nodiscard]] std::vector<double> valuesOf(const std::vector<bool>& present) const;
+    [[nodiscard]] ColumnValues valuesOf(const std::vector<bool>& present) const;
 };
 
 /// \param layout   what it has removed already may stay so, and where its tracks end is where a further

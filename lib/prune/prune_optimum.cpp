@@ -89,9 +89,8 @@ public:
     }
 
 private:
-    using Values = std::vector<double>; ///< of every column of the program
     struct Found {
-        Values values;
+        ColumnValues values;
         double lowerBound = 0;
         bool proven = false;
     };
@@ -123,7 +122,7 @@ private:
     }
 
     void addPrice(IntegerProgram& program, double beta) const {
-        for (std::size_t column = 0; column < program.costs.size(); ++column)
+        for (const ColumnId column : program.costs.ids())
             program.costs[column] += beta * grids_.quarters[column] / 4;
     }
 
@@ -142,14 +141,14 @@ private:
 
     /// Half of the time to prove the optimum; otherwise the rest for the best without a proof.
     Found solve(const IntegerProgram& program, double maxSegments, const Deadline& end) {
-        const std::optional<Values> start = bestKnown(program, maxSegments);
+        const std::optional<ColumnValues> start = bestKnown(program, maxSegments);
         const double seconds = end.secondsLeft();
         ProgramSolution solution =
-            solveProgram(program, start.value_or(Values{}), {.seconds = seconds / 2}, control_);
+            solveProgram(program, start.value_or(ColumnValues{}), {.seconds = seconds / 2}, control_);
         if (!solution.values && !start)
             throw Error("--max-segments", "no layout of so few segments was found",
                         "allow more, or more time");
-        Values values = solution.values ? valuesOf(*solution.values) : *start;
+        ColumnValues values = solution.values ? valuesOf(*solution.values) : *start;
         if (start && program.cost(*start) < program.cost(values)) values = *start;
         if (!solution.proven)
             values = valuesOf(improveByNeighbourhoods(program, std::move(values), lines(),
@@ -159,9 +158,9 @@ private:
     }
 
     /// Of the solutions that were found so far.
-    std::optional<Values> bestKnown(const IntegerProgram& program, double maxSegments) const {
-        const Values* best = nullptr;
-        for (const Values& values : known_)
+    std::optional<ColumnValues> bestKnown(const IntegerProgram& program, double maxSegments) const {
+        const ColumnValues* best = nullptr;
+        for (const ColumnValues& values : known_)
             if (grids_.segments(values) <= maxSegments + 1e-9 &&
                 (!best || program.cost(values) < program.cost(*best)))
                 best = &values;
@@ -172,7 +171,7 @@ private:
     void removeTracks(const Layout& layout, double worth) {
         PruneOptions greedy = options_;
         greedy.eta = -worth;
-        Values values =
+        ColumnValues values =
             valuesOf(pruneLayout(mesh_, layout, dihedralAngles_, edgeCosts_, greedy, control_).layout);
         if (grids_.program.allows(values)) known_.push_back(std::move(values));
     }
@@ -190,26 +189,27 @@ private:
     }
 
     /// The columns of every line's arcs.
-    std::vector<std::vector<int>> lines() const {
-        std::vector<std::vector<int>> columns;
+    std::vector<std::vector<ColumnId>> lines() const {
+        std::vector<std::vector<ColumnId>> columns;
         for (const Line& line : graph_.lines) {
-            columns.emplace_back(static_cast<std::size_t>(line.arcCount));
-            std::iota(columns.back().begin(), columns.back().end(), line.firstArc.value());
+            columns.emplace_back();
+            for (int k = 0; k < line.arcCount; ++k)
+                columns.back().push_back(GridProgram::columnOf(line.firstArc + k));
         }
         return columns;
     }
 
     IntegerProgram::Row limitOn(double segments) const {
         IntegerProgram::Row row{{}, {}, -infinity, 4 * segments - grids_.corners};
-        for (std::size_t column = 0; column < grids_.quarters.size(); ++column)
+        for (const ColumnId column : grids_.quarters.ids())
             if (grids_.quarters[column] != 0) {
-                row.columns.push_back(static_cast<int>(column));
+                row.columns.push_back(column);
                 row.weights.push_back(grids_.quarters[column]);
             }
         return row;
     }
 
-    Values valuesOf(const Layout& layout) const {
+    ColumnValues valuesOf(const Layout& layout) const {
         // The loops that components without sources get are on no arc; they are made anew.
         std::vector<bool> onArc(mesh_.n_edges(), false);
         for (std::size_t arc = 0; arc < graph_.arcs.size(); ++arc)
@@ -223,21 +223,21 @@ private:
     }
 
     /// Columns that follow from the arcs may have any value that costs nothing; here they get their own.
-    Values valuesOf(const Values& solved) const {
+    ColumnValues valuesOf(const ColumnValues& solved) const {
         std::vector<bool> present(graph_.arcs.size());
         for (std::size_t arc = 0; arc < present.size(); ++arc)
-            present[arc] = solved[arc] > 0.5;
+            present[arc] = solved[GridProgram::columnOf(ArcId(arc))] > 0.5;
         return grids_.valuesOf(present);
     }
 
     /// Every run of arcs that are in, along a line, is a track.
-    Layout layoutOf(const Values& values) const {
+    Layout layoutOf(const ColumnValues& values) const {
         std::vector<Track> tracks;
         for (const Line& line : graph_.lines) {
             bool running = false;
             for (int k = 0; k < line.arcCount; ++k) {
-                const ArcId arc(line.firstArc.value() + k);
-                const bool in = values[arc.idx()] > 0.5;
+                const ArcId arc = line.firstArc + k;
+                const bool in = values[GridProgram::columnOf(arc)] > 0.5;
                 if (in && !running) tracks.emplace_back();
                 running = in;
                 if (!in) continue;
@@ -259,7 +259,7 @@ private:
     ArcGraph graph_;
     GridProgram grids_;
     const Layout& layout_;
-    std::vector<Values> known_; ///< solutions, whatever they cost
+    std::vector<ColumnValues> known_; ///< solutions, whatever they cost
 };
 
 } // namespace

@@ -12,15 +12,12 @@
 namespace qm::bench {
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 using Terms = std::vector<std::pair<int, double>>;
 
 class Plain {
 public:
-    explicit Plain(const Problem& problem) : problem_(problem), columns_(problem.domains.size(), {-1, -1}) {
+    explicit Plain(const Problem& problem)
+        : problem_(problem), columns_(problem.domains.size(), std::pair(-1, -1)) {
         for (const Chain& chain : problem.chains)
             addChain(chain);
         for (const Crossing& crossing : problem.crossings)
@@ -40,28 +37,28 @@ public:
 
 private:
     void addChain(const Chain& chain) {
-        for (int v = chain.first; v < chain.first + chain.count; ++v) {
-            auto& [fromBefore, fromAfter] = columns_[at(v)];
+        for (const VariableId v : chain.variables()) {
+            auto& [fromBefore, fromAfter] = columns_[v];
             if (chain.coveredBefore || !problem_.gaps) fromBefore = newColumn(v);
             if (chain.coveredAfter && problem_.gaps) fromAfter = newColumn(v);
             addRow(present(v, -1), -1);
-            if (problem_.domains[at(v)] == ArcState::in) addRow(present(v, 1), 1);
-            if (problem_.domains[at(v)] == ArcState::out) addRow(present(v, -1), 0);
+            if (problem_.domains[v] == ArcState::in) addRow(present(v, 1), 1);
+            if (problem_.domains[v] == ArcState::out) addRow(present(v, -1), 0);
             if (v == chain.first || !problem_.gaps) continue;
-            const auto& last = columns_[at(v - 1)];
+            const auto& last = columns_[v - 1];
             if (fromBefore >= 0) addRow({{last.first, 1}, {fromBefore, -1}}, 0);
             if (fromAfter >= 0) addRow({{fromAfter, 1}, {last.second, -1}}, 0);
         }
     }
 
-    int newColumn(int variable) {
-        costs_.push_back(problem_.costs[at(variable)]);
+    int newColumn(VariableId variable) {
+        costs_.push_back(problem_.costs[variable]);
         return static_cast<int>(costs_.size()) - 1;
     }
 
-    Terms present(int variable, double weight) const {
+    Terms present(VariableId variable, double weight) const {
         Terms terms;
-        for (const int column : {columns_[at(variable)].first, columns_[at(variable)].second})
+        for (const int column : {columns_[variable].first, columns_[variable].second})
             if (column >= 0) terms.emplace_back(column, weight);
         return terms;
     }
@@ -85,7 +82,7 @@ private:
         lower_.push_back(lower);
     }
 
-    double constant(int variable) const { return variable == problem_.in() ? 1 : 0; }
+    double constant(VariableId variable) const { return variable == problem_.in() ? 1 : 0; }
 
     void addCrossing(const Crossing& crossing) {
         Terms passes;
@@ -95,7 +92,7 @@ private:
             const CrossingSide& wall = crossing.sides[1 - k];
             for (const auto& [ends, absent] :
                  {std::pair(side.before, side.after), std::pair(side.after, side.before)})
-                for (const int support : {wall.before, wall.after})
+                for (const VariableId support : {wall.before, wall.after})
                     addEnd(ends, absent, support);
             addPass(side, passes, walls);
         }
@@ -103,7 +100,7 @@ private:
     }
 
     /// A track that ends here needs both arcs of the other line.
-    void addEnd(int ends, int absent, int support) {
+    void addEnd(VariableId ends, VariableId absent, VariableId support) {
         Terms terms = present(support, 1);
         for (const auto& term : present(absent, 1))
             terms.push_back(term);
@@ -113,19 +110,19 @@ private:
     }
 
     void addPass(const CrossingSide& side, Terms& passes, double& walls) const {
-        if (side.after >= problem_.in() || side.before >= problem_.in()) return;
-        const bool seeded = side.node < 0 && problem_.domains[at(side.before)] == ArcState::in &&
-                            problem_.domains[at(side.after)] == ArcState::in;
+        if (problem_.isConstant(side.after) || problem_.isConstant(side.before)) return;
+        const bool seeded = !side.node.valid() && problem_.domains[side.before] == ArcState::in &&
+                            problem_.domains[side.after] == ArcState::in;
         if (seeded) {
             walls += 1;
             return;
         }
-        if (columns_[at(side.after)].first >= 0) passes.emplace_back(columns_[at(side.after)].first, -1);
-        if (columns_[at(side.before)].second >= 0) passes.emplace_back(columns_[at(side.before)].second, -1);
+        if (columns_[side.after].first >= 0) passes.emplace_back(columns_[side.after].first, -1);
+        if (columns_[side.before].second >= 0) passes.emplace_back(columns_[side.before].second, -1);
     }
 
     const Problem& problem_;
-    std::vector<std::pair<int, int>> columns_; ///< of every variable: from before, from after
+    IdVector<VariableId, std::pair<int, int>> columns_; ///< from before, from after; -1 for none
     std::vector<double> costs_;
     std::vector<int> rowOf_;
     std::vector<int> columnOf_;

@@ -224,15 +224,19 @@ IntegerProgram largeRing(int size) {
     IntegerProgram ring;
     for (int column = 0; column < size; ++column) {
         ring.costs.push_back(1 + column * 7 % 11);
-        ring.rows.push_back({{column, (column + 1) % size, (column + 2) % size}, {1, 1, 1}, 2, 3});
+        ring.rows.push_back({{ColumnId(column), ColumnId((column + 1) % size), ColumnId((column + 2) % size)},
+                             {1, 1, 1},
+                             2,
+                             3});
     }
     return ring;
 }
 
 TEST(PruneProperty, NeighbourhoodsComeToTheOptimum) {
     const IntegerProgram ring = largeRing(700);
-    const std::vector<double> all(ring.costs.size(), 1);
-    const std::vector<double> better = improveByNeighbourhoods(ring, all, {{0, 1, 2}}, {});
+    const ColumnValues all(ring.costs.size(), 1);
+    const ColumnValues better =
+        improveByNeighbourhoods(ring, all, {{ColumnId(0), ColumnId(1), ColumnId(2)}}, {});
     EXPECT_TRUE(ring.allows(better));
     const ProgramSolution best = solveProgram(ring, {}, {});
     ASSERT_TRUE(best.proven);
@@ -241,7 +245,7 @@ TEST(PruneProperty, NeighbourhoodsComeToTheOptimum) {
 
 TEST(PruneProperty, NeighbourhoodsFollowTheirSeed) {
     const IntegerProgram ring = largeRing(700);
-    const std::vector<double> all(ring.costs.size(), 1);
+    const ColumnValues all(ring.costs.size(), 1);
     const auto improved = [&](std::uint32_t seed) {
         Control control; // ends after a few neighbourhoods
         control.stopRequested = [asked = 0]() mutable { return ++asked > 20; };
@@ -256,8 +260,8 @@ TEST(PruneProperty, ALimitOfNodesEndsASearch) {
     IntegerProgram uneven;
     uneven.costs.assign(15, 1);
     uneven.rows.resize(1, {{}, std::vector<double>(15, 2), 15, 15});
-    uneven.rows[0].columns.resize(15);
-    std::iota(uneven.rows[0].columns.begin(), uneven.rows[0].columns.end(), 0);
+    const auto columns = uneven.costs.ids();
+    uneven.rows.front().columns.assign(columns.begin(), columns.end());
     const ProgramSolution whole = solveProgram(uneven, {}, {}), cut = solveProgram(uneven, {}, {.nodes = 3});
     EXPECT_GT(whole.lowerBound, 15); // no values cost so much: there are none
     EXPECT_LT(cut.lowerBound, 15);
@@ -265,7 +269,7 @@ TEST(PruneProperty, ALimitOfNodesEndsASearch) {
 
 TEST(PruneProperty, NeighbourhoodsStopWhenTheyAreAskedTo) {
     const IntegerProgram ring = largeRing(700);
-    const std::vector<double> all(ring.costs.size(), 1);
+    const ColumnValues all(ring.costs.size(), 1);
     EXPECT_EQ(improveByNeighbourhoods(ring, all, {}, {.seconds = 0}), all);
     Control control;
     int asked = 0;

@@ -6,7 +6,7 @@
 #include "enumerate/diagram/walk.h"
 #include "enumerate/optimum/optimum.h"
 #include "enumerate/paper/coordinates.h"
-#include "enumerate/paper/particles.h"
+#include "enumerate/paper/courses.h"
 #include "enumerate/paper/plain_graph.h"
 #include "enumerate/state/depth_first.h"
 #include "enumerate/state/independent_parts.h"

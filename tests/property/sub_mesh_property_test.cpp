@@ -44,18 +44,18 @@ std::optional<Case> drawCase(std::mt19937& random) {
 /// All that a search knows of a problem, but for the ids of arcs.
 using Numbers = std::vector<double>;
 Numbers numbersOf(const Problem& problem) {
-    Numbers numbers = problem.costs;
+    Numbers numbers(problem.costs.begin(), problem.costs.end());
     for (const ArcState domain : problem.domains)
         numbers.push_back(static_cast<double>(domain));
     const auto add = [&](auto... values) { (numbers.push_back(static_cast<double>(values)), ...); };
     for (const Chain& chain : problem.chains)
-        add(chain.first, chain.count, chain.coveredBefore, chain.coveredAfter);
+        add(chain.first.value(), chain.count, chain.coveredBefore, chain.coveredAfter);
     for (const CrackNode& node : problem.nodes)
-        add(node.chain, node.capacity);
+        add(node.chain.value(), node.capacity);
     for (const Crossing& crossing : problem.crossings) {
         add(crossing.open, crossing.cornerCost);
         for (const CrossingSide& side : crossing.sides)
-            add(side.before, side.after, side.node);
+            add(side.before.value(), side.after.value(), side.node.value());
     }
     return numbers;
 }

@@ -183,8 +183,8 @@ TEST(IntegerProgram, KnowsWhatASolutionCostsAndWhetherItIsAllowed) {
     IntegerProgram::Row row;
     row.lower = 1;
     row.upper = 2;
-    row.add(0, 1);
-    row.add(2, 3);
+    row.add(ColumnId(0), 1);
+    row.add(ColumnId(2), 3);
     program.rows.push_back(row);
     EXPECT_EQ(program.cost({1, 1, 0}), 1);
     EXPECT_EQ(program.cost({0, 1, 1}), 3);

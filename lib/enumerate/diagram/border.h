@@ -27,20 +27,20 @@ public:
 
 private:
     struct Watch {
-        std::vector<int> variables;
-        std::vector<int> chains;
-        std::vector<int> nodes;
+        std::vector<VariableId> variables;
+        std::vector<ChainId> chains;
+        std::vector<CrackNodeId> nodes;
         std::size_t words = 0;
     };
 
     /// The node's lines are covered, and that may still play a part: another crossing may need a head-on
     /// meeting on them while they have one left, or waits to learn whether its other line can be cracked.
-    [[nodiscard]] bool canCrack(const SearchState& state, std::size_t step, int node) const;
-    [[nodiscard]] std::uint64_t coverCode(const SearchState& state, std::size_t step, int chain) const;
+    [[nodiscard]] bool canCrack(const SearchState& state, std::size_t step, CrackNodeId node) const;
+    [[nodiscard]] std::uint64_t coverCode(const SearchState& state, std::size_t step, ChainId chain) const;
 
     std::vector<Watch> watches_;
-    std::vector<int> lastStep_;          ///< of every crossing: when all around it is decided
-    std::vector<std::uint16_t> labelOf_; ///< of every crack group, while describing
+    IdVector<CrossingId, int> lastStep_;           ///< when all around a crossing is decided
+    IdVector<CrackNodeId, std::uint16_t> labelOf_; ///< of every group, while describing
 };
 
 } // namespace qm

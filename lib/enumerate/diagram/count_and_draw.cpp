@@ -85,7 +85,7 @@ Assignment graphOfRank(const Diagram& diagram, const std::vector<BigCount>& ways
         const Diagram::Node& node = diagram.nodes[id];
         const bool in = rank < ways[node.in];
         if (!in) rank -= ways[node.in];
-        if (node.variable >= 0) graph[static_cast<std::size_t>(node.variable)] = in ? 1 : 0;
+        if (node.variable.valid()) graph[node.variable] = in ? 1 : 0;
         id = in ? node.in : node.out;
     }
     return graph;

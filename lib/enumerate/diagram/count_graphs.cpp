@@ -20,7 +20,7 @@ public:
     }
 
 private:
-    BigCount countAll(const std::vector<std::vector<int>>& parts) {
+    BigCount countAll(const std::vector<std::vector<VariableId>>& parts) {
         BigCount product = 1;
         for (const auto& part : parts) {
             product *= countPart(part);
@@ -30,7 +30,7 @@ private:
     }
 
     /// Sets one variable both ways and counts what is left of the part, split again.
-    BigCount countPart(const std::vector<int>& part) {
+    BigCount countPart(const std::vector<VariableId>& part) {
         if (stopped_ || (++steps_ % 1024 == 0 && control_.stopRequested())) {
             stopped_ = true;
             return 0;

@@ -7,10 +7,6 @@
 namespace qm {
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 constexpr std::size_t maxSteps = 20000; ///< the search goes as deep
 
 /// The nodes before one step, by what remains to be decided: an open hash table.
@@ -72,7 +68,7 @@ public:
         known_.resize(steps_.size());
         stepOf_.assign(problem_.domains.size(), -1);
         for (std::size_t k = 0; k < steps_.size(); ++k)
-            if (steps_[k].variable >= 0) stepOf_[at(steps_[k].variable)] = static_cast<int>(k);
+            if (steps_[k].variable.valid()) stepOf_[steps_[k].variable] = static_cast<int>(k);
         diagram_.root = build(0);
         if (stopped_) return std::nullopt;
         return std::move(diagram_);
@@ -83,13 +79,13 @@ private:
     Diagram::NodeId build(std::size_t step) {
         if (step == steps_.size()) return Diagram::end;
         const Step& decision = steps_[step];
-        if (decision.chain >= 0 && !needsCover(decision)) return build(step + 1);
+        if (decision.chain.valid() && !needsCover(decision)) return build(step + 1);
         const std::size_t words = border_->words(step);
         std::vector<std::uint64_t> key(words);
         border_->describe(state_, step, key.data());
         if (const Diagram::NodeId* node = known_[step].find(key.data(), words)) return *node;
         const Diagram::Node node{decision.variable, follow(step, true), follow(step, false),
-                                 decision.variable >= 0 ? costOf(decision.variable, step) : 0};
+                                 decision.variable.valid() ? costOf(decision.variable, step) : 0};
         if (stopped_) return Diagram::none;
         const Diagram::NodeId id = add(node);
         known_[step].insert(key.data(), words, id);
@@ -103,13 +99,13 @@ private:
     }
 
     /// Of a variable when it is in, with its corners next to arcs that have been decided before.
-    [[nodiscard]] double costOf(int variable, std::size_t step) const {
-        double cost = problem_.costs[at(variable)];
-        const auto decidedIn = [&](int arc) {
-            return state_.value(arc) == ArcState::in && stepOf_[at(arc)] < static_cast<int>(step);
+    [[nodiscard]] double costOf(VariableId variable, std::size_t step) const {
+        double cost = problem_.costs[variable];
+        const auto decidedIn = [&](VariableId arc) {
+            return state_.value(arc) == ArcState::in && stepOf_[arc] < static_cast<int>(step);
         };
-        for (const int id : state_.crossingsOf(variable)) {
-            const Crossing& crossing = problem_.crossings[at(id)];
+        for (const CrossingId id : state_.crossingsOf(variable)) {
+            const Crossing& crossing = problem_.crossings[id];
             if (crossing.cornerCost == 0) continue;
             for (const std::size_t k : {0U, 1U}) {
                 const CrossingSide& own = crossing.sides[k];
@@ -125,7 +121,7 @@ private:
     Diagram::NodeId follow(std::size_t step, bool in) {
         const Step& decision = steps_[step];
         const SearchState::Mark mark = state_.mark();
-        const bool possible = decision.chain >= 0
+        const bool possible = decision.chain.valid()
                                   ? state_.decideCover(decision.chain, in)
                                   : state_.assign(decision.variable, in ? ArcState::in : ArcState::out);
         const Diagram::NodeId node = possible && !stopped_ ? build(step + 1) : Diagram::none;
@@ -135,8 +131,8 @@ private:
 
     Diagram::NodeId add(const Diagram::Node& node) {
         if (node.in == Diagram::none && node.out == Diagram::none) return Diagram::none;
-        if (node.variable < 0 && node.in == Diagram::none) return node.out;
-        if (node.variable < 0 && node.out == Diagram::none) return node.in;
+        if (!node.variable.valid() && node.in == Diagram::none) return node.out;
+        if (!node.variable.valid() && node.out == Diagram::none) return node.in;
         diagram_.nodes.push_back(node);
         return static_cast<Diagram::NodeId>(diagram_.nodes.size() - 1);
     }
@@ -146,7 +142,7 @@ private:
     std::size_t maxNodes_;
     const Control& control_;
     std::vector<Step> steps_;
-    std::vector<int> stepOf_; ///< of every variable; -1 if it is the same in every graph
+    IdVector<VariableId, int> stepOf_; ///< of every variable; -1 if it is the same in every graph
     std::optional<DiagramBorder> border_;
     std::vector<KnownNodes> known_; ///< before every step
     Diagram diagram_;

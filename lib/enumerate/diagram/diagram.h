@@ -19,7 +19,7 @@ struct Diagram {
 
     /// A decision. Nodes follow their successors.
     struct Node {
-        int variable = -1; ///< -1 if only the cover of a line is decided, which the arcs show as well
+        VariableId variable; ///< none if only the cover of a line is decided, which the arcs show as well
         NodeId in = none;
         NodeId out = none;
         double cost = 0; ///< what the variable adds when it is in

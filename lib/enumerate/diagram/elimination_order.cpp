@@ -11,37 +11,44 @@ constexpr std::size_t maxStarts = 100;
 constexpr double growth = 1.6;    ///< states that another open item brings, roughly
 constexpr double hopeless = 1e15; ///< by that measure, which is far too high for wide borders
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
+/// What ties crossings: the free variables, and after them the open chains.
+using ItemId = Id<struct ItemTag>;
 
-/// The crossings with something to decide, and the items that tie them: free variables, then open chains.
+/// The crossings with something to decide, and the items that tie them.
 struct Ties {
-    std::vector<std::vector<int>> itemsOf;     ///< of every crossing
-    std::vector<std::vector<int>> crossingsOf; ///< of every item
+    IdVector<CrossingId, std::vector<ItemId>> itemsOf;
+    IdVector<ItemId, std::vector<CrossingId>> crossingsOf;
 
     explicit Ties(const SearchState& state) {
         const Problem& problem = state.problem();
-        const int variables = static_cast<int>(problem.domains.size());
+        chains_ = problem.domains.nextId().value();
         itemsOf.resize(problem.crossings.size());
         crossingsOf.resize(problem.domains.size() + problem.chains.size());
-        for (std::size_t c = 0; c < problem.crossings.size(); ++c)
-            for (const CrossingSide& side : problem.crossings[c].sides) {
-                for (const int variable : {side.before, side.after})
-                    if (state.isFree(variable)) add(static_cast<int>(c), variable);
-                const int chain = side.node < 0 ? -1 : problem.nodes[at(side.node)].chain;
-                if (problem.gaps && chain >= 0 && state.coverOfChain(chain) == Cover::open)
-                    add(static_cast<int>(c), variables + chain);
+        for (const CrossingId crossing : problem.crossings.ids())
+            for (const CrossingSide& side : problem.crossings[crossing].sides) {
+                for (const VariableId variable : {side.before, side.after})
+                    if (state.isFree(variable)) add(crossing, ItemId(variable.value()));
+                const ChainId chain = side.node.valid() ? problem.nodes[side.node].chain : ChainId();
+                if (problem.gaps && chain.valid() && state.coverOfChain(chain) == Cover::open)
+                    add(crossing, ItemId(chains_ + chain.value()));
             }
     }
 
+    /// The variable or the chain that an item is; the other id is none.
+    [[nodiscard]] std::pair<VariableId, ChainId> meaning(ItemId item) const {
+        if (item.value() < chains_) return {VariableId(item.value()), {}};
+        return {{}, ChainId(item.value() - chains_)};
+    }
+
 private:
-    void add(int crossing, int item) {
-        std::vector<int>& items = itemsOf[at(crossing)];
+    void add(CrossingId crossing, ItemId item) {
+        std::vector<ItemId>& items = itemsOf[crossing];
         if (std::ranges::find(items, item) != items.end()) return;
         items.push_back(item);
-        crossingsOf[at(item)].push_back(crossing);
+        crossingsOf[item].push_back(crossing);
     }
+
+    int chains_ = 0; ///< where the items begin that are chains
 };
 
 /// Grows an order of crossings from a start and adds up what it costs.
@@ -51,17 +58,17 @@ public:
         : ties_(ties), done_(ties.crossingsOf.size()), state_(ties.itemsOf.size(), Seen::no) {}
 
     /// \return the cost, or infinity once it reaches `limit`
-    double run(int start, double limit, std::vector<int>& order) {
+    double run(CrossingId start, double limit, std::vector<CrossingId>& order) {
         std::ranges::fill(done_, 0);
         std::ranges::fill(state_, Seen::no);
         order.clear();
-        std::vector<int> border{start};
+        std::vector<CrossingId> border{start};
         int open = 0;
         double cost = 0;
         while (!border.empty()) {
             const auto next = std::ranges::min_element(
-                border, {}, [this](int crossing) { return std::pair(change(crossing), crossing); });
-            const int crossing = *next;
+                border, {}, [this](CrossingId crossing) { return std::pair(change(crossing), crossing); });
+            const CrossingId crossing = *next;
             border.erase(next);
             open += change(crossing);
             take(crossing, border);
@@ -76,42 +83,42 @@ private:
     enum class Seen : char { no, border, done };
 
     /// By how much the number of open items grows.
-    [[nodiscard]] int change(int crossing) const {
+    [[nodiscard]] int change(CrossingId crossing) const {
         int sum = 0;
-        for (const int item : ties_.itemsOf[at(crossing)]) {
-            const int all = static_cast<int>(ties_.crossingsOf[at(item)].size());
-            const int before = done_[at(item)], after = before + 1;
+        for (const ItemId item : ties_.itemsOf[crossing]) {
+            const int all = static_cast<int>(ties_.crossingsOf[item].size());
+            const int before = done_[item], after = before + 1;
             sum += (after < all ? 1 : 0) - (before > 0 && before < all ? 1 : 0);
         }
         return sum;
     }
 
-    void take(int crossing, std::vector<int>& border) {
-        state_[at(crossing)] = Seen::done;
-        for (const int item : ties_.itemsOf[at(crossing)]) {
-            ++done_[at(item)];
-            for (const int other : ties_.crossingsOf[at(item)]) {
-                if (state_[at(other)] != Seen::no) continue;
-                state_[at(other)] = Seen::border;
+    void take(CrossingId crossing, std::vector<CrossingId>& border) {
+        state_[crossing] = Seen::done;
+        for (const ItemId item : ties_.itemsOf[crossing]) {
+            ++done_[item];
+            for (const CrossingId other : ties_.crossingsOf[item]) {
+                if (state_[other] != Seen::no) continue;
+                state_[other] = Seen::border;
                 border.push_back(other);
             }
         }
     }
 
     const Ties& ties_;
-    std::vector<int> done_; ///< crossings of every item that the sweep has passed
-    std::vector<Seen> state_;
+    IdVector<ItemId, int> done_; ///< crossings of every item that the sweep has passed
+    IdVector<CrossingId, Seen> state_;
 };
 
 /// All crossings of the connected part that one belongs to.
-std::vector<int> partOf(const Ties& ties, int first, std::vector<bool>& seen) {
-    std::vector<int> part{first};
-    seen[at(first)] = true;
+std::vector<CrossingId> partOf(const Ties& ties, CrossingId first, IdVector<CrossingId, bool>& seen) {
+    std::vector<CrossingId> part{first};
+    seen[first] = true;
     for (std::size_t next = 0; next < part.size(); ++next)
-        for (const int item : ties.itemsOf[at(part[next])])
-            for (const int other : ties.crossingsOf[at(item)]) {
-                if (seen[at(other)]) continue;
-                seen[at(other)] = true;
+        for (const ItemId item : ties.itemsOf[part[next]])
+            for (const CrossingId other : ties.crossingsOf[item]) {
+                if (seen[other]) continue;
+                seen[other] = true;
                 part.push_back(other);
             }
     return part;
@@ -119,13 +126,13 @@ std::vector<int> partOf(const Ties& ties, int first, std::vector<bool>& seen) {
 
 /// The crossings, part by part, each part in the order of its best sweep.
 /// \return nothing if the sweeps of a part are all hopeless, or `control.stopRequested`
-std::optional<std::vector<int>> crossingOrder(const Ties& ties, const Control& control) {
+std::optional<std::vector<CrossingId>> crossingOrder(const Ties& ties, const Control& control) {
     Sweep sweep(ties);
-    std::vector<bool> seen(ties.itemsOf.size(), false);
-    std::vector<int> order, tried, best;
-    for (int first = 0; first < static_cast<int>(ties.itemsOf.size()); ++first) {
-        if (seen[at(first)]) continue;
-        const std::vector<int> part = partOf(ties, first, seen);
+    IdVector<CrossingId, bool> seen(ties.itemsOf.size(), false);
+    std::vector<CrossingId> order, tried, best;
+    for (const CrossingId first : ties.itemsOf.ids()) {
+        if (seen[first]) continue;
+        const std::vector<CrossingId> part = partOf(ties, first, seen);
         const std::size_t stride = 1 + part.size() / maxStarts;
         double minCost = hopeless;
         for (std::size_t k = 0; k < part.size(); k += stride) {
@@ -145,23 +152,23 @@ std::optional<std::vector<int>> crossingOrder(const Ties& ties, const Control& c
 
 std::optional<std::vector<Step>> eliminationOrder(const SearchState& state, const Control& control) {
     const Ties ties(state);
-    const int variables = static_cast<int>(state.problem().domains.size());
-    std::vector<bool> placed(at(variables), false);
+    IdVector<VariableId, bool> placed(state.problem().domains.size(), false);
     std::vector<Step> steps;
-    const auto place = [&](int variable) {
-        if (!placed[at(variable)]) steps.push_back({variable, -1, -1});
-        placed[at(variable)] = true;
+    const auto place = [&](VariableId variable) {
+        if (!placed[variable]) steps.push_back({variable, {}, {}});
+        placed[variable] = true;
     };
     const auto order = crossingOrder(ties, control);
     if (!order) return std::nullopt;
-    for (const int crossing : *order) {
-        const std::vector<int>& items = ties.itemsOf[at(crossing)];
-        for (const int item : items)
-            if (item < variables) place(item);
-        for (const int item : items)
-            if (item >= variables) steps.push_back({-1, item - variables, crossing});
+    for (const CrossingId crossing : *order) {
+        const std::vector<ItemId>& items = ties.itemsOf[crossing];
+        for (const ItemId item : items)
+            if (const auto [variable, chain] = ties.meaning(item); variable.valid()) place(variable);
+        for (const ItemId item : items)
+            if (const auto [variable, chain] = ties.meaning(item); chain.valid())
+                steps.push_back({{}, chain, crossing});
     }
-    for (int variable = 0; variable < state.problem().variables(); ++variable)
+    for (const VariableId variable : state.problem().variables())
         if (state.isFree(variable)) place(variable);
     return steps;
 }

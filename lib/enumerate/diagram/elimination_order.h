@@ -12,9 +12,9 @@ namespace qm {
 /// One decision: whether a variable is in, or, where two tracks cross, whether a chain is covered from end to
 /// end.
 struct Step {
-    int variable = -1; ///< of the problem; -1 if the step is about a chain
-    int chain = -1;
-    int crossing = -1; ///< with a chain: where all arcs around it have been decided
+    VariableId variable; ///< none if the step is about a chain
+    ChainId chain;
+    CrossingId crossing; ///< with a chain: where all arcs around it have been decided
 };
 
 /// Has every free variable once, and after the arcs of a crossing the chains there whose cover is open, so

@@ -121,7 +121,7 @@ private:
             if (leaves) detours.pop_back();
             const bool in = prefersIn(id) != leaves;
             const Diagram::Node& node = diagram_.nodes[id];
-            if (node.variable >= 0) graph_[static_cast<std::size_t>(node.variable)] = in ? 1 : 0;
+            if (node.variable.valid()) graph_[node.variable] = in ? 1 : 0;
             id = in ? node.in : node.out;
         }
         return graph_;

@@ -18,9 +18,8 @@ std::vector<DiagramPart> splitDiagram(const Diagram& diagram, std::size_t minPar
             for (const auto& [next, value] : {std::pair(node.in, 1), std::pair(node.out, 0)}) {
                 if (next == Diagram::none) continue;
                 finer.push_back({next, part.before});
-                if (node.variable >= 0)
-                    finer.back().before[static_cast<std::size_t>(node.variable)] =
-                        static_cast<signed char>(value);
+                if (node.variable.valid())
+                    finer.back().before[node.variable] = static_cast<signed char>(value);
             }
         }
         parts = std::move(finer);

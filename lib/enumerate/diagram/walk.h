@@ -18,7 +18,7 @@ bool walkDiagram(const Diagram& diagram, Diagram::NodeId from, Assignment& assig
     if (from == Diagram::end) return visit(std::as_const(assignment));
     const Diagram::Node& node = diagram.nodes[from];
     const auto decide = [&](signed char value) {
-        if (node.variable >= 0) assignment[static_cast<std::size_t>(node.variable)] = value;
+        if (node.variable.valid()) assignment[node.variable] = value;
     };
     if (node.in != Diagram::none) {
         decide(1);
@@ -39,7 +39,7 @@ template <class Visit> bool walkDiagramUpTo(const Diagram& diagram, double maxCo
         if (id == Diagram::end) return visit(std::as_const(assignment));
         const Diagram::Node& node = diagram.nodes[id];
         const auto decide = [&](signed char value) {
-            if (node.variable >= 0) assignment[static_cast<std::size_t>(node.variable)] = value;
+            if (node.variable.valid()) assignment[node.variable] = value;
         };
         decide(1);
         if (!self(self, node.in, left - node.cost)) return false;

@@ -14,25 +14,21 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int iterationsPerSlice = 2000; ///< between questions whether to stop
 constexpr int maxSlices = 10000;
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 } // namespace
 
-BranchAndBound::BranchAndBound(SearchState& state, std::vector<int> variables, const PartOptions& options,
-                               const Control& control)
+BranchAndBound::BranchAndBound(SearchState& state, std::vector<VariableId> variables,
+                               const PartOptions& options, const Control& control)
     : origin_(state.mark()), part_(state, std::move(variables), options, control), branching_(part_),
-      root_(part_.particles.mark()) {}
+      root_(part_.columns.mark()) {}
 
 void BranchAndBound::offer(const Assignment& assignment) {
-    part_.incumbents.offer(part_.cost.of([&](int variable) { return assignment[at(variable)] == 1; }),
+    part_.incumbents.offer(part_.cost.of([&](VariableId variable) { return assignment[variable] == 1; }),
                            assignment);
 }
 
 void BranchAndBound::run() {
-    if (part_.particles.consistent()) {
-        queue_.push({part_.cost.lowerBound(part_.state), addNode(-1, {})});
+    if (part_.columns.consistent()) {
+        queue_.push({part_.cost.lowerBound(part_.state), addNode({}, {})});
         guessGraphs(part_);
         search();
     }
@@ -57,30 +53,30 @@ void BranchAndBound::search() {
     }
 }
 
-int BranchAndBound::addNode(int parent, const Decision& decision) {
+BranchAndBound::TreeNodeId BranchAndBound::addNode(TreeNodeId parent, const Decision& decision) {
     tree_.push_back({parent, decision});
-    return static_cast<int>(tree_.size()) - 1;
+    return tree_.nextId() - 1;
 }
 
-void BranchAndBound::open(int parent, const Decision& decision, double bound) {
+void BranchAndBound::open(TreeNodeId parent, const Decision& decision, double bound) {
     queue_.push({bound, addNode(parent, decision)});
 }
 
 /// Repeats the decisions that lead to an open node.
-bool BranchAndBound::replay(int node) {
-    part_.particles.undo(root_);
-    std::vector<int> path;
-    for (int n = node; tree_[at(n)].parent >= 0; n = tree_[at(n)].parent)
+bool BranchAndBound::replay(TreeNodeId node) {
+    part_.columns.undo(root_);
+    std::vector<TreeNodeId> path;
+    for (TreeNodeId n = node; tree_[n].parent.valid(); n = tree_[n].parent)
         path.push_back(n);
     return std::all_of(path.rbegin(), path.rend(),
-                       [this](int n) { return part_.particles.take(tree_[at(n)].decision); });
+                       [this](TreeNodeId n) { return part_.columns.take(tree_[n].decision); });
 }
 
 /// Goes down from a node, to the better side each time, and leaves the other sides open.
-void BranchAndBound::plunge(int node, double bound) {
+void BranchAndBound::plunge(TreeNodeId node, double bound) {
     for (;;) {
         ++nodes_;
-        const bool isRoot = tree_[at(node)].parent < 0;
+        const bool isRoot = !tree_[node].parent.valid();
         const RelaxedNode relaxed = relax(bound);
         if (relaxed == RelaxedNode::cut) return;
         if (part_.control.stopRequested()) {
@@ -108,7 +104,7 @@ void BranchAndBound::plunge(int node, double bound) {
         if (isRoot) return open(node, first, firstBound);
         bound = firstBound;
         node = addNode(node, first);
-        if (!part_.particles.take(first)) return;
+        if (!part_.columns.take(first)) return;
     }
 }
 
@@ -117,7 +113,7 @@ BranchAndBound::RelaxedNode BranchAndBound::relax(double& bound) {
     for (;;) {
         Relaxation::Result result;
         for (int slice = 0; slice < maxSlices; ++slice) {
-            result = part_.relaxation.solve(part_.particles, part_.incumbents.cutoff(), iterationsPerSlice);
+            result = part_.relaxation.solve(part_.columns, part_.incumbents.cutoff(), iterationsPerSlice);
             bound = std::max(bound, result.proven);
             if (result.kind != Relaxation::Result::Kind::unfinished || part_.control.stopRequested()) break;
         }
@@ -131,24 +127,23 @@ BranchAndBound::RelaxedNode BranchAndBound::relax(double& bound) {
 }
 
 /// Fixes every column whose other value would make a graph too expensive.
-bool BranchAndBound::fixByReducedCosts(const std::vector<double>& values, const std::vector<double>& reduced,
+bool BranchAndBound::fixByReducedCosts(const ColumnValues& values, const ColumnValues& reduced,
                                        double bound) {
     const double room = part_.incumbents.cutoff() - bound;
     if (room == infinity) return true;
-    for (int column = 0; column < static_cast<int>(values.size()); ++column) {
-        if (part_.particles.column(column) != ArcState::free || std::abs(reduced[at(column)]) <= room)
-            continue;
-        const bool low = values[at(column)]<integral, high = values[at(column)]> 1 - integral;
-        if (low && reduced[at(column)] > 0 && !part_.particles.fixColumn(column, ArcState::out)) return false;
-        if (high && reduced[at(column)] < 0 && !part_.particles.fixColumn(column, ArcState::in)) return false;
+    for (const ColumnId column : values.ids()) {
+        if (part_.columns.value(column) != ArcState::free || std::abs(reduced[column]) <= room) continue;
+        const bool low = values[column]<integral, high = values[column]> 1 - integral;
+        if (low && reduced[column] > 0 && !part_.columns.fixColumn(column, ArcState::out)) return false;
+        if (high && reduced[column] < 0 && !part_.columns.fixColumn(column, ArcState::in)) return false;
     }
     return true;
 }
 
 bool BranchAndBound::contradictsRelaxation() const {
-    for (int column = 0; column < static_cast<int>(part_.formulation.costs.size()); ++column) {
-        const ArcState known = part_.particles.column(column);
-        const double value = part_.relaxation.values()[at(column)];
+    for (const ColumnId column : part_.formulation.costs.ids()) {
+        const ArcState known = part_.columns.value(column);
+        const double value = part_.relaxation.values()[column];
         if ((known == ArcState::in && value < 1 - integral) || (known == ArcState::out && value > integral))
             return true;
     }
@@ -159,7 +154,7 @@ bool BranchAndBound::contradictsRelaxation() const {
 /// \return false if the node is cut now
 bool BranchAndBound::lookAround(double& bound) {
     nextLook_ = 4 * nodes_;
-    const ParticleState::Mark mark = part_.particles.mark();
+    const ColumnState::Mark mark = part_.columns.mark();
     const Relaxation::Basis basis = part_.relaxation.basis();
     if (part_.variables.size() < part_.options.hard) {
         dive(part_);
@@ -173,8 +168,8 @@ bool BranchAndBound::lookAround(double& bound) {
 }
 
 /// \return false if the node is cut by what has been found since
-bool BranchAndBound::comeBack(ParticleState::Mark mark, const Relaxation::Basis& basis, double& bound) {
-    part_.particles.undo(mark);
+bool BranchAndBound::comeBack(ColumnState::Mark mark, const Relaxation::Basis& basis, double& bound) {
+    part_.columns.undo(mark);
     part_.relaxation.setBasis(basis);
     return bound < part_.incumbents.cutoff() && relax(bound) != RelaxedNode::cut;
 }
@@ -190,12 +185,12 @@ void BranchAndBound::polish() {
 void BranchAndBound::rememberRoot(double bound) {
     rootBound_ = bound;
     rootValues_ = part_.relaxation.values();
-    for (const int variable : part_.variables)
+    for (const VariableId variable : part_.variables)
         rootPresence_.push_back(part_.present(variable));
     rootReducedCosts_ = part_.relaxation.reducedCosts();
     rootBasis_ = part_.relaxation.basis();
     rootCutoff_ = part_.incumbents.cutoff();
-    root_ = part_.particles.mark();
+    root_ = part_.columns.mark();
 }
 
 /// A better graph lets more be fixed at the root, for good.
@@ -203,11 +198,11 @@ void BranchAndBound::rememberRoot(double bound) {
 bool BranchAndBound::tightenRoot() {
     if (rootValues_.empty() || part_.incumbents.cutoff() >= rootCutoff_) return true;
     rootCutoff_ = part_.incumbents.cutoff();
-    part_.particles.undo(root_);
+    part_.columns.undo(root_);
     if (!fixByReducedCosts(rootValues_, rootReducedCosts_, rootBound_)) return false;
-    root_ = part_.particles.mark();
-    if (part_.relaxation.fixedShare(part_.particles) > 0.3) {
-        part_.relaxation = Relaxation(part_.formulation, part_.particles);
+    root_ = part_.columns.mark();
+    if (part_.relaxation.fixedShare(part_.columns) > 0.3) {
+        part_.relaxation = Relaxation(part_.formulation, part_.columns);
         rootBasis_ = {};
     }
     return true;
@@ -219,10 +214,10 @@ std::optional<RelaxedProgram> BranchAndBound::relaxedRoot() {
     constexpr int slices = 20; // it was optimal but for what has been fixed since
     Relaxation::Result result{Relaxation::Result::Kind::tooExpensive};
     if (tightenRoot()) {
-        part_.particles.undo(root_);
+        part_.columns.undo(root_);
         part_.relaxation.setBasis(rootBasis_);
         for (int slice = 0; slice < slices; ++slice) {
-            result = part_.relaxation.solve(part_.particles, part_.incumbents.cutoff(), iterationsPerSlice);
+            result = part_.relaxation.solve(part_.columns, part_.incumbents.cutoff(), iterationsPerSlice);
             if (result.kind != Relaxation::Result::Kind::unfinished) break;
         }
     }
@@ -232,7 +227,7 @@ std::optional<RelaxedProgram> BranchAndBound::relaxedRoot() {
     }
     if (result.kind != Relaxation::Result::Kind::solved) return {};
     lowerBound_ = std::max(lowerBound_, std::min(result.bound, best));
-    RelaxedProgram root = part_.relaxation.program(part_.particles);
+    RelaxedProgram root = part_.relaxation.program(part_.columns);
     root.cutoff = best;
     return root;
 }

@@ -15,7 +15,7 @@ class BranchAndBound {
 public:
     /// \param state      consistent; the same after this object's life as before
     /// \param variables  the free variables of the part
-    BranchAndBound(SearchState& state, std::vector<int> variables, const PartOptions& options,
+    BranchAndBound(SearchState& state, std::vector<VariableId> variables, const PartOptions& options,
                    const Control& control);
     ~BranchAndBound() { part_.state.undo(origin_); }
     BranchAndBound(const BranchAndBound&) = delete;
@@ -37,14 +37,15 @@ public:
     [[nodiscard]] const std::vector<double>& rootPresence() const { return rootPresence_; }
 
 private:
-    /// A decision and what led to it; the root has no variable.
+    using TreeNodeId = Id<struct TreeNodeTag>;
+    /// A decision and what led to it; the root has no parent.
     struct Node {
-        int parent = -1;
+        TreeNodeId parent;
         Decision decision;
     };
     struct OpenNode {
         double bound;
-        int node;
+        TreeNodeId node;
         /// The queue hands out the lowest bound first, and among equal bounds the youngest node.
         bool operator<(const OpenNode& other) const {
             return bound != other.bound ? bound > other.bound : node < other.node;
@@ -55,28 +56,27 @@ private:
     void search();
     bool tightenRoot();
     void rememberRoot(double bound);
-    bool replay(int node);
-    void plunge(int node, double bound);
+    bool replay(TreeNodeId node);
+    void plunge(TreeNodeId node, double bound);
     RelaxedNode relax(double& bound);
-    bool fixByReducedCosts(const std::vector<double>& values, const std::vector<double>& reduced,
-                           double bound);
+    bool fixByReducedCosts(const ColumnValues& values, const ColumnValues& reduced, double bound);
     [[nodiscard]] bool contradictsRelaxation() const;
-    int addNode(int parent, const Decision& decision);
-    void open(int parent, const Decision& decision, double bound);
+    TreeNodeId addNode(TreeNodeId parent, const Decision& decision);
+    void open(TreeNodeId parent, const Decision& decision, double bound);
     bool lookAround(double& bound);
-    bool comeBack(ParticleState::Mark mark, const Relaxation::Basis& basis, double& bound);
+    bool comeBack(ColumnState::Mark mark, const Relaxation::Basis& basis, double& bound);
     void polish();
 
     SearchState::Mark origin_;
     PartSearch part_;
     Branching branching_;
-    std::vector<Node> tree_;
+    IdVector<TreeNodeId, Node> tree_;
     std::priority_queue<OpenNode> queue_;
-    ParticleState::Mark root_;
+    ColumnState::Mark root_;
     double rootBound_ = 0; ///< with values and reduced costs of the root's relaxation
-    std::vector<double> rootValues_;
+    ColumnValues rootValues_;
     std::vector<double> rootPresence_;
-    std::vector<double> rootReducedCosts_;
+    ColumnValues rootReducedCosts_;
     Relaxation::Basis rootBasis_;
     double rootCutoff_ = std::numeric_limits<double>::infinity(); ///< at the last tightening
     double lowerBound_ = 0;

@@ -11,35 +11,31 @@ constexpr int probesPerNode = 10;
 constexpr int disappointments = 4; ///< probes in a row without a better choice, then it is enough
 constexpr int probeIterations = 100;
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 double scoreOf(double growthIn, double growthOut) {
     return std::max(growthIn, 1e-6) * std::max(growthOut, 1e-6);
 }
 
 } // namespace
 
-Decision Branching::decisionOf(int column) const {
-    const int variable = part_.formulation.variableOf[at(column)];
-    const bool fromBefore = part_.formulation.columnsOf[at(variable)].fromBefore == column;
+Decision Branching::decisionOf(ColumnId column) const {
+    const VariableId variable = part_.formulation.variableOf[column];
+    const bool fromBefore = part_.formulation.columnsOf[variable].fromBefore == column;
     return {variable, fromBefore ? Decision::About::fromBefore : Decision::About::fromAfter, ArcState::free};
 }
 
 BranchingChoice Branching::chooseAnyFree(double bound) const {
     const auto variable =
-        std::ranges::find_if(part_.variables, [this](int v) { return part_.state.isFree(v); });
+        std::ranges::find_if(part_.variables, [this](VariableId v) { return part_.state.isFree(v); });
     return {{*variable, Decision::About::value, ArcState::free}, bound, bound};
 }
 
 BranchingChoice Branching::choose(double bound) {
-    const std::vector<double> values = part_.relaxation.values();
-    std::vector<std::pair<double, int>> candidates;
-    for (int column = 0; column < static_cast<int>(values.size()); ++column)
-        if (isFractional(values[at(column)]) && part_.formulation.variableOf[at(column)] >= 0 &&
-            part_.particles.column(column) == ArcState::free)
-            candidates.emplace_back(-pseudoCosts_.score(column, values[at(column)]), column);
+    const ColumnValues values = part_.relaxation.values();
+    std::vector<std::pair<double, ColumnId>> candidates;
+    for (const ColumnId column : values.ids())
+        if (isFractional(values[column]) && part_.formulation.variableOf[column].valid() &&
+            part_.columns.value(column) == ArcState::free)
+            candidates.emplace_back(-pseudoCosts_.score(column, values[column]), column);
     if (candidates.empty()) return chooseAnyFree(bound);
     std::ranges::sort(candidates);
     const Relaxation::Basis basis = part_.relaxation.basis();
@@ -52,7 +48,7 @@ BranchingChoice Branching::choose(double bound) {
         if (pseudoCosts_.trust(column) < reliable && probes < probesPerNode &&
             !part_.control.stopRequested()) {
             ++probes;
-            choice = probe(column, values[at(column)], bound, score);
+            choice = probe(column, values[column], bound, score);
             part_.relaxation.setBasis(basis);
             if (std::max(choice.boundIn, choice.boundOut) == infinity) return choice;
         }
@@ -68,7 +64,7 @@ BranchingChoice Branching::choose(double bound) {
 }
 
 /// Tries both sides of a column for a few iterations.
-BranchingChoice Branching::probe(int column, double value, double bound, double& score) {
+BranchingChoice Branching::probe(ColumnId column, double value, double bound, double& score) {
     BranchingChoice choice{decisionOf(column), bound, bound};
     double growthIn = 0, growthOut = 0;
     choice.boundIn = probeSide(column, ArcState::in, bound, growthIn);
@@ -80,18 +76,18 @@ BranchingChoice Branching::probe(int column, double value, double bound, double&
 }
 
 /// \return a bound, infinity if this side holds nothing; `growth` is a guess if the solver did not finish
-double Branching::probeSide(int column, ArcState side, double bound, double& growth) {
-    const ParticleState::Mark mark = part_.particles.mark();
+double Branching::probeSide(ColumnId column, ArcState side, double bound, double& growth) {
+    const ColumnState::Mark mark = part_.columns.mark();
     double found = infinity;
-    if (part_.particles.fixColumn(column, side)) {
+    if (part_.columns.fixColumn(column, side)) {
         const Relaxation::Result result =
-            part_.relaxation.solve(part_.particles, part_.incumbents.cutoff(), probeIterations);
+            part_.relaxation.solve(part_.columns, part_.incumbents.cutoff(), probeIterations);
         if (result.kind != Relaxation::Result::Kind::tooExpensive) {
             found = result.kind == Relaxation::Result::Kind::solved ? std::max(bound, result.bound) : bound;
             growth = result.bound - bound;
         }
     }
-    part_.particles.undo(mark);
+    part_.columns.undo(mark);
     return found;
 }
 

@@ -27,9 +27,9 @@ public:
     [[nodiscard]] BranchingChoice chooseAnyFree(double bound) const;
 
 private:
-    BranchingChoice probe(int column, double value, double bound, double& score);
-    double probeSide(int column, ArcState side, double bound, double& growth);
-    [[nodiscard]] Decision decisionOf(int column) const;
+    BranchingChoice probe(ColumnId column, double value, double bound, double& score);
+    double probeSide(ColumnId column, ArcState side, double bound, double& growth);
+    [[nodiscard]] Decision decisionOf(ColumnId column) const;
 
     PartSearch& part_;
     PseudoCosts pseudoCosts_;

@@ -18,18 +18,14 @@ constexpr std::size_t nodesNearby = 100;
 constexpr std::size_t never = std::numeric_limits<std::size_t>::max(); ///< hard: searches do not nest
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 /// \return false if nothing is left to fix
 bool fixSurest(PartSearch& part) {
-    std::vector<std::pair<double, int>> order;
-    const std::vector<double> values = part.relaxation.values();
-    for (int column = 0; column < static_cast<int>(values.size()); ++column) {
-        const double value = values[at(column)];
-        if (isFractional(value) && part.formulation.variableOf[at(column)] >= 0 &&
-            part.particles.column(column) == ArcState::free)
+    std::vector<std::pair<double, ColumnId>> order;
+    const ColumnValues values = part.relaxation.values();
+    for (const ColumnId column : values.ids()) {
+        const double value = values[column];
+        if (isFractional(value) && part.formulation.variableOf[column].valid() &&
+            part.columns.value(column) == ArcState::free)
             order.emplace_back(-value, column);
     }
     std::ranges::sort(order);
@@ -37,22 +33,22 @@ bool fixSurest(PartSearch& part) {
     std::size_t fixed = 0;
     for (const auto& [negative, column] : order) {
         if (fixed == max || (fixed >= min && -negative < sure)) break;
-        if (part.particles.column(column) != ArcState::free) continue;
-        const ParticleState::Mark before = part.particles.mark();
+        if (part.columns.value(column) != ArcState::free) continue;
+        const ColumnState::Mark before = part.columns.mark();
         ++fixed;
-        if (part.particles.fixColumn(column, ArcState::in)) continue;
-        part.particles.undo(before);
-        if (!part.particles.fixColumn(column, ArcState::out)) return false;
+        if (part.columns.fixColumn(column, ArcState::in)) continue;
+        part.columns.undo(before);
+        if (!part.columns.fixColumn(column, ArcState::out)) return false;
     }
     return fixed > 0;
 }
 
 /// \return whether the variable has a value now
-bool takeOver(PartSearch& part, int variable, bool keepBest) {
+bool takeOver(PartSearch& part, VariableId variable, bool keepBest) {
     const double value = part.present(variable);
     if (isFractional(value)) return false;
     const bool in = value > 0.5;
-    if (keepBest && (part.incumbents.graphs().begin()->second[at(variable)] == 1) != in) return false;
+    if (keepBest && (part.incumbents.graphs().begin()->second[variable] == 1) != in) return false;
     const SearchState::Mark before = part.state.mark();
     if (part.state.assign(variable, in ? ArcState::in : ArcState::out)) return true;
     part.state.undo(before);
@@ -64,7 +60,7 @@ bool takeOver(PartSearch& part, int variable, bool keepBest) {
 /// \return how many variables were in doubt
 std::size_t takeOverAll(PartSearch& part, bool keepBest) {
     std::size_t open = 0;
-    for (const int variable : part.variables)
+    for (const VariableId variable : part.variables)
         if (part.state.isFree(variable) && !takeOver(part, variable, keepBest)) ++open;
     return open;
 }
@@ -72,10 +68,10 @@ std::size_t takeOverAll(PartSearch& part, bool keepBest) {
 /// Searches for the best values of what is still free, part by part.
 /// \return false if there are none
 bool searchRest(PartSearch& part, bool keepBest) {
-    std::vector<int> rest;
-    for (const int variable : part.variables)
+    std::vector<VariableId> rest;
+    for (const VariableId variable : part.variables)
         if (part.state.isFree(variable)) rest.push_back(variable);
-    for (const std::vector<int>& piece : independentParts(part.state, rest)) {
+    for (const std::vector<VariableId>& piece : independentParts(part.state, rest)) {
         Assignment found;
         {
             BranchAndBound search(part.state, piece, {1, infinity, 0, nodesNearby, never}, part.control);
@@ -84,9 +80,9 @@ bool searchRest(PartSearch& part, bool keepBest) {
             if (search.incumbents().empty()) return false;
             found = search.incumbents().graphs().begin()->second;
         }
-        for (const int variable : piece)
+        for (const VariableId variable : piece)
             if (part.state.isFree(variable) &&
-                !part.state.assign(variable, found[at(variable)] == 1 ? ArcState::in : ArcState::out))
+                !part.state.assign(variable, found[variable] == 1 ? ArcState::in : ArcState::out))
                 return false;
     }
     return true;
@@ -96,7 +92,7 @@ bool searchRest(PartSearch& part, bool keepBest) {
 
 void dive(PartSearch& part) {
     while (!part.control.stopRequested() && fixSurest(part)) {
-        if (part.relaxation.solve(part.particles, part.incumbents.cutoff(), diveIterations).kind !=
+        if (part.relaxation.solve(part.columns, part.incumbents.cutoff(), diveIterations).kind !=
             Relaxation::Result::Kind::solved)
             return;
         if (acceptIntegral(part)) return;
@@ -106,12 +102,12 @@ void dive(PartSearch& part) {
 
 void diveToRest(PartSearch& part) {
     while (!part.control.stopRequested()) {
-        const ParticleState::Mark mark = part.particles.mark();
+        const ColumnState::Mark mark = part.columns.mark();
         const bool found = takeOverAll(part, false) <= smallRest && searchRest(part, false);
         if (found) part.recordLeaf();
-        part.particles.undo(mark);
+        part.columns.undo(mark);
         if (found || !fixSurest(part) ||
-            part.relaxation.solve(part.particles, part.incumbents.cutoff(), 4 * diveIterations).kind !=
+            part.relaxation.solve(part.columns, part.incumbents.cutoff(), 4 * diveIterations).kind !=
                 Relaxation::Result::Kind::solved)
             return;
     }
@@ -119,10 +115,10 @@ void diveToRest(PartSearch& part) {
 
 void searchNearby(PartSearch& part) {
     if (part.incumbents.empty()) return;
-    const ParticleState::Mark mark = part.particles.mark();
+    const ColumnState::Mark mark = part.columns.mark();
     const std::size_t open = takeOverAll(part, true);
     if (open <= largeRest && 2 * open < part.variables.size() && searchRest(part, true)) part.recordLeaf();
-    part.particles.undo(mark);
+    part.columns.undo(mark);
 }
 
 } // namespace qm

@@ -1,6 +1,6 @@
 #include "enumerate/optimum/formulation.h"
 
-#include "enumerate/optimum/particle_columns.h"
+#include "enumerate/optimum/formulation_columns.h"
 
 #include <algorithm>
 
@@ -10,7 +10,7 @@ namespace {
 /// What the rules and the corners of segments say at a crossing.
 class CrossingRows {
 public:
-    CrossingRows(const SearchState& state, ParticleColumns& columns)
+    CrossingRows(const SearchState& state, FormulationColumns& columns)
         : state_(state), problem_(state.problem()), columns_(columns) {}
 
     void add(const Crossing& crossing) {
@@ -64,18 +64,18 @@ private:
 
     /// Two for every arc beyond the second; a new column tells when there is none.
     Expression cornersByArcs(const Crossing& crossing) {
-        const int empty = columns_.newFlag();
+        const ColumnId empty = columns_.newFlag();
         Expression corners;
         corners.constant = -4;
         corners.add(empty, 4);
         for (const CrossingSide& side : crossing.sides)
-            for (const int arc : {side.before, side.after}) {
+            for (const VariableId arc : {side.before, side.after}) {
                 corners.add(columns_.present(arc), 2);
                 columns_.atLeast(Expression{}.add(empty, -1).add(columns_.present(arc), -1), -1);
             }
         const auto& [a, b] = crossing.sides;
-        for (const int one : {a.before, a.after})
-            for (const int other : {b.before, b.after})
+        for (const VariableId one : {a.before, a.after})
+            for (const VariableId other : {b.before, b.after})
                 columns_.atLeast(
                     Expression{}.add(empty, 1).add(columns_.present(one), 1).add(columns_.present(other), 1),
                     1);
@@ -99,16 +99,16 @@ private:
 
     const SearchState& state_;
     const Problem& problem_;
-    ParticleColumns& columns_;
+    FormulationColumns& columns_;
 };
 
 } // namespace
 
-Formulation formulate(const SearchState& state, const std::vector<int>& variables) {
-    ParticleColumns columns(state, variables);
+Formulation formulate(const SearchState& state, const std::vector<VariableId>& variables) {
+    FormulationColumns columns(state, variables);
     CrossingRows rows(state, columns);
-    for (const int crossing : columns.crossings())
-        rows.add(state.problem().crossings[static_cast<std::size_t>(crossing)]);
+    for (const CrossingId crossing : columns.crossings())
+        rows.add(state.problem().crossings[crossing]);
     return columns.take();
 }
 

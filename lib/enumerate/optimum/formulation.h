@@ -16,22 +16,22 @@ namespace qm {
 
 /// All columns are binary. Every row is an inequality or equation of a few columns.
 struct Formulation {
-    /// Of a variable; -1 where a particle cannot reach it, or where nothing is left to say of it.
+    /// Of a variable; none where a particle cannot reach it, or where nothing is left to say of it.
     struct Columns {
-        int fromBefore = -1;
-        int fromAfter = -1;
-        [[nodiscard]] bool any() const { return fromBefore >= 0 || fromAfter >= 0; }
+        ColumnId fromBefore;
+        ColumnId fromAfter;
+        [[nodiscard]] bool any() const { return fromBefore.valid() || fromAfter.valid(); }
     };
     using Row = IntegerProgram::Row;
-    std::vector<Columns> columnsOf; ///< of every variable of the problem and both constants
-    std::vector<int> coverRowOf;    ///< row p + s <= 1, where a variable has both; else -1
-    std::vector<int> variableOf;    ///< of every column; -1 of one that says that a junction is empty
-    std::vector<double> costs;      ///< of every column
-    double constant = 0;            ///< of the cost
-    std::vector<Row> rows;
+    IdVector<VariableId, Columns> columnsOf;   ///< of every variable of the problem and both constants
+    IdVector<VariableId, RowId> coverRowOf;    ///< row p + s <= 1, where a variable has both; else none
+    IdVector<ColumnId, VariableId> variableOf; ///< none of a column that says that a junction is empty
+    ColumnValues costs;                        ///< of every column
+    double constant = 0;                       ///< of the cost
+    IdVector<RowId, Row> rows;
 };
 
 /// \param variables  free in the state; everything that they have rules with is fixed or among them
-[[nodiscard]] Formulation formulate(const SearchState& state, const std::vector<int>& variables);
+[[nodiscard]] Formulation formulate(const SearchState& state, const std::vector<VariableId>& variables);
 
 } // namespace qm

@@ -18,14 +18,13 @@ double fixedCost(const SearchState& state) {
 }
 
 /// Completes a graph of one part to one of the whole problem for the polisher.
-Assignment polishPart(const std::vector<int>& part, const Assignment& best,
+Assignment polishPart(const std::vector<VariableId>& part, const Assignment& best,
                       const std::vector<double>& relaxedPart, const OptimumOptions& options,
-                      std::vector<double> relaxed) {
+                      IdVector<VariableId, double> relaxed) {
     Assignment graph = *options.start;
     for (std::size_t k = 0; k < part.size(); ++k) {
-        const auto v = static_cast<std::size_t>(part[k]);
-        graph[v] = best[v];
-        relaxed[v] = relaxedPart[k];
+        graph[part[k]] = best[part[k]];
+        relaxed[part[k]] = relaxedPart[k];
     }
     return options.polish(graph, relaxed);
 }
@@ -56,13 +55,12 @@ void searchParts(SearchState& state, const OptimumOptions& options, const Contro
         result.nodes += search.nodes();
         result.lowerBound += search.lowerBound();
         for (std::size_t k = 0; k < search.rootPresence().size() && options.start; ++k)
-            result.relaxed[static_cast<std::size_t>(part[k])] = search.rootPresence()[k];
+            result.relaxed[part[k]] = search.rootPresence()[k];
         result.complete = result.complete && search.complete();
         found = found && !search.incumbents().empty();
         if (!search.incumbents().empty())
-            for (const int v : part)
-                graph[static_cast<std::size_t>(v)] =
-                    search.incumbents().graphs().begin()->second[static_cast<std::size_t>(v)];
+            for (const VariableId v : part)
+                graph[v] = search.incumbents().graphs().begin()->second[v];
         control.progress(++done / static_cast<double>(parts.size()));
     }
     if (found && costOf(state.problem(), graph) <= options.maxCost + Incumbents::tolerance)
@@ -72,8 +70,8 @@ void searchParts(SearchState& state, const OptimumOptions& options, const Contro
 /// Several graphs: the parts' choices combine, so they are searched together.
 void searchTogether(SearchState& state, const OptimumOptions& options, const Control& control,
                     OptimumResult& result) {
-    std::vector<int> variables;
-    for (int v = 0; v < state.problem().variables(); ++v)
+    std::vector<VariableId> variables;
+    for (const VariableId v : state.problem().variables())
         if (state.isFree(v)) variables.push_back(v);
     BranchAndBound search(state, variables,
                           {options.best, options.maxCost - result.lowerBound, 0, options.nodes, options.hard},

@@ -20,7 +20,8 @@ struct OptimumOptions {
     std::size_t nodes = 20'000'000;  ///< of the search tree of a part, at most
     /// Makes a valid graph cheaper if it can, by a search of its own; needs a start. Called in hard parts
     /// once they have been relaxed: `relaxed` holds the relaxed value of every variable.
-    std::function<Assignment(const Assignment& graph, const std::vector<double>& relaxed)> polish = {};
+    std::function<Assignment(const Assignment& graph, const IdVector<VariableId, double>& relaxed)> polish =
+        {};
     /// A part of at least this many variables is hard: early graphs are looked for by smaller searches.
     std::size_t hard = 1500;
     bool keepOpenParts = false; ///< return what is not proven, see OptimumResult
@@ -39,7 +40,7 @@ struct OptimumResult {
     std::size_t nodes = 0;          ///< of the search tree
     /// The relaxed value of every variable at the root of the search, or its value in `start` if the root was
     /// not solved; empty without a start.
-    std::vector<double> relaxed;
+    IdVector<VariableId, double> relaxed;
     std::vector<OpenPart> openParts; ///< if wanted: those that have been relaxed, but not proven
 };
 

@@ -11,24 +11,23 @@ namespace qm {
 class PartCost {
 public:
     /// \param variables  the free variables of an independent part
-    PartCost(const SearchState& state, const std::vector<int>& variables)
+    PartCost(const SearchState& state, const std::vector<VariableId>& variables)
         : problem_(state.problem()), variables_(variables) {
-        std::vector<int> crossings;
-        for (const int variable : variables)
-            for (const int crossing : state.crossingsOf(variable))
-                if (problem_.crossings[static_cast<std::size_t>(crossing)].cornerCost != 0)
-                    crossings.push_back(crossing);
+        std::vector<CrossingId> crossings;
+        for (const VariableId variable : variables)
+            for (const CrossingId crossing : state.crossingsOf(variable))
+                if (problem_.crossings[crossing].cornerCost != 0) crossings.push_back(crossing);
         std::ranges::sort(crossings);
         crossings.erase(std::unique(crossings.begin(), crossings.end()), crossings.end());
         crossings_ = std::move(crossings);
-        fixed_ = corners([&](int variable) { return state.value(variable) == ArcState::in; });
+        fixed_ = corners([&](VariableId variable) { return state.value(variable) == ArcState::in; });
     }
 
     /// \param isIn  tells of every variable and constant whether it is in
     template <class IsIn> [[nodiscard]] double of(const IsIn& isIn) const {
         double cost = corners(isIn) - fixed_;
-        for (const int variable : variables_)
-            if (isIn(variable)) cost += problem_.costs[static_cast<std::size_t>(variable)];
+        for (const VariableId variable : variables_)
+            if (isIn(variable)) cost += problem_.costs[variable];
         return cost;
     }
 
@@ -36,10 +35,10 @@ public:
     /// the one that this was made from.
     [[nodiscard]] double lowerBound(const SearchState& state) const {
         double bound = -fixed_;
-        for (const int crossing : crossings_)
+        for (const CrossingId crossing : crossings_)
             bound += state.cornerBound(crossing);
-        for (const int variable : variables_) {
-            const double cost = problem_.costs[static_cast<std::size_t>(variable)];
+        for (const VariableId variable : variables_) {
+            const double cost = problem_.costs[variable];
             if (state.value(variable) == ArcState::in || (state.isFree(variable) && cost < 0)) bound += cost;
         }
         return bound;
@@ -51,17 +50,17 @@ private:
         const auto present = [&](const CrossingSide& side) {
             return (isIn(side.before) ? 1 : 0) + (isIn(side.after) ? 1 : 0);
         };
-        for (const int id : crossings_) {
-            const Crossing& crossing = problem_.crossings[static_cast<std::size_t>(id)];
+        for (const CrossingId id : crossings_) {
+            const Crossing& crossing = problem_.crossings[id];
             cost += crossing.cornerCost * cornersAt(present(crossing.sides[0]), present(crossing.sides[1]));
         }
         return cost;
     }
 
     const Problem& problem_;
-    const std::vector<int>& variables_;
-    std::vector<int> crossings_; ///< whose corners cost something
-    double fixed_ = 0;           ///< of corners that were there already
+    const std::vector<VariableId>& variables_;
+    std::vector<CrossingId> crossings_; ///< whose corners cost something
+    double fixed_ = 0;                  ///< of corners that were there already
 };
 
 } // namespace qm

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "base/control.h"
+#include "enumerate/optimum/column_state.h"
 #include "enumerate/optimum/part_cost.h"
-#include "enumerate/optimum/particle_state.h"
 #include "enumerate/optimum/relaxation.h"
 #include "enumerate/state/incumbents.h"
 
@@ -27,25 +27,25 @@ struct PartOptions {
 /// A part with its relaxation and the best graphs found so far.
 struct PartSearch {
     /// \param variables  the free variables of the part
-    PartSearch(SearchState& state, std::vector<int> variables, const PartOptions& options,
+    PartSearch(SearchState& state, std::vector<VariableId> variables, const PartOptions& options,
                const Control& control);
     PartSearch(const PartSearch&) = delete;
     PartSearch& operator=(const PartSearch&) = delete;
 
     /// A variable's value in the last relaxed solution.
-    [[nodiscard]] double present(int variable) const;
+    [[nodiscard]] double present(VariableId variable) const;
     [[nodiscard]] bool allDecided() const;
     /// Offers the state, in which all is decided, as a graph.
     void recordLeaf();
 
     SearchState& state;
-    std::vector<int> variables;
+    std::vector<VariableId> variables;
     PartCost cost;
     PartOptions options;
     const Control& control;
     Incumbents incumbents; ///< full assignments, of which only the part's variables mean anything
     Formulation formulation;
-    ParticleState particles;
+    ColumnState columns;
     Relaxation relaxation;
 };
 

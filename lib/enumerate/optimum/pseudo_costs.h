@@ -2,6 +2,8 @@
 /// (docs/METHOD.md#achterberg-2005).
 #pragma once
 
+#include "program/integer_program.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <vector>
@@ -11,10 +13,10 @@ namespace qm {
 /// Mean growth of the bound per unit that a column is moved, up to 1 or down to 0.
 class PseudoCosts {
 public:
-    explicit PseudoCosts(const std::vector<double>& costs) : up_(costs.size()), down_(costs.size()) {}
+    explicit PseudoCosts(const ColumnValues& costs) : up_(costs.size()), down_(costs.size()) {}
 
-    void learn(int column, bool up, double distance, double growth) {
-        Mean& mean = (up ? up_ : down_)[static_cast<std::size_t>(column)];
+    void learn(ColumnId column, bool up, double distance, double growth) {
+        Mean& mean = (up ? up_ : down_)[column];
         const double rate = std::max(growth, 0.0) / std::max(distance, 1e-6);
         for (Mean* each : {&mean, &all_}) {
             each->sum += rate;
@@ -23,15 +25,13 @@ public:
     }
 
     /// How much is gained by branching on a column with this value.
-    [[nodiscard]] double score(int column, double value) const {
-        const auto index = static_cast<std::size_t>(column);
-        return std::max(rate(up_[index]) * (1 - value), 1e-6) * std::max(rate(down_[index]) * value, 1e-6);
+    [[nodiscard]] double score(ColumnId column, double value) const {
+        return std::max(rate(up_[column]) * (1 - value), 1e-6) * std::max(rate(down_[column]) * value, 1e-6);
     }
 
     /// How many branchings it has learnt from, on the side with fewer.
-    [[nodiscard]] int trust(int column) const {
-        const auto index = static_cast<std::size_t>(column);
-        return std::min(up_[index].count, down_[index].count);
+    [[nodiscard]] int trust(ColumnId column) const {
+        return std::min(up_[column].count, down_[column].count);
     }
 
 private:
@@ -44,8 +44,8 @@ private:
         if (mean.count > 0) return mean.sum / mean.count;
         return all_.count > 0 ? all_.sum / all_.count : 1;
     }
-    std::vector<Mean> up_;
-    std::vector<Mean> down_;
+    IdVector<ColumnId, Mean> up_;
+    IdVector<ColumnId, Mean> down_;
     Mean all_;
 };
 

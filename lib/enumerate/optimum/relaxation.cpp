@@ -20,18 +20,18 @@ constexpr double broken = 1e-6; ///< a row is violated by more than this
 
 } // namespace
 
-Relaxation::Relaxation(const Formulation& formulation, const ParticleState& state)
+Relaxation::Relaxation(const Formulation& formulation, const ColumnState& state)
     : formulation_(&formulation), solver_(std::make_unique<ClpSimplex>()),
       values_(formulation.costs.size(), 0), reducedCosts_(formulation.costs.size(), 0) {
     fixedCost_ = formulation.constant;
-    std::vector<int> indexOf(formulation.costs.size(), -1);
-    for (std::size_t column = 0; column < formulation.costs.size(); ++column) {
-        if (state.column(static_cast<int>(column)) == ArcState::in) fixedCost_ += formulation.costs[column];
-        if (state.column(static_cast<int>(column)) != ArcState::free) continue;
+    IdVector<ColumnId, int> indexOf(formulation.costs.size(), -1);
+    for (const ColumnId column : formulation.costs.ids()) {
+        if (state.value(column) == ArcState::in) fixedCost_ += formulation.costs[column];
+        if (state.value(column) != ArcState::free) continue;
         indexOf[column] = static_cast<int>(columns_.size());
-        columns_.push_back(static_cast<int>(column));
+        columns_.push_back(column);
     }
-    for (int id = 0; id < static_cast<int>(formulation.rows.size()); ++id)
+    for (const RowId id : formulation.rows.ids())
         if (OpenRow row = openPart(id, state, indexOf); row.columns.size() > 1)
             rows_.push_back(std::move(row));
     isInSolver_.assign(rows_.size(), false);
@@ -40,7 +40,7 @@ Relaxation::Relaxation(const Formulation& formulation, const ParticleState& stat
     solver_->resize(0, static_cast<int>(columns_.size()));
     for (std::size_t k = 0; k < columns_.size(); ++k) {
         solver_->setColumnBounds(static_cast<int>(k), 0, 1);
-        solver_->setObjectiveCoefficient(static_cast<int>(k), formulation.costs[at(columns_[k])]);
+        solver_->setObjectiveCoefficient(static_cast<int>(k), formulation.costs[columns_[k]]);
     }
     std::vector<const OpenRow*> first;
     for (const OpenRow& row : rows_)
@@ -52,17 +52,17 @@ Relaxation::Relaxation(const Formulation& formulation, const ParticleState& stat
 }
 
 /// \return a row without columns if it always holds
-Relaxation::OpenRow Relaxation::openPart(int id, const ParticleState& state,
-                                         const std::vector<int>& indexOf) const {
-    const Formulation::Row& row = formulation_->rows[at(id)];
+Relaxation::OpenRow Relaxation::openPart(RowId id, const ColumnState& state,
+                                         const IdVector<ColumnId, int>& indexOf) const {
+    const Formulation::Row& row = formulation_->rows[id];
     OpenRow open;
     open.row = id;
     double min = 0, max = 0;
     for (std::size_t k = 0; k < row.columns.size(); ++k) {
-        const ArcState value = state.column(row.columns[k]);
+        const ArcState value = state.value(row.columns[k]);
         if (value == ArcState::in) open.constant += row.weights[k];
         if (value != ArcState::free) continue;
-        open.columns.push_back(indexOf[at(row.columns[k])]);
+        open.columns.push_back(indexOf[row.columns[k]]);
         open.weights.push_back(row.weights[k]);
         min += std::min(row.weights[k], 0.0);
         max += std::max(row.weights[k], 0.0);
@@ -72,7 +72,7 @@ Relaxation::OpenRow Relaxation::openPart(int id, const ParticleState& state,
     return open;
 }
 
-void Relaxation::add(const std::vector<const OpenRow*>& rows, const ParticleState& state) {
+void Relaxation::add(const std::vector<const OpenRow*>& rows, const ColumnState& state) {
     std::vector<CoinBigIndex> starts{0};
     std::vector<int> columns;
     std::vector<double> weights, lower, upper;
@@ -81,16 +81,16 @@ void Relaxation::add(const std::vector<const OpenRow*>& rows, const ParticleStat
         weights.insert(weights.end(), row->weights.begin(), row->weights.end());
         starts.push_back(static_cast<CoinBigIndex>(columns.size()));
         lower.push_back(bounded(state.rowLower(row->row) - row->constant));
-        upper.push_back(bounded(formulation_->rows[at(row->row)].upper - row->constant));
-        solverRows_.push_back(static_cast<int>(row - rows_.data()));
-        isInSolver_[at(solverRows_.back())] = true;
+        upper.push_back(bounded(formulation_->rows[row->row].upper - row->constant));
+        solverRows_.push_back(static_cast<std::size_t>(row - rows_.data()));
+        isInSolver_[solverRows_.back()] = true;
     }
     solver_->addRows(static_cast<int>(rows.size()), lower.data(), upper.data(), starts.data(), columns.data(),
                      weights.data());
 }
 
 /// \return whether the solution breaks rows that the solver did not know
-bool Relaxation::addBroken(const ParticleState& state) {
+bool Relaxation::addBroken(const ColumnState& state) {
     const double* values = solver_->primalColumnSolution();
     std::vector<const OpenRow*> rows;
     for (std::size_t id = 0; id < rows_.size(); ++id) {
@@ -99,7 +99,7 @@ bool Relaxation::addBroken(const ParticleState& state) {
         double sum = row.constant;
         for (std::size_t k = 0; k < row.columns.size(); ++k)
             sum += row.weights[k] * values[row.columns[k]];
-        if (sum < state.rowLower(row.row) - broken || sum > formulation_->rows[at(row.row)].upper + broken)
+        if (sum < state.rowLower(row.row) - broken || sum > formulation_->rows[row.row].upper + broken)
             rows.push_back(&row);
     }
     if (!rows.empty()) add(rows, state);
@@ -110,38 +110,38 @@ Relaxation::~Relaxation() = default;
 Relaxation::Relaxation(Relaxation&&) noexcept = default;
 Relaxation& Relaxation::operator=(Relaxation&&) noexcept = default;
 
-void Relaxation::setBounds(const ParticleState& state) {
+void Relaxation::setBounds(const ColumnState& state) {
     for (std::size_t k = 0; k < columns_.size(); ++k) {
-        const ArcState value = state.column(columns_[k]);
+        const ArcState value = state.value(columns_[k]);
         const double lower = value == ArcState::in ? 1 : 0, upper = value == ArcState::out ? 0 : 1;
         if (solver_->columnLower()[k] != lower || solver_->columnUpper()[k] != upper)
             solver_->setColumnBounds(static_cast<int>(k), lower, upper);
     }
     for (std::size_t k = 0; k < solverRows_.size(); ++k) {
-        const OpenRow& row = rows_[at(solverRows_[k])];
-        if (formulation_->rows[at(row.row)].lower > -1e9) continue; // not a cover row
+        const OpenRow& row = rows_[solverRows_[k]];
+        if (formulation_->rows[row.row].lower > -1e9) continue; // not a cover row
         const double lower = bounded(state.rowLower(row.row) - row.constant);
         if (solver_->rowLower()[k] != lower)
             solver_->setRowBounds(static_cast<int>(k), lower, solver_->rowUpper()[k]);
     }
 }
 
-void Relaxation::read(const ParticleState& state) {
-    for (std::size_t column = 0; column < values_.size(); ++column) {
-        values_[column] = state.column(static_cast<int>(column)) == ArcState::in ? 1 : 0;
+void Relaxation::read(const ColumnState& state) {
+    for (const ColumnId column : values_.ids()) {
+        values_[column] = state.value(column) == ArcState::in ? 1 : 0;
         reducedCosts_[column] = 0;
     }
     for (std::size_t k = 0; k < columns_.size(); ++k) {
-        values_[at(columns_[k])] = solver_->primalColumnSolution()[k];
-        reducedCosts_[at(columns_[k])] = solver_->dualColumnSolution()[k];
+        values_[columns_[k]] = solver_->primalColumnSolution()[k];
+        reducedCosts_[columns_[k]] = solver_->dualColumnSolution()[k];
     }
 }
 
 /// Minimises column by column; the solver cannot be relied on for problems without rows.
-Relaxation::Result Relaxation::solveWithoutRows(const ParticleState& state, double cutoff) {
+Relaxation::Result Relaxation::solveWithoutRows(const ColumnState& state, double cutoff) {
     Result result{Result::Kind::solved, formulation_->constant};
-    for (std::size_t column = 0; column < values_.size(); ++column) {
-        const ArcState known = state.column(static_cast<int>(column));
+    for (const ColumnId column : values_.ids()) {
+        const ArcState known = state.value(column);
         const double cost = formulation_->costs[column];
         const bool in = known == ArcState::in || (known == ArcState::free && cost < 0);
         values_[column] = in ? 1 : 0;
@@ -152,7 +152,7 @@ Relaxation::Result Relaxation::solveWithoutRows(const ParticleState& state, doub
     return result;
 }
 
-Relaxation::Result Relaxation::solve(const ParticleState& state, double cutoff, int iterations) {
+Relaxation::Result Relaxation::solve(const ColumnState& state, double cutoff, int iterations) {
     if (rows_.empty()) return solveWithoutRows(state, cutoff);
     setBounds(state);
     solver_->setDualObjectiveLimit(std::isinf(cutoff) ? COIN_DBL_MAX : cutoff - fixedCost_);
@@ -175,45 +175,45 @@ Relaxation::Result Relaxation::solve(const ParticleState& state, double cutoff, 
     return result;
 }
 
-RelaxedProgram Relaxation::program(const ParticleState& state) const {
+RelaxedProgram Relaxation::program(const ColumnState& state) const {
     RelaxedProgram relaxed;
     relaxed.constant = fixedCost_;
-    std::vector<int> indexOf(columns_.size(), -1);
+    std::vector<ColumnId> indexOf(columns_.size());
     for (std::size_t k = 0; k < columns_.size(); ++k) {
-        const ArcState value = state.column(columns_[k]);
-        const double cost = formulation_->costs[at(columns_[k])];
+        const ArcState value = state.value(columns_[k]);
+        const double cost = formulation_->costs[columns_[k]];
         if (value == ArcState::in) relaxed.constant += cost;
         if (value != ArcState::free) continue;
-        indexOf[k] = static_cast<int>(relaxed.values.size());
-        relaxed.values.push_back(values_[at(columns_[k])]);
+        indexOf[k] = relaxed.values.nextId();
+        relaxed.values.push_back(values_[columns_[k]]);
         relaxed.program.costs.push_back(cost);
     }
     std::vector<double> duals(rows_.size(), 0);
     for (std::size_t k = 0; k < solverRows_.size(); ++k)
-        duals[at(solverRows_[k])] = solver_->dualRowSolution()[k];
+        duals[solverRows_[k]] = solver_->dualRowSolution()[k];
     for (std::size_t id = 0; id < rows_.size(); ++id) {
         const OpenRow& row = rows_[id];
         double constant = row.constant;
         IntegerProgram::Row open;
         for (std::size_t k = 0; k < row.columns.size(); ++k) {
-            const int column = row.columns[k];
-            if (state.column(columns_[at(column)]) == ArcState::in) constant += row.weights[k];
-            if (indexOf[at(column)] < 0) continue;
-            open.columns.push_back(indexOf[at(column)]);
+            const std::size_t column = at(row.columns[k]);
+            if (state.value(columns_[column]) == ArcState::in) constant += row.weights[k];
+            if (!indexOf[column].valid()) continue;
+            open.columns.push_back(indexOf[column]);
             open.weights.push_back(row.weights[k]);
         }
         if (open.columns.empty()) continue;
         open.lower = state.rowLower(row.row) - constant;
-        open.upper = formulation_->rows[at(row.row)].upper - constant;
+        open.upper = formulation_->rows[row.row].upper - constant;
         relaxed.program.rows.push_back(std::move(open));
         relaxed.duals.push_back(duals[id]);
     }
     return relaxed;
 }
 
-double Relaxation::fixedShare(const ParticleState& state) const {
-    const auto fixed =
-        std::ranges::count_if(columns_, [&](int column) { return state.column(column) != ArcState::free; });
+double Relaxation::fixedShare(const ColumnState& state) const {
+    const auto fixed = std::ranges::count_if(
+        columns_, [&](ColumnId column) { return state.value(column) != ArcState::free; });
     return columns_.empty() ? 0 : static_cast<double>(fixed) / static_cast<double>(columns_.size());
 }
 

@@ -5,7 +5,7 @@
 /// them: most never do.
 #pragma once
 
-#include "enumerate/optimum/particle_state.h"
+#include "enumerate/optimum/column_state.h"
 #include "program/decomposition_bound.h"
 
 #include <limits>
@@ -20,7 +20,7 @@ namespace qm {
 class Relaxation {
 public:
     /// Columns that the state has fixed and rows that these satisfy are left out for good.
-    Relaxation(const Formulation& formulation, const ParticleState& state);
+    Relaxation(const Formulation& formulation, const ColumnState& state);
     ~Relaxation();
     Relaxation(Relaxation&&) noexcept;
     Relaxation& operator=(Relaxation&&) noexcept;
@@ -36,10 +36,10 @@ public:
 
     /// Minimises the relaxed cost under what the state has fixed. Too expensive: infeasible, or at least
     /// `cutoff`. Unfinished: the iterations were used up or the solver failed.
-    Result solve(const ParticleState& state, double cutoff, int iterations);
+    Result solve(const ColumnState& state, double cutoff, int iterations);
 
     /// The share of the solver's columns that the state has fixed, 0 to 1.
-    [[nodiscard]] double fixedShare(const ParticleState& state) const;
+    [[nodiscard]] double fixedShare(const ColumnState& state) const;
 
     /// Where the solver stands, to return to after probing.
     using Basis = std::vector<unsigned char>;
@@ -48,39 +48,39 @@ public:
 
     /// The integer program of what the state leaves open, with the last solution, which was of the same
     /// state.
-    [[nodiscard]] RelaxedProgram program(const ParticleState& state) const;
+    [[nodiscard]] RelaxedProgram program(const ColumnState& state) const;
 
     /// The value of every column in the last solution; 0 or 1 where it was fixed.
-    [[nodiscard]] const std::vector<double>& values() const { return values_; }
+    [[nodiscard]] const ColumnValues& values() const { return values_; }
     /// By how much per unit the bound grows at least when a column leaves its value in the last solution.
-    [[nodiscard]] const std::vector<double>& reducedCosts() const { return reducedCosts_; }
+    [[nodiscard]] const ColumnValues& reducedCosts() const { return reducedCosts_; }
 
 private:
     /// A row without the columns that were fixed.
     struct OpenRow {
-        int row = 0;              ///< of the formulation
+        RowId row;                ///< of the formulation
         std::vector<int> columns; ///< of the solver
         std::vector<double> weights;
         double constant = 0; ///< what the fixed columns add
     };
 
-    [[nodiscard]] OpenRow openPart(int row, const ParticleState& state,
-                                   const std::vector<int>& indexOf) const;
-    Result solveWithoutRows(const ParticleState& state, double cutoff);
-    void setBounds(const ParticleState& state);
-    void add(const std::vector<const OpenRow*>& rows, const ParticleState& state);
-    bool addBroken(const ParticleState& state);
-    void read(const ParticleState& state);
+    [[nodiscard]] OpenRow openPart(RowId row, const ColumnState& state,
+                                   const IdVector<ColumnId, int>& indexOf) const;
+    Result solveWithoutRows(const ColumnState& state, double cutoff);
+    void setBounds(const ColumnState& state);
+    void add(const std::vector<const OpenRow*>& rows, const ColumnState& state);
+    bool addBroken(const ColumnState& state);
+    void read(const ColumnState& state);
 
     const Formulation* formulation_;
-    std::vector<int> columns_;     ///< of the formulation, for every column of the solver
-    std::vector<OpenRow> rows_;    ///< all that may matter
-    std::vector<int> solverRows_;  ///< indices in `rows_` of those that the solver has
-    std::vector<bool> isInSolver_; ///< of every one of `rows_`
+    std::vector<ColumnId> columns_;       ///< of the formulation, for every column of the solver
+    std::vector<OpenRow> rows_;           ///< all that may matter
+    std::vector<std::size_t> solverRows_; ///< indices in `rows_` of those that the solver has
+    std::vector<bool> isInSolver_;        ///< of every one of `rows_`
     std::unique_ptr<ClpSimplex> solver_;
     double fixedCost_ = 0; ///< of the columns that were left out
-    std::vector<double> values_;
-    std::vector<double> reducedCosts_;
+    ColumnValues values_;
+    ColumnValues reducedCosts_;
 };
 
 } // namespace qm

@@ -8,12 +8,12 @@ namespace {
 
 /// Takes everything above the threshold in, the surest values first, and follows every conclusion.
 void roundAt(PartSearch& part, double threshold) {
-    std::vector<std::pair<double, int>> order;
-    for (const int variable : part.variables)
+    std::vector<std::pair<double, VariableId>> order;
+    for (const VariableId variable : part.variables)
         if (part.state.isFree(variable))
             order.emplace_back(-std::abs(part.present(variable) - threshold), variable);
     std::ranges::sort(order);
-    const ParticleState::Mark mark = part.particles.mark();
+    const ColumnState::Mark mark = part.columns.mark();
     bool valid = true;
     for (const auto& [doubt, variable] : order) {
         if (!part.state.isFree(variable)) continue;
@@ -25,22 +25,22 @@ void roundAt(PartSearch& part, double threshold) {
         if (!valid) break;
     }
     if (valid) part.recordLeaf();
-    part.particles.undo(mark);
+    part.columns.undo(mark);
 }
 
 } // namespace
 
 bool acceptIntegral(PartSearch& part) {
-    for (const int variable : part.variables)
+    for (const VariableId variable : part.variables)
         if (isFractional(part.present(variable))) return false;
-    const ParticleState::Mark mark = part.particles.mark();
-    const bool valid = std::ranges::all_of(part.variables, [&part](int variable) {
+    const ColumnState::Mark mark = part.columns.mark();
+    const bool valid = std::ranges::all_of(part.variables, [&part](VariableId variable) {
         const ArcState value = part.present(variable) > 0.5 ? ArcState::in : ArcState::out;
         return part.state.isFree(variable) ? part.state.assign(variable, value)
                                            : part.state.value(variable) == value;
     });
     if (valid) part.recordLeaf();
-    part.particles.undo(mark);
+    part.columns.undo(mark);
     return valid;
 }
 
@@ -51,7 +51,7 @@ void roundRelaxed(PartSearch& part) {
 
 void guessGraphs(PartSearch& part) {
     for (const double threshold : {2.0, -1.0})
-        if (part.particles.consistent()) roundAt(part, threshold);
+        if (part.columns.consistent()) roundAt(part, threshold);
 }
 
 } // namespace qm

@@ -1,13 +1,9 @@
 #include "enumerate/paper/coordinates.h"
 
-#include "enumerate/paper/particles.h"
+#include "enumerate/paper/courses.h"
 
 namespace qm {
 namespace {
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
 
 using Visit = std::function<bool(const Assignment&)>;
 using StopRequested = std::function<bool()>;
@@ -30,9 +26,9 @@ public:
         : problem_(problem), visit_(visit), patience_(stopRequested), courses_(findCourses(problem)),
           x_(courses_.size()) {}
 
-    bool run(std::size_t i = 0) {
+    bool run(CourseId i = CourseId(0)) {
         if (patience_.ended()) return false;
-        if (i == courses_.size())
+        if (i == courses_.nextId())
             return !validCoordinates(courses_, x_) || visit_(assignmentOf(problem_, courses_, x_));
         for (x_[i] = 0; x_[i] <= courses_[i].max; ++x_[i])
             if (!run(i + 1)) return false;
@@ -43,8 +39,8 @@ private:
     const Problem& problem_;
     const Visit& visit_;
     Patience patience_;
-    std::vector<Course> courses_;
-    std::vector<int> x_;
+    Courses courses_;
+    Coordinates x_;
 };
 
 /// Depth first over the particles with bounds L_i <= x_i <= U_i, kept on a stack for undoing.
@@ -60,12 +56,12 @@ public:
         }
     }
 
-    bool run(std::size_t i = 0) {
+    bool run(CourseId i = CourseId(0)) {
         if (patience_.ended()) return false;
-        if (i == courses_.size()) return visit_(assignmentOf(problem_, courses_, lower_));
+        if (i == courses_.nextId()) return visit_(assignmentOf(problem_, courses_, lower_));
         for (int j = lower_[i], last = upper_[i]; j <= last; ++j) {
             const std::size_t mark = undo_.size();
-            const bool goOn = !(fix(static_cast<int>(i), j) && block(courses_[i], j)) || finish(i, j);
+            const bool goOn = !(fix(i, j) && block(courses_[i], j)) || finish(i, j);
             rewind(mark);
             if (!goOn) return false;
         }
@@ -74,59 +70,59 @@ public:
 
 private:
     struct Undo {
-        int course;
+        CourseId course;
         int lower;
         int upper;
     };
 
-    bool raise(int course, int bound) {
-        if (bound <= lower_[at(course)]) return true;
-        undo_.push_back({course, lower_[at(course)], upper_[at(course)]});
-        lower_[at(course)] = bound;
-        return bound <= upper_[at(course)];
+    bool raise(CourseId course, int bound) {
+        if (bound <= lower_[course]) return true;
+        undo_.push_back({course, lower_[course], upper_[course]});
+        lower_[course] = bound;
+        return bound <= upper_[course];
     }
 
-    bool reduce(int course, int bound) {
-        if (bound >= upper_[at(course)]) return true;
-        undo_.push_back({course, lower_[at(course)], upper_[at(course)]});
-        upper_[at(course)] = bound;
-        return bound >= lower_[at(course)];
+    bool reduce(CourseId course, int bound) {
+        if (bound >= upper_[course]) return true;
+        undo_.push_back({course, lower_[course], upper_[course]});
+        upper_[course] = bound;
+        return bound >= lower_[course];
     }
 
-    bool fix(int course, int value) { return raise(course, value) && reduce(course, value); }
+    bool fix(CourseId course, int value) { return raise(course, value) && reduce(course, value); }
 
     void rewind(std::size_t mark) {
         for (; undo_.size() > mark; undo_.pop_back()) {
-            lower_[at(undo_.back().course)] = undo_.back().lower;
-            upper_[at(undo_.back().course)] = undo_.back().upper;
+            lower_[undo_.back().course] = undo_.back().lower;
+            upper_[undo_.back().course] = undo_.back().upper;
         }
     }
 
     /// B1 and B2: what a track of length j keeps others from.
     bool block(const Course& p, int j) {
-        if (p.opposite >= 0 && !reduce(p.opposite, p.length - j)) return false;
+        if (p.opposite.valid() && !reduce(p.opposite, p.length - j)) return false;
         for (int c = 1; c < j; ++c) {
-            const Stop& stop = p.stops[at(c - 1)];
+            const Stop& stop = p.stops[Course::stopIndex(c)];
             if (stop.wall) return false;
             for (const Arrival& arrival : {stop.left, stop.right})
-                if (arrival.course >= 0 && !reduce(arrival.course, arrival.coordinate)) return false;
+                if (arrival.course.valid() && !reduce(arrival.course, arrival.coordinate)) return false;
         }
         return true;
     }
 
     /// B3 and B4 (or B4'): goes on with every way in which a track of length j can end properly.
-    bool finish(std::size_t i, int j) {
+    bool finish(CourseId i, int j) {
         const Course& p = courses_[i];
         if (j == p.length) return run(i + 1);
-        if (j == 0) return branch(i, p.opposite >= 0 && raise(p.opposite, p.length));
-        const Stop& stop = p.stops[at(j - 1)];
+        if (j == 0) return branch(i, p.opposite.valid() && raise(p.opposite, p.length));
+        const Stop& stop = p.stops[Course::stopIndex(j)];
         return improved_ ? finishImproved(i, stop) : finishAll(i, stop, j);
     }
 
-    bool branch(std::size_t i, bool possible) { return !possible || run(i + 1); }
+    bool branch(CourseId i, bool possible) { return !possible || run(i + 1); }
 
     /// Tries one ending and takes it back. False if the visitor ended the search.
-    template <class Ending> bool attempt(std::size_t i, const Ending& ending) {
+    template <class Ending> bool attempt(CourseId i, const Ending& ending) {
         const std::size_t mark = undo_.size();
         const bool goOn = branch(i, ending());
         rewind(mark);
@@ -134,25 +130,25 @@ private:
     }
 
     bool letPass(const Arrival& arrival) {
-        return arrival.course >= 0 && raise(arrival.course, arrival.coordinate + 1);
+        return arrival.course.valid() && raise(arrival.course, arrival.coordinate + 1);
     }
 
-    bool finishImproved(std::size_t i, const Stop& stop) {
+    bool finishImproved(CourseId i, const Stop& stop) {
         if (stop.wall) return attempt(i, [] { return true; });
         return attempt(i, [&] { return letPass(stop.left); }) &&
                attempt(i, [&] { return letPass(stop.right); });
     }
 
-    bool finishAll(std::size_t i, const Stop& stop, int j) {
+    bool finishAll(CourseId i, const Stop& stop, int j) {
         const Course& p = courses_[i];
         const int rest = p.length - j;
-        const auto apart = [&] { return p.opposite < 0 || reduce(p.opposite, rest - 1); };
+        const auto apart = [&] { return !p.opposite.valid() || reduce(p.opposite, rest - 1); };
         const auto bothEnd = [&] {
-            return stop.left.course >= 0 && stop.right.course >= 0 &&
+            return stop.left.course.valid() && stop.right.course.valid() &&
                    fix(stop.left.course, stop.left.coordinate) &&
                    fix(stop.right.course, stop.right.coordinate);
         };
-        return attempt(i, [&] { return p.opposite >= 0 && fix(p.opposite, rest); }) &&
+        return attempt(i, [&] { return p.opposite.valid() && fix(p.opposite, rest); }) &&
                attempt(i, [&] { return apart() && letPass(stop.left); }) &&
                attempt(i, [&] { return apart() && letPass(stop.right); }) &&
                attempt(i, [&] { return apart() && (stop.wall || bothEnd()); });
@@ -162,9 +158,9 @@ private:
     bool improved_;
     const Visit& visit_;
     Patience patience_;
-    std::vector<Course> courses_;
-    std::vector<int> lower_;
-    std::vector<int> upper_;
+    Courses courses_;
+    Coordinates lower_;
+    Coordinates upper_;
     std::vector<Undo> undo_;
 };
 

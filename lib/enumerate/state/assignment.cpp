@@ -1,21 +1,13 @@
 #include "enumerate/state/assignment.h"
 
 namespace qm {
-namespace {
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
-} // namespace
 
 double costOf(const Problem& problem, const Assignment& assignment) {
     double cost = 0;
-    for (int i = 0; i < problem.variables(); ++i)
-        if (assignment[static_cast<std::size_t>(i)] == 1) cost += problem.costs[static_cast<std::size_t>(i)];
+    for (const VariableId variable : problem.variables())
+        if (assignment[variable] == 1) cost += problem.costs[variable];
     const auto present = [&](const CrossingSide& side) {
-        return assignment[static_cast<std::size_t>(side.before)] +
-               assignment[static_cast<std::size_t>(side.after)];
+        return assignment[side.before] + assignment[side.after];
     };
     for (const Crossing& crossing : problem.crossings)
         if (crossing.cornerCost != 0)
@@ -25,29 +17,29 @@ double costOf(const Problem& problem, const Assignment& assignment) {
 
 Assignment assignmentOf(const Problem& problem, const std::vector<bool>& present) {
     Assignment assignment(problem.domains.size(), 0);
-    assignment[at(problem.in())] = 1;
-    for (int v = 0; v < problem.variables(); ++v)
-        assignment[at(v)] = present[problem.arcs[at(v)].first.idx()] ? 1 : 0;
+    assignment[problem.in()] = 1;
+    for (const VariableId v : problem.variables())
+        assignment[v] = present[problem.arcs[v].first.idx()] ? 1 : 0;
     return assignment;
 }
 
 std::vector<ArcId> differences(const Problem& problem, const Assignment& assignment,
                                const std::vector<bool>& present) {
     std::vector<ArcId> result;
-    for (int v = 0; v < problem.variables(); ++v) {
-        const ArcRun& run = problem.arcs[at(v)];
+    for (const VariableId v : problem.variables()) {
+        const ArcRun& run = problem.arcs[v];
         for (int k = 0; k < run.count; ++k)
-            if (const ArcId arc(run.first.value() + k); present[arc.idx()] != (assignment[at(v)] == 1))
+            if (const ArcId arc = run.first + k; present[arc.idx()] != (assignment[v] == 1))
                 result.push_back(arc);
     }
     return result;
 }
 
 void apply(const Problem& problem, const Assignment& assignment, std::vector<bool>& present) {
-    for (int v = 0; v < problem.variables(); ++v) {
-        const ArcRun& run = problem.arcs[at(v)];
+    for (const VariableId v : problem.variables()) {
+        const ArcRun& run = problem.arcs[v];
         for (int k = 0; k < run.count; ++k)
-            present[at(run.first.value() + k)] = assignment[at(v)] == 1;
+            present[(run.first + k).idx()] = assignment[v] == 1;
     }
 }
 

@@ -8,7 +8,7 @@
 namespace qm {
 
 /// A value for every variable and both constants, 0 or 1.
-using Assignment = std::vector<signed char>;
+using Assignment = IdVector<VariableId, signed char>;
 
 /// The cost of the variables that are in and of the corners at crossings.
 [[nodiscard]] double costOf(const Problem& problem, const Assignment& assignment);

@@ -1,53 +1,47 @@
 #include "enumerate/state/crack_forest.h"
 
 #include <cstddef>
-#include <numeric>
 #include <utility>
 
 namespace qm {
 
-namespace {
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-} // namespace
-
-CrackForest::CrackForest(std::vector<int> capacities)
-    : parent_(capacities.size()), size_(capacities.size(), 1), left_(std::move(capacities)) {
-    std::iota(parent_.begin(), parent_.end(), 0);
+CrackForest::CrackForest(IdVector<CrackNodeId, int> capacities)
+    : size_(capacities.size(), 1), left_(std::move(capacities)) {
+    for (const CrackNodeId node : left_.ids())
+        parent_.push_back(node);
 }
 
-int CrackForest::find(int node) const {
-    while (parent_[at(node)] != node)
-        node = parent_[at(node)];
+CrackNodeId CrackForest::find(CrackNodeId node) const {
+    while (parent_[node] != node)
+        node = parent_[node];
     return node;
 }
 
-bool CrackForest::cross(int a, int b) {
-    int root = find(a), child = find(b);
+bool CrackForest::cross(CrackNodeId a, CrackNodeId b) {
+    CrackNodeId root = find(a), child = find(b);
     if (root == child) {
-        trail_.push_back({-1, root});
-        return --left_[at(root)] >= 0;
+        trail_.push_back({{}, root});
+        return --left_[root] >= 0;
     }
-    if (size_[at(root)] < size_[at(child)]) std::swap(root, child);
-    parent_[at(child)] = root;
-    size_[at(root)] += size_[at(child)];
-    left_[at(root)] += left_[at(child)] - 1;
+    if (size_[root] < size_[child]) std::swap(root, child);
+    parent_[child] = root;
+    size_[root] += size_[child];
+    left_[root] += left_[child] - 1;
     trail_.push_back({child, root});
-    return left_[at(root)] >= 0;
+    return left_[root] >= 0;
 }
 
 void CrackForest::undo(std::size_t changes) {
     while (trail_.size() > changes) {
         const Change change = trail_.back();
         trail_.pop_back();
-        if (change.child < 0) {
-            ++left_[at(change.root)];
+        if (!change.child.valid()) {
+            ++left_[change.root];
             continue;
         }
-        parent_[at(change.child)] = change.child;
-        size_[at(change.root)] -= size_[at(change.child)];
-        left_[at(change.root)] -= left_[at(change.child)] - 1;
+        parent_[change.child] = change.child;
+        size_[change.root] -= size_[change.child];
+        left_[change.root] -= left_[change.child] - 1;
     }
 }
 

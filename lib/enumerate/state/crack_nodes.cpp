@@ -10,13 +10,10 @@
 namespace qm {
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 class Maker {
 public:
-    Maker(const ProblemInput& input, const std::vector<Chain>& chains, const SparseIndex& chainOf)
+    Maker(const ProblemInput& input, const IdVector<ChainId, Chain>& chains,
+          const SparseIndex<LineId, ChainId>& chainOf)
         : input_(input), graph_(input.graph), chains_(chains), chainOf_(chainOf) {}
 
     CrackNodes make(const std::vector<LineId>& lines) {
@@ -32,8 +29,8 @@ public:
         CrackNodes result;
         for (const auto& [lowest, group] : groups) {
             for (const LineId line : group)
-                result.nodeOf.put(line.value(), static_cast<int>(result.nodes.size()));
-            result.nodes.push_back({chainOf_[lowest.value()], capacities[lowest]});
+                result.nodeOf.put(line, result.nodes.nextId());
+            result.nodes.push_back({chainOf_[lowest], capacities[lowest]});
         }
         return result;
     }
@@ -49,15 +46,15 @@ private:
     [[nodiscard]] bool findCrackable(LineId id) const {
         const Line& line = graph_.lines[id.idx()];
         if (!line.backward) return false;
-        const int chain = chainOf_[id.value()];
-        if (chain >= 0) return chains_[at(chain)].coveredBefore && chains_[at(chain)].coveredAfter;
+        const ChainId chain = chainOf_[id];
+        if (chain.valid()) return chains_[chain].coveredBefore && chains_[chain].coveredAfter;
         for (int k = 0; k < line.arcCount; ++k)
-            if (input_.states[ArcId(line.firstArc.value() + k)] != ArcState::in) return false;
+            if (input_.states[line.firstArc + k] != ArcState::in) return false;
         return true;
     }
 
     [[nodiscard]] LineId lineOf(ArcId arc) const { return graph_.arcs[arc.idx()].line; }
-    [[nodiscard]] bool isFixed(LineId line) const { return chainOf_[line.value()] < 0; }
+    [[nodiscard]] bool isFixed(LineId line) const { return !chainOf_[line].valid(); }
 
     /// The lines that fixed crossings join with one, and how many cracks are left for all together: one for
     /// every line, less one for every crossing.
@@ -71,7 +68,7 @@ private:
                 const JunctionId junction =
                     k < 0 ? line.beginsAt
                           : (k == line.arcCount - 1 ? line.endsAt
-                                                    : graph_.junctionAfter[at(line.firstArc.value() + k)]);
+                                                    : graph_.junctionAfter[(line.firstArc + k).idx()]);
                 if (junction.valid()) follow(lines[next], junction, lines, crossings);
             }
         }
@@ -98,16 +95,16 @@ private:
 
     const ProblemInput& input_;
     const ArcGraph& graph_;
-    const std::vector<Chain>& chains_;
-    const SparseIndex& chainOf_;
+    const IdVector<ChainId, Chain>& chains_;
+    const SparseIndex<LineId, ChainId>& chainOf_;
     std::unordered_map<LineId, bool> crackable_;
     std::unordered_set<LineId> reached_;
 };
 
 } // namespace
 
-CrackNodes crackNodes(const ProblemInput& input, const std::vector<Chain>& chains, const SparseIndex& chainOf,
-                      const std::vector<LineId>& lines) {
+CrackNodes crackNodes(const ProblemInput& input, const IdVector<ChainId, Chain>& chains,
+                      const SparseIndex<LineId, ChainId>& chainOf, const std::vector<LineId>& lines) {
     return Maker(input, chains, chainOf).make(lines);
 }
 

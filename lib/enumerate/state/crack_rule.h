@@ -14,30 +14,30 @@ public:
     /// \param assignment, lines  outlive this
     CrackRule(const Problem& problem, const PartialAssignment& assignment, LineRule& lines);
 
-    /// The crack node of a chain; -1 if its line cannot be cracked.
-    [[nodiscard]] int nodeOfChain(int chain) const { return nodeOfChain_[static_cast<std::size_t>(chain)]; }
-    [[nodiscard]] const std::vector<int>& crossingsOfNode(int node) const {
-        return crossingsOfNode_[static_cast<std::size_t>(node)];
+    /// The crack node of a chain; none if its line cannot be cracked.
+    [[nodiscard]] CrackNodeId nodeOfChain(ChainId chain) const { return nodeOfChain_[chain]; }
+    [[nodiscard]] const std::vector<CrossingId>& crossingsOfNode(CrackNodeId node) const {
+        return crossingsOfNode_[node];
     }
     /// A representative of the lines that crossings have joined with this one so far.
-    [[nodiscard]] int group(int node) const { return forest_.find(node); }
+    [[nodiscard]] CrackNodeId group(CrackNodeId node) const { return forest_.find(node); }
     /// Head-on meetings that a group of lines has left.
-    [[nodiscard]] int left(int group) const { return forest_.left(group); }
+    [[nodiscard]] int left(CrackNodeId group) const { return forest_.left(group); }
 
     /// All four arcs around a crossing are in.
-    [[nodiscard]] bool isCrossed(int crossing) const;
+    [[nodiscard]] bool isCrossed(CrossingId crossing) const;
     /// It is crossed, and not known yet which of its lines are covered from end to end.
-    [[nodiscard]] bool isPending(int crossing) const {
-        return !counted_[static_cast<std::size_t>(crossing)] && isCrossed(crossing);
+    [[nodiscard]] bool isPending(CrossingId crossing) const {
+        return !counted_[crossing] && isCrossed(crossing);
     }
     /// No arc around a crossing is out.
-    [[nodiscard]] bool mayBeCrossed(int crossing) const;
+    [[nodiscard]] bool mayBeCrossed(CrossingId crossing) const;
 
     /// Draws the conclusions from what is known around a crossing.
     /// \return false on a contradiction
-    bool visitCrossing(int crossing);
+    bool visitCrossing(CrossingId crossing);
     /// Draws the conclusions from a chain that has just been covered or got a gap.
-    bool visitCovered(int chain);
+    bool visitCovered(ChainId chain);
 
     struct Mark {
         std::size_t counted = 0;
@@ -47,15 +47,15 @@ public:
     void undo(const Mark& mark);
 
 private:
-    [[nodiscard]] Cover coverOf(int node) const;
+    [[nodiscard]] Cover coverOf(CrackNodeId node) const;
 
     const Problem& problem_;
     const PartialAssignment& assignment_;
     LineRule& lines_;
-    std::vector<int> nodeOfChain_;
-    std::vector<std::vector<int>> crossingsOfNode_;
-    std::vector<bool> counted_; ///< crossings that the forest knows
-    std::vector<int> countedTrail_;
+    IdVector<ChainId, CrackNodeId> nodeOfChain_;
+    IdVector<CrackNodeId, std::vector<CrossingId>> crossingsOfNode_;
+    IdVector<CrossingId, bool> counted_; ///< crossings that the forest knows
+    std::vector<CrossingId> countedTrail_;
     CrackForest forest_;
 };
 

@@ -1,43 +1,37 @@
 #include "enumerate/state/depth_first.h"
 
+#include "enumerate/state/junction_rule.h"
+
 namespace qm {
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 /// One open decision: the variable was set in; out is still to be tried.
 struct Branch {
-    int variable;
+    VariableId variable;
     std::size_t next; ///< where the search for the next free variable goes on
     SearchState::Mark mark;
 };
 
 } // namespace
 
-std::vector<int> branchingOrder(const Problem& problem) {
-    std::vector<std::vector<int>> crossingsOf(at(problem.variables()));
-    const auto arcs = [&](int crossing) {
-        const auto& [a, b] = problem.crossings[at(crossing)].sides;
-        return std::array{a.before, a.after, b.before, b.after};
-    };
-    for (int c = 0; c < static_cast<int>(problem.crossings.size()); ++c)
-        for (const int arc : arcs(c))
-            if (arc < problem.variables()) crossingsOf[at(arc)].push_back(c);
-    std::vector<int> order;
-    std::vector<bool> seen(at(problem.variables()), false);
-    const auto append = [&](int variable) {
-        if (variable >= problem.variables() || seen[at(variable)]) return;
-        seen[at(variable)] = true;
+std::vector<VariableId> branchingOrder(const Problem& problem) {
+    IdVector<VariableId, std::vector<CrossingId>> crossingsOf(problem.arcs.size());
+    for (const CrossingId crossing : problem.crossings.ids())
+        for (const VariableId arc : arcsOf(problem.crossings[crossing]))
+            if (!problem.isConstant(arc)) crossingsOf[arc].push_back(crossing);
+    std::vector<VariableId> order;
+    IdVector<VariableId, bool> seen(problem.arcs.size(), false);
+    const auto append = [&](VariableId variable) {
+        if (problem.isConstant(variable) || seen[variable]) return;
+        seen[variable] = true;
         order.push_back(variable);
     };
-    for (int start = 0; start < problem.variables(); ++start) {
+    for (const VariableId start : problem.variables()) {
         std::size_t next = order.size();
         append(start);
         for (; next < order.size(); ++next)
-            for (const int crossing : crossingsOf[at(order[next])])
-                for (const int arc : arcs(crossing))
+            for (const CrossingId crossing : crossingsOf[order[next]])
+                for (const VariableId arc : arcsOf(problem.crossings[crossing]))
                     append(arc);
     }
     return order;
@@ -47,7 +41,7 @@ bool forEachAssignment(const Problem& problem, const std::function<double()>& co
                        const std::function<bool(const SearchState&)>& visit, const Control& control) {
     SearchState state(problem);
     if (!state.consistent()) return true;
-    const std::vector<int> order = branchingOrder(problem);
+    const std::vector<VariableId> order = branchingOrder(problem);
     std::vector<Branch> branches;
     bool possible = true;
     std::size_t steps = 0;

@@ -16,6 +16,6 @@ bool forEachAssignment(const Problem& problem, const std::function<double()>& co
 
 /// An order in which neighbouring decisions follow each other, so that contradictions show early: breadth
 /// first over the crossings, starting at the first variable of every connected part.
-[[nodiscard]] std::vector<int> branchingOrder(const Problem& problem);
+[[nodiscard]] std::vector<VariableId> branchingOrder(const Problem& problem);
 
 } // namespace qm

@@ -11,10 +11,10 @@ namespace qm {
 /// and groups are ordered by their first variables. Time is linear in the chains and crossings of the
 /// variables.
 /// \param variables ascending; no rule ties a free one of them to a free variable that is not among them
-[[nodiscard]] std::vector<std::vector<int>> independentParts(const SearchState& state,
-                                                             const std::vector<int>& variables);
+[[nodiscard]] std::vector<std::vector<VariableId>> independentParts(const SearchState& state,
+                                                                    const std::vector<VariableId>& variables);
 
 /// The same for all variables of the problem.
-[[nodiscard]] std::vector<std::vector<int>> independentParts(const SearchState& state);
+[[nodiscard]] std::vector<std::vector<VariableId>> independentParts(const SearchState& state);
 
 } // namespace qm

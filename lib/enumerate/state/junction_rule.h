@@ -6,7 +6,7 @@
 namespace qm {
 
 /// The arcs before and after the crossing on one line, then those on the other.
-[[nodiscard]] inline std::array<int, 4> arcsOf(const Crossing& crossing) {
+[[nodiscard]] inline std::array<VariableId, 4> arcsOf(const Crossing& crossing) {
     const auto& [a, b] = crossing.sides;
     return {a.before, a.after, b.before, b.after};
 }

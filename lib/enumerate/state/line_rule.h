@@ -19,30 +19,27 @@ public:
         : problem_(problem), assignment_(assignment), hulls_(problem.chains.size()),
           promised_(problem.chains.size(), false) {}
 
-    [[nodiscard]] Cover coverOf(int chain) const {
-        if (hasGap(chain) || promised_[static_cast<std::size_t>(chain)]) return Cover::gapped;
+    [[nodiscard]] Cover coverOf(ChainId chain) const {
+        if (hasGap(chain) || promised_[chain]) return Cover::gapped;
         return isFull(chain) ? Cover::full : Cover::open;
     }
     /// True once a variable of the chain is out.
-    [[nodiscard]] bool hasGap(int chain) const {
-        const Hull& hull = hulls_[static_cast<std::size_t>(chain)];
-        return hull.first <= hull.last;
-    }
+    [[nodiscard]] bool hasGap(ChainId chain) const { return !hulls_[chain].empty(); }
     /// All variables of the chain are in.
-    [[nodiscard]] bool isFull(int chain) const {
-        return assignment_.inCount(chain) == problem_.chains[static_cast<std::size_t>(chain)].count;
+    [[nodiscard]] bool isFull(ChainId chain) const {
+        return assignment_.inCount(chain) == problem_.chains[chain].count;
     }
 
     /// Draws the conclusions from a variable of a chain that has just been assigned.
     /// \return false on a contradiction
-    bool visit(int variable);
+    bool visit(VariableId variable);
 
     /// Sets all variables of a chain.
     /// \return false on a contradiction
-    bool cover(int chain);
+    bool cover(ChainId chain);
 
     /// Promises that a chain, which is not covered, will have a gap.
-    void promiseGap(int chain);
+    void promiseGap(ChainId chain);
 
     struct Mark {
         std::size_t hulls = 0;
@@ -52,24 +49,25 @@ public:
     void undo(const Mark& mark);
 
 private:
-    struct Hull { ///< of a chain's zeros; empty when first > last
-        int first = 0;
-        int last = -1;
+    struct Hull { ///< of the variables of a chain that are out
+        VariableId first;
+        VariableId last;
+        [[nodiscard]] bool empty() const { return !first.valid(); }
     };
     struct HullChange {
-        int chain;
+        ChainId chain;
         Hull before;
     };
 
-    bool closeOneSided(const Chain& chain, int variable, ArcState value);
-    bool openGap(int chain, int variable);
+    bool closeOneSided(const Chain& chain, VariableId variable, ArcState value);
+    bool openGap(ChainId chain, VariableId variable);
 
     const Problem& problem_;
     PartialAssignment& assignment_;
-    std::vector<Hull> hulls_;    ///< of every chain
-    std::vector<bool> promised_; ///< chains that are to have a gap
+    IdVector<ChainId, Hull> hulls_;
+    IdVector<ChainId, bool> promised_; ///< chains that are to have a gap
     std::vector<HullChange> hullTrail_;
-    std::vector<int> promiseTrail_;
+    std::vector<ChainId> promiseTrail_;
 };
 
 } // namespace qm

@@ -5,63 +5,55 @@
 #include <algorithm>
 
 namespace qm {
-namespace {
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
-} // namespace
-
 PartialAssignment::PartialAssignment(const Problem& problem)
-    : problem_(problem), values_(problem.domains.size(), ArcState::free),
-      chainOf_(problem.domains.size(), -1), crossingsOf_(problem.domains.size()),
-      inCount_(problem.chains.size(), 0), free_(static_cast<int>(problem.domains.size())) {
+    : problem_(problem), values_(problem.domains.size(), ArcState::free), chainOf_(problem.domains.size()),
+      crossingsOf_(problem.domains.size()), inCount_(problem.chains.size(), 0),
+      free_(static_cast<int>(problem.domains.size())) {
     for (const double cost : problem.costs)
         bound_ += std::min(cost, 0.0);
-    for (std::size_t c = 0; c < problem.crossings.size(); ++c) {
-        bound_ += cornerBound(static_cast<int>(c));
-        cornersCost_ = cornersCost_ || problem.crossings[c].cornerCost != 0;
+    for (const CrossingId crossing : problem.crossings.ids()) {
+        bound_ += cornerBound(crossing);
+        cornersCost_ = cornersCost_ || problem.crossings[crossing].cornerCost != 0;
     }
-    for (std::size_t c = 0; c < problem.chains.size(); ++c)
-        for (int k = 0; k < problem.chains[c].count; ++k)
-            chainOf_[at(problem.chains[c].first + k)] = static_cast<int>(c);
-    for (std::size_t c = 0; c < problem.crossings.size(); ++c)
-        for (const int arc : arcsOf(problem.crossings[c]))
-            if (crossingsOf_[at(arc)].empty() || crossingsOf_[at(arc)].back() != static_cast<int>(c))
-                crossingsOf_[at(arc)].push_back(static_cast<int>(c));
+    for (const ChainId chain : problem.chains.ids())
+        for (const VariableId variable : problem.chains[chain].variables())
+            chainOf_[variable] = chain;
+    for (const CrossingId crossing : problem.crossings.ids())
+        for (const VariableId arc : arcsOf(problem.crossings[crossing]))
+            if (crossingsOf_[arc].empty() || crossingsOf_[arc].back() != crossing)
+                crossingsOf_[arc].push_back(crossing);
 }
 
-bool PartialAssignment::set(int variable, ArcState value) {
-    ArcState& current = values_[at(variable)];
+bool PartialAssignment::set(VariableId variable, ArcState value) {
+    ArcState& current = values_[variable];
     if (current != ArcState::free) return current == value;
     const double cornersBefore = cornersCost_ ? cornerBounds(variable) : 0;
     current = value;
     assigned_.push_back(variable);
     --free_;
     if (cornersCost_) bound_ += cornerBounds(variable) - cornersBefore;
-    const double cost = problem_.costs[at(variable)];
+    const double cost = problem_.costs[variable];
     bound_ += value == ArcState::in ? std::max(cost, 0.0) : -std::min(cost, 0.0);
-    if (value == ArcState::in && chainOf_[at(variable)] >= 0) ++inCount_[at(chainOf_[at(variable)])];
+    if (value == ArcState::in && chainOf_[variable].valid()) ++inCount_[chainOf_[variable]];
     return true;
 }
 
 void PartialAssignment::undo(const Mark& mark) {
     while (assigned_.size() > mark.assignments) {
-        const int variable = assigned_.back();
+        const VariableId variable = assigned_.back();
         assigned_.pop_back();
-        const int chain = chainOf_[at(variable)];
-        if (chain >= 0 && value(variable) == ArcState::in) --inCount_[at(chain)];
-        values_[at(variable)] = ArcState::free;
+        const ChainId chain = chainOf_[variable];
+        if (chain.valid() && value(variable) == ArcState::in) --inCount_[chain];
+        values_[variable] = ArcState::free;
         ++free_;
     }
     bound_ = mark.bound;
 }
 
-double PartialAssignment::cornerBound(int id) const {
-    const Crossing& crossing = problem_.crossings[at(id)];
+double PartialAssignment::cornerBound(CrossingId id) const {
+    const Crossing& crossing = problem_.crossings[id];
     const auto arcs = [&](const CrossingSide& side) {
-        const auto counts = [&](int arc) {
+        const auto counts = [&](VariableId arc) {
             return crossing.cornerCost < 0 ? value(arc) != ArcState::out : value(arc) == ArcState::in;
         };
         return (counts(side.before) ? 1 : 0) + (counts(side.after) ? 1 : 0);
@@ -69,9 +61,9 @@ double PartialAssignment::cornerBound(int id) const {
     return crossing.cornerCost * cornersAt(arcs(crossing.sides[0]), arcs(crossing.sides[1]));
 }
 
-double PartialAssignment::cornerBounds(int variable) const {
+double PartialAssignment::cornerBounds(VariableId variable) const {
     double sum = 0;
-    for (const int crossing : crossingsOf_[at(variable)])
+    for (const CrossingId crossing : crossingsOf_[variable])
         sum += cornerBound(crossing);
     return sum;
 }

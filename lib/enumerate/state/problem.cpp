@@ -68,9 +68,7 @@ private:
         return lines;
     }
 
-    ArcState state(const Line& line, int position) const {
-        return input_.states[ArcId(line.firstArc.value() + position)];
-    }
+    ArcState state(const Line& line, int position) const { return input_.states[line.firstArc + position]; }
 
     bool allIn(const Line& line, int begin, int end) const {
         for (int k = begin; k < end; ++k)
@@ -101,7 +99,7 @@ private:
     void addChain(LineId id) {
         const Stretch stretch = stretchOf(id);
         if (stretch.last < 0) return;
-        chainOf_.put(id.value(), static_cast<int>(problem_.chains.size()));
+        chainOf_.put(id, problem_.chains.nextId());
         chainLines_.push_back(id);
         const ArcId meeting = input_.walkers.meeting(id);
         const int met = meeting.valid() ? meeting.value() - graph_.lines[id.idx()].firstArc.value() : -1;
@@ -117,16 +115,16 @@ private:
     }
 
     void addStretch(LineId id, const Stretch& stretch) {
-        const int first = problem_.variables();
+        const VariableId first = problem_.arcs.nextId();
         for (int k = stretch.first; k <= stretch.last; ++k)
             addArc(graph_.lines[id.idx()], k, k > stretch.first, domainOf(id, stretch, k));
-        problem_.chains.push_back(
-            {first, problem_.variables() - first, stretch.beforeAnchored, stretch.afterAnchored});
+        problem_.chains.push_back({first, problem_.arcs.nextId().value() - first.value(),
+                                   stretch.beforeAnchored, stretch.afterAnchored});
     }
 
     ArcState domainOf(LineId id, const Stretch& stretch, int k) const {
         const Line& line = graph_.lines[id.idx()];
-        const ArcId arc(line.firstArc.value() + k);
+        const ArcId arc = line.firstArc + k;
         // A track that goes on beyond the stretch without a source of its own must be reached from here.
         const bool mustCover =
             (stretch.beforeIn && !stretch.beforeAnchored) || (stretch.afterIn && !stretch.afterAnchored);
@@ -142,8 +140,8 @@ private:
 
     /// Gives an arc a variable of its own, or that of the arc before it where nothing can end between them.
     void addArc(const Line& line, int k, bool mayJoin, ArcState domain) {
-        const ArcId arc(line.firstArc.value() + k);
-        if (mayJoin && passesFreely(ArcId(arc.value() - 1))) {
+        const ArcId arc = line.firstArc + k;
+        if (mayJoin && passesFreely(arc - 1)) {
             restrict(arc, problem_.domains.back(), domain);
             ++problem_.arcs.back().count;
             problem_.costs.back() += input_.arcCosts[arc.idx()];
@@ -152,7 +150,7 @@ private:
             problem_.costs.push_back(input_.arcCosts[arc.idx()]);
             problem_.domains.push_back(domain);
         }
-        variableOf_.put(arc.value(), problem_.variables() - 1);
+        variableOf_.put(arc, problem_.arcs.nextId() - 1);
     }
 
     /// No track can end at the junction after an arc: nothing crosses there.
@@ -186,12 +184,12 @@ private:
                     "take the edge out of /constraints");
     }
 
-    int chainOfArc(ArcId arc) const { return chainOf_[graph_.arcs[arc.idx()].line.value()]; }
+    ChainId chainOfArc(ArcId arc) const { return chainOf_[graph_.arcs[arc.idx()].line]; }
 
-    int variable(ArcId arc) const {
+    VariableId variable(ArcId arc) const {
         if (!arc.valid()) return problem_.out();
-        const int variable = variableOf_[arc.value()];
-        if (variable >= 0) return variable;
+        const VariableId variable = variableOf_[arc];
+        if (variable.valid()) return variable;
         return input_.states[arc] == ArcState::in ? problem_.in() : problem_.out();
     }
 
@@ -200,7 +198,7 @@ private:
         const LineId line = graph_.arcs[junction.arcs[k].idx()].line;
         const bool ends = junction.seeded && k == 0;
         return {variable(junction.arcs[k]), variable(junction.arcs[k + 2]),
-                ends ? -1 : nodeOf_[line.value()]};
+                ends ? CrackNodeId() : nodeOf_[line]};
     }
 
     /// One line is absent and the other a single variable or a seed's, so that no rule is left to obey.
@@ -230,9 +228,9 @@ private:
         if (!junction.crossed() || isSettled(junction) || isMeeting(junction)) return;
         bool anyFree = false, anyOut = false, onChain = false;
         for (const ArcId arc : junction.arcs) {
-            anyFree = anyFree || variable(arc) < problem_.in();
+            anyFree = anyFree || !problem_.isConstant(variable(arc));
             anyOut = anyOut || variable(arc) == problem_.out();
-            onChain = onChain || (arc.valid() && chainOfArc(arc) >= 0);
+            onChain = onChain || (arc.valid() && chainOfArc(arc).valid());
         }
         if (input_.open.contains(id) ? !anyOut && onChain : anyFree || (!anyOut && onChain))
             problem_.crossings.push_back({{side(id, 0), side(id, 1)},
@@ -242,10 +240,10 @@ private:
 
     const ProblemInput& input_;
     const ArcGraph& graph_;
-    SparseIndex variableOf_;         ///< of arcs
-    SparseIndex chainOf_;            ///< of lines
+    SparseIndex<ArcId, VariableId> variableOf_;
+    SparseIndex<LineId, ChainId> chainOf_;
     std::vector<LineId> chainLines_; ///< that have a chain, ascending
-    SparseIndex nodeOf_;             ///< of lines
+    SparseIndex<LineId, CrackNodeId> nodeOf_;
     Problem problem_;
 };
 

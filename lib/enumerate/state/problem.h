@@ -4,6 +4,7 @@
 /// problem.
 #pragma once
 
+#include "base/id_vector.h"
 #include "basecomplex/arc_graph.h"
 #include "enumerate/state/arc_states.h"
 #include "layout/walkers.h"
@@ -14,36 +15,43 @@
 
 namespace qm {
 
-/// Consecutive variables first .. first + count - 1: the stretch of one line that holds all its free arcs
-/// (rule 3).
+using VariableId = Id<struct VariableTag>;
+using ChainId = Id<struct ChainTag>;
+using CrossingId = Id<struct CrossingTag>;
+using CrackNodeId = Id<struct CrackNodeTag>;
+
+/// Consecutive variables: the stretch of one line that holds all its free arcs (rule 3).
 struct Chain {
-    int first = 0;
+    VariableId first;
     int count = 0;
     bool coveredBefore = false; ///< a particle comes in over the first variable, or starts there
     bool coveredAfter = false;  ///< likewise over the last variable, from the other end
+
+    [[nodiscard]] IdRange<VariableId> variables() const { return {first, first + count}; }
+    [[nodiscard]] bool has(VariableId id) const { return first <= id && id < first + count; }
 };
 
 /// A line, or several joined by fixed crossings, that can be cracked `capacity` times when covered from end
 /// to end (rule 4).
 struct CrackNode {
-    int chain = -1; ///< the chain that must be covered throughout; -1 where the lines are covered anyway
+    ChainId chain; ///< that must be covered throughout; none where the lines are covered anyway
     int capacity = 1;
 };
 
 /// One of the two lines at a crossing: variables before and after it, and the node that a head-on meeting
-/// here would use; -1 where none is possible.
+/// here would use; none where no such meeting is possible.
 struct CrossingSide {
-    int before = 0;
-    int after = 0;
-    int node = -1;
+    VariableId before;
+    VariableId after;
+    CrackNodeId node;
 };
 
 /// An ordinary junction between variables and constants (rules 2 and 4).
 struct Crossing {
     std::array<CrossingSide, 2> sides;
     bool open = false; ///< past a cut, where tracks may end unfinished: only rule 4 holds
-    double cornerCost =
-        0; ///< of each corner that a segment has here, between an arc of one line and one of the other
+    /// Of each corner that a segment has here, between an arc of one line and one of the other.
+    double cornerCost = 0;
 };
 
 /// Consecutive arcs of one line that can only be in or out together.
@@ -52,19 +60,20 @@ struct ArcRun {
     int count = 0;
 };
 
-/// Variable indices 0 .. variables() - 1, and after them two constants: in() is present, out() is absent.
+/// The ids of variables, and after them those of two constants: in() is present, out() is absent.
 struct Problem {
-    std::vector<ArcRun> arcs;      ///< the arcs of every variable
-    std::vector<double> costs;     ///< of every variable when it is in; 0 for the two constants
-    std::vector<ArcState> domains; ///< of every variable and the two constants
-    std::vector<Chain> chains;
-    std::vector<Crossing> crossings;
-    std::vector<CrackNode> nodes;
+    IdVector<VariableId, ArcRun> arcs;      ///< the arcs of every variable
+    IdVector<VariableId, double> costs;     ///< of every variable when it is in; 0 for the two constants
+    IdVector<VariableId, ArcState> domains; ///< of every variable and the two constants
+    IdVector<ChainId, Chain> chains;
+    IdVector<CrossingId, Crossing> crossings;
+    IdVector<CrackNodeId, CrackNode> nodes;
     bool gaps = true; ///< rules 3 and 4 hold; without them the class is that of T-meshes
 
-    [[nodiscard]] int variables() const { return static_cast<int>(arcs.size()); }
-    [[nodiscard]] int in() const { return variables(); }
-    [[nodiscard]] int out() const { return variables() + 1; }
+    [[nodiscard]] IdRange<VariableId> variables() const { return arcs.ids(); }
+    [[nodiscard]] VariableId in() const { return arcs.nextId(); }
+    [[nodiscard]] VariableId out() const { return in() + 1; }
+    [[nodiscard]] bool isConstant(VariableId id) const { return id >= in(); }
 };
 
 /// How many corners segments have at a crossing, by the number of arcs of each line that are in.

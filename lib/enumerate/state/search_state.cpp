@@ -5,16 +5,12 @@
 namespace qm {
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 /// Rule 2 at a crossing.
 bool concludeAround(const Crossing& crossing, PartialAssignment& assignment) {
-    const std::array<int, 4> arcs = arcsOf(crossing);
+    const std::array<VariableId, 4> arcs = arcsOf(crossing);
     unsigned index = 0;
-    for (int k = 3; k >= 0; --k) {
-        const ArcState state = assignment.value(arcs[at(k)]);
+    for (const std::size_t k : {3U, 2U, 1U, 0U}) {
+        const ArcState state = assignment.value(arcs[k]);
         index = index * 3 + (state == ArcState::free ? 2U : static_cast<unsigned>(state));
     }
     const JunctionConclusion& conclusion = concludeAtJunction(index);
@@ -31,9 +27,9 @@ bool concludeAround(const Crossing& crossing, PartialAssignment& assignment) {
 SearchState::SearchState(const Problem& problem)
     : problem_(problem), assignment_(problem), lines_(problem, assignment_),
       cracks_(problem, assignment_, lines_) {
-    for (std::size_t v = 0; v < problem.domains.size(); ++v)
+    for (const VariableId v : problem.domains.ids())
         if (problem.domains[v] != ArcState::free)
-            consistent_ = consistent_ && assignment_.set(static_cast<int>(v), problem.domains[v]);
+            consistent_ = consistent_ && assignment_.set(v, problem.domains[v]);
     consistent_ = consistent_ && propagate();
 }
 
@@ -44,7 +40,7 @@ void SearchState::undo(const Mark& mark) {
     propagated_ = assignment_.assigned().size();
 }
 
-bool SearchState::decideCover(int chain, bool full) {
+bool SearchState::decideCover(ChainId chain, bool full) {
     if (full) return lines_.cover(chain) && propagate();
     if (coverOfChain(chain) == Cover::full) return false;
     lines_.promiseGap(chain);
@@ -53,29 +49,29 @@ bool SearchState::decideCover(int chain, bool full) {
 
 bool SearchState::propagate() {
     while (propagated_ < assignment_.assigned().size()) {
-        const int variable = assignment_.assigned()[propagated_++];
-        if (problem_.gaps && chainOf(variable) >= 0 && !visitLine(variable)) return false;
-        for (const int crossing : crossingsOf(variable))
+        const VariableId variable = assignment_.assigned()[propagated_++];
+        if (problem_.gaps && chainOf(variable).valid() && !visitLine(variable)) return false;
+        for (const CrossingId crossing : crossingsOf(variable))
             if (!visitCrossing(crossing)) return false;
     }
     return true;
 }
 
-bool SearchState::visitLine(int variable) {
+bool SearchState::visitLine(VariableId variable) {
     if (!lines_.visit(variable)) return false;
-    const int chain = chainOf(variable);
+    const ChainId chain = chainOf(variable);
     const bool decided = value(variable) == ArcState::out || lines_.isFull(chain);
     return !decided || cracks_.visitCovered(chain);
 }
 
-bool SearchState::visitCrossing(int id) {
-    const Crossing& crossing = problem_.crossings[at(id)];
+bool SearchState::visitCrossing(CrossingId id) {
+    const Crossing& crossing = problem_.crossings[id];
     return (crossing.open || concludeAround(crossing, assignment_)) &&
            (!problem_.gaps || cracks_.visitCrossing(id));
 }
 
-std::vector<int> SearchState::assignedSince(const Mark& mark) const {
-    const std::vector<int>& assigned = assignment_.assigned();
+std::vector<VariableId> SearchState::assignedSince(const Mark& mark) const {
+    const std::vector<VariableId>& assigned = assignment_.assigned();
     return {assigned.begin() + static_cast<std::ptrdiff_t>(mark.assignment.assignments), assigned.end()};
 }
 

@@ -20,20 +20,20 @@ public:
     [[nodiscard]] bool consistent() const { return consistent_; }
 
     [[nodiscard]] const Problem& problem() const { return problem_; }
-    [[nodiscard]] ArcState value(int variable) const { return assignment_.value(variable); }
-    [[nodiscard]] bool isFree(int variable) const { return assignment_.isFree(variable); }
+    [[nodiscard]] ArcState value(VariableId variable) const { return assignment_.value(variable); }
+    [[nodiscard]] bool isFree(VariableId variable) const { return assignment_.isFree(variable); }
     [[nodiscard]] int freeVariables() const { return assignment_.freeVariables(); }
     /// No completion costs less; G_T itself, but for rounding, when no variable is free.
     [[nodiscard]] double bound() const { return assignment_.bound(); }
     /// The part of the bound that the corners at a crossing make up.
-    [[nodiscard]] double cornerBound(int crossing) const { return assignment_.cornerBound(crossing); }
-    [[nodiscard]] int chainOf(int variable) const { return assignment_.chainOf(variable); }
-    [[nodiscard]] const std::vector<int>& crossingsOf(int variable) const {
+    [[nodiscard]] double cornerBound(CrossingId crossing) const { return assignment_.cornerBound(crossing); }
+    [[nodiscard]] ChainId chainOf(VariableId variable) const { return assignment_.chainOf(variable); }
+    [[nodiscard]] const std::vector<CrossingId>& crossingsOf(VariableId variable) const {
         return assignment_.crossingsOf(variable);
     }
-    [[nodiscard]] Cover coverOfChain(int chain) const { return lines_.coverOf(chain); }
+    [[nodiscard]] Cover coverOfChain(ChainId chain) const { return lines_.coverOf(chain); }
     /// True once a variable of the chain is out.
-    [[nodiscard]] bool hasGap(int chain) const { return lines_.hasGap(chain); }
+    [[nodiscard]] bool hasGap(ChainId chain) const { return lines_.hasGap(chain); }
     [[nodiscard]] const CrackRule& cracks() const { return cracks_; }
 
     /// A point to return to.
@@ -47,20 +47,22 @@ public:
 
     /// Sets a free variable and everything that follows.
     /// \return false on a contradiction; then undo
-    bool assign(int variable, ArcState value) { return assignment_.set(variable, value) && propagate(); }
+    bool assign(VariableId variable, ArcState value) {
+        return assignment_.set(variable, value) && propagate();
+    }
 
     /// Covers a chain with two sources, or promises that it will have a gap.
     /// \return as of `assign`
-    bool decideCover(int chain, bool full);
+    bool decideCover(ChainId chain, bool full);
 
     /// The values set since a mark, in order.
-    [[nodiscard]] std::vector<int> assignedSince(const Mark& mark) const;
+    [[nodiscard]] std::vector<VariableId> assignedSince(const Mark& mark) const;
     [[nodiscard]] Assignment assignment() const { return assignment_.assignment(); }
 
 private:
     bool propagate();
-    bool visitLine(int variable);
-    bool visitCrossing(int crossing);
+    bool visitLine(VariableId variable);
+    bool visitCrossing(CrossingId crossing);
 
     const Problem& problem_;
     PartialAssignment assignment_;

@@ -1,22 +1,24 @@
-/// \file Indices given to a few of many things.
+/// \file Ids given to a few of many things.
 #pragma once
+
+#include "base/ids.h"
 
 #include <unordered_map>
 
 namespace qm {
 
-/// A map from numbers to indices that takes as much memory as has been put into it.
-class SparseIndex {
+/// A map from ids to ids that takes as much memory as has been put into it.
+template <class Key, class Value> class SparseIndex {
 public:
-    void put(int number, int index) { indexOf_[number] = index; }
-    /// -1 if none was put.
-    [[nodiscard]] int operator[](int number) const {
-        const auto found = indexOf_.find(number);
-        return found == indexOf_.end() ? -1 : found->second;
+    void put(Key key, Value value) { valueOf_[key] = value; }
+    /// None if none was put.
+    [[nodiscard]] Value operator[](Key key) const {
+        const auto found = valueOf_.find(key);
+        return found == valueOf_.end() ? Value() : found->second;
     }
 
 private:
-    std::unordered_map<int, int> indexOf_;
+    std::unordered_map<Key, Value> valueOf_;
 };
 
 } // namespace qm

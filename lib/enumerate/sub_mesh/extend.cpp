@@ -4,6 +4,7 @@
 #include "enumerate/sub_mesh/line_walk.h"
 
 namespace qm {
+
 int extendParticle(const ArcGraph& graph, Particle particle, std::vector<bool>& present,
                    const OpenJunctions& open) {
     const LineWalk walk(graph, particle);
@@ -56,11 +57,11 @@ bool isMotorcycleGraph(const ArcGraph& graph, const std::vector<bool>& present, 
     problem.gaps = gaps;
     SearchState state(problem);
     if (!state.consistent()) return false;
-    for (int v = 0; v < problem.variables(); ++v) {
-        const ArcRun& run = problem.arcs[static_cast<std::size_t>(v)];
+    for (const VariableId v : problem.variables()) {
+        const ArcRun& run = problem.arcs[v];
         const bool in = present[run.first.idx()];
         for (int k = 1; k < run.count; ++k)
-            if (present[static_cast<std::size_t>(run.first.value() + k)] != in) return false;
+            if (present[(run.first + k).idx()] != in) return false;
         if (state.isFree(v) ? !state.assign(v, in ? ArcState::in : ArcState::out)
                             : state.value(v) != (in ? ArcState::in : ArcState::out))
             return false;

@@ -37,8 +37,8 @@ private:
         graph.lines.push_back(line);
         graph.lines.back().firstArc = ArcId(graph.arcs.size());
         for (int k = 0; k < line.arcCount; ++k) {
-            const std::size_t arc = at(line.firstArc.value() + k);
-            arcOf_.put(static_cast<int>(arc), static_cast<int>(graph.arcs.size()));
+            const std::size_t arc = (line.firstArc + k).idx();
+            arcOf_.put(ArcId(arc), ArcId(graph.arcs.size()));
             graph.arcs.push_back({own, whole_.arcs[arc].begin, whole_.arcs[arc].end});
             graph.junctionAfter.push_back(whole_.junctionAfter[arc]);
             part_.arcCosts.push_back(space_.arcCosts[arc]);
@@ -54,13 +54,13 @@ private:
         forEachNamed([&](JunctionId& junction) { met.push_back(junction); });
         std::ranges::sort(met);
         met.erase(std::unique(met.begin(), met.end()), met.end());
-        SparseIndex junctionOf;
+        SparseIndex<JunctionId, JunctionId> junctionOf;
         for (const JunctionId id : met) {
-            junctionOf.put(id.value(), static_cast<int>(part_.graph.junctions.size()));
+            junctionOf.put(id, JunctionId(part_.graph.junctions.size()));
             part_.graph.junctions.push_back(ownJunction(whole_.junctions[id.idx()]));
             part_.junctionLabels.push_back(space_.junctionLabels[id.idx()]);
         }
-        forEachNamed([&](JunctionId& junction) { junction = JunctionId(junctionOf[junction.value()]); });
+        forEachNamed([&](JunctionId& junction) { junction = junctionOf[junction]; });
     }
 
     template <class Visit> void forEachNamed(const Visit& visit) {
@@ -74,7 +74,7 @@ private:
     [[nodiscard]] Junction ownJunction(const Junction& junction) const {
         Junction own = junction;
         for (ArcId& arc : own.arcs)
-            if (arc.valid()) arc = ArcId(arcOf_[arc.value()]);
+            if (arc.valid()) arc = arcOf_[arc];
         // Of two lines only the second is left.
         if (!own.seeded && !own.arcs[0].valid() && !own.arcs[2].valid()) {
             std::swap(own.arcs[0], own.arcs[1]);
@@ -87,7 +87,7 @@ private:
     const ArcGraph& whole_;
     int subMesh_;
     SearchSpace part_;
-    SparseIndex arcOf_; ///< in the part
+    SparseIndex<ArcId, ArcId> arcOf_; ///< in the part
 };
 
 } // namespace

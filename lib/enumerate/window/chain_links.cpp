@@ -14,46 +14,46 @@ std::size_t at(int index) {
 
 ChainLinks::ChainLinks(const Problem& problem)
     : neighbours_(problem.chains.size()), crossings_(problem.chains.size()) {
-    std::vector<int> chainOf(problem.domains.size(), -1);
-    for (std::size_t c = 0; c < problem.chains.size(); ++c) {
-        lengths_.push_back(problem.chains[c].count);
-        for (int k = 0; k < problem.chains[c].count; ++k)
-            chainOf[at(problem.chains[c].first + k)] = static_cast<int>(c);
+    IdVector<VariableId, ChainId> chainOf(problem.domains.size());
+    for (const ChainId chain : problem.chains.ids()) {
+        lengths_.push_back(problem.chains[chain].count);
+        for (const VariableId variable : problem.chains[chain].variables())
+            chainOf[variable] = chain;
     }
-    std::vector<std::map<int, int>> links(problem.chains.size());
+    IdVector<ChainId, std::map<ChainId, int>> links(problem.chains.size());
     for (const Crossing& crossing : problem.crossings)
-        for (const int v : {crossing.sides[0].before, crossing.sides[0].after})
-            for (const int w : {crossing.sides[1].before, crossing.sides[1].after}) {
-                const int a = chainOf[at(v)], b = chainOf[at(w)];
-                if (a < 0 || b < 0) continue;
-                ++links[at(a)][b];
-                ++links[at(b)][a];
+        for (const VariableId v : {crossing.sides[0].before, crossing.sides[0].after})
+            for (const VariableId w : {crossing.sides[1].before, crossing.sides[1].after}) {
+                const ChainId a = chainOf[v], b = chainOf[w];
+                if (!a.valid() || !b.valid()) continue;
+                ++links[a][b];
+                ++links[b][a];
             }
-    for (std::size_t c = 0; c < links.size(); ++c)
+    for (const ChainId c : links.ids())
         for (const auto& [neighbour, count] : links[c]) {
             neighbours_[c].push_back(neighbour);
             crossings_[c].push_back(count);
         }
 }
 
-std::vector<int> ChainLinks::cluster(int start, std::size_t variables,
-                                     const std::vector<double>& weights) const {
-    std::vector<int> members;
-    std::map<int, int> waiting{{start, 1}};
-    std::unordered_set<int> taken;
+std::vector<ChainId> ChainLinks::cluster(ChainId start, std::size_t variables,
+                                         const IdVector<ChainId, double>& weights) const {
+    std::vector<ChainId> members;
+    std::map<ChainId, int> waiting{{start, 1}};
+    std::unordered_set<ChainId> taken;
     for (std::size_t size = 0; size < variables && !waiting.empty();) {
         const auto closeness = [&](const auto& entry) {
-            return entry.second * weights[at(entry.first)] / lengths_[at(entry.first)];
+            return entry.second * weights[entry.first] / lengths_[entry.first];
         };
         const auto next = std::ranges::max_element(waiting, {}, closeness);
-        const int chain = next->first;
+        const ChainId chain = next->first;
         waiting.erase(next);
         taken.insert(chain);
         members.push_back(chain);
-        size += at(lengths_[at(chain)]);
-        for (std::size_t k = 0; k < neighbours_[at(chain)].size(); ++k)
-            if (const int neighbour = neighbours_[at(chain)][k]; !taken.contains(neighbour))
-                waiting[neighbour] += crossings_[at(chain)][k];
+        size += at(lengths_[chain]);
+        for (std::size_t k = 0; k < neighbours_[chain].size(); ++k)
+            if (const ChainId neighbour = neighbours_[chain][k]; !taken.contains(neighbour))
+                waiting[neighbour] += crossings_[chain][k];
     }
     return members;
 }

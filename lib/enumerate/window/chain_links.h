@@ -12,20 +12,18 @@ public:
     explicit ChainLinks(const Problem& problem);
 
     /// The chains that cross this one, ascending; itself among them if it crosses itself.
-    [[nodiscard]] const std::vector<int>& neighbours(int chain) const {
-        return neighbours_[static_cast<std::size_t>(chain)];
-    }
+    [[nodiscard]] const std::vector<ChainId>& neighbours(ChainId chain) const { return neighbours_[chain]; }
 
     /// Grows a cluster from a chain: the chain that crosses the cluster most often for its length comes next,
     /// until the cluster has this many variables.
     /// \param weights  of every chain: a factor that makes it come earlier
-    [[nodiscard]] std::vector<int> cluster(int chain, std::size_t variables,
-                                           const std::vector<double>& weights) const;
+    [[nodiscard]] std::vector<ChainId> cluster(ChainId chain, std::size_t variables,
+                                               const IdVector<ChainId, double>& weights) const;
 
 private:
-    std::vector<int> lengths_;
-    std::vector<std::vector<int>> neighbours_;
-    std::vector<std::vector<int>> crossings_; ///< with each neighbour
+    IdVector<ChainId, int> lengths_; ///< variables
+    IdVector<ChainId, std::vector<ChainId>> neighbours_;
+    IdVector<ChainId, std::vector<int>> crossings_; ///< how many with each neighbour
 };
 
 } // namespace qm

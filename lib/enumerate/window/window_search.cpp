@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numeric>
 #include <unordered_set>
 
 namespace qm {
@@ -16,15 +15,11 @@ namespace {
 
 constexpr std::size_t batch = 8; ///< windows searched from the same graph, maybe at the same time
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 bool isValid(const Problem& problem, const Assignment& graph) {
     SearchState state(problem);
     if (!state.consistent()) return false;
-    for (int v = 0; v < problem.variables(); ++v) {
-        const ArcState wanted = graph[at(v)] == 1 ? ArcState::in : ArcState::out;
+    for (const VariableId v : problem.variables()) {
+        const ArcState wanted = graph[v] == 1 ? ArcState::in : ArcState::out;
         if (state.isFree(v) ? !state.assign(v, wanted) : state.value(v) != wanted) return false;
     }
     return true;
@@ -63,8 +58,8 @@ private:
     };
 
     struct Window {
-        int chain = 0;
-        std::vector<int> chains;
+        ChainId chain;
+        std::vector<ChainId> chains;
         std::vector<ArcValue> values; ///< of the arcs of its chains; empty unless they are cheaper
         bool complete = false;        ///< its search ended with a proof
     };
@@ -75,7 +70,7 @@ private:
 
     /// Searches windows of one size, then of twice that size, and so on.
     void growWindows(std::size_t smallest) {
-        const std::size_t max = std::min<std::size_t>(options_.maxVariables, at(whole_.variables()));
+        const std::size_t max = std::min<std::size_t>(options_.maxVariables, whole_.arcs.size());
         for (size_ = std::min(smallest, max); !isOver(); size_ = std::min(2 * size_, max)) {
             std::ranges::fill(searched_, 0);
             while (pass() && !isOver()) {
@@ -85,13 +80,13 @@ private:
     }
 
     /// How much the graph and the relaxed solution disagree about every chain.
-    [[nodiscard]] std::vector<double> disagreements() const {
-        std::vector<double> sums(whole_.chains.size(), 1);
+    [[nodiscard]] IdVector<ChainId, double> disagreements() const {
+        IdVector<ChainId, double> sums(whole_.chains.size(), 1);
         if (options_.relaxed.empty()) return sums;
         constexpr double slight = 0.01; // of an arc: chains that agree follow last
-        for (std::size_t c = 0; c < sums.size(); ++c) {
+        for (const ChainId c : sums.ids()) {
             sums[c] = slight * whole_.chains[c].count;
-            forEachArc(static_cast<int>(c), [&](ArcId arc) {
+            forEachArc(c, [&](ArcId arc) {
                 sums[c] += std::abs(options_.relaxed[arc.idx()] - (result_.present[arc.idx()] ? 1 : 0));
             });
         }
@@ -102,15 +97,15 @@ private:
     /// \return whether one improved
     bool pass() {
         const std::size_t before = result_.improvements;
-        const std::vector<double> weights = disagreements();
-        std::vector<int> order(whole_.chains.size());
-        std::iota(order.begin(), order.end(), 0);
-        std::ranges::stable_sort(order, std::greater{}, [&](int chain) { return weights[at(chain)]; });
+        const IdVector<ChainId, double> weights = disagreements();
+        const auto chainIds = whole_.chains.ids();
+        std::vector<ChainId> order(chainIds.begin(), chainIds.end());
+        std::ranges::stable_sort(order, std::greater{}, [&](ChainId chain) { return weights[chain]; });
         std::vector<Window> windows;
-        for (const int chain : order) {
-            std::vector<int> chains = links_.cluster(chain, size_, weights);
+        for (const ChainId chain : order) {
+            std::vector<ChainId> chains = links_.cluster(chain, size_, weights);
             const bool stale =
-                std::ranges::any_of(chains, [&](int c) { return changed_[at(c)] > searched_[at(chain)]; });
+                std::ranges::any_of(chains, [&](ChainId c) { return changed_[c] > searched_[chain]; });
             if (stale) windows.push_back({chain, std::move(chains), {}, false});
             if (windows.size() == batch) searchBatch(windows);
             if (isOver()) return false;
@@ -126,25 +121,24 @@ private:
         for (Window& window : windows) {
             ++result_.windows;
             if (!window.complete && hard_ == 0) hard_ = size_;
-            searched_[at(window.chain)] = clock_;
+            searched_[window.chain] = clock_;
             if (!window.values.empty()) accept(window, result_.improvements == before);
         }
         windows.clear();
     }
 
     /// The arcs of a chain are free in its windows.
-    template <class Visit> void forEachArc(int chain, const Visit& visit) const {
-        const Chain& c = whole_.chains[at(chain)];
-        for (int v = c.first; v < c.first + c.count; ++v)
-            for (int k = 0; k < whole_.arcs[at(v)].count; ++k)
-                visit(ArcId(whole_.arcs[at(v)].first.value() + k));
+    template <class Visit> void forEachArc(ChainId chain, const Visit& visit) const {
+        for (const VariableId v : whole_.chains[chain].variables())
+            for (int k = 0; k < whole_.arcs[v].count; ++k)
+                visit(whole_.arcs[v].first + k);
     }
 
     /// The search of a window: everything outside stays as it is, so that little of the mesh remains.
     [[nodiscard]] Problem problemOf(const Window& window) const {
         std::vector<ArcId> arcs;
         std::vector<LineId> lines;
-        for (const int chain : window.chains) {
+        for (const ChainId chain : window.chains) {
             forEachArc(chain, [&](ArcId arc) { arcs.push_back(arc); });
             lines.push_back(input_.graph.arcs[arcs.back().idx()].line);
         }
@@ -164,10 +158,9 @@ private:
         if (found.graphs.empty() ||
             costOf(problem, found.graphs.front()) >= costOf(problem, *options.start) - Incumbents::tolerance)
             return;
-        for (std::size_t v = 0; v < problem.arcs.size(); ++v)
+        for (const VariableId v : problem.variables())
             for (int k = 0; k < problem.arcs[v].count; ++k)
-                window.values.push_back(
-                    {ArcId(problem.arcs[v].first.value() + k), found.graphs.front()[v] == 1});
+                window.values.push_back({problem.arcs[v].first + k, found.graphs.front()[v] == 1});
     }
 
     /// Takes the window's arcs over, unless an earlier window of the batch forbids it.
@@ -188,13 +181,13 @@ private:
             if (!improves(problem, before, assignmentOf(problem, result_.present))) return change();
         }
         ++clock_;
-        for (const int chain : window.chains) {
+        for (const ChainId chain : window.chains) {
             bool same = true;
             forEachArc(chain, [&](ArcId arc) { same = same && !changes.contains(arc); });
             if (same) continue;
-            changed_[at(chain)] = clock_;
-            for (const int neighbour : links_.neighbours(chain))
-                changed_[at(neighbour)] = clock_;
+            changed_[chain] = clock_;
+            for (const ChainId neighbour : links_.neighbours(chain))
+                changed_[neighbour] = clock_;
         }
         ++result_.improvements;
         options_.improved(result_.present);
@@ -205,8 +198,8 @@ private:
     const WindowOptions& options_;
     const Control& control_;
     ChainLinks links_;
-    std::vector<std::size_t> changed_;  ///< when a chain or one that crosses it changed last
-    std::vector<std::size_t> searched_; ///< when the window around a chain was searched last
+    IdVector<ChainId, std::size_t> changed_;  ///< when a chain or one that crosses it changed last
+    IdVector<ChainId, std::size_t> searched_; ///< when the window around a chain was searched last
     std::size_t clock_ = 1;
     std::size_t nodes_;
     std::size_t size_ = 0; ///< of the windows that are being searched

@@ -13,10 +13,10 @@ namespace qm {
 
 /// A linear expression over columns and a constant.
 struct Expression {
-    std::vector<std::pair<int, double>> terms;
+    std::vector<std::pair<ColumnId, double>> terms;
     double constant = 0;
 
-    Expression& add(int column, double weight) {
+    Expression& add(ColumnId column, double weight) {
         const auto known = std::ranges::find(terms, column, [](const auto& term) { return term.first; });
         if (known == terms.end())
             terms.emplace_back(column, weight);
@@ -33,25 +33,25 @@ struct Expression {
 };
 
 /// Sets up columns, and the rows that tie those of one chain.
-class ParticleColumns {
+class FormulationColumns {
 public:
-    ParticleColumns(const SearchState& state, const std::vector<int>& variables);
+    FormulationColumns(const SearchState& state, const std::vector<VariableId>& variables);
 
     /// The crossings that have rows: those of the variables, and of lines that are covered but may be
     /// cracked.
-    [[nodiscard]] const std::vector<int>& crossings() const { return crossings_; }
+    [[nodiscard]] const std::vector<CrossingId>& crossings() const { return crossings_; }
     [[nodiscard]] Formulation take() { return std::move(result_); }
 
-    [[nodiscard]] bool isOut(int variable) const { return state_.value(variable) == ArcState::out; }
-    [[nodiscard]] bool isIn(int variable) const { return state_.value(variable) == ArcState::in; }
+    [[nodiscard]] bool isOut(VariableId variable) const { return state_.value(variable) == ArcState::out; }
+    [[nodiscard]] bool isIn(VariableId variable) const { return state_.value(variable) == ArcState::in; }
     /// Some of its arcs are free but belong to another part, so that no rule here concerns this part.
     [[nodiscard]] bool isForeign(const Crossing& crossing) const;
 
-    [[nodiscard]] const Formulation::Columns& columns(int variable) const {
-        return result_.columnsOf[static_cast<std::size_t>(variable)];
+    [[nodiscard]] const Formulation::Columns& columns(VariableId variable) const {
+        return result_.columnsOf[variable];
     }
     /// y of a variable or constant.
-    [[nodiscard]] Expression present(int variable) const;
+    [[nodiscard]] Expression present(VariableId variable) const;
     /// Both arcs are in and the line cannot be cracked here: one particle passes, or two start here.
     [[nodiscard]] bool isWall(const CrossingSide& side) const;
     /// The arcs before and after are variables of one chain.
@@ -67,24 +67,24 @@ public:
     void atLeast(const Expression& expression, double bound);
     void addCost(const Expression& expression, double factor);
     /// A column that stands for no particle.
-    int newFlag();
+    ColumnId newFlag();
 
 private:
-    [[nodiscard]] bool isForeign(int variable) const;
+    [[nodiscard]] bool isForeign(VariableId variable) const;
     [[nodiscard]] bool isForeign(const Chain& chain) const;
     [[nodiscard]] bool anyOut(const Crossing& crossing) const;
-    void knowChain(int chain);
+    void knowChain(ChainId chain);
     void knowCovered();
-    int newColumn(int variable);
+    ColumnId newColumn(VariableId variable);
     void addChain(const Chain& chain);
 
     const SearchState& state_;
     const Problem& problem_;
     Formulation result_;
-    std::vector<int> crossings_;
-    std::vector<bool> ours_;  ///< the variables of the part
-    std::vector<bool> known_; ///< chains that get columns
-    std::vector<int> fresh_;
+    std::vector<CrossingId> crossings_;
+    IdVector<VariableId, bool> ours_; ///< those of the part
+    IdVector<ChainId, bool> known_;   ///< those that get columns
+    std::vector<ChainId> fresh_;      ///< of these, the ones whose crossings have not been looked at
 };
 
 } // namespace qm

@@ -1,4 +1,4 @@
-/// \file A partial assignment together with what is known of its particles, with undo.
+/// \file A partial assignment together with the values of a formulation's columns, with undo.
 #pragma once
 
 #include "enumerate/optimum/formulation.h"
@@ -12,25 +12,25 @@ namespace qm {
 /// or does not walk it.
 struct Decision {
     enum class About : signed char { value, fromBefore, fromAfter };
-    int variable = -1;
+    VariableId variable;
     About about = About::value;
     ArcState state = ArcState::free;
 };
 
 /// Values of the columns of a formulation, kept consistent row by row and with the values of the arcs.
-class ParticleState {
+class ColumnState {
 public:
     /// \param state  outlives this, and is changed through it only
-    ParticleState(SearchState& state, const Formulation& formulation);
+    ColumnState(SearchState& state, const Formulation& formulation);
 
     /// False if the rules contradict each other already.
     [[nodiscard]] bool consistent() const { return consistent_; }
 
     [[nodiscard]] const SearchState& arcs() const { return arcs_; }
     /// In, out or free.
-    [[nodiscard]] ArcState column(int column) const { return columns_[static_cast<std::size_t>(column)]; }
+    [[nodiscard]] ArcState value(ColumnId column) const { return columns_[column]; }
     /// The lower side of a row; above the formulation's where a variable must be covered.
-    [[nodiscard]] double rowLower(int row) const;
+    [[nodiscard]] double rowLower(RowId row) const;
 
     struct Mark {
         SearchState::Mark arcs;
@@ -42,22 +42,22 @@ public:
 
     /// \return false on a contradiction; then undo
     bool take(const Decision& decision);
-    bool fixColumn(int column, ArcState value);
+    bool fixColumn(ColumnId column, ArcState value);
 
 private:
-    bool set(int column, ArcState value);
+    bool set(ColumnId column, ArcState value);
     bool settle();
     bool arcsToColumns();
     bool columnsToArcs();
-    bool visitRow(int row);
+    bool visitRow(RowId row);
 
     SearchState& arcs_;
     const Formulation& formulation_;
-    std::vector<ArcState> columns_;
-    std::vector<bool> demanded_; ///< rows p + s <= 1 of variables that are in
-    std::vector<std::vector<int>> rowsOf_;
-    std::vector<int> columnTrail_;
-    std::vector<int> demandTrail_;
+    IdVector<ColumnId, ArcState> columns_;
+    IdVector<RowId, bool> demanded_; ///< rows p + s <= 1 of variables that are in
+    IdVector<ColumnId, std::vector<RowId>> rowsOf_;
+    std::vector<ColumnId> columnTrail_;
+    std::vector<RowId> demandTrail_;
     SearchState::Mark seen_;      ///< how far the columns know the arcs
     std::size_t propagated_ = 0;  ///< how far the rows know the columns
     std::size_t told_ = 0;        ///< how far the arcs know the columns

@@ -1,4 +1,4 @@
-#include "enumerate/optimum/particle_state.h"
+#include "enumerate/optimum/column_state.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,41 +6,37 @@
 namespace qm {
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 constexpr double tolerance = 1e-6; ///< of sums of a few whole numbers
 
 } // namespace
 
-ParticleState::ParticleState(SearchState& state, const Formulation& formulation)
+ColumnState::ColumnState(SearchState& state, const Formulation& formulation)
     : arcs_(state), formulation_(formulation), columns_(formulation.costs.size(), ArcState::free),
       demanded_(formulation.rows.size(), false), rowsOf_(formulation.costs.size()) {
-    for (std::size_t row = 0; row < formulation.rows.size(); ++row)
-        for (const int column : formulation.rows[row].columns)
-            rowsOf_[at(column)].push_back(static_cast<int>(row));
-    for (std::size_t row = 0; row < formulation.rows.size() && consistent_; ++row)
-        consistent_ = visitRow(static_cast<int>(row));
+    for (const RowId row : formulation.rows.ids())
+        for (const ColumnId column : formulation.rows[row].columns)
+            rowsOf_[column].push_back(row);
+    for (const RowId row : formulation.rows.ids())
+        consistent_ = consistent_ && visitRow(row);
     consistent_ = consistent_ && settle();
 }
 
-double ParticleState::rowLower(int row) const {
-    return demanded_[at(row)] ? 1 : formulation_.rows[at(row)].lower;
+double ColumnState::rowLower(RowId row) const {
+    return demanded_[row] ? 1 : formulation_.rows[row].lower;
 }
 
-ParticleState::Mark ParticleState::mark() const {
+ColumnState::Mark ColumnState::mark() const {
     return {arcs_.mark(), columnTrail_.size(), demandTrail_.size()};
 }
 
-void ParticleState::undo(const Mark& mark) {
+void ColumnState::undo(const Mark& mark) {
     arcs_.undo(mark.arcs);
     while (columnTrail_.size() > mark.columns) {
-        columns_[at(columnTrail_.back())] = ArcState::free;
+        columns_[columnTrail_.back()] = ArcState::free;
         columnTrail_.pop_back();
     }
     while (demandTrail_.size() > mark.demands) {
-        demanded_[at(demandTrail_.back())] = false;
+        demanded_[demandTrail_.back()] = false;
         demandTrail_.pop_back();
     }
     seen_ = mark.arcs;
@@ -48,29 +44,29 @@ void ParticleState::undo(const Mark& mark) {
     demandsSeen_ = mark.demands;
 }
 
-bool ParticleState::take(const Decision& decision) {
+bool ColumnState::take(const Decision& decision) {
     if (decision.about == Decision::About::value) {
         if (!arcs_.isFree(decision.variable)) return arcs_.value(decision.variable) == decision.state;
         return arcs_.assign(decision.variable, decision.state) && settle();
     }
-    const Formulation::Columns& columns = formulation_.columnsOf[at(decision.variable)];
+    const Formulation::Columns& columns = formulation_.columnsOf[decision.variable];
     return fixColumn(decision.about == Decision::About::fromBefore ? columns.fromBefore : columns.fromAfter,
                      decision.state);
 }
 
-bool ParticleState::fixColumn(int column, ArcState value) {
+bool ColumnState::fixColumn(ColumnId column, ArcState value) {
     return set(column, value) && settle();
 }
 
-bool ParticleState::set(int column, ArcState value) {
-    ArcState& current = columns_[at(column)];
+bool ColumnState::set(ColumnId column, ArcState value) {
+    ArcState& current = columns_[column];
     if (current != ArcState::free) return current == value;
     current = value;
     columnTrail_.push_back(column);
     return true;
 }
 
-bool ParticleState::settle() {
+bool ColumnState::settle() {
     for (;;) {
         if (!arcsToColumns()) return false;
         while (propagated_ < columnTrail_.size() || demandsSeen_ < demandTrail_.size()) {
@@ -78,7 +74,7 @@ bool ParticleState::settle() {
                 if (!visitRow(demandTrail_[demandsSeen_++])) return false;
                 continue;
             }
-            for (const int row : rowsOf_[at(columnTrail_[propagated_++])])
+            for (const RowId row : rowsOf_[columnTrail_[propagated_++]])
                 if (!visitRow(row)) return false;
         }
         const std::size_t known = arcs_.mark().assignment.assignments;
@@ -88,31 +84,31 @@ bool ParticleState::settle() {
     }
 }
 
-bool ParticleState::arcsToColumns() {
-    for (const int variable : arcs_.assignedSince(seen_)) {
-        const auto& [fromBefore, fromAfter] = formulation_.columnsOf[at(variable)];
+bool ColumnState::arcsToColumns() {
+    for (const VariableId variable : arcs_.assignedSince(seen_)) {
+        const auto& [fromBefore, fromAfter] = formulation_.columnsOf[variable];
         const ArcState value = arcs_.value(variable);
-        if (const int row = formulation_.coverRowOf[at(variable)]; row >= 0 && value == ArcState::in) {
-            if (!demanded_[at(row)]) demandTrail_.push_back(row);
-            demanded_[at(row)] = true;
+        if (const RowId row = formulation_.coverRowOf[variable]; row.valid() && value == ArcState::in) {
+            if (!demanded_[row]) demandTrail_.push_back(row);
+            demanded_[row] = true;
             continue;
         }
-        for (const int column : {fromBefore, fromAfter})
-            if (column >= 0 && !set(column, value)) return false;
+        for (const ColumnId column : {fromBefore, fromAfter})
+            if (column.valid() && !set(column, value)) return false;
     }
     seen_ = arcs_.mark();
     return true;
 }
 
-bool ParticleState::columnsToArcs() {
+bool ColumnState::columnsToArcs() {
     while (told_ < columnTrail_.size()) {
-        const int column = columnTrail_[told_++];
-        const int variable = formulation_.variableOf[at(column)];
-        if (variable < 0) continue; // follows from the arcs
-        const auto& [fromBefore, fromAfter] = formulation_.columnsOf[at(variable)];
-        const auto isOut = [this](int c) { return c < 0 || columns_[at(c)] == ArcState::out; };
+        const ColumnId column = columnTrail_[told_++];
+        const VariableId variable = formulation_.variableOf[column];
+        if (!variable.valid()) continue; // follows from the arcs
+        const auto& [fromBefore, fromAfter] = formulation_.columnsOf[variable];
+        const auto isOut = [this](ColumnId c) { return !c.valid() || columns_[c] == ArcState::out; };
         ArcState value = ArcState::free;
-        if (columns_[at(column)] == ArcState::in)
+        if (columns_[column] == ArcState::in)
             value = ArcState::in;
         else if (isOut(fromBefore) && isOut(fromAfter))
             value = ArcState::out;
@@ -123,11 +119,11 @@ bool ParticleState::columnsToArcs() {
 }
 
 /// Fixes the columns to which a row leaves a single value.
-bool ParticleState::visitRow(int id) {
-    const Formulation::Row& row = formulation_.rows[at(id)];
+bool ColumnState::visitRow(RowId id) {
+    const Formulation::Row& row = formulation_.rows[id];
     double min = 0, max = 0;
     for (std::size_t k = 0; k < row.columns.size(); ++k) {
-        const ArcState value = columns_[at(row.columns[k])];
+        const ArcState value = columns_[row.columns[k]];
         if (value != ArcState::out) max += std::max(row.weights[k], 0.0);
         if (value != ArcState::out) min += std::min(row.weights[k], 0.0);
         if (value == ArcState::in) min += std::max(row.weights[k], 0.0);
@@ -136,7 +132,7 @@ bool ParticleState::visitRow(int id) {
     const double lower = rowLower(id) - tolerance, upper = row.upper + tolerance;
     if (max < lower || min > upper) return false;
     for (std::size_t k = 0; k < row.columns.size(); ++k) {
-        if (columns_[at(row.columns[k])] != ArcState::free) continue;
+        if (columns_[row.columns[k]] != ArcState::free) continue;
         const double weight = std::abs(row.weights[k]);
         const bool positive = row.weights[k] > 0;
         if (max - weight < lower)

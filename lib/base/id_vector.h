@@ -1,0 +1,60 @@
+/// \file Arrays that take the ids of their elements for indices, so that no number has to be cast.
+#pragma once
+
+#include "base/ids.h"
+
+#include <cstddef>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+namespace qm {
+
+/// The ids from one to before another, in order.
+template <class Key> class IdRange {
+public:
+    class iterator {
+    public:
+        using value_type = Key;
+        using difference_type = std::ptrdiff_t;
+
+        constexpr iterator() = default;
+        constexpr explicit iterator(Key id) : id_(id) {}
+        constexpr Key operator*() const { return id_; }
+        constexpr iterator& operator++() {
+            id_ = id_ + 1;
+            return *this;
+        }
+        constexpr iterator operator++(int) { return iterator(std::exchange(id_, id_ + 1)); }
+        constexpr bool operator==(const iterator&) const = default;
+
+    private:
+        Key id_;
+    };
+
+    constexpr IdRange(Key first, Key end) : first_(first), end_(end) {}
+    [[nodiscard]] constexpr iterator begin() const { return iterator(first_); }
+    [[nodiscard]] constexpr iterator end() const { return iterator(end_); }
+
+private:
+    Key first_;
+    Key end_;
+};
+
+/// A vector in all but the type of its index.
+template <class Key, class Value> class IdVector : public std::vector<Value> {
+    using Base = std::vector<Value>;
+
+public:
+    using Base::Base;
+    explicit IdVector(Base values) : Base(std::move(values)) {}
+
+    [[nodiscard]] decltype(auto) operator[](Key id) { return Base::operator[](id.idx()); }
+    [[nodiscard]] decltype(auto) operator[](Key id) const { return Base::operator[](id.idx()); }
+
+    [[nodiscard]] IdRange<Key> ids() const { return {Key(0), nextId()}; }
+    /// Of the element that is appended next.
+    [[nodiscard]] Key nextId() const { return Key(this->size()); }
+};
+
+} // namespace qm

@@ -1,0 +1,57 @@
+/// \file Where particles may stop and who else arrives there: the setting of A1 to A4
+/// (docs/METHOD.md#valid-tracks).
+#pragma once
+
+#include "enumerate/state/assignment.h"
+
+#include <vector>
+
+namespace qm {
+
+using CourseId = Id<struct CourseTag>;
+
+/// The particle that arrives at a stop from one side: its course, none if no particle does, and the
+/// coordinate of the stop on it.
+struct Arrival {
+    CourseId course;
+    int coordinate = 0;
+};
+
+/// A candidate stop strictly between the ends of a course.
+struct Stop {
+    Arrival left;
+    Arrival right;
+    /// The crossing line is there in every graph and nobody can pass it: stopping is always right.
+    bool wall = false;
+};
+
+/// What a particle may walk: a chain, from its source on. Coordinates count variables.
+struct Course {
+    ChainId chain;
+    bool fromEnd = false;
+    int length = 0;
+    CourseId opposite;       ///< of the particle that comes the other way; none if there is no such particle
+    int max = 0;             ///< the domains allow no stop after this coordinate
+    std::vector<Stop> stops; ///< see stopIndex
+
+    /// Of the stop at a coordinate, 1 to length - 1.
+    [[nodiscard]] static std::size_t stopIndex(int coordinate) {
+        return static_cast<std::size_t>(coordinate) - 1;
+    }
+};
+
+using Courses = IdVector<CourseId, Course>;
+/// How many variables every particle has walked.
+using Coordinates = IdVector<CourseId, int>;
+
+/// The courses of all particles of a problem, by chain.
+[[nodiscard]] Courses findCourses(const Problem& problem);
+
+/// The arcs that particles at these coordinates have walked.
+[[nodiscard]] Assignment assignmentOf(const Problem& problem, const Courses& courses,
+                                      const Coordinates& coordinates);
+
+/// Whether tracks of these lengths obey A1 to A4.
+[[nodiscard]] bool validCoordinates(const Courses& courses, const Coordinates& coordinates);
+
+} // namespace qm
