@@ -1,20 +1,25 @@
 /// \file qm-features: curves along sharp edges become sources of particles.
+#include "cli/feature_choices.h"
 #include "cli/stage.h"
 #include "document/features_section.h"
 #include "features/features.h"
 
 int main(int argc, char** argv) {
     qm::FeatureOptions options;
+    std::string minAngle;
     return qm::runTool(
         argc, argv, "qm-features", "Find feature curves, so that patch boundaries follow sharp edges.",
         [&](qm::Tool& tool) -> qm::ToolBody {
             auto stage = std::make_shared<qm::Stage>(tool, qm::Kind::basecomplex, qm::Kind::basecomplex,
                                                      qm::Kind::features);
             tool.options(options);
+            tool.text("min-angle", minAngle, "X[deg]", "--rho in degrees, such as 25deg");
+            tool.verify([&] { qm::settleFeatureOptions(tool, minAngle, options); });
             tool.example("qm-features part.basecomplex.json -o part.features.json");
-            tool.example(
-                "qm-basecomplex part.obj | qm-features --rho 0.5 --tau 5 --zeta 2 > part.features.json");
-            return [&tool, &options, stage] {
+            tool.example("qm-basecomplex part.obj | qm-features --min-length 5% --min-angle 40deg > "
+                         "part.features.json");
+            tool.example("qm-basecomplex part.obj | qm-features --tau 15 --zeta 30 > part.features.json");
+            return [&, stage] {
                 const qm::Model& model = stage->read();
                 const qm::Features features = qm::findFeatures(model.mesh, model.dihedralAngles, options);
                 tool.count("curves", static_cast<double>(features.curves.size()));

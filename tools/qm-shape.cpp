@@ -1,6 +1,7 @@
 /// \file qm-shape: sample meshes, and scans of them.
 #include "cli/mesh_choices.h"
 #include "cli/tool.h"
+#include "document/options.h"
 #include "mesh/write_soup.h"
 #include "shape/scan.h"
 #include "shape/shape.h"
@@ -26,7 +27,7 @@ struct Request {
     std::string name;
     qm::ShapeOptions shape;
     int scan = 0; ///< about how many triangles; 0: quads
-    qm::Tolerance noise{.value = 0, .percent = true};
+    qm::Length noise;
     qm::NamedMeshFormat format = qm::NamedMeshFormat::ending;
 };
 
@@ -71,7 +72,7 @@ int main(int argc, char** argv) {
                         "how many cubes a random mesh is made of");
             tool.option("scan", request.scan, {0, 20'000'000},
                         "make about so many triangles, as a scanner does, instead of quads; 0 makes quads");
-            tool.option("noise", request.noise, {},
+            tool.option("noise", request.noise, {qm::smallestPositive, qm::infinite},
                         "of a scan: standard deviation of its points from the surface, a length or, with %, "
                         "a share of "
                         "the diagonal of the bounding box");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/control.h"
+#include "base/length.h"
 #include "bspline/splines/surfaces.h"
 #include "layout/layout.h"
 
@@ -15,19 +16,10 @@ enum class Fit {
     interpolate ///< the paper's: through every vertex, every patch by itself
 };
 
-/// A length as users give it: "0.1%" or "0.05".
-struct Tolerance {
-    double value = 0.1;
-    bool percent = true; ///< of the diagonal of the mesh's bounding box; else in the mesh's unit
-
-    [[nodiscard]] double length(double diagonal) const { return percent ? value / 100 * diagonal : value; }
-    friend bool operator==(const Tolerance&, const Tolerance&) = default;
-};
-
 struct FitOptions {
     Fit fit = Fit::smooth;
     /// Largest distance from the reference; used by Fit::smooth only.
-    Tolerance tolerance;
+    Length tolerance{0.1, true};
     /// A border edge is smooth if its dihedral angle is at most this, in radians.
     double rho = 0.45;
 };

@@ -1,7 +1,7 @@
 #include "cli/option_record.h"
 
 #include "base/number_text.h"
-#include "document/tolerance_text.h"
+#include "document/length_text.h"
 
 #include <cmath>
 
@@ -77,14 +77,18 @@ OptionRecord makeOption(const std::string& name, double& value, const Range& ran
     return makeNumber(name, value, range, help);
 }
 
-OptionRecord makeOption(const std::string& name, Tolerance& value, const Range&, const std::string& help) {
+OptionRecord makeOption(const std::string& name, Length& value, const Range& range, const std::string& help) {
     OptionRecord result = record(OptionRecord::Type::text, name, help);
     result.placeholder = "X[%]";
-    result.defaultText = toleranceText(value);
-    result.show = [&value] { return toleranceText(value); };
-    result.assign = [&value](const std::string& text) {
-        return parseTolerance(text, value) ? std::string()
-                                           : "'" + text + "' is no positive number, with or without %";
+    result.defaultText = lengthText(value);
+    result.show = [&value] { return lengthText(value); };
+    result.assign = [&value, range](const std::string& text) {
+        Length length;
+        if (!parseLength(text, length) || length.value < range.min)
+            return "'" + text + "' is no " + (range.min > 0 ? "positive number" : "number from 0") +
+                   ", with or without %";
+        value = length;
+        return std::string();
     };
     return result;
 }

@@ -40,7 +40,7 @@ struct OptionRecord {
                                       const std::string& help);
 [[nodiscard]] OptionRecord makeOption(const std::string& name, double& value, const Range& range,
                                       const std::string& help);
-[[nodiscard]] OptionRecord makeOption(const std::string& name, Tolerance& value, const Range& range,
+[[nodiscard]] OptionRecord makeOption(const std::string& name, Length& value, const Range& range,
                                       const std::string& help);
 [[nodiscard]] OptionRecord makeTextOption(const std::string& name, std::string& value,
                                           const std::string& placeholder, const std::string& help);

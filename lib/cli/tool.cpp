@@ -32,6 +32,13 @@ double peakMegabytes() {
 
 } // namespace
 
+/// Options, what they need to have an effect, and whether it is there.
+struct Condition {
+    std::vector<std::string> names;
+    std::string what;
+    std::function<bool()> holds;
+};
+
 struct Tool::State {
     Usage usage;
     std::string group = ownOptions;
@@ -39,6 +46,7 @@ struct Tool::State {
     bool hasInput = false;
     bool hasOutput = false;
     bool graceful = false;
+    std::vector<Condition> conditions;
     std::function<void()> verify;
 
     std::string input = "-";
@@ -117,6 +125,10 @@ void Tool::verify(std::function<void()> check) {
     state_->verify = std::move(check);
 }
 
+void Tool::needs(std::vector<std::string> names, std::string what, std::function<bool()> holds) {
+    state_->conditions.push_back({std::move(names), std::move(what), std::move(holds)});
+}
+
 void Tool::add(OptionRecord record) {
     record.group = state_->group;
     state_->usage.options.push_back(std::move(record));
@@ -147,6 +159,7 @@ void Tool::addGeneralOptions() {
     option("json-usage", s.printUsage, "print this help as JSON");
     addShort(makeOption("help", s.help, {}, "print this help"), "h");
     option("version", s.version, "print the version");
+    needs({"verbose"}, "messages, which --quiet turns off", [&s] { return !s.quiet; });
     std::stable_partition(s.usage.options.begin(), s.usage.options.end(),
                           [](const OptionRecord& record) { return record.group != generalOptions; });
 }
@@ -171,6 +184,7 @@ void Tool::assignOperands(const std::vector<std::string>& operands) {
     }
     for (std::size_t i = operands.size(); i < s.operands.size(); ++i)
         if (s.usage.operands[i].required) throw UsageError(s.usage.operands[i].name + " is missing");
+    requireEffects();
     if (s.verify) try {
             s.verify();
         } catch (const Error& error) {
@@ -178,6 +192,13 @@ void Tool::assignOperands(const std::vector<std::string>& operands) {
         }
     if (s.hasInput && s.input == "-" && isatty(STDIN_FILENO) != 0)
         throw UsageError("standard input is a terminal. Name a file, or pipe one in");
+}
+
+void Tool::requireEffects() const {
+    for (const Condition& condition : state_->conditions)
+        for (const std::string& name : condition.names)
+            if (given(name) && !condition.holds())
+                throw UsageError("--" + name + " has no effect without " + condition.what + ". Leave it out");
 }
 
 // ------------------------------------------------------------------------------------------- for the body

@@ -66,6 +66,9 @@ public:
     /// --schema prints the schema of this kind of document, such as "layout".
     void schema(const std::string& kind);
 
+    /// These options have an effect only if this holds once the command line has been read; given without it,
+    /// they are a usage error, `--NAME has no effect without WHAT`.
+    void needs(std::vector<std::string> names, std::string what, std::function<bool()> holds);
     /// Options that are declared from here on stand under this heading in --help; `ownOptions` at first.
     /// Those under `generalOptions` come last.
     void group(const std::string& heading);
@@ -140,6 +143,7 @@ private:
     void add(OptionRecord record);
     void addGeneralOptions();
     void parse(int argc, char** argv);
+    void requireEffects() const;
     void assignOperands(const std::vector<std::string>& operands);
     void noteSettings() const;
     void printStats() const;
@@ -164,6 +168,9 @@ void Tool::option(const std::string& name, Value& value, const Range& range, con
 template <class Options> void Tool::options(Options& values) {
     describe(values, [this](const char* name, auto& value, const Range& range, const char* help) {
         option(name, value, range, help);
+    });
+    conditions(values, [this](std::vector<std::string> names, std::string what, std::function<bool()> holds) {
+        needs(std::move(names), std::move(what), std::move(holds));
     });
 }
 

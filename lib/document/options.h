@@ -10,6 +10,7 @@
 #include "merge/merge.h"
 #include "prune/prune.h"
 
+#include <cmath>
 #include <numbers>
 
 namespace qm {
@@ -55,17 +56,29 @@ template <> struct Choices<Fit> {
 };
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double smallestPositive = std::numeric_limits<double>::denorm_min();
 constexpr double maxCount = 1e9; ///< of anything that a user may ask for
 /// Of a segment: beyond it the solver's precision ends, and nothing but their number counts anyway.
 constexpr double highestPrice = 1e4;
 
+/// When options have an effect. Every call names some of them, says what they need, and whether that holds
+/// with the present values. Options that no call names always have one.
+template <class Options, class Visitor> void conditions(const Options&, Visitor&&) {}
+
 template <class Visitor> void describe(FeatureOptions& options, Visitor&& option) {
     option("rho", options.rho, Range{0, std::numbers::pi},
            "every edge of a curve has a dihedral angle above this, radians");
-    option("tau", options.tau, Range{1, maxCount}, "a curve has at least this many edges");
+    option("min-length", options.minLength, Range{0, infinite},
+           "a curve is at least this long, in the mesh's unit or, with %, as a share of the bounding box's "
+           "diagonal");
+    option("min-distance", options.minDistance, Range{0, infinite},
+           "the ends of a curve are at least this far, along its line, from every extraordinary vertex");
     option(
-        "zeta", options.zeta, Range{0, maxCount},
-        "the ends of a curve are more than this many edges, along its line, from every extraordinary vertex");
+        "tau", options.tau, Range{1, maxCount},
+        "a curve has at least this many edges; 15 is the paper's, and then --min-length is 0 unless given");
+    option("zeta", options.zeta, Range{0, maxCount},
+           "the ends of a curve are more than this many edges, along its line, from every extraordinary "
+           "vertex; 30 is the paper's, and then --min-distance is 0 unless given");
 }
 
 template <class Visitor> void describe(CutOptions& options, Visitor&& option) {
@@ -104,6 +117,15 @@ template <class Visitor> void describe(EnumerationOptions& options, Visitor&& op
            "stop a sub-mesh when its cost is at most this much above the lower bound");
 }
 
+template <class Visitor> void conditions(const EnumerationOptions& options, Visitor&& needs) {
+    needs({"alpha", "epsilon"}, "the term dihedral in --cost",
+          [&options] { return options.cost.terms.dihedral != 0; });
+    needs({"best", "max-cost", "time-limit", "count"}, "a --method that searches",
+          [&options] { return options.method != Method::plain; });
+    needs({"gap", "sample"}, "--method optimum", [&options] { return options.method == Method::optimum; });
+    needs({"seed"}, "--sample", [&options] { return options.sample > 0; });
+}
+
 template <class Visitor> void describe(MergeOptions& options, Visitor&& option) {
     option("max-rounds", options.maxRounds, Range{0, maxCount},
            "passes of the complete generator before free particles are simply extended");
@@ -128,14 +150,29 @@ template <class Visitor> void describe(PruneOptions& options, Visitor&& option) 
            "list which numbers of segments, G_T and captured sharpness can be had, for prices of 1/16 to 64");
 }
 
+template <class Visitor> void conditions(const PruneOptions& options, Visitor&& needs) {
+    const auto optimum = [&options] { return options.method == PruneMethod::optimum; };
+    needs({"eta"}, "--method greedy", [&options] { return options.method == PruneMethod::greedy; });
+    needs({"max-turn"}, "the smoothness criterion", [&options] { return options.smooth; });
+    needs({"beta", "fewest-patches", "max-segments"}, "--method optimum", optimum);
+    needs({"beta"}, "segments whose number is free",
+          [&options] { return !options.fewestPatches && !std::isfinite(options.maxSegments); });
+    needs({"time-limit"}, "--method optimum or --front",
+          [&options] { return options.method == PruneMethod::optimum || options.front; });
+}
+
 template <class Visitor> void describe(FitOptions& options, Visitor&& option) {
     option("fit", options.fit, Range{}, "how surfaces follow the mesh");
     option(
-        "tolerance", options.tolerance, Range{},
+        "tolerance", options.tolerance, Range{smallestPositive, infinite},
         "with --fit smooth: the largest distance from the smooth surface through the mesh's vertices, in the "
         "mesh's unit, or with % as a share of the bounding box's diagonal");
     option("rho", options.rho, Range{0, std::numbers::pi},
            "a border edge is smooth up to this dihedral angle, radians");
+}
+
+template <class Visitor> void conditions(const FitOptions& options, Visitor&& needs) {
+    needs({"tolerance"}, "--fit smooth", [&options] { return options.fit == Fit::smooth; });
 }
 
 } // namespace qm

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "document/json.h"
+#include "document/length_text.h"
 #include "document/options.h"
-#include "document/tolerance_text.h"
 
 #include <cmath>
 #include <type_traits>
@@ -19,8 +19,8 @@ template <class Options> [[nodiscard]] Json optionsToJson(Options options) {
         Json& entry = json[keyOf(name)];
         if constexpr (std::is_enum_v<Value>)
             entry = std::string(choiceName(value));
-        else if constexpr (std::is_same_v<Value, Tolerance>)
-            entry = value.percent ? Json(toleranceText(value)) : Json(value.value);
+        else if constexpr (std::is_same_v<Value, Length>)
+            entry = value.percent ? Json(lengthText(value)) : Json(value.value);
         else if constexpr (std::is_floating_point_v<Value>)
             entry = std::isfinite(value) ? Json(value) : Json();
         else if constexpr (std::is_same_v<Value, CostTerms>)

@@ -1,7 +1,7 @@
 #include "document/summary_json.h"
 
+#include "document/length_text.h"
 #include "document/options.h"
-#include "document/tolerance_text.h"
 
 namespace qm {
 namespace {
@@ -35,7 +35,7 @@ FitOptions recordedFit(const JsonPlace& history) {
         if (!tolerance) continue;
         if (tolerance->value().is_number())
             fit.tolerance = {tolerance->number(), false};
-        else if (!parseTolerance(tolerance->text(), fit.tolerance))
+        else if (!parseLength(tolerance->text(), fit.tolerance))
             tolerance->fail("is no tolerance");
     }
     return fit;

@@ -1,5 +1,6 @@
 #include "features/features.h"
 
+#include "mesh/bounding_box.h"
 #include "mesh/mesh_lines.h"
 #include "mesh/topology.h"
 
@@ -10,19 +11,22 @@
 namespace qm {
 namespace {
 
-constexpr int infinitelyFar = std::numeric_limits<int>::max();
-
 /// Finds the curves of one line after the other.
 class Finder {
 public:
     Finder(const QuadMesh& mesh, const std::vector<double>& angles, const FeatureOptions& options)
-        : mesh_(mesh), angles_(angles), options_(options) {}
+        : mesh_(mesh), angles_(angles), options_(options) {
+        const double diagonal = boundingBox(mesh).diagonal();
+        minLength_ = options.minLength.length(diagonal);
+        minDistance_ = options.minDistance.length(diagonal);
+    }
 
     void search(const MeshLine& line) {
+        measure(line);
         const int length = static_cast<int>(line.halfedges.size());
         const int begin = line.closed ? firstBlunt(line) : 0;
         if (begin == length) { // a closed loop that is sharp all the way round
-            if (length >= options_.tau) curves_.push_back({line.halfedges, VertexId()});
+            if (isLong(line, 0, length)) curves_.push_back({line.halfedges, VertexId()});
             return;
         }
         for (int k = begin; k < begin + length; ++k) {
@@ -30,7 +34,7 @@ public:
             int end = k + 1;
             while (end < begin + length && sharp(line, end))
                 ++end;
-            if (end - k >= options_.tau && farFromSources(line, k, end)) curves_.push_back(cut(line, k, end));
+            if (isLong(line, k, end) && farFromSources(line, k, end)) curves_.push_back(cut(line, k, end));
             k = end;
         }
     }
@@ -55,14 +59,36 @@ private:
         return k;
     }
 
+    [[nodiscard]] bool isLong(const MeshLine& line, int begin, int end) const {
+        return end - begin >= options_.tau && lengthOf(line, begin, end) >= minLength_;
+    }
+
     [[nodiscard]] bool farFromSources(const MeshLine& line, int begin, int end) const {
         if (line.closed) return true;
-        const auto distance = [this](VertexId lineEnd, int edges) {
-            return isRegular(mesh_, lineEnd) ? infinitelyFar : edges;
+        const auto isFar = [this, &line](VertexId lineEnd, int first, int last) {
+            return isRegular(mesh_, lineEnd) ||
+                   (last - first > options_.zeta && lengthOf(line, first, last) >= minDistance_);
         };
         const int length = static_cast<int>(line.halfedges.size());
-        return distance(mesh_.from_vertex_handle(line.halfedges.front()), begin) > options_.zeta &&
-               distance(mesh_.to_vertex_handle(line.halfedges.back()), length - end) > options_.zeta;
+        return isFar(mesh_.from_vertex_handle(line.halfedges.front()), 0, begin) &&
+               isFar(mesh_.to_vertex_handle(line.halfedges.back()), end, length);
+    }
+
+    /// Of the edges from one position on the line to another; positions go on behind the end of a closed
+    /// line.
+    [[nodiscard]] double lengthOf(const MeshLine& line, int begin, int end) const {
+        const auto lengthUpTo = [&](int position) {
+            const auto k = static_cast<std::size_t>(position);
+            const std::size_t count = line.halfedges.size();
+            return static_cast<double>(k / count) * lengthUpTo_[count] + lengthUpTo_[k % count];
+        };
+        return lengthUpTo(end) - lengthUpTo(begin);
+    }
+
+    void measure(const MeshLine& line) {
+        lengthUpTo_.assign(1, 0);
+        for (const HalfedgeId halfedge : line.halfedges)
+            lengthUpTo_.push_back(lengthUpTo_.back() + mesh_.calc_edge_length(halfedge));
     }
 
     static FeatureCurve cut(const MeshLine& line, int begin, int end) {
@@ -73,7 +99,7 @@ private:
     }
 
     [[nodiscard]] int lowestEdge(const FeatureCurve& curve) const {
-        int lowest = infinitelyFar;
+        int lowest = std::numeric_limits<int>::max();
         for (const HalfedgeId halfedge : curve.halfedges)
             lowest = std::min(lowest, mesh_.edge_handle(halfedge).idx());
         return lowest;
@@ -82,6 +108,9 @@ private:
     const QuadMesh& mesh_;
     const std::vector<double>& angles_;
     const FeatureOptions& options_;
+    double minLength_ = 0;
+    double minDistance_ = 0;
+    std::vector<double> lengthUpTo_; ///< of the line that is searched: from its begin to every position
     std::vector<FeatureCurve> curves_;
 };
 

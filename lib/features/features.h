@@ -1,6 +1,7 @@
 /// \file Feature curves and their seeds (docs/METHOD.md#features).
 #pragma once
 
+#include "base/length.h"
 #include "basecomplex/base_complex.h"
 #include "mesh/quad_mesh.h"
 
@@ -10,8 +11,11 @@ namespace qm {
 
 struct FeatureOptions {
     double rho = 0.45; ///< every edge of a curve is sharper than this, radians
-    int tau = 15;      ///< a curve has at least this many edges
-    int zeta = 30; ///< its ends are more than this many edges from any extraordinary vertex, along the line
+    // Ends are measured along the line to the next extraordinary vertex.
+    Length minLength{3, true};   ///< a curve is at least this long
+    Length minDistance{1, true}; ///< its ends are at least this far from any extraordinary vertex
+    int tau = 6;                 ///< a curve has at least this many edges
+    int zeta = 1;                ///< its ends are more than this many edges from any extraordinary vertex
 };
 
 /// A run of sharp edges along one mesh line. A closed loop repeats its first vertex at the end.

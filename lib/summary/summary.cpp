@@ -1,32 +1,17 @@
 #include "summary/summary.h"
 
 #include "bspline/splines/evaluate.h"
+#include "mesh/bounding_box.h"
 #include "mesh/topology.h"
 #include "summary/figure_text.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace qm {
 namespace {
 
 /// STEP files say how close points must be to be one; this is what ours say where nothing is farther apart.
 constexpr double stepTolerance = 1e-7;
-
-void measureSize(const QuadMesh& mesh, Summary& summary) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    Point low{infinity, infinity, infinity};
-    Point high = -low;
-    for (const VertexId vertex : mesh.vertices())
-        if (!mesh.is_isolated(vertex)) {
-            low.minimize(mesh.point(vertex));
-            high.maximize(mesh.point(vertex));
-        }
-    if (mesh.n_faces() == 0) return;
-    const Point size = high - low;
-    summary.size = {size[0], size[1], size[2]};
-    summary.diagonal = size.norm();
-}
 
 int piecesOf(const QuadMesh& mesh) {
     const auto isolated =
@@ -49,7 +34,10 @@ Summary summarise(const QuadMesh& mesh, const Layout* layout, const Surfaces* su
     summary.vertices = mesh.n_vertices();
     summary.pieces = piecesOf(mesh);
     summary.loops = boundaryLoops(mesh);
-    measureSize(mesh, summary);
+    const BoundingBox box = boundingBox(mesh);
+    const Point size = box.size();
+    summary.size = {size[0], size[1], size[2]};
+    summary.diagonal = box.diagonal();
     if (layout != nullptr) summary.patches = layout->segments.size();
     if (surfaces == nullptr || surfaces->patches.empty()) return summary;
     FitSummary& figures = summary.fit.emplace();

@@ -46,8 +46,55 @@ curves() { field '.features.curves | length' out.json; }
     assert_equal "$(field '.history[-1].options | [.rho, .tau, .zeta] | join(" ")' out.json)" '0.4 7 5'
 }
 
+@test "curves are at least as long as asked for, in the mesh's unit or per cent of the diagonal" {
+    find_curves genus2 --rho 0.3 --tau 2 --zeta 0
+    all=$(curves)
+    find_curves genus2 --rho 0.3 --tau 2 --zeta 0 --min-length 30%
+    long=$(curves)
+    assert [ "$long" -lt "$all" ]
+    assert [ "$long" -gt 0 ]
+    diagonal=$(qm-summary --json out.json | jq .diagonal)
+    find_curves genus2 --rho 0.3 --tau 2 --zeta 0 --min-length "$(jq -n "$diagonal * 0.3")"
+    assert_equal "$(curves)" "$long"
+    # Closed lines meet no extraordinary vertex, so no distance is too great for them.
+    find_curves genus2 --rho 0.3 --tau 2 --zeta 0 --min-distance 1000%
+    assert_equal "$(curves)" "$all"
+}
+
+@test "limits in edges alone are the paper's, without lengths" {
+    find_curves genus2 --tau 15 --zeta 30
+    assert_equal "$(field '.features | [.minLength, .minDistance, .tau, .zeta] | join(" ")' out.json)" '0% 0% 15 30'
+    find_curves genus2 --tau 15
+    assert_equal "$(field '.features | [.minLength, .minDistance, .tau, .zeta] | join(" ")' out.json)" '0% 1% 15 1'
+    find_curves genus2 --tau 15 --min-length 0.5
+    assert_equal "$(field '.features | [.minLength, .minDistance] | join(" ")' out.json)" '0.5 1%'
+}
+
+@test "an angle in degrees is rho" {
+    find_curves genus2 --min-angle 30deg
+    assert_equal "$(field '.features.rho * 6 * 1000 | round' out.json)" 3142
+    cp out.json degrees.json
+    find_curves genus2 --min-angle 30
+    assert_same_bytes degrees.json out.json
+    misused qm-features --min-angle 30deg --rho 0.5 part.json
+    misused qm-features --min-angle 200 part.json
+    misused qm-features --min-angle 30grad part.json
+}
+
+@test "the defaults find the rims of a cylinder, and on real machine parts what the paper's limits do not" {
+    find_curves cylinder
+    assert_equal "$(curves)" 2
+    [[ -d $SHARED_MESHES/dev ]] || skip 'there are no real meshes'
+    for part in lever_arm casting mount2; do
+        qm-basecomplex --quiet "$SHARED_MESHES/dev/$part.obj" -o part.json
+        few=$(qm-features --tau 15 --zeta 30 part.json | jq '.features.curves | length')
+        more=$(qm-features part.json | jq '.features.curves | length')
+        assert [ "$more" -gt $((2 * few)) ]
+    done
+}
+
 @test "options out of range" {
-    for options in '--rho -1' '--rho 4' '--rho nan' '--tau 0' '--tau 1.5' '--zeta -1' '--tau x' '--rho'; do
+    for options in '--min-length -1' '--min-length x%' '--min-distance -1%' '--rho -1' '--rho 4' '--rho nan' '--tau 0' '--tau 1.5' '--zeta -1' '--tau x' '--rho'; do
         # shellcheck disable=SC2086  # a list of words
         misused qm-features $options "$(stage basecomplex block)"
     done

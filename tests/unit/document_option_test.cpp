@@ -77,8 +77,8 @@ TEST(Options, OfEveryModuleAreSound) {
 }
 
 TEST(OptionRecord, TakesToleranceAsLengthOrShare) {
-    qm::Tolerance tolerance;
-    const OptionRecord record = qm::makeOption("tolerance", tolerance, {}, "help");
+    qm::Length tolerance{0.1, true};
+    const OptionRecord record = qm::makeOption("tolerance", tolerance, {1e-300, 1e300}, "help");
     EXPECT_EQ(record.defaultText, "0.1%");
     EXPECT_EQ(record.assign("0.5%"), "");
     EXPECT_EQ(tolerance.length(200), 1);
@@ -87,6 +87,11 @@ TEST(OptionRecord, TakesToleranceAsLengthOrShare) {
     for (const char* bad : {"", "%", "0%", "-1", "1 %", "1%%", "inf", "x"})
         EXPECT_NE(record.assign(bad), "") << bad;
     EXPECT_EQ(record.show(), "0.5");
+
+    const OptionRecord length = qm::makeOption("min-length", tolerance, {0, 1e300}, "help");
+    EXPECT_EQ(length.assign("0%"), "");
+    EXPECT_EQ(length.show(), "0%");
+    EXPECT_EQ(length.assign("-1%"), "'-1%' is no number from 0, with or without %");
 }
 
 TEST(OptionRecord, RefusesWhatIsNoNumberOrOutOfRange) {

@@ -19,7 +19,7 @@ constexpr double sharp = 1;
 
 /// All edges sharper than 0.5, at least `tau` of them, more than `zeta` from sources.
 FeatureOptions limits(int tau, int zeta) {
-    return {0.5, tau, zeta};
+    return {0.5, {0, true}, {0, true}, tau, zeta};
 }
 
 std::vector<Path> paths(const QuadMesh& mesh, const Features& features) {
@@ -183,7 +183,12 @@ public:
             std::set<int> run{edge.idx()};
             const bool ahead = extend(mesh_.halfedge_handle(edge, 0), run);
             const bool behind = extend(mesh_.halfedge_handle(edge, 1), run);
-            if (ahead && behind && static_cast<int>(run.size()) >= options_.tau) result.insert(run);
+            double length = 0;
+            for (const int part : run)
+                length += mesh_.calc_edge_length(EdgeId(part));
+            if (ahead && behind && static_cast<int>(run.size()) >= options_.tau &&
+                length > options_.minLength.value)
+                result.insert(run);
         }
         return result;
     }
@@ -203,11 +208,14 @@ private:
             if (!run.insert(mesh_.edge_handle(next).idx()).second) return true; // all the way round
             halfedge = next;
         }
-        for (int distance = 0; distance <= options_.zeta; ++distance) {
+        double length = 0;
+        for (int distance = 0; distance <= options_.zeta || length < options_.minDistance.value; ++distance) {
             const VertexId vertex = mesh_.to_vertex_handle(halfedge);
             if (!isRegular(mesh_, vertex)) return false;
             if (mesh_.is_boundary(vertex)) return true;
             halfedge = straightOn(mesh_, halfedge);
+            length += mesh_.calc_edge_length(halfedge);
+            if (distance > static_cast<int>(mesh_.n_edges())) return true; // a closed line
         }
         return true;
     }
@@ -229,7 +237,10 @@ TEST(Features, AgreeWithTheLetterOfTheMethod) {
         for (const EdgeId edge : mesh->edges())
             angles[static_cast<std::size_t>(edge.idx())] =
                 mesh->is_boundary(edge) || angle(random) > share ? 0 : sharp;
-        const FeatureOptions options = limits(1 + round % 4, round % 3);
+        FeatureOptions options = limits(1 + round % 4, round % 3);
+        // No sum of edges' lengths is near these, which rounding could put on either side.
+        if (round % 2 == 0) options.minLength = {1.2345 * (round % 5), false};
+        if (round % 7 < 3) options.minDistance = {0.98765 * (round % 7), false};
         const Features features = findFeatures(*mesh, angles, options);
         const std::set<std::set<int>> expected = ByTheLetter(*mesh, angles, options).curves();
 

@@ -1,0 +1,14 @@
+/// \file A length as users give it, "0.1%" or "0.05".
+#pragma once
+
+namespace qm {
+
+struct Length {
+    double value = 0;
+    bool percent = true; ///< of the diagonal of the mesh's bounding box; else in the mesh's unit
+
+    [[nodiscard]] double length(double diagonal) const { return percent ? value / 100 * diagonal : value; }
+    friend bool operator==(const Length&, const Length&) = default;
+};
+
+} // namespace qm

@@ -1,0 +1,16 @@
+/// \file Lengths as users and documents write them: "0.1%" or "0.05".
+#pragma once
+
+#include "base/length.h"
+
+#include <string>
+#include <string_view>
+
+namespace qm {
+
+[[nodiscard]] std::string lengthText(const Length& length);
+
+/// Reads a whole text; false, with `length` as it was, if it is no number from 0 with or without %.
+[[nodiscard]] bool parseLength(std::string_view text, Length& length);
+
+} // namespace qm

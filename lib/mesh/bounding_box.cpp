@@ -1,0 +1,19 @@
+#include "mesh/bounding_box.h"
+
+#include <limits>
+
+namespace qm {
+
+BoundingBox boundingBox(const QuadMesh& mesh) {
+    if (mesh.n_faces() == 0) return {};
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    BoundingBox box{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
+    for (const VertexId vertex : mesh.vertices())
+        if (!mesh.is_isolated(vertex)) {
+            box.low.minimize(mesh.point(vertex));
+            box.high.maximize(mesh.point(vertex));
+        }
+    return box;
+}
+
+} // namespace qm
