@@ -10,7 +10,8 @@
 
 namespace qm {
 
-/// Appends a finite number. \param format  of std::to_chars, for other texts than the shortest
+/// Appends a finite number.
+/// \param format  of std::to_chars, for other texts than the shortest
 template <class Number, class... Format>
 void appendNumber(std::string& text, Number value, Format... format) {
     std::array<char, 40> buffer; // enough for any 64-bit integer and, unless it is fixed, any double

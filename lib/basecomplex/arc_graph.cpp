@@ -121,7 +121,8 @@ private:
     }
 
     /// An end of a line at a seed's junction is one of the seed's two arcs. Extraordinary vertices and
-    /// boundary vertices, the other ends of lines, bear no junction. \return the junction
+    /// boundary vertices, the other ends of lines, bear no junction.
+    /// \return the junction
     JunctionId attachToSeed(VertexId end, ArcId arc) {
         const JunctionId junction = junctionAt_[at(end)];
         if (!junction.valid()) return {};

@@ -68,7 +68,8 @@ private:
             if (!rowFigures(p, vertices, row)) return;
     }
 
-    /// A row of quads. \return false if something was wrong
+    /// A row of quads.
+    /// \return false if something was wrong
     bool rowFigures(std::size_t p, const std::vector<int>& vertices, int row) {
         const Patch& patch = part_.patches[p];
         const auto& [columns, rows] = layout_.segments[p].size;

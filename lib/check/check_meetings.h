@@ -11,8 +11,10 @@ namespace qm::check {
 void checkMeetings(const Context& context, const LayoutPart& layout, const SurfacesPart& part,
                    Report& report);
 
-/// Reports a figure of a patch that is less than what is found. \param slack  for rounding \param where  ends
-/// the sentence \return whether it is less
+/// Reports a figure of a patch that is less than what is found.
+/// \param slack  for rounding
+/// \param where  ends the sentence
+/// \return whether it is less
 bool checkFigure(std::size_t patch, const char* figure, const std::optional<double>& stated, double found,
                  double slack, const std::string& where, Report& report);
 

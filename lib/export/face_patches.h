@@ -17,12 +17,13 @@ struct FacePatches {
     std::vector<std::vector<std::size_t>> origins;
 };
 
-/// One face for every segment. \throw Error  if patches are not of degrees 1 to 3, those below 3 without
-/// inner knots, are not continuous, or do not belong to the layout
+/// One face for every segment.
+/// \throw Error  if patches are not of degrees 1 to 3, those below 3 without inner knots, are not continuous,
+///               or do not belong to the layout
 [[nodiscard]] FacePatches facePatches(const Layout& layout, const std::vector<Patch>& patches);
 
-/// The quads of columns [from[0], to[0]) and rows [from[1], to[1]) of a segment. \param vertices  as
-/// vertexGrid has them
+/// The quads of columns [from[0], to[0]) and rows [from[1], to[1]) of a segment.
+/// \param vertices  as vertexGrid has them
 [[nodiscard]] Segment partOf(const std::vector<VertexId>& vertices, const Segment& segment,
                              const std::array<int, 2>& from, const std::array<int, 2>& to);
 

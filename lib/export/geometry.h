@@ -14,7 +14,8 @@ namespace qm {
 [[nodiscard]] gp_Pnt place(const Point& point);
 [[nodiscard]] Point fromPlace(const gp_Pnt& place);
 
-/// \param clampedPatch  of degrees 1 to 3 \throw Standard_Failure  if OpenCASCADE takes knots for equal
+/// \param clampedPatch  of degrees 1 to 3
+/// \throw Standard_Failure  if OpenCASCADE takes knots for equal
 [[nodiscard]] Handle(Geom_BSplineSurface) splineSurface(const Patch& clampedPatch);
 [[nodiscard]] Handle(Geom_BSplineCurve) splineCurve(const SplineCurve& curve);
 /// A straight line from one point to another, over [0, length].

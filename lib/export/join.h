@@ -7,7 +7,8 @@ namespace qm {
 
 /// Joins faces again and again that have a full side in common, the same knots along it, and continuous
 /// derivatives across it. No face is made that touches itself. The knots at the joint are as few as its
-/// smoothness allows. \param tolerance  how far points of the surfaces may move for that
+/// smoothness allows.
+/// \param tolerance  how far points of the surfaces may move for that
 [[nodiscard]] FacePatches joined(FacePatches faces, double tolerance);
 
 } // namespace qm

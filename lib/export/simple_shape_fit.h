@@ -33,7 +33,8 @@ struct OrientedPoints {
 };
 
 /// The surface of that kind nearest to the points (sum of squared distances); none if their normals do not
-/// point to one. \param cloud  at least ten points
+/// point to one.
+/// \param cloud  at least ten points
 [[nodiscard]] std::optional<SimpleShape> fitShape(SimpleKind kind, const OrientedPoints& cloud);
 
 } // namespace qm

@@ -78,8 +78,8 @@ Cloud cloudOf(const Patch& patch, std::size_t most) {
     return cloud;
 }
 
-/// Whether the shape lies along the points, on one and the same side of them. \return 1, or -1 if its normals
-/// point the other way, or 0
+/// Whether the shape lies along the points, on one and the same side of them.
+/// \return 1, or -1 if its normals point the other way, or 0
 int agreement(const SimpleShape& shape, const OrientedPoints& samples, double tolerance) {
     const double limit = std::cos(normalAngle);
     const int side = shape.normal(samples.points.front()).dot(samples.normals.front()) < 0 ? -1 : 1;

@@ -15,7 +15,8 @@ struct SimpleSurface {
     double tubeAngle = 0;  ///< parameter v in the middle of the patch; of a torus
 };
 
-/// The plane in which all control points lie. \param tolerance  how far they may be from it
+/// The plane in which all control points lie.
+/// \param tolerance  how far they may be from it
 [[nodiscard]] std::optional<SimpleSurface> planeOf(const Patch& clampedPatch, double tolerance);
 
 /// The first of plane, cylinder, cone, sphere and torus that lies within the tolerance of the patch, and

@@ -12,8 +12,8 @@ namespace qm {
 
 /// AP214: every part of the boundary is a product, a solid if it is closed and else a shell. OpenCASCADE has
 /// a writer, too, but needs ten times the time and memory, rounds to 13 digits, and declares an accuracy that
-/// makes readers widen every tolerance. \param origins  of every face, the segments that it is made of, and
-/// its name
+/// makes readers widen every tolerance.
+/// \param origins  of every face, the segments that it is made of, and its name
 [[nodiscard]] std::string boundaryAsStep(const Boundary& boundary,
                                          const std::vector<std::vector<std::size_t>>& origins,
                                          LengthUnit unit);

@@ -44,7 +44,9 @@ public:
     StepId add(const StepText& entity);
     StepId add(std::string_view entity) { return add(StepText(entity)); }
 
-    /// The whole file. \param name  of the file, in its header \param schema  as FILE_SCHEMA has it
+    /// The whole file.
+    /// \param name  of the file, in its header
+    /// \param schema  as FILE_SCHEMA has it
     [[nodiscard]] std::string text(std::string_view name, std::string_view schema) const;
 
 private:

@@ -40,7 +40,8 @@ struct Soup {
 };
 
 /// Relative indices, texture and normal indices, colours, continued lines and any line ends are understood;
-/// other statements are passed over. \param sides  a face at the end of the text that has fewer is cut off
+/// other statements are passed over.
+/// \param sides  a face at the end of the text that has fewer is cut off
 /// \throw Error  naming the line, if the text is no OBJ or is cut off
 [[nodiscard]] Soup readObj(std::string_view text, std::size_t sides);
 
@@ -57,8 +58,9 @@ struct Soup {
 /// \throw Error  if the bytes are no STL or hold less or more than they announce
 [[nodiscard]] Soup readStl(std::string_view bytes);
 
-/// Any of these. \param name  of the file; its extension tells the format, and where it has none the first
-/// word does \param sides  of the faces that are wanted
+/// Any of these.
+/// \param name  of the file; its extension tells the format, and where it has none the first word does
+/// \param sides  of the faces that are wanted
 /// \throw Error  as above, and if the format is not known
 [[nodiscard]] Soup readSoup(std::string_view bytes, std::string_view name, std::size_t sides);
 

@@ -36,7 +36,8 @@ struct GridProgram {
     /// Corners / 4.
     [[nodiscard]] double segments(const ColumnValues& values) const;
 
-    /// All columns. \param present  of every arc: whether it is in
+    /// All columns.
+    /// \param present  of every arc: whether it is in
     [[nodiscard]] ColumnValues valuesOf(const std::vector<bool>& present) const;
 };
 

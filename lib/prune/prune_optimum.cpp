@@ -133,7 +133,8 @@ private:
         return program;
     }
 
-    /// Makes solutions known to begin with. \param worth  of a segment
+    /// Makes solutions known to begin with.
+    /// \param worth  of a segment
     void prepare(const IntegerProgram& program, double worth) {
         removeTracks(layout_, worth);
         removeTracks(layoutOf(*bestKnown(program, infinity)), worth);

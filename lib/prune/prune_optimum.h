@@ -13,8 +13,9 @@ namespace qm {
 
 /// Minimises G_T + beta * segments, or G_T under a number of segments, or their number and then G_T, over all
 /// arcs of the base complex. Extraordinary vertices need tracks only so that no segment has a corner above
-/// 180 degrees. \param layout  the start, of the same base complex; the result is never worse \throw Error if
-/// its tracks are not made of arcs, or nothing is found under a number of segments
+/// 180 degrees.
+/// \param layout  the start, of the same base complex; the result is never worse
+/// \throw Error  if its tracks are not made of arcs, or nothing is found under a number of segments
 [[nodiscard]] PruneResult pruneToOptimum(const QuadMesh& mesh, const BaseComplex& complex,
                                          const Layout& layout, const std::vector<double>& dihedralAngles,
                                          const std::vector<double>& edgeCosts, const PruneOptions& options,

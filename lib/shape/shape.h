@@ -32,8 +32,9 @@ struct ShapeKind {
 /// \throw Error  if there is no such shape, or it would have more than ten million quads
 [[nodiscard]] QuadMesh makeShape(const std::string& name, const ShapeOptions& options = {});
 
-/// The same shape as triangles, without noise. \param triangles  about so many; they take the place of
-/// resolution and number around \throw Error  as above, and if the number is out of range
+/// The same shape as triangles, without noise.
+/// \param triangles  about so many; they take the place of resolution and number around
+/// \throw Error  as above, and if the number is out of range
 [[nodiscard]] Triangles makeScan(const std::string& name, double triangles, ShapeOptions options = {});
 
 /// What the vertices lie on. Nothing for shapes without a formula.

@@ -29,14 +29,15 @@ struct BezierExtraction {
 /// Both lists as one, ascending; what is nearer than 1e-9 to its neighbour counts once.
 [[nodiscard]] std::vector<double> mergedBreaks(std::span<const double> a, std::span<const double> b);
 
-/// Of a spline. \param breaks  within its domain, all its different knots among them
+/// Of a spline.
+/// \param breaks  within its domain, all its different knots among them
 /// \param raisedTo  degree of the Bezier form, at least that of the spline
 [[nodiscard]] BezierExtraction splineExtraction(std::span<const double> knots, int degree,
                                                 std::vector<double> breaks, int raisedTo);
 
 /// Of the polynomials of degree `steps` through values at `steps` steps of every unit interval, which have
-/// the values at its ends in common. \param breaks  from 0 to a whole number, all whole numbers between among
-/// them
+/// the values at its ends in common.
+/// \param breaks  from 0 to a whole number, all whole numbers between among them
 [[nodiscard]] BezierExtraction latticeExtraction(int steps, std::vector<double> breaks, int raisedTo);
 
 } // namespace qm

@@ -31,7 +31,8 @@ struct BezierPieces {
     std::span<const Point> controls; ///< row by row
     std::size_t width = 0;           ///< of a row
 
-    /// The piece over interval i of u and j of v. \param piece  written over; keeps its memory
+    /// The piece over interval i of u and j of v.
+    /// \param piece  written over; keeps its memory
     void get(std::size_t i, std::size_t j, BezierPiece& piece) const;
 };
 
@@ -41,7 +42,8 @@ struct BezierPieces {
 [[nodiscard]] BezierPieces bezierPieces(const Patch& patch, const std::array<std::vector<double>, 2>& breaks,
                                         int raisedTo);
 
-/// The piece over a box within (0, 0) to (1, 1). \param result  another piece; keeps its memory
+/// The piece over a box within (0, 0) to (1, 1).
+/// \param result  another piece; keeps its memory
 void restrict(const BezierPiece& piece, const std::array<double, 2>& from, const std::array<double, 2>& to,
               BezierPiece& result);
 

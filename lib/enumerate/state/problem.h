@@ -96,8 +96,8 @@ struct ProblemInput {
 };
 
 /// Linear in the graph, or where `lines` are given, in these, the lines across them, and those fixed lines
-/// that are joined with one of them by crossings. \throw Error  if the demands contradict rule 1 or fixed
-/// arcs
+/// that are joined with one of them by crossings.
+/// \throw Error  if the demands contradict rule 1 or fixed arcs
 [[nodiscard]] Problem makeProblem(const ProblemInput& input);
 
 } // namespace qm
