@@ -2,7 +2,7 @@
 #include "cli/quadriflow.h"
 #include "cli/tool.h"
 #include "mesh/read_triangles.h"
-#include "mesh/write_mesh.h"
+#include "mesh/write_soup.h"
 
 namespace {
 

@@ -7,7 +7,7 @@ namespace qm::check {
 
 /// Gaps and angles between normals: at 16 samples of every edge at which two patches meet, the first and the
 /// last at 1/200 of the edge from its ends; and along every line within a patch at which a knot is repeated
-/// as often as the degree says. Arguments as of `checkFigures`, which calls it.
+/// as often as the degree says. Takes the arguments of `checkFigures`, which calls it.
 void checkMeetings(const Context& context, const LayoutPart& layout, const SurfacesPart& part,
                    Report& report);
 

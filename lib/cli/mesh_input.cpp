@@ -3,6 +3,7 @@
 #include "cli/output_file.h"
 #include "document/mesh_section.h"
 #include "mesh/read_mesh.h"
+#include "mesh/write_soup.h"
 
 namespace qm {
 

@@ -98,7 +98,8 @@ std::string shapeAsIges(const BoundaryShape& shape, const Origins& origins, Leng
     // The writer would convert from millimetres; so it is given those, and the unit is declared afterwards.
     IGESControl_Writer writer("MM", 1);
     if (!writer.AddShape(shape.shape))
-        throw Error("surfaces", "cannot be translated to IGES", "Look at the patches' deviation and kinks");
+        throw Error("surfaces", "cannot be translated to IGES",
+                    "Look at the patches' deviation and normal angles");
     writer.ComputeModel();
     labelFaces(shape, origins, writer.TransferProcess());
     IGESData_GlobalSection global = writer.Model()->GlobalSection();

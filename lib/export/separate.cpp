@@ -15,8 +15,8 @@ namespace {
 /// Inner grid lines at which a face is cut, ascending, for u and v.
 using Cuts = std::array<std::vector<int>, 2>;
 
-/// Where the patch may have a kink. Between grid lines there is none: no fit has its joints there.
-Cuts kinkLines(const Patch& patch) {
+/// Where the patch may be only C0: on grid lines, for no fit has its joints elsewhere.
+Cuts c0Lines(const Patch& patch) {
     Cuts cuts;
     for (std::size_t d = 0; d < 2; ++d) {
         const auto& knots = patch.knots[d];
@@ -30,7 +30,7 @@ Cuts kinkLines(const Patch& patch) {
 
 /// What other programs do with every edge of a face takes time in proportion to the whole face, so that a
 /// side with thousands of edges would hold them up: it gets no more than this.
-constexpr std::size_t mostEdges = 128;
+constexpr std::size_t maxEdges = 128;
 
 /// By vertex: whether a face has a corner there.
 std::vector<bool> cornersOf(const QuadMesh& mesh, const Layout& layout) {
@@ -47,7 +47,7 @@ void addCrowds(const Segment& segment, const std::vector<bool>& isCorner, Cuts& 
         const auto& line = segment.sides[side];
         std::size_t count = 0;
         for (std::size_t k = 1; k + 1 < line.size(); ++k)
-            if (isCorner[static_cast<std::size_t>(line[k].idx())] && ++count % mostEdges == 0)
+            if (isCorner[static_cast<std::size_t>(line[k].idx())] && ++count % maxEdges == 0)
                 cuts[side % 2].push_back(static_cast<int>(side < 2 ? k : line.size() - 1 - k));
     }
     for (std::vector<int>& lines : cuts) {
@@ -125,7 +125,7 @@ FacePatches separated(const QuadMesh& mesh, FacePatches faces, double tolerance)
     for (std::size_t f = 0; f < faces.patches.size(); ++f) {
         Segment& segment = faces.layout.segments[f];
         faces.patches[f] = withoutNeedlessKnots(faces.patches[f], tolerance);
-        Cuts cuts = kinkLines(faces.patches[f]);
+        Cuts cuts = c0Lines(faces.patches[f]);
         addCrowds(segment, isCorner, cuts);
         addContacts(segment, cuts);
         if (cuts[0].empty() && cuts[1].empty()) {

@@ -20,7 +20,7 @@ Vector3d mean(const std::vector<Vector3d>& vectors) {
 }
 
 /// The direction in which vectors differ the least from `from`.
-Vector3d leastSpread(const std::vector<Vector3d>& vectors, const Vector3d& from) {
+Vector3d directionOfMinSpread(const std::vector<Vector3d>& vectors, const Vector3d& from) {
     Matrix3d sum = Matrix3d::Zero();
     for (const Vector3d& vector : vectors)
         sum += (vector - from) * (vector - from).transpose();
@@ -30,14 +30,14 @@ Vector3d leastSpread(const std::vector<Vector3d>& vectors, const Vector3d& from)
 SimpleShape firstPlane(const OrientedPoints& cloud) {
     SimpleShape plane;
     plane.origin = mean(cloud.points);
-    plane.axis = leastSpread(cloud.points, plane.origin);
+    plane.axis = directionOfMinSpread(cloud.points, plane.origin);
     return plane;
 }
 
 /// All normals are orthogonal to the axis; seen along it, points are a radius away from the centre along
 /// them.
 SimpleShape firstCylinder(const OrientedPoints& cloud) {
-    SimpleShape cylinder{SimpleKind::cylinder, {}, leastSpread(cloud.normals, {0, 0, 0}), 0, 0};
+    SimpleShape cylinder{SimpleKind::cylinder, {}, directionOfMinSpread(cloud.normals, {0, 0, 0}), 0, 0};
     const auto flat = [&](const Vector3d& v) -> Vector3d { return v - cylinder.axis * cylinder.axis.dot(v); };
     Eigen::Matrix4d sum = Eigen::Matrix4d::Zero();
     Eigen::Vector4d right = Eigen::Vector4d::Zero();
@@ -69,7 +69,7 @@ SimpleShape firstSphere(const OrientedPoints& cloud) {
 
 /// All normals make one angle with the axis, and all tangent planes pass through the apex.
 SimpleShape firstCone(const OrientedPoints& cloud) {
-    SimpleShape cone{SimpleKind::cone, {}, leastSpread(cloud.normals, mean(cloud.normals)), 0, 0};
+    SimpleShape cone{SimpleKind::cone, {}, directionOfMinSpread(cloud.normals, mean(cloud.normals)), 0, 0};
     Matrix3d sum = Matrix3d::Zero();
     Vector3d right(0, 0, 0);
     for (std::size_t k = 0; k < cloud.points.size(); ++k) {

@@ -22,10 +22,19 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr double normalAngle = 3 * degree; ///< between a patch's normals and those of what takes its place
-constexpr double flattest = 10;            ///< largest radius, in sizes of the patch
-constexpr double seamMargin = 2 * degree;  ///< between patch and seam
-constexpr double poleMargin = 15 * degree; ///< between patch and a sphere's poles
+/// When a patch is taken for a simple surface.
+struct Tuning {
+    /// Between a patch's normals and those of what takes its place: more would show as an edge.
+    static constexpr double maxNormalAngle = 3 * degree;
+    /// In sizes of the patch: arcs of a larger radius are flat to the eye, and their axes are chance.
+    static constexpr double maxRadius = 10;
+    /// Between patch and seam, so that no edge touches the seam.
+    static constexpr double seamMargin = 2 * degree;
+    /// Between patch and a sphere's poles, where parameters run together.
+    static constexpr double poleMargin = 15 * degree;
+    /// Samples of every knot interval: one more than the degree.
+    static constexpr int samplesPerInterval = 4;
+};
 
 Vector3d vector(const Point& point) {
     return {point[0], point[1], point[2]};
@@ -47,17 +56,16 @@ std::vector<double> parameters(const std::vector<double>& knots, int steps) {
     return result;
 }
 
-/// Every so many of them that about `most` are left, the ends among them.
-std::vector<double> thinned(const std::vector<double>& values, std::size_t most) {
-    if (values.size() <= most) return values;
+/// Every so many of them that about `max` are left, the ends among them.
+std::vector<double> thinned(const std::vector<double>& values, std::size_t max) {
+    if (values.size() <= max) return values;
     std::vector<double> result;
-    for (std::size_t k = 0; k < most; ++k)
-        result.push_back(values[k * (values.size() - 1) / (most - 1)]);
+    for (std::size_t k = 0; k < max; ++k)
+        result.push_back(values[k * (values.size() - 1) / (max - 1)]);
     return result;
 }
 
-Cloud cloudOf(const Patch& patch, std::size_t most) {
-    constexpr int steps = 4;
+Cloud cloudOf(const Patch& patch, std::size_t max) {
     Cloud cloud;
     Vector3d low = vector(patch.controlPoints.front());
     Vector3d high = low;
@@ -68,8 +76,9 @@ Cloud cloudOf(const Patch& patch, std::size_t most) {
     cloud.centre = (low + high) / 2;
     cloud.size = (high - low).norm();
     if (!(cloud.size > 0)) return cloud;
-    for (const SurfacePoint& at : evaluateLattice(patch, thinned(parameters(patch.knots[0], steps), most),
-                                                  thinned(parameters(patch.knots[1], steps), most))) {
+    for (const SurfacePoint& at :
+         evaluateLattice(patch, thinned(parameters(patch.knots[0], Tuning::samplesPerInterval), max),
+                         thinned(parameters(patch.knots[1], Tuning::samplesPerInterval), max))) {
         const Point normal = unitNormal(at.du, at.dv);
         if (normal.sqrnorm() == 0) continue;
         cloud.samples.points.emplace_back((vector(at.position) - cloud.centre) / cloud.size);
@@ -81,7 +90,7 @@ Cloud cloudOf(const Patch& patch, std::size_t most) {
 /// Whether the shape lies along the points, on one and the same side of them.
 /// \return 1, or -1 if its normals point the other way, or 0
 int agreement(const SimpleShape& shape, const OrientedPoints& samples, double tolerance) {
-    const double limit = std::cos(normalAngle);
+    const double limit = std::cos(Tuning::maxNormalAngle);
     const int side = shape.normal(samples.points.front()).dot(samples.normals.front()) < 0 ? -1 : 1;
     for (std::size_t k = 0; k < samples.points.size(); ++k)
         if (std::abs(shape.distance(samples.points[k])) > tolerance ||
@@ -112,16 +121,16 @@ std::optional<gp_Ax3> axesFor(SimpleShape& shape, const Cloud& cloud) {
     const Vector3d across = shape.axis.cross(middle);
     for (const Vector3d& point : cloud.samples.points) {
         const Vector3d out = shape.radial(point).normalized();
-        if (std::abs(std::atan2(out.dot(across), out.dot(middle))) > std::numbers::pi - seamMargin)
+        if (std::abs(std::atan2(out.dot(across), out.dot(middle))) > std::numbers::pi - Tuning::seamMargin)
             return std::nullopt;
-        if (shape.kind == SimpleKind::sphere && std::abs(out.dot(shape.axis)) > std::cos(poleMargin))
+        if (shape.kind == SimpleKind::sphere && std::abs(out.dot(shape.axis)) > std::cos(Tuning::poleMargin))
             return std::nullopt;
     }
     return gp_Ax3(place(cloud.centre + shape.origin * cloud.size), direction(shape.axis), direction(-middle));
 }
 
 Handle(Geom_ElementarySurface) cone(const SimpleShape& shape, gp_Ax3 axes, const Cloud& cloud) {
-    double near = flattest;
+    double near = Tuning::maxRadius;
     for (const Vector3d& point : cloud.samples.points)
         near = std::min(near, shape.axis.dot(point - shape.origin));
     if (near < 1e-3) return nullptr; // too near to the apex
@@ -133,7 +142,7 @@ Handle(Geom_ElementarySurface) surfaceOf(SimpleShape shape, const Cloud& cloud) 
     if (shape.kind == SimpleKind::plane)
         return new Geom_Plane(place(cloud.centre + shape.origin * cloud.size), direction(shape.axis));
     const auto axes = axesFor(shape, cloud);
-    if (!axes || shape.radius > flattest || shape.second > flattest) return nullptr;
+    if (!axes || shape.radius > Tuning::maxRadius || shape.second > Tuning::maxRadius) return nullptr;
     switch (shape.kind) {
     case SimpleKind::cylinder:
         return new Geom_CylindricalSurface(*axes, shape.radius * cloud.size);

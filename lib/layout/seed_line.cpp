@@ -5,7 +5,7 @@
 namespace qm {
 namespace {
 
-HalfedgeId mostCurvedEdge(const QuadMesh& mesh, std::span<const FaceId> faces,
+HalfedgeId edgeOfMaxAngle(const QuadMesh& mesh, std::span<const FaceId> faces,
                           const std::vector<double>& dihedralAngles) {
     EdgeId best;
     const auto angle = [&](EdgeId edge) { return dihedralAngles[static_cast<std::size_t>(edge.idx())]; };
@@ -22,7 +22,7 @@ HalfedgeId mostCurvedEdge(const QuadMesh& mesh, std::span<const FaceId> faces,
 
 std::vector<HalfedgeId> seedLine(const QuadMesh& mesh, std::span<const FaceId> faces,
                                  const std::vector<double>& dihedralAngles) {
-    const HalfedgeId start = mostCurvedEdge(mesh, faces, dihedralAngles);
+    const HalfedgeId start = edgeOfMaxAngle(mesh, faces, dihedralAngles);
     std::vector<HalfedgeId> line{start};
     while (continuesStraight(mesh, mesh.to_vertex_handle(line.back()))) {
         const HalfedgeId next = straightOn(mesh, line.back());

@@ -11,9 +11,22 @@
 namespace qm {
 namespace {
 
-// Of the time.
-constexpr double shareOfTree = 0.55;
-constexpr double shareOfGraph = 0.65; ///< from here on the bound is improved, not the graph
+struct Tuning {
+    /// Of the time, for the search of the whole: it gives bound and graph, so it gets the most.
+    static constexpr double shareOfTree = 0.55;
+    /// Of the time; from here on the bound is improved, not the graph, which gains little by then.
+    static constexpr double shareOfGraph = 0.65;
+    /// Variables of the largest windows that the search of the whole waits for: at least `fastWindow`, and
+    /// one in `fastShare` of all. Such windows take a small part of what the search itself takes.
+    static constexpr std::size_t fastWindow = 500;
+    static constexpr std::size_t fastShare = 8;
+    /// Variables of a window as hard as a sub-mesh, by the sub-mesh's quasi-complexity: log2 of the stops of
+    /// a line that is as long as they usually are.
+    static constexpr double variablesPerBit = 6;
+    /// Windows that move cuts take a fraction of a second, and all of them a few seconds.
+    static constexpr double maxCutWindow = 1000;
+    static constexpr std::size_t maxCutWindows = 2000;
+};
 
 ProblemInput wholeInput(const SearchSpace& space) {
     return {space.graph, space.arcCosts, {}, space.demands, {}, {}, space.cornerCost};
@@ -84,9 +97,8 @@ public:
 private:
     /// Windows that are small enough for the tree to wait for them.
     [[nodiscard]] WindowOptions fastWindows() const {
-        constexpr std::size_t always = 500, share = 8;
         WindowOptions options;
-        options.maxVariables = std::max(always, problem_.arcs.size() / share);
+        options.maxVariables = std::max(Tuning::fastWindow, problem_.arcs.size() / Tuning::fastShare);
         return options;
     }
 
@@ -117,15 +129,15 @@ Improvement improveGraph(const QuadMesh& mesh, const BaseComplex& complex,
     const SearchSpace space = makeSearchSpace(mesh, complex, edgeCosts, whole, constraints, cornerCost);
     Known known(control, tell, graph.cost);
     const Control telling = known.control();
-    const Deadline tree(telling, shareOfTree * seconds), windows(telling, shareOfGraph * seconds),
-        end(telling, seconds);
+    const Deadline tree(telling, Tuning::shareOfTree * seconds),
+        windows(telling, Tuning::shareOfGraph * seconds), end(telling, seconds);
     Improvement result;
     Improver improver(space, presentArcs(mesh, complex, space.graph, graph.tracks), result, known);
 
     const OptimumResult found = improver.searchTree(tree.control());
     result.lowerBound = found.lowerBound;
     known.bound(result.lowerBound);
-    control.progress(shareOfTree);
+    control.progress(Tuning::shareOfTree);
     if (!found.complete) {
         WindowOptions allSizes;
         allSizes.patient = true;
@@ -148,12 +160,10 @@ Improvement improveGraph(const QuadMesh& mesh, const BaseComplex& complex,
 
 WindowResult moveCuts(const SearchSpace& space, const std::vector<bool>& present, double complexity,
                       const Control& control) {
-    constexpr double variablesPerBit = 6; // log2 of the stops of a line as long as they usually are
-    constexpr double maxVariables = 1000;
     WindowOptions options;
     options.minVariables = options.maxVariables =
-        static_cast<std::size_t>(std::clamp(variablesPerBit * complexity, 1.0, maxVariables));
-    options.maxWindows = 2000;
+        static_cast<std::size_t>(std::clamp(Tuning::variablesPerBit * complexity, 1.0, Tuning::maxCutWindow));
+    options.maxWindows = Tuning::maxCutWindows;
     return improveByWindows(wholeInput(space), present, options, control);
 }
 

@@ -7,7 +7,7 @@
 namespace qm {
 
 std::vector<double> dihedralAngles(const QuadMesh& mesh) {
-    std::vector<Point> normals;
+    std::vector<std::optional<Point>> normals;
     normals.reserve(mesh.n_faces());
     for (const FaceId face : mesh.faces())
         normals.push_back(quadNormal(mesh, face));
@@ -18,9 +18,8 @@ std::vector<double> dihedralAngles(const QuadMesh& mesh) {
             return normals[static_cast<std::size_t>(
                 mesh.face_handle(mesh.halfedge_handle(edge, side)).idx())];
         };
-        const Point a = normal(0), b = normal(1);
-        if (a.sqrnorm() == 0 || b.sqrnorm() == 0) continue;
-        angles[static_cast<std::size_t>(edge.idx())] = std::atan2((a % b).norm(), a | b);
+        if (const auto a = normal(0), b = normal(1); a && b)
+            angles[static_cast<std::size_t>(edge.idx())] = std::atan2((*a % *b).norm(), *a | *b);
     }
     return angles;
 }

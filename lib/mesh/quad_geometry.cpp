@@ -16,11 +16,11 @@ Point scaled(const Point& vector) {
             std::scalbn(vector[2], exponent)};
 }
 
-/// Of unit length, or zero for a vector without length.
-Point unit(const Point& vector) {
+/// Of unit length; none for a vector without length.
+std::optional<Point> unit(const Point& vector) {
     const Point direction = scaled(vector);
     const double length = direction.norm();
-    return length > 0 ? direction / length : Point(0, 0, 0);
+    return length > 0 ? std::optional(direction / length) : std::nullopt;
 }
 
 /// Along the normal; zero for a triangle without area.
@@ -40,11 +40,11 @@ std::array<VertexId, 4> cornersOf(const QuadMesh& mesh, FaceId face) {
     return corners;
 }
 
-Point triangleNormal(const Point& a, const Point& b, const Point& c) {
+std::optional<Point> triangleNormal(const Point& a, const Point& b, const Point& c) {
     return unit(crossProduct(a, b, c));
 }
 
-std::array<Point, 2> triangleNormals(const QuadMesh& mesh, FaceId face) {
+std::array<std::optional<Point>, 2> triangleNormals(const QuadMesh& mesh, FaceId face) {
     const auto [a, b, c, d] = cornersOf(mesh, face);
     return {triangleNormal(mesh.point(a), mesh.point(b), mesh.point(c)),
             triangleNormal(mesh.point(a), mesh.point(c), mesh.point(d))};
@@ -57,9 +57,11 @@ bool hasArea(const QuadMesh& mesh, FaceId face) {
            crossProduct(mesh.point(a), mesh.point(c), mesh.point(d)) != none;
 }
 
-Point quadNormal(const QuadMesh& mesh, FaceId face) {
-    const auto [first, second] = triangleNormals(mesh, face);
-    return unit(first + second);
+std::optional<Point> quadNormal(const QuadMesh& mesh, FaceId face) {
+    Point sum(0, 0, 0);
+    for (const std::optional<Point>& normal : triangleNormals(mesh, face))
+        if (normal) sum += *normal;
+    return unit(sum);
 }
 
 } // namespace qm

@@ -7,7 +7,6 @@
 
 #include "mesh/quad_mesh.h"
 #include "mesh/repair.h"
-#include "mesh/write_mesh.h"
 
 #include <string>
 #include <string_view>

@@ -128,4 +128,8 @@ Soup soupOf(const Triangles& triangles) {
     return soup;
 }
 
+std::string writeObj(const QuadMesh& mesh) {
+    return writeSoup(soupOf(mesh), MeshFormat::obj);
+}
+
 } // namespace qm

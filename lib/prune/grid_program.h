@@ -33,7 +33,7 @@ struct GridProgram {
     double corners = 0;     ///< that are there anyway
     std::vector<Indicator> indicators;
 
-    /// Corners / 4.
+    /// How many segments there are: a quarter of their corners.
     [[nodiscard]] double segments(const ColumnValues& values) const;
 
     /// All columns.

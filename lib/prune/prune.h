@@ -21,7 +21,7 @@ struct PruneOptions {
     bool smooth = true;  ///< apply the smoothness criterion
     double maxTurn = 25; ///< P, degrees: the most that the boundary may turn where a removed track ended
     double beta = 1;     ///< optimum: the price of a segment
-    /// optimum: as few segments as can be, and only then the least G_T; then beta does not count
+    /// optimum: as few segments as can be, and only then the lowest G_T; then beta does not count
     bool fewestPatches = false;
     /// optimum: at most so many segments, whatever they cost; then beta does not count
     double maxSegments = std::numeric_limits<double>::infinity();

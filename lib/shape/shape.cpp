@@ -76,8 +76,6 @@ constexpr auto kinds = [] {
     return result;
 }();
 
-constexpr double maxQuads = 1e7;
-
 const Recipe& recipeNamed(const std::string& name) {
     const auto recipe =
         std::ranges::find_if(recipes, [&](const Recipe& other) { return other.kind.name == name; });
@@ -88,9 +86,8 @@ const Recipe& recipeNamed(const std::string& name) {
 
 /// The number of quads of the coarsest mesh; that of others is larger by the square of the resolution.
 double coarsestQuads(const Recipe& recipe, ShapeOptions options) {
-    constexpr int maxVoxels = 100'000;
-    if (options.voxels < 1 || options.voxels > maxVoxels)
-        throw Error("voxels", "must be from 1 to " + std::to_string(maxVoxels));
+    if (options.voxels < 1 || options.voxels > ShapeLimits::maxVoxels)
+        throw Error("voxels", "must be from 1 to " + std::to_string(ShapeLimits::maxVoxels));
     options.around = 0;
     return static_cast<double>(recipe.make(1, options).quads.size());
 }
@@ -109,7 +106,7 @@ QuadList makeQuads(const Recipe& recipe, const ShapeOptions& options) {
     const int resolution = options.resolution == 0 ? recipe.kind.resolution : options.resolution;
     if (resolution < 1) throw Error("resolution", "must be 1 or more");
     const double fineness = options.around > 0 ? options.around / 4.0 : resolution;
-    if (coarsestQuads(recipe, options) * fineness * fineness > maxQuads)
+    if (coarsestQuads(recipe, options) * fineness * fineness > ShapeLimits::maxQuads)
         throw Error(options.around > 0 ? "around" : "resolution",
                     "the mesh would have more than ten million quads", "Choose a lower one");
     return recipe.make(resolution, options);
@@ -128,12 +125,12 @@ QuadMesh makeShape(const std::string& name, const ShapeOptions& options) {
 
 Triangles makeScan(const std::string& name, double triangles, ShapeOptions options) {
     const Recipe& recipe = recipeNamed(name);
-    if (!(triangles >= 1) || triangles > 2 * maxQuads)
+    if (!(triangles >= 1) || triangles > ShapeLimits::maxTriangles)
         throw Error("scan", "the number of triangles must be from 1 to twenty million");
     options.around = 0;
     const double coarsest = coarsestQuads(recipe, options);
     const auto make = [&](double resolution) {
-        const double finest = std::floor(std::sqrt(maxQuads / coarsest));
+        const double finest = std::floor(std::sqrt(ShapeLimits::maxQuads / coarsest));
         options.resolution = static_cast<int>(std::clamp(std::round(resolution), 1.0, finest));
         return makeQuads(recipe, options);
     };

@@ -19,6 +19,15 @@ struct ShapeOptions {
     int voxels = 12;        ///< cubes that a random shape is made of, 1 or more
 };
 
+/// What can be asked for.
+struct ShapeLimits {
+    static constexpr int maxResolution = 10'000;
+    static constexpr int maxAround = 10'000;
+    static constexpr int maxVoxels = 100'000;
+    static constexpr int maxQuads = 10'000'000;
+    static constexpr int maxTriangles = 2 * maxQuads; ///< of a scan
+};
+
 struct ShapeKind {
     const char* name;
     const char* summary; ///< what it is a sample of

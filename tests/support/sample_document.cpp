@@ -11,6 +11,7 @@
 #include "mesh/build_mesh.h"
 #include "mesh/read_mesh.h"
 #include "mesh/topology.h"
+#include "mesh/write_soup.h"
 #include "support/polycube.h"
 
 #include <filesystem>

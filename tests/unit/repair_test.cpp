@@ -2,6 +2,7 @@
 #include "mesh/read_mesh.h"
 #include "mesh/repair.h"
 #include "mesh/topology.h"
+#include "mesh/write_soup.h"
 #include "shape/shape.h"
 #include "support/mesh_text.h"
 #include "support/shared_files.h"

@@ -3,7 +3,7 @@
 #include "mesh/dihedral.h"
 #include "mesh/suspicions.h"
 #include "mesh/topology.h"
-#include "mesh/write_mesh.h"
+#include "mesh/write_soup.h"
 #include "shape/quad_list.h"
 #include "shape/round_hole.h"
 #include "shape/scan.h"

@@ -18,7 +18,7 @@ namespace qm {
                                                 const Control& control = {});
 
 /// The graph of a rank, 0 to the number of graphs less 1; different ranks give different graphs.
-/// \param ways as of `countWays`
+/// \param ways  what `countWays` returns
 [[nodiscard]] Assignment graphOfRank(const Diagram& diagram, const std::vector<BigCount>& ways,
                                      BigCount rank);
 

@@ -7,9 +7,15 @@
 namespace qm {
 namespace {
 
-constexpr std::size_t maxStarts = 100;
-constexpr double growth = 1.6;    ///< states that another open item brings, roughly
-constexpr double hopeless = 1e15; ///< by that measure, which is far too high for wide borders
+struct Tuning {
+    /// Orders that are tried of every connected part: the best of so many is seldom far from the best of all.
+    static constexpr std::size_t maxStarts = 100;
+    /// By how much another open item multiplies the states of a border, roughly: the rules forbid some of 2.
+    static constexpr double growth = 1.6;
+    /// States of an order that is not worth following. By that measure wide borders have far too many, so
+    /// this is far above what memory holds.
+    static constexpr double hopeless = 1e15;
+};
 
 /// What ties crossings: the free variables, and after them the open chains.
 using ItemId = Id<struct ItemTag>;
@@ -73,7 +79,7 @@ public:
             open += change(crossing);
             take(crossing, border);
             order.push_back(crossing);
-            cost += std::pow(growth, open);
+            cost += std::pow(Tuning::growth, open);
             if (cost >= limit) return std::numeric_limits<double>::infinity();
         }
         return cost;
@@ -133,8 +139,8 @@ std::optional<std::vector<CrossingId>> crossingOrder(const Ties& ties, const Con
     for (const CrossingId first : ties.itemsOf.ids()) {
         if (seen[first]) continue;
         const std::vector<CrossingId> part = partOf(ties, first, seen);
-        const std::size_t stride = 1 + part.size() / maxStarts;
-        double minCost = hopeless;
+        const std::size_t stride = 1 + part.size() / Tuning::maxStarts;
+        double minCost = Tuning::hopeless;
         for (std::size_t k = 0; k < part.size(); k += stride) {
             if (control.stopRequested()) return std::nullopt;
             const double cost = sweep.run(part[k], minCost, tried);
@@ -142,7 +148,7 @@ std::optional<std::vector<CrossingId>> crossingOrder(const Ties& ties, const Con
             minCost = cost;
             best.swap(tried);
         }
-        if (minCost == hopeless) return std::nullopt;
+        if (minCost == Tuning::hopeless) return std::nullopt;
         order.insert(order.end(), best.begin(), best.end());
     }
     return order;

@@ -2,6 +2,7 @@
 
 #include "enumerate/optimum/diving.h"
 #include "enumerate/optimum/rounding.h"
+#include "enumerate/optimum/tuning.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +12,7 @@ namespace qm {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr int iterationsPerSlice = 2000; ///< between questions whether to stop
-constexpr int maxSlices = 10000;
+using Tuning = TreeTuning;
 
 } // namespace
 
@@ -112,8 +112,9 @@ void BranchAndBound::plunge(TreeNodeId node, double bound) {
 BranchAndBound::RelaxedNode BranchAndBound::relax(double& bound) {
     for (;;) {
         Relaxation::Result result;
-        for (int slice = 0; slice < maxSlices; ++slice) {
-            result = part_.relaxation.solve(part_.columns, part_.incumbents.cutoff(), iterationsPerSlice);
+        for (int slice = 0; slice < Tuning::maxSlices; ++slice) {
+            result =
+                part_.relaxation.solve(part_.columns, part_.incumbents.cutoff(), Tuning::iterationsPerSlice);
             bound = std::max(bound, result.proven);
             if (result.kind != Relaxation::Result::Kind::unfinished || part_.control.stopRequested()) break;
         }
@@ -153,7 +154,7 @@ bool BranchAndBound::contradictsRelaxation() const {
 /// Looks for graphs near the relaxed solution, then comes back to it.
 /// \return false if the node is cut now
 bool BranchAndBound::lookAround(double& bound) {
-    nextLook_ = 4 * nodes_;
+    nextLook_ = Tuning::growthBetweenDives * nodes_;
     const ColumnState::Mark mark = part_.columns.mark();
     const Relaxation::Basis basis = part_.relaxation.basis();
     if (part_.variables.size() < part_.options.hard) {
@@ -201,7 +202,7 @@ bool BranchAndBound::tightenRoot() {
     part_.columns.undo(root_);
     if (!fixByReducedCosts(rootValues_, rootReducedCosts_, rootBound_)) return false;
     root_ = part_.columns.mark();
-    if (part_.relaxation.fixedShare(part_.columns) > 0.3) {
+    if (part_.relaxation.fixedShare(part_.columns) > Tuning::fixedShareToRebuild) {
         part_.relaxation = Relaxation(part_.formulation, part_.columns);
         rootBasis_ = {};
     }
@@ -211,13 +212,13 @@ bool BranchAndBound::tightenRoot() {
 std::optional<RelaxedProgram> BranchAndBound::relaxedRoot() {
     if (rootValues_.empty()) return {};
     const double best = part_.incumbents.empty() ? part_.options.maxCost : part_.incumbents.bestCost();
-    constexpr int slices = 20; // it was optimal but for what has been fixed since
     Relaxation::Result result{Relaxation::Result::Kind::tooExpensive};
     if (tightenRoot()) {
         part_.columns.undo(root_);
         part_.relaxation.setBasis(rootBasis_);
-        for (int slice = 0; slice < slices; ++slice) {
-            result = part_.relaxation.solve(part_.columns, part_.incumbents.cutoff(), iterationsPerSlice);
+        for (int slice = 0; slice < Tuning::maxSlicesAgain; ++slice) {
+            result =
+                part_.relaxation.solve(part_.columns, part_.incumbents.cutoff(), Tuning::iterationsPerSlice);
             if (result.kind != Relaxation::Result::Kind::unfinished) break;
         }
     }

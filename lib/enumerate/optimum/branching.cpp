@@ -1,18 +1,17 @@
 #include "enumerate/optimum/branching.h"
 
+#include "enumerate/optimum/tuning.h"
+
 #include <algorithm>
 
 namespace qm {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr int reliable = 4; ///< probes after which a pseudo-cost is trusted
-constexpr int probesPerNode = 10;
-constexpr int disappointments = 4; ///< probes in a row without a better choice, then it is enough
-constexpr int probeIterations = 100;
+using Tuning = BranchingTuning;
 
 double scoreOf(double growthIn, double growthOut) {
-    return std::max(growthIn, 1e-6) * std::max(growthOut, 1e-6);
+    return std::max(growthIn, Tuning::minGrowth) * std::max(growthOut, Tuning::minGrowth);
 }
 
 } // namespace
@@ -45,7 +44,7 @@ BranchingChoice Branching::choose(double bound) {
     for (const auto& [negativeScore, column] : candidates) {
         BranchingChoice choice{decisionOf(column), bound, bound};
         double score = -negativeScore;
-        if (pseudoCosts_.trust(column) < reliable && probes < probesPerNode &&
+        if (pseudoCosts_.trust(column) < Tuning::probesToTrust && probes < Tuning::probesPerNode &&
             !part_.control.stopRequested()) {
             ++probes;
             choice = probe(column, values[column], bound, score);
@@ -56,7 +55,7 @@ BranchingChoice Branching::choose(double bound) {
             bestScore = score;
             best = choice;
             worse = 0;
-        } else if (++worse >= disappointments) {
+        } else if (++worse >= Tuning::worseInARow) {
             break;
         }
     }
@@ -81,7 +80,7 @@ double Branching::probeSide(ColumnId column, ArcState side, double bound, double
     double found = infinity;
     if (part_.columns.fixColumn(column, side)) {
         const Relaxation::Result result =
-            part_.relaxation.solve(part_.columns, part_.incumbents.cutoff(), probeIterations);
+            part_.relaxation.solve(part_.columns, part_.incumbents.cutoff(), Tuning::iterationsPerProbe);
         if (result.kind != Relaxation::Result::Kind::tooExpensive) {
             found = result.kind == Relaxation::Result::Kind::solved ? std::max(bound, result.bound) : bound;
             growth = result.bound - bound;

@@ -2,6 +2,7 @@
 
 #include "enumerate/optimum/branch_and_bound.h"
 #include "enumerate/optimum/rounding.h"
+#include "enumerate/optimum/tuning.h"
 #include "enumerate/state/independent_parts.h"
 
 #include <algorithm>
@@ -10,11 +11,7 @@
 namespace qm {
 namespace {
 
-constexpr double sure = 0.8; ///< columns above this may be fixed together in a dive
-constexpr int diveIterations = 1000;
-constexpr std::size_t smallRest = 1500; ///< variables that a dive leaves to a search
-constexpr std::size_t largeRest = 5000; ///< more take as long as the whole
-constexpr std::size_t nodesNearby = 100;
+using Tuning = DivingTuning;
 constexpr std::size_t never = std::numeric_limits<std::size_t>::max(); ///< hard: searches do not nest
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -29,10 +26,10 @@ bool fixSurest(PartSearch& part) {
             order.emplace_back(-value, column);
     }
     std::ranges::sort(order);
-    const std::size_t max = 1 + order.size() / 10, min = 1 + order.size() / 50;
+    const std::size_t max = 1 + order.size() / Tuning::maxStep, min = 1 + order.size() / Tuning::minStep;
     std::size_t fixed = 0;
     for (const auto& [negative, column] : order) {
-        if (fixed == max || (fixed >= min && -negative < sure)) break;
+        if (fixed == max || (fixed >= min && -negative < Tuning::sureValue)) break;
         if (part.columns.value(column) != ArcState::free) continue;
         const ColumnState::Mark before = part.columns.mark();
         ++fixed;
@@ -74,7 +71,7 @@ bool searchRest(PartSearch& part, bool keepBest) {
     for (const std::vector<VariableId>& piece : independentParts(part.state, rest)) {
         Assignment found;
         {
-            BranchAndBound search(part.state, piece, {1, infinity, 0, nodesNearby, never}, part.control);
+            BranchAndBound search(part.state, piece, {1, infinity, 0, Tuning::nodes, never}, part.control);
             if (keepBest) search.offer(part.incumbents.graphs().begin()->second);
             search.run();
             if (search.incumbents().empty()) return false;
@@ -92,7 +89,7 @@ bool searchRest(PartSearch& part, bool keepBest) {
 
 void dive(PartSearch& part) {
     while (!part.control.stopRequested() && fixSurest(part)) {
-        if (part.relaxation.solve(part.columns, part.incumbents.cutoff(), diveIterations).kind !=
+        if (part.relaxation.solve(part.columns, part.incumbents.cutoff(), Tuning::iterations).kind !=
             Relaxation::Result::Kind::solved)
             return;
         if (acceptIntegral(part)) return;
@@ -103,12 +100,12 @@ void dive(PartSearch& part) {
 void diveToRest(PartSearch& part) {
     while (!part.control.stopRequested()) {
         const ColumnState::Mark mark = part.columns.mark();
-        const bool found = takeOverAll(part, false) <= smallRest && searchRest(part, false);
+        const bool found = takeOverAll(part, false) <= Tuning::smallRest && searchRest(part, false);
         if (found) part.recordLeaf();
         part.columns.undo(mark);
         if (found || !fixSurest(part) ||
-            part.relaxation.solve(part.columns, part.incumbents.cutoff(), 4 * diveIterations).kind !=
-                Relaxation::Result::Kind::solved)
+            part.relaxation.solve(part.columns, part.incumbents.cutoff(), Tuning::iterationsBeforeSearch)
+                    .kind != Relaxation::Result::Kind::solved)
             return;
     }
 }
@@ -117,7 +114,8 @@ void searchNearby(PartSearch& part) {
     if (part.incumbents.empty()) return;
     const ColumnState::Mark mark = part.columns.mark();
     const std::size_t open = takeOverAll(part, true);
-    if (open <= largeRest && 2 * open < part.variables.size() && searchRest(part, true)) part.recordLeaf();
+    if (open <= Tuning::largeRest && 2 * open < part.variables.size() && searchRest(part, true))
+        part.recordLeaf();
     part.columns.undo(mark);
 }
 

@@ -2,6 +2,7 @@
 /// (docs/METHOD.md#achterberg-2005).
 #pragma once
 
+#include "enumerate/optimum/tuning.h"
 #include "program/integer_program.h"
 
 #include <algorithm>
@@ -26,7 +27,8 @@ public:
 
     /// How much is gained by branching on a column with this value.
     [[nodiscard]] double score(ColumnId column, double value) const {
-        return std::max(rate(up_[column]) * (1 - value), 1e-6) * std::max(rate(down_[column]) * value, 1e-6);
+        return std::max(rate(up_[column]) * (1 - value), BranchingTuning::minGrowth) *
+               std::max(rate(down_[column]) * value, BranchingTuning::minGrowth);
     }
 
     /// How many branchings it has learnt from, on the side with fewer.

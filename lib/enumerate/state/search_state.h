@@ -52,7 +52,7 @@ public:
     }
 
     /// Covers a chain with two sources, or promises that it will have a gap.
-    /// \return as of `assign`
+    /// \return false on a contradiction; then undo
     bool decideCover(ChainId chain, bool full);
 
     /// The values set since a mark, in order.

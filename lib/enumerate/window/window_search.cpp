@@ -13,7 +13,15 @@
 namespace qm {
 namespace {
 
-constexpr std::size_t batch = 8; ///< windows searched from the same graph, maybe at the same time
+struct Tuning {
+    /// Windows searched from the same graph, maybe at the same time. Fixed, so that the result does not
+    /// depend on the number of threads; more would waste searches on a graph that is no longer the best.
+    static constexpr std::size_t batch = 8;
+    /// Nodes of a patient search grow by this factor when no window of any size helps.
+    static constexpr std::size_t growthOfTrees = 4;
+    /// What every arc adds to the disagreement of its chain: chains that agree follow last, long ones first.
+    static constexpr double slight = 0.01;
+};
 
 bool isValid(const Problem& problem, const Assignment& graph) {
     SearchState state(problem);
@@ -46,7 +54,7 @@ public:
             hard_ = 0;
             growWindows(smallest);
             smallest = hard_;
-            nodes_ *= 4;
+            nodes_ *= Tuning::growthOfTrees;
         } while (options_.patient && hard_ > 0 && !isOver());
         return std::move(result_);
     }
@@ -83,9 +91,8 @@ private:
     [[nodiscard]] IdVector<ChainId, double> disagreements() const {
         IdVector<ChainId, double> sums(whole_.chains.size(), 1);
         if (options_.relaxed.empty()) return sums;
-        constexpr double slight = 0.01; // of an arc: chains that agree follow last
         for (const ChainId c : sums.ids()) {
-            sums[c] = slight * whole_.chains[c].count;
+            sums[c] = Tuning::slight * whole_.chains[c].count;
             forEachArc(c, [&](ArcId arc) {
                 sums[c] += std::abs(options_.relaxed[arc.idx()] - (result_.present[arc.idx()] ? 1 : 0));
             });
@@ -107,7 +114,7 @@ private:
             const bool stale =
                 std::ranges::any_of(chains, [&](ChainId c) { return changed_[c] > searched_[chain]; });
             if (stale) windows.push_back({chain, std::move(chains), {}, false});
-            if (windows.size() == batch) searchBatch(windows);
+            if (windows.size() == Tuning::batch) searchBatch(windows);
             if (isOver()) return false;
         }
         searchBatch(windows);

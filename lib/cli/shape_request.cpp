@@ -1,0 +1,63 @@
+#include "cli/shape_request.h"
+
+#include "mesh/write_soup.h"
+#include "shape/scan.h"
+
+#include <algorithm>
+
+namespace qm {
+namespace {
+
+std::string padded(const std::string& text, std::size_t width) {
+    return text + std::string(width - std::min(width, text.size()), ' ');
+}
+
+MeshFormat formatOf(const ShapeRequest& request, std::string_view outputPath) {
+    switch (request.format) {
+    case NamedMeshFormat::ending:
+        return formatOfName(outputPath).value_or(MeshFormat::obj);
+    case NamedMeshFormat::obj:
+        return MeshFormat::obj;
+    case NamedMeshFormat::off:
+        return MeshFormat::off;
+    case NamedMeshFormat::ply:
+        return MeshFormat::ply;
+    case NamedMeshFormat::stl:
+        break;
+    }
+    return MeshFormat::stl;
+}
+
+} // namespace
+
+void verify(const Tool& tool, const ShapeRequest& request) {
+    if (request.name.empty() != request.list) throw UsageError("name one mesh, or give --list");
+    if (request.shape.around > 0 && tool.given("resolution"))
+        throw UsageError("--around and --resolution exclude one another");
+    if (request.scan > 0 && (tool.given("resolution") || tool.given("around")))
+        throw UsageError("--scan says how fine the scan is, without --resolution and --around");
+    if (request.scan == 0 && tool.given("noise")) throw UsageError("--noise is for --scan");
+    if (request.scan == 0 && formatOf(request, tool.outputPath()) == MeshFormat::stl)
+        throw UsageError("STL holds triangles only: give --scan, or another format");
+}
+
+std::string listOfShapes() {
+    std::string list = "NAME         RESOLUTION  QUADS\n";
+    for (const ShapeKind& kind : shapeKinds())
+        list += padded(kind.name, 13) + padded(std::to_string(kind.resolution), 12) +
+                padded(std::to_string(makeShape(kind.name).n_faces()), 7) + kind.summary + '\n';
+    return list;
+}
+
+Soup makeRequested(const ShapeRequest& request) {
+    if (request.scan == 0) return soupOf(makeShape(request.name, request.shape));
+    Triangles scan = makeScan(request.name, request.scan, request.shape);
+    if (request.noise.value > 0) addNoise(scan, request.noise.length(diagonalOf(scan)), request.shape.seed);
+    return soupOf(scan);
+}
+
+std::string writeRequested(const Soup& soup, const ShapeRequest& request, std::string_view outputPath) {
+    return writeSoup(soup, formatOf(request, outputPath));
+}
+
+} // namespace qm
