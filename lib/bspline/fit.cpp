@@ -5,10 +5,11 @@
 #include "bspline/fitting/smooth_fit.h"
 #include "bspline/measure/measure.h"
 #include "bspline/network/smooth_network.h"
-#include "bspline/reference/limit_surface.h"
+#include "bspline/reference/fit_target.h"
 #include "bspline/splines/bounding_box.h"
 #include "bspline/splines/interpolate.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <locale>
@@ -34,34 +35,74 @@ std::vector<Patch> interpolateSegments(const QuadMesh& mesh, const Layout& layou
     return patches;
 }
 
-/// Steps of the reference's lattice along every mesh edge: fewer where edges are short anyway.
-int latticeSteps(const QuadMesh& mesh) {
-    constexpr std::size_t many = 300'000;
-    return mesh.n_faces() > many ? 2 : 4;
+/// Steps of the lattices along every mesh edge: fewer where edges are short anyway. The fit's lattice has
+/// four between any two knots in any case.
+struct Steps {
+    int ofReference = 4;
+    int ofFit = 4;
+};
+
+Steps stepsFor(const QuadMesh& mesh) {
+    constexpr std::size_t many = 30'000;
+    constexpr std::size_t veryMany = 300'000;
+    if (mesh.n_faces() > veryMany) return {2, 1};
+    return {4, mesh.n_faces() > many ? 2 : 4};
+}
+
+/// Times a scan's noise: what its smoothing leaves of it, at worst.
+constexpr double noiseLeft = 1.5;
+
+/// Of the surfaces from the scan itself, noise and all.
+ScanFigures scanFigures(const std::vector<Patch>& patches, const FitTarget& target,
+                        const TriangleSurface& scan, double negligible, unsigned jobs) {
+    const auto nearest = [&](const Point& from) {
+        const TriangleSurface::Nearest found = scan.nearest(from);
+        return ScanPoint{scan.corners(found.face), found.distance, found.onBoundary};
+    };
+    std::vector<ScanDeviation> ofPatch(patches.size());
+    parallelFor(patches.size(), jobs, [&](std::size_t k) {
+        ofPatch[k] = scanDeviation(patches[k], k, nearest, target.maxDistance, {.negligible = negligible});
+    });
+    ScanFigures figures{target.coverage, target.noise};
+    std::vector<std::pair<double, double>> samples;
+    for (const ScanDeviation& one : ofPatch) {
+        figures.max = std::max(figures.max, one.deviation.upper);
+        samples.insert(samples.end(), one.deviation.samples.begin(), one.deviation.samples.end());
+    }
+    figures.rms = rootMeanSquare(samples);
+    figures.percentile95 = percentile95(std::move(samples));
+    return figures;
 }
 
 } // namespace
 
 Surfaces fitSurfaces(const QuadMesh& mesh, const Layout& layout, const std::vector<double>& dihedralAngles,
-                     const FitOptions& options, const Control& control) {
+                     const FitOptions& options, const TriangleSurface* scan, const Control& control) {
     requireValid(options);
     const SmoothNetwork network = buildNetwork(mesh, layout, dihedralAngles, options.rho);
-    const auto reference =
-        limitSurface(mesh, layout, network.marks.isCrease, latticeSteps(mesh), control.jobs);
+    const Steps steps = stepsFor(mesh);
+    const FitTarget target = fitTarget(mesh, layout, network, steps.ofReference, scan, control.jobs);
+    const double diagonal = boundingBoxDiagonal(mesh);
     Surfaces surfaces;
     if (options.fit == Fit::smooth) {
-        const double tolerance = options.tolerance.length(boundingBoxDiagonal(mesh));
         // What lies between samples, and the width of the bound that is measured in the end.
         constexpr double share = 0.96;
         surfaces.patches =
-            fitSmooth(mesh, layout, network, reference, {.tolerance = share * tolerance}, control);
+            fitSmooth(mesh, layout, network, {target.grids, target.weights},
+                      {.tolerance = share * (options.tolerance.length(diagonal) + noiseLeft * target.noise),
+                       .steps = steps.ofFit},
+                      control);
     } else {
         surfaces.patches = interpolateSegments(mesh, layout, control);
     }
     std::vector<bool> isSmooth = network.marks.isCrease;
     isSmooth.flip();
+    const MeasureOptions measuring;
     const Measurement measurement =
-        measureSurfaces(mesh, layout, surfaces.patches, reference, isSmooth, {}, {}, control);
+        measureSurfaces(mesh, layout, surfaces.patches, target.grids, isSmooth, measuring, {}, control);
+    if (scan != nullptr)
+        surfaces.scan =
+            scanFigures(surfaces.patches, target, *scan, measuring.negligible * diagonal, control.jobs);
     surfaces.deviation = measurement.ofAll.deviation;
     surfaces.farthest = measurement.ofAll.farthest;
     for (const PatchMeasurement& ofPatch : measurement.ofPatch)
@@ -73,15 +114,17 @@ Surfaces fitSurfaces(const QuadMesh& mesh, const Layout& layout, const std::vect
 std::string missedTolerance(const Surfaces& surfaces, const FitOptions& options) {
     const Deviation& deviation = surfaces.deviation;
     if (options.fit != Fit::smooth || !(deviation.maxRelative > 0)) return {};
-    const double tolerance = options.tolerance.length(deviation.max / deviation.maxRelative);
+    const double tolerance = options.tolerance.length(deviation.max / deviation.maxRelative) +
+                             (surfaces.scan ? noiseLeft * surfaces.scan->noise : 0);
     if (deviation.max <= tolerance) return {};
     std::ostringstream text;
     text.imbue(std::locale::classic());
     text.precision(3);
     text << "the tolerance is missed in patch " << surfaces.farthest.patch
          << " at u = " << surfaces.farthest.at[0] << ", v = " << surfaces.farthest.at[1] << ": "
-         << deviation.max / tolerance
-         << " times as far from the smooth surface through the vertices. Allow more, or mend the mesh there";
+         << deviation.max / tolerance << " times as far from the "
+         << (surfaces.scan ? "scan" : "smooth surface through the vertices")
+         << ". Allow more, or mend the mesh there";
     return text.str();
 }
 

@@ -3,6 +3,7 @@
 
 #include "base/control.h"
 #include "base/length.h"
+#include "bspline/reference/triangle_surface.h"
 #include "bspline/splines/surfaces.h"
 #include "layout/layout.h"
 
@@ -24,13 +25,14 @@ struct FitOptions {
     double rho = 0.45;
 };
 
-/// One patch for every segment, and how far they are from the reference, the smooth surface through the
-/// mesh's vertices, and from the mesh.
+/// One patch for every segment, and how far they are from the reference and from the mesh. The reference is
+/// the smooth surface through the mesh's vertices, or a scan.
 /// \param dihedralAngles  of every edge, in radians, by edge index
-/// \throw Error  if an option is out of range
+/// \param scan  null if there is none
+/// \throw Error  if an option is out of range, or the scan is not of this mesh
 [[nodiscard]] Surfaces fitSurfaces(const QuadMesh& mesh, const Layout& layout,
                                    const std::vector<double>& dihedralAngles, const FitOptions& options,
-                                   const Control& control = {});
+                                   const TriangleSurface* scan = nullptr, const Control& control = {});
 
 /// Where surfaces are farther from the reference than the tolerance, and by how much, as a sentence; empty if
 /// they keep it, or nobody asked for one.

@@ -41,6 +41,21 @@ Json deviationToJson(const Deviation& deviation) {
     return json;
 }
 
+/// The same for a scan.
+template <class Figures, class Visitor> void visitScan(Figures& scan, Visitor&& figure) {
+    figure("coverage", scan.coverage);
+    figure("noise", scan.noise);
+    figure("max", scan.max);
+    figure("rms", scan.rms);
+    figure("percentile95", scan.percentile95);
+}
+
+Json scanToJson(const ScanFigures& scan, const ScanFile& file) {
+    Json json = {{"path", file.path}, {"sha256", file.sha256}};
+    visitScan(scan, [&json](const char* key, double value) { json[key] = value; });
+    return json;
+}
+
 Json pointsToJson(const Patch& patch) {
     Json::array_t rows;
     auto point = patch.controlPoints.begin();
@@ -56,7 +71,7 @@ Json pointsToJson(const Patch& patch) {
 
 } // namespace
 
-Json surfacesToJson(const Surfaces& surfaces) {
+Json surfacesToJson(const Surfaces& surfaces, const ScanFile& scan) {
     Json::array_t patches;
     for (std::size_t i = 0; i < surfaces.patches.size(); ++i) {
         const Patch& patch = surfaces.patches[i];
@@ -73,6 +88,7 @@ Json surfacesToJson(const Surfaces& surfaces) {
         section["farthest"] = {
             {"patch", place.patch}, {"at", place.at}, {"point", {point[0], point[1], point[2]}}};
     }
+    if (surfaces.scan) section["scan"] = scanToJson(*surfaces.scan, scan);
     return section;
 }
 
@@ -172,6 +188,12 @@ Surfaces readSurfaces(const std::vector<std::array<int, 2>>& sizes, const JsonPl
     if (surfaces.ofPatch.size() != surfaces.patches.size()) surfaces.ofPatch.clear();
     surfaces.deviation = readDeviation(section["deviation"]);
     if (const auto farthest = section.find("farthest")) surfaces.farthest = readFarthest(sizes, *farthest);
+    if (const auto scan = section.find("scan")) {
+        surfaces.scan.emplace();
+        visitScan(*surfaces.scan, [&](const char* key, double& value) {
+            if (const auto figure = scan->find(key)) value = figure->number();
+        });
+    }
     return surfaces;
 }
 

@@ -4,9 +4,18 @@
 #include "bspline/splines/surfaces.h"
 #include "document/json_place.h"
 
+#include <string>
+
 namespace qm {
 
-[[nodiscard]] Json surfacesToJson(const Surfaces& surfaces);
+/// The file that a scan came from.
+struct ScanFile {
+    std::string path;
+    std::string sha256;
+};
+
+/// \param scan  of surfaces that were fitted to one
+[[nodiscard]] Json surfacesToJson(const Surfaces& surfaces, const ScanFile& scan = {});
 
 /// Patches may have been edited: there must be one for every segment, with as many knots as its control
 /// points and degrees need, in order, and with the segment's grid as their domain.

@@ -170,9 +170,9 @@ TEST(SmoothFit, KeepsCreasesSharpAndPlanesPlane) {
     const Surfaces surfaces = test::fitted(folded(), {{0, 0, 4, 6}, {4, 0, 8, 6}}, {}).surfaces;
     EXPECT_EQ(controlPointCount(surfaces.patches), 32U) << "one cubic each way";
     for (const Point& point : surfaces.patches[0].controlPoints)
-        EXPECT_NEAR(point[2], 0, 1e-12);
+        EXPECT_NEAR(point[2], 0, 1e-8);
     for (const Point& point : surfaces.patches[1].controlPoints)
-        EXPECT_NEAR(point[0], 4, 1e-12);
+        EXPECT_NEAR(point[0], 4, 1e-8);
 }
 
 TEST(SmoothFit, SaysWhereItMissesATolerance) {
@@ -188,7 +188,7 @@ TEST(SmoothFit, DoesNotDependOnTheNumberOfThreads) {
     Control several;
     several.jobs = 3;
     const auto one = fitSurfaces(mesh, layout, dihedralAngles(mesh), {});
-    const auto three = fitSurfaces(mesh, layout, dihedralAngles(mesh), {}, several);
+    const auto three = fitSurfaces(mesh, layout, dihedralAngles(mesh), {}, nullptr, several);
     for (std::size_t k = 0; k < one.patches.size(); ++k)
         EXPECT_EQ(one.patches[k].controlPoints, three.patches[k].controlPoints);
 }

@@ -66,13 +66,14 @@ ConstrainedSystem::ConstrainedSystem(std::size_t unknowns, const std::vector<Eig
 
 ConstrainedSystem::~ConstrainedSystem() = default;
 
-Eigen::MatrixX3d ConstrainedSystem::solve(const Eigen::MatrixX3d& rightHandSide) const {
-    constexpr int maxRefinements = 20;
+void ConstrainedSystem::improve(const Eigen::MatrixX3d& rightHandSide, Accuracy accuracy,
+                                Eigen::MatrixX3d& solution) const {
     constexpr double negligible = 1e-15;
+    const int maxSteps = accuracy == Accuracy::draft ? 1 : 20;
     double before = std::numeric_limits<double>::infinity();
     const Eigen::Index size = form_.rows();
-    Eigen::MatrixX3d solution = Eigen::MatrixX3d::Zero(size + equations_.rows(), 3);
-    for (int k = 0; k < maxRefinements; ++k) {
+    if (solution.rows() == 0) solution = Eigen::MatrixX3d::Zero(size + equations_.rows(), 3);
+    for (int k = 0; k < maxSteps; ++k) {
         Eigen::MatrixX3d residual(solution.rows(), 3);
         const auto unknowns = solution.topRows(size);
         residual.topRows(size) = rightHandSide - form_.selfadjointView<Eigen::Lower>() * unknowns -
@@ -86,7 +87,12 @@ Eigen::MatrixX3d ConstrainedSystem::solve(const Eigen::MatrixX3d& rightHandSide)
         solution += correction;
         if (change <= negligible * solution.topRows(size).norm()) break;
     }
-    return solution.topRows(size);
+}
+
+Eigen::MatrixX3d ConstrainedSystem::solve(const Eigen::MatrixX3d& rightHandSide) const {
+    Eigen::MatrixX3d solution;
+    improve(rightHandSide, Accuracy::rounding, solution);
+    return solution.topRows(form_.rows());
 }
 
 } // namespace qm

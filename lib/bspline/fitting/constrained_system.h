@@ -12,6 +12,12 @@
 
 namespace qm {
 
+/// How well a system is solved.
+enum class Accuracy {
+    draft,   ///< one step, good enough to go on from
+    rounding ///< the equations hold up to rounding
+};
+
 /// Factorised once, solved for any number of right-hand sides.
 class ConstrainedSystem {
 public:
@@ -21,8 +27,11 @@ public:
                       const std::vector<LinearForm>& equations);
     ~ConstrainedSystem();
 
-    /// The minimum of x'Hx / 2 - x'b under the equations, for each column of b. The equations hold up to
-    /// rounding.
+    /// Makes a solution that of the minimum of x'Hx / 2 - x'b under the equations, for each column of b.
+    /// \param solution  where to begin, with the multipliers of the equations; empty to begin with nothing
+    void improve(const Eigen::MatrixX3d& rightHandSide, Accuracy accuracy, Eigen::MatrixX3d& solution) const;
+
+    /// The same from the beginning, without the multipliers. The equations hold up to rounding.
     [[nodiscard]] Eigen::MatrixX3d solve(const Eigen::MatrixX3d& rightHandSide) const;
 
 private:

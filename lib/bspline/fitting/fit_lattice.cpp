@@ -1,128 +1,192 @@
 #include "bspline/fitting/fit_lattice.h"
 
-#include "bspline/network/borders.h"
 #include "bspline/splines/evaluate.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace qm {
 namespace {
-
-std::vector<double> parametersOf(int size, int steps) {
-    std::vector<double> parameters;
-    for (int k = 0; k <= size * steps; ++k)
-        parameters.push_back(static_cast<double>(k) / steps);
-    return parameters;
-}
 
 Point unit(const Point& vector) {
     const double length = vector.norm();
     return length > 0 ? vector / length : Point(0, 0, 0);
 }
 
-/// Derivatives of the reference by central differences, one-sided at its borders.
-void measureAxes(const ReferenceGrid& grid, FitLattice& lattice) {
-    const std::size_t columns = lattice.columns();
-    const std::size_t rows = lattice.rows();
-    for (std::size_t j = 0; j < rows; ++j)
-        for (std::size_t i = 0; i < columns; ++i) {
-            const std::size_t before = i > 0 ? i - 1 : i;
-            const std::size_t after = std::min(i + 1, columns - 1);
-            const std::size_t below = j > 0 ? j - 1 : j;
-            const std::size_t above = std::min(j + 1, rows - 1);
-            const Point du = grid.points[j * columns + after] - grid.points[j * columns + before];
-            const Point dv = grid.points[above * columns + i] - grid.points[below * columns + i];
-            const double scale = static_cast<double>(grid.steps * grid.steps) /
-                                 static_cast<double>((after - before) * (above - below));
-            lattice.axes.push_back(unitNormal(du, dv));
-            lattice.jacobian.push_back((du % dv).norm() * scale);
-        }
+/// The share of a direction that stands for each of its parameters.
+std::vector<double> widths(const std::vector<double>& parameters) {
+    std::vector<double> result(parameters.size());
+    for (std::size_t k = 0; k + 1 < parameters.size(); ++k) {
+        const double half = (parameters[k + 1] - parameters[k]) / 2;
+        result[k] += half;
+        result[k + 1] += half;
+    }
+    return result;
 }
 
-/// Marks the points of a side that lie on creases, and the corners where no smooth curve passes.
-void markSide(const QuadMesh& mesh, const Segment& segment, int side, const SmoothNetwork& network,
-              const ReferenceGrid& grid, FitLattice& lattice) {
-    const auto& vertices = segment.sides[static_cast<std::size_t>(side)];
-    const int length = static_cast<int>(vertices.size()) - 1;
-    const auto index = [&](int step) {
-        const auto at = parametersOnSide(segment.size, side, static_cast<double>(step) / lattice.steps);
-        const auto i = static_cast<std::size_t>(std::lround(at[0] * lattice.steps));
-        const auto j = static_cast<std::size_t>(std::lround(at[1] * lattice.steps));
-        return j * lattice.columns() + i;
-    };
-    std::vector<bool> isCrease;
-    for (int k = 0; k < length; ++k) {
-        const auto from = static_cast<std::size_t>(k);
-        const EdgeId edge = mesh.edge_handle(mesh.find_halfedge(vertices[from], vertices[from + 1]));
-        isCrease.push_back(network.marks.isCrease[static_cast<std::size_t>(edge.idx())]);
-    }
-    const int last = length * lattice.steps;
-    for (int step = 0; step <= last; ++step) {
-        const bool before = isCrease[static_cast<std::size_t>(std::max(step - 1, 0) / lattice.steps)];
-        const bool after = isCrease[static_cast<std::size_t>(std::min(step / lattice.steps, length - 1))];
-        if (!before && !after) continue;
-        const std::size_t point = index(step);
-        const bool isEnd = step == 0 || step == last;
-        const VertexId vertex = step == 0 ? vertices.front() : vertices.back();
-        if (isEnd && network.rules[static_cast<std::size_t>(vertex.idx())].kind == VertexRule::Kind::corner)
-            lattice.freedom[point] = Freedom::corner;
-        if (isEnd) continue;
+/// Marks the points of a side that lie on creases, and the corners at its ends.
+void markSide(const LatticeSource& source, std::size_t side, const std::vector<SurfacePoint>& points,
+              FitLattice& lattice) {
+    const std::size_t along = side % 2;
+    const auto& parameters = lattice.targets.parameters[along];
+    const bool isFar = side == 1 || side == 2;
+    const std::size_t across = isFar ? lattice.targets.parameters[1 - along].size() - 1 : 0;
+    const auto& isCrease = source.isCrease[side];
+    const std::size_t last = parameters.size() - 1;
+    for (std::size_t k = 0; k <= last; ++k) { // counter-clockwise
+        const double at = side < 2 ? parameters[k] : parameters[last] - parameters[last - k];
+        const auto before = static_cast<std::size_t>(std::max(std::ceil(at) - 1, 0.0));
+        const auto after = std::min(static_cast<std::size_t>(at), isCrease.size() - 1);
+        if (!isCrease[before] && !isCrease[after]) continue;
+        const std::size_t place = side < 2 ? k : last - k;
+        const std::size_t point =
+            along == 0 ? across * lattice.columns() + place : place * lattice.columns() + across;
+        const bool isEnd = k == 0 || k == last;
+        const VertexRule::Kind end = source.corners[k == 0 ? side : (side + 1) % 4];
+        if (isEnd && end == VertexRule::Kind::corner) lattice.freedom[point] = Freedom::corner;
+        const bool onCurve = !isEnd || end == VertexRule::Kind::crease;
+        if (!onCurve || lattice.freedom[point] == Freedom::corner) continue;
         lattice.freedom[point] = Freedom::crease;
-        lattice.axes[point] = unit(grid.points[index(step + 1)] - grid.points[index(step - 1)]);
+        lattice.axes[point] = unit(along == 0 ? points[point].du : points[point].dv);
     }
+}
+
+/// For every parameter of a finer list the interval of a coarser one that it lies in, and how far.
+struct Place {
+    std::size_t first = 0;
+    double share = 0;
+};
+
+std::vector<Place> placesIn(const std::vector<double>& coarse, const std::vector<double>& fine) {
+    std::vector<Place> places;
+    for (const double at : fine) {
+        const auto after = std::ranges::upper_bound(coarse, at);
+        const auto first = std::min(static_cast<std::size_t>(after - coarse.begin()), coarse.size() - 1) - 1;
+        places.push_back({first, (at - coarse[first]) / (coarse[first + 1] - coarse[first])});
+    }
+    return places;
 }
 
 } // namespace
 
-std::vector<FitLattice> fitLattices(const QuadMesh& mesh, const Layout& layout, const SmoothNetwork& network,
-                                    const std::vector<ReferenceGrid>& reference) {
-    std::vector<FitLattice> lattices(reference.size());
+std::vector<LatticeSource> latticeSources(const QuadMesh& mesh, const Layout& layout,
+                                          const SmoothNetwork& network,
+                                          const std::vector<ReferenceGrid>& reference,
+                                          const std::vector<std::vector<double>>& weights) {
+    std::vector<LatticeSource> sources(reference.size());
     for (std::size_t k = 0; k < reference.size(); ++k) {
-        const ReferenceGrid& grid = reference[k];
-        FitLattice& lattice = lattices[k];
-        lattice.steps = grid.steps;
-        lattice.targets.parameters = {parametersOf(grid.size[0], grid.steps),
-                                      parametersOf(grid.size[1], grid.steps)};
-        lattice.targets.points = grid.points;
-        lattice.targets.weights.assign(grid.points.size(), 1.0 / (grid.steps * grid.steps));
-        lattice.freedom.assign(grid.points.size(), Freedom::surface);
-        measureAxes(grid, lattice);
-        for (int side = 0; side < 4; ++side)
-            markSide(mesh, layout.segments[k], side, network, grid, lattice);
+        const Segment& segment = layout.segments[k];
+        sources[k].grid = &reference[k];
+        if (!weights.empty()) sources[k].weights = &weights[k];
+        for (std::size_t side = 0; side < 4; ++side) {
+            const auto& vertices = segment.sides[side];
+            for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
+                const EdgeId edge = mesh.edge_handle(mesh.find_halfedge(vertices[i], vertices[i + 1]));
+                sources[k].isCrease[side].push_back(
+                    network.marks.isCrease[static_cast<std::size_t>(edge.idx())]);
+            }
+            const auto corner = static_cast<std::size_t>(vertices.front().idx());
+            sources[k].corners[side] = network.rules[corner].kind;
+        }
     }
-    return lattices;
+    return sources;
 }
 
-double distance(const FitLattice& lattice, std::size_t point, const Point& offset) {
-    const Point& axis = lattice.axes[point];
-    switch (lattice.freedom[point]) {
-    case Freedom::surface:
-        return axis.sqrnorm() > 0 ? std::abs(offset | axis) : offset.norm();
-    case Freedom::crease:
-        return (offset - axis * (offset | axis)).norm();
-    default:
-        return offset.norm();
+std::vector<double> latticeParameters(int size, int steps, const std::vector<double>& knots) {
+    constexpr int places = 4;
+    std::vector<double> uniform;
+    for (int k = 0; k <= size * steps; ++k)
+        uniform.push_back(static_cast<double>(k) / steps);
+    std::vector<double> fine;
+    for (std::size_t k = 0; k + 1 < knots.size(); ++k) {
+        const double length = knots[k + 1] - knots[k];
+        if (length <= 0 || length * steps >= places) continue;
+        for (int place = 0; place <= places; ++place)
+            fine.push_back(knots[k] + length * place / places);
     }
+    std::vector<double> all;
+    std::ranges::set_union(uniform, fine, std::back_inserter(all));
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    return all;
 }
 
-std::vector<double> errors(const FitLattice& lattice, const Patch& patch, double tolerance) {
-    constexpr double minJacobian = 0.1; // of the reference's
-    const auto points = evaluateLattice(patch, lattice.targets.parameters[0], lattice.targets.parameters[1]);
-    std::vector<double> result(points.size());
-    for (std::size_t k = 0; k < points.size(); ++k) {
-        const Point offset = points[k].position - lattice.targets.points[k];
-        // Where the surface has slid along a bend, the mean of both normals tells how far it is.
-        const Point mean = lattice.axes[k] + unitNormal(points[k].du, points[k].dv);
-        const bool canSlide = lattice.freedom[k] == Freedom::surface && mean.sqrnorm() > 1;
-        result[k] =
-            (canSlide ? std::abs(offset | mean) / mean.norm() : distance(lattice, k, offset)) / tolerance;
-        const bool isFolded =
-            lattice.freedom[k] == Freedom::surface &&
-            ((points[k].du % points[k].dv) | lattice.axes[k]) < minJacobian * lattice.jacobian[k];
-        if (isFolded) result[k] = std::max(result[k], 2.0);
+FitLattice makeLattice(const LatticeSource& source, const std::array<std::vector<double>, 2>& parameters) {
+    FitLattice lattice;
+    lattice.targets.parameters = parameters;
+    const auto points = source.grid->evaluateLattice(parameters[0], parameters[1]);
+    for (const SurfacePoint& point : points) {
+        lattice.reference.push_back(point.position);
+        lattice.axes.push_back(unitNormal(point.du, point.dv));
+        lattice.jacobian.push_back((point.du % point.dv).norm());
+        lattice.edge.push_back(std::sqrt(std::min(point.du.sqrnorm(), point.dv.sqrnorm())));
     }
-    return result;
+    lattice.targets.points = lattice.reference;
+    lattice.freedom.assign(points.size(), Freedom::surface);
+    lattice.emphasis.assign(points.size(), 1);
+    lattice.slides.assign(points.size(), Point(0, 0, 0));
+    lattice.holds.assign(points.size(), 0);
+    lattice.isHeld.assign(points.size(), false);
+    for (std::size_t side = 0; side < 4; ++side)
+        markSide(source, side, points, lattice);
+    weighTargets(source, lattice);
+    return lattice;
+}
+
+FitLattice resample(const LatticeSource& source, const FitLattice& before,
+                    const std::array<std::vector<double>, 2>& parameters) {
+    FitLattice lattice = makeLattice(source, parameters);
+    const auto us = placesIn(before.targets.parameters[0], parameters[0]);
+    const auto vs = placesIn(before.targets.parameters[1], parameters[1]);
+    for (std::size_t j = 0; j < vs.size(); ++j)
+        for (std::size_t i = 0; i < us.size(); ++i) {
+            const std::size_t k = j * us.size() + i;
+            Point slide(0, 0, 0);
+            Point ahead(0, 0, 0);
+            double emphasis = 1;
+            for (const std::size_t dj : {0, 1})
+                for (const std::size_t di : {0, 1}) {
+                    const double share =
+                        (di == 0 ? 1 - us[i].share : us[i].share) * (dj == 0 ? 1 - vs[j].share : vs[j].share);
+                    if (share == 0) continue;
+                    const std::size_t from = (vs[j].first + dj) * before.columns() + us[i].first + di;
+                    slide += share * before.slides[from];
+                    ahead += share * (before.targets.points[from] - before.reference[from]);
+                    emphasis = std::max(emphasis, before.emphasis[from]);
+                    lattice.holds[k] = std::max(lattice.holds[k], before.holds[from]);
+                }
+            lattice.emphasis[k] = emphasis;
+            if (lattice.holds[k] >= maxHolds || lattice.freedom[k] == Freedom::corner) continue;
+            lattice.slides[k] = slide;
+            lattice.targets.points[k] = lattice.reference[k] + ahead;
+        }
+    weighTargets(source, lattice);
+    return lattice;
+}
+
+void releaseHolds(FitLattice& lattice) {
+    for (std::size_t k = 0; k < lattice.holds.size(); ++k)
+        lattice.isHeld[k] = lattice.holds[k] >= maxHolds;
+}
+
+void weighTargets(const LatticeSource& source, FitLattice& lattice) {
+    const auto us = widths(lattice.targets.parameters[0]);
+    const auto vs = widths(lattice.targets.parameters[1]);
+    auto& weights = lattice.targets.weights;
+    weights.clear();
+    const ReferenceGrid& grid = *source.grid;
+    const auto width = static_cast<std::size_t>(grid.size[0] * grid.steps + 1);
+    const auto nearest = [&](double parameter) {
+        return static_cast<std::size_t>(std::lround(parameter * grid.steps));
+    };
+    for (std::size_t j = 0; j < vs.size(); ++j)
+        for (std::size_t i = 0; i < us.size(); ++i) {
+            double weight = us[i] * vs[j] * lattice.emphasis[weights.size()];
+            if (source.weights != nullptr)
+                weight *= (*source.weights)[nearest(lattice.targets.parameters[1][j]) * width +
+                                            nearest(lattice.targets.parameters[0][i])];
+            weights.push_back(weight);
+        }
 }
 
 } // namespace qm

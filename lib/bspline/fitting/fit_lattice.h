@@ -1,12 +1,12 @@
-/// \file The points of the reference that a patch is fitted to, and how an offset from them counts.
+/// \file The points of the reference that a patch is fitted to, and how far the patch may move beside them.
 #pragma once
 
 #include "bspline/fitting/patch_form.h"
 #include "bspline/network/smooth_network.h"
 #include "bspline/reference/reference_grid.h"
-#include "bspline/splines/surfaces.h"
 #include "layout/layout.h"
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -19,27 +19,58 @@ enum class Freedom : char {
     corner   ///< not at all
 };
 
+/// The reference above one segment, and where it has creases and corners.
+struct LatticeSource {
+    const ReferenceGrid* grid = nullptr;
+    const std::vector<double>* weights = nullptr; ///< of the grid's points; all 1 if there are none
+    std::array<std::vector<bool>, 4> isCrease{};  ///< by side, edge by edge counter-clockwise
+    std::array<VertexRule::Kind, 4> corners{};    ///< what the reference does at the segment's
+};
+
+/// A lattice of parameters over one segment. All lists but the parameters have one entry a point: (us[i],
+/// vs[j]) at j * columns() + i.
 struct FitLattice {
-    PatchTargets targets; ///< at the lattice of the reference
-    int steps = 2;        ///< of the lattice, a mesh edge
+    PatchTargets targets;         ///< where the patch is drawn to
+    std::vector<Point> reference; ///< the reference's points
     std::vector<Freedom> freedom;
     std::vector<Point> axes;      ///< unit: the reference's normal; at a crease the direction of the curve
     std::vector<double> jacobian; ///< length of the cross product of the reference's derivatives by u and v
+    std::vector<double> edge;     ///< length of the shorter one of these derivatives
+    std::vector<double> emphasis; ///< factor of the weight, from 1 on
+    std::vector<Point> slides;    ///< from the reference to where the patch was found to be
+    std::vector<bool> isHeld;     ///< may not slide, because the patch was folded there
+    std::vector<char> holds;      ///< how often it was, up to `maxHolds`
 
     [[nodiscard]] std::size_t columns() const { return targets.parameters[0].size(); }
     [[nodiscard]] std::size_t rows() const { return targets.parameters[1].size(); }
 };
 
-/// Of every segment. \param reference  of every segment
-[[nodiscard]] std::vector<FitLattice> fitLattices(const QuadMesh& mesh, const Layout& layout,
-                                                  const SmoothNetwork& network,
-                                                  const std::vector<ReferenceGrid>& reference);
+/// What folds so often may not slide any more at all.
+constexpr int maxHolds = 2;
 
-/// The distance from the reference that an offset from one of its lattice points makes.
-[[nodiscard]] double distance(const FitLattice& lattice, std::size_t point, const Point& offset);
+/// Of every segment. \param reference  of every segment; must outlive what is returned, as the weights must
+/// \param weights  of the points of every grid; empty if all are 1
+[[nodiscard]] std::vector<LatticeSource> latticeSources(const QuadMesh& mesh, const Layout& layout,
+                                                        const SmoothNetwork& network,
+                                                        const std::vector<ReferenceGrid>& reference,
+                                                        const std::vector<std::vector<double>>& weights);
 
-/// What is wrong with a patch at every lattice point, such that 1 is just allowed: its distance from the
-/// reference over the tolerance; where it is folded, at least 2.
-[[nodiscard]] std::vector<double> errors(const FitLattice& lattice, const Patch& patch, double tolerance);
+/// Parameters for a direction of a patch of so many quads: `steps` intervals a quad, and four at least
+/// between any two knots.
+[[nodiscard]] std::vector<double> latticeParameters(int size, int steps, const std::vector<double>& knots);
+
+/// A lattice whose targets are the points of the reference.
+[[nodiscard]] FitLattice makeLattice(const LatticeSource& source,
+                                     const std::array<std::vector<double>, 2>& parameters);
+
+/// The same with other parameters; slides and emphasis are taken over from those nearby.
+[[nodiscard]] FitLattice resample(const LatticeSource& source, const FitLattice& before,
+                                  const std::array<std::vector<double>, 2>& parameters);
+
+/// Lets slide again what was not folded too often.
+void releaseHolds(FitLattice& lattice);
+
+/// Sets the weights of the targets from the emphasis.
+void weighTargets(const LatticeSource& source, FitLattice& lattice);
 
 } // namespace qm

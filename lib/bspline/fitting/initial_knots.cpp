@@ -1,5 +1,6 @@
 #include "bspline/fitting/initial_knots.h"
 
+#include "bspline/fitting/lattice_errors.h"
 #include "bspline/splines/eigen_point.h"
 
 #include <algorithm>
@@ -8,6 +9,8 @@
 
 namespace qm {
 namespace {
+/// How much an offset counts that only slides along the reference: the fit may let it, but not far.
+constexpr double ofSlides = 0.3;
 
 /// Orthonormal polynomials up to degree 3 over equally spaced places.
 Eigen::MatrixX4d orthonormalCubics(Eigen::Index places) {
@@ -31,19 +34,24 @@ public:
         : lattice_(lattice), direction_(direction), tolerance_(tolerance) {}
 
     [[nodiscard]] int length() const {
-        return static_cast<int>(lattice_.targets.parameters[direction_].size() - 1) / lattice_.steps;
+        return static_cast<int>(lattice_.targets.parameters[direction_].back());
+    }
+
+    /// Of the lattice, a quad.
+    [[nodiscard]] int steps() const {
+        return static_cast<int>(lattice_.targets.parameters[direction_].size() - 1) / length();
     }
 
     /// Is a cubic near every line between two grid lines?
     [[nodiscard]] bool fits(int begin, int end) {
-        const Eigen::Index places = Eigen::Index{end - begin} * lattice_.steps + 1;
+        const Eigen::Index places = Eigen::Index{end - begin} * steps() + 1;
         constexpr Eigen::Index coefficients = 4;
         if (places <= coefficients) return true;
         auto [found, isNew] = bases_.try_emplace(places);
         if (isNew) found->second = orthonormalCubics(places);
         const std::size_t lines = lattice_.targets.parameters[1 - direction_].size();
         for (std::size_t line = 0; line < lines; ++line)
-            if (!isNear(line, static_cast<std::size_t>(begin * lattice_.steps), found->second)) return false;
+            if (!isNear(line, static_cast<std::size_t>(begin * steps()), found->second)) return false;
         return true;
     }
 
@@ -55,12 +63,13 @@ private:
     [[nodiscard]] bool isNear(std::size_t line, std::size_t begin, const Eigen::MatrixX4d& basis) const {
         Eigen::MatrixX3d points(basis.rows(), 3);
         for (Eigen::Index i = 0; i < basis.rows(); ++i)
-            points.row(i) = vector(lattice_.targets.points[index(line, begin + static_cast<std::size_t>(i))]);
+            points.row(i) = vector(lattice_.reference[index(line, begin + static_cast<std::size_t>(i))]);
         points -= basis * (basis.transpose() * points).eval();
-        for (Eigen::Index i = 0; i < basis.rows(); ++i)
-            if (distance(lattice_, index(line, begin + static_cast<std::size_t>(i)), point(points.row(i))) >
-                tolerance_)
-                return false;
+        for (Eigen::Index i = 0; i < basis.rows(); ++i) {
+            const std::size_t at = index(line, begin + static_cast<std::size_t>(i));
+            const double off = distance(lattice_, at, point(points.row(i)));
+            if (std::max(off, ofSlides * points.row(i).norm()) > tolerance_) return false;
+        }
         return true;
     }
 

@@ -9,9 +9,10 @@
 
 namespace qm {
 
-/// Inserts knots at grid lines, patch by patch, the farthest apart for which a cubic along every line of the
-/// lattice is within `tolerance` of it; where a neighbour has a knot that is not much nearer, that one is
-/// taken, for only knots of both sides serve their common border.
+/// Into a plan without knots, for lattices of equal steps: inserts knots at grid lines, patch by patch, the
+/// farthest apart for which a cubic along every line of the lattice is within `tolerance` of it; where a
+/// neighbour has a knot that is not much nearer, that one is taken, for only knots of both sides serve their
+/// common border.
 void insertInitialKnots(const Layout& layout, const std::vector<FitLattice>& lattices, const StretchMap& map,
                         double tolerance, KnotPlan& plan);
 

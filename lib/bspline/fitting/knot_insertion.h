@@ -3,14 +3,12 @@
 
 #include "bspline/fitting/fit_lattice.h"
 #include "bspline/fitting/knot_plan.h"
+#include "bspline/fitting/lattice_errors.h"
 #include "bspline/network/stretch_map.h"
 
 #include <vector>
 
 namespace qm {
-
-/// Errors of all patches at their lattices, as `errors` gives them.
-using LatticeErrors = std::vector<std::vector<double>>;
 
 /// Divides the knot intervals in which an error is above 1, and halves the reach of tangent ratios beside
 /// such places; along a border the interval of the side that has the longer one, for only knots of both sides
@@ -20,6 +18,6 @@ using LatticeErrors = std::vector<std::vector<double>>;
 /// \return false if there was nothing to do, or nothing could be done
 [[nodiscard]] bool refine(const Layout& layout, const std::vector<FitLattice>& lattices,
                           const StretchMap& map, const std::vector<PatchSpace>& spaces,
-                          const LatticeErrors& errors, KnotPlan& plan);
+                          const std::vector<PatchErrors>& errors, KnotPlan& plan);
 
 } // namespace qm

@@ -28,7 +28,7 @@ std::vector<Point> thirdDerivatives(const Patch& patch, std::size_t direction, d
 }
 
 /// What errors would be around a knot if it were not there.
-double errorWithout(const FitLattice& lattice, const Patch& patch, const std::vector<double>& errors,
+double errorWithout(const FitLattice& lattice, const Patch& patch, const PatchErrors& errors,
                     double tolerance, std::size_t direction, std::size_t knot) {
     // The deflection of a beam under a load in its middle, between clamped and free ends.
     constexpr double deflection = 1.0 / 150;
@@ -38,8 +38,9 @@ double errorWithout(const FitLattice& lattice, const Patch& patch, const std::ve
     const auto after = thirdDerivatives(patch, direction, knots[knot], knots[knot + 1], lines);
     const double length = knots[knot + 1] - knots[knot - 1];
     const double scale = deflection * length * length * length / tolerance;
+    const auto& parameters = lattice.targets.parameters[direction];
     const auto step = [&](double parameter) {
-        return static_cast<std::size_t>(std::lround(parameter * lattice.steps));
+        return static_cast<std::size_t>(std::ranges::lower_bound(parameters, parameter) - parameters.begin());
     };
     const auto index = [&](std::size_t line, std::size_t along) {
         return direction == 0 ? line * lattice.columns() + along : along * lattice.columns() + line;
@@ -49,7 +50,7 @@ double errorWithout(const FitLattice& lattice, const Patch& patch, const std::ve
         const double added =
             scale * distance(lattice, index(line, step(knots[knot])), after[line] - before[line]);
         for (std::size_t along = step(knots[knot - 1]); along <= step(knots[knot + 1]); ++along)
-            worst = std::max(worst, errors[index(line, along)] + added);
+            worst = std::max(worst, errors.distance[index(line, along)] + added);
     }
     return worst;
 }
@@ -57,7 +58,8 @@ double errorWithout(const FitLattice& lattice, const Patch& patch, const std::ve
 } // namespace
 
 std::size_t removeKnots(const std::vector<FitLattice>& lattices, const std::vector<Patch>& patches,
-                        const LatticeErrors& errors, double tolerance, double limit, KnotPlan& plan) {
+                        const std::vector<PatchErrors>& errors, double tolerance, double limit,
+                        KnotPlan& plan) {
     std::size_t removed = 0;
     for (std::size_t patch = 0; patch < patches.size(); ++patch)
         for (std::size_t direction = 0; direction < 2; ++direction) {

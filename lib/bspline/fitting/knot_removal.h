@@ -2,8 +2,8 @@
 #pragma once
 
 #include "bspline/fitting/fit_lattice.h"
-#include "bspline/fitting/knot_insertion.h"
 #include "bspline/fitting/knot_plan.h"
+#include "bspline/fitting/lattice_errors.h"
 #include "bspline/splines/surfaces.h"
 
 #include <cstddef>
@@ -16,6 +16,7 @@ namespace qm {
 /// made and measured anew.
 /// \return how many
 std::size_t removeKnots(const std::vector<FitLattice>& lattices, const std::vector<Patch>& patches,
-                        const LatticeErrors& errors, double tolerance, double limit, KnotPlan& plan);
+                        const std::vector<PatchErrors>& errors, double tolerance, double limit,
+                        KnotPlan& plan);
 
 } // namespace qm

@@ -5,10 +5,14 @@
 #include "bspline/fitting/initial_knots.h"
 #include "bspline/fitting/knot_insertion.h"
 #include "bspline/fitting/knot_removal.h"
+#include "bspline/fitting/lattice_cells.h"
+#include "bspline/fitting/lattice_errors.h"
 #include "bspline/fitting/smooth_system.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 namespace qm {
@@ -20,79 +24,174 @@ constexpr double cubicsShare = 0.2;
 /// Errors that removals may come to; what is near 1 comes back.
 constexpr double removalLimit = 0.9;
 
-constexpr int maxRounds = 25;
-constexpr int maxRemovals = 3;
+constexpr int maxRounds = 30;
+constexpr int maxRemovals = 6;
+/// Rounds that it may take after a removal to keep the tolerance again.
+constexpr int maxRepairs = 4;
+/// Weights alone go on while each round leaves at most this share of what is missed.
+constexpr double worthwhileGain = 0.9;
+/// Removals go on while each leaves at most this share of the control points.
+constexpr double worthwhile = 0.985;
+
+/// Solutions of each system between which the targets slide; more while there are few knots.
+constexpr int slides = 6;
+constexpr int slidesAtFirst = 12;
+
+/// A weight may grow by `growth` a round, up to `max`.
+struct Emphasis {
+    static constexpr double growth = 3;
+    static constexpr double max = 100;
+};
+
+/// A cell in which nothing helps, and the error that it may have.
+struct GivenUp {
+    Cell cell;
+    double allowed = 1;
+};
 
 class SmoothFit {
 public:
     SmoothFit(const QuadMesh& mesh, const Layout& layout, const SmoothNetwork& network,
-              const std::vector<ReferenceGrid>& reference, const SmoothFitOptions& options, unsigned jobs)
+              const FitReference& reference, const SmoothFitOptions& options, unsigned jobs)
         : layout_(layout), options_(options), jobs_(jobs), map_(mesh, layout, network),
-          plan_(layout, network), lattices_(fitLattices(mesh, layout, network, reference)) {
+          plan_(layout, network),
+          sources_(latticeSources(mesh, layout, network, reference.grids, reference.weights)),
+          lattices_(sources_.size()), errors_(sources_.size()), givenUp_(sources_.size()) {
+        parallelFor(sources_.size(), jobs_,
+                    [&](std::size_t k) { lattices_[k] = makeLattice(sources_[k], parametersOf(k, {})); });
         insertInitialKnots(layout, lattices_, map_, cubicsShare * options.tolerance, plan_);
         plan_.endAtFirstKnots();
     }
 
     std::vector<Patch> run(const Control& control) {
         int removals = 0;
+        int lastKept = 0;
+        double excessBefore = std::numeric_limits<double>::infinity();
+        double countBefore = std::numeric_limits<double>::infinity();
         for (int round = 0; round < maxRounds; ++round) {
             control.progress(static_cast<double>(round) / maxRounds);
-            solve();
+            solve(round == 0 ? slidesAtFirst : slides);
             keepIfBest();
-            if (worst_ <= 1 && removals < maxRemovals) {
-                ++removals;
+            if (worst_ <= 1) {
+                const auto count = static_cast<double>(controlPointCount(best_));
+                if (removals++ == maxRemovals || count > worthwhile * countBefore) break;
+                countBefore = count;
+                lastKept = round;
                 if (removeKnots(lattices_, patches_, errors_, options_.tolerance, removalLimit, plan_) == 0)
                     break;
-            } else {
-                const bool canWeigh = weighWhatIsMissed();
-                if (!refine(layout_, lattices_, map_, spaces_, errors_, plan_) && !canWeigh) break;
+                continue;
             }
+            if (bestKeeps_ && round - lastKept > maxRepairs) break;
+            const bool weighed = weighWhatIsMissed();
+            const bool refined = refine(layout_, lattices_, map_, spaces_, errors_, plan_);
+            // What has no more knots to get may still gain by weights, while it does.
+            const bool gains = excess_ < worthwhileGain * excessBefore;
+            excessBefore = excess_;
+            if (!refined && !(weighed && gains)) giveUp();
         }
         return std::move(best_);
     }
 
 private:
-    void solve() {
+    [[nodiscard]] std::array<std::vector<double>, 2>
+    parametersOf(std::size_t patch, const std::array<std::vector<double>, 2>& knots) const {
+        const auto& size = layout_.segments[patch].size;
+        return {latticeParameters(size[0], options_.steps, knots[0]),
+                latticeParameters(size[1], options_.steps, knots[1])};
+    }
+
+    void solve(int drafts) {
         spaces_ = plan_.spaces();
-        patches_ = solveSmooth(layout_, plan_.network(), spaces_, lattices_, options_.bending, jobs_);
-        errors_.resize(patches_.size());
-        parallelFor(patches_.size(), jobs_, [&](std::size_t k) {
-            errors_[k] = errors(lattices_[k], patches_[k], options_.tolerance);
+        parallelFor(sources_.size(), jobs_, [&](std::size_t k) {
+            const auto parameters = parametersOf(k, spaces_[k].knots);
+            if (parameters != lattices_[k].targets.parameters)
+                lattices_[k] = resample(sources_[k], lattices_[k], parameters);
+            releaseHolds(lattices_[k]);
         });
+        SmoothSystem system(layout_, plan_.network(), spaces_, lattices_, options_.bending, jobs_);
+        for (int k = 0; k < drafts; ++k) {
+            patches_ = system.solve(lattices_, Accuracy::draft);
+            parallelFor(sources_.size(), jobs_,
+                        [&](std::size_t i) { slideTargets(patches_[i], lattices_[i]); });
+        }
+        patches_ = system.solve(lattices_, Accuracy::rounding);
         worst_ = 0;
-        for (const auto& ofPatch : errors_)
-            worst_ = std::max(worst_, std::ranges::max(ofPatch));
+        excess_ = 0;
+        parallelFor(sources_.size(), jobs_, [&](std::size_t k) {
+            errors_[k] = latticeErrors(lattices_[k], patches_[k], options_.tolerance);
+            for (const GivenUp& place : givenUp_[k])
+                cap(place, k);
+        });
+        for (const PatchErrors& ofPatch : errors_) {
+            worst_ = std::max(worst_, ofPatch.max());
+            excess_ += std::max(0.0, ofPatch.max() - 1);
+        }
     }
 
     /// Gives points that are too far away more weight, so that the largest error counts and not the mean.
     /// \return false if no weight can grow any more
     bool weighWhatIsMissed() {
-        constexpr double growth = 3;
-        constexpr double max = 100; // times the first weight
         bool changed = false;
         for (std::size_t k = 0; k < lattices_.size(); ++k) {
-            const double first = 1.0 / (lattices_[k].steps * lattices_[k].steps);
-            for (std::size_t i = 0; i < errors_[k].size(); ++i) {
-                double& weight = lattices_[k].targets.weights[i];
-                if (errors_[k][i] <= 1 || weight >= max * first) continue;
-                weight *= growth;
-                changed = true;
+            bool ofPatch = false;
+            for (std::size_t i = 0; i < errors_[k].distance.size(); ++i) {
+                double& emphasis = lattices_[k].emphasis[i];
+                if (errors_[k].distance[i] <= 1 || emphasis >= Emphasis::max) continue;
+                emphasis *= Emphasis::growth;
+                ofPatch = true;
             }
+            if (ofPatch) weighTargets(sources_[k], lattices_[k]);
+            changed = changed || ofPatch;
         }
         return changed;
     }
 
-    /// Within the tolerance the fewest control points are best, else the smallest error.
+    /// Within the tolerance the fewest control points are best, else the smallest errors.
     void keepIfBest() {
         const bool keeps = worst_ <= 1;
-        const bool bestKeeps = bestWorst_ <= 1;
-        const bool isBetter =
-            best_.empty() || keeps != bestKeeps
-                ? best_.empty() || keeps
-                : (keeps ? controlPointCount(patches_) < controlPointCount(best_) : worst_ < bestWorst_);
+        bool isBetter = best_.empty();
+        if (!isBetter && keeps != bestKeeps_)
+            isBetter = keeps;
+        else if (!isBetter)
+            isBetter = keeps ? controlPointCount(patches_) < controlPointCount(best_) : excess_ < bestExcess_;
         if (!isBetter) return;
         best_ = patches_;
-        bestWorst_ = worst_;
+        bestKeeps_ = keeps;
+        bestExcess_ = excess_;
+    }
+
+    /// From now on errors count no more in the cells where nothing helps.
+    void giveUp() {
+        for (std::size_t k = 0; k < lattices_.size(); ++k)
+            for (const Cell& cell : cellsOf(spaces_[k]))
+                if (worstIn(cell, lattices_[k], errors_[k]).error > 1) {
+                    giveUp(cell, k);
+                }
+        // Judged anew, for what was best before was judged by these cells.
+        bestKeeps_ = false;
+        bestExcess_ = std::numeric_limits<double>::infinity();
+    }
+
+    void giveUp(const Cell& cell, std::size_t patch) {
+        constexpr double slack = 1.1;
+        FitLattice& lattice = lattices_[patch];
+        givenUp_[patch].push_back({cell, slack * worstIn(cell, lattice, errors_[patch]).error});
+        const LatticeRange range = rangeOf(cell, lattice);
+        for (std::size_t j = range.begin[1]; j < range.end[1]; ++j)
+            for (std::size_t i = range.begin[0]; i < range.end[0]; ++i)
+                lattice.emphasis[j * lattice.columns() + i] = 1;
+        weighTargets(sources_[patch], lattice);
+        cap(givenUp_[patch].back(), patch);
+    }
+
+    /// Errors where nothing helps are not missed, unless they grow.
+    void cap(const GivenUp& place, std::size_t patch) {
+        const LatticeRange range = rangeOf(place.cell, lattices_[patch]);
+        for (std::size_t j = range.begin[1]; j < range.end[1]; ++j)
+            for (std::size_t i = range.begin[0]; i < range.end[0]; ++i) {
+                double& error = errors_[patch].distance[j * lattices_[patch].columns() + i];
+                error = error <= place.allowed ? std::min(error, 1.0) : error / place.allowed;
+            }
     }
 
     const Layout& layout_;
@@ -100,19 +199,23 @@ private:
     unsigned jobs_;
     StretchMap map_;
     KnotPlan plan_;
+    std::vector<LatticeSource> sources_;
     std::vector<FitLattice> lattices_;
     std::vector<PatchSpace> spaces_;
     std::vector<Patch> patches_;
-    LatticeErrors errors_;
+    std::vector<PatchErrors> errors_;
+    std::vector<std::vector<GivenUp>> givenUp_;
     double worst_ = 0;
+    double excess_ = 0;
     std::vector<Patch> best_;
-    double bestWorst_ = 0;
+    bool bestKeeps_ = false;
+    double bestExcess_ = 0;
 };
 
 } // namespace
 
 std::vector<Patch> fitSmooth(const QuadMesh& mesh, const Layout& layout, const SmoothNetwork& network,
-                             const std::vector<ReferenceGrid>& reference, const SmoothFitOptions& options,
+                             const FitReference& reference, const SmoothFitOptions& options,
                              const Control& control) {
     return SmoothFit(mesh, layout, network, reference, options, control.jobs).run(control);
 }

@@ -15,15 +15,20 @@ namespace qm {
 struct SmoothFitOptions {
     double tolerance = 0;  ///< largest distance from the reference, in its unit; positive
     double bending = 1e-4; ///< weight of the thin-plate energy beside the mean squared distance of a quad
+    int steps = 4;         ///< of the lattice of points that are fitted, a mesh edge; 1, 2 or 4
+};
+
+/// What patches are fitted to.
+struct FitReference {
+    const std::vector<ReferenceGrid>& grids;         ///< of every segment, in their order
+    const std::vector<std::vector<double>>& weights; ///< of the points of every grid; empty if all are 1
 };
 
 /// Patches with common borders, G1 across those that are no creases. Where the tolerance cannot be kept with
 /// knot intervals of a quarter of a mesh edge, or bicubics cannot follow the reference, it is missed.
-/// \param reference  of every segment, in their order
 /// \return one patch for every segment, in their order
 [[nodiscard]] std::vector<Patch> fitSmooth(const QuadMesh& mesh, const Layout& layout,
-                                           const SmoothNetwork& network,
-                                           const std::vector<ReferenceGrid>& reference,
+                                           const SmoothNetwork& network, const FitReference& reference,
                                            const SmoothFitOptions& options, const Control& control = {});
 
 } // namespace qm

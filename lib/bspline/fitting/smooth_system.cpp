@@ -1,12 +1,12 @@
 #include "bspline/fitting/smooth_system.h"
 
 #include "base/parallel.h"
-#include "bspline/fitting/constrained_system.h"
 #include "bspline/network/continuity.h"
 #include "bspline/splines/eigen_point.h"
 
 #include <array>
 #include <cstddef>
+#include <utility>
 
 namespace qm {
 namespace {
@@ -42,28 +42,35 @@ Patch patchOf(const PatchSpace& space, std::size_t segment, const Eigen::MatrixX
     return patch;
 }
 
+std::size_t unknownsOf(const std::vector<PatchSpace>& spaces) {
+    return spaces.empty() ? 0 : spaces.back().firstUnknown + spaces.back().size();
+}
+
 } // namespace
 
-std::vector<Patch> solveSmooth(const Layout& layout, const SmoothNetwork& network,
-                               const std::vector<PatchSpace>& spaces, const std::vector<FitLattice>& lattices,
-                               double bending, unsigned jobs) {
-    const std::size_t unknowns = spaces.empty() ? 0 : spaces.back().firstUnknown + spaces.back().size();
-    Eigen::MatrixX3d rightHandSide = Eigen::MatrixX3d::Zero(static_cast<Eigen::Index>(unknowns), 3);
-    std::vector<std::vector<Eigen::Triplet<double>>> entries(spaces.size());
-    parallelFor(spaces.size(), jobs, [&](std::size_t k) {
-        addPatchForm(spaces[k], lattices[k].targets, bending, entries[k]);
-        addPatchTargets(spaces[k], lattices[k].targets, rightHandSide);
-    });
+SmoothSystem::SmoothSystem(const Layout& layout, const SmoothNetwork& network, std::vector<PatchSpace> spaces,
+                           const std::vector<FitLattice>& lattices, double bending, unsigned jobs)
+    : spaces_(std::move(spaces)), jobs_(jobs) {
+    std::vector<std::vector<Eigen::Triplet<double>>> entries(spaces_.size());
+    parallelFor(spaces_.size(), jobs,
+                [&](std::size_t k) { addPatchForm(spaces_[k], lattices[k].targets, bending, entries[k]); });
     std::vector<Eigen::Triplet<double>> all;
     for (auto& ofPatch : entries) {
         all.insert(all.end(), ofPatch.begin(), ofPatch.end());
         ofPatch = {};
     }
-    const ConstrainedSystem system(unknowns, all, continuityEquations(layout, network, spaces));
-    const Eigen::MatrixX3d solution = system.solve(rightHandSide);
+    system_.emplace(unknownsOf(spaces_), all, continuityEquations(layout, network, spaces_));
+}
+
+std::vector<Patch> SmoothSystem::solve(const std::vector<FitLattice>& lattices, Accuracy accuracy) {
+    Eigen::MatrixX3d rightHandSide =
+        Eigen::MatrixX3d::Zero(static_cast<Eigen::Index>(unknownsOf(spaces_)), 3);
+    parallelFor(spaces_.size(), jobs_,
+                [&](std::size_t k) { addPatchTargets(spaces_[k], lattices[k].targets, rightHandSide); });
+    system_->improve(rightHandSide, accuracy, solution_);
     std::vector<Patch> patches;
-    for (std::size_t k = 0; k < spaces.size(); ++k)
-        patches.push_back(patchOf(spaces[k], k, solution));
+    for (std::size_t k = 0; k < spaces_.size(); ++k)
+        patches.push_back(patchOf(spaces_[k], k, solution_));
     return patches;
 }
 

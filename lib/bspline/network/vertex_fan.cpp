@@ -58,6 +58,23 @@ std::optional<double> angleOfCorners(const VertexFan& fan, const Sector& sector,
     return angle > minAngle ? std::optional(angle) : std::nullopt;
 }
 
+/// The angle that the mesh has between the borders of a sector, in its faces.
+double measuredAngle(const QuadMesh& mesh, const VertexFan& fan, const Sector& sector) {
+    double sum = 0;
+    for (std::size_t k = 0; k < sector.size; ++k) {
+        const std::size_t patch = (sector.begin + k) % fan.borders.size();
+        HalfedgeId halfedge = fan.borders[patch];
+        for (int face = 0; face < fan.faces[patch]; ++face) {
+            const HalfedgeId next = nextAround(mesh, halfedge);
+            const Point a = along(mesh, halfedge);
+            const Point b = along(mesh, next);
+            sum += std::atan2((a % b).norm(), a | b);
+            halfedge = next;
+        }
+    }
+    return sum;
+}
+
 /// The direction in which a patch leaves the vertex across the border on its one side: along its other side,
 /// or, if its side passes straight through, along the mesh edge between its two faces.
 Point inward(const QuadMesh& mesh, const VertexFan& fan, std::size_t patch, bool fromNext) {
@@ -127,6 +144,8 @@ std::vector<double> tangentRatios(const QuadMesh& mesh, const VertexFan& fan, co
             angle = angleOfCorners(fan, sector, 2 * halfTurn);
         else if (isPassed(sector.begin) && isPassed(end % count))
             angle = angleOfCorners(fan, sector, halfTurn);
+        else
+            angle = angleOfCorners(fan, sector, measuredAngle(mesh, fan, sector));
         for (std::size_t k = sector.begin + (sector.isWhole ? 0 : 1); k < end; ++k) {
             const std::size_t border = k % count;
             if (fan.isCrease[border]) continue;

@@ -34,21 +34,14 @@ Weights lagrange(int quads, int steps, double parameter) {
     return weights;
 }
 
-} // namespace
-
-Point ReferenceGrid::at(double u, double v) const {
-    return evaluate(u, v).position;
-}
-
-SurfacePoint ReferenceGrid::evaluate(double u, double v) const {
-    const Weights columns = lagrange(size[0], steps, u);
-    const Weights rows = lagrange(size[1], steps, v);
-    const std::size_t width = static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(steps) + 1;
+SurfacePoint combine(const ReferenceGrid& grid, const Weights& columns, const Weights& rows) {
+    const std::size_t width =
+        static_cast<std::size_t>(grid.size[0]) * static_cast<std::size_t>(grid.steps) + 1;
     SurfacePoint result;
     for (std::size_t j = 0; j < rows.count; ++j) {
         Point position{0, 0, 0};
         Point du{0, 0, 0};
-        const Point* point = points.data() + (rows.first + j) * width + columns.first;
+        const Point* point = grid.points.data() + (rows.first + j) * width + columns.first;
         for (std::size_t i = 0; i < columns.count; ++i, ++point) {
             position += columns.value[i] * *point;
             du += columns.derivative[i] * *point;
@@ -56,6 +49,31 @@ SurfacePoint ReferenceGrid::evaluate(double u, double v) const {
         result.position += rows.value[j] * position;
         result.du += rows.value[j] * du;
         result.dv += rows.derivative[j] * position;
+    }
+    return result;
+}
+
+} // namespace
+
+Point ReferenceGrid::at(double u, double v) const {
+    return evaluate(u, v).position;
+}
+
+SurfacePoint ReferenceGrid::evaluate(double u, double v) const {
+    return combine(*this, lagrange(size[0], steps, u), lagrange(size[1], steps, v));
+}
+
+std::vector<SurfacePoint> ReferenceGrid::evaluateLattice(const std::vector<double>& us,
+                                                         const std::vector<double>& vs) const {
+    std::vector<Weights> columns;
+    for (const double u : us)
+        columns.push_back(lagrange(size[0], steps, u));
+    std::vector<SurfacePoint> result;
+    result.reserve(us.size() * vs.size());
+    for (const double v : vs) {
+        const Weights row = lagrange(size[1], steps, v);
+        for (const Weights& column : columns)
+            result.push_back(combine(*this, column, row));
     }
     return result;
 }

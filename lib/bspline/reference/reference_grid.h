@@ -24,6 +24,9 @@ struct ReferenceGrid {
     [[nodiscard]] Point at(double u, double v) const;
     /// At a grid line the derivatives are those of the quad after it, at the last one of the quad before.
     [[nodiscard]] SurfacePoint evaluate(double u, double v) const;
+    /// All points of a lattice: (us[i], vs[j]) at j * us.size() + i.
+    [[nodiscard]] std::vector<SurfacePoint> evaluateLattice(const std::vector<double>& us,
+                                                            const std::vector<double>& vs) const;
 };
 
 } // namespace qm

@@ -91,6 +91,8 @@ public:
         }
     }
 
+    [[nodiscard]] double noise() const { return noise_; }
+
     [[nodiscard]] ScanReference result() const {
         ScanReference result{surface_, {}};
         for (const ReferenceGrid& grid : surface_)
@@ -200,6 +202,7 @@ ScanReference scanReference(const QuadMesh& mesh, const Layout& layout,
     targets.carryOnToSharpEdges(scan, projection.maxDistance, step / 4);
     ScanReference result = targets.result();
     result.maxDistance = projection.maxDistance;
+    result.noise = targets.noise();
     return result;
 }
 

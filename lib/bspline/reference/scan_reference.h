@@ -24,6 +24,7 @@ struct ScanReference {
     std::vector<std::vector<double>> weights; ///< by grid and point: 0 for no target, up to 1
     double coverage = 0;                      ///< share of the lattice points that have one
     double maxDistance = 0;                   ///< that was used
+    double noise = 0; ///< standard deviation of the scan from a smooth surface, as its targets show it
 };
 
 /// For every lattice point of a surface a point of the scan: the nearest on its normal or, failing that, the

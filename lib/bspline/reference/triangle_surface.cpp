@@ -134,6 +134,15 @@ struct TriangleSurface::Tree {
     }
 };
 
+std::size_t TriangleSurface::size() const {
+    return tree_->faces.size();
+}
+
+std::array<Point, 3> TriangleSurface::corners(int face) const {
+    const auto [a, b, c] = tree_->cornersOf(static_cast<std::size_t>(face));
+    return {point(a), point(b), point(c)};
+}
+
 TriangleSurface::TriangleSurface(const Triangles& triangles) : tree_(std::make_unique<Tree>(triangles)) {}
 TriangleSurface::~TriangleSurface() = default;
 TriangleSurface::TriangleSurface(TriangleSurface&&) noexcept = default;

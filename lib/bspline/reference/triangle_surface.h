@@ -3,6 +3,7 @@
 
 #include "mesh/triangles.h"
 
+#include <array>
 #include <limits>
 #include <memory>
 
@@ -39,6 +40,10 @@ public:
     /// \param direction  of unit length
     [[nodiscard]] Nearest alongLine(const Point& point, const Point& direction, double maxDistance,
                                     double minCosine = -1) const;
+
+    [[nodiscard]] std::size_t size() const; ///< triangles
+    /// Of a triangle that was found.
+    [[nodiscard]] std::array<Point, 3> corners(int face) const;
 
 private:
     struct Tree;

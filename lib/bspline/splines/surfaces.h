@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace qm {
@@ -52,6 +53,15 @@ struct Deviation {
     std::size_t folds = 0;
 };
 
+/// How surfaces and the scan that they were fitted to belong together.
+struct ScanFigures {
+    double coverage = 0; ///< share of the mesh that the scan shows
+    double noise = 0;    ///< of the scan: standard deviation of its points from a smooth surface
+    double max = 0;      ///< distances from the surfaces to the scan's triangles, where it shows something
+    double rms = 0;
+    double percentile95 = 0;
+};
+
 /// A place of the layout: parameters of one of its patches.
 struct LayoutPlace {
     std::size_t patch = 0;
@@ -61,8 +71,9 @@ struct LayoutPlace {
 struct Surfaces {
     std::vector<Patch> patches; ///< in the order of the segments
     Deviation deviation;
-    std::vector<Deviation> ofPatch; ///< in the order of the patches; borders count for both neighbours
-    LayoutPlace farthest;           ///< where the largest distance from the reference was found
+    std::vector<Deviation> ofPatch;  ///< in the order of the patches; borders count for both neighbours
+    LayoutPlace farthest;            ///< where the largest distance from the reference was found
+    std::optional<ScanFigures> scan; ///< if the reference is one
 };
 
 /// All patches' control points together.

@@ -1,0 +1,60 @@
+#include "bspline/fitting/lattice_cells.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace qm {
+
+std::vector<Cell> cellsOf(const PatchSpace& space) {
+    const auto& knots = space.knots;
+    std::vector<Cell> cells;
+    for (std::size_t a = 3; a + 4 < knots[0].size(); ++a)
+        for (std::size_t b = 3; b + 4 < knots[1].size(); ++b) {
+            const Cell cell{{knots[0][a], knots[1][b]}, {knots[0][a + 1], knots[1][b + 1]}};
+            if (cell.length(0) > 0 && cell.length(1) > 0) cells.push_back(cell);
+        }
+    return cells;
+}
+
+LatticeRange rangeOf(const Cell& cell, const FitLattice& lattice) {
+    LatticeRange range;
+    for (std::size_t d = 0; d < 2; ++d) {
+        const auto& parameters = lattice.targets.parameters[d];
+        range.begin[d] = static_cast<std::size_t>(std::ranges::lower_bound(parameters, cell.begin[d]) -
+                                                  parameters.begin());
+        range.end[d] =
+            static_cast<std::size_t>(std::ranges::upper_bound(parameters, cell.end[d]) - parameters.begin());
+    }
+    return range;
+}
+
+WorstPoint worstIn(const Cell& cell, const FitLattice& lattice, const PatchErrors& errors) {
+    const LatticeRange range = rangeOf(cell, lattice);
+    WorstPoint worst;
+    for (std::size_t j = range.begin[1]; j < range.end[1]; ++j)
+        for (std::size_t i = range.begin[0]; i < range.end[0]; ++i) {
+            const double error = errors.distance[j * lattice.columns() + i];
+            if (error <= worst.error) continue;
+            worst.error = error;
+            worst.at = {lattice.targets.parameters[0][i], lattice.targets.parameters[1][j]};
+        }
+    return worst;
+}
+
+std::array<double, 2> variation(const Cell& cell, const FitLattice& lattice, const PatchErrors& errors) {
+    const LatticeRange range = rangeOf(cell, lattice);
+    const auto at = [&](std::size_t i, std::size_t j) {
+        return errors.signedDistance[j * lattice.columns() + i];
+    };
+    std::array<double, 2> result{};
+    for (std::size_t j = range.begin[1]; j < range.end[1]; ++j)
+        for (std::size_t i = range.begin[0]; i < range.end[0]; ++i) {
+            if (i + 1 < range.end[0]) result[0] += std::abs(at(i + 1, j) - at(i, j));
+            if (j + 1 < range.end[1]) result[1] += std::abs(at(i, j + 1) - at(i, j));
+        }
+    for (std::size_t d = 0; d < 2; ++d)
+        result[d] /= static_cast<double>(range.end[1 - d] - range.begin[1 - d]);
+    return result;
+}
+
+} // namespace qm

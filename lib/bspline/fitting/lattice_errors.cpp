@@ -1,0 +1,144 @@
+#include "bspline/fitting/lattice_errors.h"
+
+#include "bspline/splines/evaluate.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace qm {
+namespace {
+
+/// Of the reference's Jacobian: what has less counts as folded.
+constexpr double minJacobian = 0.1;
+
+std::vector<SurfacePoint> pointsOf(const Patch& patch, const FitLattice& lattice) {
+    return evaluateLattice(patch, lattice.targets.parameters[0], lattice.targets.parameters[1]);
+}
+
+bool isFolded(const FitLattice& lattice, std::size_t k, const SurfacePoint& point) {
+    return lattice.freedom[k] == Freedom::surface &&
+           ((point.du % point.dv) | lattice.axes[k]) < minJacobian * lattice.jacobian[k];
+}
+
+/// Where a surface has slid along a bend, the mean of both normals tells how far it is: the chord between two
+/// points of a parabola is perpendicular to it. Zero where the normals have nothing to do with one another.
+Point meanNormal(const FitLattice& lattice, std::size_t k, const SurfacePoint& point) {
+    const Point sum = lattice.axes[k] + unitNormal(point.du, point.dv);
+    const double length = sum.norm();
+    return length > 1 ? sum / length : Point(0, 0, 0);
+}
+
+/// The same for the direction of a crease: what is perpendicular to the mean of both curves' directions is
+/// the distance between them.
+Point meanDirection(const FitLattice& lattice, std::size_t k, const SurfacePoint& point) {
+    const Point& axis = lattice.axes[k];
+    const auto unit = [](const Point& vector) {
+        const double length = vector.norm();
+        return length > 0 ? vector / length : Point(0, 0, 0);
+    };
+    const Point u = unit(point.du);
+    const Point v = unit(point.dv);
+    const Point& along = std::abs(u | axis) > std::abs(v | axis) ? u : v;
+    return unit(axis + ((along | axis) < 0 ? -along : along));
+}
+
+/// Forbids sliding within a mesh edge of a point, for this time.
+void hold(std::size_t k, FitLattice& lattice) {
+    const auto& us = lattice.targets.parameters[0];
+    const auto& vs = lattice.targets.parameters[1];
+    const double u = us[k % us.size()];
+    const double v = vs[k / us.size()];
+    const auto first = [](const std::vector<double>& list, double at) {
+        return static_cast<std::size_t>(std::ranges::lower_bound(list, at) - list.begin());
+    };
+    for (std::size_t j = first(vs, v - 1); j < vs.size() && vs[j] <= v + 1; ++j)
+        for (std::size_t i = first(us, u - 1); i < us.size() && us[i] <= u + 1; ++i) {
+            const std::size_t at = j * us.size() + i;
+            lattice.isHeld[at] = true;
+            lattice.holds[at] = static_cast<char>(std::min(lattice.holds[at] + 1, maxHolds));
+            lattice.slides[at] = Point(0, 0, 0);
+            lattice.targets.points[at] = lattice.reference[at];
+        }
+}
+
+} // namespace
+
+double PatchErrors::max() const {
+    return std::ranges::max(distance);
+}
+
+double distance(const FitLattice& lattice, std::size_t point, const Point& offset) {
+    const Point& axis = lattice.axes[point];
+    switch (lattice.freedom[point]) {
+    case Freedom::surface:
+        return axis.sqrnorm() > 0 ? std::abs(offset | axis) : offset.norm();
+    case Freedom::crease:
+        return (offset - axis * (offset | axis)).norm();
+    default:
+        return offset.norm();
+    }
+}
+
+namespace {
+
+double signedDistance(const FitLattice& lattice, std::size_t k, const SurfacePoint& point,
+                      const Point& offset) {
+    if (lattice.freedom[k] == Freedom::crease) {
+        const Point direction = meanDirection(lattice, k, point);
+        return (offset - direction * (offset | direction)).norm();
+    }
+    const Point mean =
+        lattice.freedom[k] == Freedom::surface ? meanNormal(lattice, k, point) : Point(0, 0, 0);
+    return mean.sqrnorm() > 0 ? (offset | mean) : distance(lattice, k, offset);
+}
+
+} // namespace
+
+PatchErrors latticeErrors(const FitLattice& lattice, const Patch& patch, double tolerance) {
+    constexpr double ofFolds = 2;
+    const auto points = pointsOf(patch, lattice);
+    PatchErrors errors;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        const Point offset = points[k].position - lattice.reference[k];
+        const double signedOne = signedDistance(lattice, k, points[k], offset);
+        errors.signedDistance.push_back(signedOne / tolerance);
+        const double size = std::abs(signedOne) / tolerance;
+        errors.distance.push_back(isFolded(lattice, k, points[k]) ? std::max(ofFolds, size) : size);
+    }
+    return errors;
+}
+
+void slideTargets(const Patch& patch, FitLattice& lattice) {
+    // Enough to make slides converge in few steps, not so much that they oscillate.
+    constexpr double momentum = 0.8;
+    // Draws back to the reference's parameters, where nothing else decides.
+    constexpr double anchor = 0.01;
+    constexpr double minCosine = 0.92; // between normals, to their mean
+    constexpr double maxSlide = 1;     // of the reference's edges
+    const auto points = pointsOf(patch, lattice);
+    for (std::size_t k = 0; k < points.size(); ++k)
+        if (isFolded(lattice, k, points[k])) hold(k, lattice);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        if (lattice.isHeld[k] || lattice.freedom[k] == Freedom::corner) continue;
+        const bool onCrease = lattice.freedom[k] == Freedom::crease;
+        const Point axis =
+            onCrease ? meanDirection(lattice, k, points[k]) : meanNormal(lattice, k, points[k]);
+        const auto allowed = [&](const Point& vector) {
+            const Point along = axis * (vector | axis);
+            return onCrease ? along : vector - along;
+        };
+        Point slide(0, 0, 0);
+        Point ahead(0, 0, 0);
+        if ((lattice.axes[k] | axis) >= minCosine) {
+            slide = (1 - anchor) * allowed(points[k].position - lattice.reference[k]);
+            const double limit = maxSlide * lattice.edge[k];
+            const double length = slide.norm();
+            if (length > limit) slide *= limit / length;
+            ahead = slide + momentum * allowed(slide - lattice.slides[k]);
+        }
+        lattice.slides[k] = slide;
+        lattice.targets.points[k] = lattice.reference[k] + ahead;
+    }
+}
+
+} // namespace qm

@@ -1,0 +1,32 @@
+/// \file How far a patch is from the reference, at the points of its lattice.
+#pragma once
+
+#include "bspline/fitting/fit_lattice.h"
+#include "bspline/splines/surfaces.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace qm {
+
+/// By point of a patch's lattice, in tolerances.
+struct PatchErrors {
+    std::vector<double> distance; ///< 1 is just allowed; where the patch is folded, at least 2
+    std::vector<double> signedDistance;
+
+    [[nodiscard]] double max() const;
+};
+
+/// What a point of the patch is off the reference's point with the same parameters. What the patch may slide
+/// does not count.
+[[nodiscard]] PatchErrors latticeErrors(const FitLattice& lattice, const Patch& patch, double tolerance);
+
+/// The distance from the reference that an offset from one of its lattice points makes.
+[[nodiscard]] double distance(const FitLattice& lattice, std::size_t point, const Point& offset);
+
+/// Moves the targets to where the patch is, but on the reference, and ahead in the direction in which they
+/// moved: the parameters of the reference are a choice, and a surface that need not heed them is smoother and
+/// has fewer knots. Where the patch is folded the targets go back to the reference's points for good.
+void slideTargets(const Patch& patch, FitLattice& lattice);
+
+} // namespace qm

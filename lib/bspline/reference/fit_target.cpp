@@ -1,0 +1,28 @@
+#include "bspline/reference/fit_target.h"
+
+#include "base/error.h"
+#include "bspline/reference/limit_surface.h"
+#include "bspline/reference/scan_reference.h"
+#include "bspline/reference/scan_smoothing.h"
+
+#include <utility>
+
+namespace qm {
+
+FitTarget fitTarget(const QuadMesh& mesh, const Layout& layout, const SmoothNetwork& network, int steps,
+                    const TriangleSurface* scan, unsigned jobs) {
+    FitTarget target;
+    target.grids = limitSurface(mesh, layout, network.marks.isCrease, steps, jobs);
+    if (scan == nullptr) return target;
+    ScanReference found = scanReference(mesh, layout, target.grids, *scan, {}, jobs);
+    constexpr double minCoverage = 0.1;
+    if (found.coverage < minCoverage)
+        throw Error("reference",
+                    "only " + std::to_string(static_cast<int>(100 * found.coverage)) +
+                        " per cent of the mesh are near the scan",
+                    "Give a scan of the same part, in the same place and unit");
+    smoothTargets(found, jobs);
+    return {std::move(found.grids), std::move(found.weights), found.coverage, found.noise, found.maxDistance};
+}
+
+} // namespace qm

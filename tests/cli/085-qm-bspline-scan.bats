@@ -1,0 +1,58 @@
+#!/usr/bin/env bats
+# qm-bspline --reference: surfaces fitted to a scan.
+
+load helpers
+
+setup_file() {
+    cd "$BATS_FILE_TMPDIR" || return
+    qm-shape block -o part.obj
+    qm-basecomplex part.obj | qm-features | qm-cut --chi 40 | qm-enum | qm-merge | qm-prune > part.json
+    qm-shape block --scan 60000 -o clean.stl
+    qm-shape block --scan 60000 --noise 0.05% -o noisy.ply
+}
+
+setup() { cd "$BATS_FILE_TMPDIR" || return; }
+
+fit() { quietly qm-bspline part.json "$@" -o out.json || [ "$?" -eq 3 ]; }
+
+@test "a scan is the reference, and the document says which and how well it is met" {
+    fit --reference clean.stl --tolerance 0.5%
+    run -0 jq -r '.surfaces.scan | .path, (.coverage > 0.99), (.percentile95 <= .max), (.sha256 | length)' out.json
+    assert_output $'clean.stl\ntrue\ntrue\n64'
+    run -0 jq -r '.surfaces.scan.sha256' out.json
+    assert_output "$(sha256sum clean.stl | cut -d' ' -f1)"
+    run -0 qm-check out.json
+    assert_line --partial "deviation: no figure is less than what is measured"
+}
+
+@test "noise is taken for noise" {
+    fit --reference clean.stl --tolerance 0.2%
+    run -0 jq '.surfaces.scan.noise' out.json
+    local -r clean=$output
+    fit --reference noisy.ply --tolerance 0.2%
+    run -0 jq --argjson clean "$clean" '.surfaces.scan | .noise > 2 * $clean and .rms > 0.5 * .noise' out.json
+    assert_output true
+}
+
+@test "the history does not name the scan, so that equal input gives equal bytes wherever it lies" {
+    fit --reference clean.stl --tolerance 1%
+    run -0 jq -c '.history[-1].options | has("reference")' out.json
+    assert_output false
+}
+
+@test "what is no scan of this part is refused" {
+    run -1 qm-bspline part.json --reference part.json -o out.json
+    assert_output --partial "part.json"
+    run -1 qm-bspline part.json --reference missing.stl -o out.json
+    assert_output --partial "missing.stl"
+    awk '/^v /{print "v", $2 + 1000, $3, $4; next} {print}' part.obj > far.obj
+    run -1 qm-bspline part.json --reference far.obj -o out.json
+    assert_output --partial "same place and unit"
+}
+
+@test "interpolation has no reference and no tolerance to heed" {
+    for option in '--reference clean.stl' '--tolerance 1%'; do
+        run -2 qm-bspline part.json --fit interpolate $option -o out.json
+        assert_output --partial "--fit smooth"
+    done
+}
