@@ -119,7 +119,7 @@ std::string missedTolerance(const Surfaces& surfaces, const FitOptions& options)
     if (deviation.max <= tolerance) return {};
     std::ostringstream text;
     text.imbue(std::locale::classic());
-    text.precision(3);
+    text.precision(4);
     text << "the tolerance is missed in patch " << surfaces.farthest.patch
          << " at u = " << surfaces.farthest.at[0] << ", v = " << surfaces.farthest.at[1] << ": "
          << deviation.max / tolerance << " times as far from the "

@@ -13,7 +13,11 @@ setup_file() {
 
 setup() { cd "$BATS_FILE_TMPDIR" || return; }
 
-fit() { quietly qm-bspline part.json "$@" -o out.json || [ "$?" -eq 3 ]; }
+# Whether a small scan's noise lets the tolerance be kept is not the question here.
+fit() {
+    run qm-bspline part.json "$@" -o out.json
+    [ "$status" -eq 0 ] || [ "$status" -eq 3 ]
+}
 
 @test "a scan is the reference, and the document says which and how well it is met" {
     fit --reference clean.stl --tolerance 0.5%

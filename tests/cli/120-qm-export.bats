@@ -27,7 +27,7 @@ PRODUCT('quadmesh 2'"
 }
 
 @test "simple surfaces on request" {
-    qm-bspline --tolerance 0.5% "$(stage pruned torus)" -o torus.json
+    qm-bspline --tolerance 0.1% "$(stage pruned torus)" -o torus.json
     quietly qm-export torus.json -o plain.step
     quietly qm-export --analytic --analytic-tolerance 1 torus.json -o analytic.step
     refute grep -q TOROIDAL_SURFACE plain.step

@@ -24,7 +24,7 @@ public:
             for (std::size_t end = 0; end < 2; ++end)
                 shortenIfNeeded(run, end);
         for (std::size_t patch = 0; patch < lattices_.size(); ++patch)
-            for (const Cell& cell : cellsOf(spaces_[patch]))
+            for (const KnotCell& cell : cellsOf(spaces_[patch]))
                 divideCell(patch, cell);
         return changed_;
     }
@@ -48,14 +48,14 @@ private:
     }
 
     /// The part of a border along which a tangent ratio is not zero.
-    [[nodiscard]] Cell along(const StretchSide& place, double x, double reach) const {
+    [[nodiscard]] KnotCell along(const StretchSide& place, double x, double reach) const {
         const auto& size = layout_.segments[place.patch].size;
         const std::size_t direction = directionAlong(place.side);
         const double a = patchParameter(size, place, x);
         const double b = patchParameter(size, place, x + reach);
         const bool isFar = place.side == 1 || place.side == 2;
         const double across = isFar ? size[1 - direction] : 0;
-        Cell cell;
+        KnotCell cell;
         cell.begin[direction] = std::min(a, b);
         cell.end[direction] = std::max(a, b);
         cell.begin[1 - direction] = across;
@@ -77,7 +77,7 @@ private:
         }
     }
 
-    void divideCell(std::size_t patch, const Cell& cell) {
+    void divideCell(std::size_t patch, const KnotCell& cell) {
         const WorstPoint worst = worstIn(cell, lattices_[patch], errors_[patch]);
         if (worst.error <= limits_[patch]) return;
         constexpr double negligible = 0.5; // of the other direction's variation
@@ -88,7 +88,8 @@ private:
     }
 
     /// Divides the cell, or what its neighbours have beside it where that is longer.
-    void divideAlong(std::size_t patch, std::size_t direction, const Cell& cell, const WorstPoint& worst) {
+    void divideAlong(std::size_t patch, std::size_t direction, const KnotCell& cell,
+                     const WorstPoint& worst) {
         const auto& size = layout_.segments[patch].size;
         const std::size_t other = 1 - direction;
         const double own = cell.length(direction);

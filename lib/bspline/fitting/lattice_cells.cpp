@@ -5,18 +5,18 @@
 
 namespace qm {
 
-std::vector<Cell> cellsOf(const PatchSpace& space) {
+std::vector<KnotCell> cellsOf(const PatchSpace& space) {
     const auto& knots = space.knots;
-    std::vector<Cell> cells;
+    std::vector<KnotCell> cells;
     for (std::size_t a = 3; a + 4 < knots[0].size(); ++a)
         for (std::size_t b = 3; b + 4 < knots[1].size(); ++b) {
-            const Cell cell{{knots[0][a], knots[1][b]}, {knots[0][a + 1], knots[1][b + 1]}};
+            const KnotCell cell{{knots[0][a], knots[1][b]}, {knots[0][a + 1], knots[1][b + 1]}};
             if (cell.length(0) > 0 && cell.length(1) > 0) cells.push_back(cell);
         }
     return cells;
 }
 
-LatticeRange rangeOf(const Cell& cell, const FitLattice& lattice) {
+LatticeRange rangeOf(const KnotCell& cell, const FitLattice& lattice) {
     LatticeRange range;
     for (std::size_t d = 0; d < 2; ++d) {
         const auto& parameters = lattice.targets.parameters[d];
@@ -28,7 +28,7 @@ LatticeRange rangeOf(const Cell& cell, const FitLattice& lattice) {
     return range;
 }
 
-WorstPoint worstIn(const Cell& cell, const FitLattice& lattice, const PatchErrors& errors) {
+WorstPoint worstIn(const KnotCell& cell, const FitLattice& lattice, const PatchErrors& errors) {
     const LatticeRange range = rangeOf(cell, lattice);
     WorstPoint worst;
     for (std::size_t j = range.begin[1]; j < range.end[1]; ++j)
@@ -41,7 +41,7 @@ WorstPoint worstIn(const Cell& cell, const FitLattice& lattice, const PatchError
     return worst;
 }
 
-std::array<double, 2> variation(const Cell& cell, const FitLattice& lattice, const PatchErrors& errors) {
+std::array<double, 2> variation(const KnotCell& cell, const FitLattice& lattice, const PatchErrors& errors) {
     const LatticeRange range = rangeOf(cell, lattice);
     const auto at = [&](std::size_t i, std::size_t j) {
         return errors.signedDistance[j * lattice.columns() + i];

@@ -12,7 +12,7 @@
 namespace qm {
 
 /// A rectangle of parameters, by direction.
-struct Cell {
+struct KnotCell {
     std::array<double, 2> begin{};
     std::array<double, 2> end{};
 
@@ -20,7 +20,7 @@ struct Cell {
 };
 
 /// All rectangles between knots that follow one another.
-[[nodiscard]] std::vector<Cell> cellsOf(const PatchSpace& space);
+[[nodiscard]] std::vector<KnotCell> cellsOf(const PatchSpace& space);
 
 /// The points of a lattice over a cell, those on its border included: from `begin` to before `end`.
 struct LatticeRange {
@@ -28,18 +28,18 @@ struct LatticeRange {
     std::array<std::size_t, 2> end{};
 };
 
-[[nodiscard]] LatticeRange rangeOf(const Cell& cell, const FitLattice& lattice);
+[[nodiscard]] LatticeRange rangeOf(const KnotCell& cell, const FitLattice& lattice);
 
 struct WorstPoint {
     double error = 0;
     std::array<double, 2> at{};
 };
 
-[[nodiscard]] WorstPoint worstIn(const Cell& cell, const FitLattice& lattice, const PatchErrors& errors);
+[[nodiscard]] WorstPoint worstIn(const KnotCell& cell, const FitLattice& lattice, const PatchErrors& errors);
 
 /// How much the errors vary along each direction of a cell, in the mean over its lines: knots are missing in
 /// the direction in which they do.
-[[nodiscard]] std::array<double, 2> variation(const Cell& cell, const FitLattice& lattice,
+[[nodiscard]] std::array<double, 2> variation(const KnotCell& cell, const FitLattice& lattice,
                                               const PatchErrors& errors);
 
 } // namespace qm

@@ -45,7 +45,7 @@ struct Emphasis {
 
 /// A cell in which nothing helps, and the error that it may have.
 struct GivenUp {
-    Cell cell;
+    KnotCell cell;
     double allowed = 1;
 };
 
@@ -163,7 +163,7 @@ private:
     /// From now on errors count no more in the cells where nothing helps.
     void giveUp() {
         for (std::size_t k = 0; k < lattices_.size(); ++k)
-            for (const Cell& cell : cellsOf(spaces_[k]))
+            for (const KnotCell& cell : cellsOf(spaces_[k]))
                 if (worstIn(cell, lattices_[k], errors_[k]).error > 1) {
                     giveUp(cell, k);
                 }
@@ -172,7 +172,7 @@ private:
         bestExcess_ = std::numeric_limits<double>::infinity();
     }
 
-    void giveUp(const Cell& cell, std::size_t patch) {
+    void giveUp(const KnotCell& cell, std::size_t patch) {
         constexpr double slack = 1.1;
         FitLattice& lattice = lattices_[patch];
         givenUp_[patch].push_back({cell, slack * worstIn(cell, lattice, errors_[patch]).error});
