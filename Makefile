@@ -172,6 +172,7 @@ gtest = -lgtest_main -lgtest
 
 # Small programs that scripts ask: no tools. One of them borrows the checker's readers.
 $(O)/tests/measure-surfaces: $(addprefix $(O)/tests/,programs/measure/subdivision.o support/checked_mesh.o) $(library)
+$(O)/tests/refine: $(library)
 $(programs): $(O)/tests/%: $(O)/tests/programs/%.o
 	@mkdir -p $(@D)
 	$(call quietly,link,$@) $(link) $^ -o $@ $(libraries)

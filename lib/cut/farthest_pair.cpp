@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <utility>
 
@@ -28,7 +29,8 @@ public:
             dropHopeless(next);
             if (!paired_ && open_.size() <= pairLimit) beginPairs();
         }
-        best_.fromSecond = sweep(best_.second);
+        const auto known = swept_.find(best_.second);
+        best_.fromSecond = known != swept_.end() ? std::move(known->second) : sweep(best_.second);
         if (best_.first > best_.second) {
             std::swap(best_.first, best_.second);
             std::swap(best_.fromFirst, best_.fromSecond);
@@ -59,11 +61,8 @@ private:
         }
         for (const std::size_t k : open_)
             upper_[k] = std::min(upper_[k], static_cast<float>(distances[farthest] + distances[k]));
-        if (!paired_) {
-            if (sweeps_ <= exactSweeps) kept_.push_back(distances);
-            return;
-        }
-        boundPairs(distances);
+        if (sweeps_ <= exactSweeps) swept_[from] = distances;
+        if (paired_) boundPairs(distances);
     }
 
     /// A pair must be farther apart than this to be worth looking for.
@@ -87,9 +86,8 @@ private:
         for (std::size_t r = 0; r < rows_; ++r)
             row_[open_[r]] = r;
         pairs_.assign(rows_ * rows_, unbounded);
-        for (const std::vector<double>& distances : kept_)
+        for (const auto& [from, distances] : swept_)
             boundPairs(distances);
-        kept_.clear();
     }
 
     void boundPairs(const std::vector<double>& distances) {
@@ -121,9 +119,9 @@ private:
 
     const std::vector<VertexId>& vertices_;
     Geodesics& geodesics_;
-    std::vector<float> upper_;              ///< bound on the distance to the farthest partner
-    std::vector<std::size_t> open_;         ///< those that may be one of the farthest pair and were not swept
-    std::vector<std::vector<double>> kept_; ///< what is needed when bounds for pairs begin
+    std::vector<float> upper_;      ///< bound on the distance to the farthest partner
+    std::vector<std::size_t> open_; ///< those that may be one of the farthest pair and were not swept
+    std::map<std::size_t, std::vector<double>> swept_; ///< the first sweeps, by where they began
     bool paired_ = false;
     std::vector<std::size_t> row_; ///< of an open vertex, in the bounds for pairs
     std::size_t rows_ = 0;

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
+#include <utility>
 
 namespace qm {
 namespace {
@@ -14,6 +14,45 @@ std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }
 
+/// How far distances usually differ between the two ends of an edge.
+double stepOf(const QuadMesh& mesh) {
+    double sum = 0;
+    for (const EdgeId edge : mesh.edges())
+        sum += mesh.calc_edge_length(edge);
+    return mesh.n_edges() == 0 ? 0 : sum / (4 * static_cast<double>(mesh.n_edges()));
+}
+
+/// Morton's curve through the bounding box of a mesh.
+class SpaceCurve {
+public:
+    explicit SpaceCurve(const QuadMesh& mesh) {
+        if (mesh.n_vertices() == 0) return;
+        Point high = low_ = mesh.point(VertexId(0));
+        for (const VertexId vertex : mesh.vertices()) {
+            low_.minimize(mesh.point(vertex));
+            high.maximize(mesh.point(vertex));
+        }
+        const double size = (high - low_).max();
+        if (size > 0) cellsPerLength_ = (cells - 1) / size;
+    }
+
+    [[nodiscard]] std::uint64_t place(const Point& point) const {
+        std::uint64_t result = 0;
+        for (unsigned axis = 0; axis < 3; ++axis) {
+            const auto cell = static_cast<std::uint64_t>((point[axis] - low_[axis]) * cellsPerLength_);
+            for (unsigned bit = 0; bit < bits; ++bit)
+                result |= (cell >> bit & 1U) << (3 * bit + axis);
+        }
+        return result;
+    }
+
+private:
+    static constexpr unsigned bits = 16;
+    static constexpr double cells = 1U << bits;
+    Point low_{0, 0, 0};
+    double cellsPerLength_ = 0;
+};
+
 } // namespace
 
 double Geodesics::Quad::length(unsigned i, unsigned j) const {
@@ -22,24 +61,24 @@ double Geodesics::Quad::length(unsigned i, unsigned j) const {
 }
 
 Geodesics::Geodesics(const QuadMesh& mesh, const std::vector<int>& part)
-    : part_(part), firstCorner_(mesh.n_vertices() + 1, 0), distance_(mesh.n_vertices(), infinity),
-      final_(mesh.n_vertices(), 0) {
+    : part_(part), nodeOf_(numberNodes(mesh)), firstCorner_(mesh.n_vertices() + 1, 0),
+      distance_(mesh.n_vertices(), infinity), front_(stepOf(mesh)) {
     quads_.reserve(mesh.n_faces());
     for (const FaceId face : mesh.faces()) {
         Quad quad{};
+        std::array<Point, 4> points;
         unsigned k = 0;
         for (const VertexId vertex : mesh.fv_range(face)) {
-            quad.corners[k++] = vertex.idx();
-            ++firstCorner_[at(vertex.idx()) + 1];
+            points[k] = mesh.point(vertex);
+            quad.corners[k++] = nodeOf_[at(vertex.idx())];
+            ++firstCorner_[at(nodeOf_[at(vertex.idx())]) + 1];
         }
-        const auto distance = [&](unsigned i, unsigned j) {
-            return (mesh.point(VertexId(quad.corners[i])) - mesh.point(VertexId(quad.corners[j]))).norm();
-        };
         for (k = 0; k < 4; ++k)
-            quad.sides[k] = distance(k, (k + 1) % 4);
-        quad.diagonals = {distance(0, 2), distance(1, 3)};
+            quad.sides[k] = (points[k] - points[(k + 1) % 4]).norm();
+        quad.diagonals = {(points[0] - points[2]).norm(), (points[1] - points[3]).norm()};
         quads_.push_back(quad);
     }
+    std::ranges::sort(quads_, {}, [](const Quad& quad) { return quad.corners; });
     for (std::size_t v = 1; v < firstCorner_.size(); ++v)
         firstCorner_[v] += firstCorner_[v - 1];
     cornersAround_.resize(firstCorner_.back());
@@ -49,71 +88,103 @@ Geodesics::Geodesics(const QuadMesh& mesh, const std::vector<int>& part)
             cornersAround_[next[at(quads_[quad].corners[k])]++] = 4 * quad + k;
 }
 
+/// Along a curve through space that stays close to where it is, so that a front finds in the cache what it
+/// needs.
+std::vector<int> Geodesics::numberNodes(const QuadMesh& mesh) {
+    std::vector<std::pair<std::uint64_t, int>> places;
+    places.reserve(mesh.n_vertices());
+    const SpaceCurve curve(mesh);
+    for (const VertexId vertex : mesh.vertices())
+        places.emplace_back(curve.place(mesh.point(vertex)), vertex.idx());
+    std::ranges::sort(places);
+    std::vector<int> nodeOf(places.size());
+    nodes_.reserve(places.size());
+    for (const auto& [place, vertex] : places) {
+        nodeOf[at(vertex)] = static_cast<int>(nodes_.size());
+        nodes_.push_back({infinity, vertex, false, false});
+    }
+    return nodeOf;
+}
+
 const std::vector<double>& Geodesics::from(VertexId source) {
     forget();
-    distance_[at(source.idx())] = 0;
-    touched_.push_back(source.idx());
-    queue_.assign(1, {0.0, source.idx()});
-    while (!queue_.empty()) {
-        std::ranges::pop_heap(queue_, std::greater{});
-        const int vertex = queue_.back().second;
-        queue_.pop_back();
-        if (final(vertex)) continue;
-        final_[at(vertex)] = 1;
-        spread(vertex, part_[at(source.idx())]);
+    const int start = nodeOf_[at(source.idx())];
+    nodeAt(start).distance = 0;
+    touched_.push_back(start);
+    front_.push({0, source.idx(), start});
+    while (!front_.empty()) {
+        const int reached = front_.pop().node;
+        Node& node = nodeAt(reached);
+        if (node.final) continue;
+        node.final = true;
+        distance_[at(node.vertex)] = node.distance;
+        spread(reached, part_[at(source.idx())]);
     }
     return distance_;
 }
 
 void Geodesics::forget() {
-    for (const int vertex : touched_) {
-        distance_[at(vertex)] = infinity;
-        final_[at(vertex)] = 0;
+    for (const int touched : touched_) {
+        Node& node = nodeAt(touched);
+        node.distance = distance_[at(node.vertex)] = infinity;
+        node.final = false;
     }
     touched_.clear();
 }
 
 /// Improves the open vertices of all quads around a vertex whose distance has become final.
-void Geodesics::spread(int vertex, int part) {
-    for (std::uint32_t k = firstCorner_[at(vertex)]; k < firstCorner_[at(vertex) + 1]; ++k) {
+void Geodesics::spread(int node, int part) {
+    for (std::uint32_t k = firstCorner_[at(node)]; k < firstCorner_[at(node) + 1]; ++k) {
         const Quad& quad = quads_[cornersAround_[k] / 4];
         const unsigned from = cornersAround_[k] % 4;
         for (unsigned ahead = 1; ahead < 4; ++ahead) {
             const unsigned to = (from + ahead) % 4;
-            if (part_[at(quad.corners[to])] == part && !final(quad.corners[to])) reach(quad, from, to);
+            if (!nodeAt(quad.corners[to]).final) reach(quad, from, to, part);
         }
     }
+    for (const int improved : improved_) {
+        Node& nearer = nodeAt(improved);
+        nearer.improved = false;
+        front_.push({nearer.distance, nearer.vertex, improved});
+    }
+    improved_.clear();
 }
 
-void Geodesics::reach(const Quad& quad, unsigned from, unsigned to) {
-    const int target = quad.corners[to];
-    double best = distance_[at(quad.corners[from])] + quad.length(from, to);
+void Geodesics::reach(const Quad& quad, unsigned from, unsigned to, int part) {
+    Node& target = nodeAt(quad.corners[to]);
+    const bool first = target.distance == infinity;
+    if (first && part_[at(target.vertex)] != part) return;
+    double best = std::min(target.distance, nodeAt(quad.corners[from]).distance + quad.length(from, to));
     for (unsigned other = 0; other < 4; ++other)
-        if (other != from && other != to && final(quad.corners[other]))
-            best = std::min(best, across(quad, from, other, to));
-    double& distance = distance_[at(target)];
-    if (!(best < distance)) return;
-    if (distance == infinity) touched_.push_back(target);
-    distance = best;
-    queue_.emplace_back(best, target);
-    std::ranges::push_heap(queue_, std::greater{});
+        if (other != from && other != to && nodeAt(quad.corners[other]).final)
+            best = std::min(best, across(quad, from, other, to, best));
+    if (!(best < target.distance)) return;
+    if (first) touched_.push_back(quad.corners[to]);
+    if (!target.improved) improved_.push_back(quad.corners[to]);
+    target.improved = true;
+    target.distance = best;
 }
 
 /// Unfolds the triangle and the virtual source that has the known distances to a and b, with a at the origin
-/// and b on the x axis; infinity if the straight way from that source does not lead between them.
-double Geodesics::across(const Quad& quad, unsigned a, unsigned b, unsigned target) const {
+/// and b on the x axis; infinity if the straight way from that source does not lead between them, or is no
+/// shorter than the limit.
+double Geodesics::across(const Quad& quad, unsigned a, unsigned b, unsigned target, double limit) const {
+    constexpr double rounding = 1e-12;
     const double length = quad.length(a, b), toA = quad.length(a, target), toB = quad.length(b, target);
     if (length == 0) return infinity;
-    const double x = (toA * toA - toB * toB + length * length) / (2 * length);
-    const double y = std::sqrt(std::max(toA * toA - x * x, 0.0));
-    const double fromA = distance_[at(quad.corners[a])], fromB = distance_[at(quad.corners[b])];
+    const double fromA = nodeAt(quad.corners[a]).distance, fromB = nodeAt(quad.corners[b]).distance;
     const double sourceX = (fromA * fromA - fromB * fromB + length * length) / (2 * length);
     const double sourceSquare = fromA * fromA - sourceX * sourceX;
     if (sourceSquare < 0) return infinity;
+    const double x = (toA * toA - toB * toB + length * length) / (2 * length);
+    const double aside = (x - sourceX) * (x - sourceX), limitSquare = limit * limit;
+    if ((aside + sourceSquare) * (1 - rounding) >= limitSquare) return infinity; // without any root
+    const double y = std::sqrt(std::max(toA * toA - x * x, 0.0));
     const double sourceY = std::sqrt(sourceSquare), height = y + sourceY;
     const double crossing = sourceX * y + x * sourceY; // times the height
     if (height == 0 || crossing < 0 || crossing > length * height) return infinity;
-    return std::sqrt((x - sourceX) * (x - sourceX) + height * height);
+    const double square = aside + height * height;
+    return square < limitSquare ? std::sqrt(square) : infinity;
 }
 
 } // namespace qm

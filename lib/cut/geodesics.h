@@ -3,11 +3,11 @@
 /// (docs/METHOD.md#melvaer-2012).
 #pragma once
 
+#include "cut/front.h"
 #include "mesh/quad_mesh.h"
 
 #include <array>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace qm {
@@ -34,21 +34,32 @@ private:
 
         [[nodiscard]] double length(unsigned i, unsigned j) const;
     };
+    struct Node {
+        double distance;
+        int vertex;
+        bool final;
+        bool improved; ///< since the last vertex became final
+    };
 
+    [[nodiscard]] std::vector<int> numberNodes(const QuadMesh& mesh);
     void forget();
-    void spread(int vertex, int part);
-    void reach(const Quad& quad, unsigned from, unsigned to);
-    [[nodiscard]] double across(const Quad& quad, unsigned a, unsigned b, unsigned target) const;
-    [[nodiscard]] bool final(int vertex) const { return final_[static_cast<std::size_t>(vertex)]; }
+    void spread(int node, int part);
+    void reach(const Quad& quad, unsigned from, unsigned to, int part);
+    [[nodiscard]] double across(const Quad& quad, unsigned a, unsigned b, unsigned target,
+                                double limit) const;
+    [[nodiscard]] Node& nodeAt(int node) { return nodes_[static_cast<std::size_t>(node)]; }
+    [[nodiscard]] const Node& nodeAt(int node) const { return nodes_[static_cast<std::size_t>(node)]; }
 
     const std::vector<int>& part_;
-    std::vector<Quad> quads_;
-    std::vector<std::uint32_t> firstCorner_;   ///< of every vertex, in cornersAround_; and the end
+    std::vector<Node> nodes_; ///< the vertices in an order that has neighbours close to each other
+    std::vector<int> nodeOf_; ///< of every vertex
+    std::vector<Quad> quads_; ///< of nodes, in the like order
+    std::vector<std::uint32_t> firstCorner_;   ///< of every node, in cornersAround_; and the end
     std::vector<std::uint32_t> cornersAround_; ///< 4 * quad + corner
-    std::vector<double> distance_;
-    std::vector<std::uint8_t> final_;
-    std::vector<int> touched_; ///< vertices with a distance
-    std::vector<std::pair<double, int>> queue_;
+    std::vector<double> distance_;             ///< of every vertex
+    std::vector<int> touched_;                 ///< nodes with a distance
+    std::vector<int> improved_;                ///< nodes that have become nearer, to be queued
+    Front front_;
 };
 
 } // namespace qm

@@ -1,0 +1,69 @@
+/// \file The vertices that a front has reached, the nearest first.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <tuple>
+#include <vector>
+
+namespace qm {
+
+/// A priority queue of distances that mostly grow: what is far is only put into steps, and the nearest step
+/// alone is a heap. The order is that of distances, and of equal ones that of ranks, whatever the steps.
+class Front {
+public:
+    struct Entry {
+        double distance;
+        int rank; ///< decides between equal distances
+        int node;
+
+        bool operator>(const Entry& other) const {
+            return std::tie(distance, rank) > std::tie(other.distance, other.rank);
+        }
+    };
+
+    /// \param step  how far distances usually differ from one vertex to the next; not negative
+    explicit Front(double step) : stepsPerLength_(step > 0 ? 1 / step : 0) {}
+
+    /// \pre the distance is not negative; it may be less than what has been taken
+    void push(const Entry& entry) {
+        const double steps = entry.distance * stepsPerLength_;
+        const std::size_t step = steps < maxSteps ? static_cast<std::size_t>(steps) : maxSteps;
+        if (step <= current_) {
+            near_.push_back(entry);
+            std::ranges::push_heap(near_, std::greater{});
+            return;
+        }
+        if (step >= far_.size()) far_.resize(step + 1);
+        far_[step].push_back(entry);
+    }
+
+    [[nodiscard]] bool empty() {
+        while (near_.empty() && current_ + 1 < far_.size()) {
+            near_.swap(far_[++current_]);
+            std::ranges::make_heap(near_, std::greater{});
+        }
+        if (!near_.empty()) return false;
+        current_ = 0;
+        return true;
+    }
+
+    /// \pre it is not empty, and this has been asked for
+    Entry pop() {
+        std::ranges::pop_heap(near_, std::greater{});
+        const Entry entry = near_.back();
+        near_.pop_back();
+        return entry;
+    }
+
+private:
+    static constexpr std::size_t maxSteps = 1U << 16U; ///< what is farther is one step
+
+    double stepsPerLength_;
+    std::size_t current_ = 0; ///< the step of the nearest
+    std::vector<Entry> near_;
+    std::vector<std::vector<Entry>> far_; ///< of every step beyond
+};
+
+} // namespace qm

@@ -1,0 +1,44 @@
+#include "cut/front.h"
+
+#include <gtest/gtest.h>
+
+#include <queue>
+#include <random>
+
+namespace qm::testing {
+namespace {
+
+TEST(Front, HasTheOrderOfAHeapWhateverItsSteps) {
+    for (const double step : {0.0, 1e-9, 0.03, 1.0, 1e9}) {
+        std::mt19937 random(7);
+        Front front(step);
+        std::priority_queue<Front::Entry, std::vector<Front::Entry>, std::greater<>> heap;
+        for (int use = 0; use < 2; ++use) { // what was emptied can be used again
+            const auto put = [&](double distance) {
+                const Front::Entry entry{distance, static_cast<int>(random() % 100),
+                                         static_cast<int>(random() % 9)};
+                front.push(entry);
+                heap.push(entry);
+            };
+            put(0);
+            for (int k = 0; k < 5000 && !front.empty(); ++k) {
+                const Front::Entry entry = front.pop();
+                ASSERT_EQ(entry.distance, heap.top().distance);
+                ASSERT_EQ(entry.rank, heap.top().rank);
+                heap.pop();
+                // Ties, steps skipped, and now and then one that is nearer than what was taken.
+                for (auto n = k < 4000 ? random() % 3 : 0; n > 0; --n)
+                    put(std::max(0.0, entry.distance +
+                                          static_cast<double>(static_cast<int>(random() % 50) - 5) / 100));
+            }
+            while (!front.empty()) {
+                ASSERT_EQ(front.pop().distance, heap.top().distance);
+                heap.pop();
+            }
+            EXPECT_TRUE(heap.empty());
+        }
+    }
+}
+
+} // namespace
+} // namespace qm::testing
