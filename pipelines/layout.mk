@@ -31,6 +31,9 @@ LAYOUT_OPTIONS      ?=
 PRUNED_OPTIONS      ?=
 SURFACES_OPTIONS    ?=
 
+# In how many parts the sub-meshes of a model are searched, so that -j spreads one large model too.
+PARTS               ?= 1
+
 # Set, it makes a stage fail that wrote its document but not what was asked for (exit status 3).
 STRICT              ?=
 # Options that change no result, for every tool: --quiet, --verbose, --jobs N. They make nothing run again.
@@ -64,6 +67,13 @@ $(OUT)/%.$(1).json: $(4) $(OUT)/.stages/%.$(1).options
 	@sha256sum $$@ > $(OUT)/.stages/$$*.$(1).sha256
 endef
 
+# $(call part_rule,enumeration.I-N): the rule of a part of the search.
+define part_rule
+$(OUT)/.stages/%.$(1).json: $(OUT)/%.cut.json $(OUT)/.stages/%.enumeration.options
+	qm-enum --part $(subst -,/,$(1:enumeration.%=%)) $$(strip $$(COMMON_OPTIONS) $$(call options,ENUMERATION,$$*) $$< -o $$@) || \
+	    [[ $$$$? == 3 && -z '$$(STRICT)' ]]
+endef
+
 # $(call stamp,kind,STAGE): the options of the last run; touched when they change.
 define stamp
 $(OUT)/.stages/%.$(1).options: FORCE
@@ -86,7 +96,16 @@ FORCE:
 $(foreach suffix,obj off ply,$(eval $(call stage,basecomplex,BASECOMPLEX,qm-basecomplex,%.$(suffix))))
 $(eval $(call stage,features,FEATURES,qm-features,$(OUT)/%.basecomplex.json))
 $(eval $(call stage,cut,CUT,qm-cut,$(OUT)/%.features.json))
+ifeq ($(strip $(PARTS)),1)
 $(eval $(call stage,enumeration,ENUMERATION,qm-enum,$(OUT)/%.cut.json))
+else
+parts := $(foreach number,$(shell seq $(PARTS)),enumeration.$(number)-$(strip $(PARTS)))
+$(foreach part,$(parts),$(eval $(call part_rule,$(part))))
+$(OUT)/%.enumeration.json: $(foreach part,$(parts),$(OUT)/.stages/%.$(part).json)
+	@$(call put_edits_aside,$(OUT)/.stages/$*.enumeration.sha256)
+	qm-enum --join $(strip $(COMMON_OPTIONS) $^ -o $@)
+	@sha256sum $@ > $(OUT)/.stages/$*.enumeration.sha256
+endif
 $(eval $(call stage,layout,LAYOUT,qm-merge,$(OUT)/%.enumeration.json))
 $(eval $(call stage,pruned,PRUNED,qm-prune,$(OUT)/%.layout.json))
 $(eval $(call stage,surfaces,SURFACES,qm-bspline,$(OUT)/%.pruned.json))

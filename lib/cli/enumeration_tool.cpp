@@ -3,9 +3,14 @@
 #include "cli/graph_line.h"
 #include "cli/output_file.h"
 #include "document/enumeration_section.h"
+#include "document/files.h"
+#include "document/join_enumerations.h"
+#include "document/options.h"
 
-#include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <string_view>
+#include <utility>
 
 namespace qm {
 
@@ -17,6 +22,37 @@ void verifyFile(const Tool& tool, const std::string& option, const std::string& 
                          " -: the document goes to standard output too. Name a file with --output");
     if (!file.empty() && file != "-" && file == tool.outputPath())
         throw UsageError("--" + option + " and --output name the same file");
+}
+
+/// "I/N", of sub-meshes that are searched.
+Part readPart(const std::string& text) {
+    constexpr int maxParts = 1000000;
+    const auto slash = text.find('/');
+    const auto number = [&](std::string_view digits) {
+        int value = 0;
+        const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+        return problem == std::errc() && end == digits.data() + digits.size() ? value : 0;
+    };
+    if (slash != std::string::npos) {
+        const Part part{number(std::string_view(text).substr(0, slash)),
+                        number(std::string_view(text).substr(slash + 1))};
+        if (part.number >= 1 && part.number <= part.of && part.of <= maxParts) return part;
+    }
+    throw UsageError("--part " + text + ": is no I/N with 1 <= I <= N <= " + std::to_string(maxParts));
+}
+
+void verifyParts(const Tool& tool, const EnumerationRequests& requests, EnumerationOptions& options) {
+    if (!requests.join && !requests.furtherParts.empty())
+        throw UsageError("unexpected operand " + requests.furtherParts.front());
+    if (!requests.part.empty()) options.part = readPart(requests.part);
+    std::vector<std::string> others{"all", "list"};
+    if (requests.join) {
+        others.insert(others.end(), {"part", "mesh", "require-complete", "require-optimal"});
+        describe(options, [&](const char* name, auto&&...) { others.emplace_back(name); });
+    }
+    for (const std::string& name : others)
+        if (tool.given(name) && (requests.join || !requests.part.empty()))
+            throw UsageError("--" + name + " does not go with --" + (requests.join ? "join" : "part"));
 }
 
 void writeGraphs(const Tool& tool, const Model& model, const EnumerationOptions& options,
@@ -44,7 +80,14 @@ void writeGraphs(const Tool& tool, const Model& model, const EnumerationOptions&
 
 } // namespace
 
-void declareRequests(Tool& tool, EnumerationRequests& requests, const EnumerationOptions& options) {
+void declareRequests(Tool& tool, EnumerationRequests& requests, EnumerationOptions& options) {
+    tool.text("part", requests.part, "I/N",
+              "search only the I-th sub-mesh and every N-th after it, so that N runs at the same time share "
+              "the work");
+    tool.option("join", requests.join,
+                "unite the parts that such runs have written, given as DOCUMENTs, to what one run would have "
+                "written");
+    tool.readsMore(requests.furtherParts);
     tool.text("all", requests.allGraphs, "FILE",
               "write every graph to this file, one line of JSON each; - means standard output, and "
               "then needs --output for the document");
@@ -56,6 +99,7 @@ void declareRequests(Tool& tool, EnumerationRequests& requests, const Enumeratio
     tool.option("require-optimal", requests.requireOptimal,
                 "exit with status 3 unless the best graph of every sub-mesh is proved optimal");
     tool.verify([&tool, &requests, &options] {
+        verifyParts(tool, requests, options);
         verifyFile(tool, "all", requests.allGraphs);
         verifyFile(tool, "list", requests.bestGraphs);
         if (!requests.allGraphs.empty() && requests.allGraphs == requests.bestGraphs)
@@ -75,6 +119,14 @@ EnumerationOptions forDocument(const EnumerationOptions& options, const Enumerat
     return result;
 }
 
+int joinParts(const Tool& tool, const EnumerationRequests& requests) {
+    std::vector<Document> parts{parseDocument(tool.readInput(), tool.inputPath())};
+    for (const std::string& file : requests.furtherParts)
+        parts.push_back(parseDocument(readFile(file), file));
+    tool.write(printDocument(joinEnumerations(std::move(parts))));
+    return exitDone;
+}
+
 void streamGraphs(const Tool& tool, const Model& model, const EnumerationOptions& options,
                   const EnumerationRequests& requests) {
     writeGraphs(tool, model, options, requests.allGraphs, false);
@@ -85,13 +137,18 @@ int judge(const Tool& tool, const Enumeration& enumeration, const EnumerationReq
     const auto isOptimal = [](const SubMeshGraphs& subMesh) {
         return subMesh.cost && subMesh.lowerBound && *subMesh.lowerBound >= *subMesh.cost;
     };
-    const auto optimal = std::count_if(enumeration.subMeshes.begin(), enumeration.subMeshes.end(), isOptimal);
-    tool.count("subMeshes", static_cast<double>(enumeration.subMeshes.size()));
-    tool.count("provedOptimal", static_cast<double>(optimal));
-    const bool allOptimal = static_cast<std::size_t>(optimal) == enumeration.subMeshes.size();
+    int searched = 0, optimal = 0;
+    for (std::size_t k = 0; k < enumeration.subMeshes.size(); ++k) {
+        if (!enumeration.part.holds(static_cast<int>(k))) continue;
+        ++searched;
+        if (isOptimal(enumeration.subMeshes[k])) ++optimal;
+    }
+    tool.count("subMeshes", searched);
+    tool.count("provedOptimal", optimal);
+    const bool allOptimal = optimal == searched;
     if (!enumeration.complete)
         tool.warn(tool.inputName() + ": a limit ended the search; the best graph of " +
-                  std::to_string(optimal) + " of " + std::to_string(enumeration.subMeshes.size()) +
+                  std::to_string(optimal) + " of " + std::to_string(searched) +
                   " sub-meshes is proved optimal");
     const bool unmet =
         (requests.requireComplete && !enumeration.complete) || (requests.requireOptimal && !allOptimal);

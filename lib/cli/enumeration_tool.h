@@ -6,6 +6,7 @@
 #include "enumerate/enumerate.h"
 
 #include <string>
+#include <vector>
 
 namespace qm {
 
@@ -14,9 +15,16 @@ struct EnumerationRequests {
     std::string bestGraphs; ///< file for the best graphs, which the document then does not hold
     bool requireComplete = false;
     bool requireOptimal = false;
+    std::string part;                      ///< "I/N"
+    bool join = false;                     ///< the inputs are parts, to be united
+    std::vector<std::string> furtherParts; ///< besides the input
 };
 
-void declareRequests(Tool& tool, EnumerationRequests& requests, const EnumerationOptions& options);
+void declareRequests(Tool& tool, EnumerationRequests& requests, EnumerationOptions& options);
+
+/// Unites the parts that are the tool's input.
+/// \return the exit status
+int joinParts(const Tool& tool, const EnumerationRequests& requests);
 
 /// What the search is to keep for the document: only the best graph where all of them go to a file.
 [[nodiscard]] EnumerationOptions forDocument(const EnumerationOptions& options,

@@ -42,7 +42,8 @@ struct Condition {
 struct Tool::State {
     Usage usage;
     std::string group = ownOptions;
-    std::vector<std::string*> operands; ///< targets of usage.operands
+    std::vector<std::string*> operands;       ///< targets of usage.operands
+    std::vector<std::string>* more = nullptr; ///< for operands beyond those
     bool hasInput = false;
     bool hasOutput = false;
     bool graceful = false;
@@ -84,6 +85,10 @@ void Tool::reads(const std::string& operand, const std::string& what) {
     state_->hasInput = true;
     state_->usage.operands.push_back({operand, what + "; - or nothing means standard input", false});
     state_->operands.push_back(&state_->input);
+}
+
+void Tool::readsMore(std::vector<std::string>& files) {
+    state_->more = &files;
 }
 
 void Tool::operand(const std::string& name, std::string& value, const std::string& help, bool required) {
@@ -178,9 +183,15 @@ void Tool::parse(int argc, char** argv) {
 void Tool::assignOperands(const std::vector<std::string>& operands) {
     State& s = *state_;
     for (std::size_t i = 0; i < operands.size(); ++i) {
-        if (i >= s.operands.size()) throw UsageError("unexpected operand " + operands[i]);
-        if (operands[i].empty()) throw UsageError(s.usage.operands[i].name + " is empty");
-        *s.operands[i] = operands[i];
+        const bool more = i >= s.operands.size();
+        if (more && s.more == nullptr) throw UsageError("unexpected operand " + operands[i]);
+        if (operands[i].empty())
+            throw UsageError((more ? "operand " + std::to_string(i + 1) : s.usage.operands[i].name) +
+                             " is empty");
+        if (more)
+            s.more->push_back(operands[i]);
+        else
+            *s.operands[i] = operands[i];
     }
     for (std::size_t i = operands.size(); i < s.operands.size(); ++i)
         if (s.usage.operands[i].required) throw UsageError(s.usage.operands[i].name + " is missing");

@@ -61,6 +61,8 @@ public:
     /// A further operand, given before the input.
     /// \param required  a usage error if it is left out
     void operand(const std::string& name, std::string& value, const std::string& help, bool required = true);
+    /// Operands beyond those that are declared; more than none only where the caller's `verify` allows it.
+    void readsMore(std::vector<std::string>& files);
     /// -o, --output: a file or "-"; standard output if it is left out.
     void writes(const std::string& what);
     /// --schema prints the schema of this kind of document, such as "layout".

@@ -45,11 +45,13 @@ Json graphToJson(const QuadMesh& mesh, const SeparatrixIndex& baseComplex, const
 Json enumerationToJson(const QuadMesh& mesh, const SeparatrixIndex& baseComplex,
                        const Enumeration& enumeration) {
     Json::array_t subMeshes;
-    for (const SubMeshGraphs& subMesh : enumeration.subMeshes) {
+    for (std::size_t id = 0; id < enumeration.subMeshes.size(); ++id) {
+        if (!enumeration.part.holds(static_cast<int>(id))) continue;
+        const SubMeshGraphs& subMesh = enumeration.subMeshes[id];
         Json::array_t graphs;
         for (const MotorcycleGraph& graph : subMesh.graphs)
             graphs.push_back(graphToJson(mesh, baseComplex, graph));
-        Json entry{{"id", subMeshes.size()},
+        Json entry{{"id", id},
                    {"cost", optional(subMesh.cost)},
                    {"lowerBound", optional(subMesh.lowerBound)},
                    {"count", optional(subMesh.count)},
@@ -60,14 +62,17 @@ Json enumerationToJson(const QuadMesh& mesh, const SeparatrixIndex& baseComplex,
     }
     Json terms = Json::object();
     forEachTerm(enumeration.cost.terms, [&](const char* name, double weight) { terms[name] = weight; });
-    return {{"alpha", enumeration.cost.alpha},
-            {"epsilon", enumeration.cost.epsilon},
-            {"terms", std::move(terms)},
-            {"class", std::string(choiceName(enumeration.graphClass))},
-            {"method", std::string(choiceName(enumeration.method))},
-            {"count", optional(enumeration.count)},
-            {"complete", enumeration.complete},
-            {"subMeshes", std::move(subMeshes)}};
+    Json section{{"alpha", enumeration.cost.alpha},
+                 {"epsilon", enumeration.cost.epsilon},
+                 {"terms", std::move(terms)},
+                 {"class", std::string(choiceName(enumeration.graphClass))},
+                 {"method", std::string(choiceName(enumeration.method))},
+                 {"count", optional(enumeration.count)},
+                 {"complete", enumeration.complete}};
+    if (!enumeration.part.isWhole())
+        section["part"] = {{"number", enumeration.part.number}, {"of", enumeration.part.of}};
+    section["subMeshes"] = std::move(subMeshes);
+    return section;
 }
 
 // ------------------------------------------------------------------------------------------------- reading
@@ -218,6 +223,8 @@ GraphCost readCost(const JsonPlace& section) {
 }
 
 Enumeration readEnumeration(const EnumerationContext& context, const JsonPlace& section) {
+    if (const auto part = section.find("part"))
+        part->fail("is one of several parts of a search", "Unite them with qm-enum --join");
     Enumeration result;
     result.cost = readCost(section);
     if (const auto given = section.find("class"); given && !choiceValue(given->text(), result.graphClass))

@@ -66,13 +66,16 @@ Enumeration enumerateGraphs(const QuadMesh& mesh, const BaseComplex& complex,
         result = enumeratePlain(mesh, complex, costs, subMeshes, options);
     } else {
         const SubMeshSearch search(mesh, complex, costs, subMeshes, options);
-        const auto count = static_cast<std::size_t>(subMeshes.count);
+        std::vector<std::size_t> asked;
+        for (int i = 0; i < subMeshes.count; ++i)
+            if (options.part.holds(i)) asked.push_back(static_cast<std::size_t>(i));
         const Deadline deadline(control, options.timeLimit);
-        Finished finished(control, count);
+        Finished finished(control, asked.size());
         std::atomic<bool> complete = true;
-        result.subMeshes.resize(count);
-        parallelFor(count, control.jobs, [&](std::size_t i) {
-            result.subMeshes[i] = search.search(static_cast<int>(i), deadline.control(), complete);
+        result.subMeshes.resize(static_cast<std::size_t>(subMeshes.count));
+        parallelFor(asked.size(), control.jobs, [&](std::size_t k) {
+            result.subMeshes[asked[k]] =
+                search.search(static_cast<int>(asked[k]), deadline.control(), complete);
             finished.one();
         });
         result.complete = complete;
@@ -80,12 +83,16 @@ Enumeration enumerateGraphs(const QuadMesh& mesh, const BaseComplex& complex,
     result.cost = options.cost;
     result.graphClass = options.graphClass;
     result.method = options.method;
+    result.part = options.part;
     result.count = BigCount(1);
-    for (const SubMeshGraphs& subMesh : result.subMeshes)
-        if (result.count && subMesh.count)
-            *result.count *= *subMesh.count;
+    for (int i = 0; i < subMeshes.count; ++i) {
+        if (!options.part.holds(i)) continue;
+        const auto& count = result.subMeshes[static_cast<std::size_t>(i)].count;
+        if (result.count && count)
+            *result.count *= *count;
         else
             result.count.reset();
+    }
     return result;
 }
 

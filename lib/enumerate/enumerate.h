@@ -25,6 +25,7 @@ struct EnumerationOptions {
     double maxCost = std::numeric_limits<double>::infinity();   ///< only graphs up to this cost
     double timeLimit = std::numeric_limits<double>::infinity(); ///< seconds, for all sub-meshes together
     double gap = 0; ///< stop a sub-mesh when cost - lowerBound is at most this
+    Part part;      ///< search these sub-meshes only
     Constraints constraints;
 };
 

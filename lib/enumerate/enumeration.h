@@ -33,12 +33,22 @@ struct SubMeshGraphs {
     std::vector<MotorcycleGraph> samples; ///< drawn uniformly, where that was asked for
 };
 
+/// Every `of`-th sub-mesh, beginning with `number` - 1: what one of several searches at the same time does.
+struct Part {
+    int number = 1;
+    int of = 1;
+
+    [[nodiscard]] bool holds(int subMesh) const { return subMesh % of == number - 1; }
+    [[nodiscard]] bool isWhole() const { return of == 1; }
+};
+
 struct Enumeration {
     GraphCost cost;
     GraphClass graphClass = GraphClass::motorcycle;
     Method method = Method::optimum;
     std::optional<BigCount> count; ///< product over the sub-meshes
     bool complete = true;          ///< no limit ended a search early
+    Part part;                     ///< what was searched; nothing is known of the other sub-meshes
     std::vector<SubMeshGraphs> subMeshes;
 };
 

@@ -228,3 +228,55 @@ is() { assert_equal "$(field "$1" out.json)" true; }
         misused qm-enum $options "$(stage basecomplex cube)"
     done
 }
+
+@test "parts of a search unite to the bytes of one run" {
+    once "$SAMPLES/many.cut.json" bash -c 'qm-shape random --voxels 40 --resolution 3 -o "$1" && qm-basecomplex -q "$1" | qm-cut -q --chi 10' _ "$SAMPLES/many.obj"
+    input=$SAMPLES/many.cut.json
+    for options in '' '--count --best 2 --sample 1' '--method improved --time-limit 0'; do
+        # shellcheck disable=SC2086  # a list of words
+        qm-enum -q $options "$input" -o whole.json
+        for parts in 1 3 50; do
+            files=()
+            for ((k = 1; k <= parts; ++k)); do
+                # shellcheck disable=SC2086
+                qm-enum -q $options --part "$k/$parts" "$input" -o "part.$k.json"
+                files+=("part.$k.json")
+            done
+            ((parts > 1)) || cp part.1.json joined.json
+            ((parts == 1)) || qm-enum --join "${files[@]}" -o joined.json
+            assert_same_bytes whole.json joined.json
+        done
+    done
+    # In any order, and the first from standard input.
+    qm-enum -q "$input" -o whole.json
+    qm-enum -q --part 1/2 "$input" -o one.json
+    qm-enum -q --part 2/2 "$input" | qm-enum --join - one.json >joined.json
+    assert_same_bytes whole.json joined.json
+}
+
+# refused TEXT COMMAND...: with this text in the message.
+refused() {
+    complains "${@:2}"
+    assert_regex "$stderr" "$1"
+}
+
+@test "a part is no whole, and only the parts of one search are united" {
+    input=$SAMPLES/many.cut.json
+    qm-enum -q --part 1/2 "$input" -o one.json
+    qm-enum -q --part 2/2 "$input" -o two.json
+    qm-enum -q --part 2/3 "$input" -o third.json
+    qm-enum -q --part 2/2 --best 2 "$input" -o other.json
+    refused "/enumeration/part" qm-merge one.json
+    refused 'part 2 is missing' qm-enum --join one.json
+    refused 'part 1 once more' qm-enum --join one.json two.json one.json
+    refused 'is not 2, as before' qm-enum --join one.json third.json
+    refused 'another document' qm-enum --join one.json other.json
+    refused 'is no part' qm-enum --join "$(stage enumeration block)"
+    jq 'del(.enumeration.subMeshes[0])' one.json >fewer.json
+    refused 'does not hold sub-mesh 0' qm-enum --join fewer.json two.json
+    run -1 qm-check one.json
+    for options in '--part 0/2' '--part 3/2' '--part 1' '--part 1/2x' '--part 1/2 --list x' '--join --best 2' '--join --part 1/2' 'one.json'; do
+        # shellcheck disable=SC2086  # a list of words
+        misused qm-enum $options "$input"
+    done
+}

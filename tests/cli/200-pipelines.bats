@@ -144,3 +144,14 @@ END
     run layout_mk STRICT=1 SURFACES_OPTIONS='--tolerance 1e-13' out/part.surfaces.json
     assert_failure
 }
+
+@test "a model that is searched in parts has the same bytes" {
+    export CUT_OPTIONS='--chi 5'
+    layout_mk out/part.enumeration.json
+    cp out/part.enumeration.json whole.json
+    rm -r out
+    layout_mk -j3 PARTS=3 out/part.layout.json
+    assert_same_bytes whole.json out/part.enumeration.json
+    assert_equal "$(ran PARTS=3 out/part.layout.json)" ''
+    assert_equal "$(ran PARTS=3 ENUMERATION_OPTIONS='--best 2' out/part.layout.json)" 'qm-enum qm-enum qm-enum qm-enum qm-merge'
+}

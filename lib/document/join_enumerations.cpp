@@ -1,0 +1,120 @@
+#include "document/join_enumerations.h"
+
+#include "base/big_count.h"
+#include "document/files.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace qm {
+namespace {
+
+constexpr const char* remedy = "Give all parts of one search, each once";
+
+Json& sectionOfPart(Document& document) {
+    return document.root[sectionOf(Kind::enumeration)];
+}
+
+/// What is left of a document when what its own search found is taken out.
+struct Found {
+    std::string path;
+    std::int64_t number = 0;
+    Json count;
+    bool complete = false;
+    Json::array_t subMeshes;
+};
+
+class Joiner {
+public:
+    explicit Joiner(std::vector<Document> parts) : parts_(std::move(parts)) {}
+
+    Document join() {
+        for (Document& part : parts_)
+            found_.push_back(inFile(displayName(part.path), [&] { return takeOut(part); }));
+        std::ranges::sort(found_, {}, &Found::number);
+        verifyNumbers();
+        for (const Document& part : parts_)
+            if (part.root != parts_.front().root)
+                throw FileError(displayName(part.path),
+                                "is a part of another document, or of a search with other options, than " +
+                                    displayName(parts_.front().path),
+                                remedy);
+        Json& section = sectionOfPart(parts_.front());
+        section["complete"] = std::ranges::all_of(found_, &Found::complete);
+        section["count"] = product();
+        section["subMeshes"] = subMeshes();
+        return std::move(parts_.front());
+    }
+
+private:
+    /// What is left is the same in all parts.
+    Found takeOut(Document& document) {
+        const JsonPlace place = document.section(Kind::enumeration);
+        const auto part = place.find("part");
+        if (!part) place.fail("is no part of a search", remedy);
+        Found found;
+        found.path = displayName(document.path);
+        const std::int64_t of = (*part)["of"].whole(2);
+        if (of_ != 0 && of != of_)
+            (*part)["of"].fail("is not " + std::to_string(of_) + ", as before", remedy);
+        of_ = of;
+        found.number = (*part)["number"].whole(1, of_);
+        Json& section = sectionOfPart(document);
+        found.count = std::exchange(section["count"], Json());
+        found.complete = std::exchange(section["complete"], Json(false)).get<bool>();
+        found.subMeshes = std::exchange(section["subMeshes"], Json::array()).get_ref<Json::array_t&>();
+        section.erase("part");
+        return found;
+    }
+
+    void verifyNumbers() const {
+        for (std::size_t k = 0; k < found_.size(); ++k)
+            if (found_[k].number != static_cast<std::int64_t>(k) + 1) {
+                const bool twice = k > 0 && found_[k].number == found_[k - 1].number;
+                throw FileError(found_[k].path,
+                                twice ? "is part " + std::to_string(found_[k].number) + " once more"
+                                      : "part " + std::to_string(k + 1) + " is missing",
+                                remedy);
+            }
+        if (static_cast<std::int64_t>(found_.size()) != of_)
+            throw FileError(found_.back().path, "part " + std::to_string(found_.size() + 1) + " is missing",
+                            remedy);
+    }
+
+    [[nodiscard]] Json product() const {
+        BigCount product = 1;
+        for (const Found& part : found_) {
+            if (part.count.is_null()) return {};
+            product *= BigCount(part.count.get<std::string>());
+        }
+        return product.str();
+    }
+
+    /// Dealt out again one after the other.
+    Json::array_t subMeshes() {
+        std::size_t total = 0;
+        for (const Found& part : found_)
+            total += part.subMeshes.size();
+        Json::array_t result;
+        for (std::size_t id = 0; id < total; ++id) {
+            Found& part = found_[id % found_.size()];
+            const std::size_t place = id / found_.size();
+            if (place >= part.subMeshes.size() || part.subMeshes[place].value("id", Json()) != id)
+                throw FileError(part.path, "does not hold sub-mesh " + std::to_string(id), remedy);
+            result.push_back(std::move(part.subMeshes[place]));
+        }
+        return result;
+    }
+
+    std::vector<Document> parts_;
+    std::vector<Found> found_;
+    std::int64_t of_ = 0; ///< how many parts there are
+};
+
+} // namespace
+
+Document joinEnumerations(std::vector<Document> parts) {
+    return Joiner(std::move(parts)).join();
+}
+
+} // namespace qm
