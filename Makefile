@@ -222,6 +222,11 @@ check-schemas: $(tools) ## the schemas are valid, and every tool prints the one 
 check-docs: $(tools) ## the examples in the documents and in --help run; links and names hold
 	@QM_BIN=$(abspath $(bin)) scripts/check-docs
 
+.PHONY: check-slurm
+check-slurm: $(tools) ## forty models on a Slurm cluster of this host, whose second node is killed in the middle
+	@scripts/install-dependencies --verify build slurm
+	@QM_BIN=$(abspath $(bin)) tests/slurm/run $(abspath $(O))/check-slurm 40
+
 # One test file alone, the quick way while writing it: `make test-cut` builds and runs tests/unit/cut_test.cpp.
 test-%: $(O)/tests/%_test
 	$< $(if $(only),--gtest_filter='*$(only)*')
@@ -384,7 +389,7 @@ install: all man completion ## install tools, library and headers below DESTDIR 
 	done
 	install -D -m 644 -t $(DESTDIR)$(prefix)/share/quadmesh/schemas $(schemas)
 	install -D -m 644 -t $(DESTDIR)$(prefix)/share/quadmesh/pipelines pipelines/layout.mk
-	install -D -t $(DESTDIR)$(prefix)/share/quadmesh/pipelines pipelines/layout.sh
+	install -D -t $(DESTDIR)$(prefix)/share/quadmesh/pipelines pipelines/layout.sh pipelines/slurm
 	install -m 644 README.md ARCHITECTURE.md CHANGELOG.md LICENSE schemas/FORMAT.md $(DESTDIR)$(prefix)/share/doc/quadmesh
 install: export pkg_config := $(pkg_config)
 
