@@ -3,14 +3,15 @@
 namespace qm {
 
 FreeParticles::FreeParticles(const SearchSpace& space, const std::vector<bool>& present)
-    : space_(space), present_(present), waiting_(space.linesOf.size()),
-      placeOf_(2 * space.graph.lines.size(), none) {
+    : space_(space), present_(present), placeOf_(2 * space.graph.lines.size(), none) {
     for (const Particle particle : freeParticles(space.graph, present))
         place(particle);
 }
 
 const std::set<Particle>& FreeParticles::in(int subMesh) const {
-    return waiting_[static_cast<std::size_t>(subMesh)];
+    static const std::set<Particle> nobody;
+    const auto found = waiting_.find(subMesh);
+    return found == waiting_.end() ? nobody : found->second;
 }
 
 void FreeParticles::update(const std::vector<ArcId>& changed) {
@@ -35,9 +36,9 @@ void FreeParticles::update(const std::vector<ArcId>& changed) {
 
 void FreeParticles::place(Particle particle) {
     int& place = placeOf_[2 * particle.line.idx() + (particle.fromEnd ? 1 : 0)];
-    if (place != none) count_ -= waiting_[static_cast<std::size_t>(place)].erase(particle);
+    if (place != none) count_ -= waiting_[place].erase(particle);
     place = subMeshOf(particle);
-    if (place != none) count_ += waiting_[static_cast<std::size_t>(place)].insert(particle).second ? 1 : 0;
+    if (place != none) count_ += waiting_[place].insert(particle).second ? 1 : 0;
 }
 
 int FreeParticles::subMeshOf(Particle particle) const {

@@ -6,6 +6,7 @@
 #include "enumerate/sub_mesh/search_space.h"
 
 #include <set>
+#include <unordered_map>
 #include <vector>
 
 namespace qm {
@@ -31,8 +32,8 @@ private:
     static constexpr int none = -1;
     const SearchSpace& space_;
     const std::vector<bool>& present_;
-    std::vector<std::set<Particle>> waiting_; ///< by sub-mesh
-    std::vector<int> placeOf_;                ///< of the two particles of every line
+    std::unordered_map<int, std::set<Particle>> waiting_; ///< by sub-mesh
+    std::vector<int> placeOf_;                            ///< of the two particles of every line
     std::size_t count_ = 0;
 };
 

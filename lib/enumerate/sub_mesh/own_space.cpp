@@ -8,24 +8,19 @@
 namespace qm {
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 class Extractor {
 public:
     Extractor(const SearchSpace& space, int subMesh)
         : space_(space), whole_(space.graph), subMesh_(subMesh) {}
 
     SearchSpace extract() {
-        const std::vector<LineId>& lines = space_.linesOf[at(subMesh_)];
+        const std::vector<LineId>& lines = linesFrom(space_, subMesh_);
         for (const LineId line : lines)
             addLine(line);
         addJunctions();
         part_.cornerCost = space_.cornerCost;
-        part_.linesOf.resize(space_.linesOf.size());
         for (std::size_t i = 0; i < lines.size(); ++i)
-            part_.linesOf[at(subMesh_)].emplace_back(i);
+            part_.linesOf[subMesh_].emplace_back(i);
         return std::move(part_);
     }
 

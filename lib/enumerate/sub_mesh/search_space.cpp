@@ -75,12 +75,11 @@ SearchSpace makeSearchSpace(const QuadMesh& mesh, const BaseComplex& complex,
     }
     for (const Junction& junction : space.graph.junctions)
         space.junctionLabels.push_back(label(junction.vertex));
-    space.linesOf.resize(at(subMeshes.count));
     for (std::size_t i = 0; i < space.graph.lines.size(); ++i) {
         const Line& line = space.graph.lines[i];
         const int begin = space.arcBegins[line.firstArc.idx()], end = space.arcEnds[line.lastArc().idx()];
-        space.linesOf[at(begin)].emplace_back(i);
-        if (line.backward && end != begin) space.linesOf[at(end)].emplace_back(i);
+        space.linesOf[begin].emplace_back(i);
+        if (line.backward && end != begin) space.linesOf[end].emplace_back(i);
     }
     return space;
 }
@@ -107,9 +106,15 @@ void appendWalk(const SearchSpace& space, LineId id, bool fromEnd, int from, int
     }
 }
 
+const std::vector<LineId>& linesFrom(const SearchSpace& space, int subMesh) {
+    static const std::vector<LineId> none;
+    const auto found = space.linesOf.find(subMesh);
+    return found == space.linesOf.end() ? none : found->second;
+}
+
 std::vector<ArcId> ownArcs(const SearchSpace& space, int subMesh) {
     std::vector<ArcId> arcs;
-    for (const LineId line : space.linesOf[at(subMesh)]) {
+    for (const LineId line : linesFrom(space, subMesh)) {
         appendWalk(space, line, false, 0, subMesh, arcs);
         if (space.graph.lines[line.idx()].backward) appendWalk(space, line, true, 0, subMesh, arcs);
     }
@@ -119,7 +124,7 @@ std::vector<ArcId> ownArcs(const SearchSpace& space, int subMesh) {
 Walkers walkersOf(const SearchSpace& space, int subMesh, const std::vector<bool>& present,
                   const std::vector<LineId>& others) {
     std::unordered_map<LineId, LineWalkers> walkers;
-    for (const auto* lines : {&others, &space.linesOf[at(subMesh)]})
+    for (const auto* lines : {&others, &linesFrom(space, subMesh)})
         for (const LineId id : *lines) {
             const Line& line = space.graph.lines[id.idx()];
             const std::size_t first = line.firstArc.idx(), last = line.lastArc().idx();
@@ -149,7 +154,7 @@ Problem subMeshProblem(const SearchSpace& space, int subMesh, const std::vector<
 
 void goStraight(const SearchSpace& space, int subMesh, std::vector<bool>& present) {
     std::vector<Particle> own;
-    for (const LineId id : space.linesOf[at(subMesh)]) {
+    for (const LineId id : linesFrom(space, subMesh)) {
         const Line& line = space.graph.lines[id.idx()];
         if (space.arcBegins[line.firstArc.idx()] == subMesh) own.push_back({id, false});
         if (line.backward && space.arcEnds[line.lastArc().idx()] == subMesh) own.push_back({id, true});

@@ -5,6 +5,7 @@
 #include "enumerate/state/problem.h"
 #include "layout/constraints.h"
 
+#include <unordered_map>
 #include <vector>
 
 namespace qm {
@@ -22,8 +23,9 @@ struct SearchSpace {
     std::vector<int> arcBegins;    ///< sub-mesh of the vertex where an arc begins, in its line's direction
     std::vector<int> arcEnds;      ///< likewise where it ends
     std::vector<int> junctionLabels;
-    std::vector<std::vector<LineId>> linesOf; ///< of every sub-mesh: those with a source in it, ascending
-    double cornerCost = 0;                    ///< of every corner of a segment
+    /// Of a sub-mesh, the lines with a source in it, ascending; those without any are left out.
+    std::unordered_map<int, std::vector<LineId>> linesOf;
+    double cornerCost = 0; ///< of every corner of a segment
 };
 
 /// \throw Error  if a constraint names an edge on no separatrix, or forbids an edge of the mesh boundary
@@ -38,6 +40,9 @@ struct SearchSpace {
 /// to and including the arc that leaves the sub-mesh.
 void appendWalk(const SearchSpace& space, LineId line, bool fromEnd, int from, int subMesh,
                 std::vector<ArcId>& arcs);
+
+/// The lines with a source in a sub-mesh.
+[[nodiscard]] const std::vector<LineId>& linesFrom(const SearchSpace& space, int subMesh);
 
 /// The arcs that the particles of a sub-mesh can walk before they leave it.
 [[nodiscard]] std::vector<ArcId> ownArcs(const SearchSpace& space, int subMesh);
