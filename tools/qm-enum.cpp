@@ -22,9 +22,9 @@ int main(int argc, char** argv) {
             tool.example("qm-enum --all graphs.jsonl part.features.json -o part.enumeration.json");
             tool.example("qm-enum --cost dihedral+0.5*segments --best 1000 --list best.jsonl "
                          "part.basecomplex.json -o part.enumeration.json");
-            tool.example("qm-enum --part 1/2 part.cut.json -o one.json");
-            tool.example("qm-enum --part 2/2 part.cut.json -o two.json && qm-enum --join one.json two.json "
-                         "-o part.enumeration.json");
+            tool.example(
+                "qm-enum --part 1/2 part.cut.json -o 1.json; qm-enum --part 2/2 part.cut.json -o 2.json; "
+                "qm-enum --join 1.json 2.json -o part.enumeration.json");
             tool.example("qm-enum --class tmesh --sample 10 part.basecomplex.json > part.enumeration.json");
             return [&, stage] {
                 if (requests.join) return qm::joinParts(tool, requests);
