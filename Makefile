@@ -388,8 +388,8 @@ install: all man completion ## install tools, library and headers below DESTDIR 
 	    install -D -m 644 lib/$$header $(DESTDIR)$(prefix)/include/quadmesh/$$header; \
 	done
 	install -D -m 644 -t $(DESTDIR)$(prefix)/share/quadmesh/schemas $(schemas)
-	install -D -m 644 -t $(DESTDIR)$(prefix)/share/quadmesh/pipelines pipelines/layout.mk
-	install -D -t $(DESTDIR)$(prefix)/share/quadmesh/pipelines pipelines/layout.sh pipelines/slurm
+	install -D -m 644 -t $(DESTDIR)$(prefix)/share/quadmesh/pipelines pipelines/layout.mk pipelines/report.html
+	install -D -t $(DESTDIR)$(prefix)/share/quadmesh/pipelines $(addprefix pipelines/,layout.sh slurm run-stage find-meshes report)
 	install -m 644 README.md ARCHITECTURE.md CHANGELOG.md LICENSE schemas/FORMAT.md $(DESTDIR)$(prefix)/share/doc/quadmesh
 install: export pkg_config := $(pkg_config)
 

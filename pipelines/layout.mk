@@ -1,15 +1,16 @@
 # From meshes to surfaces, every stage kept in a file of its own. README.md beside this file tells more.
 #
-#   make -f pipelines/layout.mk out/part.surfaces.json                     one model, looked for in MESH_PATH
-#   make -f pipelines/layout.mk -j8 MESH_PATH=meshes                       every model there is
-#   make -f pipelines/layout.mk CUT_OPTIONS='--chi 20' out/part.surfaces.json
+#   make -f pipelines/layout.mk out/part.step out/part.html                one model, looked for in MESH_PATH
+#   make -f pipelines/layout.mk -j8 MESH_PATH=meshes                       surfaces of every model there is
+#   make -f pipelines/layout.mk -j8 MESH_PATH=meshes report                one page for all of them
+#   make -f pipelines/layout.mk CUT_OPTIONS='--chi 20' out/part.step
 #
 # A stage runs again exactly if the file before it is newer, or its options are not those of the last time.
 # A file that was edited by hand is newer than the one before it: it is kept, and what follows is made anew.
 
 SHELL := bash
 .SHELLFLAGS := -euo pipefail -c
-MAKEFLAGS += --no-builtin-rules --warn-undefined-variables
+MAKEFLAGS += --no-builtin-rules
 .SUFFIXES:
 .DELETE_ON_ERROR:
 .SECONDARY:
@@ -20,9 +21,12 @@ here := $(dir $(lastword $(MAKEFILE_LIST)))
 OPTIONS_FILE ?= layout.options.mk
 -include $(OPTIONS_FILE)
 
-MESH_PATH ?= .#     folders to look for part.obj, part.off or part.ply in
+MESH_PATH ?= .#     folders to look for part.obj, part.off, part.ply or part.stl in
 OUT       ?= out#   folder of the documents
+# Meshes of triangles: about so many quads are made of each. For one model alone: QUADS.part = 5000
+QUADS     ?=
 # Options of the stages. For one model alone: CUT_OPTIONS.part = --chi 20
+QUADS_OPTIONS       ?=
 BASECOMPLEX_OPTIONS ?=
 FEATURES_OPTIONS    ?=
 CUT_OPTIONS         ?=
@@ -30,12 +34,15 @@ ENUMERATION_OPTIONS ?=
 LAYOUT_OPTIONS      ?=
 PRUNED_OPTIONS      ?=
 SURFACES_OPTIONS    ?=
-
+STEP_OPTIONS        ?=
+HTML_OPTIONS        ?=
+PNG_OPTIONS         ?= --show surfaces,borders
+SUMMARY_OPTIONS     ?=
 # In how many parts the sub-meshes of a model are searched, so that -j spreads one large model too.
 PARTS               ?= 1
-
-# Set, it makes a stage fail that wrote its document but not what was asked for (exit status 3).
+# Set, it makes a stage fail that wrote its file but not what was asked for (exit status 3).
 STRICT              ?=
+export STRICT OUT
 # Options that change no result, for every tool: --quiet, --verbose, --jobs N. They make nothing run again.
 COMMON_OPTIONS ?=
 
@@ -45,36 +52,42 @@ beside := $(firstword $(wildcard $(here)../bin/qm-basecomplex $(here)../../../bi
 bin    := $(or $(QM_BIN),$(patsubst %/qm-basecomplex,%,$(beside)))
 export PATH := $(if $(bin),$(abspath $(bin)):)$(PATH)
 
-folders := $(subst :, ,$(MESH_PATH))
-meshes  := $(foreach folder,$(folders),$(wildcard $(folder)/*.obj $(folder)/*.off $(folder)/*.ply))
-vpath %.obj $(folders)
-vpath %.off $(folders)
-vpath %.ply $(folders)
+# Meshes whose names make cannot handle, such as those with blanks, are linked under other names.
+links   := $(OUT)/.meshes
+meshes  := $(shell $(here)find-meshes '$(subst ','\'',$(MESH_PATH))' '$(links)')
+folders := $(sort $(dir $(meshes)) $(wildcard $(subst :, ,$(MESH_PATH))))
+models  := $(sort $(basename $(notdir $(meshes))))
+endings := obj off ply stl
+$(foreach ending,$(endings),$(eval vpath %.$(ending) $(folders)))
 
 .PHONY: all
-all: $(sort $(patsubst %,$(OUT)/%.surfaces.json,$(basename $(notdir $(meshes)))))
+all: $(models:%=$(OUT)/%.surfaces.json)
+	@$(list_unmet)
+
+# What missed a limit is told once more when all is done.
+list_unmet = find $(OUT)/.stages -name '*.unmet' ! -name '*.summary.json.unmet' -print0 | sort -z | xargs -r0 sed 's/^/layout.mk: /' >&2
 
 # --------------------------------------------------------------------------------------------- one stage
 
 # $(call options,STAGE,model): those of the model, or else of all models.
-options = $(strip $(if $(filter undefined,$(flavor $(1)_OPTIONS.$(2))),$($(1)_OPTIONS),$($(1)_OPTIONS.$(2))))
+own     = $(if $(filter undefined,$(flavor $(1).$(2))),$($(1)),$($(1).$(2)))
+options = $(strip $(call own,$(1)_OPTIONS,$(2)) $(if $(filter QUADS,$(1)),$(addprefix --quads ,$(call own,QUADS,$(2)))))
 
-# $(call stage,kind,STAGE,tool,file before): the rule of a stage.
+# $(call stage,ending,STAGE,tool,file before,option for the output,model): the rule of a stage; of one model if one is named.
 define stage
-$(OUT)/%.$(1).json: $(4) $(OUT)/.stages/%.$(1).options
+$(if $(6),$(OUT)/$(6).$(1): )$(OUT)/%.$(1): $(4) $(OUT)/.stages/%.$(1).options
 	@$$(call put_edits_aside,$(OUT)/.stages/$$*.$(1).sha256)
-	$(3) $$(strip $$(COMMON_OPTIONS) $$(call options,$(2),$$*) $$< -o $$@) || [[ $$$$? == 3 && -z '$$(STRICT)' ]]
+	$(here)run-stage $(3) $$(strip $$(COMMON_OPTIONS) $$(call options,$(2),$$*) $$< $(5) $$@)
 	@sha256sum $$@ > $(OUT)/.stages/$$*.$(1).sha256
 endef
 
 # $(call part_rule,enumeration.I-N): the rule of a part of the search.
 define part_rule
-$(OUT)/.stages/%.$(1).json: $(OUT)/%.cut.json $(OUT)/.stages/%.enumeration.options
-	qm-enum --part $(subst -,/,$(1:enumeration.%=%)) $$(strip $$(COMMON_OPTIONS) $$(call options,ENUMERATION,$$*) $$< -o $$@) || \
-	    [[ $$$$? == 3 && -z '$$(STRICT)' ]]
+$(OUT)/.stages/%.$(1).json: $(OUT)/%.cut.json $(OUT)/.stages/%.enumeration.json.options
+	$(here)run-stage qm-enum --part $(subst -,/,$(1:enumeration.%=%)) $$(strip $$(COMMON_OPTIONS) $$(call options,ENUMERATION,$$*) $$< -o $$@)
 endef
 
-# $(call stamp,kind,STAGE): the options of the last run; touched when they change.
+# $(call stamp,ending,STAGE): the options of the last run; touched when they change.
 define stamp
 $(OUT)/.stages/%.$(1).options: FORCE
 	@mkdir -p $$(@D) $$(dir $(OUT)/$$*)
@@ -93,27 +106,59 @@ FORCE:
 
 # -------------------------------------------------------------------------------------------- all stages
 
-$(foreach suffix,obj off ply,$(eval $(call stage,basecomplex,BASECOMPLEX,qm-basecomplex,%.$(suffix))))
-$(eval $(call stage,features,FEATURES,qm-features,$(OUT)/%.basecomplex.json))
-$(eval $(call stage,cut,CUT,qm-cut,$(OUT)/%.features.json))
+# Quads of triangles, where a number of them is asked for: of all models, or of some.
+quads_of := $(patsubst QUADS.%,%,$(filter QUADS.%,$(.VARIABLES)))
+mesh_of  = $(firstword $(filter $(endings:%=%/$(1).%),$(meshes)) $(1).stl)
+$(if $(QUADS),$(foreach ending,$(endings),$(eval $(call stage,quads.obj,QUADS,qm-remesh,%.$(ending),-o,))))
+$(foreach model,$(quads_of),$(eval $(call stage,quads.obj,QUADS,qm-remesh,$(call mesh_of,$(model)),-o,$(model))))
+$(foreach model,$(or $(and $(QUADS),%),$(quads_of)),\
+    $(eval $(call stage,basecomplex.json,BASECOMPLEX,qm-basecomplex,$(OUT)/%.quads.obj,-o,$(filter-out %,$(model)))))
+
+$(foreach ending,$(endings),$(eval $(call stage,basecomplex.json,BASECOMPLEX,qm-basecomplex,%.$(ending),-o,)))
+$(eval $(call stage,features.json,FEATURES,qm-features,$(OUT)/%.basecomplex.json,-o,))
+$(eval $(call stage,cut.json,CUT,qm-cut,$(OUT)/%.features.json,-o,))
 ifeq ($(strip $(PARTS)),1)
-$(eval $(call stage,enumeration,ENUMERATION,qm-enum,$(OUT)/%.cut.json))
+$(eval $(call stage,enumeration.json,ENUMERATION,qm-enum,$(OUT)/%.cut.json,-o,))
 else
 parts := $(foreach number,$(shell seq $(PARTS)),enumeration.$(number)-$(strip $(PARTS)))
 $(foreach part,$(parts),$(eval $(call part_rule,$(part))))
 $(OUT)/%.enumeration.json: $(foreach part,$(parts),$(OUT)/.stages/%.$(part).json)
-	@$(call put_edits_aside,$(OUT)/.stages/$*.enumeration.sha256)
-	qm-enum --join $(strip $(COMMON_OPTIONS) $^ -o $@)
-	@sha256sum $@ > $(OUT)/.stages/$*.enumeration.sha256
+	@$(call put_edits_aside,$(OUT)/.stages/$*.enumeration.json.sha256)
+	$(here)run-stage qm-enum --join $(strip $(COMMON_OPTIONS) $^ -o $@)
+	@sha256sum $@ > $(OUT)/.stages/$*.enumeration.json.sha256
 endif
-$(eval $(call stage,layout,LAYOUT,qm-merge,$(OUT)/%.enumeration.json))
-$(eval $(call stage,pruned,PRUNED,qm-prune,$(OUT)/%.layout.json))
-$(eval $(call stage,surfaces,SURFACES,qm-bspline,$(OUT)/%.pruned.json))
+$(eval $(call stage,layout.json,LAYOUT,qm-merge,$(OUT)/%.enumeration.json,-o,))
+$(eval $(call stage,pruned.json,PRUNED,qm-prune,$(OUT)/%.layout.json,-o,))
+$(eval $(call stage,surfaces.json,SURFACES,qm-bspline,$(OUT)/%.pruned.json,-o,))
+# What other programs and people want of the surfaces.
+$(foreach ending,step igs,$(eval $(call stage,$(ending),STEP,qm-export,$(OUT)/%.surfaces.json,-o,)))
+$(eval $(call stage,html,HTML,qm-view,$(OUT)/%.surfaces.json,-o,))
+$(eval $(call stage,png,PNG,qm-view,$(OUT)/%.surfaces.json,--png,))
+$(eval $(call stage,summary.json,SUMMARY,qm-summary --json --quiet,$(OUT)/%.surfaces.json,-o,))
 
-$(eval $(call stamp,basecomplex,BASECOMPLEX))
-$(eval $(call stamp,features,FEATURES))
-$(eval $(call stamp,cut,CUT))
-$(eval $(call stamp,enumeration,ENUMERATION))
-$(eval $(call stamp,layout,LAYOUT))
-$(eval $(call stamp,pruned,PRUNED))
-$(eval $(call stamp,surfaces,SURFACES))
+$(eval $(call stamp,quads.obj,QUADS))
+$(eval $(call stamp,basecomplex.json,BASECOMPLEX))
+$(eval $(call stamp,features.json,FEATURES))
+$(eval $(call stamp,cut.json,CUT))
+$(eval $(call stamp,enumeration.json,ENUMERATION))
+$(eval $(call stamp,layout.json,LAYOUT))
+$(eval $(call stamp,pruned.json,PRUNED))
+$(eval $(call stamp,surfaces.json,SURFACES))
+$(foreach ending,step igs,$(eval $(call stamp,$(ending),STEP)))
+$(eval $(call stamp,html,HTML))
+$(eval $(call stamp,png,PNG))
+$(eval $(call stamp,summary.json,SUMMARY))
+
+# -------------------------------------------------------------------------------------------- the report
+
+# Pictures are taken by Chromium; without it the report has none.
+pictures := $(if $(shell command -v chromium || command -v chromium-browser || command -v google-chrome),png)
+
+.PHONY: report report-parts
+report-parts: $(foreach model,$(models),$(addprefix $(OUT)/$(model).,summary.json step html $(pictures)))
+# A model that fails is a line of the report.
+report: ## one page for all models, OUT/report.html
+	@$(MAKE) --no-print-directory --keep-going -f $(here)layout.mk report-parts || true
+	@$(here)report $(OUT) $(models)
+	@$(list_unmet)
+	@echo "layout.mk: the report is $(OUT)/report.html"

@@ -11,7 +11,7 @@ layout_mk() { make --no-print-directory -f "$ROOT/pipelines/layout.mk" "$@"; }
 layout_sh() { "$ROOT/pipelines/layout.sh" "$@"; }
 
 # The tools that a run of layout.mk started, in order, on one line.
-ran() { layout_mk "$@" | sed -nE 's/^(qm-[a-z]+) .*/\1/p' | tr '\n' ' ' | sed 's/ $//'; }
+ran() { layout_mk "$@" | sed -nE 's/^.*run-stage (qm-[a-z]+) .*/\1/p' | tr '\n' ' ' | sed 's/ $//'; }
 
 EVERYTHING='qm-basecomplex qm-features qm-cut qm-enum qm-merge qm-prune qm-bspline'
 FROM_CUT='qm-cut qm-enum qm-merge qm-prune qm-bspline'
@@ -137,12 +137,134 @@ END
     assert_equal "$(field .kind 'my part.json')" surfaces
 }
 
-@test "a tolerance that is missed is told and kept, unless STRICT is set" {
-    run --separate-stderr layout_mk SURFACES_OPTIONS='--tolerance 1e-12' out/part.surfaces.json
+@test "a tolerance that is missed is told, kept and told again at the end, unless STRICT is set" {
+    cp part.obj other.obj
+    run --separate-stderr layout_mk SURFACES_OPTIONS.part='--tolerance 1e-12'
     assert_success
     assert_regex "$stderr" 'tolerance is missed'
-    run layout_mk STRICT=1 SURFACES_OPTIONS='--tolerance 1e-13' out/part.surfaces.json
+    assert_equal "${stderr_lines[-1]}" 'layout.mk: out/part.surfaces.json: qm-bspline misses what was asked for'
+    # It is kept, and told whenever the batch is made.
+    run --separate-stderr layout_mk SURFACES_OPTIONS.part='--tolerance 1e-12'
+    assert_equal "$stderr" 'layout.mk: out/part.surfaces.json: qm-bspline misses what was asked for'
+    run layout_mk STRICT=1 SURFACES_OPTIONS.part='--tolerance 1e-13'
     assert_failure
+    assert [ ! -e out/part.surfaces.json ] || assert_equal "$(field '.history[-1].options.tolerance' out/part.surfaces.json)" 1e-12
+    run --separate-stderr layout_mk
+    assert_success
+    assert_equal "$stderr" ''
+}
+
+@test "STEP files and pages are made of what they show, and only when it has changed" {
+    layout_mk out/part.step out/part.html
+    assert_equal "$(head -1 out/part.step)" 'ISO-10303-21;'
+    assert_equal "$(ran out/part.step out/part.html)" ''
+    assert_equal "$(ran STEP_OPTIONS='--unit inch' out/part.step out/part.html)" 'qm-export'
+    grep -q INCH out/part.step
+}
+
+# A tool in whose place another waits for a signal, writes its best, and says so with its status.
+waiting_tool() {
+    mkdir tools
+    ln -s "$QM_BIN"/qm-* tools
+    rm "tools/$1"
+    cat >"tools/$1" <<END
+#!/bin/bash
+trap 'echo partial >"\${*: -1}"; exit 3' TERM INT
+echo >started
+while :; do sleep 0.05; done
+END
+    chmod +x "tools/$1"
+}
+
+@test "what an interrupt left is not taken for finished" {
+    cp "$(sample cube)" part.obj
+    waiting_tool qm-enum
+    for signal in TERM INT; do
+        rm -f started
+        # A script starts what is in its background without interrupts.
+        env --default-signal=INT setsid make --no-print-directory -f "$ROOT/pipelines/layout.mk" QM_BIN="$PWD/tools" out/part.surfaces.json >messages 2>&1 &
+        command=$!
+        for _ in {1..100}; do [[ -e started ]] && break; sleep 0.1; done
+        # From the keyboard the signal reaches all of them.
+        kill -"$signal" -- "-$command"
+        wait "$command" || true
+        for _ in {1..50}; do pgrep -g "$command" >/dev/null || break; sleep 0.1; done
+        assert [ ! -e out/part.enumeration.json ]
+        assert_equal "$(cat out/part.enumeration.json.interrupted)" partial
+    done
+    # The next make runs that stage again, and goes on.
+    rm out/*.interrupted
+    assert_equal "$(ran out/part.surfaces.json)" 'qm-enum qm-merge qm-prune qm-bspline'
+    assert_equal "$(find out -name '*.interrupted' -o -name '.partial*')" ''
+}
+
+@test "what is killed leaves no file that looks whole" {
+    cp "$(sample cube)" part.obj
+    waiting_tool qm-prune
+    setsid make --no-print-directory -f "$ROOT/pipelines/layout.mk" QM_BIN="$PWD/tools" out/part.surfaces.json >/dev/null 2>&1 &
+    command=$!
+    for _ in {1..100}; do [[ -e started ]] && break; sleep 0.1; done
+    kill -KILL -- "-$command"
+    wait "$command" || true
+    assert [ ! -e out/part.pruned.json ]
+    assert_equal "$(ran out/part.surfaces.json)" 'qm-prune qm-bspline'
+}
+
+@test "a full disk leaves no file that looks whole" {
+    cp "$(sample cube)" part.obj
+    layout_mk out/part.layout.json
+    # The limit on the size of files stands for the disk.
+    run bash -c "trap '' XFSZ; ulimit -f 8; make --no-print-directory -f '$ROOT/pipelines/layout.mk' out/part.surfaces.json"
+    assert_failure
+    assert_equal "$(find out -name '*pruned*' -o -name '*surfaces*' | grep -v '^out/.stages')" ''
+    quietly layout_mk -s out/part.surfaces.json
+    quietly qm-check out/part.surfaces.json
+}
+
+@test "meshes whose paths have blanks are made under other names" {
+    cp "$(sample cube)" part.obj
+    mkdir 'my parts'
+    cp part.obj 'my parts/the first part.obj'
+    cp part.obj 'my parts/second.obj'
+    quietly layout_mk -s MESH_PATH='my parts'
+    assert_equal "$(cd out && echo *.surfaces.json)" 'second.surfaces.json the_first_part.surfaces.json'
+    quietly qm-check out/the_first_part.surfaces.json
+    # One that cannot be made stands alone.
+    cp part.obj 'my parts/the_first part.obj'
+    echo '# another' >>'my parts/the_first part.obj'
+    run --separate-stderr layout_mk -s MESH_PATH='my parts'
+    assert_success
+    assert_regex "$stderr" "layout.mk: my parts/the.first part.obj: left out"
+}
+
+@test "triangles become quads first" {
+    command -v blender >/dev/null || skip 'there is no Blender'
+    rm part.obj
+    qm-shape block --scan 3000 -o scan.stl
+    cp "$(sample cube)" cube.obj
+    quietly layout_mk -s QUADS.scan=800 SURFACES_OPTIONS='--tolerance 5%'
+    assert_equal "$(cd out && echo *.obj *.surfaces.json)" 'scan.quads.obj cube.surfaces.json scan.surfaces.json'
+    assert_equal "$(ran QUADS.scan=800 SURFACES_OPTIONS='--tolerance 5%' out/scan.surfaces.json)" ''
+    quietly quadmesh --quiet scan.stl --quads 800 --tolerance 5% --keep stages
+    assert_same_bytes stages/scan.quads.obj out/scan.quads.obj
+    # All of them.
+    quietly layout_mk -s QUADS=500 OUT=all all/scan.basecomplex.json
+    assert [ "$(field .mesh.faces all/scan.basecomplex.json)" -lt 700 ]
+}
+
+@test "the report has a line for every model, with pictures where there is Chromium" {
+    mkdir meshes
+    cp "$(sample cube)" meshes/cube.obj
+    echo 'f 1 2 3 4' >meshes/b\<c.obj
+    run layout_mk -s MESH_PATH=meshes report
+    assert_success
+    assert_line 'layout.mk: the report is out/report.html'
+    sed -n '/^const rows = /,/^\];$/p' out/report.html | sed '1s/^const rows = //; $s/;$//' >rows.json
+    assert_equal "$(jq -c '[.[].model]' rows.json)" '["b_c","cube"]'
+    assert_equal "$(jq -c '[.[].summary.quads]' rows.json)" '[null,384]'
+    assert_equal "$(jq -c '[.[].files | contains(["html", "step", "surfaces.json"])]' rows.json)" '[false,true]'
+    command -v chromium >/dev/null || return 0
+    assert_equal "$(jq -c '[.[].files | contains(["png"])]' rows.json)" '[false,true]'
 }
 
 @test "a model that is searched in parts has the same bytes" {
