@@ -314,6 +314,12 @@ bench-surfaces: ## fit and export surfaces for a folder of real meshes and print
 	@$(again) all $(programs)
 	@QM_BIN=$(abspath $(bin)) PROGRAMS=$(abspath $(O)/tests) scripts/bench-surfaces '$(only)'
 
+.PHONY: bench-scale
+bench-scale: ## how time and memory of every stage grow up to QUADS=4000000, as tables
+	@scripts/install-dependencies --verify build bench
+	@$(again) all $(O)/tests/refine
+	@QM_BIN=$(abspath $(bin)) REFINE=$(abspath $(O)/tests/refine) scripts/bench-scale
+
 .PHONY: bench-cad
 bench-cad: ## what CAD systems and meshers do with our STEP files, as a table; only=REGEX to filter models
 	@scripts/install-dependencies build bench

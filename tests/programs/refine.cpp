@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "mesh/build_mesh.h"
 #include "mesh/read_mesh.h"
-#include "mesh/write_mesh.h"
+#include "mesh/write_soup.h"
 
 #include <algorithm>
 #include <array>
@@ -136,7 +136,7 @@ int main(int argc, char** argv) {
         const QuadMesh mesh = qm::readMesh(bytes, name).mesh;
         Grids grids = Splitter(mesh, how == "smooth" ? 2 : std::max(std::atoi(how.c_str()), 1)).split();
         if (how == "smooth") smooth(mesh, grids);
-        std::cout << qm::writeObj(qm::buildMesh(grids.points, grids.quads));
+        std::cout << qm::writeSoup(qm::soupOf(qm::buildMesh(grids.points, grids.quads)), qm::MeshFormat::obj);
         return std::cout.flush() ? 0 : 1;
     } catch (const qm::Error& error) {
         std::cerr << "refine: " << error.what() << '\n';

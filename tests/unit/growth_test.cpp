@@ -1,0 +1,88 @@
+// No stage does more than so much more on a larger mesh. What is counted is memory taken, in bytes: whatever
+// copies or gathers something of the mesh for every element shows in it, on every machine alike.
+#include "cut/cut.h"
+#include "enumerate/enumerate.h"
+#include "features/features.h"
+#include "layout/layout.h"
+#include "merge/merge.h"
+#include "mesh/dihedral.h"
+#include "prune/prune.h"
+#include "shape/shape.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <new>
+#include <string>
+
+namespace {
+std::atomic<std::size_t> bytesTaken = 0;
+}
+
+// NOLINTBEGIN(cppcoreguidelines-no-malloc,cppcoreguidelines-owning-memory,misc-new-delete-overloads)
+void* operator new(std::size_t size) {
+    bytesTaken += size;
+    if (void* place = std::malloc(size == 0 ? 1 : size)) return place;
+    throw std::bad_alloc();
+}
+void operator delete(void* place) noexcept {
+    std::free(place);
+}
+void operator delete(void* place, std::size_t) noexcept {
+    std::free(place);
+}
+// NOLINTEND(cppcoreguidelines-no-malloc,cppcoreguidelines-owning-memory,misc-new-delete-overloads)
+
+namespace qm::testing {
+namespace {
+
+/// The bytes that every stage takes for a solid of so many cubes, whose extraordinary vertices grow with it.
+std::map<std::string, double> bytesOfStages(int voxels) {
+    std::map<std::string, double> bytes;
+    std::size_t before = 0;
+    const auto done = [&](const std::string& stage) {
+        bytes[stage] = static_cast<double>(bytesTaken - before);
+        before = bytesTaken;
+    };
+    const QuadMesh mesh = makeShape("random", {1, 0, 5, voxels});
+    const std::vector<double> angles = dihedralAngles(mesh);
+    bytes["quads"] = static_cast<double>(mesh.n_faces());
+    before = bytesTaken;
+    const BaseComplex complex = buildBaseComplex(mesh);
+    done("base complex");
+    (void)findFeatures(mesh, angles, {});
+    done("features");
+    CutOptions cutting;
+    cutting.chi = 20;
+    const Cut cut = cutMesh(mesh, complex, angles, cutting);
+    done("cut");
+    const SubMeshes parts{cut.labels, static_cast<int>(cut.subMeshes.size())};
+    Control control;
+    control.jobs = 1;
+    const Enumeration found = enumerateGraphs(mesh, complex, angles, parts, {}, control);
+    done("enumeration");
+    const MergeResult merged = mergeGraphs(mesh, complex, angles, parts, found, {}, cutting.chi, {}, control);
+    done("merge");
+    const std::vector<double> costs = edgeCosts(angles, {});
+    const Layout layout = buildLayout(mesh, merged.graph.tracks, angles, costs);
+    done("layout");
+    (void)pruneLayout(mesh, layout, angles, costs, {}, control);
+    done("prune");
+    return bytes;
+}
+
+TEST(Growth, NoStageTakesMuchMoreThanInProportion) {
+    constexpr double maxExponent = 1.15;
+    auto small = bytesOfStages(3200), large = bytesOfStages(12800);
+    const double size = std::log(large["quads"] / small["quads"]);
+    ASSERT_GT(size, std::log(2));
+    for (const auto& [stage, bytes] : large)
+        EXPECT_LE(std::log(bytes / small[stage]) / size, maxExponent)
+            << stage << " takes " << small[stage] << " bytes, then " << bytes;
+}
+
+} // namespace
+} // namespace qm::testing
