@@ -342,7 +342,8 @@ compile_commands.json: export command = $(filter-out ccache,$(compile))
 
 commands    := quadmesh $(tool_names)
 man_pages   := $(commands:%=$(O)/man/%.1)
-completions := $(O)/completion/quadmesh
+shells      := bash zsh fish
+completions := $(shells:%=$(O)/completion/%)
 
 .PHONY: man
 man: $(man_pages) ## the manual pages, from the tools' own --help
@@ -352,17 +353,20 @@ $(O)/man/%.1: $(bin)/% scripts/man VERSION
 	$(call quietly,man,$@) scripts/man $< > $@
 
 .PHONY: completion
-completion: $(completions) ## completion for bash, from the tools' own descriptions
+completion: $(completions) ## completion for bash, zsh and fish, from the tools' own descriptions
 
-$(completions): $(tools) $(bin)/quadmesh scripts/completion
+$(completions): $(O)/completion/%: $(tools) $(bin)/quadmesh scripts/completion
 	@mkdir -p $(@D)
-	$(call quietly,complete,$@) scripts/completion $(commands:%=$(bin)/%) > $@
+	$(call quietly,complete,$@) scripts/completion $* $(commands:%=$(bin)/%) > $@
 
 # What is installed, by the folder it goes to.
 man_folder     := share/man/man1
 bash_folder    := share/bash-completion/completions
+zsh_folder     := share/zsh/site-functions
+fish_folder    := share/fish/vendor_completions.d
 own_folders    := include/quadmesh share/quadmesh share/doc/quadmesh
 installed      := $(commands:%=bin/%) $(commands:%=$(man_folder)/%.1) $(commands:%=$(bash_folder)/%) \
+                  $(zsh_folder)/_quadmesh $(commands:%=$(fish_folder)/%.fish) \
                   lib/libquadmesh.a lib/pkgconfig/quadmesh.pc
 public_headers := $(filter-out lib/cli/%,$(headers))
 
@@ -386,8 +390,10 @@ install: all man completion ## install tools, library and headers below DESTDIR 
 	install $(tools) pipelines/quadmesh $(DESTDIR)$(prefix)/bin
 	install -m 644 $(man_pages) $(DESTDIR)$(prefix)/$(man_folder)
 	for command in $(commands); do \
-	    install -m 644 $(completions) $(DESTDIR)$(prefix)/$(bash_folder)/$$command; \
+	    install -m 644 $(O)/completion/bash $(DESTDIR)$(prefix)/$(bash_folder)/$$command; \
+	    grep -e '^#' -e "^complete -c $$command " $(O)/completion/fish > $(DESTDIR)$(prefix)/$(fish_folder)/$$command.fish; \
 	done
+	install -m 644 $(O)/completion/zsh $(DESTDIR)$(prefix)/$(zsh_folder)/_quadmesh
 	install -m 644 $(library) $(DESTDIR)$(prefix)/lib
 	printf '%s\n' "$$pkg_config" > $(DESTDIR)$(prefix)/lib/pkgconfig/quadmesh.pc
 	for header in $(public_headers:lib/%=%); do \
@@ -403,6 +409,14 @@ install: export pkg_config := $(pkg_config)
 uninstall: ## remove what `make install` put below DESTDIR and prefix
 	rm -f $(installed:%=$(DESTDIR)$(prefix)/%)
 	rm -rf $(own_folders:%=$(DESTDIR)$(prefix)/%)
+
+.PHONY: deb
+deb: ## Debian packages of the tools and the library, in build/deb
+	@scripts/install-dependencies --verify build check deb
+	@$(again) all man completion
+	rm -rf build/deb
+	DEB_BUILD_OPTIONS=noautodbgsym debian/rules binary
+	debian/rules clean
 
 .PHONY: clean
 clean: ## remove what was built

@@ -2,8 +2,11 @@
 #include "cli/export_choices.h"
 #include "cli/stage.h"
 
+#include <filesystem>
+
 int main(int argc, char** argv) {
     qm::ExportOptions options;
+    std::string date;
     qm::NamedFormat format = qm::NamedFormat::ending;
     return qm::runTool(
         argc, argv, "qm-export", "Write a layout, or the surfaces fitted to it, for other programs.",
@@ -12,6 +15,12 @@ int main(int argc, char** argv) {
             tool.writes("the file for the other program");
             tool.option("format", format, "what to write");
             tool.option("unit", options.unit, "the mesh's unit, which STEP and IGES declare");
+            tool.text("name", options.name, "NAME",
+                      "of the product in STEP and IGES, instead of the mesh file's");
+            tool.text(
+                "date", date, "DATE",
+                "of STEP and IGES, such as 2026-11-22 or 2026-11-22T10:00:00 (UTC), or mesh: when the mesh's "
+                "file was changed last; without it 1970-01-01, so that equal input gives equal bytes");
             tool.option("colour", options.colour, "what colours in PLY and glTF mean");
             tool.option("join", options.join, "neighbours that are one smooth surface become one face");
             tool.option("analytic", options.analytic,
@@ -29,9 +38,12 @@ int main(int argc, char** argv) {
             tool.verify([&] {
                 options.format = qm::exportFormat(format, tool.outputPath());
                 qm::requireEffect(tool, options);
+                if (!date.empty() && date != "mesh") (void)qm::exportDate(date, "");
             });
-            return [&tool, &options, stage] {
+            return [&tool, &options, &date, stage] {
                 const qm::Model& model = stage->read(qm::neededKind(options));
+                if (!tool.given("name")) options.name = std::filesystem::path(model.meshPath).stem().string();
+                if (!date.empty()) options.date = qm::exportDate(date, model.meshPath);
                 const qm::Surfaces* surfaces = model.surfaces ? &*model.surfaces : nullptr;
                 const qm::Exported result = qm::exportModel(model.mesh, *model.layout, surfaces, options);
                 tool.count("segments", static_cast<double>(model.layout->segments.size()));

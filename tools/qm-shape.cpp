@@ -7,7 +7,7 @@ int main(int argc, char** argv) {
     using Limits = qm::ShapeLimits;
     return qm::runTool(
         argc, argv, "qm-shape", "Make a sample mesh, or a scan of one.", [&](qm::Tool& tool) -> qm::ToolBody {
-            tool.operand("NAME", request.name, "which mesh; --list shows them all", false);
+            tool.operand("NAME", request.name, "which mesh; --list shows them all", false, qm::namesOfShapes());
             tool.writes("the mesh");
             tool.option("list", request.list,
                         "list the meshes with their resolution and size, where nothing else is asked for");

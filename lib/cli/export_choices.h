@@ -44,6 +44,12 @@ template <> struct Choices<ColourBy> {
 /// \throw UsageError  if an option was given that has no effect on what is written
 void requireEffect(const Tool& tool, const ExportOptions& options);
 
+/// When a file says that it was made.
+/// \param text  a date, with or without a time of day, UTC: "2026-11-22T10:00:00"; or "mesh" for when the mesh's
+/// file was changed last
+/// \throw Error  if it is none of them, or the mesh's file is gone
+[[nodiscard]] std::string exportDate(const std::string& text, const std::string& meshPath);
+
 /// What a document must hold. Quads need no surfaces, unless they are coloured by them.
 [[nodiscard]] Kind neededKind(const ExportOptions& options);
 

@@ -23,7 +23,8 @@ struct OptionRecord {
     Type type = Type::text;
     Range range;                                              ///< of numbers
     std::vector<std::pair<std::string, std::string>> choices; ///< name and help of each
-    std::string defaultText;                                  ///< empty: none
+    std::vector<std::string> suggestions; ///< of texts: parts of a list that are worth offering
+    std::string defaultText;              ///< empty: none
     /// Sets the variable.
     /// \return what is wrong with the text, or empty
     std::function<std::string(const std::string& text)> assign;

@@ -41,6 +41,13 @@ void verify(const Tool& tool, const ShapeRequest& request) {
         throw UsageError("STL holds triangles only: give --scan, or another format");
 }
 
+std::vector<std::string> namesOfShapes() {
+    std::vector<std::string> names;
+    for (const ShapeKind& kind : shapeKinds())
+        names.emplace_back(kind.name);
+    return names;
+}
+
 std::string listOfShapes() {
     std::string list = "NAME         RESOLUTION  QUADS\n";
     for (const ShapeKind& kind : shapeKinds())

@@ -10,6 +10,7 @@
 #include <array>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace qm {
 
@@ -38,6 +39,8 @@ struct ShapeRequest {
 
 /// \throw UsageError  if options contradict each other, before anything is made
 void verify(const Tool& tool, const ShapeRequest& request);
+
+[[nodiscard]] std::vector<std::string> namesOfShapes();
 
 /// A line for every shape, below a heading.
 [[nodiscard]] std::string listOfShapes();

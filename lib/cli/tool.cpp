@@ -83,7 +83,7 @@ Tool::~Tool() = default;
 
 void Tool::reads(const std::string& operand, const std::string& what) {
     state_->hasInput = true;
-    state_->usage.operands.push_back({operand, what + "; - or nothing means standard input", false});
+    state_->usage.operands.push_back({operand, what + "; - or nothing means standard input", false, {}});
     state_->operands.push_back(&state_->input);
 }
 
@@ -91,8 +91,9 @@ void Tool::readsMore(std::vector<std::string>& files) {
     state_->more = &files;
 }
 
-void Tool::operand(const std::string& name, std::string& value, const std::string& help, bool required) {
-    state_->usage.operands.push_back({name, help, required});
+void Tool::operand(const std::string& name, std::string& value, const std::string& help, bool required,
+                   std::vector<std::string> suggestions) {
+    state_->usage.operands.push_back({name, help, required, std::move(suggestions)});
     state_->operands.push_back(&value);
 }
 
@@ -110,8 +111,10 @@ void Tool::group(const std::string& heading) {
 }
 
 void Tool::text(const std::string& name, std::string& value, const std::string& placeholder,
-                const std::string& help) {
-    add(makeTextOption(name, value, placeholder, help));
+                const std::string& help, std::vector<std::string> suggestions) {
+    OptionRecord record = makeTextOption(name, value, placeholder, help);
+    record.suggestions = std::move(suggestions);
+    add(std::move(record));
 }
 
 void Tool::example(const std::string& command) {

@@ -60,7 +60,9 @@ public:
     void reads(const std::string& operand, const std::string& what);
     /// A further operand, given before the input.
     /// \param required  a usage error if it is left out
-    void operand(const std::string& name, std::string& value, const std::string& help, bool required = true);
+    /// \param suggestions  values that completion offers
+    void operand(const std::string& name, std::string& value, const std::string& help, bool required = true,
+                 std::vector<std::string> suggestions = {});
     /// Operands beyond those that are declared; more than none only where the caller's `verify` allows it.
     void readsMore(std::vector<std::string>& files);
     /// -o, --output: a file or "-"; standard output if it is left out.
@@ -86,8 +88,9 @@ public:
     }
     /// An option whose value is text.
     /// \param placeholder  "FILE", "NAME"
+    /// \param suggestions  that completion offers, each as a part of a list with commas
     void text(const std::string& name, std::string& value, const std::string& placeholder,
-              const std::string& help);
+              const std::string& help, std::vector<std::string> suggestions = {});
     /// A command that works; shown under "Examples" in --help, in the order of the calls. The files part.obj
     /// and part.KIND.json exist where the examples are tried.
     void example(const std::string& command);

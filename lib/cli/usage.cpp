@@ -83,6 +83,7 @@ Json describeOption(const OptionRecord& option) {
     if (std::isfinite(option.range.max)) entry["maximum"] = option.range.max;
     for (const auto& [name, help] : option.choices)
         entry["choices"].push_back({{"name", name}, {"help", help}});
+    if (!option.suggestions.empty()) entry["suggestions"] = option.suggestions;
     if (double number = 0; parseNumber(option.defaultText, number))
         entry["default"] = number;
     else if (!option.defaultText.empty())
@@ -120,9 +121,11 @@ std::string jsonUsage(const Usage& usage) {
               {"summary", usage.summary},
               {"description", usage.paragraphs}};
     root["operands"] = Json::array();
-    for (const Operand& operand : usage.operands)
+    for (const Operand& operand : usage.operands) {
         root["operands"].push_back(
             {{"name", operand.name}, {"help", operand.help}, {"required", operand.required}});
+        if (!operand.suggestions.empty()) root["operands"].back()["suggestions"] = operand.suggestions;
+    }
     root["writes"] = usage.writes;
     if (!usage.schema.empty()) root["kind"] = usage.schema;
     root["options"] = Json::array();

@@ -29,9 +29,11 @@ bool exists(const std::string& path) {
 /// Where the mesh may be, the likeliest first.
 std::vector<std::string> candidates(const std::string& recorded, const std::string& documentPath) {
     std::vector<std::string> paths{recorded};
-    const std::size_t slash = documentPath.rfind('/');
-    if (recorded.front() != '/' && slash != std::string::npos)
-        paths.push_back(documentPath.substr(0, slash + 1) + recorded);
+    if (documentPath == "-") return paths;
+    const std::string folder = documentPath.substr(0, documentPath.rfind('/') + 1);
+    if (recorded.front() != '/' && !folder.empty()) paths.push_back(folder + recorded);
+    // Whoever passes on a document puts the mesh beside it.
+    paths.push_back(folder + recorded.substr(recorded.rfind('/') + 1));
     return paths;
 }
 

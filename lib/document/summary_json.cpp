@@ -31,6 +31,7 @@ FitOptions recordedFit(const JsonPlace& history) {
         const JsonPlace options = history[k]["options"];
         if (const auto name = options.find("fit"))
             if (!choiceValue(name->text(), fit.fit)) name->fail("is no kind of fit");
+        if (const auto rho = options.find("rho")) fit.rho = rho->number();
         const auto tolerance = options.find("tolerance");
         if (!tolerance) continue;
         if (tolerance->value().is_number())

@@ -71,8 +71,8 @@ Exported exportShape(const QuadMesh& mesh, const Layout& layout, const Surfaces&
         const CheckedShape made =
             checkedShape(mesh, faces, options.analytic ? options.analyticTolerance / 100 * diagonal : 0);
         Exported result{options.format == ExportFormat::step
-                            ? boundaryAsStep(made.boundary, faces.origins, options.unit)
-                            : shapeAsIges(made.shape, faces.origins, options.unit),
+                            ? boundaryAsStep(made.boundary, faces.origins, options)
+                            : shapeAsIges(made.shape, faces.origins, options),
                         reportOf(made.boundary)};
         result.shape->valid = made.valid;
         return result;

@@ -37,6 +37,8 @@ struct ExportOptions {
         false; ///< STEP and IGES: patches become cylinders, cones, spheres and tori where they can
     double analyticTolerance =
         0.01; ///< how far a patch may be from what takes its place, per cent of the diagonal
+    std::string name = "quadmesh";            ///< STEP and IGES: of the product; UTF-8
+    std::string date = "1970-01-01T00:00:00"; ///< STEP and IGES: when the file was made
 };
 
 /// What OpenCASCADE's own check says about a boundary representation.

@@ -29,8 +29,23 @@ extern "C" const char* __lsan_default_suppressions() {
 namespace qm {
 namespace {
 
-/// A file says when it was made; ours shall not differ from run to run.
-constexpr const char* noTimeIges = "19700101.000000";
+/// "19700101.000000" for "1970-01-01T00:00:00".
+std::string igesDate(const std::string& date) {
+    std::string result;
+    for (const char letter : date)
+        if (letter == 'T')
+            result += '.';
+        else if (letter != '-' && letter != ':')
+            result += letter;
+    return result;
+}
+
+/// IGES knows no other letters.
+std::string asciiName(std::string name) {
+    for (char& letter : name)
+        if (letter < ' ' || letter > '~') letter = '_';
+    return name;
+}
 
 const char* unitName(LengthUnit unit) {
     switch (unit) {
@@ -93,7 +108,7 @@ void labelFaces(const BoundaryShape& shape, const Origins& origins,
 
 } // namespace
 
-std::string shapeAsIges(const BoundaryShape& shape, const Origins& origins, LengthUnit unit) {
+std::string shapeAsIges(const BoundaryShape& shape, const Origins& origins, const ExportOptions& options) {
     const Session session;
     // The writer would convert from millimetres; so it is given those, and the unit is declared afterwards.
     IGESControl_Writer writer("MM", 1);
@@ -103,12 +118,12 @@ std::string shapeAsIges(const BoundaryShape& shape, const Origins& origins, Leng
     writer.ComputeModel();
     labelFaces(shape, origins, writer.TransferProcess());
     IGESData_GlobalSection global = writer.Model()->GlobalSection();
-    global.SetUnitFlag(unitFlag(unit));
-    global.SetUnitName(text(unitName(unit)));
-    global.SetDate(text(noTimeIges));
-    global.SetLastChangeDate(text(noTimeIges));
-    global.SetFileName(text("quadmesh"));
-    global.SetSendName(text("quadmesh"));
+    global.SetUnitFlag(unitFlag(options.unit));
+    global.SetUnitName(text(unitName(options.unit)));
+    global.SetDate(text(igesDate(options.date)));
+    global.SetLastChangeDate(text(igesDate(options.date)));
+    global.SetFileName(text(asciiName(options.name)));
+    global.SetSendName(text(asciiName(options.name)));
     global.SetAuthorName(text(""));
     global.SetCompanyName(text(""));
     writer.Model()->SetGlobalSection(global);

@@ -68,15 +68,16 @@ StepId addContext(StepFile& file, LengthUnit unit, double accuracy) {
 
 class Writer {
 public:
-    Writer(const Boundary& boundary, const std::vector<std::vector<std::size_t>>& origins, LengthUnit unit)
-        : boundary_(boundary), origins_(origins), edges_(boundary.edges.size()) {
+    Writer(const Boundary& boundary, const std::vector<std::vector<std::size_t>>& origins,
+           const ExportOptions& options)
+        : boundary_(boundary), origins_(origins), options_(options), edges_(boundary.edges.size()) {
         application_ =
             file_.add("APPLICATION_CONTEXT('core data for automotive mechanical design processes')");
         file_.add(
             StepText("APPLICATION_PROTOCOL_DEFINITION('international standard','automotive_design',2000,")
                 .id(application_)
                 .raw(")"));
-        context_ = addContext(file_, unit, boundary.largestTolerance);
+        context_ = addContext(file_, options.unit, boundary.largestTolerance);
         planeContext_ = file_.add("(GEOMETRIC_REPRESENTATION_CONTEXT(2)PARAMETRIC_REPRESENTATION_CONTEXT()"
                                   "REPRESENTATION_CONTEXT('','2D'))");
         origin_ = addPlacement(file_, gp_Ax3());
@@ -90,9 +91,10 @@ public:
             surfaces_.push_back(addSurface(file_, face.surface));
         addEdges();
         for (std::size_t k = 0; k < boundary_.parts.size(); ++k)
-            addPart(boundary_.parts[k],
-                    boundary_.parts.size() == 1 ? "quadmesh" : "quadmesh " + std::to_string(k + 1));
-        return file_.text("quadmesh", "AUTOMOTIVE_DESIGN { 1 0 10303 214 1 1 1 1 }");
+            addPart(boundary_.parts[k], stepText(options_.name) +
+                                            (boundary_.parts.size() == 1 ? "" : " " + std::to_string(k + 1)));
+        return file_.text({stepText(options_.name), options_.date},
+                          "AUTOMOTIVE_DESIGN { 1 0 10303 214 1 1 1 1 }");
     }
 
 private:
@@ -188,6 +190,7 @@ private:
 
     const Boundary& boundary_;
     const std::vector<std::vector<std::size_t>>& origins_;
+    const ExportOptions& options_;
     StepFile file_;
     StepId application_;
     StepId context_;
@@ -201,8 +204,8 @@ private:
 } // namespace
 
 std::string boundaryAsStep(const Boundary& boundary, const std::vector<std::vector<std::size_t>>& origins,
-                           LengthUnit unit) {
-    return Writer(boundary, origins, unit).write();
+                           const ExportOptions& options) {
+    return Writer(boundary, origins, options).write();
 }
 
 } // namespace qm

@@ -16,6 +16,6 @@ namespace qm {
 /// \param origins  of every face, the segments that it is made of, and its name
 [[nodiscard]] std::string boundaryAsStep(const Boundary& boundary,
                                          const std::vector<std::vector<std::size_t>>& origins,
-                                         LengthUnit unit);
+                                         const ExportOptions& options);
 
 } // namespace qm

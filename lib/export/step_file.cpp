@@ -4,6 +4,7 @@
 #include "base/number_text.h"
 
 #include <cstddef>
+#include <cstdint>
 
 namespace qm {
 namespace {
@@ -35,6 +36,29 @@ void appendBroken(std::string& text, std::string_view line) {
 }
 
 } // namespace
+
+std::string stepText(std::string_view utf8) {
+    std::string result;
+    for (std::size_t at = 0; at < utf8.size();) {
+        const auto lead = static_cast<unsigned char>(utf8[at]);
+        const std::size_t length = lead < 0xc0 ? 1 : lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : 4;
+        if (lead >= ' ' && lead <= '~' && lead != ',') {
+            result += utf8[at];
+            if (lead == '\'' || lead == '\\') result += utf8[at]; // these two are doubled
+        } else {
+            std::uint32_t letter = length == 1 ? lead : lead & (0x7fU >> length);
+            for (std::size_t k = 1; k < length && at + k < utf8.size(); ++k)
+                letter = letter << 6U | (static_cast<unsigned char>(utf8[at + k]) & 0x3fU);
+            const bool isShort = letter < 0x10000;
+            result += isShort ? "\\X2\\" : "\\X4\\";
+            for (unsigned shift = isShort ? 16 : 32; shift > 0; shift -= 4)
+                result += "0123456789ABCDEF"[letter >> (shift - 4) & 15U];
+            result += "\\X0\\";
+        }
+        at += length;
+    }
+    return result;
+}
 
 StepText& StepText::raw(std::string_view text) {
     text_ += text;
@@ -89,11 +113,10 @@ StepId StepFile::add(const StepText& entity) {
     return {count_};
 }
 
-std::string StepFile::text(std::string_view name, std::string_view schema) const {
-    // A file says when it was made; ours shall not differ from run to run.
+std::string StepFile::text(const StepHeader& header, std::string_view schema) const {
     std::string result = "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME('";
-    result.append(name).append(
-        "','1970-01-01T00:00:00',(''),(''),'quadmesh','quadmesh','');\nFILE_SCHEMA(('");
+    result.append(header.name).append("','").append(header.date);
+    result.append("',(''),(''),'quadmesh','quadmesh','');\nFILE_SCHEMA(('");
     result.append(schema).append("'));\nENDSEC;\nDATA;\n").append(data_);
     return result + "ENDSEC;\nEND-ISO-10303-21;\n";
 }

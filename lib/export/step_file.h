@@ -13,6 +13,10 @@ struct StepId {
     int number = 0;
 };
 
+/// What stands between the quotation marks of a string. A comma is written by its number, as lines are broken
+/// after commas. \param utf8  valid
+[[nodiscard]] std::string stepText(std::string_view utf8);
+
 /// Text of an entity in the making: `StepText("DIRECTION('',").reals(xyz).end()`.
 class StepText {
 public:
@@ -38,6 +42,11 @@ private:
     std::string text_;
 };
 
+struct StepHeader {
+    std::string name; ///< of the file, as `stepText` makes it
+    std::string date; ///< when it was made, such as "1970-01-01T00:00:00"
+};
+
 class StepFile {
 public:
     /// \param entity  without its number and the semicolon
@@ -45,9 +54,8 @@ public:
     StepId add(std::string_view entity) { return add(StepText(entity)); }
 
     /// The whole file.
-    /// \param name  of the file, in its header
     /// \param schema  as FILE_SCHEMA has it
-    [[nodiscard]] std::string text(std::string_view name, std::string_view schema) const;
+    [[nodiscard]] std::string text(const StepHeader& header, std::string_view schema) const;
 
 private:
     std::string data_;

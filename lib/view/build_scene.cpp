@@ -25,7 +25,7 @@ std::pair<Point, double> ballAround(const QuadMesh& mesh) {
 }
 
 void addFigures(Scene& scene, const Viewed& viewed) {
-    const auto add = [&scene](const char* name, auto value) {
+    const auto add = [&scene](const std::string& name, auto value) {
         scene.figures.emplace_back(name, static_cast<double>(value));
     };
     add("vertices", viewed.mesh.n_vertices());
@@ -42,22 +42,22 @@ void addFigures(Scene& scene, const Viewed& viewed) {
     if (viewed.surfaces != nullptr) {
         const Deviation& deviation = viewed.surfaces->deviation;
         add("control points", controlPointCount(viewed.surfaces->patches));
-        add("largest deviation", deviation.max);
-        add("deviation, root mean square", deviation.rms);
-        add("largest gap", deviation.largestGap);
-        add("largest angle between normals, degrees", deviation.largestNormalAngle);
+        add("largest deviation, " + viewed.unit, deviation.max);
+        if (viewed.tolerance > 0) add("tolerance, " + viewed.unit, viewed.tolerance);
+        add("deviation, root mean square, " + viewed.unit, deviation.rms);
+        add("largest gap, " + viewed.unit, deviation.largestGap);
+        add("largest normal jump across smooth borders, \u00b0", deviation.largestNormalAngle);
     }
 }
 
 /// What the last stage added, over what explains it.
 std::vector<std::string> shownAtFirst(const Viewed& viewed) {
     constexpr std::size_t fewQuads = 20000;
+    if (viewed.surfaces != nullptr) return {"deviation", "curves"};
     std::vector<std::string> names = {"extraordinary"};
-    if (viewed.mesh.n_faces() <= fewQuads && viewed.surfaces == nullptr) names.emplace_back("edges");
+    if (viewed.mesh.n_faces() <= fewQuads) names.emplace_back("edges");
     const auto show = [&names](auto... more) { (names.emplace_back(more), ...); };
-    if (viewed.surfaces != nullptr)
-        show("deviation", "curves");
-    else if (viewed.layout != nullptr)
+    if (viewed.layout != nullptr)
         show("segments", "borders");
     else if (viewed.enumeration != nullptr)
         viewed.cut != nullptr ? show("submeshes", "graphs") : show("mesh", "graphs");

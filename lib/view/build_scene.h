@@ -26,6 +26,9 @@ struct Viewed {
     const Enumeration* enumeration = nullptr;
     const Layout* layout = nullptr;
     const Surfaces* surfaces = nullptr;
+    double tolerance = 0;    ///< that the surfaces were to keep to, a length; 0: none
+    double rho = 0.45;       ///< radians; borders up to this dihedral angle were to become smooth
+    std::string unit = "mm"; ///< of the mesh
 };
 
 /// Linear in the mesh.

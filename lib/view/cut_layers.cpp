@@ -1,8 +1,8 @@
 #include "mesh/topology.h"
-#include "view/items.h"
 #include "view/layers.h"
 #include "view/palette.h"
 
+#include <limits>
 #include <optional>
 
 namespace qm {
@@ -22,12 +22,13 @@ std::vector<std::uint32_t> labelsOfQuads(const Shell& shell, const std::vector<i
 }
 
 void addTerminal(PointLayer& layer, const std::optional<VertexId>& vertex, std::size_t subMesh,
-                 const char* which) {
+                 bool isSource) {
     if (!vertex) return;
     addPoint(layer, *vertex);
-    layer.items.pointers.push_back("/cut/subMeshes/" + std::to_string(subMesh) + "/" + which);
-    addFigure(layer.items, "vertex", vertex->idx());
+    constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
     addFigure(layer.items, "sub-mesh", static_cast<double>(subMesh));
+    addFigure(layer.items, "source", isSource ? 1 : nothing);
+    addFigure(layer.items, "sink", isSource ? nothing : 1);
 }
 
 } // namespace
@@ -37,7 +38,8 @@ void addCut(Scene& scene, const QuadMesh& mesh, const Cut& cut) {
     FaceLayer faces;
     faces.name = "submeshes";
     faces.title = "sub-meshes";
-    faces.groups = labelsOfQuads(scene.shells[static_cast<std::size_t>(Base::mesh)], cut.labels);
+    faces.paint = Paint::items;
+    faces.groups = labelsOfQuads(scene.mesh, cut.labels);
     faces.items.noun = "sub-mesh";
     faces.items.pointer = "/cut/subMeshes/";
     faces.items.count = cut.subMeshes.size();
@@ -45,11 +47,12 @@ void addCut(Scene& scene, const QuadMesh& mesh, const Cut& cut) {
     terminals.name = "terminals";
     terminals.title = "terminals of the cuts";
     terminals.items.noun = "terminal";
+    terminals.items.pointer = "/cut/subMeshes/{sub-mesh}";
     for (std::size_t k = 0; k < cut.subMeshes.size(); ++k) {
         addFigure(faces.items, "quasi-complexity", cut.subMeshes[k].quasiComplexity);
         addFigure(faces.items, "ordinary junctions", static_cast<double>(cut.subMeshes[k].ordinaryJunctions));
-        addTerminal(terminals, cut.subMeshes[k].source, k, "source");
-        addTerminal(terminals, cut.subMeshes[k].sink, k, "sink");
+        addTerminal(terminals, cut.subMeshes[k].source, k, true);
+        addTerminal(terminals, cut.subMeshes[k].sink, k, false);
     }
 
     LineLayer lines = newLines("cuts", "edges that are cut", "cut edge", "");
@@ -74,16 +77,16 @@ void addCut(Scene& scene, const QuadMesh& mesh, const Cut& cut) {
 }
 
 void addGraphs(Scene& scene, const QuadMesh& mesh, const Enumeration& enumeration) {
-    LineLayer lines = newLines("graphs", "best graph of every sub-mesh", "track", "");
+    LineLayer lines = newLines("graphs", "best graph of every sub-mesh", "track",
+                               "/enumeration/subMeshes/{sub-mesh}/graphs/0/tracks/{track}");
     for (std::size_t k = 0; k < enumeration.subMeshes.size(); ++k) {
         if (enumeration.subMeshes[k].graphs.empty()) continue;
         const auto& tracks = enumeration.subMeshes[k].graphs.front().tracks;
         for (std::size_t i = 0; i < tracks.size(); ++i) {
             addPath(lines, verticesAlong(mesh, tracks[i].halfedges));
-            lines.items.pointers.push_back("/enumeration/subMeshes/" + std::to_string(k) +
-                                           "/graphs/0/tracks/" + std::to_string(i));
             addFigure(lines.items, "cost", tracks[i].cost);
             addFigure(lines.items, "sub-mesh", static_cast<double>(k));
+            addFigure(lines.items, "track", static_cast<double>(i));
         }
     }
     scene.lines.push_back(std::move(lines));

@@ -1,4 +1,5 @@
-/// \file The layers of a scene, one function for each section of a document.
+/// \file The layers of a scene: one function for each section of a document, and how they fill layers item by
+/// item.
 #pragma once
 
 #include "view/build_scene.h"
@@ -15,10 +16,26 @@ void addCut(Scene& scene, const QuadMesh& mesh, const Cut& cut);
 /// The best graph of every sub-mesh.
 void addGraphs(Scene& scene, const QuadMesh& mesh, const Enumeration& enumeration);
 void addLayout(Scene& scene, const QuadMesh& mesh, const Layout& layout);
-/// Samples of the patches with their distance to the mesh, the patches' borders, and their control points.
+/// The patches, how far they are from what they were fitted to, how smoothly they meet, their borders, nets
+/// and knots.
 void addSurfaces(Scene& scene, const Viewed& viewed, const Point& centre, unsigned jobs);
 
 /// A point's coordinates about a centre, at the end of a list.
 void appendPosition(std::vector<float>& positions, const Point& point, const Point& centre);
+
+/// Adds a figure of the next item to the column of that name, which is made when it is first used.
+void addFigure(Items& items, const std::string& name, double value);
+
+/// An empty layer, with the place where its first item begins.
+[[nodiscard]] LineLayer newLines(const std::string& name, const std::string& title, const std::string& noun,
+                                 const std::string& pointer);
+
+/// Ends the item whose points were added.
+void endItem(LineLayer& layer);
+/// Adds a whole item.
+void addItem(LineLayer& layer, const std::vector<VertexId>& vertices);
+/// Adds a whole item, and between which vertices it runs.
+void addPath(LineLayer& layer, const std::vector<VertexId>& vertices);
+void addPoint(PointLayer& layer, VertexId vertex);
 
 } // namespace qm

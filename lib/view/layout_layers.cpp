@@ -1,5 +1,4 @@
 #include "mesh/topology.h"
-#include "view/items.h"
 #include "view/layers.h"
 #include "view/palette.h"
 
@@ -28,11 +27,13 @@ void addSegments(Scene& scene, const QuadMesh& mesh, const Layout& layout) {
     FaceLayer faces;
     faces.name = "segments";
     faces.title = "segments";
+    faces.paint = Paint::items;
     faces.groups.assign(mesh.n_faces(), noItem);
     faces.items.noun = "segment";
     faces.items.pointer = "/layout/segments/";
     faces.items.count = layout.segments.size();
-    LineLayer borders = newLines("borders", "borders of segments", "side", "");
+    LineLayer borders =
+        newLines("borders", "borders of segments", "side", "/layout/segments/{of segment}/sides/{side}");
     for (std::size_t k = 0; k < layout.segments.size(); ++k) {
         const Segment& segment = layout.segments[k];
         for (const FaceId face : segment.faces)
@@ -42,9 +43,8 @@ void addSegments(Scene& scene, const QuadMesh& mesh, const Layout& layout) {
         for (std::size_t side = 0; side < 4; ++side) {
             addFigure(faces.items, "corner " + std::to_string(side), segment.corners[side].idx());
             addPath(borders, segment.sides[side]);
-            borders.items.pointers.push_back("/layout/segments/" + std::to_string(k) + "/sides/" +
-                                             std::to_string(side));
             addFigure(borders.items, "of segment", static_cast<double>(k));
+            addFigure(borders.items, "side", static_cast<double>(side));
         }
     }
     faces.colours = colourNumbers(layout.segments.size(), neighbouringSegments(mesh, faces.groups));

@@ -1,5 +1,4 @@
 #include "mesh/topology.h"
-#include "view/items.h"
 #include "view/layers.h"
 
 #include <cmath>
@@ -19,29 +18,28 @@ void addEdges(Scene& scene, const QuadMesh& mesh, const std::vector<double>& dih
         addFigure(edges.items, "dihedral angle, degrees",
                   dihedralAngles[static_cast<std::size_t>(edge.idx())] * 180 / std::numbers::pi);
     }
+    for (Column& column : edges.items.columns)
+        column.rough = true;
     scene.lines.push_back(std::move(edges));
 }
 
 } // namespace
 
-void appendPosition(std::vector<float>& positions, const Point& point, const Point& centre) {
-    for (unsigned k = 0; k < 3; ++k)
-        positions.push_back(static_cast<float>(point[k] - centre[k]));
-}
-
 void addMesh(Scene& scene, const Viewed& viewed, const Point& centre) {
     const QuadMesh& mesh = viewed.mesh;
-    Shell& shell = scene.shells[static_cast<std::size_t>(Base::mesh)];
     for (const VertexId vertex : mesh.vertices())
-        appendPosition(shell.positions, mesh.point(vertex), centre);
-    for (const FaceId face : mesh.faces()) {
+        appendPosition(scene.mesh.positions, mesh.point(vertex), centre);
+    for (const FaceId face : mesh.faces())
         for (const VertexId vertex : mesh.fv_range(face))
-            shell.quads.push_back(static_cast<std::uint32_t>(vertex.idx()));
-        shell.faces.push_back(static_cast<std::uint32_t>(face.idx()));
-    }
+            scene.mesh.quads.push_back(static_cast<std::uint32_t>(vertex.idx()));
     FaceLayer faces;
     faces.name = "mesh";
     faces.title = "mesh";
+    scene.faces.push_back(faces);
+    // Stripes on the mesh are called like those on the surfaces, unless both are there.
+    faces.name = viewed.surfaces == nullptr ? "zebra" : "mesh-zebra";
+    faces.title = viewed.surfaces == nullptr ? "zebra stripes" : "zebra stripes on the mesh";
+    faces.paint = Paint::stripes;
     scene.faces.push_back(std::move(faces));
     addEdges(scene, mesh, viewed.dihedralAngles);
 }

@@ -34,37 +34,51 @@ std::string filledIn(std::string_view frame, const std::string& sceneJson) {
     return page;
 }
 
-/// At most one of the layers may colour the faces: the others would hide behind it.
-void requireLayers(const Scene& scene, const std::vector<std::string>& shown) {
-    std::string known;
-    std::string faces;
-    const auto find = [&](const auto& layers, const std::string& name) {
-        return std::any_of(layers.begin(), layers.end(),
-                           [&](const auto& layer) { return layer.name == name; });
-    };
-    const auto list = [&known](const auto& layers) {
+template <class Layers> bool has(const Layers& layers, const std::string& name) {
+    return std::any_of(layers.begin(), layers.end(), [&](const auto& layer) { return layer.name == name; });
+}
+
+/// The names of all layers, each once.
+std::string namesOf(std::span<const Scene> scenes) {
+    std::vector<std::string> names;
+    const auto list = [&names](const auto& layers) {
         for (const auto& layer : layers)
-            known += (known.empty() ? "" : ", ") + layer.name;
+            if (std::find(names.begin(), names.end(), layer.name) == names.end()) names.push_back(layer.name);
     };
+    for (const Scene& scene : scenes) {
+        list(scene.faces);
+        list(scene.lines);
+        list(scene.points);
+    }
+    std::string text;
+    for (const std::string& name : names)
+        text += (text.empty() ? "" : ", ") + name;
+    return text;
+}
+
+/// At most one of the layers may colour the faces: the others would hide behind it.
+void requireLayers(std::span<const Scene> scenes, const std::vector<std::string>& shown) {
+    std::string faces;
     for (const std::string& name : shown) {
-        const bool colours = find(scene.faces, name);
+        const bool colours = std::any_of(scenes.begin(), scenes.end(),
+                                         [&](const Scene& scene) { return has(scene.faces, name); });
+        const bool draws = std::any_of(scenes.begin(), scenes.end(), [&](const Scene& scene) {
+            return has(scene.lines, name) || has(scene.points, name);
+        });
         if (colours && !faces.empty())
             throw Error("", "layers " + faces + " and " + name + " both colour the faces",
                         "Show one of them");
         if (colours) faces = name;
-        if (colours || find(scene.lines, name) || find(scene.points, name)) continue;
-        list(scene.faces);
-        list(scene.lines);
-        list(scene.points);
-        throw Error("", "there is no layer " + name, "This document has " + known);
+        if (!colours && !draws)
+            throw Error("", "there is no layer " + name, "What is shown has " + namesOf(scenes));
     }
 }
 
 } // namespace
 
-std::string printPage(const Scene& scene, const PageOptions& options) {
-    requireLayers(scene, options.shown);
-    return filledIn(part("page.html"), sceneJson(scene, options));
+std::string printPage(std::span<const Scene> scenes, const PageOptions& options) {
+    requireLayers(scenes, options.shown);
+    return filledIn(part("page.html"), sceneJson(scenes, options));
 }
 
 } // namespace qm

@@ -13,44 +13,84 @@ namespace qm {
 /// Where the points of a layer lie.
 enum class Base {
     mesh,     ///< the mesh's vertices, by their index
-    surfaces, ///< samples of the fitted surfaces
-    net       ///< control points
+    surfaces, ///< a lattice on every fitted surface
+    net,      ///< control points
+    knots     ///< the lines on the surfaces at which a knot lies
 };
-constexpr std::size_t baseCount = 3;
 
-/// The points of a base, and the quads between them.
+/// The mesh: its points and quads.
 struct Shell {
     std::vector<float> positions;     ///< x, y, z of every point, about the scene's centre
-    std::vector<float> normals;       ///< unit vectors at the points; empty: every quad is flat
-    std::vector<std::uint32_t> quads; ///< four points each
-    std::vector<std::uint32_t> faces; ///< of the mesh, one for every quad
+    std::vector<std::uint32_t> quads; ///< four points each, in the order of the faces
+};
+
+/// The fitted surfaces, which whoever shows them evaluates: all but `Base::mesh` is made of them. The points
+/// of `Base::surfaces` are, patch by patch and row by row along u, those at all multiples of 1 / steps.
+struct FittedPatches {
+    std::vector<std::array<int, 2>> degrees;
+    std::vector<std::array<int, 2>> counts; ///< control points along u and v
+    std::vector<std::array<std::vector<double>, 2>> knots;
+    std::vector<float> controlPoints; ///< x, y, z of those of all patches, about the scene's centre
+    std::vector<std::uint32_t> faces; ///< mesh faces below all patches, row by row
+    std::size_t steps = 1;            ///< of the lattice, for every mesh edge
 };
 
 /// A figure of every item of a layer; NaN where there is nothing to say.
 struct Column {
     std::string name; ///< as users read it, with its unit
     std::vector<float> values;
+    bool rough = false; ///< none is negative, and four digits of the largest will do
 };
 
 /// What can be pointed at, numbered from 0 as in the document.
 struct Items {
     std::string noun; ///< "separatrix"
-    /// JSON pointer of item 0, 1, ... without its number: "/baseComplex/separatrices/"; may be empty.
+    /// JSON pointer of item 0, 1, ... without its number: "/baseComplex/separatrices/". Where items are not
+    /// numbered like that, figures stand in braces: "/layout/segments/{of segment}/sides/{side}". May be
+    /// empty.
     std::string pointer;
-    std::vector<std::string> pointers; ///< those of all items, where they are not that regular; may be empty
     std::size_t count = 0;
     std::vector<Column> columns;
+};
+
+/// How a layer's figures become colours.
+enum class Scale {
+    none,
+    rising,  ///< from 0 to what all but the largest figures keep to
+    centred, ///< the same on both sides of 0
+    verdict  ///< within half of the limit, within the limit, or beyond it
+};
+
+/// Figures that are shown as colours.
+struct Mapped {
+    Scale scale = Scale::none;
+    /// A figure at every point; if empty, what `source` names.
+    std::vector<float> values;
+    /// A layer whose values these are too; a column of the items; or "mean curvature" or "Gauss curvature" of
+    /// the surfaces.
+    std::string source;
+    std::string quantity; ///< "distance from the reference"
+    std::string unit;     ///< "mm"
+    double limit = 0;     ///< beyond which a figure is not what it should be; 0: there is none
+};
+
+enum class Paint {
+    plain,  ///< one colour
+    items,  ///< the colours of items
+    mapped, ///< by figures
+    stripes ///< reflections of stripes, smooth where the surface is
 };
 
 struct FaceLayer {
     std::string name;  ///< as --show knows it
     std::string title; ///< as people read it
     Base base = Base::mesh;
-    std::vector<std::uint32_t> groups;  ///< item of every quad, or `noItem`; empty: the quads are all alike
+    Paint paint = Paint::plain;
+    std::vector<std::uint32_t>
+        groups; ///< item of every face of the mesh, or `noItem`; of patches it is known
     std::vector<std::uint32_t> colours; ///< of every item, a number below `colourCount`
-    std::vector<float> values;          ///< a figure at every point, shown as a colour map; may be empty
-    double scale = 0;                   ///< the end of the colour map, which begins at 0
-    std::string unit;                   ///< of the figure, for the scale
+    Mapped mapped;
+    std::string itemsOf; ///< a layer whose items these are too; else empty
     Items items;
 };
 
@@ -58,8 +98,10 @@ struct LineLayer {
     std::string name;
     std::string title;
     Base base = Base::mesh;
-    std::vector<std::uint32_t> starts; ///< where every item begins in `points`, and the end of the last
+    /// Where every item begins in `points`, and the end of the last; nets and knots need neither.
+    std::vector<std::uint32_t> starts;
     std::vector<std::uint32_t> points; ///< along each item
+    Mapped mapped;
     Items items;
 };
 
@@ -78,7 +120,8 @@ struct Scene {
     std::string kind;                                    ///< of the document
     std::vector<std::pair<std::string, double>> figures; ///< of the whole document
     double radius = 1;                                   ///< of a ball about the centre with everything in it
-    std::array<Shell, baseCount> shells;
+    Shell mesh;
+    FittedPatches patches;
     std::vector<std::int32_t> subMeshOfVertex; ///< empty if there is no cut
     std::vector<FaceLayer> faces;              ///< one of them is seen at a time
     std::vector<LineLayer> lines;

@@ -1,37 +1,56 @@
 #include "view/scene_json.h"
 
 #include "view/base64.h"
+#include "view/number_bytes.h"
 
 #include <nlohmann/json.hpp>
 
-#include <bit>
-#include <cstring>
-#include <type_traits>
+#include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace qm {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// {"float32" | "uint32" | "int32": base64 of little-endian numbers}
-template <class Number> Json array(const std::vector<Number>& values) {
-    static_assert(sizeof(Number) == 4);
-    static_assert(std::endian::native == std::endian::little, "pages hold little-endian numbers");
-    constexpr const char* type = std::is_floating_point_v<Number> ? "float32"
-                                 : std::is_signed_v<Number>       ? "int32"
-                                                                  : "uint32";
-    const std::string_view bytes(reinterpret_cast<const char*>(values.data()),
-                                 values.size() * sizeof(Number));
-    return {{type, base64(bytes)}};
+/// {"float32": base64}
+Json array(const std::vector<float>& values) {
+    return {{"float32", base64(floatBytes(values))}};
+}
+
+/// {"uint32" | "int32": base64 of differences}
+Json array(const std::vector<std::uint32_t>& values) {
+    return {{"uint32", base64(differenceBytes({values.begin(), values.end()}))}};
+}
+Json array(const std::vector<std::int32_t>& values) {
+    return {{"int32", base64(differenceBytes({values.begin(), values.end()}))}};
+}
+
+/// Figures that one only looks at: {"uint16": base64, "unit": what 1 of them is}
+Json roughArray(const std::vector<float>& values) {
+    const RoughNumbers rough = roughNumbers(values);
+    return {{"uint16", base64(rough.bytes)}, {"unit", rough.unit}};
+}
+
+/// Numbers of vertices and the like are whole.
+Json columnValues(const std::vector<float>& values) {
+    std::vector<std::int32_t> whole;
+    for (const float value : values) {
+        if (!(std::abs(value) < 1e7F) || value != std::floor(value)) return array(values);
+        whole.push_back(static_cast<std::int32_t>(value));
+    }
+    return array(whole);
 }
 
 Json itemsJson(const Items& items) {
     Json columns = Json::array();
     for (const Column& column : items.columns)
-        columns.push_back({{"name", column.name}, {"values", array(column.values)}});
+        columns.push_back(
+            {{"name", column.name},
+             {"values", column.rough ? roughArray(column.values) : columnValues(column.values)}});
     Json json = {{"noun", items.noun}, {"count", items.count}, {"columns", std::move(columns)}};
     if (!items.pointer.empty()) json["pointer"] = items.pointer;
-    if (!items.pointers.empty()) json["pointers"] = items.pointers;
     return json;
 }
 
@@ -43,23 +62,43 @@ template <class Layer> Json layerJson(const Layer& layer) {
             {"items", itemsJson(layer.items)}};
 }
 
+Json mappedJson(const Mapped& mapped) {
+    constexpr std::array scales{"none", "rising", "centred", "verdict"};
+    Json json = {{"scale", scales.at(static_cast<std::size_t>(mapped.scale))},
+                 {"quantity", mapped.quantity},
+                 {"unit", mapped.unit},
+                 {"limit", mapped.limit}};
+    if (mapped.values.empty())
+        json["source"] = mapped.source;
+    else
+        json["values"] = roughArray(mapped.values);
+    return json;
+}
+
 Json json(const FaceLayer& layer) {
+    constexpr std::array paints{"plain", "items", "mapped", "stripes"};
     Json result = layerJson(layer);
-    if (!layer.groups.empty()) {
-        result["groups"] = array(layer.groups);
-        result["colours"] = layer.colours;
-    }
-    if (!layer.values.empty()) {
-        result["values"] = array(layer.values);
-        result["scale"] = layer.scale;
-        result["unit"] = layer.unit;
-    }
+    result["paint"] = paints.at(static_cast<std::size_t>(layer.paint));
+    if (!layer.groups.empty()) result["groups"] = array(layer.groups);
+    if (!layer.colours.empty()) result["colours"] = layer.colours;
+    if (layer.mapped.scale != Scale::none) result["mapped"] = mappedJson(layer.mapped);
+    if (!layer.itemsOf.empty()) result["itemsOf"] = layer.itemsOf;
     return result;
+}
+
+/// All items have as many points.
+bool isRegular(const LineLayer& layer) {
+    const std::size_t each = layer.points.size() / std::max<std::size_t>(layer.items.count, 1);
+    for (std::size_t k = 0; k < layer.starts.size(); ++k)
+        if (layer.starts[k] != k * each) return false;
+    return true;
 }
 
 Json json(const LineLayer& layer) {
     Json result = layerJson(layer);
-    result["starts"] = array(layer.starts);
+    if (layer.mapped.scale != Scale::none) result["mapped"] = mappedJson(layer.mapped);
+    if (layer.starts.empty()) return result;
+    if (!isRegular(layer)) result["starts"] = array(layer.starts);
     result["points"] = array(layer.points);
     return result;
 }
@@ -70,12 +109,13 @@ Json json(const PointLayer& layer) {
     return result;
 }
 
-Json json(const Shell& shell) {
-    return {{"positions", array(shell.positions)},
-            {"normals", array(shell.normals)},
-            {"quads", array(shell.quads)},
-            {"faces", array(shell.faces)}};
+Json json(const FittedPatches& patches) {
+    return {{"degrees", patches.degrees},    {"counts", patches.counts},
+            {"knots", patches.knots},        {"controlPoints", array(patches.controlPoints)},
+            {"faces", array(patches.faces)}, {"steps", patches.steps}};
 }
+
+Json json(const Scene& scene);
 
 template <class Values> Json list(const Values& values) {
     Json result = Json::array();
@@ -84,25 +124,32 @@ template <class Values> Json list(const Values& values) {
     return result;
 }
 
-} // namespace
-
-std::string sceneJson(const Scene& scene, const PageOptions& options) {
+Json json(const Scene& scene) {
     Json figures = Json::array();
     for (const auto& [name, value] : scene.figures)
         figures.push_back({name, value});
-    const Json root = {{"title", scene.title},
-                       {"kind", scene.kind},
-                       {"figures", std::move(figures)},
-                       {"radius", scene.radius},
+    return {{"title", scene.title},
+            {"kind", scene.kind},
+            {"figures", std::move(figures)},
+            {"radius", scene.radius},
+            {"mesh", {{"positions", array(scene.mesh.positions)}, {"quads", array(scene.mesh.quads)}}},
+            {"patches", json(scene.patches)},
+            {"subMeshOfVertex", array(scene.subMeshOfVertex)},
+            {"faces", list(scene.faces)},
+            {"lines", list(scene.lines)},
+            {"points", list(scene.points)},
+            {"shown", scene.shown}};
+}
+
+} // namespace
+
+std::string sceneJson(std::span<const Scene> scenes, const PageOptions& options) {
+    const Json root = {{"scenes", list(scenes)},
+                       {"shown", options.shown},
                        {"from", options.from},
                        {"up", options.up},
-                       {"still", options.still},
-                       {"shells", list(scene.shells)},
-                       {"subMeshOfVertex", array(scene.subMeshOfVertex)},
-                       {"faces", list(scene.faces)},
-                       {"lines", list(scene.lines)},
-                       {"points", list(scene.points)},
-                       {"shown", options.shown.empty() ? scene.shown : options.shown}};
+                       {"section", {{"axis", options.section.axis}, {"share", options.section.share}}},
+                       {"still", options.still}};
     std::string text = root.dump(-1, ' ', false, Json::error_handler_t::replace);
     // Of what could end a script's element, or change how it is read, all begins so.
     for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at))

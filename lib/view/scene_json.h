@@ -1,13 +1,14 @@
-/// \file A scene as the page's script reads it: JSON, with arrays of numbers in base64.
+/// \file Scenes as the page's script reads them: JSON, with arrays of numbers in base64.
 #pragma once
 
 #include "view/page.h"
 
+#include <span>
 #include <string>
 
 namespace qm {
 
 /// Holds no "<", so that it may stand inside an element of a page.
-[[nodiscard]] std::string sceneJson(const Scene& scene, const PageOptions& options);
+[[nodiscard]] std::string sceneJson(std::span<const Scene> scenes, const PageOptions& options);
 
 } // namespace qm

@@ -1,9 +1,6 @@
-#include "base/parallel.h"
-#include "bspline/measure/mesh_distance.h"
-#include "bspline/splines/evaluate.h"
-#include "view/items.h"
+#include "bspline/network/smooth_network.h"
 #include "view/layers.h"
-#include "view/sampled_patch.h"
+#include "view/surface_samples.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,129 +8,178 @@
 namespace qm {
 namespace {
 
-/// What the figures of patches are called, and where they stand.
 void addPatchFigures(Items& items, const Patch& patch) {
     addFigure(items, "control points along u", patch.count[0]);
     addFigure(items, "control points along v", patch.count[1]);
 }
 
-void addDeviationFigures(Items& items, const Deviation& deviation) {
-    addFigure(items, "largest deviation", deviation.max);
-    addFigure(items, "deviation, root mean square", deviation.rms);
-    addFigure(items, "largest gap", deviation.largestGap);
+void addDeviationFigures(Items& items, const Deviation& deviation, const std::string& unit) {
+    addFigure(items, "largest deviation, " + unit, deviation.max);
+    addFigure(items, "deviation, root mean square, " + unit, deviation.rms);
+    addFigure(items, "largest gap, " + unit, deviation.largestGap);
     addFigure(items, "largest angle between normals, degrees", deviation.largestNormalAngle);
 }
 
-/// Appends a patch's samples to the shell.
-void appendSamples(Shell& shell, const SampledPatch& patch, const Segment& segment, const Point& centre) {
-    const auto first = static_cast<std::uint32_t>(shell.positions.size() / 3);
-    for (const SurfacePoint& point : patch.points) {
-        appendPosition(shell.positions, point.position, centre);
-        appendPosition(shell.normals, unitNormal(point.du, point.dv), {0, 0, 0});
-    }
-    const auto width = static_cast<std::uint32_t>(patch.width);
-    const auto steps = static_cast<std::uint32_t>(patch.steps);
-    const auto columns = static_cast<std::uint32_t>(segment.size[0]);
-    for (std::uint32_t j = 0; j + 1 < patch.height; ++j)
-        for (std::uint32_t i = 0; i + 1 < width; ++i) {
-            const std::uint32_t corner = first + j * width + i;
-            shell.quads.insert(shell.quads.end(), {corner, corner + 1, corner + width + 1, corner + width});
-            shell.faces.push_back(
-                static_cast<std::uint32_t>(segment.faces[j / steps * columns + i / steps].idx()));
-        }
-}
-
-/// Adds the four sides of a patch, walking round it.
-void addCurves(LineLayer& curves, const SampledPatch& patch, std::uint32_t first, std::size_t number) {
-    const std::size_t across = patch.width - 1;
-    const std::size_t up = patch.height - 1;
-    const auto add = [&](std::size_t side, std::size_t length, auto&& place) {
-        for (std::size_t k = 0; k <= length; ++k)
-            curves.points.push_back(first + static_cast<std::uint32_t>(place(k)));
-        endItem(curves);
-        addFigure(curves.items, "of patch", static_cast<double>(number));
-        addFigure(curves.items, "side", static_cast<double>(side));
-    };
-    add(0, across, [&](std::size_t k) { return k; });
-    add(1, up, [&](std::size_t k) { return k * patch.width + across; });
-    add(2, across, [&](std::size_t k) { return up * patch.width + across - k; });
-    add(3, up, [&](std::size_t k) { return (up - k) * patch.width; });
-}
-
-void addNet(Scene& scene, const std::vector<Patch>& patches, const Point& centre) {
-    Shell& shell = scene.shells[static_cast<std::size_t>(Base::net)];
-    LineLayer net = newLines("net", "control nets", "control net of patch", "/surfaces/patches/");
-    net.base = Base::net;
-    for (const Patch& patch : patches) {
-        const auto first = static_cast<std::uint32_t>(shell.positions.size() / 3);
+FittedPatches fittedPatches(const Viewed& viewed, const Point& centre) {
+    FittedPatches fitted;
+    fitted.steps = latticeSteps(viewed.mesh.n_faces());
+    for (const Patch& patch : viewed.surfaces->patches) {
+        fitted.degrees.push_back(patch.degree);
+        fitted.counts.push_back(patch.count);
+        fitted.knots.push_back(patch.knots);
         for (const Point& point : patch.controlPoints)
-            appendPosition(shell.positions, point, centre);
-        // One line that runs along every row and comes back along every column.
-        const int columns = patch.count[0], rows = patch.count[1];
-        const auto visit = [&](int i, int j) {
-            net.points.push_back(first + static_cast<std::uint32_t>(j * columns + i));
-        };
-        for (int j = 0; j < rows; ++j)
-            for (int i = 0; i < columns; ++i)
-                visit(j % 2 == 0 ? i : columns - 1 - i, j);
-        const bool right = rows % 2 == 1;
-        for (int i = 0; i < columns; ++i)
-            for (int j = 0; j < rows; ++j)
-                visit(right ? columns - 1 - i : i, i % 2 == 0 ? rows - 1 - j : j);
-        endItem(net);
-        addPatchFigures(net.items, patch);
+            appendPosition(fitted.controlPoints, point, centre);
     }
-    scene.lines.push_back(std::move(net));
+    for (const Segment& segment : viewed.layout->segments)
+        for (const FaceId face : segment.faces)
+            fitted.faces.push_back(static_cast<std::uint32_t>(face.idx()));
+    return fitted;
 }
 
-FaceLayer surfaceLayer(const char* name, const char* title, const Scene& scene) {
-    const auto segments = std::find_if(scene.faces.begin(), scene.faces.end(),
-                                       [](const FaceLayer& layer) { return layer.name == "segments"; });
+/// The lattice on all patches, whose points are numbered throughout.
+class Lattice {
+public:
+    Lattice(const std::vector<Segment>& segments, std::size_t steps) : steps_(steps) {
+        std::size_t first = 0;
+        for (const Segment& segment : segments) {
+            parts_.push_back({first, segment.size});
+            first += width(segment.size[0]) * width(segment.size[1]);
+        }
+    }
+
+    /// \param along  mesh edges from the beginning of the side, walking round the patch, times `steps`
+    [[nodiscard]] std::uint32_t onSide(std::size_t patch, int side, std::size_t along) const {
+        const auto& [first, size] = parts_[patch];
+        const std::size_t right = width(size[0]) - 1, top = width(size[1]) - 1;
+        const std::array<std::array<std::size_t, 2>, 4> places{
+            {{along, 0}, {right, along}, {right - along, top}, {0, top - along}}};
+        const auto& [i, j] = places.at(static_cast<std::size_t>(side));
+        return static_cast<std::uint32_t>(first + j * (right + 1) + i);
+    }
+    [[nodiscard]] std::size_t steps() const { return steps_; }
+
+private:
+    [[nodiscard]] std::size_t width(int edges) const { return static_cast<std::size_t>(edges) * steps_ + 1; }
+
+    struct Part {
+        std::size_t first;
+        std::array<int, 2> size;
+    };
+    std::vector<Part> parts_;
+    std::size_t steps_;
+};
+
+/// The four sides of every patch.
+LineLayer borderCurves(const std::vector<Segment>& segments, const Lattice& lattice) {
+    LineLayer curves = newLines("curves", "borders of patches", "border", "");
+    curves.base = Base::surfaces;
+    for (std::size_t k = 0; k < segments.size(); ++k)
+        for (int side = 0; side < 4; ++side) {
+            const auto edges = static_cast<std::size_t>(segments[k].size[static_cast<std::size_t>(side % 2)]);
+            for (std::size_t along = 0; along <= edges * lattice.steps(); ++along)
+                curves.points.push_back(lattice.onSide(k, side, along));
+            endItem(curves);
+            addFigure(curves.items, "of patch", static_cast<double>(k));
+            addFigure(curves.items, "side", side);
+        }
+    return curves;
+}
+
+/// The smooth borders, each as long as a mesh edge.
+LineLayer smoothBorders(const Viewed& viewed, const Lattice& lattice, const BorderMarks& marks) {
+    constexpr double limit = 1; // degree, as in qm-summary
+    LineLayer jumps = newLines("jumps", "normal jump across smooth borders", "piece of a smooth border", "");
+    jumps.base = Base::surfaces;
+    jumps.mapped = {Scale::rising,           {},       "angle between normals, degrees",
+                    "angle between normals", "\u00b0", limit};
+    const auto borders = borderEdges(viewed.mesh, *viewed.layout);
+    const auto angles = normalJumps(viewed.mesh, *viewed.layout, viewed.surfaces->patches, borders, marks);
+    for (std::size_t k = 0; k < borders.size(); ++k) {
+        if (std::isnan(angles[k])) continue;
+        const BorderPlace& place = borders[k].places.front();
+        const auto begin = static_cast<std::size_t>(place.position) * lattice.steps();
+        for (std::size_t along = begin; along <= begin + lattice.steps(); ++along)
+            jumps.points.push_back(lattice.onSide(place.patch, place.side, along));
+        endItem(jumps);
+        addFigure(jumps.items, "between patch", static_cast<double>(place.patch));
+        addFigure(jumps.items, "and patch", static_cast<double>(borders[k].places.back().patch));
+        addFigure(jumps.items, "angle between normals, degrees", angles[k]);
+        jumps.items.columns.back().rough = true;
+    }
+    return jumps;
+}
+
+FaceLayer surfaceLayer(const std::string& name, const std::string& title, Paint paint, Mapped mapped = {}) {
     FaceLayer layer;
     layer.name = name;
     layer.title = title;
     layer.base = Base::surfaces;
-    for (const std::uint32_t face : scene.shells[static_cast<std::size_t>(Base::surfaces)].faces)
-        layer.groups.push_back(segments->groups[face]);
-    layer.colours = segments->colours;
+    layer.paint = paint;
+    layer.mapped = std::move(mapped);
+    layer.itemsOf = "surfaces";
+    return layer;
+}
+
+/// The layer whose items are the patches, coloured like the segments.
+FaceLayer patchLayer(const Scene& scene, const Viewed& viewed) {
+    FaceLayer layer = surfaceLayer("surfaces", "patches", Paint::items);
+    layer.itemsOf.clear();
     layer.items.noun = "patch";
     layer.items.pointer = "/surfaces/patches/";
+    const std::vector<Patch>& patches = viewed.surfaces->patches;
+    layer.items.count = patches.size();
+    for (std::size_t k = 0; k < patches.size(); ++k) {
+        addPatchFigures(layer.items, patches[k]);
+        if (k < viewed.surfaces->ofPatch.size())
+            addDeviationFigures(layer.items, viewed.surfaces->ofPatch[k], viewed.unit);
+    }
+    for (const FaceLayer& faces : scene.faces)
+        if (faces.name == "segments") layer.colours = faces.colours;
     return layer;
+}
+
+/// Nets and knots are drawn of the patches themselves.
+LineLayer derivedLines(const char* name, const char* title, Base base, const char* noun) {
+    LineLayer lines;
+    lines.name = name;
+    lines.title = title;
+    lines.base = base;
+    lines.items.noun = noun;
+    return lines;
 }
 
 } // namespace
 
 void addSurfaces(Scene& scene, const Viewed& viewed, const Point& centre, unsigned jobs) {
-    const std::vector<Patch>& patches = viewed.surfaces->patches;
     const std::vector<Segment>& segments = viewed.layout->segments;
-    const auto samples = samplePatches(viewed.mesh, *viewed.layout, patches, jobs);
+    scene.patches = fittedPatches(viewed, centre);
+    const Lattice lattice(segments, scene.patches.steps);
+    const BorderMarks marks =
+        buildNetwork(viewed.mesh, *viewed.layout, viewed.dihedralAngles, viewed.rho).marks;
+    const auto distances = distancesFromReference(viewed.mesh, *viewed.layout, viewed.surfaces->patches,
+                                                  marks, scene.patches.steps, jobs);
 
-    Shell& shell = scene.shells[static_cast<std::size_t>(Base::surfaces)];
-    LineLayer curves = newLines("curves", "borders of patches", "border", "");
-    curves.base = Base::surfaces;
-    Items items;
-    std::vector<float> distances;
-    for (std::size_t k = 0; k < patches.size(); ++k) {
-        const auto first = static_cast<std::uint32_t>(shell.positions.size() / 3);
-        appendSamples(shell, samples[k], segments[k], centre);
-        addCurves(curves, samples[k], first, k);
-        for (const double distance : samples[k].distances)
-            distances.push_back(static_cast<float>(distance));
-        addPatchFigures(items, patches[k]);
-        if (k < viewed.surfaces->ofPatch.size()) addDeviationFigures(items, viewed.surfaces->ofPatch[k]);
-    }
-    FaceLayer faces = surfaceLayer("surfaces", "fitted surfaces", scene);
-    faces.items.columns = items.columns;
-    faces.items.count = patches.size();
-    FaceLayer deviation = surfaceLayer("deviation", "deviation of the surfaces", scene);
-    deviation.items = faces.items;
-    deviation.unit = "distance from the mesh";
-    deviation.scale = distances.empty() ? 0 : *std::max_element(distances.begin(), distances.end());
-    deviation.values = std::move(distances);
-    scene.faces.push_back(std::move(faces));
-    scene.faces.push_back(std::move(deviation));
-    scene.lines.push_back(std::move(curves));
-    addNet(scene, patches, centre);
+    const std::string distance = "distance from the mesh's smooth surface";
+    const auto add = [&scene](FaceLayer layer) { scene.faces.push_back(std::move(layer)); };
+    add(patchLayer(scene, viewed));
+    add(surfaceLayer("shaded", "shaded", Paint::plain));
+    add(surfaceLayer("zebra", "zebra stripes", Paint::stripes));
+    add(surfaceLayer("mean", "mean curvature", Paint::mapped,
+                     {Scale::centred, {}, "mean curvature", "mean curvature", "1/" + viewed.unit}));
+    add(surfaceLayer(
+        "gauss", "Gauss curvature", Paint::mapped,
+        {Scale::centred, {}, "Gauss curvature", "Gauss curvature", "1/" + viewed.unit + "\u00b2"}));
+    Mapped deviation{Scale::rising,   {distances.begin(), distances.end()}, "", distance, viewed.unit,
+                     viewed.tolerance};
+    add(surfaceLayer("deviation", "deviation", Paint::mapped, std::move(deviation)));
+    if (viewed.tolerance > 0)
+        add(surfaceLayer("tolerance", "within the tolerance or not", Paint::mapped,
+                         {Scale::verdict, {}, "deviation", distance, viewed.unit, viewed.tolerance}));
+
+    scene.lines.push_back(borderCurves(segments, lattice));
+    scene.lines.push_back(smoothBorders(viewed, lattice, marks));
+    scene.lines.push_back(derivedLines("net", "control nets", Base::net, "control net"));
+    scene.lines.push_back(derivedLines("knots", "knot lines", Base::knots, "knot line"));
 }
 
 } // namespace qm

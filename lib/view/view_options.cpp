@@ -22,6 +22,19 @@ std::vector<std::string> split(const std::string& text, char mark) {
 
 } // namespace
 
+std::string joinedNames(std::span<const char* const> names) {
+    std::string text;
+    for (const char* name : names)
+        text += (text.empty() ? "" : ", ") + std::string(name);
+    return text;
+}
+
+std::vector<std::string> allLayerNames() {
+    std::vector<std::string> names(faceLayerNames.begin(), faceLayerNames.end());
+    names.insert(names.end(), lineLayerNames.begin(), lineLayerNames.end());
+    return names;
+}
+
 std::vector<std::string> parseNames(const std::string& text) {
     std::vector<std::string> names;
     for (std::string& name : split(text, ','))
@@ -38,6 +51,20 @@ std::array<double, 3> parseDirection(const std::string& text) {
     if (!sound || std::hypot(direction[0], direction[1], direction[2]) == 0)
         throw Error("", "'" + text + "' is no direction", "Give three numbers, such as 1,-1,0.5");
     return direction;
+}
+
+Section parseSection(const std::string& text) {
+    Section section;
+    if (text.empty()) return section;
+    const auto parts = split(text, ':');
+    const std::string axes = "xyz";
+    section.axis = parts[0].size() == 1 ? static_cast<int>(axes.find(parts[0])) : -1;
+    if (section.axis < 0 || parts.size() > 2 ||
+        (parts.size() == 2 && !parseNumber(parts[1], section.share)) ||
+        !(section.share >= 0 && section.share <= 1))
+        throw Error("", "'" + text + "' is no section",
+                    "Give an axis and a share of the extent, such as x:0.5");
+    return section;
 }
 
 PictureSize parseSize(const std::string& text) {

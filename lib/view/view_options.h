@@ -4,10 +4,16 @@
 #include "view/page.h"
 
 #include <array>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace qm {
+
+/// "mesh, segments".
+[[nodiscard]] std::string joinedNames(std::span<const char* const> names);
+/// Those of faces, lines and points.
+[[nodiscard]] std::vector<std::string> allLayerNames();
 
 /// "segments,borders" as a list.
 [[nodiscard]] std::vector<std::string> parseNames(const std::string& text);
@@ -15,6 +21,10 @@ namespace qm {
 /// "1,-1.5,0.9" as a direction.
 /// \throw Error  if it is not three numbers, or all are zero
 [[nodiscard]] std::array<double, 3> parseDirection(const std::string& text);
+
+/// "x", "y" or "z" with a share of the extent, such as "x:0.5"; empty: no section.
+/// \throw Error  if it is neither
+[[nodiscard]] Section parseSection(const std::string& text);
 
 struct PictureSize {
     int width = 1200;

@@ -21,8 +21,8 @@ patches() { field '.surfaces.patches | length' "$(stage surfaces "$1")"; }
     printf '%s\n' 'v 0 0 0' 'v 1 0 0' 'v 1 1 0' 'v 0 1 0' 'v 5 0 0' 'v 6 0 0' 'v 6 1 0' 'v 5 1 0' 'f 1 2 3 4' 'f 5 6 7 8' >two.obj
     qm-basecomplex -q two.obj | qm-features | qm-cut | qm-enum -q | qm-merge -q | qm-bspline --tolerance 0.5% | qm-export --format step >two.step
     run grep -o "PRODUCT('[^']*'" two.step
-    assert_output "PRODUCT('quadmesh 1'
-PRODUCT('quadmesh 2'"
+    assert_output "PRODUCT('two 1'
+PRODUCT('two 2'"
     assert_equal "$(grep -c "ADVANCED_FACE('segment " two.step)" 2
 }
 
@@ -124,4 +124,30 @@ PRODUCT('quadmesh 2'"
     misused qm-export "$(stage surfaces block)" -o block.xyz
     misused qm-export "$(stage surfaces block)" --format stl
     misused qm-export "$(stage surfaces block)" --format step --unit mile
+}
+
+@test "products are named by the mesh's file or by --name, whatever its letters" {
+    quietly qm-export "$(stage surfaces block)" -o part.step
+    grep -q "PRODUCT('block','block'" part.step
+    grep -q "^FILE_NAME('block','1970-01-01T00:00:00'" part.step
+    quietly qm-export --name "Öse 'a', left" "$(stage surfaces block)" -o part.step
+    grep -q "PRODUCT('\\\\X2\\\\00D6\\\\X0\\\\se ''a''\\\\X2\\\\002C\\\\X0\\\\ left'" part.step
+    quietly qm-export --name bolt "$(stage surfaces block)" -o part.igs
+    grep -q '4Hbolt' part.igs
+    misused qm-export --name bolt "$(stage layout block)" -o part.obj
+}
+
+@test "files have the date that is asked for, and none of their own" {
+    quietly qm-export --date 2026-11-22 "$(stage surfaces block)" -o part.step
+    grep -q "^FILE_NAME('block','2026-11-22T00:00:00'" part.step
+    quietly qm-export --date 2026-11-22T10:20:30 "$(stage surfaces block)" -o part.igs
+    grep -q '20261122.102030' part.igs
+    cp "$(sample block)" block.obj
+    touch -d '2020-02-29 12:34:56 UTC' block.obj
+    quietly qm-export --date mesh --mesh block.obj "$(stage surfaces block)" -o part.step
+    grep -q "'2020-02-29T12:34:56'" part.step
+    for date in today 2026-13-01 2026-02-30 2026-01-01T25:00:00 26-1-1 2026-01-01T; do
+        misused qm-export --date "$date" "$(stage surfaces block)" -o part.step
+    done
+    misused qm-export --date 2026-11-22 "$(stage layout block)" -o part.obj
 }

@@ -45,12 +45,42 @@ config() { if [[ $QM_BIN == */build/*/bin ]]; then basename "$(dirname "$QM_BIN"
     done
 }
 
-@test "completion offers the options of a tool" {
-    run bash -c "source '$BATS_FILE_TMPDIR/root/usr/share/bash-completion/completions/qm-cut'
-        COMP_WORDS=(qm-cut --ch); COMP_CWORD=1
-        _quadmesh qm-cut --ch qm-cut
+# completed WORD...: what bash offers for the last of the words.
+completed() {
+    bash -c "source '$BATS_FILE_TMPDIR/root/usr/share/bash-completion/completions/$1'
+        COMP_WORDS=($*); COMP_CWORD=$(($# - 1))
+        _quadmesh $1 '${!#}' '${*: -2:1}'
         printf '%s\n' \"\${COMPREPLY[@]}\""
+}
+
+@test "completion offers options, choices, layers and shapes" {
+    run completed qm-cut --ch
     assert_line -- --chi
+    run completed qm-enum --method pl
+    assert_output plain
+    run completed qm-view --show segments,bor
+    assert_output segments,borders
+    run completed qm-shape bra
+    assert_output bracket
+}
+
+@test "completion for zsh and fish is whole and offers the same" {
+    local share=$BATS_FILE_TMPDIR/root/usr/share tool
+    for tool in quadmesh $(all_tools); do
+        grep -q "^$tool)" "$share/zsh/site-functions/_quadmesh"
+        assert [ -s "$share/fish/vendor_completions.d/$tool.fish" ]
+    done
+    if command -v zsh >/dev/null; then zsh -n "$share/zsh/site-functions/_quadmesh"; fi
+    command -v fish >/dev/null || skip 'there is no fish'
+    run fish -c "source '$share/fish/vendor_completions.d/qm-view.fish'; complete -C 'qm-view --show segments,bor' | cut -f 1"
+    assert_output segments,borders
+    run fish -c "source '$share/fish/vendor_completions.d/qm-shape.fish'; complete -C 'qm-shape bra' | cut -f 1"
+    assert_output bracket
+}
+
+@test "the Debian package has the version of the program" {
+    run sed -n '1s/.*(\(.*\)).*/\1/p' "$ROOT/debian/changelog"
+    assert_output "$(cat "$ROOT/VERSION")"
 }
 
 @test "the installed pipeline finds the installed tools" {

@@ -5,6 +5,7 @@
 #include "support/grid_layout.h"
 #include "view/base64.h"
 #include "view/build_scene.h"
+#include "view/number_bytes.h"
 #include "view/page.h"
 #include "view/palette.h"
 #include "view/view_options.h"
@@ -27,13 +28,27 @@ struct Sheet {
     BaseComplex complex = buildBaseComplex(mesh);
     Features features;
     Surfaces surfaces = fitSurfaces(mesh, layout, angles, {});
+    double rho = 0.45;
 
     [[nodiscard]] Scene scene(unsigned jobs = 1) const {
-        return buildScene(
-            {"sheet", "surfaces", mesh, angles, complex, features, nullptr, nullptr, &layout, &surfaces},
-            jobs);
+        return buildScene({.title = "sheet",
+                           .kind = "surfaces",
+                           .mesh = mesh,
+                           .dihedralAngles = angles,
+                           .baseComplex = complex,
+                           .features = features,
+                           .layout = &layout,
+                           .surfaces = &surfaces,
+                           .tolerance = 0.02,
+                           .rho = rho,
+                           .unit = "cm"},
+                          jobs);
     }
 };
+
+std::string pageOf(const Scene& scene, const PageOptions& options = {}) {
+    return printPage({&scene, 1}, options);
+}
 
 template <class Layers> const auto& named(const Layers& layers, const std::string& name) {
     return *std::find_if(layers.begin(), layers.end(), [&](const auto& layer) { return layer.name == name; });
@@ -50,54 +65,117 @@ TEST(View, EveryQuadBelongsToItsSegment) {
     EXPECT_EQ(named(scene.lines, "borders").items.count, 12U);
 }
 
-TEST(View, SamplesLieOnThePatchesAndNameTheirFace) {
+TEST(View, PatchesTravelAsControlPointsAndKnots) {
+    const Sheet sample;
+    const FittedPatches patches = sample.scene().patches;
+    ASSERT_EQ(patches.counts.size(), 3U);
+    EXPECT_EQ(patches.controlPoints.size(), 3 * controlPointCount(sample.surfaces.patches));
+    EXPECT_EQ(patches.knots[1], sample.surfaces.patches[1].knots);
+    EXPECT_EQ(patches.faces.size(), 80U);
+}
+
+TEST(View, DeviationIsThatWhichTheToleranceIsAbout) {
     const Sheet sample;
     const Scene scene = sample.scene();
-    const Shell& shell = scene.shells[static_cast<std::size_t>(Base::surfaces)];
-    ASSERT_EQ(shell.quads.size(), 4 * shell.faces.size());
-    ASSERT_EQ(shell.faces.size() % 80, 0U) << "as many samples for every quad";
-    const Shell& mesh = scene.shells[static_cast<std::size_t>(Base::mesh)];
-    for (std::size_t k = 0; k < shell.faces.size(); ++k) {
-        Point sampled(0, 0, 0), quad(0, 0, 0);
-        for (std::size_t corner = 0; corner < 4; ++corner)
-            for (unsigned d = 0; d < 3; ++d) {
-                sampled[d] += shell.positions[3 * shell.quads[4 * k + corner] + d] / 4;
-                quad[d] += mesh.positions[3 * mesh.quads[4 * shell.faces[k] + corner] + d] / 4;
-            }
-        EXPECT_LT((sampled - quad).norm(), 0.8) << "inside the unit quad it belongs to";
+    const Mapped& deviation = named(scene.faces, "deviation").mapped;
+    const double largest = *std::max_element(deviation.values.begin(), deviation.values.end());
+    EXPECT_GT(largest, 0.5 * sample.surfaces.deviation.max);
+    EXPECT_LE(largest, sample.surfaces.deviation.max * 1.000001)
+        << "what is certified is no less than a sample";
+    EXPECT_EQ(deviation.limit, 0.02);
+    EXPECT_EQ(deviation.unit, "cm");
+    const FaceLayer& tolerance = named(scene.faces, "tolerance");
+    EXPECT_EQ(tolerance.mapped.source, "deviation");
+    EXPECT_EQ(tolerance.mapped.limit, 0.02);
+}
+
+TEST(View, NormalsAreComparedAcrossSmoothBordersOnly) {
+    const Sheet sample;
+    const Scene scene = sample.scene();
+    const LineLayer& jumps = named(scene.lines, "jumps");
+    // Between the segments run 10 edges along one line and 5 along another.
+    EXPECT_EQ(jumps.items.count, 15U);
+    for (const float angle : jumps.items.columns.back().values) {
+        EXPECT_GE(angle, 0);
+        EXPECT_LE(angle, sample.surfaces.deviation.largestNormalAngle + 1e-6);
     }
-    const FaceLayer& deviation = named(scene.faces, "deviation");
-    EXPECT_EQ(3 * deviation.values.size(), shell.positions.size());
-    EXPECT_LE(deviation.scale, 1.001 * sample.surfaces.deviation.max + 0.05);
-    EXPECT_GT(deviation.scale, 0);
+    Sheet creased;
+    creased.rho = 0;
+    const Scene others = creased.scene();
+    EXPECT_LT(named(others.lines, "jumps").items.count, 15U);
+}
+
+TEST(View, BordersOfPatchesRunOnTheirLattice) {
+    const Sheet sample;
+    const Scene scene = sample.scene();
+    const LineLayer& curves = named(scene.lines, "curves");
+    ASSERT_EQ(curves.items.count, 12U);
+    const auto side = [&](std::size_t item) {
+        return std::pair(curves.points[curves.starts[item]], curves.points[curves.starts[item + 1] - 1]);
+    };
+    for (std::size_t patch = 0; patch < 3; ++patch)
+        for (std::size_t k = 0; k < 4; ++k)
+            EXPECT_EQ(side(4 * patch + k).second, side(4 * patch + (k + 1) % 4).first) << "they close";
+    const std::size_t steps = scene.patches.steps;
+    EXPECT_EQ(curves.starts[1], 10 * steps + 1);
+    EXPECT_EQ(side(4).first, (10 * steps + 1) * (3 * steps + 1)) << "the second patch begins after the first";
+}
+
+TEST(View, StripesAreOnSurfacesAndMesh) {
+    const Scene scene = Sheet().scene();
+    EXPECT_EQ(named(scene.faces, "zebra").base, Base::surfaces);
+    EXPECT_EQ(named(scene.faces, "mesh-zebra").base, Base::mesh);
 }
 
 TEST(View, IsCentredAndDoesNotDependOnThreads) {
     const Sheet sample;
     const Scene scene = sample.scene();
-    for (const float coordinate : scene.shells[0].positions)
+    for (const float coordinate : scene.mesh.positions)
         EXPECT_LE(std::abs(coordinate), scene.radius);
-    EXPECT_EQ(printPage(scene, {}), printPage(sample.scene(3), {}));
+    EXPECT_EQ(pageOf(scene), pageOf(sample.scene(3)));
+}
+
+TEST(View, AllLayersAreKnownByName) {
+    const auto known = allLayerNames();
+    const auto expectKnown = [&](const auto& layers) {
+        for (const auto& layer : layers)
+            EXPECT_NE(std::find(known.begin(), known.end(), layer.name), known.end()) << layer.name;
+    };
+    const Scene scene = Sheet().scene();
+    expectKnown(scene.faces);
+    expectKnown(scene.lines);
+    expectKnown(scene.points);
+}
+
+TEST(View, TwoScenesNeedTheLayersOfEither) {
+    const Sheet sample;
+    std::vector<Scene> scenes = {sample.scene(), sample.scene()};
+    scenes[0].faces.resize(2); // mesh and stripes
+    PageOptions options;
+    options.shown = {"zebra"};
+    EXPECT_NO_THROW((void)printPage(scenes, options));
+    options.shown = {"cuts"};
+    EXPECT_THROW((void)printPage(scenes, options), Error);
 }
 
 TEST(View, ThePageIsWholeAndRefusesUnknownLayers) {
     const Scene scene = Sheet().scene();
-    const std::string page = printPage(scene, {});
+    const std::string page = pageOf(scene);
     EXPECT_TRUE(page.starts_with("<!doctype html>"));
     EXPECT_EQ(page.find("{{"), std::string::npos) << "every place is filled";
     PageOptions options;
     options.shown = {"segments", "net"};
-    EXPECT_NO_THROW((void)printPage(scene, options));
+    EXPECT_NO_THROW((void)pageOf(scene, options));
     options.shown = {"segments", "mesh"};
-    EXPECT_THROW((void)printPage(scene, options), Error);
+    EXPECT_THROW((void)pageOf(scene, options), Error);
     options.shown = {"cuts"};
-    EXPECT_THROW((void)printPage(scene, options), Error);
+    EXPECT_THROW((void)pageOf(scene, options), Error);
 }
 
 TEST(View, TitlesCannotEndTheScene) {
     Scene scene = Sheet().scene();
     scene.title = "</script><script>alert(1)</script>";
-    EXPECT_EQ(printPage(scene, {}).find("<script>alert"), std::string::npos);
+    EXPECT_EQ(pageOf(scene).find("<script>alert"), std::string::npos);
 }
 
 TEST(View, NeighboursDifferInColour) {
@@ -122,7 +200,22 @@ TEST(View, Base64IsTheStandards) {
     EXPECT_EQ(base64(large).find('='), base64(large).size() - 1 - (large.size() % 3 == 1 ? 1 : 0));
 }
 
+TEST(View, NumbersAreFewBytes) {
+    EXPECT_EQ(differenceBytes({0, -1, 0, 63, 127, 255}), std::string("\x00\x01\x02\x7e\x80\x01\x80\x02", 8));
+    EXPECT_EQ(differenceBytes({0xffffffff}), "\xfe\xff\xff\xff\x1f");
+    const RoughNumbers rough = roughNumbers({0, 1, 2});
+    EXPECT_EQ(rough.bytes, std::string("\x00\x00\x00\x80\xff\xff", 6));
+    EXPECT_DOUBLE_EQ(rough.unit * 65535, 2);
+    EXPECT_EQ(roughNumbers({0, 0}).bytes, std::string(4, '\0'));
+    EXPECT_EQ(floatBytes({1}), std::string("\x00\x00\x80\x3f", 4));
+}
+
 TEST(View, OptionsAreRead) {
+    EXPECT_EQ(parseSection("").axis, -1);
+    EXPECT_EQ(parseSection("y").axis, 1);
+    EXPECT_EQ(parseSection("z:0.25").share, 0.25);
+    for (const char* bad : {"a", ":0.5", "x:2", "x:-1", "x:0.5:1", "xy", "x:nan", "x:"})
+        EXPECT_THROW((void)parseSection(bad), Error) << bad;
     EXPECT_EQ(parseNames("a,b,,c"), (std::vector<std::string>{"a", "b", "c"}));
     EXPECT_EQ(parseDirection("1,-2,0.5"), (std::array<double, 3>{1, -2, 0.5}));
     EXPECT_EQ(parseSize("640x480").width, 640);

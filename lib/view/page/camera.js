@@ -1,11 +1,13 @@
 // Where one looks from, by pointer and by keys.
 
 class View {
-  constructor(scene, canvas, changed) {
-    this.scene = scene;
+  constructor(page, models, canvas, changed) {
+    this.from = page.from;
+    this.models = models;
+    this.radius = Math.max(...models.map((model) => model.radius));
     this.changed = changed;
     this.camera = new THREE.PerspectiveCamera(24, 1, 0.1, 10);
-    this.camera.up.fromArray(scene.up).normalize();
+    this.camera.up.fromArray(page.up).normalize();
     this.controls = new THREE.OrbitControls(this.camera, canvas);
     this.controls.enableKeys = false;
     this.controls.screenSpacePanning = true;
@@ -36,32 +38,26 @@ class View {
       distance = Math.max(...sides.map(([low, high]) => (high - low) / 2));
       sides.forEach(([low, high], k) => this.controls.target.addScaledVector(axes[k][0], (high + low) / 2 * axes[k][1]));
     }
-    this.camera.position.copy(this.controls.target).addScaledVector(back, Math.max(distance, 1e-3 * this.scene.radius));
+    this.camera.position.copy(this.controls.target).addScaledVector(back, Math.max(distance, 1e-3 * this.radius));
     this.controls.update();
     this.changed();
   }
 
   // How far back the eye must be for the mesh to fit on either side of the target, less and more along an axis.
   sides(axis, back, slope) {
-    const positions = this.scene.shells[0].positions;
     const target = this.controls.target;
     let low = Infinity, high = -Infinity;
-    for (const point of this.usedPoints()) {
-      const x = positions[3 * point] - target.x, y = positions[3 * point + 1] - target.y, z = positions[3 * point + 2] - target.z;
-      const along = (x * axis.x + y * axis.y + z * axis.z) / slope, nearer = x * back.x + y * back.y + z * back.z;
-      high = Math.max(high, along + nearer);
-      low = Math.min(low, along - nearer);
-    }
+    for (const { mesh: { positions, quads } } of this.models)
+      for (const point of quads) { // vertices that no face has are not drawn
+        const x = positions[3 * point] - target.x, y = positions[3 * point + 1] - target.y, z = positions[3 * point + 2] - target.z;
+        const along = (x * axis.x + y * axis.y + z * axis.z) / slope, nearer = x * back.x + y * back.y + z * back.z;
+        high = Math.max(high, along + nearer);
+        low = Math.min(low, along - nearer);
+      }
     return high >= low ? [low, high] : [0, 0];
   }
 
-  // Vertices that no face has are not drawn.
-  usedPoints() {
-    if (!this.used) this.used = new Set(this.scene.shells[0].quads);
-    return this.used;
-  }
-
-  reset() { this.lookFrom(new THREE.Vector3().fromArray(this.scene.from)); }
+  reset() { this.lookFrom(new THREE.Vector3().fromArray(this.from)); }
 
   // Along an axis.
   along(axis) {
@@ -118,10 +114,10 @@ class View {
   // Depth is kept to what there is, so that it is told apart finely; lifts shrink as one comes near.
   prepare() {
     const distance = this.camera.position.length();
-    const radius = 1.5 * this.scene.radius; // control points may lie outside the ball
+    const radius = 1.5 * this.radius; // control points may lie outside the ball
     this.camera.near = Math.max(distance - radius, 0.002 * radius);
     this.camera.far = distance + radius;
     this.camera.updateProjectionMatrix();
-    shared.liftUnit.value = Math.min(0.002 * this.scene.radius / this.camera.position.distanceTo(this.controls.target), 0.02);
+    shared.liftUnit.value = Math.min(0.002 * this.radius / this.camera.position.distanceTo(this.controls.target), 0.02);
   }
 }

@@ -6,43 +6,51 @@ function numberText(value) {
   return size >= 1e-3 && size < 1e6 ? String(Number(value.toPrecision(5))) : value.toExponential(3);
 }
 
+function withUnit(text, unit) { return unit === '°' ? text + unit : `${text} ${unit}`; }
+
+function figureOf(items, name, item) { return items.columns.find((column) => column.name === name).values[item]; }
+
+// Figures of the item stand in braces, or else its number at the end.
 function pointerOf(items, item) {
-  return items.pointers ? items.pointers[item] : items.pointer ? items.pointer + item : '';
+  if (!items.pointer) return '';
+  return isNumbered(items) ? items.pointer + item : items.pointer.replace(/{(.*?)}/g, (_, name) => figureOf(items, name, item));
 }
 
-function vertexText(scene, vertex) {
-  return scene.subMeshOfVertex.length ? `${vertex}, in sub-mesh ${scene.subMeshOfVertex[vertex]}` : String(vertex);
+// Items that users know by their number.
+function isNumbered(items) { return Boolean(items.pointer) && !items.pointer.includes('{'); }
+
+function vertexText(model, vertex) {
+  return model.subMeshOfVertex.length ? `${vertex}, in sub-mesh ${model.subMeshOfVertex[vertex]}` : String(vertex);
 }
 
 function itemRows(layer, item) {
   return layer.items.columns.filter((column) => !Number.isNaN(column.values[item]))
-    .map((column) => [column.name, /^(crosses|on the|transversal)/.test(column.name) ? 'yes' : numberText(column.values[item])]);
+    .map((column) => [column.name, /^(crosses|on the|transversal|source|sink)/.test(column.name) ? 'yes' : numberText(column.values[item])]);
 }
 
 // \param nearest  of a quad's corners, 0 to 3, the one nearest to the pointer, and the second; may be missing
-function describe(scene, layers, layer, element, nearest) {
-  const item = layers.itemOf(layer, element);
-  const shell = scene.shells[layer.base];
-  const points = layers.pointsOf(layer, element);
-  const named = layer.items.noun && item !== noItem;
+function describe(model, layer, element, nearest) {
+  const item = model.itemOf(layer, element);
+  const points = model.pointsOf(layer, element);
+  const named = Boolean(layer.items.noun) && item !== noItem;
   const rows = named ? itemRows(layer, item) : [];
   // Only numbers that stand in the document are told.
-  let title = !named ? '' : layer.items.pointer ? `${layer.items.noun} ${item}` : layer.items.noun;
+  let title = !named ? '' : isNumbered(layer.items) ? `${layer.items.noun} ${item}` : layer.items.noun;
   if (layer.type === 'faces') {
-    const face = shell.faces[element];
+    const face = model.faceOf(layer, element);
     title = title || `face ${face}`;
     rows.push(['face', String(face)]);
-    if (layer.values) {
-      const mean = points.reduce((sum, point) => sum + layer.values[point], 0) / 4;
-      rows.unshift(['deviation here', numberText(mean)]);
+    if (layer.mapped) {
+      const mean = points.reduce((sum, point) => sum + layer.mapped.values[point], 0) / 4;
+      rows.unshift([`${layer.mapped.quantity} here`, withUnit(numberText(mean), layer.mapped.unit)]);
     }
-    if (layer.base === 0 && nearest) {
-      rows.push(['nearest vertex', vertexText(scene, points[nearest[0]])]);
+    if (layer.base === onMesh && nearest) {
+      rows.push(['nearest vertex', vertexText(model, points[nearest[0]])]);
       rows.push(['nearest edge', `${points[nearest[0]]} – ${points[nearest[1]]}`]);
     }
-  } else if (layer.base === 0) {
+  } else if (layer.base === onMesh) {
     if (layer.type === 'lines') rows.push(['here, edge', `${points[0]} – ${points[1]}`]);
-    else rows.push(['vertex', vertexText(scene, points[0])]);
+    else rows.push(['vertex', vertexText(model, points[0])]);
   }
   const seen = new Set();
   return { title, pointer: named ? pointerOf(layer.items, item) : '', rows: rows.reverse().filter(([name]) => !seen.has(name) && seen.add(name)).reverse() };

@@ -12,34 +12,77 @@ function instanced(values, size, normalized) { return new THREE.InstancedBufferA
 
 const cornersOfTriangles = [0, 1, 2, 0, 2, 3];
 
+// The unit normal of every quad.
+function quadNormals(shell) {
+  const { positions, quads } = shell, count = quads.length / 4;
+  const normals = new Float32Array(3 * count);
+  for (let quad = 0; quad < count; ++quad) {
+    const [a, b, c, d] = [0, 1, 2, 3].map((corner) => 3 * quads[4 * quad + corner]);
+    const side = (k) => positions[c + k] - positions[a + k], other = (k) => positions[d + k] - positions[b + k];
+    const normal = [side(1) * other(2) - side(2) * other(1), side(2) * other(0) - side(0) * other(2), side(0) * other(1) - side(1) * other(0)];
+    const length = Math.hypot(...normal) || 1;
+    for (let k = 0; k < 3; ++k) normals[3 * quad + k] = normal[k] / length;
+  }
+  return normals;
+}
+
+// At every corner of every quad: the mean of the normals of the quads around, as far as no sharp edge is between.
+function cornerNormals(shell) {
+  if (shell.cornerNormals) return shell.cornerNormals;
+  const { quads } = shell, normals = quadNormals(shell), minCosine = Math.cos(0.45);
+  const starts = new Uint32Array(shell.positions.length / 3 + 1);
+  for (const point of quads) ++starts[point + 1];
+  for (let k = 1; k < starts.length; ++k) starts[k] += starts[k - 1];
+  const around = new Uint32Array(quads.length), filled = starts.slice();
+  for (let k = 0; k < quads.length; ++k) around[filled[quads[k]]++] = k >> 2;
+  const result = new Float32Array(3 * quads.length);
+  for (let k = 0; k < quads.length; ++k) {
+    const own = 3 * (k >> 2);
+    for (let at = starts[quads[k]]; at < starts[quads[k] + 1]; ++at) {
+      const other = 3 * around[at];
+      if (dot(normals, own, normals, other) < minCosine) continue;
+      for (let d = 0; d < 3; ++d) result[3 * k + d] += normals[other + d];
+    }
+  }
+  return shell.cornerNormals = result;
+}
+
 // What all layers on a shell share: two triangles for every quad.
 function quadAttributes(shell) {
   if (shell.attributes) return shell.attributes;
   const count = shell.quads.length / 4;
   const positions = new Float32Array(count * 18);
-  const normals = shell.normals.length ? new Float32Array(count * 18) : null;
   const elements = new Uint8Array(count * 24);
   for (let quad = 0, at = 0; quad < count; ++quad)
     for (const corner of cornersOfTriangles) {
       const point = 3 * shell.quads[4 * quad + corner];
-      for (let k = 0; k < 3; ++k) {
-        positions[3 * at + k] = shell.positions[point + k];
-        if (normals) normals[3 * at + k] = shell.normals[point + k];
-      }
+      for (let k = 0; k < 3; ++k) positions[3 * at + k] = shell.positions[point + k];
       writeNumber(elements, 4 * at, quad + 1);
       ++at;
     }
-  shell.attributes = { position: attribute(positions, 3), element: attribute(elements, 4, true) };
-  if (normals) shell.attributes.normal = attribute(normals, 3);
-  return shell.attributes;
+  return shell.attributes = { position: attribute(positions, 3), element: attribute(elements, 4, true) };
 }
 
-function itemOfQuad(layer, quad) { return layer.groups ? layer.groups[quad] : quad; }
+function normalAttribute(shell) {
+  if (shell.normalAttribute) return shell.normalAttribute;
+  const corners = shell.normals ? null : cornerNormals(shell);
+  const count = shell.quads.length / 4, normals = new Float32Array(count * 18);
+  for (let quad = 0, at = 0; quad < count; ++quad)
+    for (const corner of cornersOfTriangles) {
+      const from = 3 * (corners ? 4 * quad + corner : shell.quads[4 * quad + corner]);
+      for (let k = 0; k < 3; ++k) normals[at++] = (corners || shell.normals)[from + k];
+    }
+  return shell.normalAttribute = attribute(normals, 3);
+}
+
+// Surfaces are shaded as the smooth surfaces that they are; of a mesh only the stripes are smooth.
+function isSmooth(layer) { return layer.base === onSurfaces || layer.paint === 'stripes'; }
 
 function faceGeometry(layer, shell) {
   const geometry = new THREE.BufferGeometry();
-  const shared = quadAttributes(shell);
-  for (const name of Object.keys(shared)) geometry.setAttribute(name, shared[name]);
+  const attributes = quadAttributes(shell);
+  for (const name of Object.keys(attributes)) geometry.setAttribute(name, attributes[name]);
+  if (isSmooth(layer)) geometry.setAttribute('normal', normalAttribute(shell));
   const count = shell.quads.length / 4;
   const groups = new Float32Array(count * 6);
   const colours = new Uint8Array(count * 24);
@@ -47,8 +90,8 @@ function faceGeometry(layer, shell) {
   const plain = bytesOfColour(plainFace);
   const between = bytesOfColour(betweenItems);
   for (let quad = 0; quad < count; ++quad) {
-    const item = itemOfQuad(layer, quad);
-    const colour = !layer.groups ? plain : item === noItem ? between : palette[layer.colours[item]];
+    const item = layer.groups ? layer.groups[quad] : quad;
+    const colour = layer.paint !== 'items' ? plain : item === noItem ? between : palette[layer.colours[item]];
     for (let at = 6 * quad; at < 6 * quad + 6; ++at) {
       groups[at] = item === noItem ? -9 : item;
       colours.set(colour, 4 * at);
@@ -56,21 +99,13 @@ function faceGeometry(layer, shell) {
   }
   geometry.setAttribute('group', attribute(groups, 1));
   geometry.setAttribute('colour', attribute(colours, 4, true));
-  if (layer.values) {
+  if (layer.mapped) {
     const values = new Float32Array(count * 6);
     for (let quad = 0, at = 0; quad < count; ++quad)
-      for (const corner of cornersOfTriangles) values[at++] = layer.values[shell.quads[4 * quad + corner]];
+      for (const corner of cornersOfTriangles) values[at++] = layer.mapped.values[shell.quads[4 * quad + corner]];
     geometry.setAttribute('value', attribute(values, 1));
   }
   return geometry;
-}
-
-// Piece k of a layer of lines runs from points[k] to points[k + 1]; itemOfPiece skips from item to item.
-function piecesOf(layer) {
-  const pieces = [];
-  for (let item = 0; item < layer.items.count; ++item)
-    for (let k = layer.starts[item]; k + 1 < layer.starts[item + 1]; ++k) pieces.push(k, item);
-  return Uint32Array.from(pieces);
 }
 
 function lineGeometry(layer, shell) {
@@ -78,7 +113,7 @@ function lineGeometry(layer, shell) {
   geometry.setAttribute('position', attribute(new Float32Array([0, -1, 0, 1, -1, 0, 1, 1, 0, 0, -1, 0, 1, 1, 0, 0, 1, 0]), 3));
   const count = layer.pieces.length / 2;
   const starts = new Float32Array(3 * count), ends = new Float32Array(3 * count);
-  const groups = new Float32Array(count);
+  const groups = new Float32Array(count), values = new Float32Array(count);
   const elements = new Uint8Array(4 * count);
   for (let piece = 0; piece < count; ++piece) {
     const k = layer.pieces[2 * piece];
@@ -87,11 +122,13 @@ function lineGeometry(layer, shell) {
       ends[3 * piece + d] = shell.positions[3 * layer.points[k + 1] + d];
     }
     groups[piece] = layer.pieces[2 * piece + 1];
+    if (layer.mapped) values[piece] = layer.mapped.values[groups[piece]];
     writeNumber(elements, 4 * piece, layer.firstElement + piece);
   }
   geometry.setAttribute('start', instanced(starts, 3));
   geometry.setAttribute('end', instanced(ends, 3));
   geometry.setAttribute('group', instanced(groups, 1));
+  geometry.setAttribute('value', instanced(values, 1));
   geometry.setAttribute('element', instanced(elements, 4, true));
   geometry.maxInstancedCount = count;
   return geometry;

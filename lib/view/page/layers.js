@@ -1,23 +1,24 @@
-// The layers: what each draws, and whether it is on. Nothing is sent to the graphics card before it is first shown.
+// The layers of a model: what each draws, and whether it is on. Nothing is computed or sent to the graphics card
+// before it is first shown.
 
 function colourUniform(text) { return { value: new THREE.Color(text) }; }
 
 const builders = {
   faces(layer, shell) {
-    const material = newMaterial(faceVertex, faceFragment, {
-      smoothly: { value: shell.normals.length ? 1 : 0 },
-      mapped: { value: layer.values ? 1 : 0 },
-      scaleTop: { value: layer.scale || 1 },
+    const material = newMaterial(faceVertex, faceFragment, Object.assign(scaleUniforms(layer.mapped), {
+      smoothly: { value: isSmooth(layer) ? 1 : 0 },
+      paint: { value: { mapped: 1, stripes: 2 }[layer.paint] || 0 },
+      backColour: colourUniform(backColour),
       opacity: { value: 1 },
-      ramp: { value: rampColours.map((text) => new THREE.Color(text)) },
-    });
+    }));
     return new THREE.Mesh(faceGeometry(layer, shell), material);
   },
   lines(layer, shell) {
     const style = lineStyles[layer.name];
-    const material = newMaterial(lineVertex, lineFragment, {
-      lineColour: colourUniform(style.colour), width: { value: style.width }, lift: { value: style.lift },
-    });
+    const material = newMaterial(lineVertex, lineFragment, Object.assign(scaleUniforms(layer.mapped), {
+      lineColour: colourUniform(style.colour), width: { value: widthOf(layer) }, lift: { value: style.lift },
+      paint: { value: layer.mapped ? 1 : 0 },
+    }));
     return new THREE.Mesh(lineGeometry(layer, shell), material);
   },
   points(layer, shell) {
@@ -28,41 +29,45 @@ const builders = {
 };
 
 class Layers {
-  constructor(scene) {
-    this.scene = scene;
+  constructor(model) {
+    this.model = model;
+    this.all = model.layers;
     this.root = new THREE.Scene();
-    this.all = [];
-    let next = 1 + Math.max(...scene.shells.map((shell) => shell.quads.length / 4));
-    for (const type of ['faces', 'lines', 'points'])
-      for (const layer of scene[type]) {
-        layer.type = type;
-        layer.on = false;
-        if (type === 'lines') layer.pieces = piecesOf(layer);
-        layer.firstElement = type === 'faces' ? 1 : next;
-        layer.elementCount = type === 'faces' ? scene.shells[layer.base].quads.length / 4
-          : type === 'lines' ? layer.pieces.length / 2 : layer.items.count;
-        if (type !== 'faces') next += layer.elementCount;
-        this.all.push(layer);
-      }
-    for (const name of scene.shown) this.set(name, true);
+    this.next = 1;
   }
 
-  named(name) { return this.all.find((layer) => layer.name === name); }
+  named(name) { return this.model.named(name); }
   get faces() { return this.all.find((layer) => layer.type === 'faces' && layer.on); }
+  get mapped() { return this.all.filter((layer) => layer.on && layer.mapped); }
 
-  // Of the layers of faces one is on at a time.
+  // Of the layers of faces one is on at a time. A layer that the model does not have is not shown.
   set(name, on) {
     const layer = this.named(name);
+    if (!layer) return;
     if (on && layer.type === 'faces')
       for (const other of this.all) if (other.type === 'faces' && other !== layer) this.set(other.name, false);
     layer.on = on;
-    if (on && !layer.object) {
-      layer.object = builders[layer.type](layer, this.scene.shells[layer.base]);
-      layer.object.frustumCulled = false;
-      this.root.add(layer.object);
-      this.setTransparent(Boolean(this.transparent));
-    }
+    if (on && !layer.object) this.build(layer);
     if (layer.object) layer.object.visible = on;
+  }
+
+  build(layer) {
+    if (layer.mapped && layer.mapped.source && layer.type === 'faces' && this.named(layer.mapped.source)) this.model.prepare(this.named(layer.mapped.source));
+    this.model.prepare(layer);
+    layer.elementCount = this.model.elementCount(layer);
+    // Layers of faces share their numbers, as one of them is seen at a time.
+    layer.firstElement = layer.type === 'faces' ? 1 : this.numbersFor(layer.elementCount);
+    layer.object = builders[layer.type](layer, this.model.shell(layer.base));
+    layer.object.frustumCulled = false;
+    this.root.add(layer.object);
+    this.setTransparent(Boolean(this.transparent));
+  }
+
+  numbersFor(count) {
+    const faces = this.model.mesh.quads.length / 4 + this.model.fitted.faces.length * this.model.fitted.steps ** 2;
+    const first = 1 + faces + this.next;
+    this.next += count;
+    return first;
   }
 
   setTransparent(on) {
@@ -75,6 +80,15 @@ class Layers {
       layer.object.renderOrder = on ? -1 : 0;
     }
   }
+
+  // Black lines are drawn light where nothing but a dark page is behind them.
+  setInk(dark) {
+    for (const layer of this.all)
+      if (layer.type === 'lines' && layer.object && lineStyles[layer.name].colour === ink)
+        layer.object.material.uniforms.lineColour.value.set(dark && !this.faces ? lightInk : ink);
+  }
+
+  setScale(layer, top) { layer.object.material.uniforms.scaleTop.value = top; }
 
   highlight(layer, item) {
     for (const other of this.all)
@@ -89,19 +103,4 @@ class Layers {
         return { layer, element: number - layer.firstElement };
     return null;
   }
-
-  itemOf(layer, element) {
-    return layer.type === 'faces' ? itemOfQuad(layer, element) : layer.type === 'lines' ? layer.pieces[2 * element + 1] : element;
-  }
-
-  // The points of an element, in its shell.
-  pointsOf(layer, element) {
-    const shell = this.scene.shells[layer.base];
-    if (layer.type === 'faces') return Array.from(shell.quads.subarray(4 * element, 4 * element + 4));
-    if (layer.type === 'points') return [layer.points[element]];
-    const k = layer.pieces[2 * element];
-    return [layer.points[k], layer.points[k + 1]];
-  }
-
-  place(base, point) { return new THREE.Vector3().fromArray(this.scene.shells[base].positions, 3 * point); }
 }

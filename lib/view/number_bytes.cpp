@@ -1,0 +1,42 @@
+#include "view/number_bytes.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace qm {
+
+std::string floatBytes(const std::vector<float>& values) {
+    static_assert(std::endian::native == std::endian::little, "pages hold little-endian numbers");
+    return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float)};
+}
+
+std::string differenceBytes(const std::vector<std::int64_t>& values) {
+    std::string bytes;
+    std::int64_t before = 0;
+    for (const std::int64_t value : values) {
+        const std::int64_t difference = value - before;
+        auto rest =
+            (static_cast<std::uint64_t>(difference) << 1U) ^ static_cast<std::uint64_t>(difference >> 63U);
+        for (; rest > 127; rest >>= 7U)
+            bytes += static_cast<char>((rest & 127U) | 128U);
+        bytes += static_cast<char>(rest);
+        before = value;
+    }
+    return bytes;
+}
+
+RoughNumbers roughNumbers(const std::vector<float>& values) {
+    constexpr double highest = 65535;
+    const double largest = values.empty() ? 0 : *std::max_element(values.begin(), values.end());
+    RoughNumbers result;
+    if (largest > 0) result.unit = largest / highest;
+    for (const float value : values) {
+        const auto number = static_cast<unsigned>(std::lround(std::clamp(value / result.unit, 0.0, highest)));
+        result.bytes += static_cast<char>(number & 255U);
+        result.bytes += static_cast<char>(number >> 8U);
+    }
+    return result;
+}
+
+} // namespace qm

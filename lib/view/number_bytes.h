@@ -1,0 +1,25 @@
+/// \file Numbers as few bytes, little-endian, for pages.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace qm {
+
+/// Four bytes each.
+[[nodiscard]] std::string floatBytes(const std::vector<float>& values);
+
+/// Every number's difference from the one before, zigzag (0, -1, 1, -2, ... as 0, 1, 2, 3, ...), seven bits a
+/// byte from the lowest on; all bytes of a number but its last have their highest bit set.
+[[nodiscard]] std::string differenceBytes(const std::vector<std::int64_t>& values);
+
+/// Two bytes each: multiples of `unit`, the largest of which is 65535.
+struct RoughNumbers {
+    std::string bytes;
+    double unit = 1;
+};
+/// \param values  not negative
+[[nodiscard]] RoughNumbers roughNumbers(const std::vector<float>& values);
+
+} // namespace qm

@@ -1,0 +1,33 @@
+/// \file What is measured of surfaces at many places, for the eye.
+#pragma once
+
+#include "bspline/network/borders.h"
+#include "bspline/network/smooth_network.h"
+#include "bspline/splines/surfaces.h"
+#include "layout/layout.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace qm {
+
+/// Points on the lattice of `FittedPatches` for every mesh edge: the fewer the more faces the mesh has.
+[[nodiscard]] std::size_t latticeSteps(std::size_t faces);
+
+/// Distances of the lattice's points, patch by patch and row by row, from the reference that surfaces are
+/// fitted to: the smooth surface through the mesh's vertices.
+/// \param steps  lattice points for every mesh edge
+/// \param jobs  threads; the result does not depend on them
+[[nodiscard]] std::vector<double> distancesFromReference(const QuadMesh& mesh, const Layout& layout,
+                                                         const std::vector<Patch>& patches,
+                                                         const BorderMarks& marks, std::size_t steps,
+                                                         unsigned jobs);
+
+/// Of every border edge the largest angle between the normals on both sides, in degrees; NaN for creases and
+/// the mesh's boundary.
+[[nodiscard]] std::vector<double> normalJumps(const QuadMesh& mesh, const Layout& layout,
+                                              const std::vector<Patch>& patches,
+                                              const std::vector<BorderEdge>& borders,
+                                              const BorderMarks& marks);
+
+} // namespace qm
