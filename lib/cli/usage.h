@@ -12,7 +12,7 @@ struct Operand {
     std::string name; ///< "DOCUMENT"
     std::string help;
     bool required = false;
-    std::vector<std::string> suggestions; ///< worth offering; others may be given
+    std::vector<std::string> suggestions{}; ///< worth offering; others may be given
 };
 
 /// Everything that is declared about a tool.

@@ -110,7 +110,7 @@ TEST(Usage, HelpAndJsonSayTheSame) {
     qm::Usage usage;
     usage.tool = "qm-test";
     usage.summary = "Test something.";
-    usage.operands = {{"DOCUMENT", "a document", false}};
+    usage.operands = {{"DOCUMENT", "a document", false, {}}};
     usage.writes = "nothing";
     double value = 0.5;
     usage.options.push_back(qm::makeOption("rho", value, {0, 3}, "an angle"));
