@@ -35,18 +35,22 @@ std::vector<Patch> interpolateSegments(const QuadMesh& mesh, const Layout& layou
     return patches;
 }
 
-/// Steps of the lattices along every mesh edge: fewer where edges are short anyway. The fit's lattice has
-/// four between any two knots in any case.
-struct Steps {
-    int ofReference = 4;
-    int ofFit = 4;
+/// How finely meshes of a size are sampled, and how long their fit is worked at: large ones have short edges,
+/// and are to be done in time linear in their size. The fit's lattice has four steps between any two knots in
+/// any case.
+struct Effort {
+    int stepsOfReference = 4; ///< a mesh edge
+    int stepsOfFit = 4;
+    int maxRounds = 30;
+    int slides = 6;
 };
 
-Steps stepsFor(const QuadMesh& mesh) {
+Effort effortFor(const QuadMesh& mesh) {
     constexpr std::size_t many = 30'000;
     constexpr std::size_t veryMany = 300'000;
-    if (mesh.n_faces() > veryMany) return {2, 1};
-    return {4, mesh.n_faces() > many ? 2 : 4};
+    if (mesh.n_faces() > veryMany) return {2, 1, 4, 2};
+    if (mesh.n_faces() > many) return {4, 2, 8, 3};
+    return {};
 }
 
 /// Times a scan's noise: what its smoothing leaves of it, at worst.
@@ -80,8 +84,8 @@ Surfaces fitSurfaces(const QuadMesh& mesh, const Layout& layout, const std::vect
                      const FitOptions& options, const TriangleSurface* scan, const Control& control) {
     requireValid(options);
     const SmoothNetwork network = buildNetwork(mesh, layout, dihedralAngles, options.rho);
-    const Steps steps = stepsFor(mesh);
-    const FitTarget target = fitTarget(mesh, layout, network, steps.ofReference, scan, control.jobs);
+    const Effort effort = effortFor(mesh);
+    const FitTarget target = fitTarget(mesh, layout, network, effort.stepsOfReference, scan, control.jobs);
     const double diagonal = boundingBoxDiagonal(mesh);
     Surfaces surfaces;
     if (options.fit == Fit::smooth) {
@@ -90,7 +94,9 @@ Surfaces fitSurfaces(const QuadMesh& mesh, const Layout& layout, const std::vect
         surfaces.patches =
             fitSmooth(mesh, layout, network, {target.grids, target.weights},
                       {.tolerance = share * (options.tolerance.length(diagonal) + noiseLeft * target.noise),
-                       .steps = steps.ofFit},
+                       .steps = effort.stepsOfFit,
+                       .maxRounds = effort.maxRounds,
+                       .slides = effort.slides},
                       control);
     } else {
         surfaces.patches = interpolateSegments(mesh, layout, control);

@@ -24,7 +24,6 @@ constexpr double cubicsShare = 0.2;
 /// Errors that removals may come to; what is near 1 comes back.
 constexpr double removalLimit = 0.9;
 
-constexpr int maxRounds = 30;
 constexpr int maxRemovals = 6;
 /// Rounds that it may take after a removal to keep the tolerance again.
 constexpr int maxRepairs = 4;
@@ -32,10 +31,6 @@ constexpr int maxRepairs = 4;
 constexpr double worthwhileGain = 0.9;
 /// Removals go on while each leaves at most this share of the control points.
 constexpr double worthwhile = 0.985;
-
-/// Solutions of each system between which the targets slide; more while there are few knots.
-constexpr int slides = 6;
-constexpr int slidesAtFirst = 12;
 
 /// A weight may grow by `growth` a round, up to `max`.
 struct Emphasis {
@@ -68,9 +63,9 @@ public:
         int lastKept = 0;
         double excessBefore = std::numeric_limits<double>::infinity();
         double countBefore = std::numeric_limits<double>::infinity();
-        for (int round = 0; round < maxRounds; ++round) {
-            control.progress(static_cast<double>(round) / maxRounds);
-            solve(round == 0 ? slidesAtFirst : slides);
+        for (int round = 0; round < options_.maxRounds; ++round) {
+            control.progress(static_cast<double>(round) / options_.maxRounds);
+            solve(round == 0 ? 2 * options_.slides : options_.slides); // more while there are few knots
             keepIfBest();
             if (worst_ <= 1) {
                 const auto count = static_cast<double>(controlPointCount(best_));
