@@ -90,7 +90,7 @@ Surfaces fitSurfaces(const QuadMesh& mesh, const Layout& layout, const std::vect
     Surfaces surfaces;
     if (options.fit == Fit::smooth) {
         // What lies between samples, and the width of the bound that is measured in the end.
-        constexpr double share = 0.96;
+        constexpr double share = 0.94;
         surfaces.patches =
             fitSmooth(mesh, layout, network, {target.grids, target.weights},
                       {.tolerance = share * (options.tolerance.length(diagonal) + noiseLeft * target.noise),

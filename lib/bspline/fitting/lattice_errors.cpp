@@ -42,23 +42,27 @@ Point meanDirection(const FitLattice& lattice, std::size_t k, const SurfacePoint
     return unit(axis + ((along | axis) < 0 ? -along : along));
 }
 
-/// Forbids sliding within a mesh edge of a point, for this time.
-void hold(std::size_t k, FitLattice& lattice) {
+/// Forbids sliding in a rectangle of parameters, for this time or for good.
+/// \return false if it is forbidden for good already
+bool hold(const std::array<double, 2>& begin, const std::array<double, 2>& end, bool forGood,
+          FitLattice& lattice) {
     const auto& us = lattice.targets.parameters[0];
     const auto& vs = lattice.targets.parameters[1];
-    const double u = us[k % us.size()];
-    const double v = vs[k / us.size()];
     const auto first = [](const std::vector<double>& list, double at) {
         return static_cast<std::size_t>(std::ranges::lower_bound(list, at) - list.begin());
     };
-    for (std::size_t j = first(vs, v - 1); j < vs.size() && vs[j] <= v + 1; ++j)
-        for (std::size_t i = first(us, u - 1); i < us.size() && us[i] <= u + 1; ++i) {
+    bool isNew = false;
+    for (std::size_t j = first(vs, begin[1]); j < vs.size() && vs[j] <= end[1]; ++j)
+        for (std::size_t i = first(us, begin[0]); i < us.size() && us[i] <= end[0]; ++i) {
             const std::size_t at = j * us.size() + i;
+            isNew = isNew || lattice.holds[at] < maxHolds;
             lattice.isHeld[at] = true;
-            lattice.holds[at] = static_cast<char>(std::min(lattice.holds[at] + 1, maxHolds));
+            lattice.holds[at] =
+                static_cast<char>(forGood ? maxHolds : std::min(lattice.holds[at] + 1, maxHolds));
             lattice.slides[at] = Point(0, 0, 0);
             lattice.targets.points[at] = lattice.reference[at];
         }
+    return isNew;
 }
 
 } // namespace
@@ -89,6 +93,10 @@ double signedDistance(const FitLattice& lattice, std::size_t k, const SurfacePoi
     }
     const Point mean =
         lattice.freedom[k] == Freedom::surface ? meanNormal(lattice, k, point) : Point(0, 0, 0);
+    // Where the surface is turned away from the reference, nothing is known but that it is no farther than
+    // this.
+    constexpr double turnedAway = 0.87; // cosine of half of 60 degrees
+    if (lattice.freedom[k] == Freedom::surface && (lattice.axes[k] | mean) < turnedAway) return offset.norm();
     return mean.sqrnorm() > 0 ? (offset | mean) : distance(lattice, k, offset);
 }
 
@@ -108,6 +116,10 @@ PatchErrors latticeErrors(const FitLattice& lattice, const Patch& patch, double 
     return errors;
 }
 
+bool holdTargets(const std::array<double, 2>& begin, const std::array<double, 2>& end, FitLattice& lattice) {
+    return hold(begin, end, true, lattice);
+}
+
 void slideTargets(const Patch& patch, FitLattice& lattice) {
     // Enough to make slides converge in few steps, not so much that they oscillate.
     constexpr double momentum = 0.8;
@@ -117,7 +129,11 @@ void slideTargets(const Patch& patch, FitLattice& lattice) {
     constexpr double maxSlide = 1;     // of the reference's edges
     const auto points = pointsOf(patch, lattice);
     for (std::size_t k = 0; k < points.size(); ++k)
-        if (isFolded(lattice, k, points[k])) hold(k, lattice);
+        if (isFolded(lattice, k, points[k])) {
+            const double u = lattice.targets.parameters[0][k % lattice.columns()];
+            const double v = lattice.targets.parameters[1][k / lattice.columns()];
+            hold({u - 1, v - 1}, {u + 1, v + 1}, false, lattice);
+        }
     for (std::size_t k = 0; k < points.size(); ++k) {
         if (lattice.isHeld[k] || lattice.freedom[k] == Freedom::corner) continue;
         const bool onCrease = lattice.freedom[k] == Freedom::crease;

@@ -4,6 +4,7 @@
 #include "bspline/fitting/fit_lattice.h"
 #include "bspline/splines/surfaces.h"
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -28,5 +29,9 @@ struct PatchErrors {
 /// moved: the parameters of the reference are a choice, and a surface that need not heed them is smoother and
 /// has fewer knots. Where the patch is folded the targets go back to the reference's points for good.
 void slideTargets(const Patch& patch, FitLattice& lattice);
+
+/// Puts the targets in a rectangle of parameters back to the reference's points for good.
+/// \return false if all of them are there already
+bool holdTargets(const std::array<double, 2>& begin, const std::array<double, 2>& end, FitLattice& lattice);
 
 } // namespace qm

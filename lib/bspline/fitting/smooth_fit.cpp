@@ -13,6 +13,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace qm {
@@ -51,7 +52,8 @@ public:
         : layout_(layout), options_(options), jobs_(jobs), map_(mesh, layout, network),
           plan_(layout, network),
           sources_(latticeSources(mesh, layout, network, reference.grids, reference.weights)),
-          lattices_(sources_.size()), errors_(sources_.size()), givenUp_(sources_.size()) {
+          lattices_(sources_.size()), errors_(sources_.size()), givenUp_(sources_.size()),
+          missed_(sources_.size()) {
         parallelFor(sources_.size(), jobs_,
                     [&](std::size_t k) { lattices_[k] = makeLattice(sources_[k], parametersOf(k, {})); });
         insertInitialKnots(layout, lattices_, map_, cubicsShare * options.tolerance, plan_);
@@ -82,7 +84,7 @@ public:
             // What has no more knots to get may still gain by weights, while it does.
             const bool gains = excess_ < worthwhileGain * excessBefore;
             excessBefore = excess_;
-            if (!refined && !(weighed && gains)) giveUp();
+            if (!refined && !(weighed && gains) && !stopSliding()) giveUp();
         }
         return std::move(best_);
     }
@@ -114,6 +116,7 @@ private:
         excess_ = 0;
         parallelFor(sources_.size(), jobs_, [&](std::size_t k) {
             errors_[k] = latticeErrors(lattices_[k], patches_[k], options_.tolerance);
+            missed_[k] = std::max(0.0, errors_[k].max() - 1);
             for (const GivenUp& place : givenUp_[k])
                 cap(place, k);
         });
@@ -141,30 +144,46 @@ private:
         return changed;
     }
 
-    /// Within the tolerance the fewest control points are best, else the smallest errors.
+    /// Within the tolerance the fewest control points are best, else the smallest errors. Where cells are
+    /// given up, what is much worse in them is no gain.
     void keepIfBest() {
+        constexpr double muchWorse = 1.05;
         const bool keeps = worst_ <= 1;
+        const double missed = std::accumulate(missed_.begin(), missed_.end(), 0.0);
         bool isBetter = best_.empty();
         if (!isBetter && keeps != bestKeeps_)
             isBetter = keeps;
+        else if (!isBetter && keeps && missed <= muchWorse * bestMissed_ && bestMissed_ <= muchWorse * missed)
+            isBetter = controlPointCount(patches_) < controlPointCount(best_);
         else if (!isBetter)
-            isBetter = keeps ? controlPointCount(patches_) < controlPointCount(best_) : excess_ < bestExcess_;
+            isBetter = missed < bestMissed_;
         if (!isBetter) return;
         best_ = patches_;
         bestKeeps_ = keeps;
-        bestExcess_ = excess_;
+        bestMissed_ = missed;
     }
 
     /// From now on errors count no more in the cells where nothing helps.
     void giveUp() {
+        forBadCells([&](const KnotCell& cell, std::size_t k) { giveUp(cell, k); });
+    }
+
+    /// Where nothing else helps, sliding may have led astray.
+    bool stopSliding() {
+        constexpr double around = 2; // mesh edges
+        bool changed = false;
+        forBadCells([&](const KnotCell& cell, std::size_t k) {
+            changed = holdTargets({cell.begin[0] - around, cell.begin[1] - around},
+                                  {cell.end[0] + around, cell.end[1] + around}, lattices_[k]) ||
+                      changed;
+        });
+        return changed;
+    }
+
+    template <class Function> void forBadCells(Function&& function) {
         for (std::size_t k = 0; k < lattices_.size(); ++k)
             for (const KnotCell& cell : cellsOf(spaces_[k]))
-                if (worstIn(cell, lattices_[k], errors_[k]).error > 1) {
-                    giveUp(cell, k);
-                }
-        // Judged anew, for what was best before was judged by these cells.
-        bestKeeps_ = false;
-        bestExcess_ = std::numeric_limits<double>::infinity();
+                if (worstIn(cell, lattices_[k], errors_[k]).error > 1) function(cell, k);
     }
 
     void giveUp(const KnotCell& cell, std::size_t patch) {
@@ -200,11 +219,12 @@ private:
     std::vector<Patch> patches_;
     std::vector<PatchErrors> errors_;
     std::vector<std::vector<GivenUp>> givenUp_;
+    std::vector<double> missed_; ///< by patch: how much its largest error is above 1, whatever is given up
     double worst_ = 0;
     double excess_ = 0;
     std::vector<Patch> best_;
     bool bestKeeps_ = false;
-    double bestExcess_ = 0;
+    double bestMissed_ = 0;
 };
 
 } // namespace

@@ -1,0 +1,60 @@
+#include "basecomplex/base_complex.h"
+#include "bspline/fit.h"
+#include "bspline/splines/evaluate.h"
+#include "enumerate/enumerate.h"
+#include "mesh/dihedral.h"
+#include "shape/scan.h"
+#include "shape/shape.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace qm {
+namespace {
+
+Layout wholeLayout(const QuadMesh& mesh, const std::vector<double>& angles) {
+    const SubMeshes whole{std::vector<int>(mesh.n_vertices(), 0), 1};
+    const Enumeration found = enumerateGraphs(mesh, buildBaseComplex(mesh), angles, whole, {});
+    return buildLayout(mesh, found.subMeshes[0].graphs.at(0).tracks, angles, edgeCosts(angles, {}));
+}
+
+class NoisyScan : public testing::TestWithParam<const char*> {};
+
+TEST_P(NoisyScan, IsFartherFromTheTruthThanTheSurfacesFittedToIt) {
+    const std::string name = GetParam();
+    const auto truth = trueSurface(name);
+    ASSERT_TRUE(truth);
+    const QuadMesh mesh = makeShape(name);
+    const std::vector<double> angles = dihedralAngles(mesh);
+    const Layout layout = wholeLayout(mesh, angles);
+    Triangles scan = makeScan(name, 20'000);
+    addNoise(scan, 0.0005 * diagonalOf(scan), 3);
+    double ofScan = 0;
+    for (const Point& point : scan.points)
+        ofScan += std::pow(truth->nearest(point).distance, 2);
+    ofScan = std::sqrt(ofScan / static_cast<double>(scan.points.size()));
+
+    const TriangleSurface surface(scan);
+    const Surfaces surfaces = fitSurfaces(mesh, layout, angles, {}, &surface);
+    ASSERT_TRUE(surfaces.scan);
+    EXPECT_GT(surfaces.scan->coverage, 0.95);
+    double sum = 0;
+    double count = 0;
+    for (const Patch& patch : surfaces.patches) {
+        const auto& size = layout.segments[static_cast<std::size_t>(patch.segment.value())].size;
+        for (int j = 0; j <= 3 * size[1]; ++j)
+            for (int i = 0; i <= 3 * size[0]; ++i) {
+                sum += std::pow(truth->nearest(evaluate(patch, i / 3.0, j / 3.0).position).distance, 2);
+                ++count;
+            }
+    }
+    RecordProperty("gain", std::to_string(ofScan / std::sqrt(sum / count)));
+    EXPECT_LT(std::sqrt(sum / count), ofScan / 2);
+}
+
+INSTANTIATE_TEST_SUITE_P(Parts, NoisyScan,
+                         testing::Values("sphere", "torus", "block", "plate", "cylinder", "tube"));
+
+} // namespace
+} // namespace qm
