@@ -28,7 +28,7 @@ TEST_P(NoisyScan, IsFartherFromTheTruthThanTheSurfacesFittedToIt) {
     const QuadMesh mesh = makeShape(name);
     const std::vector<double> angles = dihedralAngles(mesh);
     const Layout layout = wholeLayout(mesh, angles);
-    Triangles scan = makeScan(name, 20'000);
+    Triangles scan = makeScan(name, 60'000);
     addNoise(scan, 0.0005 * diagonalOf(scan), 3);
     double ofScan = 0;
     for (const Point& point : scan.points)
