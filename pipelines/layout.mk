@@ -71,7 +71,11 @@ list_unmet = find $(OUT)/.stages -name '*.unmet' ! -name '*.summary.json.unmet' 
 
 # $(call options,STAGE,model): those of the model, or else of all models.
 own     = $(if $(filter undefined,$(flavor $(1).$(2))),$($(1)),$($(1).$(2)))
-options = $(strip $(call own,$(1)_OPTIONS,$(2)) $(if $(filter QUADS,$(1)),$(addprefix --quads ,$(call own,QUADS,$(2)))))
+options = $(strip $(call own,$(1)_OPTIONS,$(2)) $(and $(call own,QUADS,$(2)),$(call of_scan.$(1),$(2))))
+# A mesh of triangles is what quads are made of, and what the surfaces are fitted to.
+of_scan.QUADS    = --quads $(call own,QUADS,$(1))
+of_scan.SURFACES = --reference $(call mesh_of,$(1))
+mesh_of = $(firstword $(filter $(endings:%=%/$(1).%),$(meshes)) $(1).stl)
 
 # $(call stage,ending,STAGE,tool,file before,option for the output,model): the rule of a stage; of one model if one is named.
 define stage
@@ -108,7 +112,6 @@ FORCE:
 
 # Quads of triangles, where a number of them is asked for: of all models, or of some.
 quads_of := $(patsubst QUADS.%,%,$(filter QUADS.%,$(.VARIABLES)))
-mesh_of  = $(firstword $(filter $(endings:%=%/$(1).%),$(meshes)) $(1).stl)
 $(if $(QUADS),$(foreach ending,$(endings),$(eval $(call stage,quads.obj,QUADS,qm-remesh,%.$(ending),-o,))))
 $(foreach model,$(quads_of),$(eval $(call stage,quads.obj,QUADS,qm-remesh,$(call mesh_of,$(model)),-o,$(model))))
 $(foreach model,$(or $(and $(QUADS),%),$(quads_of)),\

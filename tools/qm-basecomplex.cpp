@@ -16,7 +16,8 @@ int main(int argc, char** argv) {
             tool.option(
                 "repair", repair,
                 "weld vertices at the same place, remove degenerate and duplicate faces, turn faces over "
-                "that disagree with most of their neighbours; the mesh goes to NAME.repaired.obj beside the "
+                "that disagree with most of their neighbours, split vertices where several fans of faces "
+                "meet; the mesh goes to NAME.repaired.obj beside the "
                 "document");
             tool.example("qm-basecomplex part.obj -o part.basecomplex.json");
             tool.example(

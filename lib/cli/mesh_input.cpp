@@ -1,9 +1,13 @@
 #include "cli/mesh_input.h"
 
+#include "base/number_text.h"
 #include "cli/output_file.h"
 #include "document/mesh_section.h"
+#include "mesh/boundary_loops.h"
 #include "mesh/read_mesh.h"
 #include "mesh/write_soup.h"
+
+#include <algorithm>
 
 namespace qm {
 
@@ -28,8 +32,19 @@ std::string summaryOf(const RepairReport& report) {
     const std::string list = countOf(report.weldedVertices, "vertices welded") +
                              countOf(report.degenerateFaces, "degenerate faces removed") +
                              countOf(report.duplicateFaces, "duplicate faces removed") +
-                             countOf(report.flippedFaces, "faces turned over");
+                             countOf(report.flippedFaces, "faces turned over") +
+                             countOf(report.splitVertices, "vertices split");
     return list.substr(2);
+}
+
+/// "2 boundary loops, 16 (at vertex 0) and 1.88 (at vertex 40) long".
+std::string loopsText(const std::vector<BoundaryLoop>& loops) {
+    constexpr std::size_t shown = 4;
+    std::string text = std::to_string(loops.size()) + " boundary loop" + (loops.size() == 1 ? ", " : "s, ");
+    for (std::size_t k = 0; k < std::min(loops.size(), shown); ++k)
+        text += (k == 0 ? "" : ", ") + roundedText(loops[k].length) + " long (at vertex " +
+                std::to_string(loops[k].vertex.idx()) + ")";
+    return text + (loops.size() > shown ? ", ..." : "");
 }
 
 } // namespace
@@ -40,6 +55,9 @@ MeshInput readMeshInput(const Tool& tool, bool repair) {
     ReadResult read = readMesh(bytes, tool.inputPath() == "-" ? "" : tool.inputPath(), {repair});
     for (const std::string& warning : read.warnings)
         tool.warn(tool.inputName() + ": " + warning);
+    if (const std::vector<BoundaryLoop> loops = boundaryLoops(read.mesh); !loops.empty())
+        tool.warn(tool.inputName() + ": the mesh is open: " + loopsText(loops) +
+                  ". If a hole should be none, close it");
     tool.count("vertices", static_cast<double>(read.mesh.n_vertices()));
     tool.count("faces", static_cast<double>(read.mesh.n_faces()));
     if (!read.repair.changed()) {

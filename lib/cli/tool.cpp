@@ -63,6 +63,7 @@ struct Tool::State {
     std::set<std::string> given;
 
     std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+    std::chrono::duration<double> reading{0}; ///< in a pipe, mostly waiting for the tool before
     Json counters = Json::object();
     std::shared_ptr<Progress> progress;
 
@@ -161,7 +162,9 @@ void Tool::addGeneralOptions() {
     s.usage.options.back().defaultText = "as many as processors";
     addShort(makeOption("quiet", s.quiet, {}, "errors only: no warnings, no progress bar"), "q");
     addShort(makeOption("verbose", s.verbose, {}, "say which settings are in effect, and more"), "v");
-    option("stats", s.stats, "time, memory and counters as one line of JSON on standard error");
+    option("stats", s.stats,
+           "time, its own and that of reading the input, memory and counters as one line of JSON on standard "
+           "error");
     if (!s.usage.schema.empty())
         option("schema", s.printSchema, "print the JSON schema of the document that is written");
     option("json-usage", s.printUsage, "print this help as JSON");
@@ -240,7 +243,10 @@ bool Tool::interrupted() const {
 }
 
 std::string Tool::readInput() const {
-    return readFile(state_->input);
+    const auto begin = std::chrono::steady_clock::now();
+    std::string bytes = readFile(state_->input);
+    state_->reading += std::chrono::steady_clock::now() - begin;
+    return bytes;
 }
 
 void Tool::protect(const std::string& path) const {
@@ -302,7 +308,9 @@ void Tool::printStats() const {
     const State& s = *state_;
     if (!s.stats) return;
     Json stats{{"tool", s.usage.tool}};
-    stats["seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - s.start).count();
+    const std::chrono::duration<double> all = std::chrono::steady_clock::now() - s.start;
+    stats["seconds"] = (all - s.reading).count();
+    stats["inputSeconds"] = s.reading.count();
     stats["peakMegabytes"] = peakMegabytes();
     stats["counters"] = s.counters;
     if (s.progress) s.progress->hide();

@@ -1,6 +1,7 @@
 #include "mesh/repair.h"
 
 #include "base/error.h"
+#include "mesh/fans.h"
 #include "mesh/orientation.h"
 #include "mesh/soup_edit.h"
 #include "mesh/validate.h"
@@ -57,15 +58,32 @@ std::size_t orient(Soup& soup) {
     return static_cast<std::size_t>(std::ranges::count(orientation.reversed, true));
 }
 
+/// Whether all that was done is to weld fans that touch, such as an earlier repair has split, and to split
+/// them again.
+/// \param copies  vertices that splitting has made
+bool onlySplitsWelds(const Soup& original, const RepairReport& report, std::size_t copies) {
+    if (copies == 0 || copies != report.weldedVertices) return false;
+    if (report.degenerateFaces + report.duplicateFaces + report.flippedFaces > 0) return false;
+    Soup untouched = original;
+    return splitFans(untouched) == 0;
+}
+
 } // namespace
 
 RepairReport repairSoup(Soup& soup) {
+    const Soup original = soup;
     RepairReport report;
     dropUseless(soup, report);
     report.weldedVertices = mergePoints(soup, weldTargets(soup));
     dropUseless(soup, report); // welding may have made more of them
     collapse(soup, report);
     report.flippedFaces = orient(soup);
+    const std::size_t pointsBefore = soup.points.size();
+    report.splitVertices = splitFans(soup);
+    if (onlySplitsWelds(original, report, soup.points.size() - pointsBefore)) {
+        soup = original;
+        return {};
+    }
     if (soup.faceCount() == 0) throw Error("", "no face is left after repair", "Are they all degenerate?");
     return report;
 }

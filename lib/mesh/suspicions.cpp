@@ -5,13 +5,18 @@
 
 #include <algorithm>
 #include <functional>
-#include <unordered_set>
+#include <unordered_map>
 
 namespace qm {
 namespace {
 
-/// How many vertices lie where an earlier one does.
-std::size_t coincidentVertices(const QuadMesh& mesh) {
+/// Vertices that lie where an earlier one does: how many, and the first with its like.
+struct Coincident {
+    std::size_t count = 0;
+    VertexId first, earlier;
+};
+
+Coincident coincidentVertices(const QuadMesh& mesh) {
     struct Hash {
         std::size_t operator()(const Point& point) const {
             std::size_t value = 0;
@@ -20,10 +25,15 @@ std::size_t coincidentVertices(const QuadMesh& mesh) {
             return value;
         }
     };
-    std::unordered_set<Point, Hash> places(mesh.n_vertices());
-    for (const VertexId vertex : mesh.vertices())
-        places.insert(mesh.point(vertex));
-    return mesh.n_vertices() - places.size();
+    Coincident result;
+    std::unordered_map<Point, VertexId, Hash> places(mesh.n_vertices());
+    for (const VertexId vertex : mesh.vertices()) {
+        const auto [place, isNew] = places.emplace(mesh.point(vertex), vertex);
+        if (isNew || result.count++ > 0) continue;
+        result.first = vertex;
+        result.earlier = place->second;
+    }
+    return result;
 }
 
 std::string of(std::size_t some, std::size_t all, const std::string& noun) {
@@ -34,14 +44,19 @@ std::string of(std::size_t some, std::size_t all, const std::string& noun) {
 
 std::vector<std::string> suspicions(const QuadMesh& mesh) {
     std::vector<std::string> result;
-    if (const std::size_t coincident = coincidentVertices(mesh); coincident > 0)
-        result.push_back(of(coincident, mesh.n_vertices(), "vertices") + (coincident == 1 ? "lies" : "lie") +
-                         " where another does. If a seam should be closed, use --repair");
-    const auto flat = static_cast<std::size_t>(
-        std::ranges::count_if(mesh.faces(), [&](FaceId face) { return !hasArea(mesh, face); }));
-    if (flat > 0)
-        result.push_back(of(flat, mesh.n_faces(), "quads") + (flat == 1 ? "has" : "have") +
-                         " no area. Edges there count as flat");
+    if (const Coincident found = coincidentVertices(mesh); found.count > 0)
+        result.push_back(of(found.count, mesh.n_vertices(), "vertices") +
+                         (found.count == 1 ? "lies" : "lie") + " where another does: vertex " +
+                         std::to_string(found.first.idx()) + " where " + std::to_string(found.earlier.idx()) +
+                         (found.count == 1 ? "" : ", and so on") +
+                         ". If a seam should be closed, use --repair");
+    std::vector<int> flat;
+    for (const FaceId face : mesh.faces())
+        if (!hasArea(mesh, face)) flat.push_back(face.idx());
+    if (!flat.empty())
+        result.push_back(of(flat.size(), mesh.n_faces(), "quads") + (flat.size() == 1 ? "has" : "have") +
+                         " no area, the first is face " + std::to_string(flat.front()) +
+                         ". Edges there count as flat; --repair takes out what has two corners at one place");
     const Components parts = components(mesh);
     const auto isolated =
         std::ranges::count_if(mesh.vertices(), [&](VertexId vertex) { return mesh.is_isolated(vertex); });

@@ -8,7 +8,7 @@
 
 namespace qm {
 
-/// One sentence with figures for each of: coincident vertices, quads without area, more than ten components,
+/// One sentence with figures and places for each of: coincident vertices, quads without area, more than ten components,
 /// more than one extraordinary vertex in ten.
 [[nodiscard]] std::vector<std::string> suspicions(const QuadMesh& mesh);
 

@@ -1,6 +1,7 @@
 #include "mesh/validate.h"
 
 #include "base/error.h"
+#include "mesh/fans.h"
 #include "mesh/orientation.h"
 
 #include <algorithm>
@@ -148,23 +149,15 @@ void checkOrientation(const Soup& soup, const SoupEdges& edges, const std::vecto
                               : "The option --repair orients them");
 }
 
-/// From every corner the next one around its vertex, counter-clockwise, lies before its quad's previous side.
 void checkFans(const Soup& soup, const std::vector<Side>& twins) {
-    const auto none = static_cast<Side>(twins.size());
-    std::vector<bool> seen(twins.size(), false), met(soup.points.size(), false);
-    const auto walk = [&](Side start) {
-        const auto vertex = static_cast<std::size_t>(soup.corners[start]);
+    std::vector<bool> met(soup.points.size(), false);
+    forEachFan(twins, [&](std::span<const Side> corners) {
+        const auto vertex = static_cast<std::size_t>(soup.corners[corners.front()]);
         if (met[vertex])
             throw Error(soup.pointPlace(vertex), "the faces around it fall into several fans",
-                        "The surface is no manifold there: split the vertex");
+                        "The surface is no manifold there. The option --repair splits the vertex");
         met[vertex] = true;
-        for (Side corner = start; corner != none && !seen[corner]; corner = twins[previousSide(corner)])
-            seen[corner] = true;
-    };
-    for (Side corner = 0; corner < none; ++corner) // open fans from where they begin
-        if (twins[corner] == none) walk(corner);
-    for (Side corner = 0; corner < none; ++corner)
-        if (!seen[corner]) walk(corner);
+    });
 }
 
 } // namespace

@@ -42,7 +42,7 @@ END
 }
 
 @test "a cube: eight extraordinary vertices, twelve lines walked from both ends" {
-    quietly qm-basecomplex "$(sample cube)" -o out.json
+    quietly qm-basecomplex --quiet "$(sample cube)" -o out.json
     assert_equal "$(counts out.json)" "384 8 24 0"
     # Every separatrix has an opposite, which is the same path backwards.
     assert_equal "$(field '.baseComplex.separatrices as $s | [$s[] | . as $a
@@ -51,19 +51,19 @@ END
 
 @test "surfaces without extraordinary vertices have an empty base complex" {
     for model in torus tube; do
-        quietly qm-basecomplex "$(sample $model)" -o out.json
+        quietly qm-basecomplex --quiet "$(sample $model)" -o out.json
         assert_equal "$(field '.baseComplex | tojson' out.json)" \
             '{"extraordinaryVertices":[],"ordinaryJunctions":0,"separatrices":[]}'
     done
 }
 
 @test "lines that end at the boundary have no opposite" {
-    quietly qm-basecomplex "$(sample plate)" -o out.json
+    quietly qm-basecomplex --quiet "$(sample plate)" -o out.json
     assert_equal "$(field '[.baseComplex.separatrices[] | .opposite == null] | any' out.json)" true
 }
 
 @test "lines that wind around the model cross themselves or each other many times" {
-    quietly qm-basecomplex "$(sample helix)" -o out.json
+    quietly qm-basecomplex --quiet "$(sample helix)" -o out.json
     run field .baseComplex.ordinaryJunctions out.json
     assert [ "$output" -gt 20 ]
 }
@@ -71,7 +71,7 @@ END
 @test "OBJ, OFF and PLY of one mesh give the same base complex" {
     write_sheets
     for format in obj off ply; do
-        quietly qm-basecomplex "sheet.$format" -o "$format.json"
+        quietly qm-basecomplex --quiet "sheet.$format" -o "$format.json"
         jq 'del(.mesh.path, .mesh.sha256)' "$format.json" >"$format.stripped"
     done
     assert_same_bytes obj.stripped off.stripped
@@ -80,7 +80,7 @@ END
 
 @test "the document names the mesh and pins it" {
     write_sheets
-    quietly qm-basecomplex sheet.obj -o out.json
+    quietly qm-basecomplex --quiet sheet.obj -o out.json
     assert_equal "$(field .mesh.path out.json)" sheet.obj
     assert_equal "$(field .mesh.sha256 out.json)" "$(sha256sum sheet.obj | cut -d' ' -f1)"
     assert_equal "$(field '.mesh.vertices, .mesh.faces' out.json | xargs)" '12 6'
@@ -88,12 +88,12 @@ END
 
 @test "lines of any ending, comments, texture and normal indices, negative indices" {
     write_sheets
-    quietly qm-basecomplex sheet.obj -o expected.json
+    quietly qm-basecomplex --quiet sheet.obj -o expected.json
     sed 's/$/\r/' sheet.obj >dos.obj
     sed -E '/^f/ s/ ([0-9]+)/ \1\/1\/1/g; 1i # a comment\nvt 0 0\nvn 0 0 1' sheet.obj >slashes.obj
     awk '/^f/ { print "f", $2 - 13, $3 - 13, $4 - 13, $5 - 13; next } { print }' sheet.obj >negative.obj
     for variant in dos slashes negative; do
-        quietly qm-basecomplex $variant.obj -o $variant.json
+        quietly qm-basecomplex --quiet $variant.obj -o $variant.json
         assert_equal "$(field '.baseComplex | tojson' $variant.json)" "$(field '.baseComplex | tojson' expected.json)"
     done
 }
@@ -144,7 +144,7 @@ END
     # The repaired mesh is a file beside the document, and the pipe goes on from it.
     assert_equal "$(field .mesh.path out.json)" sheet.repaired.obj
     quietly qm-features out.json
-    quietly qm-basecomplex sheet.repaired.obj
+    quietly qm-basecomplex --quiet sheet.repaired.obj
     run --separate-stderr qm-basecomplex -q --repair sheet.obj -o sheet.repaired.obj
     assert_complaint qm-basecomplex
     assert_regex "$(head -n 1 sheet.repaired.obj)" "^v "
@@ -194,4 +194,27 @@ END
         run ls -A
         assert_output ''
     done
+}
+
+@test "an open mesh is told with the lengths of its loops" {
+    run --separate-stderr qm-basecomplex "$(sample plate)"
+    assert_success
+    assert_regex "$stderr" ': the mesh is open: 2 boundary loops, 16 long \(at vertex [0-9]+\), 1\.[0-9]+ long \(at vertex [0-9]+\)\. '
+}
+
+@test "vertices where several fans meet are named, and split with --repair" {
+    printf 'v %s\n' '0 0 0' '1 0 0' '1 1 0' '0 1 0' '2 1 0' '2 2 0' '1 2 0' >fans.obj
+    printf 'f %s\n' '1 2 3 4' '3 5 6 7' >>fans.obj
+    complains qm-basecomplex fans.obj
+    assert_regex "$stderr" 'vertex 2 \(line 3\): the faces around it fall into several fans.* --repair splits'
+    run --separate-stderr qm-basecomplex --repair fans.obj -o fans.json
+    assert_success
+    assert_regex "$stderr" '1 vertices split\. The mesh is now fans.repaired.obj'
+    assert_equal "$(field .mesh.vertices fans.json)" 8
+}
+
+@test "--stats tells the tool's own seconds from those of its input" {
+    run --separate-stderr bash -c "{ sleep 1; cat '$(sample cube)'; } | qm-basecomplex --stats >/dev/null"
+    assert_success
+    jq -e '.seconds < 0.9 and .inputSeconds > 0.9' <<<"$stderr"
 }

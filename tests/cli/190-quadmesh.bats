@@ -105,7 +105,9 @@ fails_with() {
 }
 
 @test "an open mesh is told with the lengths of its loops" {
-    quietly quadmesh "$(sample plate)" --tolerance 5%
+    run --separate-stderr quadmesh "$(sample plate)" --tolerance 5%
+    assert_success
+    assert_regex "$stderr" 'the mesh is open: 2 boundary loops'
     assert_line --regexp '^shape +shell, 2 open loops, [0-9.]+, [0-9.]+ mm long$'
 }
 
