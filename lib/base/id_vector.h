@@ -13,28 +13,28 @@ namespace qm {
 /// The ids from one to before another, in order.
 template <class Key> class IdRange {
 public:
-    class iterator {
+    class Iterator {
     public:
         using value_type = Key;
         using difference_type = std::ptrdiff_t;
 
-        constexpr iterator() = default;
-        constexpr explicit iterator(Key id) : id_(id) {}
+        constexpr Iterator() = default;
+        constexpr explicit Iterator(Key id) : id_(id) {}
         constexpr Key operator*() const { return id_; }
-        constexpr iterator& operator++() {
+        constexpr Iterator& operator++() {
             id_ = id_ + 1;
             return *this;
         }
-        constexpr iterator operator++(int) { return iterator(std::exchange(id_, id_ + 1)); }
-        constexpr bool operator==(const iterator&) const = default;
+        constexpr Iterator operator++(int) { return Iterator(std::exchange(id_, id_ + 1)); }
+        constexpr bool operator==(const Iterator&) const = default;
 
     private:
         Key id_;
     };
 
     constexpr IdRange(Key first, Key end) : first_(first), end_(end) {}
-    [[nodiscard]] constexpr iterator begin() const { return iterator(first_); }
-    [[nodiscard]] constexpr iterator end() const { return iterator(end_); }
+    [[nodiscard]] constexpr Iterator begin() const { return Iterator(first_); }
+    [[nodiscard]] constexpr Iterator end() const { return Iterator(end_); }
 
 private:
     Key first_;

@@ -21,7 +21,7 @@ public:
     /// The index into the element's array; the id must be valid.
     [[nodiscard]] constexpr std::size_t idx() const { return static_cast<std::size_t>(value_); }
 
-    constexpr auto operator<=>(const Id&) const = default;
+    constexpr auto operator<=>(const Id&) const = default; // NOLINT(modernize-use-nullptr): no pointer
     /// The id so many places further on, or back.
     [[nodiscard]] constexpr Id operator+(int places) const { return Id(value_ + places); }
     [[nodiscard]] constexpr Id operator-(int places) const { return Id(value_ - places); }

@@ -4,8 +4,8 @@
 #include "mesh/dihedral.h"
 #include "mesh/mesh_lines.h"
 #include "mesh/read_mesh.h"
-#include "mesh/write_soup.h"
 #include "mesh/topology.h"
+#include "mesh/write_soup.h"
 
 #include <array>
 #include <cstddef>

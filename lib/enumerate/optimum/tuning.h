@@ -11,7 +11,8 @@ struct BranchingTuning {
     static constexpr int probesToTrust = 4;
     /// Probes at one node at most: together they may take as long as a few nodes, not more.
     static constexpr int probesPerNode = 10;
-    /// Candidates come in the order of their promise; after so many in a row that are no better, none will be.
+    /// Candidates come in the order of their promise; after so many in a row that are no better, none will
+    /// be.
     static constexpr int worseInARow = 4;
     /// Iterations of a probe: the bound grows most in the first ones, and an estimate is enough to compare.
     static constexpr int iterationsPerProbe = 100;
