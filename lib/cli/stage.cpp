@@ -1,5 +1,7 @@
 #include "cli/stage.h"
 
+#include "document/misspelt_keys.h"
+
 namespace qm {
 
 Stage::Stage(Tool& tool, Kind reads, Kind earliest)
@@ -25,7 +27,9 @@ void Stage::declareInput() {
 
 void Stage::parse(Kind earliest) {
     document_ = parseDocument(tool_.readInput(), tool_.inputPath());
-    (void)requireKind(document_, earliest);
+    const Kind kind = requireKind(document_, earliest);
+    for (const std::string& sentence : misspeltKeys(document_.root, kindName(kind)))
+        tool_.warn(tool_.inputName() + ": " + sentence);
 }
 
 const Model& Stage::read(Kind earliest, Kind reads) {

@@ -327,3 +327,14 @@ for_every_filter() {
     mv part.obj elsewhere/
     quietly qm-features --mesh elsewhere/part.obj part.basecomplex.json -o output
 }
+
+@test "a key that looks like one of ours is told, and anybody's own is not" {
+    local document
+    document=$(stage surfaces cube)
+    jq '.layout.qualty = .layout.quality | del(.layout.quality) | .note = 1 | .layout.mine = 2 | .constrants = {}' "$document" >keys.json
+    run --separate-stderr qm-export --mesh "$(sample cube)" keys.json -o out.obj
+    assert_success
+    assert_regex "$stderr" 'keys.json: /layout/qualty: no tool reads this key. Is it .quality.\?'
+    assert_regex "$stderr" 'keys.json: /constrants: no tool reads this key. Is it .constraints.\?'
+    refute_regex "$stderr" '/note|/layout/mine'
+}
