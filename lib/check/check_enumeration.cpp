@@ -10,6 +10,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 
 namespace qm::check {
 
@@ -32,6 +33,7 @@ public:
                             "the mesh is cut into " + std::to_string(networks_.size()));
             return;
         }
+        if (context_.segmentCost != 0) countBareCorners();
         for (std::size_t k = 0; k < networks_.size(); ++k)
             subMesh(k);
         totalCount();
@@ -58,23 +60,48 @@ private:
         count(subMesh, here);
     }
 
-    /// Corners of faces, at the sub-mesh's vertices, that have the graph or the mesh boundary on both sides.
-    [[nodiscard]] double corners(std::size_t subMesh) const {
+    /// Corners of faces around a vertex that have the graph or the mesh boundary on both sides.
+    [[nodiscard]] int cornersAt(int vertex) const {
         const auto bounds = [&](int step) {
             return around_.boundary(step) || present_[static_cast<std::size_t>(around_.edge(step))] != 0;
         };
-        double sum = 0;
-        for (int vertex = 0; vertex < around_.vertices(); ++vertex) {
-            if (!context_.labels.empty() &&
-                context_.labels[static_cast<std::size_t>(vertex)] != static_cast<int>(subMesh))
-                continue;
-            const int valence = around_.valence(vertex);
-            for (int i = 0; i < valence; ++i) {
-                const int step = around_.firstStep(vertex) + i;
-                const int next = around_.firstStep(vertex) + (i + 1) % valence;
-                if (around_.leftFace(step) >= 0 && bounds(step) && bounds(next)) ++sum;
-            }
+        int corners = 0;
+        const int valence = around_.valence(vertex);
+        for (int i = 0; i < valence; ++i) {
+            const int step = around_.firstStep(vertex) + i;
+            const int next = around_.firstStep(vertex) + (i + 1) % valence;
+            if (around_.leftFace(step) >= 0 && bounds(step) && bounds(next)) ++corners;
         }
+        return corners;
+    }
+
+    [[nodiscard]] std::size_t labelOf(int vertex) const {
+        return context_.labels.empty()
+                   ? 0
+                   : static_cast<std::size_t>(context_.labels[static_cast<std::size_t>(vertex)]);
+    }
+
+    /// What the mesh boundary alone makes.
+    void countBareCorners() {
+        bareCorners_.assign(networks_.size(), 0);
+        for (int vertex = 0; vertex < around_.vertices(); ++vertex) {
+            bareCornersAt_.push_back(cornersAt(vertex));
+            bareCorners_[labelOf(vertex)] += bareCornersAt_.back();
+        }
+    }
+
+    /// At the sub-mesh's vertices, and where its tracks end on the mesh boundary past the cut.
+    [[nodiscard]] int corners(std::size_t subMesh, const std::vector<ReadTrack>& tracks) {
+        std::set<int> touched;
+        for (const ReadTrack& track : tracks)
+            for (const int step : track.steps)
+                touched.insert({around_.from(step), around_.to(step)});
+        int sum = bareCorners_[subMesh];
+        for (const int vertex : touched)
+            if (labelOf(vertex) == subMesh)
+                sum += cornersAt(vertex) - bareCornersAt_[static_cast<std::size_t>(vertex)];
+            else if (!around_.interior(vertex) && around_.regular(vertex))
+                sum += cornersAt(vertex);
         return sum;
     }
 
@@ -92,7 +119,7 @@ private:
         checkGraph(around_, network, tracks, present_, edges.size(), part_.tmesh, list, report_);
         checkConstraints(around_, context_.constraints, present_, networks_.size() == 1, list, report_);
         CostSum cost(context_.costs);
-        if (context_.segmentCost != 0) cost.addCost(context_.segmentCost * corners(subMesh) / 4);
+        if (context_.segmentCost != 0) cost.addCost(context_.segmentCost * corners(subMesh, tracks) / 4);
         for (const int edge : edges)
             present_[static_cast<std::size_t>(edge)] = 0;
 
@@ -177,6 +204,8 @@ private:
     const EnumerationPart& part_;
     Report& report_;
     std::vector<char> present_;                     ///< by edge; all 0 between two graphs
+    std::vector<int> bareCornersAt_;                ///< by vertex
+    std::vector<int> bareCorners_;                  ///< by sub-mesh
     std::vector<std::optional<BigInteger>> counts_; ///< of the sub-meshes
     std::map<std::vector<int>, std::string> known_; ///< the sub-mesh's graphs so far
 };

@@ -2,8 +2,10 @@
 
 #include "document/mesh_paths.h"
 #include "document/options.h"
+#include "layout/corners.h"
 
 #include <algorithm>
+#include <optional>
 #include <unordered_set>
 
 namespace qm {
@@ -95,6 +97,8 @@ public:
         : context_(context), mesh_(context.mesh), graphClass_(graphClass),
           ofBaseComplex_(mesh_, context.baseComplex), ofComplex_(mesh_, context.complex),
           onLine_(mesh_.n_edges()) {
+        if (context.terms.segments != 0)
+            corners_.emplace(mesh_, context.subMeshes.labels, context.subMeshes.count);
         for (const Separatrix& separatrix : context.complex.separatrices)
             for (const HalfedgeId halfedge : separatrix.halfedges)
                 onLine_[edgeIndex(halfedge)] = true;
@@ -142,7 +146,9 @@ private:
                     tracks[i]["vertices"].failAt(k + 1, "the edge to this vertex lies on a track already");
             result.cost += result.tracks.back().cost;
         }
-        result.cost += costOfCorners(mesh_, context_.terms, result.tracks, context_.subMeshes.labels, label);
+        if (corners_)
+            result.cost +=
+                cornerCost(context_.terms) * static_cast<double>(corners_->between(result.tracks, label));
         verifyCost(place, result.cost);
         return result;
     }
@@ -208,7 +214,8 @@ private:
     GraphClass graphClass_;
     SeparatrixIndex ofBaseComplex_;
     SeparatrixIndex ofComplex_;
-    std::vector<bool> onLine_; ///< edges of separatrices
+    std::vector<bool> onLine_;       ///< edges of separatrices
+    std::optional<Corners> corners_; ///< where they cost something
 };
 
 } // namespace

@@ -5,6 +5,7 @@
 #include "base/parallel.h"
 #include "enumerate/paper/plain_graph.h"
 #include "enumerate/sub_mesh_search.h"
+#include "layout/corners.h"
 
 #include <atomic>
 #include <mutex>
@@ -36,7 +37,9 @@ Enumeration enumeratePlain(const QuadMesh& mesh, const BaseComplex& complex,
     if (subMeshes.count != 1)
         throw Error("/cut", "the plain motorcycle graph is traced on the whole mesh", "leave qm-cut out");
     MotorcycleGraph graph = plainMotorcycleGraph(mesh, complex, edgeCosts);
-    graph.cost += costOfCorners(mesh, options.cost.terms, graph.tracks);
+    if (options.cost.terms.segments != 0)
+        graph.cost += cornerCost(options.cost.terms) *
+                      static_cast<double>(Corners(mesh, {}, 1).between(graph.tracks, 0));
     Enumeration result;
     result.subMeshes.push_back({graph.cost, std::nullopt, std::nullopt, {graph}, {}});
     return result;

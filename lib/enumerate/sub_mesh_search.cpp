@@ -9,6 +9,7 @@
 #include "enumerate/state/depth_first.h"
 #include "enumerate/state/incumbents.h"
 #include "enumerate/sub_mesh/own_space.h"
+#include "layout/corners.h"
 #include "layout/tracks.h"
 
 #include <cmath>
@@ -46,11 +47,11 @@ SubMeshSearch::SubMeshSearch(const QuadMesh& mesh, const BaseComplex& complex,
     : mesh_(mesh), complex_(complex), edgeCosts_(edgeCosts), options_(options),
       space_(makeSearchSpace(mesh, complex, edgeCosts, subMeshes, options.constraints,
                              cornerCost(options.cost.terms))) {
+    sureCosts_.assign(at(subMeshes.count), 0);
+    if (space_.cornerCost == 0) return;
+    const Corners corners(mesh, subMeshes.labels, subMeshes.count);
     for (int label = 0; label < subMeshes.count; ++label)
-        sureCosts_.push_back(space_.cornerCost == 0
-                                 ? 0
-                                 : space_.cornerCost *
-                                       static_cast<double>(countSureCorners(mesh, subMeshes.labels, label)));
+        sureCosts_[at(label)] = space_.cornerCost * static_cast<double>(corners.sure(label));
 }
 
 SubMeshSearch::Task SubMeshSearch::task(int subMesh) const {

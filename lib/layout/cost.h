@@ -2,7 +2,6 @@
 #pragma once
 
 #include "layout/constraints.h"
-#include "layout/motorcycle_graph.h"
 #include "mesh/dihedral.h"
 
 #include <vector>
@@ -27,23 +26,10 @@ struct GraphCost : CostOptions {
 [[nodiscard]] std::vector<double> edgeCosts(const QuadMesh& mesh, const std::vector<double>& dihedralAngles,
                                             const GraphCost& cost, const Constraints& constraints);
 
-/// Counts the corners of the segments that a set of edges cuts a mesh into: the corners of faces that have
-/// such an edge, or the mesh boundary, on both sides. With labels, only at vertices with the given one.
-[[nodiscard]] std::size_t countCorners(const QuadMesh& mesh, const std::vector<bool>& edges,
-                                       const std::vector<int>& labels = {}, int label = 0);
-
 /// What each corner costs.
 [[nodiscard]] inline double cornerCost(const CostTerms& terms) {
     constexpr double cornersOfSegment = 4;
     return terms.segments / cornersOfSegment;
 }
-
-/// What the corners of the segments between tracks cost in a mesh, or in one sub-mesh.
-[[nodiscard]] double costOfCorners(const QuadMesh& mesh, const CostTerms& terms,
-                                   const std::vector<Track>& tracks, const std::vector<int>& labels = {},
-                                   int label = 0);
-
-/// Counts the corners that all graphs have: at extraordinary vertices and at convex vertices of the boundary.
-[[nodiscard]] std::size_t countSureCorners(const QuadMesh& mesh, const std::vector<int>& labels, int label);
 
 } // namespace qm

@@ -13,6 +13,7 @@
 #include "enumerate/sub_mesh/extend.h"
 #include "enumerate/sub_mesh/search_space.h"
 #include "enumerate/window/window_search.h"
+#include "layout/corners.h"
 #include "layout/cost.h"
 #include "layout/layout.h"
 #include "layout/tracks.h"
@@ -117,6 +118,19 @@ std::vector<bool> edgesOf(const Case& drawn, const Assignment& graph) {
     return edges;
 }
 
+/// Corners of faces that have such an edge, or the mesh boundary, on both sides.
+std::size_t countCorners(const QuadMesh& mesh, const std::vector<bool>& edges) {
+    const auto bounds = [&](HalfedgeId halfedge) {
+        const EdgeId edge = mesh.edge_handle(halfedge);
+        return edges[static_cast<std::size_t>(edge.idx())] || mesh.is_boundary(edge);
+    };
+    std::size_t corners = 0;
+    for (const HalfedgeId halfedge : mesh.halfedges())
+        if (!mesh.is_boundary(halfedge) && bounds(halfedge) && bounds(mesh.next_halfedge_handle(halfedge)))
+            ++corners;
+    return corners;
+}
+
 TEST(SearchProperty, CornersOfSegmentsAreThoseOfTheMesh) {
     int compared = 0;
     for (const bool gaps : {true, false})
@@ -130,11 +144,19 @@ TEST(SearchProperty, CornersOfSegmentsAreThoseOfTheMesh) {
             drawn->problem.gaps = gaps;
             const auto graphs = allGraphs(drawn->problem);
             if (!graphs) continue;
-            const auto sure = static_cast<double>(countSureCorners(drawn->mesh, {}, 0));
+            const std::vector<int> labels;
+            const Corners corners(drawn->mesh, labels, 1);
+            const std::vector<double> free(drawn->mesh.n_edges(), 0);
+            const auto sure = static_cast<double>(corners.sure(0));
             for (const Assignment& graph : *graphs) {
                 const auto all = static_cast<double>(countCorners(drawn->mesh, edgesOf(*drawn, graph)));
                 ASSERT_NEAR(costOf(drawn->problem, graph) + sure, all, 1e-9) << "case " << number;
-                ASSERT_NEAR(costOf(space, presentIn(*drawn, graph)) + sure, all, 1e-9) << "case " << number;
+                const std::vector<bool> present = presentIn(*drawn, graph);
+                ASSERT_NEAR(costOf(space, present) + sure, all, 1e-9) << "case " << number;
+                const auto tracks = (gaps ? graphOf(drawn->mesh, drawn->complex, drawn->graph, present, free)
+                                          : tMeshOf(drawn->mesh, drawn->complex, drawn->graph, present, free))
+                                        .tracks;
+                ASSERT_EQ(static_cast<double>(corners.between(tracks, 0)), all) << "case " << number;
             }
             ++compared;
         }

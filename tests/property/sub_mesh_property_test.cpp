@@ -1,7 +1,9 @@
 // What searches of sub-meshes look at, against the same on the whole mesh: random meshes, seeds and cuts.
+#include "enumerate/enumerate.h"
 #include "enumerate/state/assignment.h"
 #include "enumerate/sub_mesh/own_space.h"
 #include "enumerate/sub_mesh/search_space.h"
+#include "layout/corners.h"
 #include "layout/tracks.h"
 #include "merge/free_particles.h"
 #include "support/random_graph.h"
@@ -95,6 +97,34 @@ TEST(SubMeshProperty, ASubMeshesOwnLinesAreAllThatItsSearchNeeds) {
         EXPECT_LE(lines, 2 * whole.graph.lines.size());
     }
     EXPECT_GT(smaller, 20);
+}
+
+TEST(SubMeshProperty, GraphsCostWhatTheirTracksAndCornersDo) {
+    std::size_t endsPastTheCut = 0;
+    for (unsigned number = 0; number < cases; ++number) {
+        SCOPED_TRACE(number);
+        std::mt19937 random(number + 2000);
+        const auto drawn = drawCase(random);
+        if (!drawn) continue;
+        EnumerationOptions options;
+        options.cost.terms = {1, 0, 2, 0};
+        options.best = 3;
+        const Enumeration found =
+            enumerateGraphs(drawn->mesh, drawn->complex, drawn->edgeCosts, drawn->parts, options);
+        const Corners corners(drawn->mesh, drawn->parts.labels, drawn->parts.count);
+        for (int subMesh = 0; subMesh < drawn->parts.count; ++subMesh)
+            for (const MotorcycleGraph& graph : found.subMeshes[static_cast<std::size_t>(subMesh)].graphs) {
+                double cost = 0.5 * static_cast<double>(corners.between(graph.tracks, subMesh));
+                for (const Track& track : graph.tracks) {
+                    const VertexId end = drawn->mesh.to_vertex_handle(track.halfedges.back());
+                    const int label = drawn->parts.labels[static_cast<std::size_t>(end.idx())];
+                    cost += track.cost;
+                    endsPastTheCut += drawn->mesh.is_boundary(end) && label != subMesh ? 1 : 0;
+                }
+                EXPECT_NEAR(graph.cost, cost, 1e-9);
+            }
+    }
+    EXPECT_GT(endsPastTheCut, 100U);
 }
 
 TEST(SubMeshProperty, FreeParticlesAreKnownAfterEveryChange) {
