@@ -130,3 +130,15 @@ hard() {
     run -0 --separate-stderr qm-merge --quiet --improve 4 "$input" -o out.json
     assert_equal "$stderr" ''
 }
+
+@test "a cost with segments holds where tracks end on the mesh boundary past a cut" {
+    qm-shape random-open --seed 4 -o open.obj
+    qm-basecomplex -q open.obj | qm-cut --chi 5 >open.cut.json
+    quietly qm-enum --cost dihedral+0.5*segments open.cut.json -o open.enumeration.json
+    quietly qm-check open.enumeration.json
+    quietly qm-merge open.enumeration.json -o out.json
+    quietly qm-check out.json
+    jq '.enumeration.subMeshes[0].graphs[0].cost += 0.25' open.enumeration.json >wrong.json
+    complains qm-merge wrong.json
+    run -1 qm-check wrong.json
+}

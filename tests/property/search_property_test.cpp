@@ -261,6 +261,13 @@ TEST(SearchProperty, TheOptimumAndTheBestAreThoseOfAllGraphs) {
                 EXPECT_NEAR(one.lowerBound, costs[0], 1e-6) << "case " << number;
                 EXPECT_TRUE(one.complete);
                 OptimumOptions options;
+                options.nodesBeforeDiagram = 0;
+                const OptimumResult fromDiagram = findOptimum(drawn->problem, options);
+                ASSERT_EQ(fromDiagram.graphs.size(), 1U) << "case " << number;
+                EXPECT_TRUE(graphs->contains(fromDiagram.graphs[0])) << "case " << number;
+                EXPECT_NEAR(costOf(drawn->problem, fromDiagram.graphs[0]), costs[0], 1e-6);
+                EXPECT_NEAR(fromDiagram.lowerBound, costs[0], 1e-6) << "case " << number;
+                EXPECT_TRUE(fromDiagram.complete);
                 options.best = 7;
                 const OptimumResult several = findOptimum(drawn->problem, options);
                 ASSERT_EQ(several.graphs.size(), std::min<std::size_t>(7, costs.size())) << "case " << number;

@@ -32,6 +32,24 @@ void BranchAndBound::run() {
         guessGraphs(part_);
         search();
     }
+    summarise();
+}
+
+void BranchAndBound::resume(std::size_t nodes) {
+    part_.options.nodes = nodes;
+    complete_ = true;
+    search();
+    summarise();
+}
+
+void BranchAndBound::conclude(const Assignment& best) {
+    offer(best);
+    queue_ = {};
+    complete_ = true;
+    summarise();
+}
+
+void BranchAndBound::summarise() {
     lowerBound_ = queue_.empty() ? part_.options.maxCost : queue_.top().bound;
     if (!part_.incumbents.empty()) lowerBound_ = std::min(lowerBound_, part_.incumbents.bestCost());
 }

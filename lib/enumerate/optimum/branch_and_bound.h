@@ -24,6 +24,10 @@ public:
     /// Offers a known graph to begin with; only its values of the part's variables count.
     void offer(const Assignment& assignment);
     void run();
+    /// Searches on after `run` has come to the limit of nodes.
+    void resume(std::size_t nodes);
+    /// Ends the search with a graph that another one has proven to be the best.
+    void conclude(const Assignment& best);
 
     /// Graphs as full assignments, of which only the part's variables mean anything.
     [[nodiscard]] const Incumbents& incumbents() const { return part_.incumbents; }
@@ -54,6 +58,7 @@ private:
     enum class RelaxedNode { cut, solved, unfinished };
 
     void search();
+    void summarise();
     bool tightenRoot();
     void rememberRoot(double bound);
     bool replay(TreeNodeId node);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace qm {
 namespace {
@@ -29,6 +30,29 @@ Assignment polishPart(const std::vector<VariableId>& part, const Assignment& bes
     return options.polish(graph, relaxed);
 }
 
+/// The cheapest graph by a decision diagram of all, made at most once; none where that is too large.
+class DiagramOptimum {
+public:
+    DiagramOptimum(const Problem& problem, const Control& control) : problem_(problem), control_(control) {}
+
+    const std::optional<Assignment>& operator()() {
+        if (std::exchange(tried_, true)) return best_;
+        const auto diagram = buildDiagram(problem_, smallDiagram, control_);
+        if (diagram)
+            forEachRankedGraph(*diagram, [&](double /*cost*/, const Assignment& graph) {
+                best_ = graph;
+                return false;
+            });
+        return best_;
+    }
+
+private:
+    const Problem& problem_;
+    const Control& control_;
+    bool tried_ = false;
+    std::optional<Assignment> best_;
+};
+
 /// One graph: every part on its own, the best of each put together.
 void searchParts(SearchState& state, const OptimumOptions& options, const Control& control,
                  OptimumResult& result) {
@@ -37,11 +61,13 @@ void searchParts(SearchState& state, const OptimumOptions& options, const Contro
     auto parts = independentParts(state);
     // The largest part last: if time ends, all others have been proven.
     std::ranges::stable_sort(parts, {}, [](const auto& part) { return part.size(); });
+    DiagramOptimum diagramOptimum(state.problem(), control);
     double done = 0;
     bool found = true;
     for (const auto& part : parts) {
-        PartOptions partOptions{1, infinity, options.gap / static_cast<double>(parts.size()), options.nodes,
-                                options.hard};
+        const bool small = part.size() < options.hard && options.nodes > options.nodesBeforeDiagram;
+        PartOptions partOptions{1, infinity, options.gap / static_cast<double>(parts.size()),
+                                small ? options.nodesBeforeDiagram : options.nodes, options.hard};
         if (options.start && options.polish)
             partOptions.polish = [&](const Assignment& best, const std::vector<double>& relaxed) {
                 return polishPart(part, best, relaxed, options, result.relaxed);
@@ -49,6 +75,12 @@ void searchParts(SearchState& state, const OptimumOptions& options, const Contro
         BranchAndBound search(state, part, partOptions, control);
         if (options.start) search.offer(*options.start);
         search.run();
+        if (small && !search.complete() && !control.stopRequested()) {
+            if (const auto& best = diagramOptimum())
+                search.conclude(*best);
+            else
+                search.resume(options.nodes);
+        }
         if (options.keepOpenParts && !search.complete())
             if (auto root = search.relaxedRoot())
                 result.openParts.push_back({std::move(*root), search.lowerBound()});
@@ -102,10 +134,6 @@ template <class Visit> bool rank(const Diagram& diagram, const OptimumOptions& o
 OptimumResult findOptimum(const Problem& problem, const OptimumOptions& options, const Control& control) {
     SearchState state(problem);
     if (!state.consistent()) return {{}, infinity, true, 0, {}, {}};
-    return findOptimum(state, options, control);
-}
-
-OptimumResult findOptimum(SearchState& state, const OptimumOptions& options, const Control& control) {
     OptimumResult result;
     result.lowerBound = fixedCost(state);
     if (state.freeVariables() == 0 || options.best == 1)

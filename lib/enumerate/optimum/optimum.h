@@ -24,6 +24,9 @@ struct OptimumOptions {
         {};
     /// A part of at least this many variables is hard: early graphs are looked for by smaller searches.
     std::size_t hard = 1500;
+    /// Of the tree of a part that is not hard; then a decision diagram is tried. Almost all of these trees
+    /// are smaller, and where the relaxation says nothing they may grow without end.
+    std::size_t nodesBeforeDiagram = 1000;
     bool keepOpenParts = false; ///< return what is not proven, see OptimumResult
 };
 
@@ -45,13 +48,9 @@ struct OptimumResult {
 };
 
 /// Splits the problem into parts that do not touch, and searches each best first: propagation, the linear
-/// relaxation, fixing by reduced costs, and diving for early graphs. Stops when `control.stopRequested`.
+/// relaxation, fixing by reduced costs, and diving for early graphs. The optimum of a small part whose tree
+/// grows large all the same is read off a decision diagram. Stops when `control.stopRequested`.
 [[nodiscard]] OptimumResult findOptimum(const Problem& problem, const OptimumOptions& options,
-                                        const Control& control = {});
-
-/// The same with some variables assigned already.
-/// \param state  consistent; the same afterwards as before
-[[nodiscard]] OptimumResult findOptimum(SearchState& state, const OptimumOptions& options,
                                         const Control& control = {});
 
 /// The same; several graphs are read off a decision diagram where that is small.
