@@ -2,6 +2,7 @@
 #include "bspline/fit.h"
 #include "cli/scan_input.h"
 #include "cli/stage.h"
+#include "cli/surface_warnings.h"
 #include "document/surfaces_section.h"
 
 int main(int argc, char** argv) {
@@ -21,12 +22,7 @@ int main(int argc, char** argv) {
             tool.example("qm-prune part.layout.json | qm-bspline --tolerance 0.5% > "
                          "part.surfaces.json");
             tool.example("qm-bspline --reference scan.stl part.layout.json > part.surfaces.json");
-            tool.verify([&] {
-                if (options.fit == qm::Fit::smooth) return;
-                for (const char* option : {"tolerance", "reference"})
-                    if (tool.given(option))
-                        throw qm::UsageError(std::string("--") + option + " is for --fit smooth");
-            });
+            tool.needs({"reference"}, "--fit smooth", [&] { return options.fit == qm::Fit::smooth; });
             return [&, stage] {
                 const qm::Model& model = stage->read();
                 const qm::ScanInput scan = qm::readScanInput(tool, reference);
@@ -37,6 +33,8 @@ int main(int argc, char** argv) {
                 tool.count("controlPoints", static_cast<double>(qm::controlPointCount(surfaces.patches)));
                 tool.count("maxDeviation", surfaces.deviation.max);
                 stage->write(options, qm::surfacesToJson(surfaces, scan.file));
+                qm::warnOfGaps(tool, surfaces);
+                qm::warnOfFolds(tool, surfaces);
                 const std::string missed = qm::missedTolerance(surfaces, options);
                 if (missed.empty()) return qm::exitDone;
                 tool.warn(missed);

@@ -30,14 +30,16 @@ int main(int argc, char** argv) {
             tool.explain(
                 "STEP and IGES need the surfaces of qm-bspline, which have no gaps unless they interpolate. "
                 "Faces become one shell, and a solid where the mesh is closed. Plane patches become planes. "
-                "A patch is cut where it is only C0, and where it touches itself.");
+                "A patch is cut where it is only C0, and where it touches itself. Exit status 3, with a "
+                "warning "
+                "that has figures: written, but patches are apart, or the mesh is too small for the format.");
             tool.example("qm-export part.surfaces.json -o part.step");
             tool.example("qm-bspline part.layout.json | qm-export --format iges -o part.igs");
             tool.example("qm-export --join --analytic part.surfaces.json -o part.step");
             tool.example("qm-export --format ply --colour deviation part.surfaces.json > part.ply");
+            qm::declareNeeds(tool, options, format);
             tool.verify([&] {
                 options.format = qm::exportFormat(format, tool.outputPath());
-                qm::requireEffect(tool, options);
                 if (!date.empty() && date != "mesh") (void)qm::exportDate(date, "");
             });
             return [&tool, &options, &date, stage] {
@@ -47,9 +49,9 @@ int main(int argc, char** argv) {
                 const qm::Surfaces* surfaces = model.surfaces ? &*model.surfaces : nullptr;
                 const qm::Exported result = qm::exportModel(model.mesh, *model.layout, surfaces, options);
                 tool.count("segments", static_cast<double>(model.layout->segments.size()));
-                if (result.shape) qm::reportShape(tool, *result.shape, options.unit);
                 tool.write(result.bytes);
-                return qm::exitDone;
+                const bool taken = !result.shape || qm::reportShape(tool, *result.shape, model, options.unit);
+                return taken ? qm::exitDone : qm::exitUnmet;
             };
         });
 }

@@ -7,7 +7,8 @@ int main(int argc, char** argv) {
     using Limits = qm::ShapeLimits;
     return qm::runTool(
         argc, argv, "qm-shape", "Make a sample mesh, or a scan of one.", [&](qm::Tool& tool) -> qm::ToolBody {
-            tool.operand("NAME", request.name, "which mesh; --list shows them all", false, qm::namesOfShapes());
+            tool.operand("NAME", request.name, "which mesh; --list shows them all", false,
+                         qm::namesOfShapes());
             tool.writes("the mesh");
             tool.option("list", request.list,
                         "list the meshes with their resolution and size, where nothing else is asked for");
@@ -25,6 +26,7 @@ int main(int argc, char** argv) {
                         "of a scan: standard deviation of its points from the surface, a length or, with %, "
                         "a share of the diagonal of the bounding box");
             tool.option("format", request.format, "of the output");
+            qm::declareNeeds(tool, request);
             tool.example("qm-shape --list");
             tool.example("qm-shape bracket -o bracket.obj");
             tool.example("qm-shape sphere --around 30 --format off -o sphere.off");

@@ -31,16 +31,16 @@ int main(int argc, char** argv) {
         tool.example("qm-view part.layout.json -o part.html");
         tool.example("qm-view --show cuts,submeshes,separatrices part.cut.json > part.html");
         tool.example("qm-view --compare part.layout.json part.surfaces.json --show zebra > both.html");
+        tool.needs({"size"}, "--png", [&] { return !png.empty(); });
         tool.verify([&] {
             (void)qm::parseSize(size), (void)qm::parseDirection(from), (void)qm::parseDirection(up);
-            (void)qm::parseSection(section);
+            (void)qm::parseSection(section), (void)qm::parseLayers(show);
             if (png == tool.outputPath() && tool.given("output"))
                 throw qm::UsageError("page and picture cannot go to the same place");
-            if (tool.given("size") && png.empty()) throw qm::UsageError("--size is for --png. Give both");
         });
         return [&, stage] {
             const auto scenes = qm::viewedScenes(tool, *stage, compare, unit);
-            qm::PageOptions options{qm::parseNames(show), qm::parseDirection(from), qm::parseDirection(up),
+            qm::PageOptions options{qm::parseLayers(show), qm::parseDirection(from), qm::parseDirection(up),
                                     qm::parseSection(section)};
             if (png.empty() || tool.given("output")) tool.write(qm::printPage(scenes, options));
             if (png.empty()) return qm::exitDone;

@@ -117,11 +117,14 @@ Surfaces fitSurfaces(const QuadMesh& mesh, const Layout& layout, const std::vect
     return surfaces;
 }
 
+double allowedDistance(const Surfaces& surfaces, const FitOptions& options, double diagonal) {
+    return options.tolerance.length(diagonal) + (surfaces.scan ? noiseLeft * surfaces.scan->noise : 0);
+}
+
 std::string missedTolerance(const Surfaces& surfaces, const FitOptions& options) {
     const Deviation& deviation = surfaces.deviation;
     if (options.fit != Fit::smooth || !(deviation.maxRelative > 0)) return {};
-    const double tolerance = options.tolerance.length(deviation.max / deviation.maxRelative) +
-                             (surfaces.scan ? noiseLeft * surfaces.scan->noise : 0);
+    const double tolerance = allowedDistance(surfaces, options, deviation.max / deviation.maxRelative);
     if (deviation.max <= tolerance) return {};
     std::ostringstream text;
     text.imbue(std::locale::classic());

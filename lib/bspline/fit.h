@@ -34,6 +34,10 @@ struct FitOptions {
                                    const std::vector<double>& dihedralAngles, const FitOptions& options,
                                    const TriangleSurface* scan = nullptr, const Control& control = {});
 
+/// The largest distance from the reference that is allowed, in the mesh's unit: the tolerance, and of a scan
+/// what is left of its noise.
+[[nodiscard]] double allowedDistance(const Surfaces& surfaces, const FitOptions& options, double diagonal);
+
 /// Where surfaces are farther from the reference than the tolerance, and by how much, as a sentence; empty if
 /// they keep it, or nobody asked for one.
 [[nodiscard]] std::string missedTolerance(const Surfaces& surfaces, const FitOptions& options);

@@ -1,7 +1,11 @@
 #include "cli/export_choices.h"
 
 #include "base/error.h"
+#include "bspline/splines/bounding_box.h"
+#include "cli/surface_warnings.h"
 #include "cli/tool.h"
+#include "document/model.h"
+#include "summary/figure_text.h"
 
 #include <array>
 #include <chrono>
@@ -13,6 +17,13 @@
 #include <string_view>
 
 namespace qm {
+namespace {
+
+/// A mesh is too small where what STEP takes for one point is a larger share of its diagonal than surfaces
+/// may be away from the mesh.
+constexpr double smallestShare = 1e-3;
+
+} // namespace
 
 ExportFormat exportFormat(NamedFormat format, const std::string& outputPath) {
     using enum ExportFormat;
@@ -31,16 +42,17 @@ ExportFormat exportFormat(NamedFormat format, const std::string& outputPath) {
     return found->second;
 }
 
-void requireEffect(const Tool& tool, const ExportOptions& options) {
+void declareNeeds(Tool& tool, const ExportOptions& options, const NamedFormat& format) {
     using enum ExportFormat;
-    const bool solid = options.format == step || options.format == iges;
-    for (const char* name : {"unit", "join", "analytic", "analytic-tolerance", "name", "date"})
-        if (tool.given(name) && !solid)
-            throw UsageError("--" + std::string(name) + " is for STEP and IGES. Leave it out");
-    if (tool.given("colour") && (solid || options.format == obj))
-        throw UsageError("--colour is for PLY and glTF. Leave it out");
-    if (tool.given("analytic-tolerance") && !options.analytic)
-        throw UsageError("--analytic-tolerance needs --analytic. Give both, or neither");
+    const auto isSolid = [&tool, &format] {
+        const ExportFormat written = exportFormat(format, tool.outputPath());
+        return written == step || written == iges;
+    };
+    tool.needs({"unit", "join", "analytic", "analytic-tolerance", "name", "date"}, "STEP or IGES", isSolid);
+    tool.needs({"analytic-tolerance"}, "--analytic", [&options] { return options.analytic; });
+    tool.needs({"colour"}, "PLY or glTF", [&tool, &format, isSolid] {
+        return !isSolid() && exportFormat(format, tool.outputPath()) != obj;
+    });
 }
 
 std::string exportDate(const std::string& text, const std::string& meshPath) {
@@ -91,20 +103,40 @@ Kind neededKind(const ExportOptions& options) {
     return quads && !coloured ? Kind::layout : Kind::surfaces;
 }
 
-void reportShape(Tool& tool, const ShapeReport& shape, LengthUnit unit) {
+bool reportShape(Tool& tool, const ShapeReport& shape, const Model& model, LengthUnit unit) {
     tool.count("solids", static_cast<double>(shape.solids));
     tool.count("openEdges", static_cast<double>(shape.openEdges));
     tool.count("shapeFaces", static_cast<double>(shape.faces));
     tool.count("simpleFaces", static_cast<double>(shape.simpleFaces));
     tool.count("smoothEdges", static_cast<double>(shape.smoothEdges));
     tool.count("valid", shape.valid ? 1 : 0);
+    tool.count("gap", shape.largestGap);
     tool.count("tolerance", shape.largestTolerance);
+    const std::string unitName = " " + std::string(choiceName(unit));
+    const auto length = [&unitName](double value) { return figureText(value) + unitName; };
+    if (shape.shells > 0)
+        tool.warn(countText(shape.shells, "open shell") + ", " + countText(shape.solids, "solid") + ": " +
+                  countText(shape.openEdges, "edge") + " of " + std::to_string(shape.edges) +
+                  " on the boundary of the mesh. If it should have none, close it");
+    warnOfFolds(tool, *model.surfaces);
+    bool acceptable = true;
+    const auto alarm = [&](const std::string& message) {
+        tool.warn(message);
+        acceptable = false;
+    };
+    if (shape.largestGap > shape.resolution)
+        alarm("patches are " + length(shape.largestGap) + " apart, and STEP joins what is nearer than " +
+              length(shape.resolution) + ". Fit the surfaces with qm-bspline --fit smooth");
+    if (const double diagonal = boundingBoxDiagonal(model.mesh); shape.resolution > smallestShare * diagonal)
+        alarm("the mesh, " + length(diagonal) + " across, is too small: STEP joins what is nearer than " +
+              length(shape.resolution) + ". Scale it up");
+    else if (shape.lostEdges > 0)
+        alarm(countText(shape.lostEdges, "edge") + " shorter than the " + length(shape.resolution) +
+              " within which STEP joins points. Mend the mesh there, or scale it up");
     if (!shape.valid)
-        tool.warn("OpenCASCADE finds faults in the boundary representation. Fit the surfaces with "
-                  "qm-bspline --fit smooth, or with a smaller tolerance");
-    else if (shape.largestTolerance * inMillimetres(unit) > 1)
-        tool.warn("Patches are more than a millimetre apart, which programs that read the file may find too "
-                  "much. Fit the surfaces with qm-bspline --fit smooth");
+        alarm("OpenCASCADE finds faults in the boundary representation. Fit the surfaces with "
+              "qm-bspline --fit smooth, or with a smaller tolerance");
+    return acceptable;
 }
 
 } // namespace qm

@@ -11,6 +11,7 @@
 namespace qm {
 
 class Tool;
+struct Model;
 
 /// What --format may say: a format, or that the output's name tells it.
 enum class NamedFormat { ending, step, iges, obj, ply, glb };
@@ -41,8 +42,8 @@ template <> struct Choices<ColourBy> {
 /// \throw UsageError  if neither the option nor the output's name tells the format
 [[nodiscard]] ExportFormat exportFormat(NamedFormat format, const std::string& outputPath);
 
-/// \throw UsageError  if an option was given that has no effect on what is written
-void requireEffect(const Tool& tool, const ExportOptions& options);
+/// Tells the tool which options have an effect on which formats only.
+void declareNeeds(Tool& tool, const ExportOptions& options, const NamedFormat& format);
 
 /// When a file says that it was made.
 /// \param text  a date, with or without a time of day, UTC: "2026-11-22T10:00:00"; or "mesh" for when the mesh's
@@ -53,7 +54,8 @@ void requireEffect(const Tool& tool, const ExportOptions& options);
 /// What a document must hold. Quads need no surfaces, unless they are coloured by them.
 [[nodiscard]] Kind neededKind(const ExportOptions& options);
 
-/// Counts what a shape has, and warns of faults and gaps.
-void reportShape(Tool& tool, const ShapeReport& shape, LengthUnit unit);
+/// Counts what a shape has, and warns of all that keeps it from being a solid that other programs take.
+/// \return false  if they will hardly take it: it has faults or gaps, or is too small for the format
+[[nodiscard]] bool reportShape(Tool& tool, const ShapeReport& shape, const Model& model, LengthUnit unit);
 
 } // namespace qm

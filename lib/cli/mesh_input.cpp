@@ -44,7 +44,7 @@ std::string loopsText(const std::vector<BoundaryLoop>& loops) {
     for (std::size_t k = 0; k < std::min(loops.size(), shown); ++k)
         text += (k == 0 ? "" : ", ") + roundedText(loops[k].length) + " long (at vertex " +
                 std::to_string(loops[k].vertex.idx()) + ")";
-    return text + (loops.size() > shown ? ", ..." : "");
+    return text + (loops.size() > shown ? " and " + std::to_string(loops.size() - shown) + " more" : "");
 }
 
 } // namespace

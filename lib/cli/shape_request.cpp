@@ -30,13 +30,26 @@ MeshFormat formatOf(const ShapeRequest& request, std::string_view outputPath) {
 
 } // namespace
 
+void declareNeeds(Tool& tool, const ShapeRequest& request) {
+    tool.needs({"resolution", "around", "seed", "voxels", "scan", "noise", "format"}, "a mesh's name",
+               [&request] { return !request.list; });
+    const auto isRandom = [&request] {
+        return std::ranges::any_of(shapeKinds(), [&request](const ShapeKind& kind) {
+            return kind.random && kind.name == request.name;
+        });
+    };
+    tool.needs({"voxels"}, "a random mesh", isRandom);
+    tool.needs({"seed"}, "a random mesh or --noise",
+               [&request, isRandom] { return isRandom() || request.noise.value > 0; });
+    tool.needs({"noise"}, "--scan", [&request] { return request.scan > 0; });
+}
+
 void verify(const Tool& tool, const ShapeRequest& request) {
     if (request.name.empty() != request.list) throw UsageError("name one mesh, or give --list");
     if (request.shape.around > 0 && tool.given("resolution"))
         throw UsageError("--around and --resolution exclude one another");
     if (request.scan > 0 && (tool.given("resolution") || tool.given("around")))
         throw UsageError("--scan says how fine the scan is, without --resolution and --around");
-    if (request.scan == 0 && tool.given("noise")) throw UsageError("--noise is for --scan");
     if (request.scan == 0 && formatOf(request, tool.outputPath()) == MeshFormat::stl)
         throw UsageError("STL holds triangles only: give --scan, or another format");
 }

@@ -37,6 +37,9 @@ struct ShapeRequest {
     NamedMeshFormat format = NamedMeshFormat::ending;
 };
 
+/// Tells the tool which options have no effect without others.
+void declareNeeds(Tool& tool, const ShapeRequest& request);
+
 /// \throw UsageError  if options contradict each other, before anything is made
 void verify(const Tool& tool, const ShapeRequest& request);
 

@@ -163,10 +163,12 @@ template <class Visitor> void conditions(const PruneOptions& options, Visitor&& 
 
 template <class Visitor> void describe(FitOptions& options, Visitor&& option) {
     option("fit", options.fit, Range{}, "how surfaces follow the mesh");
-    option(
-        "tolerance", options.tolerance, Range{smallestPositive, infinite},
-        "with --fit smooth: the largest distance from the smooth surface through the mesh's vertices, in the "
-        "mesh's unit, or with % as a share of the bounding box's diagonal");
+    option("tolerance", options.tolerance, Range{smallestPositive, infinite},
+           "with --fit smooth: the largest distance between the surfaces and what they are fitted to (the "
+           "smooth "
+           "surface through the mesh's vertices, or the scan, beside its noise), in the mesh's unit, or with "
+           "% as "
+           "a share of the bounding box's diagonal");
     option("rho", options.rho, Range{0, std::numbers::pi},
            "a border edge is smooth up to this dihedral angle, radians");
 }

@@ -15,6 +15,7 @@ Json fitToJson(const FitSummary& fit) {
     json["deviationRelative"] = deviation.maxRelative;
     json["farthest"] = {
         {"patch", fit.farthest.patch}, {"at", fit.farthest.at}, {"point", {point[0], point[1], point[2]}}};
+    json["scan"] = fit.scan ? Json{{"coverage", fit.scan->coverage}, {"noise", fit.scan->noise}} : Json();
     json["gap"] = deviation.largestGap;
     json["largestNormalAngle"] = deviation.largestNormalAngle;
     json["percentile95NormalAngle"] = deviation.percentile95NormalAngle;

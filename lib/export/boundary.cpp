@@ -27,6 +27,14 @@ double resolution(const QuadMesh& mesh) {
     return std::max(Precision::Confusion(), 4e-12 * largest);
 }
 
+/// Of a curve's control polygon: the curve is no longer.
+double controlLength(const Geom_BSplineCurve& curve) {
+    double length = 0;
+    for (int k = 1; k < curve.NbPoles(); ++k)
+        length += curve.Pole(k).Distance(curve.Pole(k + 1));
+    return length;
+}
+
 /// Of the mesh's quads, times six: negative if they look inwards.
 double signedVolume(const QuadMesh& mesh, const Segment& segment, const Point& origin) {
     double sum = 0;
@@ -49,6 +57,7 @@ public:
           borders_(faces.patches.size()) {}
 
     Boundary make() {
+        result_.resolution = resolution_;
         makeFaces();
         for (const SharedEdge& edge : shared_.edges)
             makeEdge(edge);
@@ -99,6 +108,8 @@ private:
         made.curve =
             splineCurve(restricted(border(at.patch, at.side), at.position, at.position + edge.length));
         double gap = edge.gap;
+        result_.largestGap = std::max(result_.largestGap, gap);
+        if (controlLength(*made.curve) < resolution_) ++result_.lostEdges;
         for (std::size_t use = 0; use < edge.places.size(); ++use) {
             const auto& simple = simple_[edge.places[use].patch];
             if (!simple) {

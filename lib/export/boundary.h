@@ -48,6 +48,9 @@ struct Boundary {
     std::size_t openEdges = 0;
     std::size_t smoothEdges = 0; ///< whose faces' normals differ by less than 0.01 radians
     std::size_t simpleFaces = 0; ///< planes, cylinders, cones, spheres and tori
+    std::size_t lostEdges = 0;   ///< that are shorter than `resolution`
+    double resolution = 0;       ///< the smallest tolerance: what is taken for one point
+    double largestGap = 0;       ///< between patches, before simple surfaces take their place
     double largestTolerance = 0;
 };
 

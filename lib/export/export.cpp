@@ -57,6 +57,9 @@ ShapeReport reportOf(const Boundary& boundary) {
     report.simpleFaces = boundary.simpleFaces;
     for (const BoundaryPart& part : boundary.parts)
         ++(part.closed ? report.solids : report.shells);
+    report.lostEdges = boundary.lostEdges;
+    report.resolution = boundary.resolution;
+    report.largestGap = boundary.largestGap;
     report.largestTolerance = boundary.largestTolerance;
     return report;
 }

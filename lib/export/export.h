@@ -51,7 +51,10 @@ struct ShapeReport {
     std::size_t simpleFaces = 0; ///< planes, cylinders, cones, spheres and tori
     std::size_t solids = 0;      ///< closed components
     std::size_t shells = 0;      ///< open components
+    std::size_t lostEdges = 0;   ///< shorter than `resolution`: readers may lose them
     bool valid = false;
+    double resolution = 0; ///< what the format takes for one point, in the mesh's unit
+    double largestGap = 0; ///< between neighbouring patches
     /// Of an edge or vertex: the largest gap that had to be bridged. Where it is above one millimetre,
     /// readers that are made with OpenCASCADE look for the edge on the surfaces anew, and may not find it.
     double largestTolerance = 0;

@@ -50,7 +50,7 @@ constexpr std::array recipes{
     Recipe{{"plate", "a flat sheet with a round hole: a boundary", 8},
            [](int n, const ShapeOptions&) { return plateShape(n); },
            plateSurface},
-    Recipe{{"random", "a random solid made of cubes, softened; see --seed", 4},
+    Recipe{{"random", "a random solid made of cubes, softened; see --seed", 4, true},
            [](int n, const ShapeOptions& options) { return randomShape(n, options.voxels, options.seed); }},
     Recipe{
         {"random-open", "the same with pieces of its surface taken out", 4},

@@ -32,6 +32,7 @@ struct ShapeKind {
     const char* name;
     const char* summary; ///< what it is a sample of
     int resolution;      ///< where none is asked for
+    bool random = false; ///< depends on seed and number of cubes
 };
 
 /// In alphabetical order.

@@ -15,12 +15,20 @@ std::string figureText(double value) {
     return text;
 }
 
-std::string pointText(const Point& point) {
+std::string pointText(const Point& point, double extent) {
     // Beside the others, nothing is what rounding left of zero.
     const double nothing = 1e-12 * point.norm();
+    // So many digits behind the point as tell places on the model apart, where three do not.
+    const int digits = extent > 0 ? static_cast<int>(std::ceil(2 - std::log10(extent))) : 0;
     std::string text;
-    for (const double coordinate : point)
-        text += (text.empty() ? "(" : ", ") + figureText(std::abs(coordinate) <= nothing ? 0 : coordinate);
+    for (const double coordinate : point) {
+        const double value = std::abs(coordinate) <= nothing ? 0 : coordinate;
+        text += text.empty() ? "(" : ", ";
+        if (digits > 0 && digits < 9 && std::abs(value) >= 10 * extent)
+            appendNumber(text, value, std::chars_format::fixed, digits);
+        else
+            text += figureText(value);
+    }
     return text + ")";
 }
 

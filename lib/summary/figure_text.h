@@ -11,7 +11,8 @@ namespace qm {
 [[nodiscard]] std::string figureText(double value);
 
 /// "(0.12, 3.4, 5)".
-[[nodiscard]] std::string pointText(const Point& point);
+/// \param extent  of what the point lies on: far from the origin, a place is told to three digits of it
+[[nodiscard]] std::string pointText(const Point& point, double extent);
 
 /// "1 hole", "2 holes".
 [[nodiscard]] std::string countText(std::size_t count, const std::string& noun);

@@ -10,19 +10,18 @@
 namespace qm {
 namespace {
 
-/// STEP files say how close points must be to be one; this is what ours say where nothing is farther apart.
-constexpr double stepTolerance = 1e-7;
-
 int piecesOf(const QuadMesh& mesh) {
     const auto isolated =
         std::ranges::count_if(mesh.vertices(), [&](VertexId vertex) { return mesh.is_isolated(vertex); });
     return components(mesh).count - static_cast<int>(isolated);
 }
 
-std::string missedTolerance(const FitSummary& fit, const std::string& unit) {
+std::string missedTolerance(const Summary& summary, const std::string& unit) {
+    const FitSummary& fit = *summary.fit;
     return "the tolerance is missed: " + figureText(fit.deviation.max) + unit + " where " +
            figureText(fit.tolerance) + unit + " are allowed, in patch " + std::to_string(fit.farthest.patch) +
-           " at " + pointText(fit.farthestPoint) + ". Allow more, or mend the mesh there";
+           " at " + pointText(fit.farthestPoint, summary.diagonal) + ". Allow more, or " +
+           (fit.scan ? "make more quads of the scan" : "mend the mesh there");
 }
 
 } // namespace
@@ -42,8 +41,9 @@ Summary summarise(const QuadMesh& mesh, const Layout* layout, const Surfaces* su
     if (surfaces == nullptr || surfaces->patches.empty()) return summary;
     FitSummary& figures = summary.fit.emplace();
     figures.smooth = fit.fit == Fit::smooth;
-    figures.tolerance = fit.tolerance.length(summary.diagonal);
+    figures.tolerance = allowedDistance(*surfaces, fit, summary.diagonal);
     figures.deviation = surfaces->deviation;
+    figures.scan = surfaces->scan;
     figures.farthest = surfaces->farthest;
     figures.farthestPoint =
         evaluate(surfaces->patches[figures.farthest.patch], figures.farthest.at[0], figures.farthest.at[1])
@@ -63,7 +63,7 @@ std::vector<std::string> unmetLimits(const Summary& summary, const Limits& limit
                         std::to_string(*limits.maxPatches) + " are allowed. Allow more, or smooth the mesh");
     if (!summary.fit || !summary.fit->smooth) return unmet;
     const FitSummary& fit = *summary.fit;
-    if (fit.deviation.max > fit.tolerance) unmet.push_back(missedTolerance(fit, length));
+    if (fit.deviation.max > fit.tolerance) unmet.push_back(missedTolerance(summary, length));
     if (fit.deviation.largestNormalAngle > limits.maxNormalAngle)
         unmet.push_back("normals jump by " + figureText(fit.deviation.largestNormalAngle) +
                         " degrees across a smooth border where " + figureText(limits.maxNormalAngle) +

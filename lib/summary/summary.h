@@ -11,12 +11,16 @@
 
 namespace qm {
 
+/// STEP files say how close points must be to be one; this is what ours say where nothing is farther apart.
+constexpr double stepTolerance = 1e-7;
+
 /// Figures of surfaces that were fitted.
 struct FitSummary {
     bool smooth = true;   ///< Fit::smooth, which heeds a tolerance and leaves no gaps
-    double tolerance = 0; ///< in the mesh's unit; of a smooth fit
+    double tolerance = 0; ///< in the mesh's unit; of a smooth fit; with what is left of a scan's noise
     Deviation deviation;
-    LayoutPlace farthest; ///< where deviation.max was found
+    std::optional<ScanFigures> scan; ///< that the surfaces were fitted to
+    LayoutPlace farthest;            ///< where deviation.max was found
     Point farthestPoint{0, 0, 0};
 };
 

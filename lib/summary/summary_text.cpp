@@ -32,17 +32,24 @@ std::string shapeText(const Summary& summary, const std::string& unit) {
     return summary.fit ? "closed, but patches are apart" : "closed";
 }
 
-std::string deviationLines(const FitSummary& fit, const std::string& unit) {
-    std::string text = figureText(fit.deviation.max) + " " + unit;
+std::string deviationLines(const FitSummary& fit, double diagonal, const std::string& unit) {
+    std::string text = figureText(fit.deviation.max) + " " + unit + (fit.scan ? " from the scan" : "");
     if (fit.smooth)
         text += ", " + figureText(100 * fit.deviation.max / fit.tolerance) + "% of the tolerance, " +
                 figureText(fit.tolerance) + " " + unit;
     return line("deviation", text) + line("  largest", "in patch " + std::to_string(fit.farthest.patch) +
-                                                           " at " + pointText(fit.farthestPoint));
+                                                           " at " + pointText(fit.farthestPoint, diagonal));
 }
 
-std::string fitLines(const FitSummary& fit, const std::string& unit) {
-    std::string text = deviationLines(fit, unit) +
+/// How much of the mesh the scan shows is never rounded to all of it.
+std::string scanLine(const ScanFigures& scan, const std::string& unit) {
+    const double shown = scan.coverage < 1 ? std::min(100 * scan.coverage, 99.9) : 100;
+    return line("scan",
+                "shows " + figureText(shown) + "% of the mesh, noise " + figureText(scan.noise) + " " + unit);
+}
+
+std::string fitLines(const FitSummary& fit, double diagonal, const std::string& unit) {
+    std::string text = (fit.scan ? scanLine(*fit.scan, unit) : "") + deviationLines(fit, diagonal, unit) +
                        line("gap", figureText(fit.deviation.largestGap) + " " + unit) +
                        line("normals", "jump by " + figureText(fit.deviation.largestNormalAngle) +
                                            " degrees at most, 95% by less than " +
@@ -61,7 +68,7 @@ std::string summaryText(const Summary& summary, const std::string& name, const s
                                          countText(static_cast<std::size_t>(summary.pieces), "piece")) +
                        line("size", sizeText(summary, unit));
     if (summary.patches) text += line("patches", std::to_string(*summary.patches));
-    if (summary.fit) text += fitLines(*summary.fit, unit);
+    if (summary.fit) text += fitLines(*summary.fit, summary.diagonal, unit);
     text += line("shape", shapeText(summary, unit));
     if (seconds) text += line("seconds", figureText(*seconds));
     return text;

@@ -35,10 +35,16 @@ std::vector<std::string> allLayerNames() {
     return names;
 }
 
-std::vector<std::string> parseNames(const std::string& text) {
+std::vector<std::string> parseLayers(const std::string& text) {
+    const std::vector<std::string> known = allLayerNames();
     std::vector<std::string> names;
-    for (std::string& name : split(text, ','))
-        if (!name.empty()) names.push_back(std::move(name));
+    for (std::string& name : split(text, ',')) {
+        if (name.empty()) continue;
+        if (std::ranges::find(known, name) == known.end())
+            throw Error("", "there is no layer " + name,
+                        "Give some of " + joinedNames(faceLayerNames) + ", " + joinedNames(lineLayerNames));
+        names.push_back(std::move(name));
+    }
     return names;
 }
 

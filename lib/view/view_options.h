@@ -16,7 +16,8 @@ namespace qm {
 [[nodiscard]] std::vector<std::string> allLayerNames();
 
 /// "segments,borders" as a list.
-[[nodiscard]] std::vector<std::string> parseNames(const std::string& text);
+/// \throw Error  if there are no layers of such names, whatever the document
+[[nodiscard]] std::vector<std::string> parseLayers(const std::string& text);
 
 /// "1,-1.5,0.9" as a direction.
 /// \throw Error  if it is not three numbers, or all are zero

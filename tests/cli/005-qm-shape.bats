@@ -82,6 +82,10 @@ shapes() { qm-shape --list | awk 'NR > 1 { print $1 }'; }
     misused qm-shape sphere --scan 100 --around 8
     misused qm-shape sphere --resolution 3 --around 8
     misused qm-shape cube --scan 100 --noise 0
+    misused qm-shape cube --seed 2
+    misused qm-shape cube --scan 100 --seed 2
+    misused qm-shape cube --voxels 2
+    misused qm-shape --list --format off
     misused qm-shape cube --scan 20000001
 }
 

@@ -7,7 +7,7 @@ setup_file() {
     stage pruned block >/dev/null
 }
 
-fit() { quietly qm-bspline "${@:2}" "$(stage pruned "$1")" -o out.json; }
+fit() { quietly qm-bspline --quiet "${@:2}" "$(stage pruned "$1")" -o out.json; }
 is() { assert_equal "$(field "$1" out.json)" true; }
 
 @test "interpolation: one patch per segment, with as many control points as it needs" {
@@ -64,6 +64,27 @@ is() { assert_equal "$(field "$1" out.json)" true; }
     run -3 --separate-stderr qm-bspline --tolerance 1e-12 "$(stage pruned bracket)" -o out.json
     assert_regex "$stderr" 'tolerance is missed in patch [0-9]+ at u = .*times as far'
     quietly qm-check out.json -o verdict
+}
+
+@test "gaps that a STEP reader would see are told, with how large they are" {
+    run -0 --separate-stderr qm-bspline --fit interpolate "$(stage pruned block)" -o out.json
+    assert_equal "${#stderr_lines[@]}" 1
+    assert_regex "$stderr" '^qm-bspline: patches are up to [0-9.]+ apart, and STEP joins what is nearer than 1e-07\. .*--fit smooth'
+    quietly qm-bspline --fit interpolate "$(stage pruned cube)" -o out.json
+    is '.surfaces.deviation.largestGap <= 1e-7'
+}
+
+@test "patches that may fold are told, with how often and where" {
+    run -0 --separate-stderr qm-bspline --tolerance 0.5% "$(stage pruned bracket)" -o out.json
+    folds=$(field .surfaces.deviation.folds out.json)
+    [[ $folds == 0 ]] || assert_regex "$stderr" "^qm-bspline: $folds pieces? of patches may fold over, [0-9]+ of them in patch [0-9]+\\. "
+    quietly qm-bspline --tolerance 0.5% "$(stage pruned block)" -o out.json
+    is '.surfaces.deviation.folds == 0'
+}
+
+@test "options that have no effect are wrong" {
+    misused qm-bspline --fit interpolate --tolerance 1% "$(stage pruned block)"
+    misused qm-bspline --fit interpolate --reference scan.stl "$(stage pruned block)"
 }
 
 @test "options out of range" {

@@ -38,8 +38,8 @@ PRODUCT('two 2'"
 
 @test "neighbours that are one surface become one face" {
     qm-bspline --fit interpolate "$(stage layout plate)" -o plate.json
-    quietly qm-export plate.json -o apart.step
-    quietly qm-export --join plate.json -o joined.step
+    quietly qm-export --quiet plate.json -o apart.step
+    quietly qm-export --quiet --join plate.json -o joined.step
     assert [ "$(grep -c ADVANCED_FACE joined.step)" -lt "$(grep -c ADVANCED_FACE apart.step)" ]
     grep -q "ADVANCED_FACE('segments [0-9]* [0-9]" joined.step
 }
@@ -63,13 +63,31 @@ PRODUCT('two 2'"
     grep -q "SI_UNIT(.CENTI.,.METRE.)" block.stp
 }
 
-@test "gaps of more than a millimetre are worth a warning" {
-    quietly qm-bspline --fit interpolate "$(stage pruned block)" -o gaps.json
-    run --separate-stderr qm-export --unit m gaps.json -o block.step
-    assert_success
-    assert_regex "$stderr" 'millimetre.*--fit smooth'
-    quietly qm-bspline --tolerance 0.5% "$(stage pruned block)" -o block.json
-    quietly qm-export --unit m block.json -o block.step
+@test "gaps are a warning with figures, and status 3" {
+    qm-bspline --quiet --fit interpolate "$(stage pruned block)" -o gaps.json
+    for format in step iges; do
+        run -3 --separate-stderr qm-export --unit m --format $format gaps.json -o block.step
+        assert_equal "${#stderr_lines[@]}" 1
+        assert_regex "$stderr" '^qm-export: patches are 0\.00[0-9]+ m apart, and STEP joins what is nearer than 1e-07 m\. '
+        assert [ -s block.step ]
+    done
+    quietly qm-export --unit m "$(stage surfaces block)" -o block.step
+}
+
+@test "an open shell is told with how many edges are open" {
+    qm-bspline --quiet "$(stage pruned plate)" -o plate.json
+    run -0 --separate-stderr qm-export plate.json -o plate.step
+    assert_equal "${#stderr_lines[@]}" 1
+    assert_regex "$stderr" '^qm-export: 1 open shell, 0 solids: [0-9]+ edges of [0-9]+ on the boundary of the mesh\. '
+    quietly qm-export --quiet plate.json -o plate.step
+}
+
+@test "a mesh that is too small for the format is told, and status 3" {
+    awk '/^v / { print "v", $2 * 1e-7, $3 * 1e-7, $4 * 1e-7; next } { print }' "$(sample cube)" >tiny.obj
+    qm-basecomplex tiny.obj | qm-enum | qm-merge | qm-bspline -o tiny.json
+    run -3 --separate-stderr qm-export tiny.json -o tiny.step
+    assert_equal "${#stderr_lines[@]}" 1
+    assert_regex "$stderr" '^qm-export: the mesh, [0-9.e-]+ mm across, is too small: .* 1e-07 mm\. Scale it up'
 }
 
 @test "IGES, by the output's name or by request" {

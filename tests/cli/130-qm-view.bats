@@ -142,6 +142,7 @@ EOF
     misused qm-view --png block.png --size 5x5 "$(stage layout block)"
     misused qm-view --size 300x300 "$(stage layout block)"
     misused qm-view --view 0,0,0 "$(stage layout block)"
+    misused qm-view --show no-such-layer "$(stage layout block)"
     misused qm-view --up 1,2 "$(stage layout block)"
     misused qm-view --png same -o same "$(stage layout block)"
     complains qm-view --show segments "$(stage cut block)"

@@ -126,13 +126,22 @@ fails_with() {
     assert [ -s 'my folder/a part.step' ]
     assert [ -s 'my stages/my part.surfaces.json' ]
     quietly quadmesh ./-o.obj
+    quietly quadmesh --quiet -- -o.obj
 }
 
 @test "a stage that fails gives one message" {
     echo 'f 1 2 3 4' >broken.obj
     fails_with '^qm-basecomplex: .*broken\.obj: ' broken.obj -o broken.step
     assert [ ! -e broken.step ]
-    fails_with 'no-such-file.obj' no-such-file.obj
+}
+
+@test "a mesh that cannot be read is told with the reason" {
+    fails_with '^quadmesh: no-such-file.obj: there is no such file$' no-such-file.obj
+    mkdir folder.obj
+    fails_with '^quadmesh: folder.obj: is a folder' folder.obj
+    [[ $(id -u) != 0 ]] || return 0 # who may read everything
+    chmod 0 part.obj
+    fails_with '^quadmesh: part.obj: cannot be read: permission denied$' part.obj
 }
 
 @test "where nothing can be written it is told before the work" {
@@ -157,6 +166,12 @@ fails_with() {
     refused part.obj --cut.avoid-features=yes
     refused part.obj --nothing.chi 1
     refused part.obj --cut.mesh other.obj
+    refused part.obj -o .step
+    refused part.obj -o part.step -o ./part.step
+    refused part.obj --view.show no-such-layer -o part.html
+    refused part.obj --view.size 3 -o part.png
+    refused part.obj --remesh.seed x --quads 500
+    refused -- part.obj other.obj
     refused -
 }
 
@@ -165,6 +180,30 @@ fails_with() {
     refused part.obj --export.join -o part.obj.json
     refused part.obj --export.colour deviation -o part.step
     refused part.obj --remesh.seed 3
+    refused part.obj --export.analytic-tolerance 1 -o part.step
+}
+
+@test "what quadmesh sets itself is not for a stage" {
+    refused part.obj --remesh.quads 100 --quads 500
+    refused part.obj --export.unit cm -o part.step
+    refused part.obj --view.unit cm -o part.html
+    refused part.obj --view.png part.png -o part.html
+    refused part.obj --bspline.tolerance 1%
+}
+
+@test "the unit is that of all files" {
+    quadmesh --quiet part.obj --unit inch -o part.step -o part.html
+    grep -q "CONVERSION_BASED_UNIT('INCH'" part.step
+    grep -q 'largest deviation, inch' part.html
+}
+
+@test "a file that other programs will hardly take is told, and the exit status is 3" {
+    run --separate-stderr quadmesh part.obj --bspline.fit interpolate -o part.step
+    assert_equal "$status" 3
+    assert_equal "${#stderr_lines[@]}" 1
+    assert_regex "$stderr" '^qm-export: patches are [0-9.]+ mm apart'
+    assert_line --regexp '^shape +closed, but patches are apart$'
+    assert [ -s part.step ]
 }
 
 @test "--repair mends, and the mesh lies beside the document" {

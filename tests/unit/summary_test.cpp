@@ -19,8 +19,10 @@ TEST(FigureText, HasThreeDigitsAndFewExponents) {
 }
 
 TEST(FigureText, PointsLeaveOutWhatRoundingLeft) {
-    EXPECT_EQ(pointText({1, -2e-17, 3.14159}), "(1, 0, 3.14)");
-    EXPECT_EQ(pointText({0, 0, 0}), "(0, 0, 0)");
+    EXPECT_EQ(pointText({1, -2e-17, 3.14159}, 2), "(1, 0, 3.14)");
+    EXPECT_EQ(pointText({1000001.2345, -1.5, 0}, 4.7), "(1000001.23, -1.5, 0)");
+    EXPECT_EQ(pointText({1000001.2345, -1.5, 0}, 47000), "(1000001, -1.5, 0)");
+    EXPECT_EQ(pointText({0, 0, 0}, 0), "(0, 0, 0)");
 }
 
 /// A closed mesh with surfaces that keep their tolerance.

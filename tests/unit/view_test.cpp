@@ -216,7 +216,9 @@ TEST(View, OptionsAreRead) {
     EXPECT_EQ(parseSection("z:0.25").share, 0.25);
     for (const char* bad : {"a", ":0.5", "x:2", "x:-1", "x:0.5:1", "xy", "x:nan", "x:"})
         EXPECT_THROW((void)parseSection(bad), Error) << bad;
-    EXPECT_EQ(parseNames("a,b,,c"), (std::vector<std::string>{"a", "b", "c"}));
+    EXPECT_EQ(parseLayers("mesh,tracks,,net"), (std::vector<std::string>{"mesh", "tracks", "net"}));
+    EXPECT_EQ(parseLayers(""), std::vector<std::string>{});
+    EXPECT_THROW((void)parseLayers("mesh,foo"), Error);
     EXPECT_EQ(parseDirection("1,-2,0.5"), (std::array<double, 3>{1, -2, 0.5}));
     EXPECT_EQ(parseSize("640x480").width, 640);
     for (const char* bad : {"", "640", "640x", "x480", "640x480x2", "1x1", "99999x2", "640 x 480"})
