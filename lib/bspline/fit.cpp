@@ -1,9 +1,9 @@
 #include "bspline/fit.h"
 
 #include "base/error.h"
-#include "base/parallel.h"
 #include "bspline/fitting/smooth_fit.h"
 #include "bspline/measure/measure.h"
+#include "bspline/measure/scan_deviation.h"
 #include "bspline/network/smooth_network.h"
 #include "bspline/reference/fit_target.h"
 #include "bspline/splines/bounding_box.h"
@@ -14,7 +14,6 @@
 #include <cstddef>
 #include <locale>
 #include <sstream>
-#include <utility>
 
 namespace qm {
 namespace {
@@ -24,15 +23,6 @@ void requireValid(const FitOptions& options) {
         !(options.tolerance.value > 0 && std::isfinite(options.tolerance.value)))
         throw Error("tolerance", "must be a positive number", "Give the largest deviation that is allowed");
     if (!(options.rho >= 0)) throw Error("rho", "must not be negative", "Give an angle in radians");
-}
-
-std::vector<Patch> interpolateSegments(const QuadMesh& mesh, const Layout& layout, const Control& control) {
-    std::vector<Patch> patches(layout.segments.size());
-    parallelFor(patches.size(), control.jobs, [&](std::size_t k) {
-        patches[k] = interpolate(pointGrid(mesh, layout.segments[k]), layout.segments[k].size);
-        patches[k].segment = SegmentId(k);
-    });
-    return patches;
 }
 
 /// How finely meshes of a size are sampled, and how long their fit is worked at: large ones have short edges,
@@ -63,19 +53,9 @@ ScanFigures scanFigures(const std::vector<Patch>& patches, const FitTarget& targ
         const TriangleSurface::Nearest found = scan.nearest(from);
         return ScanPoint{scan.corners(found.face), found.distance, found.onBoundary};
     };
-    std::vector<ScanDeviation> ofPatch(patches.size());
-    parallelFor(patches.size(), jobs, [&](std::size_t k) {
-        ofPatch[k] = scanDeviation(patches[k], k, nearest, target.maxDistance, {.negligible = negligible});
-    });
-    ScanFigures figures{target.coverage, target.noise};
-    std::vector<std::pair<double, double>> samples;
-    for (const ScanDeviation& one : ofPatch) {
-        figures.max = std::max(figures.max, one.deviation.upper);
-        samples.insert(samples.end(), one.deviation.samples.begin(), one.deviation.samples.end());
-    }
-    figures.rms = rootMeanSquare(samples);
-    figures.percentile95 = percentile95(std::move(samples));
-    return figures;
+    const ScanDeviations found =
+        deviationFromScan(patches, nearest, target.maxDistance, {.negligible = negligible}, jobs);
+    return {target.coverage, target.noise, found.max, found.rms, found.percentile95};
 }
 
 } // namespace
@@ -92,20 +72,20 @@ Surfaces fitSurfaces(const QuadMesh& mesh, const Layout& layout, const std::vect
         // What lies between samples, and the width of the bound that is measured in the end.
         constexpr double share = 0.94;
         surfaces.patches =
-            fitSmooth(mesh, layout, network, {target.grids, target.weights},
+            fitSmooth(mesh, layout, network, target,
                       {.tolerance = share * (options.tolerance.length(diagonal) + noiseLeft * target.noise),
                        .steps = effort.stepsOfFit,
                        .maxRounds = effort.maxRounds,
                        .slides = effort.slides},
                       control);
     } else {
-        surfaces.patches = interpolateSegments(mesh, layout, control);
+        surfaces.patches = interpolateSegments(mesh, layout, control.jobs);
     }
     std::vector<bool> isSmooth = network.marks.isCrease;
     isSmooth.flip();
     const MeasureOptions measuring;
     const Measurement measurement =
-        measureSurfaces(mesh, layout, surfaces.patches, target.grids, isSmooth, measuring, {}, control);
+        measureSurfaces(mesh, layout, surfaces.patches, target.grids, isSmooth, measuring, control);
     if (scan != nullptr)
         surfaces.scan =
             scanFigures(surfaces.patches, target, *scan, measuring.negligible * diagonal, control.jobs);

@@ -16,13 +16,6 @@ namespace {
 
 using test::Grid;
 
-std::vector<Patch> interpolateAll(const QuadMesh& mesh, const Layout& layout) {
-    std::vector<Patch> patches;
-    for (const Segment& segment : layout.segments)
-        patches.push_back(interpolate(pointGrid(mesh, segment), segment.size));
-    return patches;
-}
-
 /// A patch through points of a smooth shape, and the shape itself.
 struct Pair {
     Grid grid;
@@ -32,7 +25,7 @@ struct Pair {
 
     QuadMesh mesh = test::makeMesh(grid);
     Layout layout = test::makeLayout(grid, rectangles);
-    std::vector<Patch> patches = interpolateAll(mesh, layout);
+    std::vector<Patch> patches = interpolateSegments(mesh, layout, 1);
     std::vector<BorderEdge> borders = borderEdges(mesh, layout);
     std::vector<ReferenceGrid> references = makeReferences();
 

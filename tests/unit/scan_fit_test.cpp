@@ -54,7 +54,39 @@ TEST_P(NoisyScan, IsFartherFromTheTruthThanTheSurfacesFittedToIt) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Parts, NoisyScan,
-                         testing::Values("sphere", "torus", "block", "plate", "cylinder", "tube"));
+                         testing::Values("sphere", "torus", "block", "plate", "genus3", "tube"));
+
+std::size_t controlPointsFor(const QuadMesh& mesh, const Triangles& scan) {
+    const std::vector<double> angles = dihedralAngles(mesh);
+    const TriangleSurface surface(scan);
+    const Surfaces surfaces = fitSurfaces(mesh, wholeLayout(mesh, angles), angles, {}, &surface);
+    EXPECT_LE(surfaces.deviation.maxRelative, 0.001);
+    return controlPointCount(surfaces.patches);
+}
+
+TEST(DirtyScan, NeedsFewMoreControlPointsThanACleanOne) {
+    const QuadMesh mesh = makeShape("block");
+    const Triangles clean = makeScan("block", 60'000);
+    const std::size_t expected = controlPointsFor(mesh, clean);
+
+    Triangles torn{clean.points, {}};
+    const double radius = 0.08 * diagonalOf(clean);
+    const Point middle = clean.points[clean.points.size() / 3];
+    for (const auto& face : clean.faces)
+        if ((clean.points[static_cast<std::size_t>(face[0])] - middle).norm() > radius)
+            torn.faces.push_back(face);
+    EXPECT_LE(controlPointsFor(mesh, torn), 1.2 * static_cast<double>(expected));
+
+    Triangles spiked = clean;
+    const Triangles noise = [&] {
+        Triangles all = clean;
+        addNoise(all, 0.01 * diagonalOf(clean), 1);
+        return all;
+    }();
+    for (std::size_t k = 0; k < spiked.points.size(); k += 100)
+        spiked.points[k] = noise.points[k];
+    EXPECT_LE(controlPointsFor(mesh, spiked), 3 * static_cast<double>(expected));
+}
 
 } // namespace
 } // namespace qm

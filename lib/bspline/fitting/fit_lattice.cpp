@@ -9,11 +9,6 @@
 namespace qm {
 namespace {
 
-Point unit(const Point& vector) {
-    const double length = vector.norm();
-    return length > 0 ? vector / length : Point(0, 0, 0);
-}
-
 /// The share of a direction that stands for each of its parameters.
 std::vector<double> widths(const std::vector<double>& parameters) {
     std::vector<double> result(parameters.size());

@@ -32,10 +32,6 @@ Point meanNormal(const FitLattice& lattice, std::size_t k, const SurfacePoint& p
 /// the distance between them.
 Point meanDirection(const FitLattice& lattice, std::size_t k, const SurfacePoint& point) {
     const Point& axis = lattice.axes[k];
-    const auto unit = [](const Point& vector) {
-        const double length = vector.norm();
-        return length > 0 ? vector / length : Point(0, 0, 0);
-    };
     const Point u = unit(point.du);
     const Point v = unit(point.dv);
     const Point& along = std::abs(u | axis) > std::abs(v | axis) ? u : v;

@@ -27,7 +27,8 @@ struct PatchErrors {
 
 /// Moves the targets to where the patch is, but on the reference, and ahead in the direction in which they
 /// moved: the parameters of the reference are a choice, and a surface that need not heed them is smoother and
-/// has fewer knots. Where the patch is folded the targets go back to the reference's points for good.
+/// has fewer knots. Where the patch is folded the targets go back to the reference's points: the
+/// second time for good.
 void slideTargets(const Patch& patch, FitLattice& lattice);
 
 /// Puts the targets in a rectangle of parameters back to the reference's points for good.

@@ -48,7 +48,7 @@ struct GivenUp {
 class SmoothFit {
 public:
     SmoothFit(const QuadMesh& mesh, const Layout& layout, const SmoothNetwork& network,
-              const FitReference& reference, const SmoothFitOptions& options, unsigned jobs)
+              const FitTarget& reference, const SmoothFitOptions& options, unsigned jobs)
         : layout_(layout), options_(options), jobs_(jobs), map_(mesh, layout, network),
           plan_(layout, network),
           sources_(latticeSources(mesh, layout, network, reference.grids, reference.weights)),
@@ -230,7 +230,7 @@ private:
 } // namespace
 
 std::vector<Patch> fitSmooth(const QuadMesh& mesh, const Layout& layout, const SmoothNetwork& network,
-                             const FitReference& reference, const SmoothFitOptions& options,
+                             const FitTarget& reference, const SmoothFitOptions& options,
                              const Control& control) {
     return SmoothFit(mesh, layout, network, reference, options, control.jobs).run(control);
 }

@@ -4,7 +4,7 @@
 
 #include "base/control.h"
 #include "bspline/network/smooth_network.h"
-#include "bspline/reference/reference_grid.h"
+#include "bspline/reference/fit_target.h"
 #include "bspline/splines/surfaces.h"
 #include "layout/layout.h"
 
@@ -20,17 +20,11 @@ struct SmoothFitOptions {
     int slides = 6;        ///< solutions of each, between which the targets slide
 };
 
-/// What patches are fitted to.
-struct FitReference {
-    const std::vector<ReferenceGrid>& grids;         ///< of every segment, in their order
-    const std::vector<std::vector<double>>& weights; ///< of the points of every grid; empty if all are 1
-};
-
 /// Patches with common borders, G1 across those that are no creases. Where the tolerance cannot be kept with
 /// knot intervals of a quarter of a mesh edge, or bicubics cannot follow the reference, it is missed.
 /// \return one patch for every segment, in their order
 [[nodiscard]] std::vector<Patch> fitSmooth(const QuadMesh& mesh, const Layout& layout,
-                                           const SmoothNetwork& network, const FitReference& reference,
+                                           const SmoothNetwork& network, const FitTarget& reference,
                                            const SmoothFitOptions& options, const Control& control = {});
 
 } // namespace qm

@@ -48,10 +48,9 @@ double largest(const Samples& samples) {
 class Meter {
 public:
     Meter(const QuadMesh& mesh, const Layout& layout, const std::vector<Patch>& patches,
-          const std::vector<ReferenceGrid>& references, const MeasureOptions& options,
-          const MeasuredScan& scan)
+          const std::vector<ReferenceGrid>& references, const MeasureOptions& options)
         : mesh_(mesh), layout_(layout), patches_(patches), references_(references), options_(options),
-          scan_(scan), diagonal_(boundingBoxDiagonal(mesh)), borders_(borderEdges(mesh, layout)),
+          diagonal_(boundingBoxDiagonal(mesh)), borders_(borderEdges(mesh, layout)),
           facets_(facetGrids(mesh, layout)), toReference_(layout, patches, references, borders_),
           toFacets_(layout, patches, facets_, borders_), parts_(patches.size()) {
         result_.ofPatch.resize(patches.size());
@@ -61,14 +60,7 @@ public:
         PatchMeasurement& patch = result_.ofPatch[k];
         Parts& parts = parts_[k];
         const CertificationOptions certification{options_.closing, options_.negligible * diagonal_};
-        CertifiedDeviation certified;
-        if (scan_.nearest) {
-            ScanDeviation ofScan = scanDeviation(patches_[k], k, scan_.nearest, scan_.cutOff, certification);
-            patch.covered = ofScan.covered;
-            certified = std::move(ofScan.deviation);
-        } else {
-            certified = certifiedDeviation(toReference_, k, certification);
-        }
+        CertifiedDeviation certified = certifiedDeviation(toReference_, k, certification);
         patch.deviation.max = certified.upper;
         patch.lowerBound = certified.lower;
         patch.farthest = certified.place;
@@ -111,8 +103,6 @@ public:
 
     Measurement finish() {
         PatchMeasurement& all = result_.ofAll;
-        double covered = 0;
-        double area = 0;
         for (std::size_t k = 0; k < patches_.size(); ++k) {
             PatchMeasurement& patch = result_.ofPatch[k];
             Deviation& sum = all.deviation;
@@ -127,12 +117,8 @@ public:
                 all.lowerBound = patch.lowerBound;
                 all.farthest = patch.farthest;
             }
-            const double size = layout_.segments[k].size[0] * 1.0 * layout_.segments[k].size[1];
-            covered += patch.covered * size;
-            area += size;
             summarise(parts_[k], patch.deviation);
         }
-        all.covered = area > 0 ? covered / area : 1;
         summarise(all_, all.deviation);
         return std::move(result_);
     }
@@ -180,7 +166,6 @@ private:
     const std::vector<Patch>& patches_;
     const std::vector<ReferenceGrid>& references_;
     MeasureOptions options_;
-    const MeasuredScan& scan_;
     double diagonal_;
     std::vector<BorderEdge> borders_;
     std::vector<ReferenceGrid> facets_;
@@ -195,8 +180,8 @@ private:
 
 Measurement measureSurfaces(const QuadMesh& mesh, const Layout& layout, const std::vector<Patch>& patches,
                             const std::vector<ReferenceGrid>& references, const std::vector<bool>& isSmooth,
-                            const MeasureOptions& options, const MeasuredScan& scan, const Control& control) {
-    Meter meter(mesh, layout, patches, references, options, scan);
+                            const MeasureOptions& options, const Control& control) {
+    Meter meter(mesh, layout, patches, references, options);
     parallelFor(patches.size(), control.jobs, [&](std::size_t k) { meter.measurePatch(k); });
     meter.measureBorders(isSmooth, control.jobs);
     return meter.finish();

@@ -3,22 +3,14 @@
 
 #include "base/control.h"
 #include "bspline/measure/paired_surfaces.h"
-#include "bspline/measure/scan_deviation.h"
 #include "bspline/reference/reference_grid.h"
 #include "bspline/splines/surfaces.h"
 #include "layout/layout.h"
 
 #include <array>
-#include <cmath>
 #include <vector>
 
 namespace qm {
-
-/// A scan that distances are measured from in place of the reference grids.
-struct MeasuredScan {
-    NearestOnScan nearest;    ///< empty: there is none
-    double cutOff = HUGE_VAL; ///< farther away it is no witness
-};
 
 struct MeasureOptions {
     int samplesPerEdge = 16;  ///< of normals and gaps along borders; at least 2
@@ -30,7 +22,6 @@ struct PatchMeasurement {
     Deviation deviation;   ///< borders count for both neighbours
     double lowerBound = 0; ///< the largest distance from the reference that was found at a point
     LayoutPlace farthest;  ///< where
-    double covered = 1;    ///< by the scan: share of the parameters' area
     std::vector<std::array<double, 2>> folds; ///< u and v, a place for every piece that may fold
 };
 
@@ -41,14 +32,12 @@ struct Measurement {
 
 /// Measures deviation from the reference, from the quads and from the vertices, borders, inner lines, folds
 /// and fairness. Linear in the mesh; about 10 microseconds a quad. \param references  one for every patch
-/// \param isSmooth  by edge: across which borders normals are compared \param scan  what `max`, `rms` and
-/// `percentile95` are measured from; normals and bending are compared with the references in any case
+/// \param isSmooth  by edge: across which borders normals are compared
 [[nodiscard]] Measurement measureSurfaces(const QuadMesh& mesh, const Layout& layout,
                                           const std::vector<Patch>& patches,
                                           const std::vector<ReferenceGrid>& references,
                                           const std::vector<bool>& isSmooth,
-                                          const MeasureOptions& options = {}, const MeasuredScan& scan = {},
-                                          const Control& control = {});
+                                          const MeasureOptions& options = {}, const Control& control = {});
 
 /// The mesh's quads as a reference: bilinear, degree 1.
 [[nodiscard]] std::vector<ReferenceGrid> facetGrids(const QuadMesh& mesh, const Layout& layout);

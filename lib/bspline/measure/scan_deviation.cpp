@@ -1,5 +1,6 @@
 #include "bspline/measure/scan_deviation.h"
 
+#include "base/parallel.h"
 #include "bspline/splines/eigen_point.h"
 #include "bspline/splines/patch_bezier.h"
 
@@ -159,6 +160,23 @@ private:
 ScanDeviation scanDeviation(const Patch& patch, std::size_t number, const NearestOnScan& nearest,
                             double cutOff, const CertificationOptions& options) {
     return ScanSearch(patch, number, nearest, cutOff, options).run();
+}
+
+ScanDeviations deviationFromScan(const std::vector<Patch>& patches, const NearestOnScan& nearest,
+                                 double cutOff, const CertificationOptions& options, unsigned jobs) {
+    std::vector<ScanDeviation> ofPatch(patches.size());
+    parallelFor(patches.size(), jobs,
+                [&](std::size_t k) { ofPatch[k] = scanDeviation(patches[k], k, nearest, cutOff, options); });
+    ScanDeviations result;
+    std::vector<std::pair<double, double>> samples;
+    for (const ScanDeviation& one : ofPatch) {
+        result.max = std::max(result.max, one.deviation.upper);
+        result.covered += one.covered / static_cast<double>(ofPatch.size());
+        samples.insert(samples.end(), one.deviation.samples.begin(), one.deviation.samples.end());
+    }
+    result.rms = rootMeanSquare(samples);
+    result.percentile95 = percentile95(std::move(samples));
+    return result;
 }
 
 double distanceToTriangle(const std::array<Point, 3>& triangle, const Point& point) {

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <functional>
+#include <vector>
 
 namespace qm {
 
@@ -25,10 +26,23 @@ struct ScanDeviation {
 
 /// Branch and bound over the Bezier pieces of a patch: the distance from a triangle is convex, so that of a
 /// piece is at most that of its Bezier points. Places whose nearest point lies on the scan's boundary or
-/// beyond the cut-off are not covered. \param cutOff  distance from which a scan is no witness
+/// beyond the cut-off are not covered.
+/// \param cutOff  distance from which a scan is no witness
 [[nodiscard]] ScanDeviation scanDeviation(const Patch& patch, std::size_t number,
                                           const NearestOnScan& nearest, double cutOff,
                                           const CertificationOptions& options);
+
+/// Of all patches from a scan.
+struct ScanDeviations {
+    double max = 0;
+    double rms = 0;
+    double percentile95 = 0;
+    double covered = 0; ///< mean share of the patches' parameters
+};
+
+[[nodiscard]] ScanDeviations deviationFromScan(const std::vector<Patch>& patches,
+                                               const NearestOnScan& nearest, double cutOff,
+                                               const CertificationOptions& options, unsigned jobs);
 
 [[nodiscard]] double distanceToTriangle(const std::array<Point, 3>& triangle, const Point& point);
 

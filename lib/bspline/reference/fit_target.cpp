@@ -3,7 +3,6 @@
 #include "base/error.h"
 #include "bspline/reference/limit_surface.h"
 #include "bspline/reference/scan_reference.h"
-#include "bspline/reference/scan_smoothing.h"
 
 #include <utility>
 
@@ -21,7 +20,6 @@ FitTarget fitTarget(const QuadMesh& mesh, const Layout& layout, const SmoothNetw
                     "only " + std::to_string(static_cast<int>(100 * found.coverage)) +
                         " per cent of the mesh are near the scan",
                     "Give a scan of the same part, in the same place and unit");
-    smoothTargets(found, jobs);
     return {std::move(found.grids), std::move(found.weights), found.coverage, found.noise, found.maxDistance};
 }
 

@@ -1,12 +1,16 @@
 #include "bspline/reference/scan_reference.h"
 
 #include "bspline/reference/lattice_normals.h"
+#include "bspline/reference/scan_gaps.h"
 #include "bspline/reference/scan_projection.h"
+#include "bspline/reference/scan_smoothing.h"
 
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 namespace qm {
 namespace {
@@ -25,6 +29,12 @@ double median(std::vector<double>& values) {
     return *middle;
 }
 
+/// Times the median of sizes: the standard deviation of a normal distribution.
+constexpr double deviations = 1.4826;
+
+/// Standard deviations at which Tukey's biweight ends, as is usual.
+constexpr double biweightEnd = 4.685;
+
 /// Targets while they are made: everything by lattice point, looked at grid by grid.
 class Targets {
 public:
@@ -38,14 +48,14 @@ public:
 
     /// \param step  a length below which differences between neighbours are no sign of an outlier
     void weighOutliers(double step) {
-        const std::vector<double> residuals = residualsOfAll();
         std::vector<double> sizes;
-        for (std::size_t k = 0; k < residuals.size(); ++k)
-            if (weights_[k] > 0) sizes.push_back(residuals[k]);
-        // The scale of a normal distribution; the biweight ends at 4.685 of it, as is usual.
-        noise_ = 1.4826 * median(sizes);
-        const double end = 4.685 * std::max(noise_, step);
+        for (const double residual : residualsOfAll(1))
+            if (std::isfinite(residual)) sizes.push_back(residual);
+        noise_ = deviations * median(sizes);
+        const std::vector<double> residuals = residualsOfAll(2); // spikes are wider than a point
+        const std::vector<double> usual = usualResiduals(residuals);
         for (std::size_t k = 0; k < residuals.size(); ++k) {
+            const double end = biweightEnd * std::max({noise_, deviations * usual[k], step});
             const double share = residuals[k] / end;
             weights_[k] *= share < 1 ? (1 - share * share) * (1 - share * share) : 0;
         }
@@ -91,7 +101,45 @@ public:
         }
     }
 
-    [[nodiscard]] double noise() const { return noise_; }
+    /// A sharp point that jumps out from its neighbours along the edge has no target.
+    void dropSharpOutliers(double step) {
+        constexpr int reach = 3;
+        std::vector<double> residuals(weights_.size(), std::numeric_limits<double>::infinity());
+        const auto compare = [&](std::size_t g, int i, int j, int right, int down, std::size_t number) {
+            std::array<std::vector<double>, 3> around;
+            for (int k = -reach; k <= reach; ++k) {
+                const int column = i + k * right;
+                const int row = j + k * down;
+                if (column < 0 || row < 0 || column > columns(g) || row > rows(g)) continue;
+                const std::size_t other = lattice_.numbers[g][index(g, column, row)];
+                if (!lattice_.sharp[other] || weights_[other] <= 0) continue;
+                for (int axis = 0; axis < 3; ++axis)
+                    around[static_cast<std::size_t>(axis)].push_back((*displacements_[other])[axis]);
+            }
+            const Eigen::Vector3d usual(median(around[0]), median(around[1]), median(around[2]));
+            residuals[number] = std::min(residuals[number], (*displacements_[number] - usual).norm());
+        };
+        forEachPoint([&](std::size_t g, int i, int j, std::size_t number) {
+            if (!lattice_.sharp[number] || weights_[number] <= 0) return;
+            if (j == 0 || j == rows(g)) compare(g, i, j, 1, 0, number);
+            if (i == 0 || i == columns(g)) compare(g, i, j, 0, 1, number);
+        });
+        for (std::size_t k = 0; k < residuals.size(); ++k)
+            if (std::isfinite(residuals[k]) && residuals[k] > biweightEnd * std::max(noise_, step))
+                weights_[k] = 0;
+    }
+
+    /// Share of the smooth points for which the scan shows one.
+    [[nodiscard]] double coverage() const {
+        double all = 0;
+        double covered = 0;
+        for (std::size_t k = 0; k < weights_.size(); ++k) {
+            if (!lattice_.used[k] || lattice_.sharp[k]) continue;
+            ++all;
+            covered += weights_[k] > 0 ? 1 : 0;
+        }
+        return all > 0 ? covered / all : 0;
+    }
 
     [[nodiscard]] ScanReference result() const {
         ScanReference result{surface_, {}};
@@ -102,10 +150,17 @@ public:
             result.grids[g].points[index(g, i, j)] = point(lattice_.points[number] + *displacements_[number]);
             result.weights[g][index(g, i, j)] = weights_[number];
         });
-        const auto all = std::ranges::count(lattice_.used, true);
-        const auto covered = std::ranges::count_if(weights_, [](double weight) { return weight > 0; });
-        result.coverage = all > 0 ? static_cast<double>(covered) / static_cast<double>(all) : 0;
+        result.noise = noise_;
         return result;
+    }
+
+    /// Takes over what has been made of the result.
+    void update(const ScanReference& result) {
+        forEachPoint([&](std::size_t g, int i, int j, std::size_t number) {
+            const std::size_t at = index(g, i, j);
+            displacements_[number] = vector(result.grids[g].points[at]) - lattice_.points[number];
+            weights_[number] = result.weights[g][at];
+        });
     }
 
 private:
@@ -131,21 +186,40 @@ private:
         return displacements_[number]->dot(lattice_.oneSided[g][index(g, i, j)]);
     }
 
-    /// How far every point is from the median of those around it: the smaller value, where it is in two
-    /// grids.
-    [[nodiscard]] std::vector<double> residualsOfAll() const {
+    /// How far every point is from the median of those around it, up to so many lattice steps away: the
+    /// smaller value, where it is in two grids; infinite where it has no target.
+    [[nodiscard]] std::vector<double> residualsOfAll(int reach) const {
         std::vector<double> residuals(weights_.size(), std::numeric_limits<double>::infinity());
         std::vector<double> around;
         forEachPoint([&](std::size_t g, int i, int j, std::size_t number) {
             const auto own = offset(g, i, j);
             if (!own) return;
             around.clear();
-            for (int down = -1; down <= 1; ++down)
-                for (int right = -1; right <= 1; ++right)
+            for (int down = -reach; down <= reach; ++down)
+                for (int right = -reach; right <= reach; ++right)
                     if (const auto other = offset(g, i + right, j + down)) around.push_back(*other);
             residuals[number] = std::min(residuals[number], std::abs(*own - median(around)));
         });
         return residuals;
+    }
+
+    /// The median of the residuals around every point: what is usual in a rough place is no outlier. The
+    /// smaller value, where it is in two grids.
+    [[nodiscard]] std::vector<double> usualResiduals(const std::vector<double>& residuals) const {
+        constexpr int reach = 2;
+        std::vector<double> usual(residuals.size(), std::numeric_limits<double>::infinity());
+        std::vector<double> around;
+        forEachPoint([&](std::size_t g, int i, int j, std::size_t number) {
+            if (weights_[number] <= 0) return;
+            around.clear();
+            for (int down = std::max(j - reach, 0); down <= std::min(j + reach, rows(g)); ++down)
+                for (int right = std::max(i - reach, 0); right <= std::min(i + reach, columns(g)); ++right) {
+                    const std::size_t other = lattice_.numbers[g][index(g, right, down)];
+                    if (weights_[other] > 0 && !lattice_.sharp[other]) around.push_back(residuals[other]);
+                }
+            usual[number] = std::min(usual[number], median(around));
+        });
+        return usual;
     }
 
     /// What the offsets inside a grid are where it ends: the value there of the straight line through the
@@ -198,11 +272,20 @@ ScanReference scanReference(const QuadMesh& mesh, const Layout& layout,
                                                     : ScanReach{step, 2 * edge};
     ScanProjection projection = projectOntoScan(lattice, scan, reach, std::cos(options.maxAngle), jobs);
     Targets targets(lattice, surface, std::move(projection.displacements));
-    targets.weighOutliers(step / 10);
-    targets.carryOnToSharpEdges(scan, projection.maxDistance, step / 4);
+    const double negligible = step / 40; // as a difference between neighbours: no sign of an outlier
+    targets.weighOutliers(negligible);
+    const double coverage = targets.coverage();
     ScanReference result = targets.result();
+    fillGaps(lattice, surface, Gaps::butForSharpOnes, result);
+    smoothInside(result, jobs);
+    targets.update(result);
+    targets.carryOnToSharpEdges(scan, projection.maxDistance, step / 4);
+    targets.dropSharpOutliers(negligible);
+    result = targets.result();
+    result.coverage = coverage;
     result.maxDistance = projection.maxDistance;
-    result.noise = targets.noise();
+    fillGaps(lattice, surface, Gaps::all, result);
+    smoothBorders(result, jobs);
     return result;
 }
 

@@ -24,46 +24,86 @@ struct LinePoint {
 struct Smoothed {
     Point position;
     double noise = 1;
+    double residual = 0; ///< of the points from the cubic: what the noise should be if it is all there is
 };
 
 Smoothed cubicAt(const std::vector<LinePoint>& line, std::size_t k, std::size_t begin, std::size_t end) {
     constexpr double unknown = 1e-3; // weight of points without a target: they hold what nothing else does
+    constexpr double freedoms = 4;
     const double half = static_cast<double>(std::max(k - begin, end - 1 - k));
     const auto powers = [&](std::size_t i) {
         const double x = (static_cast<double>(i) - static_cast<double>(k)) / half;
         return Eigen::Vector4d(1, x, x * x, x * x * x);
     };
+    const auto weight = [&](std::size_t i) { return std::max(unknown, line[i].weight); };
     Eigen::Matrix4d form = Eigen::Matrix4d::Zero();
+    Eigen::Matrix<double, 4, 3> moments = Eigen::Matrix<double, 4, 3>::Zero();
     for (std::size_t i = begin; i < end; ++i) {
         const Eigen::Vector4d p = powers(i);
-        form += std::max(unknown, line[i].weight) * p * p.transpose();
+        form += weight(i) * p * p.transpose();
+        moments += weight(i) * p * vector(line[i].position).transpose();
     }
-    const Eigen::Vector4d first = form.ldlt().solve(Eigen::Vector4d(1, 0, 0, 0));
-    Point position(0, 0, 0);
+    const auto factors = form.ldlt();
+    const Eigen::Matrix<double, 4, 3> cubic = factors.solve(moments);
+    const Eigen::Vector4d first = factors.solve(Eigen::Vector4d(1, 0, 0, 0));
+    double passedOn = 0;
     double squares = 0;
+    double sum = 0;
     for (std::size_t i = begin; i < end; ++i) {
-        const double factor = std::max(unknown, line[i].weight) * first.dot(powers(i));
-        position += factor * line[i].position;
-        squares += factor * factor;
+        const Eigen::Vector4d p = powers(i);
+        passedOn += std::pow(weight(i) * first.dot(p), 2);
+        squares += weight(i) * (vector(line[i].position) - cubic.transpose() * p).squaredNorm();
+        sum += weight(i);
     }
-    return {position, std::sqrt(squares)};
+    const double share = 1 - freedoms / static_cast<double>(end - begin);
+    return {point(Eigen::Vector3d(cubic.row(0))), std::sqrt(passedOn), std::sqrt(squares / (sum * share))};
+}
+
+/// Whether the line bends so much at a point that an edge passes there.
+bool isSharpBend(const std::vector<LinePoint>& line, std::ptrdiff_t k) {
+    constexpr std::ptrdiff_t reach = 2; // so that noise makes no bends
+    constexpr double minCosine = 0.77;  // 40 degrees
+    if (k < reach || k + reach >= std::ssize(line)) return false;
+    const auto at = [&](std::ptrdiff_t i) { return line[static_cast<std::size_t>(i)].position; };
+    const Point before = at(k) - at(k - reach);
+    const Point after = at(k + reach) - at(k);
+    return (before | after) < minCosine * before.norm() * after.norm();
+}
+
+/// For every point where the part of the line begins and ends in which nothing bends sharply.
+std::vector<std::array<std::ptrdiff_t, 2>> smoothParts(const std::vector<LinePoint>& line) {
+    std::vector<std::array<std::ptrdiff_t, 2>> parts(line.size());
+    std::ptrdiff_t begin = 0;
+    for (std::ptrdiff_t k = 0; k <= std::ssize(line); ++k) {
+        const bool ends = k == std::ssize(line) || isSharpBend(line, k);
+        if (!ends) continue;
+        std::fill(parts.begin() + begin, parts.begin() + k, std::array{begin, k});
+        if (k < std::ssize(line)) parts[static_cast<std::size_t>(k)] = {k, k + 1};
+        begin = k + 1;
+    }
+    return parts;
 }
 
 /// \param steps  of the lattice, a mesh edge
 std::vector<Point> smoothLine(const std::vector<LinePoint>& line, int steps, double noise) {
     constexpr double surprising = 2.5; // standard deviations
-    const auto size = static_cast<std::ptrdiff_t>(line.size());
+    constexpr double usual = 1.5;      // of a few points' residuals
+    const auto parts = smoothParts(line);
     std::vector<Point> result;
-    for (std::ptrdiff_t k = 0; k < size; ++k) {
+    for (std::ptrdiff_t k = 0; k < std::ssize(line); ++k) {
+        const auto& [first, last] = parts[static_cast<std::size_t>(k)];
         Smoothed best{line[static_cast<std::size_t>(k)].position, 1};
         for (std::ptrdiff_t half = steps; half <= 4 * steps; half *= 2) {
-            const std::ptrdiff_t begin = std::clamp<std::ptrdiff_t>(k - half, 0, size - 1);
-            const std::ptrdiff_t end = std::min(k + half + 1, size);
+            const std::ptrdiff_t begin = std::max(k - half, first);
+            const std::ptrdiff_t end = std::min(k + half + 1, last);
             constexpr std::ptrdiff_t enough = 6;
             if (end - begin < enough) break;
             const Smoothed wider = cubicAt(line, static_cast<std::size_t>(k), static_cast<std::size_t>(begin),
                                            static_cast<std::size_t>(end));
-            if ((wider.position - best.position).norm() > surprising * best.noise * noise) break;
+            const bool explained =
+                half == steps ? wider.residual <= usual * noise
+                              : (wider.position - best.position).norm() <= surprising * best.noise * noise;
+            if (!explained) break;
             best = wider;
         }
         result.push_back(best.position);
@@ -78,13 +118,17 @@ public:
           noise_(noise), count_{static_cast<std::size_t>(grid.size[0] * grid.steps + 1),
                                 static_cast<std::size_t>(grid.size[1] * grid.steps + 1)} {}
 
-    void run() {
-        for (std::size_t i = 1; i + 1 < count_[0]; ++i)
-            smooth(1, i);
-        for (std::size_t j = 0; j < count_[1]; ++j)
-            smooth(0, j);
-        smooth(1, 0);
-        smooth(1, count_[0] - 1);
+    void inside() {
+        for (const std::size_t direction : {1, 0})
+            for (std::size_t line = 1; line + 1 < count_[1 - direction]; ++line)
+                smooth(direction, line);
+    }
+
+    void borders() {
+        for (const std::size_t direction : {0, 1}) {
+            smooth(direction, 0);
+            smooth(direction, count_[1 - direction] - 1);
+        }
     }
 
 private:
@@ -110,13 +154,22 @@ private:
     std::array<std::size_t, 2> count_;
 };
 
-} // namespace
-
-void smoothTargets(ScanReference& reference, unsigned jobs) {
+void smoothLines(ScanReference& reference, void (Smoothing::*which)(), unsigned jobs) {
     if (!(reference.noise > 0)) return;
     parallelFor(reference.grids.size(), jobs, [&](std::size_t k) {
-        Smoothing(reference.grids[k], reference.weights[k], reference.noise).run();
+        Smoothing smoothing(reference.grids[k], reference.weights[k], reference.noise);
+        (smoothing.*which)();
     });
+}
+
+} // namespace
+
+void smoothInside(ScanReference& reference, unsigned jobs) {
+    smoothLines(reference, &Smoothing::inside, jobs);
+}
+
+void smoothBorders(ScanReference& reference, unsigned jobs) {
+    smoothLines(reference, &Smoothing::borders, jobs);
 }
 
 } // namespace qm

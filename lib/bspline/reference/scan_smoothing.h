@@ -8,9 +8,13 @@ namespace qm {
 /// Draws a cubic through the targets around each one, along the lines of the lattice in both directions
 /// (Savitzky and Golay's filter with the targets' weights), and puts the target on it. How many take part is
 /// chosen point by point: more, as long as that changes the target by no more than the noise explains
-/// (Lepski's rule), so that what is no noise stays. Border lines are smoothed along themselves only, so that
-/// neighbours still agree there and creases stay sharp. Does nothing where there is no noise to speak of.
+/// (Lepski's rule), so that what is no noise stays. Border lines stay. Does nothing where there is no noise
+/// to speak of.
 /// \param reference  its `noise` is the standard deviation to be expected
-void smoothTargets(ScanReference& reference, unsigned jobs);
+void smoothInside(ScanReference& reference, unsigned jobs);
+
+/// The same for border lines: along themselves only, so that neighbours still agree there and creases stay
+/// sharp.
+void smoothBorders(ScanReference& reference, unsigned jobs);
 
 } // namespace qm

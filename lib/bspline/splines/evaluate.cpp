@@ -96,6 +96,11 @@ std::vector<Point> positionLattice(const Patch& patch, const std::vector<BasisVa
     return positions;
 }
 
+Point unit(const Point& vector) {
+    const double length = vector.norm();
+    return length > 0 ? vector / length : Point(0, 0, 0);
+}
+
 Point unitNormal(const Point& du, const Point& dv) {
     const Point normal = du % dv;
     const double length = normal.norm();

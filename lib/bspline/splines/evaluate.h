@@ -33,6 +33,9 @@ struct SurfacePoint {
 [[nodiscard]] std::vector<Point> positionLattice(const Patch& patch, const std::vector<BasisValues>& us,
                                                  const std::vector<BasisValues>& vs);
 
+/// Of length one; zero stays.
+[[nodiscard]] Point unit(const Point& vector);
+
 /// Unit length, on the side from which u turns to v counter-clockwise; zero where the patch is degenerate.
 [[nodiscard]] Point unitNormal(const Point& du, const Point& dv);
 

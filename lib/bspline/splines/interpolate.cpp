@@ -1,5 +1,7 @@
 #include "bspline/splines/interpolate.h"
 
+#include "base/parallel.h"
+
 namespace qm {
 namespace {
 
@@ -71,6 +73,15 @@ std::vector<Point> pointGrid(const QuadMesh& mesh, const Segment& segment) {
     for (const VertexId vertex : vertexGrid(mesh, segment))
         points.push_back(mesh.point(vertex));
     return points;
+}
+
+std::vector<Patch> interpolateSegments(const QuadMesh& mesh, const Layout& layout, unsigned jobs) {
+    std::vector<Patch> patches(layout.segments.size());
+    parallelFor(patches.size(), jobs, [&](std::size_t k) {
+        patches[k] = interpolate(pointGrid(mesh, layout.segments[k]), layout.segments[k].size);
+        patches[k].segment = SegmentId(k);
+    });
+    return patches;
 }
 
 } // namespace qm

@@ -4,7 +4,9 @@
 #include "bspline/splines/surfaces.h"
 #include "layout/layout.h"
 
+#include <array>
 #include <span>
+#include <vector>
 
 namespace qm {
 
@@ -16,5 +18,9 @@ namespace qm {
 
 /// The points of a segment's vertices, row by row.
 [[nodiscard]] std::vector<Point> pointGrid(const QuadMesh& mesh, const Segment& segment);
+
+/// A patch through the vertices of every segment. \param jobs  threads
+[[nodiscard]] std::vector<Patch> interpolateSegments(const QuadMesh& mesh, const Layout& layout,
+                                                     unsigned jobs);
 
 } // namespace qm
