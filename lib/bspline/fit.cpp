@@ -33,13 +33,14 @@ struct Effort {
     int stepsOfFit = 4;
     int maxRounds = 30;
     int slides = 6;
+    bool verifies = true; ///< distances between the lattice's points while there is time to mend them
 };
 
 Effort effortFor(const QuadMesh& mesh) {
     constexpr std::size_t many = 30'000;
     constexpr std::size_t veryMany = 300'000;
-    if (mesh.n_faces() > veryMany) return {2, 1, 4, 2};
-    if (mesh.n_faces() > many) return {4, 2, 8, 3};
+    if (mesh.n_faces() > veryMany) return {2, 1, 4, 2, false};
+    if (mesh.n_faces() > many) return {4, 2, 8, 3, false};
     return {};
 }
 
@@ -69,15 +70,21 @@ Surfaces fitSurfaces(const QuadMesh& mesh, const Layout& layout, const std::vect
     const double diagonal = boundingBoxDiagonal(mesh);
     Surfaces surfaces;
     if (options.fit == Fit::smooth) {
-        // What lies between samples, and the width of the bound that is measured in the end.
-        constexpr double share = 0.94;
-        surfaces.patches =
-            fitSmooth(mesh, layout, network, target,
-                      {.tolerance = share * (options.tolerance.length(diagonal) + noiseLeft * target.noise),
-                       .steps = effort.stepsOfFit,
-                       .maxRounds = effort.maxRounds,
-                       .slides = effort.slides},
-                      control);
+        const double allowed = options.tolerance.length(diagonal) + noiseLeft * target.noise;
+        const Verification verify = [&](const std::vector<Patch>& patches) {
+            const double limit =
+                allowed / (1 + MeasureOptions().closing); // what is measured is so much larger
+            auto found = maxDeviations(mesh, layout, patches, target.grids, limit, control.jobs);
+            for (double& distance : found)
+                distance /= limit;
+            return found;
+        };
+        surfaces.patches = fitSmooth(mesh, layout, network, target,
+                                     {.tolerance = (effort.verifies ? 0.97 : 0.94) * allowed,
+                                      .steps = effort.stepsOfFit,
+                                      .maxRounds = effort.maxRounds,
+                                      .slides = effort.slides},
+                                     effort.verifies ? verify : Verification(), control);
     } else {
         surfaces.patches = interpolateSegments(mesh, layout, control.jobs);
     }

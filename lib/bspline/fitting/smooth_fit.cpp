@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 namespace qm {
@@ -39,10 +40,23 @@ struct Emphasis {
     static constexpr double max = 100;
 };
 
+/// How often a fit is verified, and the rounds that it may take to mend what was found.
+constexpr int maxVerifications = 3;
+constexpr int roundsOfMending = 8;
+
 /// A cell in which nothing helps, and the error that it may have.
 struct GivenUp {
     KnotCell cell;
     double allowed = 1;
+};
+
+/// What a round has come to.
+struct State {
+    std::vector<Patch> patches;
+    std::optional<KnotPlan> plan;
+    std::vector<FitLattice> lattices;
+    std::vector<double> missed; ///< by patch
+    bool keeps = false;         ///< the tolerance, but where it is given up
 };
 
 class SmoothFit {
@@ -53,24 +67,44 @@ public:
           plan_(layout, network),
           sources_(latticeSources(mesh, layout, network, reference.grids, reference.weights)),
           lattices_(sources_.size()), errors_(sources_.size()), givenUp_(sources_.size()),
-          missed_(sources_.size()) {
+          missed_(sources_.size()), scale_(sources_.size(), 1) {
         parallelFor(sources_.size(), jobs_,
                     [&](std::size_t k) { lattices_[k] = makeLattice(sources_[k], parametersOf(k, {})); });
         insertInitialKnots(layout, lattices_, map_, cubicsShare * options.tolerance, plan_);
         plan_.endAtFirstKnots();
     }
 
-    std::vector<Patch> run(const Control& control) {
+    std::vector<Patch> run(const Verification& verify, const Control& control) {
+        search(options_.maxRounds, control);
+        if (!verify) return std::move(best_.patches);
+        std::vector<Patch> nearest;
+        double distance = std::numeric_limits<double>::infinity();
+        for (int k = 1;; ++k) {
+            const std::vector<double> found = verify(best_.patches);
+            const bool isNearer = std::ranges::max(found) < distance;
+            if (isNearer) distance = std::ranges::max(found);
+            if (isNearer) nearest = best_.patches;
+            if (k == maxVerifications || !tighten(found)) return nearest;
+            plan_ = *best_.plan;
+            lattices_ = best_.lattices;
+            best_ = {};
+            search(roundsOfMending, {});
+        }
+    }
+
+private:
+    /// Rounds of fitting and placing knots, until the tolerance is kept and nothing can be saved.
+    void search(int maxRounds, const Control& control) {
         int removals = 0;
         int lastKept = 0;
         double excessBefore = std::numeric_limits<double>::infinity();
         double countBefore = std::numeric_limits<double>::infinity();
-        for (int round = 0; round < options_.maxRounds; ++round) {
-            control.progress(static_cast<double>(round) / options_.maxRounds);
+        for (int round = 0; round < maxRounds; ++round) {
+            control.progress(static_cast<double>(round) / maxRounds);
             solve(round == 0 ? 2 * options_.slides : options_.slides); // more while there are few knots
             keepIfBest();
             if (worst_ <= 1) {
-                const auto count = static_cast<double>(controlPointCount(best_));
+                const auto count = static_cast<double>(controlPointCount(best_.patches));
                 if (removals++ == maxRemovals || count > worthwhile * countBefore) break;
                 countBefore = count;
                 lastKept = round;
@@ -78,7 +112,7 @@ public:
                     break;
                 continue;
             }
-            if (bestKeeps_ && round - lastKept > maxRepairs) break;
+            if (best_.keeps && round - lastKept > maxRepairs) break;
             const bool weighed = weighWhatIsMissed();
             const bool refined = refine(layout_, lattices_, map_, spaces_, errors_, plan_);
             // What has no more knots to get may still gain by weights, while it does.
@@ -86,10 +120,21 @@ public:
             excessBefore = excess_;
             if (!refined && !(weighed && gains) && !stopSliding()) giveUp();
         }
-        return std::move(best_);
     }
 
-private:
+    /// Errors of patches that are farther away than their lattices tell count more from now on.
+    /// \return false if there are none
+    bool tighten(const std::vector<double>& found) {
+        constexpr double reserve = 1.03;
+        bool changed = false;
+        for (std::size_t k = 0; k < found.size(); ++k) {
+            if (found[k] <= 1 || best_.missed[k] > 0) continue;
+            scale_[k] *= reserve * found[k];
+            changed = true;
+        }
+        return changed;
+    }
+
     [[nodiscard]] std::array<std::vector<double>, 2>
     parametersOf(std::size_t patch, const std::array<std::vector<double>, 2>& knots) const {
         const auto& size = layout_.segments[patch].size;
@@ -116,6 +161,8 @@ private:
         excess_ = 0;
         parallelFor(sources_.size(), jobs_, [&](std::size_t k) {
             errors_[k] = latticeErrors(lattices_[k], patches_[k], options_.tolerance);
+            for (double& error : errors_[k].distance)
+                error *= scale_[k];
             missed_[k] = std::max(0.0, errors_[k].max() - 1);
             for (const GivenUp& place : givenUp_[k])
                 cap(place, k);
@@ -150,17 +197,15 @@ private:
         constexpr double muchWorse = 1.05;
         const bool keeps = worst_ <= 1;
         const double missed = std::accumulate(missed_.begin(), missed_.end(), 0.0);
-        bool isBetter = best_.empty();
-        if (!isBetter && keeps != bestKeeps_)
+        const double before = std::accumulate(best_.missed.begin(), best_.missed.end(), 0.0);
+        bool isBetter = best_.patches.empty();
+        if (!isBetter && keeps != best_.keeps)
             isBetter = keeps;
-        else if (!isBetter && keeps && missed <= muchWorse * bestMissed_ && bestMissed_ <= muchWorse * missed)
-            isBetter = controlPointCount(patches_) < controlPointCount(best_);
+        else if (!isBetter && keeps && missed <= muchWorse * before && before <= muchWorse * missed)
+            isBetter = controlPointCount(patches_) < controlPointCount(best_.patches);
         else if (!isBetter)
-            isBetter = missed < bestMissed_;
-        if (!isBetter) return;
-        best_ = patches_;
-        bestKeeps_ = keeps;
-        bestMissed_ = missed;
+            isBetter = missed < before;
+        if (isBetter) best_ = {patches_, plan_, lattices_, missed_, keeps};
     }
 
     /// From now on errors count no more in the cells where nothing helps.
@@ -222,17 +267,16 @@ private:
     std::vector<double> missed_; ///< by patch: how much its largest error is above 1, whatever is given up
     double worst_ = 0;
     double excess_ = 0;
-    std::vector<Patch> best_;
-    bool bestKeeps_ = false;
-    double bestMissed_ = 0;
+    std::vector<double> scale_; ///< by patch: how much its errors count
+    State best_;
 };
 
 } // namespace
 
 std::vector<Patch> fitSmooth(const QuadMesh& mesh, const Layout& layout, const SmoothNetwork& network,
                              const FitTarget& reference, const SmoothFitOptions& options,
-                             const Control& control) {
-    return SmoothFit(mesh, layout, network, reference, options, control.jobs).run(control);
+                             const Verification& verify, const Control& control) {
+    return SmoothFit(mesh, layout, network, reference, options, control.jobs).run(verify, control);
 }
 
 } // namespace qm

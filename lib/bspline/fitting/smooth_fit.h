@@ -8,6 +8,7 @@
 #include "bspline/splines/surfaces.h"
 #include "layout/layout.h"
 
+#include <functional>
 #include <vector>
 
 namespace qm {
@@ -20,11 +21,17 @@ struct SmoothFitOptions {
     int slides = 6;        ///< solutions of each, between which the targets slide
 };
 
+/// The largest distance of every patch from the reference, certain also between the points that a fit looks
+/// at, in tolerances: 1 is just allowed.
+using Verification = std::function<std::vector<double>(const std::vector<Patch>&)>;
+
 /// Patches with common borders, G1 across those that are no creases. Where the tolerance cannot be kept with
 /// knot intervals of a quarter of a mesh edge, or bicubics cannot follow the reference, it is missed.
+/// \param verify  may be empty; patches that it finds too far away are fitted more closely
 /// \return one patch for every segment, in their order
 [[nodiscard]] std::vector<Patch> fitSmooth(const QuadMesh& mesh, const Layout& layout,
                                            const SmoothNetwork& network, const FitTarget& reference,
-                                           const SmoothFitOptions& options, const Control& control = {});
+                                           const SmoothFitOptions& options, const Verification& verify = {},
+                                           const Control& control = {});
 
 } // namespace qm

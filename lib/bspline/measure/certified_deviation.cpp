@@ -146,7 +146,7 @@ private:
     }
 
     void add(SurfacePart& part) {
-        bound_.tighten(part);
+        bound_.tighten(part, result_.lower);
         raise(part.foot.distance, bound_.middle(part));
         if (isClosed(part.upper)) {
             kept_ = std::max(kept_, part.upper);

@@ -121,7 +121,7 @@ double DistanceBound::slidingBound(std::size_t surface, const Foot& foot, const 
     return remaining + slide * tangentVariation(surface, foot, touched);
 }
 
-void DistanceBound::tighten(SurfacePart& part) {
+void DistanceBound::tighten(SurfacePart& part, double surprising) {
     surfaces_.get(part.surface, part.cell, cell_);
     restrict(cell_, part.from, part.to, own_);
     PiecePoint here = evaluate(own_, 0.5, 0.5);
@@ -136,6 +136,10 @@ void DistanceBound::tighten(SurfacePart& part) {
     const int before = part.foot.turns;
     part.foot = search_(1 - part.surface, part.foot.place, here.position);
     part.foot.turns = (part.foot.turns + before) % 4;
+    if (part.foot.distance > surprising) {
+        const Foot other = search_(1 - part.surface, middle(part), here.position);
+        if (other.distance < part.foot.distance) part.foot = other;
+    }
 
     const Cell target = surfaces_.cellAt(part.foot.place);
     Parameters begin{};

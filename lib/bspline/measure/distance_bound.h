@@ -36,7 +36,8 @@ public:
     explicit DistanceBound(const PairedSurfaces& surfaces) : surfaces_(surfaces), search_(surfaces) {}
 
     /// Finds the foot, from that of `part` on, and lowers the upper bound where it can.
-    void tighten(SurfacePart& part);
+    /// \param surprising  where the foot is farther away, it is searched from the same parameters as well
+    void tighten(SurfacePart& part, double surprising);
 
     /// The parameters of a box's middle.
     [[nodiscard]] LayoutPlace middle(const SurfacePart& part) const;

@@ -7,11 +7,11 @@
 namespace qm {
 namespace {
 
-constexpr int mostSteps = 24;
-constexpr int mostHalvings = 4;
-constexpr int mostCrossings = 6;
-constexpr double farthestStep = 1; // quads
-constexpr double shortestStep = 1e-6;
+constexpr int maxIterations = 24;
+constexpr int maxHalvings = 4;
+constexpr int maxCrossings = 6;
+constexpr double maxStep = 1; // quads
+constexpr double minStep = 1e-6;
 
 using Parameters = std::array<double, 2>;
 
@@ -37,7 +37,7 @@ Step gaussNewton(const PiecePoint& here, const Eigen::Vector3d& away, const Para
     Step result;
     double overshoot = 0;
     for (std::size_t k = 0; k < 2; ++k) {
-        step[k] = std::clamp(step[k], -farthestStep, farthestStep);
+        step[k] = std::clamp(step[k], -maxStep, maxStep);
         result.to[k] = at[k] + step[k];
         const double beyond = std::max(-result.to[k], result.to[k] - most[k]);
         if (beyond <= overshoot) continue;
@@ -50,7 +50,7 @@ Step gaussNewton(const PiecePoint& here, const Eigen::Vector3d& away, const Para
     result.to[across] = result.side == 0 || result.side == 3 ? 0 : most[across];
     const double moved = result.to[across] - at[across];
     const double along = across == 0 ? alone(rv - uv * moved, vv) : alone(ru - uv * moved, uu);
-    const double free = at[1 - across] + std::clamp(along, -farthestStep, farthestStep);
+    const double free = at[1 - across] + std::clamp(along, -maxStep, maxStep);
     result.to[1 - across] = std::clamp(free, 0.0, most[1 - across]);
     return result;
 }
@@ -78,6 +78,30 @@ PiecePoint FootSearch::evaluateAt(std::size_t surface, const LayoutPlace& place)
 }
 
 Foot FootSearch::operator()(std::size_t surface, const LayoutPlace& start, const Eigen::Vector3d& point) {
+    int crossings = maxCrossings;
+    Foot best = walk(surface, start, point, crossings);
+    if (crossings > 0) return best;
+    // To and fro over a border, it may have missed what lies inside on either side.
+    const auto tryFrom = [&](const LayoutPlace& place, int turns) {
+        int none = 0;
+        Foot foot = walk(surface, place, point, none);
+        if (!(foot.distance < best.distance)) return;
+        best = foot;
+        best.turns = turns;
+    };
+    for (int side = 0; side < 4; ++side) {
+        const std::size_t across = side % 2 == 1 ? 0 : 1;
+        const bool isFar = side == 1 || side == 2;
+        if (best.place.at[across] != (isFar ? surfaces_.extent(best.place.patch)[across] : 0)) continue;
+        const auto crossing = surfaces_.across(best.place, side);
+        if (crossing) tryFrom(crossing->to, (best.turns + crossing->turns) % 4);
+    }
+    tryFrom(start, 0);
+    return best;
+}
+
+Foot FootSearch::walk(std::size_t surface, const LayoutPlace& start, const Eigen::Vector3d& point,
+                      int& crossings) {
     Foot best;
     best.place = start;
     best.distance = HUGE_VAL;
@@ -85,9 +109,8 @@ Foot FootSearch::operator()(std::size_t surface, const LayoutPlace& start, const
     int turns = 0;
     int halvings = 0;
     std::optional<LayoutPlace> border; ///< of the patch that was left with the last step
-    int crossings = 0;
     Parameters most = surfaces_.extent(place.patch);
-    for (int k = 0; k < mostSteps; ++k) {
+    for (int k = 0; k < maxIterations; ++k) {
         const PiecePoint here = evaluateAt(surface, place);
         const Eigen::Vector3d away = point - here.position;
         const double distance = away.norm();
@@ -100,11 +123,11 @@ Foot FootSearch::operator()(std::size_t surface, const LayoutPlace& start, const
                 turns = best.turns;
                 most = surfaces_.extent(place.patch);
                 border.reset();
-                crossings = mostCrossings;
+                crossings = 0;
                 continue;
             }
             // The step was too long.
-            if (++halvings > mostHalvings) break;
+            if (++halvings > maxHalvings) break;
             for (std::size_t d = 0; d < 2; ++d)
                 place.at[d] = 0.5 * (place.at[d] + best.place.at[d]);
             continue;
@@ -117,9 +140,9 @@ Foot FootSearch::operator()(std::size_t surface, const LayoutPlace& start, const
         const Step step = gaussNewton(here, away, place.at, most);
         const double moved = std::hypot(step.to[0] - place.at[0], step.to[1] - place.at[1]);
         place.at = step.to;
-        if (step.side >= 0 && crossings < mostCrossings) {
+        if (step.side >= 0 && crossings > 0) {
             if (const auto crossing = surfaces_.across(place, step.side)) {
-                ++crossings;
+                --crossings;
                 border = place;
                 place = crossing->to;
                 turns = (turns + crossing->turns) % 4;
@@ -127,7 +150,7 @@ Foot FootSearch::operator()(std::size_t surface, const LayoutPlace& start, const
                 continue;
             }
         }
-        if (moved < shortestStep) break;
+        if (moved < minStep) break;
     }
     return best;
 }

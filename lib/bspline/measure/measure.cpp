@@ -187,6 +187,18 @@ Measurement measureSurfaces(const QuadMesh& mesh, const Layout& layout, const st
     return meter.finish();
 }
 
+std::vector<double> maxDeviations(const QuadMesh& mesh, const Layout& layout,
+                                  const std::vector<Patch>& patches,
+                                  const std::vector<ReferenceGrid>& references, double limit, unsigned jobs) {
+    const std::vector<BorderEdge> borders = borderEdges(mesh, layout);
+    const PairedSurfaces pairs(layout, patches, references, borders);
+    std::vector<double> result(patches.size());
+    parallelFor(patches.size(), jobs, [&](std::size_t k) {
+        result[k] = certifiedDeviation(pairs, k, {.negligible = limit}).upper;
+    });
+    return result;
+}
+
 std::vector<ReferenceGrid> facetGrids(const QuadMesh& mesh, const Layout& layout) {
     std::vector<ReferenceGrid> grids;
     for (const Segment& segment : layout.segments)

@@ -39,6 +39,12 @@ struct Measurement {
                                           const std::vector<bool>& isSmooth,
                                           const MeasureOptions& options = {}, const Control& control = {});
 
+/// The largest distance of every patch from its reference: an upper bound, close where it is above a limit.
+[[nodiscard]] std::vector<double> maxDeviations(const QuadMesh& mesh, const Layout& layout,
+                                                const std::vector<Patch>& patches,
+                                                const std::vector<ReferenceGrid>& references, double limit,
+                                                unsigned jobs);
+
 /// The mesh's quads as a reference: bilinear, degree 1.
 [[nodiscard]] std::vector<ReferenceGrid> facetGrids(const QuadMesh& mesh, const Layout& layout);
 
