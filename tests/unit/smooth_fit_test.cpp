@@ -1,3 +1,4 @@
+#include "basecomplex/base_complex.h"
 #include "bspline/fit.h"
 #include "bspline/fitting/constrained_system.h"
 #include "bspline/fitting/gram.h"
@@ -5,7 +6,10 @@
 #include "bspline/network/smooth_network.h"
 #include "bspline/network/vertex_fan.h"
 #include "bspline/splines/basis.h"
+#include "bspline/splines/interpolate.h"
+#include "enumerate/enumerate.h"
 #include "mesh/dihedral.h"
+#include "shape/shape.h"
 #include "support/fitted_model.h"
 #include "support/grid_layout.h"
 
@@ -191,6 +195,44 @@ TEST(SmoothFit, DoesNotDependOnTheNumberOfThreads) {
     const auto three = fitSurfaces(mesh, layout, dihedralAngles(mesh), {}, nullptr, several);
     for (std::size_t k = 0; k < one.patches.size(); ++k)
         EXPECT_EQ(one.patches[k].controlPoints, three.patches[k].controlPoints);
+}
+
+TEST(PlanePatches, ArePlaneToRoundingAndStillSmooth) {
+    QuadMesh mesh = makeShape("block", {.resolution = 4});
+    // So that no plane is parallel to an axis.
+    for (const VertexId vertex : mesh.vertices()) {
+        const Point at = mesh.point(vertex);
+        mesh.set_point(vertex, {0.6 * at[0] - 0.8 * at[1], 0.64 * at[0] + 0.48 * at[1] - 0.6 * at[2],
+                                0.48 * at[0] + 0.36 * at[1] + 0.8 * at[2]});
+    }
+    const std::vector<double> angles = dihedralAngles(mesh);
+    const SubMeshes whole{std::vector<int>(mesh.n_vertices(), 0), 1};
+    const Enumeration found = enumerateGraphs(mesh, buildBaseComplex(mesh), angles, whole, {});
+    const Layout layout =
+        buildLayout(mesh, found.subMeshes[0].graphs.at(0).tracks, angles, edgeCosts(angles, {}));
+    const Surfaces surfaces = fitSurfaces(mesh, layout, angles, {});
+    EXPECT_LT(surfaces.deviation.largestGapRelative, 1e-12);
+    EXPECT_LT(surfaces.deviation.largestNormalAngle, 1e-6);
+    EXPECT_LE(surfaces.deviation.maxRelative, 0.001);
+
+    const auto offPlane = [](const std::vector<Point>& points) { // of the plane through three of them
+        const Point& origin = points.front();
+        Point normal(0, 0, 0);
+        for (const Point& a : points)
+            for (const Point& b : {points.back(), points[points.size() / 3]})
+                if (const Point n = (a - origin) % (b - origin); n.sqrnorm() > normal.sqrnorm()) normal = n;
+        double farthest = 0;
+        for (const Point& a : points)
+            farthest = std::max(farthest, std::abs((a - origin) | normal) / normal.norm());
+        return farthest;
+    };
+    int planes = 0;
+    for (const Patch& patch : surfaces.patches) {
+        const Segment& segment = layout.segments[static_cast<std::size_t>(patch.segment.value())];
+        if (offPlane(pointGrid(mesh, segment)) > 1e-9) continue;
+        if (offPlane(patch.controlPoints) < 1e-12) ++planes;
+    }
+    EXPECT_EQ(planes, 4) << "but those with rounded corners";
 }
 
 } // namespace

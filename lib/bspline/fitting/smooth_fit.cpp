@@ -7,6 +7,7 @@
 #include "bspline/fitting/knot_removal.h"
 #include "bspline/fitting/lattice_cells.h"
 #include "bspline/fitting/lattice_errors.h"
+#include "bspline/fitting/plane_patches.h"
 #include "bspline/fitting/smooth_system.h"
 
 #include <algorithm>
@@ -25,6 +26,9 @@ constexpr double cubicsShare = 0.2;
 
 /// Errors that removals may come to; what is near 1 comes back.
 constexpr double removalLimit = 0.9;
+
+/// Of the tolerance: what is no farther from a plane is to be plane.
+constexpr double flatShare = 0.005;
 
 constexpr int maxRemovals = 6;
 /// Rounds that it may take after a removal to keep the tolerance again.
@@ -64,7 +68,7 @@ public:
     SmoothFit(const QuadMesh& mesh, const Layout& layout, const SmoothNetwork& network,
               const FitTarget& reference, const SmoothFitOptions& options, unsigned jobs)
         : layout_(layout), options_(options), jobs_(jobs), map_(mesh, layout, network),
-          plan_(layout, network),
+          plan_(layout, network), planes_(planesOf(reference.grids, network, flatShare * options.tolerance)),
           sources_(latticeSources(mesh, layout, network, reference.grids, reference.weights)),
           lattices_(sources_.size()), errors_(sources_.size()), givenUp_(sources_.size()),
           missed_(sources_.size()), scale_(sources_.size(), 1) {
@@ -76,6 +80,7 @@ public:
 
     std::vector<Patch> run(const Verification& verify, const Control& control) {
         search(options_.maxRounds, control);
+        flattenBest();
         if (!verify) return std::move(best_.patches);
         std::vector<Patch> nearest;
         double distance = std::numeric_limits<double>::infinity();
@@ -89,6 +94,7 @@ public:
             lattices_ = best_.lattices;
             best_ = {};
             search(roundsOfMending, {});
+            flattenBest();
         }
     }
 
@@ -120,6 +126,10 @@ private:
             excessBefore = excess_;
             if (!refined && !(weighed && gains) && !stopSliding()) giveUp();
         }
+    }
+
+    void flattenBest() {
+        flatten(layout_, best_.plan->network(), best_.plan->spaces(), planes_, best_.patches);
     }
 
     /// Errors of patches that are farther away than their lattices tell count more from now on.
@@ -258,6 +268,7 @@ private:
     unsigned jobs_;
     StretchMap map_;
     KnotPlan plan_;
+    std::vector<std::optional<Plane>> planes_;
     std::vector<LatticeSource> sources_;
     std::vector<FitLattice> lattices_;
     std::vector<PatchSpace> spaces_;

@@ -1,35 +1,14 @@
 #include "bspline/fitting/smooth_system.h"
 
 #include "base/parallel.h"
-#include "bspline/network/continuity.h"
+#include "bspline/fitting/continuity_equations.h"
 #include "bspline/splines/eigen_point.h"
 
-#include <array>
 #include <cstddef>
 #include <utility>
 
 namespace qm {
 namespace {
-
-std::vector<LinearForm> continuityEquations(const Layout& layout, const SmoothNetwork& network,
-                                            const std::vector<PatchSpace>& spaces) {
-    const auto strips = [&](const Stretch& stretch) {
-        const auto strip = [&](const StretchSide& place) {
-            return BorderStrip(spaces[place.patch], layout.segments[place.patch].size, place);
-        };
-        return std::array{strip(stretch.sides[0]), strip(stretch.sides[1])};
-    };
-    std::vector<LinearForm> equations;
-    for (const Stretch& stretch : network.stretches) {
-        const auto both = strips(stretch);
-        addPositionEquations(stretch, both[0], both[1], equations);
-    }
-    for (const SmoothRun& run : network.runs) {
-        const auto both = strips(network.stretches[run.stretch]);
-        addTangentEquations(run, both[0], both[1], equations);
-    }
-    return equations;
-}
 
 Patch patchOf(const PatchSpace& space, std::size_t segment, const Eigen::MatrixX3d& solution) {
     Patch patch;
@@ -40,10 +19,6 @@ Patch patchOf(const PatchSpace& space, std::size_t segment, const Eigen::MatrixX
     for (std::size_t k = 0; k < space.size(); ++k)
         patch.controlPoints.push_back(point(solution.row(static_cast<Eigen::Index>(space.firstUnknown + k))));
     return patch;
-}
-
-std::size_t unknownsOf(const std::vector<PatchSpace>& spaces) {
-    return spaces.empty() ? 0 : spaces.back().firstUnknown + spaces.back().size();
 }
 
 } // namespace

@@ -1,0 +1,33 @@
+#include "bspline/fitting/continuity_equations.h"
+
+#include "bspline/network/continuity.h"
+
+#include <array>
+
+namespace qm {
+
+std::vector<LinearForm> continuityEquations(const Layout& layout, const SmoothNetwork& network,
+                                            const std::vector<PatchSpace>& spaces) {
+    const auto strips = [&](const Stretch& stretch) {
+        const auto strip = [&](const StretchSide& place) {
+            return BorderStrip(spaces[place.patch], layout.segments[place.patch].size, place);
+        };
+        return std::array{strip(stretch.sides[0]), strip(stretch.sides[1])};
+    };
+    std::vector<LinearForm> equations;
+    for (const Stretch& stretch : network.stretches) {
+        const auto both = strips(stretch);
+        addPositionEquations(stretch, both[0], both[1], equations);
+    }
+    for (const SmoothRun& run : network.runs) {
+        const auto both = strips(network.stretches[run.stretch]);
+        addTangentEquations(run, both[0], both[1], equations);
+    }
+    return equations;
+}
+
+std::size_t unknownsOf(const std::vector<PatchSpace>& spaces) {
+    return spaces.empty() ? 0 : spaces.back().firstUnknown + spaces.back().size();
+}
+
+} // namespace qm
