@@ -25,7 +25,7 @@ function swatchOf(layer) {
     plain: plainFace,
     items: `linear-gradient(90deg, ${faceColours.slice(0, 4).map((colour, k) => `${colour} ${25 * k}% ${25 * k + 25}%`).join()})`,
     mapped: layer.mapped ? gradient(layer.mapped.scale) : '',
-    stripes: 'repeating-linear-gradient(90deg, #2a2f35 0 3px, #f6f7f8 3px 6px)',
+    stripes: 'repeating-linear-gradient(90deg, #4f6175 0 3px, #f6f7f8 3px 6px)',
   }[layer.paint];
   return swatch;
 }
@@ -79,7 +79,7 @@ function beyondText(mapped, top) {
 }
 
 // The scale of a layer, with its histogram.
-function scaleFigure(layer, top, model) {
+function scaleFigure(layer, top, model, side) {
   const { mapped } = layer;
   const ramp = element('div', { className: 'ramp' });
   ramp.style.background = gradient(mapped.scale);
@@ -102,6 +102,6 @@ function scaleFigure(layer, top, model) {
     swatch.style.background = beyondColours[mapped.scale];
     note.append(element('span', {}, swatch, beyond));
   }
-  const caption = element('figcaption', { textContent: mapped.unit ? `${mapped.quantity}, ${mapped.unit}` : mapped.quantity });
+  const caption = element('figcaption', { textContent: [side + mapped.quantity, mapped.unit].filter(Boolean).join(', ') });
   return element('figure', { className: 'scale' }, caption, bars(histogram(mapped, top).counts), ramp, ticks, note);
 }

@@ -115,8 +115,10 @@ class Panel {
   refreshScales() {
     byId('scales').textContent = '';
     const mapped = new Map();
-    for (const { layers, model } of this.panes)
-      for (const layer of layers.mapped) mapped.set(layer.name, [...(mapped.get(layer.name) || []), { layer, layers, model }]);
+    this.panes.forEach(({ layers, model }, k) => {
+      const side = this.panes.length > 1 ? ['left: ', 'right: '][k] : '';
+      for (const layer of layers.mapped) mapped.set(layer.name, [...(mapped.get(layer.name) || []), { layer, layers, model, side }]);
+    });
     byId('scale-choice').hidden = ![...mapped.values()].some(([{ layer }]) => layer.mapped.scale !== 'verdict');
     const choice = byId('scale-top').value;
     for (const shown of mapped.values()) {
@@ -124,7 +126,7 @@ class Panel {
       const top = Math.max(...tops.map((some) => some[choice] || some.usual || some.limit));
       shown.forEach(({ layer, layers }) => layers.setScale(layer, top));
       const group = element('div', { className: 'pair' });
-      for (const { layer, model } of shown) group.append(scaleFigure(layer, top, model));
+      for (const { layer, model, side } of shown) group.append(scaleFigure(layer, top, model, side));
       byId('scales').append(group);
     }
   }

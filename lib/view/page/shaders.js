@@ -81,7 +81,7 @@ const faceFragment = commonFragment + rampFragment + `
     vec3 n = smoothly > 0.5 && dot(vNormal, vNormal) > 0.0 ? normalize(vNormal) : flatNormal;
     if (dot(n, vSeen) > 0.0) n = -n;
     bool mapped = paint > 0.5 && paint < 1.5, striped = paint > 1.5;
-    vec3 colour = mapped ? rampColour(vValue) : striped ? mix(vec3(0.16, 0.18, 0.2), vec3(0.97), stripes(n)) : vColour;
+    vec3 colour = mapped ? rampColour(vValue) : striped ? mix(vec3(0.31, 0.38, 0.46), vec3(0.97), stripes(n)) : vColour;
     if (isHighlighted()) colour = mix(colour, highlightColour, 0.45);
     float key = max(dot(n, normalize(vec3(-0.5, 0.75, 0.6))), 0.0);
     // A colour map is shaded little, so that its colours stay those of the scale.
