@@ -328,7 +328,7 @@ bench-cad: ## what CAD systems and meshers do with our STEP files, as a table; o
 
 .PHONY: pictures
 pictures: ## make the pictures of README.md anew
-	@scripts/install-dependencies --verify build view
+	@scripts/install-dependencies --verify build view remesh
 	@$(again) all
 	@QM_BIN=$(abspath $(bin)) scripts/pictures docs/pictures
 

@@ -6,8 +6,9 @@ load helpers.bash
     DEMO_SHAPES='cube plate' run --separate-stderr "$ROOT/scripts/demo" "$QM_BIN" "$PWD/out"
     assert_success
     assert_line --regexp '^part +quads'
-    assert_line --regexp '^cube +384 +8 +0 +6 +6 '
+    assert_line --regexp '^cube +384 +8 +0 +6 +-[0-9.]+ +-[0-9.]+ +0\.[0-9]+$'
     assert_line --regexp '^plate +1152 +4 '
+    for line in "${lines[@]}"; do [[ $line == */* ]] || assert [ "${#line}" -le 80 ]; done
     assert_line --partial "$PWD/out/cube.step"
     assert [ -s out/cube.step ]
     for part in cube plate; do
