@@ -9,7 +9,9 @@
 namespace qm {
 namespace {
 
-constexpr int gapSteps = 8; ///< samples of the gap along every mesh edge
+constexpr int gapSteps = 8; ///< samples of gap and angle along every mesh edge
+/// Between normals, in degrees: two patches are one smooth surface up to here, whatever a program may ask.
+constexpr double exactAngle = 0.01;
 
 std::size_t index(VertexId vertex) {
     return static_cast<std::size_t>(vertex.idx());
@@ -29,17 +31,49 @@ BorderNumbers borderNumbers(const Layout& layout, const std::vector<BorderEdge>&
     return numbers;
 }
 
-/// Vertices where more than two border edges meet, or a patch has a corner.
+SurfacePoint pointOn(const Layout& layout, const std::vector<Patch>& patches, const BorderPlace& at,
+                     double along) {
+    const auto [u, v] = parametersOnSide(layout.segments[at.patch].size, at.side, at.position + along);
+    return evaluate(patches[at.patch], u, v);
+}
+
+/// How far the two patches of a border edge are apart there.
+struct Difference {
+    double gap = 0;
+    double angle = 0; ///< between their normals, in degrees
+};
+
+std::vector<Difference> differences(const Layout& layout, const std::vector<Patch>& patches,
+                                    const std::vector<BorderEdge>& borders) {
+    std::vector<Difference> result(borders.size());
+    for (std::size_t b = 0; b < borders.size(); ++b)
+        for (int k = 0; k <= gapSteps && borders[b].places.size() > 1; ++k) {
+            const double along = static_cast<double>(k) / gapSteps;
+            const SurfacePoint one = pointOn(layout, patches, borders[b].places[0], along);
+            const SurfacePoint other = pointOn(layout, patches, borders[b].places[1], 1 - along);
+            result[b].gap = std::max(result[b].gap, (one.position - other.position).norm());
+            result[b].angle = std::max(
+                result[b].angle, angleInDegrees(unitNormal(one.du, one.dv), unitNormal(other.du, other.dv)));
+        }
+    return result;
+}
+
+/// Vertices where more than two border edges meet, a patch has a corner, or a crease becomes smooth: no edge
+/// is both, for programs take an edge for one or the other, and fail.
 std::vector<bool> meetingPoints(const QuadMesh& mesh, const Layout& layout,
-                                const std::vector<BorderEdge>& borders) {
+                                const std::vector<BorderEdge>& borders,
+                                const std::vector<Difference>& differences) {
     std::vector<int> valence(mesh.n_vertices(), 0);
-    for (const BorderEdge& border : borders) {
-        ++valence[index(mesh.from_vertex_handle(border.halfedge))];
-        ++valence[index(mesh.to_vertex_handle(border.halfedge))];
-    }
+    std::vector<int> smooth(mesh.n_vertices(), 0);
+    for (std::size_t b = 0; b < borders.size(); ++b)
+        for (const VertexId vertex :
+             {mesh.from_vertex_handle(borders[b].halfedge), mesh.to_vertex_handle(borders[b].halfedge)}) {
+            ++valence[index(vertex)];
+            if (differences[b].angle < exactAngle) ++smooth[index(vertex)];
+        }
     std::vector<bool> result(mesh.n_vertices());
     for (std::size_t v = 0; v < valence.size(); ++v)
-        result[v] = valence[v] > 2;
+        result[v] = valence[v] > 2 || smooth[v] == 1;
     for (const Segment& segment : layout.segments)
         for (const VertexId corner : segment.corners)
             result[index(corner)] = true;
@@ -47,10 +81,11 @@ std::vector<bool> meetingPoints(const QuadMesh& mesh, const Layout& layout,
 }
 
 /// Cuts every side where borders meet. The first patch that comes along makes the edge.
-SharedEdges cutSides(const QuadMesh& mesh, const Layout& layout) {
+SharedEdges cutSides(const QuadMesh& mesh, const Layout& layout, const std::vector<Patch>& patches) {
     const auto borders = borderEdges(mesh, layout);
     const auto numbers = borderNumbers(layout, borders);
-    const auto meets = meetingPoints(mesh, layout, borders);
+    const auto difference = differences(layout, patches, borders);
+    const auto meets = meetingPoints(mesh, layout, borders, difference);
     std::vector<std::ptrdiff_t> edgeOf(borders.size(), -1);
     SharedEdges result;
     result.ofPatch.resize(layout.segments.size());
@@ -62,10 +97,13 @@ SharedEdges cutSides(const QuadMesh& mesh, const Layout& layout) {
                 if (!meets[index(vertices[end])]) continue;
                 const bool made = edgeOf[line[begin]] >= 0;
                 if (!made) {
-                    for (std::size_t k = begin; k < end; ++k)
+                    SharedEdge edge{{}, static_cast<int>(end - begin), vertices[begin], vertices[end]};
+                    for (std::size_t k = begin; k < end; ++k) {
                         edgeOf[line[k]] = static_cast<std::ptrdiff_t>(result.edges.size());
-                    result.edges.push_back(
-                        {{}, static_cast<int>(end - begin), vertices[begin], vertices[end], 0});
+                        edge.gap = std::max(edge.gap, difference[line[k]].gap);
+                        edge.angle = std::max(edge.angle, difference[line[k]].angle);
+                    }
+                    result.edges.push_back(std::move(edge));
                 }
                 const auto edge = static_cast<std::size_t>(edgeOf[line[begin]]);
                 result.edges[edge].places.push_back({s, side, static_cast<int>(begin)});
@@ -74,24 +112,6 @@ SharedEdges cutSides(const QuadMesh& mesh, const Layout& layout) {
             }
         }
     return result;
-}
-
-SurfacePoint pointOn(const Layout& layout, const std::vector<Patch>& patches, const BorderPlace& at,
-                     double along) {
-    const auto [u, v] = parametersOnSide(layout.segments[at.patch].size, at.side, at.position + along);
-    return evaluate(patches[at.patch], u, v);
-}
-
-/// Gap and angle between an edge's two patches.
-void compareSides(const Layout& layout, const std::vector<Patch>& patches, SharedEdge& edge) {
-    for (int k = 0; k <= edge.length * gapSteps && edge.places.size() > 1; ++k) {
-        const double along = static_cast<double>(k) / gapSteps;
-        const SurfacePoint one = pointOn(layout, patches, edge.places[0], along);
-        const SurfacePoint other = pointOn(layout, patches, edge.places[1], edge.length - along);
-        edge.gap = std::max(edge.gap, (one.position - other.position).norm());
-        edge.angle =
-            std::max(edge.angle, angleInDegrees(unitNormal(one.du, one.dv), unitNormal(other.du, other.dv)));
-    }
 }
 
 /// Calls f(vertex, end of an edge on one of its patches) for all of them.
@@ -108,9 +128,7 @@ void forEnds(const Layout& layout, const std::vector<Patch>& patches, const std:
 } // namespace
 
 SharedEdges shareEdges(const QuadMesh& mesh, const Layout& layout, const std::vector<Patch>& patches) {
-    SharedEdges result = cutSides(mesh, layout);
-    for (SharedEdge& edge : result.edges)
-        compareSides(layout, patches, edge);
+    SharedEdges result = cutSides(mesh, layout, patches);
     std::vector<double> count(mesh.n_vertices(), 0);
     result.vertexPoint.assign(mesh.n_vertices(), Point(0, 0, 0));
     result.vertexGap.assign(mesh.n_vertices(), 0);

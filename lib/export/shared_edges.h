@@ -11,7 +11,7 @@
 
 namespace qm {
 
-/// A run of border edges between two vertices where borders meet.
+/// A run of border edges between two vertices where borders meet, smooth throughout or nowhere.
 struct SharedEdge {
     std::vector<BorderPlace> places; ///< of its first border edge as each patch walks it: one or two
     int length = 0;                  ///< in border edges

@@ -22,10 +22,15 @@ DEFLECTION = 0.001  # of tessellations
 ANGLE = math.radians(30)  # of them, as FreeCAD proposes
 SHARP = math.radians(20)  # between the normals of two faces
 FILLETS = 12  # edges tried, the longest
+ARCS, INTERSECTIONS = 0, 2  # how an offset joins faces
 
 
 def verdict(ok, note=""):
     return {"ok": bool(ok), "note": "" if ok else note}
+
+
+def describe(error):
+    return (" ".join(str(error).split()) or type(error).__name__)[:80]
 
 
 def valid(shape):
@@ -79,16 +84,21 @@ def half_space_cut(shape):
     return is_divided(shape, shape.common(tool), shape.cut(tool))
 
 
+def angle_at(shape, edge):
+    """Between the normals of an edge's two faces, in its middle."""
+    faces = shape.ancestorsOfType(edge, Part.Face)
+    if len(faces) != 2:
+        return 0
+    middle = edge.valueAt((edge.FirstParameter + edge.LastParameter) / 2)
+    normals = [face.normalAt(*face.Surface.parameter(middle)) for face in faces]
+    return normals[0].getAngle(normals[1])
+
+
 def sharp(shape):
     """The longest edges where faces meet at an angle, and which are long enough for a fillet."""
     found = []
     for number, edge in enumerate(shape.Edges):
-        faces = shape.ancestorsOfType(edge, Part.Face)
-        if len(faces) != 2 or edge.Length < 4 * RADIUS * shapes.diagonal(shape):
-            continue
-        middle = edge.valueAt((edge.FirstParameter + edge.LastParameter) / 2)
-        normals = [face.normalAt(*face.Surface.parameter(middle)) for face in faces]
-        if normals[0].getAngle(normals[1]) > SHARP:
+        if edge.Length >= 4 * RADIUS * shapes.diagonal(shape) and angle_at(shape, edge) > SHARP:
             found.append((-round(edge.Length, 9), number))
     return {"edges": [number for _, number in sorted(found)[:FILLETS]]}
 
@@ -98,23 +108,53 @@ def fillet(shape, number):
     return verdict(shapes.is_sound(made), "result is no valid solid")
 
 
+def any_join(make):
+    """Arcs or intersections where faces part, whichever does it: FreeCAD offers both."""
+    notes = []
+    for join in (ARCS, INTERSECTIONS):
+        try:
+            answer = make(join)
+        except Exception as error:  # FreeCAD throws many kinds
+            answer = verdict(False, describe(error))
+        if answer["ok"]:
+            return answer
+        notes.append(answer["note"])
+    return verdict(False, ", ".join(dict.fromkeys(notes)))
+
+
 def offset(shape):
     by = OFFSET * shapes.diagonal(shape)
-    made = shape.makeOffsetShape(by, 1e-4 * by, join=2)
-    if not shapes.is_sound(made):
-        return verdict(False, "result is no valid solid")
-    grown = (made.Volume - shape.Volume) / (by * shape.Area)
-    return verdict(0.7 < grown < 1.5, f"volume grows by {grown:.2f} of the expected")
+
+    def make(join):
+        made = shape.makeOffsetShape(by, 1e-4 * by, join=join)
+        if not shapes.is_sound(made):
+            return verdict(False, "result is no valid solid")
+        grown = (made.Volume - shape.Volume) / (by * shape.Area)
+        return verdict(0.7 < grown < 1.5, f"volume grows by {grown:.2f} of the expected")
+
+    return any_join(make)
+
+
+def opening(shape):
+    """The largest face that others meet at an angle all around, if there is one: OpenCASCADE opens no other."""
+    def is_framed(face):
+        return all(angle_at(shape, edge) > SHARP for edge in face.Edges)
+    by_area = sorted(shape.Faces, key=lambda face: -round(face.Area, 9))
+    return next(filter(is_framed, by_area), by_area[0])
 
 
 def thickness(shape):
     by = OFFSET * shapes.diagonal(shape)
-    opened = max(shape.Faces, key=lambda face: round(face.Area, 9))
-    made = shape.makeThickness([opened], -by, 1e-4 * by)
-    if not shapes.is_sound(made):
-        return verdict(False, "result is no valid solid")
-    wall = made.Volume / (by * (shape.Area - opened.Area))
-    return verdict(0.6 < wall < 1.3, f"volume is {wall:.2f} of the expected")
+    opened = opening(shape)
+
+    def make(join):
+        made = shape.makeThickness([opened], -by, 1e-4 * by, False, False, 0, join)
+        if not shapes.is_sound(made):
+            return verdict(False, "result is no valid solid")
+        wall = made.Volume / (by * (shape.Area - opened.Area))
+        return verdict(0.6 < wall < 1.3, f"volume is {wall:.2f} of the expected")
+
+    return any_join(make)
 
 
 def tessellation(shape):
@@ -136,8 +176,7 @@ def main():
     try:
         result = globals()[operation](shapes.read(path), *numbers)
     except Exception as error:  # FreeCAD throws many kinds
-        text = " ".join(str(error).split()) or type(error).__name__
-        result = verdict(False, text[:80])
+        result = verdict(False, describe(error))
     os.write(answers, (json.dumps(result) + "\n").encode())
     os._exit(0)  # destructors of broken shapes may fail
 

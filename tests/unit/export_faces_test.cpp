@@ -5,6 +5,7 @@
 #include "export/join.h"
 #include "export/separate.h"
 #include "export/shape.h"
+#include "export/shared_edges.h"
 #include "support/fitted_model.h"
 
 #include <gtest/gtest.h>
@@ -166,6 +167,20 @@ TEST(Edges, AreFoundSmoothByTheReader) {
     EXPECT_EQ(countSmoothEdges(shape), static_cast<int>(report.smoothEdges));
     for (const TopoDS_Shape& edge : all(shape, TopAbs_EDGE))
         EXPECT_LE(BRep_Tool::Tolerance(TopoDS::Edge(edge)), 1.0001e-7);
+}
+
+TEST(Edges, AreSmoothOrSharpNeverBoth) {
+    // A roof whose ridge begins halfway along the border of its two faces.
+    const Grid grid{8, 4, [](double i, double j) { return Point(i, j, i < 4 ? 0.0 : -2 * std::abs(j - 2)); }};
+    const FittedModel model = fitted(grid, {{0, 0, 8, 2}, {0, 2, 8, 4}}, FitOptions());
+    const SharedEdges shared = shareEdges(model.mesh, model.layout, model.surfaces.patches);
+    std::vector<int> smooth;
+    std::vector<int> sharp;
+    for (const SharedEdge& edge : shared.edges)
+        if (edge.places.size() == 2) (edge.angle < 0.01 ? smooth : sharp).push_back(edge.length);
+    EXPECT_EQ(smooth, std::vector{3}) << "the first quads that bend are those before vertex 4";
+    EXPECT_EQ(sharp, std::vector{5});
+    EXPECT_EQ(countSmoothEdges(readBack(model)), 1);
 }
 
 TEST(Planes, AreExportedAsPlanes) {
