@@ -22,7 +22,8 @@ int main(int argc, char** argv) {
                 "of STEP and IGES, such as 2026-11-22 or 2026-11-22T10:00:00 (UTC), or mesh: when the mesh's "
                 "file was changed last; without it 1970-01-01, so that equal input gives equal bytes");
             tool.option("colour", options.colour, "what colours in PLY and glTF mean");
-            tool.option("join", options.join, "neighbours that are one smooth surface become one face");
+            tool.option("join", options.join,
+                        "neighbours that are one smooth surface, or in one plane, become one face");
             tool.option("analytic", options.analytic,
                         "patches become cylinders, cones, spheres and tori where they are nothing else");
             tool.option("analytic-tolerance", options.analyticTolerance, qm::Range{0, 100},

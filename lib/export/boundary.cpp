@@ -58,6 +58,7 @@ public:
 
     Boundary make() {
         result_.resolution = resolution_;
+        result_.flatness = std::max(resolution_ / 2, planeTolerance * boundingBoxDiagonal(mesh_));
         makeFaces();
         for (const SharedEdge& edge : shared_.edges)
             makeEdge(edge);
@@ -71,16 +72,15 @@ private:
     [[nodiscard]] double toleranceFor(double gap) const { return std::max(1.1 * gap, resolution_); }
 
     void makeFaces() {
-        const double flatness = std::max(resolution_ / 2, planeTolerance * boundingBoxDiagonal(mesh_));
         for (std::size_t k = 0; k < patches_.size(); ++k) {
-            auto found = planeOf(patches_[k], flatness);
+            auto found = planeOf(patches_[k], result_.flatness);
             if (!found && !simplify_.empty() && simplify_[k] > 0)
                 found = simpleSurfaceOf(patches_[k], simplify_[k]);
             simple_.push_back(found);
             const Handle(Geom_Surface) surface =
                 found ? Handle(Geom_Surface)(found->surface) : splineSurface(patches_[k]);
-            result_.faces.push_back({surface, found && found->reversed, shared_.ofPatch[k]});
-            if (found) ++result_.simpleFaces;
+            result_.faces.push_back(
+                {surface, found && found->reversed, found.has_value(), {shared_.ofPatch[k]}});
         }
     }
 
@@ -125,10 +125,8 @@ private:
             double& reach = shared_.vertexGap[static_cast<std::size_t>(vertex.idx())];
             reach = std::max(reach, gap);
         }
-        if (edge.places.size() < 2)
-            ++result_.openEdges;
-        else if (edge.angle < smoothAngle)
-            ++result_.smoothEdges;
+        made.isOpen = edge.places.size() < 2;
+        made.isSmooth = !made.isOpen && edge.angle < smoothAngle;
     }
 
     /// When the reach of all edges is known.
@@ -142,7 +140,6 @@ private:
                     number[index] = static_cast<std::ptrdiff_t>(result_.vertices.size());
                     const double tolerance = toleranceFor(shared_.vertexGap[index]);
                     result_.vertices.push_back({place(shared_.vertexPoint[index]), tolerance});
-                    result_.largestTolerance = std::max(result_.largestTolerance, tolerance);
                 }
                 result_.edges[e].ends.at(atEnd ? 1 : 0) = static_cast<std::size_t>(number[index]);
             }
@@ -177,6 +174,13 @@ private:
 };
 
 } // namespace
+
+double largestTolerance(const Boundary& boundary) {
+    double largest = 0;
+    for (const BoundaryVertex& vertex : boundary.vertices)
+        largest = std::max(largest, vertex.tolerance);
+    return largest;
+}
 
 Boundary makeBoundary(const QuadMesh& mesh, const FacePatches& faces, const std::vector<double>& simplify) {
     return Maker(mesh, faces, simplify).make();

@@ -25,12 +25,16 @@ struct BoundaryEdge {
     std::array<Handle(Geom2d_BSplineCurve), 2> onFaces; ///< forwards and backwards; none on planes
     std::array<std::size_t, 2> ends{};                  ///< numbers of the vertices where it starts and ends
     double tolerance = 0;                               ///< largest distance from the faces' surfaces
+    bool isOpen = false;                                ///< with a face on one side only
+    bool isSmooth = false; ///< the faces' normals differ by less than 0.01 radians
 };
 
 struct BoundaryFace {
     Handle(Geom_Surface) surface;
-    bool reversed = false;     ///< the surface's normal points inwards
-    std::vector<EdgeUse> uses; ///< counter-clockwise, seen from outside
+    bool reversed = false; ///< the surface's normal points inwards
+    bool isSimple = false; ///< a plane, cylinder, cone, sphere or torus
+    /// The outline, counter-clockwise, seen from outside; then holes, clockwise.
+    std::vector<std::vector<EdgeUse>> loops;
 };
 
 /// Faces that hang together.
@@ -45,14 +49,14 @@ struct Boundary {
     std::vector<BoundaryEdge> edges;
     std::vector<BoundaryFace> faces; ///< in the order of the patches
     std::vector<BoundaryPart> parts;
-    std::size_t openEdges = 0;
-    std::size_t smoothEdges = 0; ///< whose faces' normals differ by less than 0.01 radians
-    std::size_t simpleFaces = 0; ///< planes, cylinders, cones, spheres and tori
-    std::size_t lostEdges = 0;   ///< that are shorter than `resolution`
-    double resolution = 0;       ///< the smallest tolerance: what is taken for one point
-    double largestGap = 0;       ///< between patches, before simple surfaces take their place
-    double largestTolerance = 0;
+    std::size_t lostEdges = 0; ///< that are shorter than `resolution`
+    double resolution = 0;     ///< the smallest tolerance: what is taken for one point
+    double flatness = 0;       ///< how far a plane face may be from its patch
+    double largestGap = 0;     ///< between patches, before simple surfaces take their place
 };
+
+/// Of all vertices; no edge has a larger one.
+[[nodiscard]] double largestTolerance(const Boundary& boundary);
 
 /// The topology is the layout's: one face for every patch, an edge between any two vertices where borders
 /// meet, used by the patches on both sides. So nothing has to be sewn, and a gap between patches becomes the

@@ -5,12 +5,14 @@
 #include "export/colours.h"
 #include "export/iges.h"
 #include "export/join.h"
+#include "export/merge_planes.h"
 #include "export/quads.h"
 #include "export/separate.h"
 #include "export/step.h"
 
 #include <BRepCheck_Analyzer.hxx>
 #include <Standard_Failure.hxx>
+#include <algorithm>
 
 namespace qm {
 namespace {
@@ -26,6 +28,7 @@ const Surfaces& required(const Surfaces* surfaces, const std::string& forWhat) {
 
 struct CheckedShape {
     Boundary boundary;
+    std::vector<std::vector<std::size_t>> origins; ///< of every face
     BoundaryShape shape;
     bool valid = false;
 };
@@ -34,7 +37,7 @@ struct CheckedShape {
 CheckedShape checkedShape(const QuadMesh& mesh, const FacePatches& faces, double simplify) {
     std::vector<double> simplifyFace(faces.patches.size(), simplify);
     while (true) {
-        CheckedShape made{makeBoundary(mesh, faces, simplifyFace), {}, false};
+        CheckedShape made{makeBoundary(mesh, faces, simplifyFace), faces.origins, {}, false};
         made.shape = buildShape(made.boundary);
         const BRepCheck_Analyzer analyser(made.shape.shape, Standard_True, Standard_True);
         made.valid = analyser.IsValid();
@@ -48,19 +51,31 @@ CheckedShape checkedShape(const QuadMesh& mesh, const FacePatches& faces, double
     }
 }
 
+/// The same with one face for every plane, unless OpenCASCADE takes the one and not the other.
+CheckedShape withPlanesMerged(CheckedShape shape) {
+    CheckedShape merged{shape.boundary, shape.origins, {}, false};
+    mergePlanes(merged.boundary, merged.origins);
+    merged.shape = buildShape(merged.boundary);
+    merged.valid = BRepCheck_Analyzer(merged.shape.shape, Standard_True, Standard_True).IsValid();
+    return merged.valid || !shape.valid ? merged : shape;
+}
+
 ShapeReport reportOf(const Boundary& boundary) {
     ShapeReport report;
     report.faces = boundary.faces.size();
     report.edges = boundary.edges.size();
-    report.openEdges = boundary.openEdges;
-    report.smoothEdges = boundary.smoothEdges;
-    report.simpleFaces = boundary.simpleFaces;
+    const auto count = [](const auto& values, auto member) {
+        return static_cast<std::size_t>(std::ranges::count(values, true, member));
+    };
+    report.openEdges = count(boundary.edges, &BoundaryEdge::isOpen);
+    report.smoothEdges = count(boundary.edges, &BoundaryEdge::isSmooth);
+    report.simpleFaces = count(boundary.faces, &BoundaryFace::isSimple);
     for (const BoundaryPart& part : boundary.parts)
         ++(part.closed ? report.solids : report.shells);
     report.lostEdges = boundary.lostEdges;
     report.resolution = boundary.resolution;
     report.largestGap = boundary.largestGap;
-    report.largestTolerance = boundary.largestTolerance;
+    report.largestTolerance = largestTolerance(boundary);
     return report;
 }
 
@@ -71,11 +86,12 @@ Exported exportShape(const QuadMesh& mesh, const Layout& layout, const Surfaces&
         FacePatches faces = facePatches(layout, surfaces.patches);
         if (options.join) faces = joined(std::move(faces), knotTolerance * diagonal);
         faces = separated(mesh, std::move(faces), knotTolerance * diagonal);
-        const CheckedShape made =
+        CheckedShape made =
             checkedShape(mesh, faces, options.analytic ? options.analyticTolerance / 100 * diagonal : 0);
+        if (options.join) made = withPlanesMerged(std::move(made));
         Exported result{options.format == ExportFormat::step
-                            ? boundaryAsStep(made.boundary, faces.origins, options)
-                            : shapeAsIges(made.shape, faces.origins, options),
+                            ? boundaryAsStep(made.boundary, made.origins, options)
+                            : shapeAsIges(made.shape, made.origins, options),
                         reportOf(made.boundary)};
         result.shape->valid = made.valid;
         return result;

@@ -32,7 +32,7 @@ struct ExportOptions {
     ExportFormat format = ExportFormat::step;
     LengthUnit unit = LengthUnit::mm;
     ColourBy colour = ColourBy::segment; ///< PLY and glTF
-    bool join = false;                   ///< STEP and IGES: neighbours that are one surface become one face
+    bool join = false; ///< STEP and IGES: neighbours that are one surface, or one plane, become one face
     bool analytic =
         false; ///< STEP and IGES: patches become cylinders, cones, spheres and tori where they can
     double analyticTolerance =

@@ -41,20 +41,25 @@ private:
     TopoDS_Face makeFace(const BoundaryFace& face) {
         TopoDS_Face result;
         builder_.MakeFace(result, face.surface, Precision::Confusion());
-        TopoDS_Wire wire;
-        builder_.MakeWire(wire);
-        for (const EdgeUse& use : face.uses) {
-            const BoundaryEdge& edge = boundary_.edges[use.edge];
-            if (const auto& curve = edge.onFaces.at(use.forwards ? 0 : 1); !curve.IsNull()) {
-                builder_.UpdateEdge(edges_[use.edge], curve, result, edge.tolerance);
-                builder_.Range(edges_[use.edge], result, curve->FirstParameter(), curve->LastParameter());
-            }
-            builder_.Add(wire, edges_[use.edge].Oriented(use.forwards ? TopAbs_FORWARD : TopAbs_REVERSED));
+        for (const auto& loop : face.loops) {
+            TopoDS_Wire wire;
+            builder_.MakeWire(wire);
+            for (const EdgeUse& use : loop)
+                addUse(use, wire, result);
+            wire.Closed(true);
+            builder_.Add(result, face.reversed ? wire.Reversed() : wire);
         }
-        wire.Closed(true);
-        builder_.Add(result, face.reversed ? wire.Reversed() : wire);
         if (face.reversed) result.Reverse();
         return result;
+    }
+
+    void addUse(const EdgeUse& use, TopoDS_Wire& wire, const TopoDS_Face& face) {
+        const BoundaryEdge& edge = boundary_.edges[use.edge];
+        if (const auto& curve = edge.onFaces.at(use.forwards ? 0 : 1); !curve.IsNull()) {
+            builder_.UpdateEdge(edges_[use.edge], curve, face, edge.tolerance);
+            builder_.Range(edges_[use.edge], face, curve->FirstParameter(), curve->LastParameter());
+        }
+        builder_.Add(wire, edges_[use.edge].Oriented(use.forwards ? TopAbs_FORWARD : TopAbs_REVERSED));
     }
 
     TopoDS_Shape makePart(const BoundaryPart& part, const std::vector<TopoDS_Face>& faces) {

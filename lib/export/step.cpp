@@ -77,7 +77,7 @@ public:
             StepText("APPLICATION_PROTOCOL_DEFINITION('international standard','automotive_design',2000,")
                 .id(application_)
                 .raw(")"));
-        context_ = addContext(file_, options.unit, boundary.largestTolerance);
+        context_ = addContext(file_, options.unit, largestTolerance(boundary));
         planeContext_ = file_.add("(GEOMETRIC_REPRESENTATION_CONTEXT(2)PARAMETRIC_REPRESENTATION_CONTEXT()"
                                   "REPRESENTATION_CONTEXT('','2D'))");
         origin_ = addPlacement(file_, gp_Ax3());
@@ -101,11 +101,12 @@ private:
     void addEdges() {
         std::vector<std::array<std::optional<StepId>, 2>> onFaces(edges_.size());
         for (std::size_t f = 0; f < boundary_.faces.size(); ++f)
-            for (const EdgeUse& use : boundary_.faces[f].uses) {
-                const std::size_t side = use.forwards ? 0 : 1;
-                if (const auto& curve = boundary_.edges[use.edge].onFaces.at(side); !curve.IsNull())
-                    onFaces[use.edge].at(side) = addOnSurface(curve, surfaces_[f]);
-            }
+            for (const auto& loop : boundary_.faces[f].loops)
+                for (const EdgeUse& use : loop) {
+                    const std::size_t side = use.forwards ? 0 : 1;
+                    if (const auto& curve = boundary_.edges[use.edge].onFaces.at(side); !curve.IsNull())
+                        onFaces[use.edge].at(side) = addOnSurface(curve, surfaces_[f]);
+                }
         for (std::size_t e = 0; e < edges_.size(); ++e) {
             const BoundaryEdge& edge = boundary_.edges[e];
             StepId curve = addCurve(file_, edge.curve);
@@ -135,16 +136,25 @@ private:
     /// \param turned  seen from the other side
     StepId addFace(std::size_t f, bool turned) {
         const BoundaryFace& face = boundary_.faces[f];
-        std::vector<StepId> uses;
-        for (const EdgeUse& use : face.uses)
-            uses.push_back(file_.add(
-                StepText("ORIENTED_EDGE('',*,*,").id(edges_[use.edge]).raw(",").flag(use.forwards).raw(")")));
-        const StepId loop = file_.add(StepText("EDGE_LOOP('',").ids(uses).raw(")"));
-        const StepId bound =
-            file_.add(StepText("FACE_OUTER_BOUND('',").id(loop).raw(",").flag(!turned).raw(")"));
-        return file_.add(StepText("ADVANCED_FACE('" + faceName(origins_[f]) + "',(")
-                             .id(bound)
-                             .raw("),")
+        std::vector<StepId> bounds;
+        for (const auto& outline : face.loops) {
+            std::vector<StepId> uses;
+            for (const EdgeUse& use : outline)
+                uses.push_back(file_.add(StepText("ORIENTED_EDGE('',*,*,")
+                                             .id(edges_[use.edge])
+                                             .raw(",")
+                                             .flag(use.forwards)
+                                             .raw(")")));
+            const StepId loop = file_.add(StepText("EDGE_LOOP('',").ids(uses).raw(")"));
+            bounds.push_back(file_.add(StepText(bounds.empty() ? "FACE_OUTER_BOUND(''," : "FACE_BOUND('',")
+                                           .id(loop)
+                                           .raw(",")
+                                           .flag(!turned)
+                                           .raw(")")));
+        }
+        return file_.add(StepText("ADVANCED_FACE('" + faceName(origins_[f]) + "',")
+                             .ids(bounds)
+                             .raw(",")
                              .id(surfaces_[f])
                              .raw(",")
                              .flag(face.reversed == turned)

@@ -145,7 +145,7 @@ TEST(Separate, LeavesNoSideWithHundredsOfEdges) {
     const FacePatches faces = separated(model.mesh, facePatches(model.layout, model.surfaces.patches), 1e-9);
     EXPECT_EQ(faces.patches.size(), 303U);
     for (const BoundaryFace& face : makeBoundary(model.mesh, faces).faces)
-        EXPECT_LE(face.uses.size(), 131U);
+        EXPECT_LE(face.loops.front().size(), 131U);
 }
 
 TEST(KnotRemoval, KeepsTheSurface) {
@@ -190,6 +190,52 @@ TEST(Planes, AreExportedAsPlanes) {
     EXPECT_EQ(countSurfaces<Geom_Plane>(shape), 2);
     const FittedModel wavy = fitted(sheet(), test::tJoint(), FitOptions());
     EXPECT_EQ(countSurfaces<Geom_Plane>(readBack(wavy)), 0);
+}
+
+/// A flat sheet of 3 x 3 squares, a patch each, of which some have a peak in the middle.
+FittedModel peaks(const std::vector<std::array<int, 2>>& places) {
+    const auto isPeak = [=](double i, double j) {
+        return std::ranges::any_of(places, [=](auto at) { return i == 2 * at[0] + 1 && j == 2 * at[1] + 1; });
+    };
+    const Grid grid{6, 6, [=](double i, double j) { return Point(i, j, isPeak(i, j) ? 2 : 0); }};
+    std::vector<test::Rectangle> squares;
+    for (int j = 0; j < 6; j += 2)
+        for (int i = 0; i < 6; i += 2)
+            squares.push_back({i, j, i + 2, j + 2});
+    return fitted(grid, squares, FitOptions());
+}
+
+ExportOptions joining() {
+    ExportOptions options;
+    options.join = true;
+    return options;
+}
+
+TEST(MergePlanes, MakesOneFaceWithAHole) {
+    const FittedModel model = peaks({{1, 1}});
+    EXPECT_EQ(all(readBack(model), TopAbs_FACE).size(), 9U);
+    const TopoDS_Shape shape = readBack(model, joining());
+    const auto faces = all(shape, TopAbs_FACE);
+    ASSERT_EQ(faces.size(), 2U);
+    EXPECT_EQ(all(faces[1], TopAbs_EDGE).size(), 4U) << "the hole's";
+    EXPECT_EQ(all(faces[0], TopAbs_WIRE).size(), 2U);
+    EXPECT_FALSE(Handle(Geom_Plane)::DownCast(BRep_Tool::Surface(TopoDS::Face(faces[0]))).IsNull());
+    GProp_GProps properties;
+    BRepGProp::SurfaceProperties(faces[0], properties);
+    EXPECT_NEAR(properties.Mass(), 32, 0.01);
+    const std::string step = exportModel(model.mesh, model.layout, &model.surfaces, joining()).bytes;
+    EXPECT_NE(step.find("ADVANCED_FACE('segments 0 1 2 3 5 6 7 8'"), std::string::npos);
+    const ShapeReport report = *exportModel(model.mesh, model.layout, &model.surfaces, joining()).shape;
+    EXPECT_EQ(report.faces, 2U);
+    EXPECT_EQ(report.simpleFaces, 1U);
+    EXPECT_EQ(report.openEdges + 4, report.edges);
+}
+
+TEST(MergePlanes, LeavesNoVertexOnAnOutlineTwice) {
+    const TopoDS_Shape shape = readBack(peaks({{1, 1}, {2, 2}}), joining());
+    EXPECT_EQ(countSurfaces<Geom_Plane>(shape), 2) << "the seven squares around both meet themselves";
+    for (const TopoDS_Shape& face : all(shape, TopAbs_FACE))
+        EXPECT_EQ(all(face, TopAbs_VERTEX).size(), all(face, TopAbs_EDGE).size());
 }
 
 ExportOptions analytic() {
