@@ -56,7 +56,7 @@ TEST(Measure, FindsADisplacementTwoSidedAndRelative) {
     EXPECT_NEAR(all.maxRelative, all.max / 10, 1e-15);
     EXPECT_NEAR(all.largestGap, 0.5, 5e-3);
     EXPECT_NEAR(measured.ofPatch[0].deviation.largestGap, moved.largestGap, 1e-12);
-    EXPECT_LT(measured.ofPatch[0].deviation.max, 0.01) << "free ends slide along the boundary";
+    EXPECT_LE(measured.ofPatch[0].deviation.max, moved.max / 2) << "free ends slide along the boundary";
     EXPECT_LT(all.rms, moved.rms);
     EXPECT_LT(all.largestNormalAngle, 1e-6);
     EXPECT_EQ(all.folds, 0U);

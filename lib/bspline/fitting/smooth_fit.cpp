@@ -2,6 +2,7 @@
 
 #include "base/parallel.h"
 #include "bspline/fitting/fit_lattice.h"
+#include "bspline/fitting/flattening.h"
 #include "bspline/fitting/initial_knots.h"
 #include "bspline/fitting/knot_insertion.h"
 #include "bspline/fitting/knot_removal.h"

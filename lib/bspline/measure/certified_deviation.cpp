@@ -1,5 +1,6 @@
 #include "bspline/measure/certified_deviation.h"
 
+#include "base/parallel.h"
 #include "bspline/measure/distance_bound.h"
 
 #include <algorithm>
@@ -175,6 +176,23 @@ private:
 CertifiedDeviation certifiedDeviation(const PairedSurfaces& surfaces, std::size_t patch,
                                       const CertificationOptions& options) {
     return PatchSearch(surfaces, patch, options).run();
+}
+
+std::vector<CertifiedDeviation> certifiedDeviations(const PairedSurfaces& surfaces,
+                                                    const CertificationOptions& options, unsigned jobs) {
+    std::vector<CertifiedDeviation> result(surfaces.patches());
+    CertificationOptions rough = options;
+    rough.negligible = HUGE_VAL;
+    parallelFor(result.size(), jobs,
+                [&](std::size_t k) { result[k] = certifiedDeviation(surfaces, k, rough); });
+    CertificationOptions close = options;
+    for (const CertifiedDeviation& one : result)
+        close.negligible = std::max(close.negligible, one.lower / 2);
+    parallelFor(result.size(), jobs, [&](std::size_t k) {
+        const double enough = std::max(close.negligible, (1 + close.closing) * result[k].lower);
+        if (result[k].upper > enough) result[k] = certifiedDeviation(surfaces, k, close);
+    });
+    return result;
 }
 
 double rootMeanSquare(const std::vector<std::pair<double, double>>& samples) {

@@ -56,18 +56,23 @@ public:
         result_.ofPatch.resize(patches.size());
     }
 
+    void certify(unsigned jobs) {
+        const CertificationOptions certification{options_.closing, options_.negligible * diagonal_};
+        fromReference_ = certifiedDeviations(toReference_, certification, jobs);
+        fromFacets_ = certifiedDeviations(toFacets_, certification, jobs);
+    }
+
     void measurePatch(std::size_t k) {
         PatchMeasurement& patch = result_.ofPatch[k];
         Parts& parts = parts_[k];
-        const CertificationOptions certification{options_.closing, options_.negligible * diagonal_};
-        CertifiedDeviation certified = certifiedDeviation(toReference_, k, certification);
+        CertifiedDeviation& certified = fromReference_[k];
         patch.deviation.max = certified.upper;
         patch.lowerBound = certified.lower;
         patch.farthest = certified.place;
         patch.farthest.patch = k;
         parts.fromReference = std::move(certified.samples);
 
-        CertifiedDeviation fromFacets = certifiedDeviation(toFacets_, k, certification);
+        CertifiedDeviation& fromFacets = fromFacets_[k];
         patch.deviation.maxFromFacets = fromFacets.upper;
         parts.fromFacets = std::move(fromFacets.samples);
         parts.fromVertices = vertexDistances(k);
@@ -171,6 +176,8 @@ private:
     std::vector<ReferenceGrid> facets_;
     PairedSurfaces toReference_;
     PairedSurfaces toFacets_;
+    std::vector<CertifiedDeviation> fromReference_; ///< by patch
+    std::vector<CertifiedDeviation> fromFacets_;
     std::vector<Parts> parts_; ///< by patch
     Parts all_;
     Measurement result_;
@@ -182,6 +189,7 @@ Measurement measureSurfaces(const QuadMesh& mesh, const Layout& layout, const st
                             const std::vector<ReferenceGrid>& references, const std::vector<bool>& isSmooth,
                             const MeasureOptions& options, const Control& control) {
     Meter meter(mesh, layout, patches, references, options);
+    meter.certify(control.jobs);
     parallelFor(patches.size(), control.jobs, [&](std::size_t k) { meter.measurePatch(k); });
     meter.measureBorders(isSmooth, control.jobs);
     return meter.finish();
@@ -192,10 +200,9 @@ std::vector<double> maxDeviations(const QuadMesh& mesh, const Layout& layout,
                                   const std::vector<ReferenceGrid>& references, double limit, unsigned jobs) {
     const std::vector<BorderEdge> borders = borderEdges(mesh, layout);
     const PairedSurfaces pairs(layout, patches, references, borders);
-    std::vector<double> result(patches.size());
-    parallelFor(patches.size(), jobs, [&](std::size_t k) {
-        result[k] = certifiedDeviation(pairs, k, {.negligible = limit}).upper;
-    });
+    std::vector<double> result;
+    for (const CertifiedDeviation& one : certifiedDeviations(pairs, {.negligible = limit}, jobs))
+        result.push_back(one.upper);
     return result;
 }
 
