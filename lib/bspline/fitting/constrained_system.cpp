@@ -59,7 +59,7 @@ Eigen::SparseMatrix<double> equationMatrix(const std::vector<LinearForm>& equati
 
 /// Makes the whole matrix quasi-definite, so that every order of elimination works and equations may depend
 /// on one another; what it changes is mended by refinement.
-constexpr double relaxation = 1e-10;
+constexpr double relaxation = 1e-12;
 
 } // namespace
 

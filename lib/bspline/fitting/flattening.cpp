@@ -66,9 +66,9 @@ private:
 /// found by conjugate gradients for the distances from the planes, in the space of what the equations allow.
 class Flattening {
 public:
-    Flattening(std::size_t unknowns, const std::vector<LinearForm>& equations)
-        : unknowns_(static_cast<Eigen::Index>(unknowns)), allowed_(unknowns, identity(unknowns_), equations) {
-    }
+    Flattening(std::size_t unknowns, std::vector<LinearForm> equations)
+        : unknowns_(static_cast<Eigen::Index>(unknowns)), equations_(std::move(equations)),
+          allowed_(unknowns, identity(unknowns_), equations_) {}
 
     void demand(Eigen::Index unknown, const Plane& plane) {
         demands_.push_back({unknown, vector(plane.normal), plane.offset});
@@ -84,12 +84,26 @@ public:
         return points;
     }
 
+    [[nodiscard]] Eigen::Index unknown(Eigen::Index demand) const { return at(demand).unknown; }
+
     /// By demand, how far the point is below its plane.
     [[nodiscard]] Eigen::VectorXd missing(const Eigen::MatrixX3d& points) const {
         Eigen::VectorXd result = -distances(points);
         for (Eigen::Index k = 0; k < result.size(); ++k)
             result[k] += at(k).offset;
         return result;
+    }
+
+    /// By how much a change violates the equations, at most.
+    [[nodiscard]] double violation(const Eigen::MatrixX3d& change) const {
+        double largest = 0;
+        for (const LinearForm& equation : equations_) {
+            Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+            for (std::size_t k = 0; k < equation.unknowns.size(); ++k)
+                sum += equation.weights[k] * change.row(static_cast<Eigen::Index>(equation.unknowns[k]));
+            largest = std::max(largest, sum.norm());
+        }
+        return largest;
     }
 
 private:
@@ -155,6 +169,7 @@ private:
     }
 
     Eigen::Index unknowns_;
+    std::vector<LinearForm> equations_;
     ConstrainedSystem allowed_;
     std::vector<Demand> demands_;
 };
@@ -180,18 +195,25 @@ bool tryToFlatten(const Layout& layout, const SmoothNetwork& network, const std:
     });
     const Eigen::MatrixX3d flat = flattening.run(points);
 
+    constexpr double rounding = 1e-12;
     constexpr double tooFar = 1e-8;
     constexpr double worst = 0.8; // of the farthest: one that cannot be had keeps its neighbours away as well
-    const Eigen::VectorXd missing = flattening.missing(flat);
-    const double limit =
-        std::max(tooFar * points.rowwise().norm().maxCoeff(), worst * missing.lpNorm<Eigen::Infinity>());
-    bool keepsAll = true;
-    for (std::size_t k = 0; k < demanding.size(); ++k) {
-        if (std::abs(missing[static_cast<Eigen::Index>(k)]) <= limit) continue;
-        planes[demanding[k]].reset();
-        keepsAll = false;
+    // Times what was missing: planes that can hardly be had push all around away.
+    constexpr double tooMuch = 5;
+    const double size = points.rowwise().norm().maxCoeff();
+    const Eigen::VectorXd missing = flattening.missing(flat).cwiseAbs();
+    const Eigen::VectorXd change = (flat - points).rowwise().norm();
+    const double before = flattening.missing(points).lpNorm<Eigen::Infinity>();
+    const bool misses = missing.maxCoeff() > tooFar * size;
+    if (misses || change.maxCoeff() > tooMuch * before + tooFar * size ||
+        flattening.violation(flat - points) > rounding * size) {
+        Eigen::VectorXd blame = missing;
+        for (Eigen::Index k = 0; !misses && k < blame.size(); ++k)
+            blame[k] = change[flattening.unknown(k)];
+        for (std::size_t k = 0; k < demanding.size(); ++k)
+            if (blame[static_cast<Eigen::Index>(k)] >= worst * blame.maxCoeff()) planes[demanding[k]].reset();
+        return false;
     }
-    if (!keepsAll) return false;
     forEachMoving([&](std::size_t, Eigen::Index number, Point& controlPoint) {
         controlPoint = point(Eigen::Vector3d(flat.row(number)));
     });

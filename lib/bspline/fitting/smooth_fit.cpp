@@ -81,7 +81,7 @@ public:
 
     std::vector<Patch> run(const Verification& verify, const Control& control) {
         search(options_.maxRounds, control);
-        flattenBest();
+        flattenBest(verify);
         if (!verify) return std::move(best_.patches);
         std::vector<Patch> nearest;
         double distance = std::numeric_limits<double>::infinity();
@@ -95,7 +95,7 @@ public:
             lattices_ = best_.lattices;
             best_ = {};
             search(roundsOfMending, {});
-            flattenBest();
+            flattenBest(verify);
         }
     }
 
@@ -129,8 +129,34 @@ private:
         }
     }
 
-    void flattenBest() {
-        flatten(layout_, best_.plan->network(), best_.plan->spaces(), planes_, best_.patches);
+    /// Planes that would spoil the tolerance are left out.
+    void flattenBest(const Verification& verify) {
+        if (std::ranges::none_of(planes_, [](const auto& plane) { return plane.has_value(); })) return;
+        constexpr int attempts = 5;
+        constexpr double worse = 1.01;
+        const std::vector<double> before = verify ? verify(best_.patches) : std::vector<double>();
+        auto planes = planes_;
+        for (int k = 0; k < attempts; ++k) {
+            std::vector<Patch> flat = best_.patches;
+            flatten(layout_, best_.plan->network(), best_.plan->spaces(), planes, flat);
+            const std::vector<double> after = verify ? verify(flat) : std::vector<double>();
+            const auto isSpoiled = [&](std::size_t patch) {
+                return after[patch] > std::max(1.0, worse * before[patch]);
+            };
+            bool spoils = false;
+            for (std::size_t patch = 0; patch < after.size(); ++patch)
+                spoils = spoils || isSpoiled(patch);
+            if (!spoils) {
+                best_.patches = std::move(flat);
+                return;
+            }
+            for (const Stretch& stretch : plan_.network().stretches)
+                for (const std::size_t side : {0, 1})
+                    if (isSpoiled(stretch.sides[side].patch)) {
+                        planes[stretch.sides[0].patch].reset();
+                        planes[stretch.sides[1].patch].reset();
+                    }
+        }
     }
 
     /// Errors of patches that are farther away than their lattices tell count more from now on.

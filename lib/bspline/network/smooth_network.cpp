@@ -1,6 +1,7 @@
 #include "bspline/network/smooth_network.h"
 
 #include "bspline/network/borders.h"
+#include "bspline/network/creases.h"
 
 #include <cstddef>
 #include <unordered_map>
@@ -10,12 +11,9 @@ namespace {
 
 BorderMarks markBorders(const QuadMesh& mesh, const std::vector<BorderEdge>& borders,
                         const std::vector<double>& dihedralAngles, double rho) {
-    BorderMarks marks{std::vector<bool>(mesh.n_edges()), std::vector<bool>(mesh.n_edges())};
-    for (const BorderEdge& border : borders) {
-        const auto edge = static_cast<std::size_t>(mesh.edge_handle(border.halfedge).idx());
-        marks.isBorder[edge] = true;
-        marks.isCrease[edge] = border.places.size() != 2 || dihedralAngles[edge] > rho;
-    }
+    BorderMarks marks{std::vector<bool>(mesh.n_edges()), findCreases(mesh, borders, dihedralAngles, rho)};
+    for (const BorderEdge& border : borders)
+        marks.isBorder[static_cast<std::size_t>(mesh.edge_handle(border.halfedge).idx())] = true;
     return marks;
 }
 
