@@ -3,6 +3,7 @@
 #include "bspline/fitting/constrained_system.h"
 #include "bspline/fitting/gram.h"
 #include "bspline/fitting/knot_plan.h"
+#include "bspline/network/creases.h"
 #include "bspline/network/smooth_network.h"
 #include "bspline/network/vertex_fan.h"
 #include "bspline/splines/basis.h"
@@ -58,6 +59,49 @@ TEST(VertexFan, KnowsWhereSidesPassStraightThrough) {
     EXPECT_EQ(std::ranges::count(fan.faces, 2), 1);
     for (const double ratio : tangentRatios(mesh, fan, network.rules[static_cast<std::size_t>(joint.idx())]))
         EXPECT_EQ(ratio, 0) << "all is regular there";
+}
+
+TEST(Creases, ShortCurvesThatEndInNothingAreNoise) {
+    // A ridge along j = 3 from i = `from` to i = `to`, on a sheet whose two patches meet there.
+    const auto creasesOf = [](double from, double to, double height) {
+        const Grid grid{12, 6, [=](double i, double j) {
+                            const bool isRidge = i > from && i < to;
+                            return Point(i, j, isRidge ? -height * std::abs(j - 3) : 0);
+                        }};
+        const QuadMesh mesh = test::makeMesh(grid);
+        const Layout layout = test::makeLayout(grid, {{0, 0, 12, 3}, {0, 3, 12, 6}});
+        const auto isCrease = findCreases(mesh, borderEdges(mesh, layout), dihedralAngles(mesh), 0.45);
+        std::size_t inside = 0;
+        for (const EdgeId edge : mesh.edges())
+            if (isCrease[static_cast<std::size_t>(edge.idx())] && !mesh.is_boundary(edge)) ++inside;
+        return inside;
+    };
+    EXPECT_EQ(creasesOf(3.5, 6.5, 0.4), 0U) << "a few edges";
+    EXPECT_GT(creasesOf(3.5, 6.5, 2), 0U) << "sharp beyond doubt";
+    EXPECT_GT(creasesOf(2.5, 9.5, 0.4), 4U) << "a long one";
+    EXPECT_EQ(creasesOf(-1, 13, 0.4), 12U) << "from boundary to boundary";
+}
+
+TEST(VertexFan, RatiosAtCornersAgreeWithTheMeshsDirections) {
+    // A corner of a sheet where two quads meet, of 45 and 90 degrees, with edges of different lengths.
+    const Grid grid{2, 1, [](double i, double j) {
+                        const std::array<std::array<Point, 3>, 2> places{
+                            {{Point(1, 0, 0), Point(0, 0, 0), Point(-2, 2, 0)},
+                             {Point(2, 2, 0), Point(1.5, 1.5, 0), Point(-1, 4, 0)}}};
+                        return places[static_cast<std::size_t>(j)][static_cast<std::size_t>(i)];
+                    }};
+    const QuadMesh mesh = test::makeMesh(grid);
+    const Layout layout = test::makeLayout(grid, {{0, 0, 1, 1}, {1, 0, 2, 1}});
+    const SmoothNetwork network = networkOf(mesh, layout);
+    const VertexId corner(1);
+    const VertexFan fan = vertexFan(mesh, network.marks, corner);
+    const auto ratios = tangentRatios(mesh, fan, {VertexRule::Kind::corner});
+    ASSERT_EQ(ratios.size(), 3U);
+    // Edges at 0, 45 and 135 degrees: lengths a, b, c with a sin 45 = c sin 90, and a c = 1 * sqrt 8.
+    const double a = std::sqrt(std::sqrt(8.0) / std::sqrt(0.5));
+    EXPECT_NEAR(ratios[1], a * std::sqrt(0.5) / (1.5 * std::sqrt(2.0)), 1e-12);
+    EXPECT_EQ(ratios[0], 0);
+    EXPECT_EQ(ratios[2], 0);
 }
 
 TEST(SmoothNetwork, StretchesEndAtTJoints) {

@@ -58,23 +58,6 @@ std::optional<double> angleOfCorners(const VertexFan& fan, const Sector& sector,
     return angle > minAngle ? std::optional(angle) : std::nullopt;
 }
 
-/// The angle that the mesh has between the borders of a sector, in its faces.
-double measuredAngle(const QuadMesh& mesh, const VertexFan& fan, const Sector& sector) {
-    double sum = 0;
-    for (std::size_t k = 0; k < sector.size; ++k) {
-        const std::size_t patch = (sector.begin + k) % fan.borders.size();
-        HalfedgeId halfedge = fan.borders[patch];
-        for (int face = 0; face < fan.faces[patch]; ++face) {
-            const HalfedgeId next = nextAround(mesh, halfedge);
-            const Point a = along(mesh, halfedge);
-            const Point b = along(mesh, next);
-            sum += std::atan2((a % b).norm(), a | b);
-            halfedge = next;
-        }
-    }
-    return sum;
-}
-
 /// The direction in which a patch leaves the vertex across the border on its one side: along its other side,
 /// or, if its side passes straight through, along the mesh edge between its two faces.
 Point inward(const QuadMesh& mesh, const VertexFan& fan, std::size_t patch, bool fromNext) {
@@ -92,6 +75,45 @@ double measuredRatio(const QuadMesh& mesh, const VertexFan& fan, std::size_t bor
     constexpr double max = 1.8;
     const double length = on.sqrnorm();
     return length > 0 ? std::clamp((sum | on) / length, -max, max) : 0;
+}
+
+/// Ratios for the borders inside a sector at a corner that agree with the directions of all of its edges in
+/// the mesh, seen in the tangent plane. With angles a_k between edge k and the next, and lengths l_k, the sum
+/// of edges k - 1 and k + 1 lies along edge k if l_{k-1} sin a_{k-1} = l_{k+1} sin a_k. So the lengths of
+/// every second edge follow from one another; their common factor is the one that comes nearest to the
+/// mesh's. Nothing where sides of patches pass straight through, or angles are too near to 0 or half a turn.
+std::optional<std::vector<double>> balancedRatios(const QuadMesh& mesh, const VertexFan& fan,
+                                                  const Sector& sector) {
+    constexpr double minSine = 0.5;
+    constexpr double max = 3;
+    const std::size_t count = fan.borders.size();
+    const auto edge = [&](std::size_t k) { return along(mesh, fan.borders[(sector.begin + k) % count]); };
+    std::vector<double> angles;
+    for (std::size_t k = 0; k < sector.size; ++k) {
+        if (fan.faces[(sector.begin + k) % count] != 1) return std::nullopt;
+        angles.push_back(std::atan2((edge(k) % edge(k + 1)).norm(), edge(k) | edge(k + 1)));
+        if (!(std::sin(angles.back()) > minSine)) return std::nullopt;
+    }
+    std::vector<double> lengths(sector.size + 1, 1);
+    for (std::size_t k = 2; k <= sector.size; ++k)
+        lengths[k] = lengths[k - 2] * std::sin(angles[k - 2]) / std::sin(angles[k - 1]);
+    for (const std::size_t parity : {0U, 1U}) {
+        double logarithms = 0;
+        double terms = 0;
+        for (std::size_t k = parity; k <= sector.size; k += 2) {
+            logarithms += std::log(edge(k).norm() / lengths[k]);
+            ++terms;
+        }
+        for (std::size_t k = parity; k <= sector.size; k += 2)
+            lengths[k] *= std::exp(logarithms / terms);
+    }
+    std::vector<double> ratios;
+    for (std::size_t k = 1; k < sector.size; ++k) {
+        ratios.push_back((lengths[k - 1] * std::cos(angles[k - 1]) + lengths[k + 1] * std::cos(angles[k])) /
+                         lengths[k]);
+        if (!(std::abs(ratios.back()) <= max)) return std::nullopt;
+    }
+    return ratios;
 }
 
 } // namespace
@@ -139,13 +161,10 @@ std::vector<double> tangentRatios(const QuadMesh& mesh, const VertexFan& fan, co
     std::vector<double> ratios(count);
     for (const Sector& sector : sectors(fan)) {
         const std::size_t end = sector.begin + sector.size;
+        const bool isCorner = !sector.isWhole && !(isPassed(sector.begin) && isPassed(end % count));
         std::optional<double> angle;
-        if (sector.isWhole)
-            angle = angleOfCorners(fan, sector, 2 * halfTurn);
-        else if (isPassed(sector.begin) && isPassed(end % count))
-            angle = angleOfCorners(fan, sector, halfTurn);
-        else
-            angle = angleOfCorners(fan, sector, measuredAngle(mesh, fan, sector));
+        if (!isCorner) angle = angleOfCorners(fan, sector, sector.isWhole ? 2 * halfTurn : halfTurn);
+        const auto balanced = isCorner ? balancedRatios(mesh, fan, sector) : std::nullopt;
         for (std::size_t k = sector.begin + (sector.isWhole ? 0 : 1); k < end; ++k) {
             const std::size_t border = k % count;
             if (fan.isCrease[border]) continue;
@@ -153,7 +172,9 @@ std::vector<double> tangentRatios(const QuadMesh& mesh, const VertexFan& fan, co
             const auto cosine = [&](std::size_t patch) {
                 return fan.faces[patch] == 1 ? std::cos(*angle) : 0;
             };
-            double ratio = angle ? cosine(border) + cosine(before) : measuredRatio(mesh, fan, border);
+            double ratio = angle      ? cosine(border) + cosine(before)
+                           : balanced ? (*balanced)[k - sector.begin - 1]
+                                      : measuredRatio(mesh, fan, border);
             if (std::abs(ratio) < 1e-12) ratio = 0;
             ratios[border] = ratio;
         }
