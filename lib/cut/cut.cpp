@@ -1,5 +1,6 @@
 #include "cut/cut.h"
 
+#include "cut/coarse_geodesics.h"
 #include "cut/energy.h"
 #include "cut/measure.h"
 #include "cut/min_cut.h"
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 namespace qm {
@@ -31,7 +33,7 @@ public:
     Cutter(const QuadMesh& mesh, const BaseComplex& complex, const std::vector<double>& angles,
            const CutOptions& options, const Control& control)
         : mesh_(mesh), options_(options), control_(control), measure_(mesh, complex),
-          labels_(mesh.n_vertices(), 0), geodesics_(mesh, labels_), energy_(mesh, angles, options, labels_),
+          labels_(mesh.n_vertices(), 0), energy_(mesh, angles, options, labels_),
           component_(mesh.n_vertices(), -1) {
         Piece whole;
         for (const VertexId vertex : mesh.vertices())
@@ -94,6 +96,11 @@ private:
         Pieces parts(static_cast<std::size_t>(count));
         const int base = nextLabel_;
         nextLabel_ += count;
+        std::vector<std::size_t> sizes(parts.size(), 0);
+        for (const int part : partOf)
+            ++sizes[static_cast<std::size_t>(part)];
+        for (std::size_t part = 0; part < parts.size(); ++part)
+            parts[part].vertices.reserve(sizes[part]);
         for (std::size_t k = 0; k < piece.vertices.size(); ++k) {
             labels_[at(piece.vertices[k])] = base + partOf[k];
             parts[static_cast<std::size_t>(partOf[k])].vertices.push_back(piece.vertices[k]);
@@ -155,35 +162,52 @@ private:
         return divide(piece, partOf, parts + (others ? 1 : 0));
     }
 
+    /// By sweeps over the vertices where that takes little time, else over fewer places.
+    SurfaceDistances& distancesIn(const Piece& piece) {
+        constexpr std::size_t maxSwept = 16000;
+        if (piece.vertices.size() <= maxSwept) {
+            if (!geodesics_) geodesics_.emplace(mesh_, labels_);
+            return *geodesics_;
+        }
+        if (!coarseGeodesics_) coarseGeodesics_.emplace(mesh_, labels_);
+        coarseGeodesics_->coarsen(piece.vertices);
+        return *coarseGeodesics_;
+    }
+
     /// The cut whose more complicated part is the simplest.
     /// \return nothing if that is no simpler than the whole
     Pieces cutBetween(const Piece& piece, Terminals kind) {
         const int label = labels_[at(piece.vertices.front())];
         const auto [extraordinary, seeds] = sourcesOf(piece);
         double minComplexity = piece.measures.quasiComplexity;
-        std::vector<int> bestSides;
-        TerminalPair bestTerminals;
-        for (TerminalPair& terminals :
-             chooseTerminals(mesh_, piece.vertices, extraordinary, seeds, kind, geodesics_)) {
-            std::vector<int> sides =
-                minimumCut(energy_(piece.vertices, extraordinary, terminals, geodesics_));
-            const Pieces parts = divide(piece, sides, 2);
-            for (const VertexId vertex : piece.vertices)
-                labels_[at(vertex)] = label;
+        Pieces best;
+        int bestLabel = 0;
+        SurfaceDistances& distances = distancesIn(piece);
+        for (const TerminalPair& terminals :
+             chooseTerminals(mesh_, piece.vertices, extraordinary, seeds, kind, distances)) {
+            const int firstLabel = nextLabel_;
+            Pieces parts =
+                divide(piece, minimumCut(energy_(piece.vertices, extraordinary, terminals, distances)), 2);
+            setLabels(piece, label);
             const double worst =
                 std::max(parts[0].measures.quasiComplexity, parts[1].measures.quasiComplexity);
             if (worst >= minComplexity) continue;
             minComplexity = worst;
-            bestSides = std::move(sides);
-            bestTerminals = std::move(terminals);
+            for (Piece& part : parts) {
+                part.measures.source = terminals.source;
+                part.measures.sink = terminals.sink;
+            }
+            best = std::move(parts);
+            bestLabel = firstLabel;
         }
-        if (bestSides.empty()) return {};
-        Pieces parts = divide(piece, bestSides, 2);
-        for (Piece& part : parts) {
-            part.measures.source = bestTerminals.source;
-            part.measures.sink = bestTerminals.sink;
-        }
-        return parts;
+        for (std::size_t part = 0; part < best.size(); ++part)
+            setLabels(best[part], bestLabel + static_cast<int>(part));
+        return best;
+    }
+
+    void setLabels(const Piece& piece, int label) {
+        for (const VertexId vertex : piece.vertices)
+            labels_[at(vertex)] = label;
     }
 
     /// Numbers the sub-meshes by their lowest vertices. Isolated vertices belong to the first.
@@ -205,8 +229,9 @@ private:
     const CutOptions& options_;
     const Control& control_;
     Measure measure_;
-    std::vector<int> labels_; ///< of pieces as they arise, never used twice
-    Geodesics geodesics_;
+    std::vector<int> labels_;            ///< of pieces as they arise, never used twice
+    std::optional<Geodesics> geodesics_; ///< made when needed
+    std::optional<CoarseGeodesics> coarseGeodesics_;
     Energy energy_;
     std::vector<int> component_; ///< of a vertex in the piece at hand
     Pieces pending_;

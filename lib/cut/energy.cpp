@@ -37,24 +37,20 @@ Energy::Energy(const QuadMesh& mesh, const std::vector<double>& dihedralAngles, 
 
 CutProblem Energy::operator()(const std::vector<VertexId>& vertices,
                               const std::vector<VertexId>& extraordinary, const TerminalPair& terminals,
-                              Geodesics& geodesics) {
+                              SurfaceDistances& distances) {
     CutProblem problem;
-    std::vector<double> nearness; // D(S, p); D(T, p) is the rest
-    nearness.reserve(vertices.size());
     for (std::size_t k = 0; k < vertices.size(); ++k)
         node_[at(vertices[k])] = static_cast<int>(k);
+    std::vector<double> nearness =
+        distances.between(terminals.source, vertices); // D(S, p); D(T, p) is the rest
+    const std::vector<double> fromSink = distances.between(terminals.sink, vertices);
+    for (std::size_t k = 0; k < vertices.size(); ++k) {
+        const double fromSource = nearness[k], sum = fromSource + fromSink[k];
+        nearness[k] = sum > 0 && std::isfinite(sum) ? 1 - fromSource / sum : 0.5;
+    }
     const auto nearnessOf = [&](VertexId vertex) -> double& {
         return nearness[static_cast<std::size_t>(node_[at(vertex)])];
     };
-
-    const std::vector<double>* distance = &geodesics.from(terminals.source);
-    for (const VertexId vertex : vertices)
-        nearness.push_back((*distance)[at(vertex)]);
-    distance = &geodesics.from(terminals.sink);
-    for (const VertexId vertex : vertices) {
-        const double fromSource = nearnessOf(vertex), sum = fromSource + (*distance)[at(vertex)];
-        nearnessOf(vertex) = sum > 0 && std::isfinite(sum) ? 1 - fromSource / sum : 0.5;
-    }
     const auto& [sourceGroup, sinkGroup] = terminals.groups;
     if (sourceGroup.empty() && sinkGroup.empty())
         for (const VertexId vertex : extraordinary)
@@ -64,6 +60,8 @@ CutProblem Energy::operator()(const std::vector<VertexId>& vertices,
     for (const VertexId vertex : sinkGroup)
         nearnessOf(vertex) = 0;
 
+    problem.costs.reserve(vertices.size());
+    problem.edges.reserve(2 * vertices.size()); // as many as in a grid
     for (const double value : nearness)
         problem.costs.push_back({penalty(value), penalty(1 - value)});
     for (const VertexId vertex : vertices)

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "cut/cut.h"
-#include "cut/geodesics.h"
 #include "cut/min_cut.h"
+#include "cut/surface_distances.h"
 #include "cut/terminals.h"
 
 #include <vector>
@@ -23,10 +23,10 @@ public:
 
     /// \param vertices       of the sub-mesh: they become the nodes, in this order
     /// \param extraordinary  vertices among them
-    /// \param geodesics      on the same labels
+    /// \param distances      on the same labels
     [[nodiscard]] CutProblem operator()(const std::vector<VertexId>& vertices,
                                         const std::vector<VertexId>& extraordinary,
-                                        const TerminalPair& terminals, Geodesics& geodesics);
+                                        const TerminalPair& terminals, SurfaceDistances& distances);
 
 private:
     [[nodiscard]] double penalty(double nearness) const;

@@ -16,8 +16,8 @@ constexpr std::size_t pairLimit = 2048;
 
 class Search {
 public:
-    Search(const std::vector<VertexId>& vertices, Geodesics& geodesics)
-        : vertices_(vertices), geodesics_(geodesics), upper_(vertices.size(), unbounded),
+    Search(const std::vector<VertexId>& vertices, SurfaceDistances& distances)
+        : vertices_(vertices), distances_(distances), upper_(vertices.size(), unbounded),
           open_(vertices.size()) {
         std::iota(open_.begin(), open_.end(), std::size_t{0});
     }
@@ -39,14 +39,7 @@ public:
     }
 
 private:
-    std::vector<double> sweep(std::size_t from) {
-        const std::vector<double>& all = geodesics_.from(vertices_[from]);
-        std::vector<double> distances;
-        distances.reserve(vertices_.size());
-        for (const VertexId vertex : vertices_)
-            distances.push_back(all[static_cast<std::size_t>(vertex.idx())]);
-        return distances;
-    }
+    std::vector<double> sweep(std::size_t from) { return distances_.between(vertices_[from], vertices_); }
 
     void update(std::size_t from, const std::vector<double>& distances) {
         ++sweeps_;
@@ -118,7 +111,7 @@ private:
     }
 
     const std::vector<VertexId>& vertices_;
-    Geodesics& geodesics_;
+    SurfaceDistances& distances_;
     std::vector<float> upper_;      ///< bound on the distance to the farthest partner
     std::vector<std::size_t> open_; ///< those that may be one of the farthest pair and were not swept
     std::map<std::size_t, std::vector<double>> swept_; ///< the first sweeps, by where they began
@@ -133,8 +126,8 @@ private:
 
 } // namespace
 
-FarthestPair farthestPair(const std::vector<VertexId>& vertices, Geodesics& geodesics) {
-    return Search(vertices, geodesics).run();
+FarthestPair farthestPair(const std::vector<VertexId>& vertices, SurfaceDistances& distances) {
+    return Search(vertices, distances).run();
 }
 
 } // namespace qm

@@ -1,7 +1,7 @@
 /// \file Which two of some vertices are farthest apart over the surface (docs/METHOD.md#mesh-cut).
 #pragma once
 
-#include "cut/geodesics.h"
+#include "cut/surface_distances.h"
 
 #include <vector>
 
@@ -19,6 +19,6 @@ struct FarthestPair {
 /// Beyond that, as on a sphere, where all pairs of antipodes compete, each sweep admits another per cent
 /// of error, so that the search ends soon.
 /// \param vertices  at least two, of one part, different from each other
-[[nodiscard]] FarthestPair farthestPair(const std::vector<VertexId>& vertices, Geodesics& geodesics);
+[[nodiscard]] FarthestPair farthestPair(const std::vector<VertexId>& vertices, SurfaceDistances& distances);
 
 } // namespace qm

@@ -14,23 +14,44 @@ std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }
 
-/// How far distances usually differ between the two ends of an edge.
-double stepOf(const QuadMesh& mesh) {
-    double sum = 0;
-    for (const EdgeId edge : mesh.edges())
-        sum += mesh.calc_edge_length(edge);
-    return mesh.n_edges() == 0 ? 0 : sum / (4 * static_cast<double>(mesh.n_edges()));
+std::vector<Point> pointsOf(const QuadMesh& mesh) {
+    std::vector<Point> points;
+    points.reserve(mesh.n_vertices());
+    for (const VertexId vertex : mesh.vertices())
+        points.push_back(mesh.point(vertex));
+    return points;
 }
 
-/// Morton's curve through the bounding box of a mesh.
+std::vector<std::array<int, 4>> quadsOf(const QuadMesh& mesh) {
+    std::vector<std::array<int, 4>> quads;
+    quads.reserve(mesh.n_faces());
+    for (const FaceId face : mesh.faces()) {
+        unsigned k = 0;
+        quads.emplace_back();
+        for (const VertexId vertex : mesh.fv_range(face))
+            quads.back()[k++] = vertex.idx();
+    }
+    return quads;
+}
+
+/// How far distances usually differ between the two ends of an edge.
+double stepOf(const std::vector<Point>& points, const std::vector<std::array<int, 4>>& quads) {
+    double sum = 0;
+    for (const auto& quad : quads)
+        for (unsigned k = 0; k < 4; ++k)
+            sum += (points[at(quad[k])] - points[at(quad[(k + 1) % 4])]).norm();
+    return quads.empty() ? 0 : sum / (16 * static_cast<double>(quads.size()));
+}
+
+/// Morton's curve through the bounding box of some points.
 class SpaceCurve {
 public:
-    explicit SpaceCurve(const QuadMesh& mesh) {
-        if (mesh.n_vertices() == 0) return;
-        Point high = low_ = mesh.point(VertexId(0));
-        for (const VertexId vertex : mesh.vertices()) {
-            low_.minimize(mesh.point(vertex));
-            high.maximize(mesh.point(vertex));
+    explicit SpaceCurve(const std::vector<Point>& points) {
+        if (points.empty()) return;
+        Point high = low_ = points.front();
+        for (const Point& point : points) {
+            low_.minimize(point);
+            high.maximize(point);
         }
         const double size = (high - low_).max();
         if (size > 0) cellsPerLength_ = (cells - 1) / size;
@@ -61,21 +82,24 @@ double Geodesics::Quad::length(unsigned i, unsigned j) const {
 }
 
 Geodesics::Geodesics(const QuadMesh& mesh, const std::vector<int>& part)
-    : part_(part), nodeOf_(numberNodes(mesh)), firstCorner_(mesh.n_vertices() + 1, 0),
-      distance_(mesh.n_vertices(), infinity), front_(stepOf(mesh)) {
-    quads_.reserve(mesh.n_faces());
-    for (const FaceId face : mesh.faces()) {
+    : Geodesics(pointsOf(mesh), quadsOf(mesh), part) {}
+
+Geodesics::Geodesics(const std::vector<Point>& points, const std::vector<std::array<int, 4>>& quads,
+                     const std::vector<int>& part)
+    : part_(part), nodeOf_(numberNodes(points)), firstCorner_(points.size() + 1, 0),
+      distance_(points.size(), infinity), front_(stepOf(points, quads)) {
+    quads_.reserve(quads.size());
+    for (const auto& corners : quads) {
         Quad quad{};
-        std::array<Point, 4> points;
-        unsigned k = 0;
-        for (const VertexId vertex : mesh.fv_range(face)) {
-            points[k] = mesh.point(vertex);
-            quad.corners[k++] = nodeOf_[at(vertex.idx())];
-            ++firstCorner_[at(nodeOf_[at(vertex.idx())]) + 1];
+        const auto length = [&](unsigned i, unsigned j) {
+            return (points[at(corners[i])] - points[at(corners[j])]).norm();
+        };
+        for (unsigned k = 0; k < 4; ++k) {
+            quad.corners[k] = nodeOf_[at(corners[k])];
+            ++firstCorner_[at(quad.corners[k]) + 1];
+            quad.sides[k] = length(k, (k + 1) % 4);
         }
-        for (k = 0; k < 4; ++k)
-            quad.sides[k] = (points[k] - points[(k + 1) % 4]).norm();
-        quad.diagonals = {(points[0] - points[2]).norm(), (points[1] - points[3]).norm()};
+        quad.diagonals = {length(0, 2), length(1, 3)};
         quads_.push_back(quad);
     }
     std::ranges::sort(quads_, {}, [](const Quad& quad) { return quad.corners; });
@@ -90,12 +114,12 @@ Geodesics::Geodesics(const QuadMesh& mesh, const std::vector<int>& part)
 
 /// Along a curve through space that stays close to where it is, so that a front finds in the cache what it
 /// needs.
-std::vector<int> Geodesics::numberNodes(const QuadMesh& mesh) {
+std::vector<int> Geodesics::numberNodes(const std::vector<Point>& points) {
     std::vector<std::pair<std::uint64_t, int>> places;
-    places.reserve(mesh.n_vertices());
-    const SpaceCurve curve(mesh);
-    for (const VertexId vertex : mesh.vertices())
-        places.emplace_back(curve.place(mesh.point(vertex)), vertex.idx());
+    places.reserve(points.size());
+    const SpaceCurve curve(points);
+    for (std::size_t k = 0; k < points.size(); ++k)
+        places.emplace_back(curve.place(points[k]), static_cast<int>(k));
     std::ranges::sort(places);
     std::vector<int> nodeOf(places.size());
     nodes_.reserve(places.size());
@@ -106,21 +130,33 @@ std::vector<int> Geodesics::numberNodes(const QuadMesh& mesh) {
     return nodeOf;
 }
 
-const std::vector<double>& Geodesics::from(VertexId source) {
+const std::vector<double>& Geodesics::from(std::span<const Start> starts) {
     forget();
-    const int start = nodeOf_[at(source.idx())];
-    nodeAt(start).distance = 0;
-    touched_.push_back(start);
-    front_.push({0, source.idx(), start});
+    for (const Start& start : starts) {
+        const int node = nodeOf_[at(start.vertex)];
+        nodeAt(node).distance = start.distance;
+        touched_.push_back(node);
+        front_.push({start.distance, start.vertex, node});
+    }
+    const int part = part_[at(starts.front().vertex)];
     while (!front_.empty()) {
         const int reached = front_.pop().node;
         Node& node = nodeAt(reached);
         if (node.final) continue;
         node.final = true;
         distance_[at(node.vertex)] = node.distance;
-        spread(reached, part_[at(source.idx())]);
+        spread(reached, part);
     }
     return distance_;
+}
+
+std::vector<double> Geodesics::between(VertexId source, const std::vector<VertexId>& targets) {
+    const std::vector<double>& all = from(source);
+    std::vector<double> distances;
+    distances.reserve(targets.size());
+    for (const VertexId target : targets)
+        distances.push_back(all[at(target.idx())]);
+    return distances;
 }
 
 void Geodesics::forget() {

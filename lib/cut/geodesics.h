@@ -4,10 +4,11 @@
 #pragma once
 
 #include "cut/front.h"
-#include "mesh/quad_mesh.h"
+#include "cut/surface_distances.h"
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace qm {
@@ -17,14 +18,29 @@ namespace qm {
 /// is the straight distance but for rounding. On curved ones it is too short or too long by one per cent on
 /// average and several at most, the less the finer the mesh; only between near neighbours in a quad that is
 /// sheared beyond 45 degrees is it worse. It is no exact metric: there and back may differ as much.
-class Geodesics {
+class Geodesics : public SurfaceDistances {
 public:
     /// \param part    of every vertex: the number of the part it belongs to; may change between calls
     Geodesics(const QuadMesh& mesh, const std::vector<int>& part);
 
+    /// The same on any quads. Of a triangle or an edge, the last corner is repeated.
+    /// \param quads  positions of their corners among the points
+    Geodesics(const std::vector<Point>& points, const std::vector<std::array<int, 4>>& quads,
+              const std::vector<int>& part);
+
     /// Distance from the source of every vertex of the source's part, infinity for all vertices that cannot
     /// be reached inside it. Valid until the next call.
-    const std::vector<double>& from(VertexId source);
+    const std::vector<double>& from(VertexId source) { return from(std::array{Start{source.idx(), 0}}); }
+
+    /// Where a front begins, and how far from the source that is.
+    struct Start {
+        int vertex;
+        double distance;
+    };
+    /// The same from several vertices of one part, at least one.
+    const std::vector<double>& from(std::span<const Start> starts);
+
+    std::vector<double> between(VertexId source, const std::vector<VertexId>& targets) override;
 
 private:
     struct Quad {
@@ -41,7 +57,7 @@ private:
         bool improved; ///< since the last vertex became final
     };
 
-    [[nodiscard]] std::vector<int> numberNodes(const QuadMesh& mesh);
+    [[nodiscard]] std::vector<int> numberNodes(const std::vector<Point>& points);
     void forget();
     void spread(int node, int part);
     void reach(const Quad& quad, unsigned from, unsigned to, int part);

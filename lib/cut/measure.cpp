@@ -10,9 +10,9 @@ std::size_t at(VertexId vertex) {
 } // namespace
 
 Measure::Measure(const QuadMesh& mesh, const BaseComplex& complex)
-    : mesh_(mesh), complex_(complex), passes_(mesh.n_vertices(), 0) {
+    : mesh_(mesh), complex_(complex), seeds_(mesh.n_vertices(), 0), passes_(mesh.n_vertices(), 0) {
     for (const Seed seed : complex.seeds)
-        seeds_.push_back(mesh.from_vertex_handle(seed.direction));
+        ++seeds_[at(mesh.from_vertex_handle(seed.direction))];
 }
 
 VertexId Measure::sourceOf(std::size_t separatrix) const {
@@ -38,10 +38,13 @@ SubMesh Measure::operator()(const std::vector<std::size_t>& separatrices, const 
     const auto pass = [&](VertexId vertex) {
         if (passes_[at(vertex)]++ == 0) touched.push_back(vertex);
     };
-    for (const VertexId seed : seeds_)
-        if (labels[at(seed)] == label) pass(seed);
     std::vector<std::size_t> reach;
+    VertexId last;
     for (const std::size_t i : separatrices) {
+        const VertexId source = sourceOf(i);
+        for (int seed = 0; source != last && seed < seeds_[at(source)]; ++seed)
+            pass(source);
+        last = source;
         reach.push_back(reachInside(i, labels));
         const Separatrix& separatrix = complex_.separatrices[i];
         // What the opposite has walked inside as well counts once.

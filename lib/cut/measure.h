@@ -25,8 +25,8 @@ private:
 
     const QuadMesh& mesh_;
     const BaseComplex& complex_;
-    std::vector<VertexId> seeds_;
-    std::vector<int> passes_;
+    std::vector<int> seeds_;  ///< at every vertex
+    std::vector<int> passes_; ///< of particles over every vertex; all 0 between two calls
 };
 
 } // namespace qm

@@ -9,6 +9,7 @@
 #include <boost/graph/boykov_kolmogorov_max_flow.hpp>
 
 #include <cstddef>
+#include <numeric>
 
 namespace qm {
 namespace {
@@ -27,10 +28,16 @@ class Fixing {
 public:
     explicit Fixing(const CutProblem& problem)
         : costs_(problem.costs), labels_(problem.costs.size(), -1), slack_(problem.costs.size(), 0),
-          neighbours_(problem.costs.size()) {
+          firstNeighbour_(problem.costs.size() + 1, 0), neighbours_(2 * problem.edges.size()) {
         for (const auto& [a, b, capacity] : problem.edges) {
-            neighbours_[at(a)].push_back({b, capacity});
-            neighbours_[at(b)].push_back({a, capacity});
+            ++firstNeighbour_[at(a) + 1];
+            ++firstNeighbour_[at(b) + 1];
+        }
+        std::partial_sum(firstNeighbour_.begin(), firstNeighbour_.end(), firstNeighbour_.begin());
+        std::vector<std::size_t> next(firstNeighbour_.begin(), firstNeighbour_.end() - 1);
+        for (const auto& [a, b, capacity] : problem.edges) {
+            neighbours_[next[at(a)]++] = {b, capacity};
+            neighbours_[next[at(b)]++] = {a, capacity};
             slack_[at(a)] += capacity;
             slack_[at(b)] += capacity;
         }
@@ -42,7 +49,8 @@ public:
         while (!pending_.empty()) {
             const int node = pending_.back();
             pending_.pop_back();
-            for (const Neighbour& neighbour : neighbours_[at(node)]) {
+            for (std::size_t k = firstNeighbour_[at(node)]; k < firstNeighbour_[at(node) + 1]; ++k) {
+                const Neighbour& neighbour = neighbours_[k];
                 if (labels_[at(neighbour.node)] >= 0) continue;
                 costs_[at(neighbour.node)][at(1 - labels_[at(node)])] += neighbour.capacity;
                 slack_[at(neighbour.node)] -= neighbour.capacity;
@@ -69,8 +77,9 @@ private:
 
     std::vector<std::array<double, 2>> costs_;
     std::vector<int> labels_;
-    std::vector<double> slack_; ///< capacity to neighbours that are open
-    std::vector<std::vector<Neighbour>> neighbours_;
+    std::vector<double> slack_;               ///< capacity to neighbours that are open
+    std::vector<std::size_t> firstNeighbour_; ///< of every node, and the end
+    std::vector<Neighbour> neighbours_;
     std::vector<int> pending_;
 };
 

@@ -31,11 +31,11 @@ VertexId centre(const QuadMesh& mesh, const std::vector<VertexId>& vertices,
 
 std::vector<TerminalPair> irregular(const QuadMesh& mesh, const std::vector<VertexId>& vertices,
                                     const std::vector<VertexId>& extraordinary,
-                                    const std::vector<VertexId>& seeds, Geodesics& geodesics) {
+                                    const std::vector<VertexId>& seeds, SurfaceDistances& distances) {
     std::vector<VertexId> members = extraordinary;
     if (members.size() < 2) members.insert(members.end(), seeds.begin(), seeds.end());
     if (members.size() < 2) return {};
-    const FarthestPair pair = farthestPair(members, geodesics);
+    const FarthestPair pair = farthestPair(members, distances);
     TerminalPair result;
     for (std::size_t k = 0; k < members.size(); ++k)
         result.groups[pair.fromFirst[k] <= pair.fromSecond[k] ? 0 : 1].push_back(members[k]);
@@ -114,10 +114,10 @@ std::vector<TerminalPair> box(const QuadMesh& mesh, const std::vector<VertexId>&
 std::vector<TerminalPair> chooseTerminals(const QuadMesh& mesh, const std::vector<VertexId>& vertices,
                                           const std::vector<VertexId>& extraordinary,
                                           const std::vector<VertexId>& seeds, Terminals kind,
-                                          Geodesics& geodesics) {
+                                          SurfaceDistances& distances) {
     std::vector<TerminalPair> pairs;
     if (kind == Terminals::irregular)
-        pairs = irregular(mesh, vertices, extraordinary, seeds, geodesics);
+        pairs = irregular(mesh, vertices, extraordinary, seeds, distances);
     else if (kind == Terminals::farthest)
         pairs = farthest(mesh, vertices);
     else

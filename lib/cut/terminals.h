@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cut/cut.h"
-#include "cut/geodesics.h"
+#include "cut/surface_distances.h"
 
 #include <array>
 #include <vector>
@@ -31,6 +31,6 @@ struct TerminalPair {
                                                         const std::vector<VertexId>& vertices,
                                                         const std::vector<VertexId>& extraordinary,
                                                         const std::vector<VertexId>& seeds, Terminals kind,
-                                                        Geodesics& geodesics);
+                                                        SurfaceDistances& distances);
 
 } // namespace qm

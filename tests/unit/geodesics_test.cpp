@@ -1,4 +1,4 @@
-#include "cut/geodesics.h"
+#include "cut/coarse_geodesics.h"
 #include "mesh/build_mesh.h"
 #include "support/polycube.h"
 #include "support/random_graph.h"
@@ -182,6 +182,88 @@ TEST(Geodesics, AreNumbersOnMeshesWithoutSizeAndOfAnySize) {
         for (const double distance : geodesics.from(VertexId(12)))
             EXPECT_FALSE(std::isnan(distance)) << size;
     }
+}
+
+std::vector<VertexId> verticesOf(const QuadMesh& mesh, const std::vector<int>& part, int label) {
+    std::vector<VertexId> vertices;
+    for (const VertexId vertex : mesh.vertices())
+        if (part[at(vertex)] == label) vertices.push_back(vertex);
+    return vertices;
+}
+
+/// Errors of coarse distances, in shares of the longest, of some vertices to all.
+Errors coarseErrors(const QuadMesh& mesh, const std::function<double(const Point&, const Point&)>& exact) {
+    const std::vector<int> whole(mesh.n_vertices(), 0);
+    const std::vector<VertexId> vertices = verticesOf(mesh, whole, 0);
+    CoarseGeodesics geodesics(mesh, whole);
+    geodesics.coarsen(vertices);
+    Errors result;
+    double longest = 0;
+    std::size_t count = 0;
+    for (std::size_t source = 0; source < mesh.n_vertices(); source += 1 + mesh.n_vertices() / 7) {
+        const std::vector<double> distances = geodesics.between(vertices[source], vertices);
+        for (std::size_t k = 0; k < vertices.size(); ++k) {
+            const double truth = exact(mesh.point(vertices[source]), mesh.point(vertices[k]));
+            longest = std::max(longest, truth);
+            result.worst = std::max(result.worst, std::abs(distances[k] - truth));
+            result.mean += std::abs(distances[k] - truth);
+            ++count;
+        }
+    }
+    result.worst /= longest;
+    result.mean /= static_cast<double>(count) * longest;
+    return result;
+}
+
+TEST(CoarseGeodesics, AreNearTheTruthInThePlane) {
+    const Errors even =
+        coarseErrors(square(200, [](double i, double j) { return Point(i, j, 0); }), straight);
+    EXPECT_LT(even.mean, 0.005);
+    EXPECT_LT(even.worst, 0.02);
+    const Errors sheared =
+        coarseErrors(square(200, [](double i, double j) { return Point(i + j / 2, j, 0); }), straight);
+    EXPECT_LT(sheared.mean, 0.01);
+    EXPECT_LT(sheared.worst, 0.03);
+}
+
+TEST(CoarseGeodesics, AreNearTheTruthOnASphere) {
+    const Errors errors = coarseErrors(sphere(60), greatCircle);
+    EXPECT_LT(errors.mean, 0.01);
+    EXPECT_LT(errors.worst, 0.03);
+}
+
+TEST(CoarseGeodesics, StayInTheirPartAndTurnToAnother) {
+    const int size = 120;
+    const QuadMesh mesh = square(size, [](double i, double j) { return Point(i, j, 0); });
+    // A wall in the middle column with a gap in the last rows.
+    std::vector<int> part(mesh.n_vertices(), 0);
+    for (int j = 0; j < size - 4; ++j)
+        part[static_cast<std::size_t>(j * (size + 1) + size / 2)] = 1;
+    CoarseGeodesics geodesics(mesh, part);
+    geodesics.coarsen(verticesOf(mesh, part, 0));
+    const auto distance = [&](int from, int to) {
+        return geodesics.between(VertexId(from), {VertexId(to)}).front();
+    };
+    const double aroundTheWall = 2 * std::hypot(size / 2, size - 4);
+    EXPECT_NEAR(distance(0, size), aroundTheWall, 0.02 * aroundTheWall);
+    EXPECT_EQ(distance(0, 0), 0);
+    EXPECT_DOUBLE_EQ(distance(0, 1), 1);
+    geodesics.coarsen(verticesOf(mesh, part, 1));
+    const int last = (size - 5) * (size + 1) + size / 2;
+    EXPECT_NEAR(distance(size / 2, last), size - 5, 1e-9);
+}
+
+TEST(CoarseGeodesics, DoNotReachOtherComponents) {
+    std::vector<Point> points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+                              {9, 0, 0}, {8, 0, 0}, {8, 1, 0}, {9, 1, 0}};
+    const QuadMesh mesh = buildMesh(points, {{0, 1, 2, 3}, {7, 6, 5, 4}});
+    const std::vector<int> whole(mesh.n_vertices(), 0);
+    CoarseGeodesics geodesics(mesh, whole);
+    geodesics.coarsen(verticesOf(mesh, whole, 0));
+    const std::vector<double> distances = geodesics.between(VertexId(0), verticesOf(mesh, whole, 0));
+    EXPECT_NEAR(distances[2], std::sqrt(2), 0.6);
+    for (const std::size_t other : {4U, 5U, 6U, 7U})
+        EXPECT_EQ(distances[other], infinity);
 }
 
 } // namespace

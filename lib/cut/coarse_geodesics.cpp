@@ -1,0 +1,135 @@
+#include "cut/coarse_geodesics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace qm {
+namespace {
+
+constexpr int unknown = std::numeric_limits<int>::max();
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+/// Edges from a centre to the border of its cell: in a grid of quads, cells of this radius have about
+/// 3/4 (radius + 1)^2 vertices.
+int radiusFor(std::size_t vertices) {
+    constexpr double share = 0.75;
+    const double wanted = static_cast<double>(vertices) / (share * CoarseGeodesics::wantedCells);
+    return std::max(1, static_cast<int>(std::lround(std::sqrt(wanted))) - 1);
+}
+
+} // namespace
+
+CoarseGeodesics::CoarseGeodesics(const QuadMesh& mesh, const std::vector<int>& part)
+    : mesh_(mesh), part_(part), steps_(mesh.n_vertices(), unknown), cellOf_(mesh.n_vertices(), 0) {}
+
+void CoarseGeodesics::coarsen(const std::vector<VertexId>& vertices) {
+    makeCells(vertices);
+    std::vector<Tie> ties;
+    for (const VertexId vertex : vertices)
+        addTies(vertex, ties);
+    std::ranges::sort(ties);
+    ties.erase(std::unique(ties.begin(), ties.end()), ties.end());
+    findNeighbours(ties);
+    std::vector<Point> points;
+    points.reserve(centres_.size());
+    for (const VertexId centre : centres_)
+        points.push_back(mesh_.point(centre));
+    onePart_.assign(centres_.size(), 0);
+    front_.emplace(points, ties, onePart_);
+}
+
+/// A vertex that no cell has reached becomes a centre, and takes what is nearer to it than to the centres
+/// before it.
+void CoarseGeodesics::makeCells(const std::vector<VertexId>& vertices) {
+    const int radius = radiusFor(vertices.size());
+    centres_.clear();
+    for (const VertexId vertex : vertices)
+        steps_[at(vertex.idx())] = unknown;
+    for (const VertexId vertex : vertices)
+        if (steps_[at(vertex.idx())] == unknown) growCell(vertex, radius);
+}
+
+void CoarseGeodesics::growCell(VertexId centre, int radius) {
+    const int cell = static_cast<int>(centres_.size());
+    centres_.push_back(centre);
+    steps_[at(centre.idx())] = 0;
+    cellOf(centre) = cell;
+    std::vector<VertexId> reached{centre};
+    for (std::size_t next = 0; next < reached.size(); ++next) {
+        const VertexId vertex = reached[next];
+        const int steps = steps_[at(vertex.idx())] + 1;
+        if (steps > radius) break;
+        for (const VertexId other : mesh_.vv_range(vertex)) {
+            if (steps_[at(other.idx())] <= steps || part_[at(other.idx())] != part_[at(centre.idx())])
+                continue;
+            steps_[at(other.idx())] = steps;
+            cellOf(other) = cell;
+            reached.push_back(other);
+        }
+    }
+}
+
+/// Of the quads that a vertex is the lowest corner of, among those in its part.
+void CoarseGeodesics::addTies(VertexId vertex, std::vector<Tie>& ties) const {
+    for (const HalfedgeId halfedge : mesh_.voh_range(vertex)) {
+        if (mesh_.is_boundary(halfedge)) continue;
+        Tie tie{};
+        std::size_t count = 0;
+        bool lowest = true;
+        HalfedgeId side = halfedge;
+        for (int k = 0; k < 4; ++k, side = mesh_.next_halfedge_handle(side)) {
+            const VertexId corner = mesh_.from_vertex_handle(side);
+            if (part_[at(corner.idx())] != part_[at(vertex.idx())]) continue;
+            lowest = lowest && vertex.idx() <= corner.idx();
+            const int cell = cellOf_[at(corner.idx())];
+            if (std::find(tie.begin(), tie.begin() + count, cell) == tie.begin() + count) tie[count++] = cell;
+        }
+        if (!lowest || count < 2) continue;
+        std::rotate(tie.begin(), std::min_element(tie.begin(), tie.begin() + count), tie.begin() + count);
+        std::fill(tie.begin() + count, tie.end(), tie[count - 1]);
+        ties.push_back(tie);
+    }
+}
+
+void CoarseGeodesics::findNeighbours(const std::vector<Tie>& ties) {
+    around_.assign(centres_.size(), {});
+    for (std::size_t cell = 0; cell < around_.size(); ++cell)
+        around_[cell].push_back(static_cast<int>(cell));
+    for (const Tie& tie : ties)
+        for (const int cell : tie)
+            around_[at(cell)].insert(around_[at(cell)].end(), tie.begin(), tie.end());
+    for (std::vector<int>& cells : around_) {
+        std::ranges::sort(cells);
+        cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+    }
+}
+
+double CoarseGeodesics::length(VertexId vertex, int cell) const {
+    return (mesh_.point(vertex) - mesh_.point(centres_[at(cell)])).norm();
+}
+
+std::vector<double> CoarseGeodesics::between(VertexId source, const std::vector<VertexId>& targets) {
+    const std::vector<int>& near = around_[at(cellOf(source))];
+    std::vector<Geodesics::Start> starts;
+    for (const int cell : near)
+        starts.push_back({cell, length(source, cell)});
+    const std::vector<double>& toCentres = front_->from(starts);
+    std::vector<double> distances;
+    distances.reserve(targets.size());
+    for (const VertexId target : targets) {
+        const int own = cellOf(target);
+        double nearest = std::numeric_limits<double>::infinity();
+        if (std::ranges::binary_search(near, own))
+            nearest = (mesh_.point(target) - mesh_.point(source)).norm();
+        for (const int cell : around_[at(own)])
+            nearest = std::min(nearest, toCentres[at(cell)] + length(target, cell));
+        distances.push_back(nearest);
+    }
+    return distances;
+}
+
+} // namespace qm
