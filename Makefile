@@ -16,6 +16,8 @@ config  ?= release#     release | debug | sanitize | tsan | coverage | fuzz
 prefix  ?= /usr/local#  where `make install` puts things, below DESTDIR
 DESTDIR ?=
 only    ?=#             regular expression: run only the tests whose name matches
+killed  ?= 200#         how often `make check-faults` kills, and does anything else to, some tool
+seed    ?= 1#           where, when and which
 seconds ?= 60#          how long `make fuzz` runs each fuzzer
 jobs    ?= $(shell nproc)
 
@@ -226,6 +228,10 @@ check-docs: $(tools) ## the examples in the documents and in --help run; links a
 check-slurm: $(tools) ## forty models on a Slurm cluster of this host, whose second node is killed in the middle
 	@scripts/install-dependencies --verify build slurm
 	@QM_BIN=$(abspath $(bin)) tests/slurm/run $(abspath $(O))/check-slurm 40
+
+.PHONY: check-faults
+check-faults: $(tools) ## what the tools leave when killed=200 times, without disk or memory, with damaged input; seed=1
+	@QM_BIN=$(abspath $(bin)) tests/faults/run $(abspath $(O))/check-faults $(killed) $(seed)
 
 # One test file alone, the quick way while writing it: `make test-cut` builds and runs tests/unit/cut_test.cpp.
 test-%: $(O)/tests/%_test

@@ -6,10 +6,23 @@
 #include <cstddef>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
 namespace qm {
+
+/// As many threads as wanted, or fewer where the system gives no more.
+template <class Function> std::vector<std::jthread> startThreads(std::size_t wanted, const Function& work) {
+    std::vector<std::jthread> threads;
+    threads.reserve(wanted);
+    try {
+        while (threads.size() < wanted)
+            threads.emplace_back(work);
+    } catch (const std::system_error&) { // of memory, or of processes
+    }
+    return threads;
+}
 
 /// Calls f(0) ... f(count - 1), each once, on at most `jobs` threads, the caller's among them. The order is
 /// open, so f must write only to what belongs to its index; then the result does not depend on `jobs`. If
@@ -40,10 +53,7 @@ template <class Function> void parallelFor(std::size_t count, unsigned jobs, con
     const std::size_t helpers =
         std::min<std::size_t>(std::max(jobs, 1U), std::max<std::size_t>(count, 1)) - 1;
     {
-        std::vector<std::jthread> threads;
-        threads.reserve(helpers);
-        for (std::size_t i = 0; i < helpers; ++i)
-            threads.emplace_back(work);
+        const std::vector<std::jthread> threads = startThreads(helpers, work);
         work();
     }
     if (failure) std::rethrow_exception(failure);

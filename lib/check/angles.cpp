@@ -22,6 +22,12 @@ double dot(const Vector& a, const Vector& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+/// The same direction, its largest component 1, so that products stay in range whatever the unit.
+Vector scaled(const Vector& vector) {
+    const double size = std::max({std::abs(vector[0]), std::abs(vector[1]), std::abs(vector[2])});
+    return size > 0 ? Vector{vector[0] / size, vector[1] / size, vector[2] / size} : vector;
+}
+
 struct Normal {
     Vector direction{}; ///< not of unit length; zero if there is none
     bool doubtful = false;
@@ -29,8 +35,8 @@ struct Normal {
 
 /// Of unit length; zero if the triangle has no area.
 Normal triangleNormal(const Vector& a, const Vector& b, const Vector& c) {
-    const Vector first = minus(b, a);
-    const Vector second = minus(c, a);
+    const Vector first = scaled(minus(b, a));
+    const Vector second = scaled(minus(c, a));
     const Vector normal = cross(first, second);
     const double length = std::sqrt(dot(normal, normal));
     const double scale = std::sqrt(dot(first, first) * dot(second, second));

@@ -7,8 +7,11 @@
 #include <array>
 #include <atomic>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <ctime>
+#include <exception>
+#include <new>
 #include <unistd.h>
 
 namespace qm {
@@ -40,17 +43,43 @@ bool mayGoOn(int signal) {
     return signal == SIGXCPU || secondsNow() - interruptedAt <= 1;
 }
 
-extern "C" void onSignal(int signal) {
-    if (mayGoOn(signal)) return;
+void removeTemporaryFiles() {
     for (const TemporaryFile& file : temporaryFiles)
         if (file.inUse) unlink(file.path.data());
+}
+
+extern "C" void onSignal(int signal) {
+    if (mayGoOn(signal)) return;
+    removeTemporaryFiles();
     std::signal(signal, SIG_DFL);
     raise(signal); // pending until this handler returns, then it ends the process with the right status
 }
 
+std::string outOfMemory; ///< the line for it, made while there is memory
+
+/// Libraries take memory where nothing may be thrown any more, as the destructor of a JSON value does.
+[[noreturn]] void onTerminate() {
+    try {
+        if (const std::exception_ptr last = std::current_exception()) std::rethrow_exception(last);
+    } catch (const std::bad_alloc&) {
+        removeTemporaryFiles();
+        [[maybe_unused]] const ssize_t ignored = write(STDERR_FILENO, outOfMemory.data(), outOfMemory.size());
+        _exit(1);
+    } catch (...) {
+    }
+    removeTemporaryFiles();
+    std::abort();
+}
+
 } // namespace
 
+void watchMemory(const std::string& tool) {
+    outOfMemory = tool + ": out of memory\n";
+    std::set_terminate(onTerminate);
+}
+
 void watchSignals() {
+    std::signal(SIGXFSZ, SIG_IGN); // writing beyond the limit on file sizes fails, and that is told
     for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXCPU, SIGQUIT}) {
         struct sigaction before {};
         if (sigaction(signal, nullptr, &before) != 0 || before.sa_handler == SIG_IGN) continue;

@@ -348,6 +348,7 @@ int Tool::run(int argc, char** argv, const std::function<ToolBody(Tool&)>& decla
     try {
         openStandardStreams();
         watchSignals();
+        watchMemory(state_->usage.tool);
         const ToolBody body = declare(*this);
         addGeneralOptions();
         parse(argc, argv);

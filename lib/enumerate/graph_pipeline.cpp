@@ -1,5 +1,8 @@
 #include "enumerate/graph_pipeline.h"
 
+#include "base/parallel.h"
+
+#include <algorithm>
 #include <utility>
 
 namespace qm {
@@ -10,8 +13,7 @@ constexpr std::size_t batchSize = 128; ///< graphs
 } // namespace
 
 GraphPipeline::GraphPipeline(GraphStages stages, unsigned jobs) : stages_(std::move(stages)) {
-    for (unsigned k = 1; k < jobs; ++k)
-        helpers_.emplace_back([this] { work(); });
+    helpers_ = startThreads(std::max(jobs, 1U) - 1, [this] { work(); });
 }
 
 GraphPipeline::~GraphPipeline() {

@@ -59,3 +59,29 @@ survives() {
     run -1 --separate-stderr timeout 20 qm-basecomplex /dev/zero
     assert_equal "${#stderr_lines[@]}" 1
 }
+
+# within LIMIT COMMAND...: under a limit of the shell
+within() { bash -c "ulimit $1 && exec \"\$@\"" - "${@:2}"; }
+
+@test "where files may not grow an output is refused, and none is left" {
+    for tool in "${FILTERS[@]}" qm-basecomplex; do
+        run -1 --separate-stderr within '-f 1' "$tool" "$(input_of "$tool" random)" -o out.json
+        assert_equal "${#stderr_lines[@]}" 1
+        assert_regex "$stderr" 'cannot be written: File too large'
+        assert [ -z "$(ls)" ]
+    done
+}
+
+@test "where there are no more threads the work is done on fewer" {
+    within '-v 900000' qm-enum --version &>/dev/null || skip 'a sanitizer takes all addresses'
+    for tool in qm-enum qm-merge qm-bspline; do
+        input=$(input_of "$tool" random)
+        "$tool" --quiet "$input" -o expected.json
+        # A stack that is larger than all memory.
+        run -0 --separate-stderr within '-s 1000000 -v 900000' "$tool" --quiet --jobs 4 "$input" -o out.json
+        assert_same_bytes expected.json out.json
+    done
+    qm-enum --quiet --all expected.jsonl "$(stage basecomplex cube)" -o expected.json
+    run -0 within '-s 1000000 -v 900000' qm-enum --quiet --jobs 4 --all out.jsonl "$(stage basecomplex cube)" -o out.json
+    assert_same_bytes expected.jsonl out.jsonl
+}

@@ -20,6 +20,7 @@
 #include "merge/improve.h"
 #include "merge/merge.h"
 #include "mesh/topology.h"
+#include "shape/shape.h"
 #include "support/random_graph.h"
 
 #include <gtest/gtest.h>
@@ -390,6 +391,29 @@ TEST(SearchProperty, WindowsImproveAndLargeOnesReachTheOptimum) {
     }
     EXPECT_GT(improvements, 20U);
     EXPECT_GT(fellShort, 0U) << "small windows always reached the optimum: the cases are too easy";
+}
+
+/// Windows are searched eight at a time: a later one may have been made void by an earlier one.
+TEST(SearchProperty, ManyWindowsTogetherLeaveAValidGraph) {
+    std::size_t improvements = 0;
+    for (unsigned seed = 0; seed < 30; ++seed) {
+        const QuadMesh mesh = makeShape("random", {1, 0, seed, 80});
+        const BaseComplex complex = buildBaseComplex(mesh);
+        std::mt19937 random(seed);
+        std::uniform_real_distribution<double> cost(-1, 1);
+        std::vector<double> costs(mesh.n_edges());
+        std::ranges::generate(costs, [&] { return cost(random); });
+        const SearchSpace space = makeSearchSpace(mesh, complex, costs, {}, {});
+        const auto plain =
+            presentArcs(mesh, complex, space.graph, plainMotorcycleGraph(mesh, complex, costs).tracks);
+        WindowOptions options;
+        options.minVariables = options.maxVariables = 60;
+        const ProblemInput input{space.graph, space.arcCosts, {}, {}, {}, {}};
+        const WindowResult result = improveByWindows(input, plain, options);
+        EXPECT_TRUE(isMotorcycleGraph(space.graph, result.present)) << "seed " << seed;
+        improvements += result.improvements;
+    }
+    EXPECT_GT(improvements, 200U);
 }
 
 TEST(SearchProperty, ImprovedGraphsAreProvenAndNeverDearer) {

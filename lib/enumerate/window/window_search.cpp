@@ -33,10 +33,12 @@ bool isValid(const Problem& problem, const Assignment& graph) {
     return true;
 }
 
-/// Whether a graph is valid and cheaper than another.
-bool improves(const Problem& problem, const Assignment& before, const Assignment& graph) {
+/// Whether the arcs are a valid graph that is cheaper than another. Arcs that share a variable might differ:
+/// they were found in a problem in which they did not share it.
+bool improves(const Problem& problem, const Assignment& before, const std::vector<bool>& present) {
+    const Assignment graph = assignmentOf(problem, present);
     return costOf(problem, graph) < costOf(problem, before) - Incumbents::tolerance &&
-           isValid(problem, graph);
+           differences(problem, graph, present).empty() && isValid(problem, graph);
 }
 
 class WindowSearch {
@@ -185,7 +187,7 @@ private:
             const Problem problem = problemOf(window);
             const Assignment before = assignmentOf(problem, result_.present);
             change();
-            if (!improves(problem, before, assignmentOf(problem, result_.present))) return change();
+            if (!improves(problem, before, result_.present)) return change();
         }
         ++clock_;
         for (const ChainId chain : window.chains) {
