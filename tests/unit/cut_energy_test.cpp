@@ -1,4 +1,5 @@
 #include "cut/energy.h"
+#include "cut/geodesics.h"
 #include "mesh/build_mesh.h"
 #include "mesh/dihedral.h"
 #include "support/track_along.h"

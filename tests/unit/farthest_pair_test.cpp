@@ -1,4 +1,5 @@
 #include "cut/farthest_pair.h"
+#include "cut/geodesics.h"
 #include "mesh/build_mesh.h"
 #include "mesh/topology.h"
 #include "support/random_graph.h"
