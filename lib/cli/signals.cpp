@@ -7,7 +7,6 @@
 #include <array>
 #include <atomic>
 #include <csignal>
-#include <cstdlib>
 #include <cstring>
 #include <ctime>
 #include <exception>
@@ -55,6 +54,7 @@ extern "C" void onSignal(int signal) {
     raise(signal); // pending until this handler returns, then it ends the process with the right status
 }
 
+std::terminate_handler otherwise = nullptr;
 std::string outOfMemory; ///< the line for it, made while there is memory
 
 /// Libraries take memory where nothing may be thrown any more, as the destructor of a JSON value does.
@@ -68,14 +68,15 @@ std::string outOfMemory; ///< the line for it, made while there is memory
     } catch (...) {
     }
     removeTemporaryFiles();
-    std::abort();
+    otherwise();
+    _exit(1); // not reached
 }
 
 } // namespace
 
 void watchMemory(const std::string& tool) {
     outOfMemory = tool + ": out of memory\n";
-    std::set_terminate(onTerminate);
+    otherwise = std::set_terminate(onTerminate);
 }
 
 void watchSignals() {
