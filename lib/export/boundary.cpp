@@ -54,12 +54,16 @@ public:
     Maker(const QuadMesh& mesh, const FacePatches& faces, const std::vector<double>& simplify)
         : mesh_(mesh), layout_(faces.layout), patches_(faces.patches), simplify_(simplify),
           resolution_(resolution(mesh)), shared_(shareEdges(mesh, faces.layout, faces.patches)),
-          borders_(faces.patches.size()) {}
+          borders_(faces.patches.size()), isCommon_(mesh.n_vertices()) {
+        for (const double tolerance : simplify)
+            reach_ = std::max(reach_, 4 * tolerance);
+    }
 
     Boundary make() {
         result_.resolution = resolution_;
         result_.flatness = std::max(resolution_ / 2, planeTolerance * boundingBoxDiagonal(mesh_));
         makeFaces();
+        if (reach_ > 0) moveVertices();
         for (const SharedEdge& edge : shared_.edges)
             makeEdge(edge);
         makeVertices();
@@ -84,6 +88,48 @@ private:
         }
     }
 
+    static std::size_t index(VertexId vertex) { return static_cast<std::size_t>(vertex.idx()); }
+
+    /// Vertices of simple faces get on all of these.
+    void moveVertices() {
+        std::vector<std::vector<std::size_t>> facesAt(mesh_.n_vertices());
+        for (const SharedEdge& edge : shared_.edges)
+            for (const VertexId vertex : {edge.start, edge.end})
+                for (const BorderPlace& at : edge.places)
+                    if (auto& faces = facesAt[index(vertex)];
+                        simple_[at.patch] && std::ranges::find(faces, at.patch) == faces.end())
+                        faces.push_back(at.patch);
+        for (std::size_t v = 0; v < facesAt.size(); ++v) {
+            if (facesAt[v].size() < 2) continue;
+            std::vector<SimpleSurface> surfaces;
+            for (const std::size_t face : facesAt[v])
+                surfaces.push_back(*simple_[face]);
+            const gp_Pnt before = place(shared_.vertexPoint[v]);
+            const gp_Pnt after = commonPoint(before, surfaces);
+            if (!(after.Distance(before) <= reach_)) continue;
+            shared_.vertexPoint[v] = fromPlace(after);
+            shared_.vertexGap[v] += after.Distance(before);
+            isCommon_[v] = true;
+        }
+    }
+
+    /// Where its two simple faces meet; none if that is not near the patches' border.
+    [[nodiscard]] Handle(Geom_BSplineCurve)
+        exactCurve(const SharedEdge& edge, const Handle(Geom_BSplineCurve) & border) const {
+        if (edge.places.size() < 2 || !isCommon_[index(edge.start)] || !isCommon_[index(edge.end)])
+            return nullptr;
+        const auto& one = simple_[edge.places[0].patch];
+        const auto& other = simple_[edge.places[1].patch];
+        if (!one || !other) return nullptr;
+        const std::array ends{place(shared_.vertexPoint[index(edge.start)]),
+                              place(shared_.vertexPoint[index(edge.end)])};
+        const auto curve = commonCurve(border, ends, {*one, *other}, resolution_);
+        for (int k = curve->FirstUKnotIndex(); k <= curve->LastUKnotIndex(); ++k)
+            if (!(curve->Value(curve->Knot(k)).Distance(border->Value(curve->Knot(k))) <= reach_))
+                return nullptr;
+        return curve;
+    }
+
     /// Made once, as one side may be many edges.
     const SplineCurve& border(std::size_t patch, int side) {
         SplineCurve& curve = borders_[patch][static_cast<std::size_t>(side)];
@@ -101,12 +147,13 @@ private:
         return line({from[0], from[1]}, {to[0], to[1]}, edge.length);
     }
 
-    /// Its curve is the border of the first patch that uses it.
+    /// Its curve is the border of the first patch that uses it, if not better known.
     void makeEdge(const SharedEdge& edge) {
         const BorderPlace& at = edge.places.front();
         BoundaryEdge& made = result_.edges.emplace_back();
         made.curve =
             splineCurve(restricted(border(at.patch, at.side), at.position, at.position + edge.length));
+        if (const auto exact = exactCurve(edge, made.curve); !exact.IsNull()) made.curve = exact;
         double gap = edge.gap;
         result_.largestGap = std::max(result_.largestGap, gap);
         if (controlLength(*made.curve) < resolution_) ++result_.lostEdges;
@@ -122,7 +169,7 @@ private:
         }
         made.tolerance = toleranceFor(gap);
         for (const VertexId vertex : {edge.start, edge.end}) {
-            double& reach = shared_.vertexGap[static_cast<std::size_t>(vertex.idx())];
+            double& reach = shared_.vertexGap[index(vertex)];
             reach = std::max(reach, gap);
         }
         made.isOpen = edge.places.size() < 2;
@@ -135,13 +182,13 @@ private:
         for (std::size_t e = 0; e < result_.edges.size(); ++e)
             for (const bool atEnd : {false, true}) {
                 const VertexId vertex = atEnd ? shared_.edges[e].end : shared_.edges[e].start;
-                const auto index = static_cast<std::size_t>(vertex.idx());
-                if (number[index] < 0) {
-                    number[index] = static_cast<std::ptrdiff_t>(result_.vertices.size());
-                    const double tolerance = toleranceFor(shared_.vertexGap[index]);
-                    result_.vertices.push_back({place(shared_.vertexPoint[index]), tolerance});
+                const auto v = index(vertex);
+                if (number[v] < 0) {
+                    number[v] = static_cast<std::ptrdiff_t>(result_.vertices.size());
+                    const double tolerance = toleranceFor(shared_.vertexGap[v]);
+                    result_.vertices.push_back({place(shared_.vertexPoint[v]), tolerance});
                 }
-                result_.edges[e].ends.at(atEnd ? 1 : 0) = static_cast<std::size_t>(number[index]);
+                result_.edges[e].ends.at(atEnd ? 1 : 0) = static_cast<std::size_t>(number[v]);
             }
     }
 
@@ -170,6 +217,8 @@ private:
     SharedEdges shared_;
     std::vector<std::array<SplineCurve, 4>> borders_;  ///< of the sides; empty until they are needed
     std::vector<std::optional<SimpleSurface>> simple_; ///< of faces that need no control points
+    double reach_ = 0;           ///< how far an edge may move to be where simple surfaces meet
+    std::vector<bool> isCommon_; ///< by vertex: it is on all simple faces there
     Boundary result_;
 };
 

@@ -3,6 +3,7 @@
 #include <ElSLib.hxx>
 #include <Geom2dAPI_Interpolate.hxx>
 #include <Geom2d_BSplineCurve.hxx>
+#include <GeomAPI_Interpolate.hxx>
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_Plane.hxx>
@@ -49,7 +50,68 @@ std::vector<double> parametersOf(const Geom_BSplineCurve& curve, int perInterval
     return result;
 }
 
+gp_Pnt projected(const gp_Pnt& point, const SimpleSurface& on) {
+    const gp_Pnt2d at = nearest(on.surface, point);
+    return on.surface->Value(at.X(), at.Y());
+}
+
+/// Through points at parameters; C2.
+Handle(Geom_BSplineCurve)
+    interpolated(const std::vector<gp_Pnt>& points, const std::vector<double>& parameters) {
+    const auto size = static_cast<int>(points.size());
+    const Handle(TColgp_HArray1OfPnt) through = new TColgp_HArray1OfPnt(1, size);
+    const Handle(TColStd_HArray1OfReal) at = new TColStd_HArray1OfReal(1, size);
+    for (int k = 1; k <= size; ++k) {
+        through->SetValue(k, points[static_cast<std::size_t>(k - 1)]);
+        at->SetValue(k, parameters[static_cast<std::size_t>(k - 1)]);
+    }
+    GeomAPI_Interpolate interpolation(through, at, Standard_False, 1e-12);
+    interpolation.Perform();
+    return interpolation.Curve();
+}
+
 } // namespace
+
+gp_Pnt commonPoint(const gp_Pnt& near, const std::vector<SimpleSurface>& surfaces) {
+    constexpr int rounds = 100; // each halves the distance at least where they meet at 45 degrees or more
+    gp_XYZ point = near.XYZ();
+    for (int round = 0; round < rounds; ++round) {
+        const gp_XYZ before = point;
+        for (const SimpleSurface& surface : surfaces)
+            point = projected(point, surface).XYZ();
+        if ((point - before).Modulus() <= 1e-15 * before.Modulus()) break;
+    }
+    return point;
+}
+
+Handle(Geom_BSplineCurve)
+    commonCurve(const Handle(Geom_BSplineCurve) & near, const std::array<gp_Pnt, 2>& ends,
+                const std::vector<SimpleSurface>& both, double resolution) {
+    const double first = near->FirstParameter();
+    const double last = near->LastParameter();
+    const gp_XYZ moveFirst = ends[0].XYZ() - near->Value(first).XYZ();
+    const gp_XYZ moveLast = ends[1].XYZ() - near->Value(last).XYZ();
+    const auto pointAt = [&](double t) {
+        const double share = (t - first) / (last - first);
+        return commonPoint(near->Value(t).XYZ() + moveFirst * (1 - share) + moveLast * share, both);
+    };
+    constexpr int maxSteps = 64;
+    for (int perInterval = steps;; perInterval *= 2) {
+        const auto parameters = parametersOf(*near, perInterval);
+        std::vector<gp_Pnt> points{ends[0]};
+        for (std::size_t k = 1; k + 1 < parameters.size(); ++k)
+            points.push_back(pointAt(parameters[k]));
+        points.push_back(ends[1]);
+        auto curve = interpolated(points, parameters);
+        double gap = 0;
+        for (std::size_t k = 0; k + 1 < parameters.size(); ++k) {
+            const gp_Pnt between = curve->Value((parameters[k] + parameters[k + 1]) / 2);
+            for (const SimpleSurface& surface : both)
+                gap = std::max(gap, between.Distance(projected(between, surface)));
+        }
+        if (gap <= resolution / 2 || perInterval >= maxSteps) return curve;
+    }
+}
 
 CurveOnSurface curveOnSurface(const Handle(Geom_BSplineCurve) & curve, const SimpleSurface& on) {
     const Handle(Geom_ElementarySurface)& surface = on.surface;

@@ -25,6 +25,7 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <cmath>
+#include <gp_Lin.hxx>
 #include <numbers>
 #include <sstream>
 
@@ -243,6 +244,47 @@ ExportOptions analytic() {
     options.analytic = true;
     options.analyticTolerance = 0.1;
     return options;
+}
+
+/// Half a cylinder and half of the ring that closes it above.
+FittedModel cup() {
+    const Grid grid{24, 6, [](double i, double j) {
+                        const double angle = std::numbers::pi * i / 24;
+                        const double radius = j < 3 ? 2 : 2 - 0.4 * (j - 3);
+                        return Point(radius * std::cos(angle), radius * std::sin(angle), std::min(j, 3.0));
+                    }};
+    FitOptions exact;
+    exact.tolerance = {0.01, true};
+    return fitted(grid, {{0, 0, 24, 3}, {0, 3, 24, 6}}, exact);
+}
+
+TEST(Analytic, EdgesAreWhereSurfacesMeet) {
+    const FittedModel model = cup();
+    const TopoDS_Shape shape = readBack(model, analytic());
+    EXPECT_EQ(countSurfaces<Geom_Plane>(shape), 1);
+    Handle(Geom_CylindricalSurface) cylinder;
+    for (const TopoDS_Shape& face : all(shape, TopAbs_FACE))
+        if (const auto found =
+                Handle(Geom_CylindricalSurface)::DownCast(BRep_Tool::Surface(TopoDS::Face(face)));
+            !found.IsNull())
+            cylinder = found;
+    ASSERT_FALSE(cylinder.IsNull());
+    int rims = 0;
+    for (const TopoDS_Shape& edge : all(shape, TopAbs_EDGE)) {
+        double first = 0;
+        double last = 0;
+        const auto curve = BRep_Tool::Curve(TopoDS::Edge(edge), first, last);
+        if (std::abs(curve->Value(first).Z() - 3) > 0.01 || std::abs(curve->Value(last).Z() - 3) > 0.01 ||
+            gp_Lin(cylinder->Axis()).Distance(curve->Value((first + last) / 2)) < 1.9)
+            continue;
+        ++rims;
+        for (int k = 0; k <= 100; ++k) {
+            const gp_Pnt point = curve->Value(first + (last - first) * k / 100);
+            EXPECT_NEAR(point.Z(), 3, 1e-7);
+            EXPECT_NEAR(gp_Lin(cylinder->Axis()).Distance(point), cylinder->Radius(), 1e-7);
+        }
+    }
+    EXPECT_EQ(rims, 1);
 }
 
 class Tori : public testing::TestWithParam<std::vector<std::array<int, 4>>> {};
