@@ -133,7 +133,7 @@ $(bin)/quadmesh: pipelines/quadmesh
 
 $(library): $(sources:%.cpp=$(O)/%.o) $(O)/gen/schemas.o $(O)/gen/page_parts.o $(O)/gen/blender_scripts.o
 	@rm -f $@
-	$(call quietly,archive,$@) $(AR) rcs $@ $^
+	$(call quietly,archive,$@) $(AR) rcs $@ $(filter %.o,$^)
 
 $(O)/%.o: %.cpp $(O)/flags
 	@mkdir -p $(@D)

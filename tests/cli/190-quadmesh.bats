@@ -62,6 +62,13 @@ fails_with() {
     assert_equal "$(head -c 4 part.png | tail -c 3)" PNG
 }
 
+@test "without Chromium a picture is refused before the work" {
+    mkdir folder
+    for tool in "$QM_BIN"/* /usr/bin/{env,bash,dirname,basename,readlink,realpath,mktemp,rm,cat,sed,grep,mkdir}; do ln -s "$tool" folder; done
+    PATH=$PWD/folder fails_with "^quadmesh: .*Install Debian's package chromium" part.obj -o part.step -o part.png
+    assert [ ! -e part.step ]
+}
+
 @test "the document is that of the pipe" {
     quadmesh --quiet part.obj -o one.json --cut.chi 20 --features.tau=4 --features.zeta 1
     FEATURES_OPTIONS='--tau 4 --zeta 1' CUT_OPTIONS='--chi 20' SURFACES_OPTIONS='' "$ROOT/pipelines/layout.sh" part.obj -o pipe.json
@@ -189,6 +196,26 @@ fails_with() {
     refused part.obj --view.unit cm -o part.html
     refused part.obj --view.png part.png -o part.html
     refused part.obj --bspline.tolerance 1%
+}
+
+@test "--verbose tells the settings of every stage" {
+    quadmesh --verbose part.obj -o part.step 2>messages >summary
+    run cut -d : -f 1 messages
+    assert_output "$(printf 'qm-%s\n' basecomplex features cut enum merge prune bspline export)"
+}
+
+@test "a full disk is one message, and leaves no part of a file" {
+    [[ -e /dev/shm && $(id -u) == 0 ]] || skip 'a small disk can be made by root only'
+    mkdir small
+    mount -t tmpfs -o size=64k tmpfs small || skip 'a small disk cannot be made here'
+    for output in small/part.step small/part.json; do
+        run --separate-stderr quadmesh part.obj -o "$output"
+        echo "$status ${#stderr_lines[@]} $stderr"
+    done >told
+    run ls -A small
+    umount small
+    assert_output ''
+    assert_equal "$(grep -c "^1 1 .*small/part.*: cannot be written: No space left on device$" told)" 2
 }
 
 @test "the unit is that of all files" {
