@@ -76,16 +76,30 @@ private:
     [[nodiscard]] double toleranceFor(double gap) const { return std::max(1.1 * gap, resolution_); }
 
     void makeFaces() {
+        for (const Patch& patch : patches_)
+            simple_.push_back(planeOf(patch, result_.flatness));
+        if (reach_ > 0) recogniseSimple();
         for (std::size_t k = 0; k < patches_.size(); ++k) {
-            auto found = planeOf(patches_[k], result_.flatness);
-            if (!found && !simplify_.empty() && simplify_[k] > 0)
-                found = simpleSurfaceOf(patches_[k], simplify_[k]);
-            simple_.push_back(found);
+            const auto& found = simple_[k];
             const Handle(Geom_Surface) surface =
                 found ? Handle(Geom_Surface)(found->surface) : splineSurface(patches_[k]);
             result_.faces.push_back(
                 {surface, found && found->reversed, found.has_value(), {shared_.ofPatch[k]}});
         }
+    }
+
+    /// Where faces are not exact planes.
+    void recogniseSimple() {
+        std::vector<double> tolerances = simplify_;
+        for (std::size_t k = 0; k < patches_.size(); ++k)
+            if (simple_[k]) tolerances[k] = 0;
+        std::vector<std::array<std::size_t, 2>> neighbours;
+        for (const SharedEdge& edge : shared_.edges)
+            if (edge.places.size() == 2 && edge.angle < smoothAngle)
+                neighbours.push_back({edge.places[0].patch, edge.places[1].patch});
+        auto found = simpleSurfacesOf(patches_, tolerances, neighbours);
+        for (std::size_t k = 0; k < patches_.size(); ++k)
+            if (!simple_[k]) simple_[k] = std::move(found[k]);
     }
 
     static std::size_t index(VertexId vertex) { return static_cast<std::size_t>(vertex.idx()); }
@@ -108,7 +122,6 @@ private:
             const gp_Pnt after = commonPoint(before, surfaces);
             if (!(after.Distance(before) <= reach_)) continue;
             shared_.vertexPoint[v] = fromPlace(after);
-            shared_.vertexGap[v] += after.Distance(before);
             isCommon_[v] = true;
         }
     }
@@ -168,15 +181,11 @@ private:
             }
         }
         made.tolerance = toleranceFor(gap);
-        for (const VertexId vertex : {edge.start, edge.end}) {
-            double& reach = shared_.vertexGap[index(vertex)];
-            reach = std::max(reach, gap);
-        }
         made.isOpen = edge.places.size() < 2;
         made.isSmooth = !made.isOpen && edge.angle < smoothAngle;
     }
 
-    /// When the reach of all edges is known.
+    /// When all edges are known: their tolerances reach to where they end.
     void makeVertices() {
         std::vector<std::ptrdiff_t> number(mesh_.n_vertices(), -1);
         for (std::size_t e = 0; e < result_.edges.size(); ++e)
@@ -185,10 +194,15 @@ private:
                 const auto v = index(vertex);
                 if (number[v] < 0) {
                     number[v] = static_cast<std::ptrdiff_t>(result_.vertices.size());
-                    const double tolerance = toleranceFor(shared_.vertexGap[v]);
-                    result_.vertices.push_back({place(shared_.vertexPoint[v]), tolerance});
+                    result_.vertices.push_back({place(shared_.vertexPoint[v]), resolution_});
                 }
-                result_.edges[e].ends.at(atEnd ? 1 : 0) = static_cast<std::size_t>(number[v]);
+                BoundaryEdge& edge = result_.edges[e];
+                edge.ends.at(atEnd ? 1 : 0) = static_cast<std::size_t>(number[v]);
+                BoundaryVertex& made = result_.vertices[static_cast<std::size_t>(number[v])];
+                const double gap =
+                    made.point.Distance(atEnd ? edge.curve->EndPoint() : edge.curve->StartPoint());
+                made.tolerance =
+                    std::max(made.tolerance, edge.tolerance + (gap > resolution_ ? 1.1 * gap : 0));
             }
     }
 

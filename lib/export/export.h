@@ -35,8 +35,9 @@ struct ExportOptions {
     bool join = false; ///< STEP and IGES: neighbours that are one surface, or one plane, become one face
     bool analytic =
         false; ///< STEP and IGES: patches become cylinders, cones, spheres and tori where they can
-    double analyticTolerance =
-        0.01; ///< how far a patch may be from what takes its place, per cent of the diagonal
+    /// How far a patch may be from what takes its place: as much as fits may be from their reference,
+    /// per cent of the diagonal.
+    double analyticTolerance = 0.1;
     std::string name = "quadmesh";            ///< STEP and IGES: of the product; UTF-8
     std::string date = "1970-01-01T00:00:00"; ///< STEP and IGES: when the file was made
 };

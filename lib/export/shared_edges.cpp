@@ -114,34 +114,22 @@ SharedEdges cutSides(const QuadMesh& mesh, const Layout& layout, const std::vect
     return result;
 }
 
-/// Calls f(vertex, end of an edge on one of its patches) for all of them.
-template <class Function>
-void forEnds(const Layout& layout, const std::vector<Patch>& patches, const std::vector<SharedEdge>& edges,
-             const Function& f) {
-    for (const SharedEdge& edge : edges)
-        for (std::size_t use = 0; use < edge.places.size(); ++use)
-            for (const bool atEnd : {false, true})
-                f(index(atEnd == (use == 0) ? edge.end : edge.start),
-                  pointOn(layout, patches, edge.places[use], atEnd ? edge.length : 0).position, edge.gap);
-}
-
 } // namespace
 
 SharedEdges shareEdges(const QuadMesh& mesh, const Layout& layout, const std::vector<Patch>& patches) {
     SharedEdges result = cutSides(mesh, layout, patches);
     std::vector<double> count(mesh.n_vertices(), 0);
     result.vertexPoint.assign(mesh.n_vertices(), Point(0, 0, 0));
-    result.vertexGap.assign(mesh.n_vertices(), 0);
-    forEnds(layout, patches, result.edges, [&](std::size_t vertex, const Point& point, double) {
-        result.vertexPoint[vertex] += point;
-        ++count[vertex];
-    });
+    for (const SharedEdge& edge : result.edges)
+        for (std::size_t use = 0; use < edge.places.size(); ++use)
+            for (const bool atEnd : {false, true}) {
+                const std::size_t vertex = index(atEnd == (use == 0) ? edge.end : edge.start);
+                result.vertexPoint[vertex] +=
+                    pointOn(layout, patches, edge.places[use], atEnd ? edge.length : 0).position;
+                ++count[vertex];
+            }
     for (std::size_t v = 0; v < count.size(); ++v)
         if (count[v] > 0) result.vertexPoint[v] /= count[v];
-    forEnds(layout, patches, result.edges, [&](std::size_t vertex, const Point& point, double edgeGap) {
-        double& gap = result.vertexGap[vertex];
-        gap = std::max(gap, (point - result.vertexPoint[vertex]).norm() + edgeGap);
-    });
     return result;
 }
 

@@ -31,10 +31,8 @@ struct SharedEdges {
     std::vector<SharedEdge> edges;
     /// The uses of each patch, counter-clockwise from its corner 0.
     std::vector<std::vector<EdgeUse>> ofPatch;
-    /// The middle of where edges end at each vertex, and how far they are from it, by vertex index; of no
-    /// meaning inside edges.
+    /// The middle of where edges end at each vertex, by vertex index; of no meaning inside edges.
     std::vector<Point> vertexPoint;
-    std::vector<double> vertexGap;
 };
 
 /// \param patches  in the order of the segments, each with its segment's grid as its domain; none touches

@@ -167,6 +167,67 @@ double tubeAngle(const SimpleShape& torus, const OrientedPoints& samples) {
     return std::atan2(height, away);
 }
 
+/// The same points from another origin and in another unit.
+Cloud inFrame(Cloud cloud, const Vector3d& centre, double size) {
+    for (Vector3d& point : cloud.samples.points)
+        point = (cloud.centre + point * cloud.size - centre) / size;
+    cloud.centre = centre;
+    cloud.size = size;
+    return cloud;
+}
+
+/// Patches that lie on one surface, or a patch alone.
+struct Group {
+    Cloud cloud; ///< of all
+    std::optional<SimpleShape> shape;
+    double tolerance = 0;
+};
+
+std::optional<SimpleShape> fittingShape(SimpleKind kind, const Group& group) {
+    auto shape = fitShape(kind, group.cloud.samples);
+    if (shape && agreement(*shape, group.cloud.samples, group.tolerance / group.cloud.size) == 0) return {};
+    return shape;
+}
+
+/// The first kind that fits.
+std::optional<SimpleShape> recognised(const Group& group) {
+    if (group.cloud.samples.points.size() < 10) return std::nullopt;
+    for (const SimpleKind kind :
+         {SimpleKind::plane, SimpleKind::cylinder, SimpleKind::cone, SimpleKind::sphere, SimpleKind::torus})
+        if (auto shape = fittingShape(kind, group)) return shape;
+    return std::nullopt;
+}
+
+/// Both as one group, if there is one surface for both.
+std::optional<Group> united(const Group& one, const Group& other) {
+    if (!one.shape || !other.shape || one.shape->kind != other.shape->kind) return std::nullopt;
+    const Vector3d centre = (one.cloud.centre + other.cloud.centre) / 2;
+    const double size =
+        (one.cloud.centre - other.cloud.centre).norm() + (one.cloud.size + other.cloud.size) / 2;
+    Group result{inFrame(one.cloud, centre, size), std::nullopt, std::min(one.tolerance, other.tolerance)};
+    const Cloud more = inFrame(other.cloud, centre, size);
+    auto& samples = result.cloud.samples;
+    samples.points.insert(samples.points.end(), more.samples.points.begin(), more.samples.points.end());
+    samples.normals.insert(samples.normals.end(), more.samples.normals.begin(), more.samples.normals.end());
+    result.shape = fittingShape(one.shape->kind, result);
+    if (!result.shape) return std::nullopt;
+    return result;
+}
+
+/// The group's surface with its seam on the other side of a patch.
+std::optional<SimpleSurface> surfaceFor(const Group& group, const Cloud& patch, double tolerance) {
+    const Cloud cloud = inFrame(patch, group.cloud.centre, group.cloud.size);
+    const int side = agreement(*group.shape, cloud.samples, tolerance / cloud.size);
+    if (side == 0) return std::nullopt;
+    SimpleShape facing = *group.shape;
+    const bool isPlane = facing.kind == SimpleKind::plane;
+    if (isPlane) facing.axis *= side;
+    const Handle(Geom_ElementarySurface) surface = surfaceOf(facing, cloud);
+    if (surface.IsNull()) return std::nullopt;
+    return SimpleSurface{surface, !isPlane && side < 0,
+                         facing.kind == SimpleKind::torus ? tubeAngle(facing, cloud.samples) : 0};
+}
+
 } // namespace
 
 std::optional<SimpleSurface> planeOf(const Patch& clampedPatch, double tolerance) {
@@ -187,24 +248,34 @@ std::optional<SimpleSurface> planeOf(const Patch& clampedPatch, double tolerance
     return SimpleSurface{surfaceOf(*plane, Cloud{}), false, 0};
 }
 
-std::optional<SimpleSurface> simpleSurfaceOf(const Patch& clampedPatch, double tolerance) {
-    const Cloud coarse = cloudOf(clampedPatch, 12);
-    if (coarse.samples.points.size() < 10) return std::nullopt;
-    for (const SimpleKind kind :
-         {SimpleKind::plane, SimpleKind::cylinder, SimpleKind::cone, SimpleKind::sphere, SimpleKind::torus}) {
-        const auto shape = fitShape(kind, coarse.samples);
-        if (!shape || agreement(*shape, coarse.samples, tolerance / coarse.size) == 0) continue;
-        const Cloud fine = cloudOf(clampedPatch, 1000);
-        const int side = agreement(*shape, fine.samples, tolerance / fine.size);
-        if (side == 0) continue;
-        SimpleShape facing = *shape;
-        if (kind == SimpleKind::plane) facing.axis *= side;
-        const Handle(Geom_ElementarySurface) surface = surfaceOf(facing, fine);
-        if (!surface.IsNull())
-            return SimpleSurface{surface, kind != SimpleKind::plane && side < 0,
-                                 kind == SimpleKind::torus ? tubeAngle(facing, fine.samples) : 0};
+std::vector<std::optional<SimpleSurface>>
+simpleSurfacesOf(const std::vector<Patch>& clampedPatches, const std::vector<double>& tolerances,
+                 const std::vector<std::array<std::size_t, 2>>& smoothNeighbours) {
+    std::vector<Group> groups(clampedPatches.size());
+    std::vector<std::size_t> groupOf(clampedPatches.size());
+    for (std::size_t k = 0; k < clampedPatches.size(); ++k) {
+        groups[k] = {cloudOf(clampedPatches[k], 12), std::nullopt, tolerances[k]};
+        if (tolerances[k] > 0) groups[k].shape = recognised(groups[k]);
+        groupOf[k] = k;
     }
-    return std::nullopt;
+    const std::vector<Group> alone = groups;
+    for (const auto& [one, other] : smoothNeighbours) {
+        const std::size_t into = groupOf[one];
+        const std::size_t from = groupOf[other];
+        if (into == from) continue;
+        auto both = united(groups[into], groups[from]);
+        if (!both) continue;
+        groups[into] = std::move(*both);
+        std::ranges::replace(groupOf, from, into);
+    }
+    std::vector<std::optional<SimpleSurface>> result(clampedPatches.size());
+    for (std::size_t k = 0; k < clampedPatches.size(); ++k) {
+        if (!alone[k].shape) continue;
+        const Cloud fine = cloudOf(clampedPatches[k], 1000);
+        result[k] = surfaceFor(groups[groupOf[k]], fine, tolerances[k]);
+        if (!result[k]) result[k] = surfaceFor(alone[k], fine, tolerances[k]);
+    }
+    return result;
 }
 
 } // namespace qm

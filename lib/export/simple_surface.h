@@ -4,7 +4,10 @@
 #include "bspline/splines/surfaces.h"
 
 #include <Geom_ElementarySurface.hxx>
+#include <array>
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 namespace qm {
 
@@ -19,9 +22,14 @@ struct SimpleSurface {
 /// \param tolerance  how far they may be from it
 [[nodiscard]] std::optional<SimpleSurface> planeOf(const Patch& clampedPatch, double tolerance);
 
-/// The first of plane, cylinder, cone, sphere and torus that lies within the tolerance of the patch, and
-/// whose normals are within three degrees of the patch's. Its poles, apex and seam keep away from the patch.
-/// Radii are at most ten times the patch's size: what is flatter is no cylinder to anybody.
-[[nodiscard]] std::optional<SimpleSurface> simpleSurfaceOf(const Patch& clampedPatch, double tolerance);
+/// For every patch the first of plane, cylinder, cone, sphere and torus that lies within the tolerance of it,
+/// and whose normals are within three degrees of the patch's. Its poles, apex and seam keep away from the
+/// patch. Radii are at most ten times the patch's size: what is flatter is no cylinder to anybody. Neighbours
+/// have the same surface, but for its seam, where one is enough for both.
+/// \param tolerances  of every patch; 0: it stays as it is
+/// \param smoothNeighbours  pairs of patches
+[[nodiscard]] std::vector<std::optional<SimpleSurface>>
+simpleSurfacesOf(const std::vector<Patch>& clampedPatches, const std::vector<double>& tolerances,
+                 const std::vector<std::array<std::size_t, 2>>& smoothNeighbours);
 
 } // namespace qm

@@ -295,6 +295,8 @@ TEST_P(Tori, AreToriWhereverTheyAreCut) {
     EXPECT_EQ(countSurfaces<Geom_ToroidalSurface>(shape), static_cast<int>(all(shape, TopAbs_FACE).size()));
     EXPECT_EQ(all(shape, TopAbs_SOLID).size(), 1U);
     EXPECT_NEAR(volume(shape), 2 * std::numbers::pi * 5 * std::numbers::pi * 4, 0.2);
+    for (const TopoDS_Shape& edge : all(shape, TopAbs_EDGE))
+        EXPECT_LE(BRep_Tool::Tolerance(TopoDS::Edge(edge)), 1.0001e-7) << "all faces are one torus";
     EXPECT_EQ(countSurfaces<Geom_ToroidalSurface>(readBack(model)), 0) << "only on request";
 }
 
