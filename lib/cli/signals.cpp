@@ -76,7 +76,7 @@ std::string outOfMemory; ///< the line for it, made while there is memory
 
 void watchMemory(const std::string& tool) {
     outOfMemory = tool + ": out of memory\n";
-    otherwise = std::set_terminate(onTerminate);
+    if (otherwise == nullptr) otherwise = std::set_terminate(onTerminate);
 }
 
 void watchSignals() {

@@ -56,6 +56,24 @@ stand_ins() {
     assert_output -p ': 1 models'
 }
 
+@test "folders and models whose names have blanks" {
+    stand_ins
+    mkdir 'my meshes'
+    cp "$(sample cube)" 'my meshes/part one.obj'
+    cp "$(sample cube)" 'my meshes/part two.obj'
+    run -0 slurm --kind cut 'my meshes'
+    assert_equal "$(grep -c -- '--array 0-1 ' calls)" 1
+    command=$(sed -n 1p calls | sed 's/.*--wrap //')
+    SLURM_ARRAY_TASK_ID=0 bash -c "$command"
+    run -1 slurm --kind cut --status 'my meshes'
+    assert_line -p 'part_one                 finished'
+    assert_line -p 'part_two                 missing'
+    SLURM_ARRAY_TASK_ID=1 bash -c "$command"
+    run -0 slurm --kind cut 'my meshes'
+    assert_output -p 'nothing to submit'
+    quietly qm-check out/part_two.cut.json
+}
+
 @test "a wrong command line of slurm" {
     mkdir meshes
     for words in '' 'no-folder' '--what meshes' '--out' 'meshes meshes'; do
