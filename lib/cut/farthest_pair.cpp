@@ -84,30 +84,50 @@ private:
     }
 
     void boundPairs(const std::vector<double>& distances) {
-        for (const std::size_t i : open_)
-            for (const std::size_t j : open_) {
-                float& bound = pairs_[row_[i] * rows_ + row_[j]];
-                bound = std::min(bound, static_cast<float>(distances[i] + distances[j]));
+        for (std::size_t k = 0; k < open_.size(); ++k) { // the lower half: pairs have no direction
+            const std::size_t i = open_[k];
+            float* bounds = &pairs_[row_[i] * rows_];
+            for (std::size_t l = 0; l < k; ++l) {
+                float& bound = bounds[row_[open_[l]]];
+                bound = std::min(bound, static_cast<float>(distances[i] + distances[open_[l]]));
             }
+        }
     }
 
     /// The open vertex with the largest number of partners that may be farther away than the farthest pair so
     /// far; in the first sweeps, the one with the largest bound. The number of vertices if there is none.
-    [[nodiscard]] std::size_t promising() const {
-        const float enough = threshold();
-        std::size_t best = vertices_.size();
+    /// Vertices without such partners are dropped: they get no new ones, and are nobody's.
+    [[nodiscard]] std::size_t promising() {
+        std::size_t best = vertices_.size(), kept = 0;
         float bestValue = 0;
-        for (const std::size_t i : open_) {
-            float partners = 0;
-            if (paired_)
-                for (const std::size_t j : open_)
-                    if (i != j && pairs_[row_[i] * rows_ + row_[j]] > enough) ++partners;
-            const float value = paired_ && partners == 0 ? 0 : !paired_ || sweeps_ < 3 ? upper_[i] : partners;
+        const std::vector<std::size_t> partners = countPartners();
+        for (std::size_t k = 0; k < open_.size(); ++k) {
+            const std::size_t i = open_[k];
+            if (paired_ && partners[k] == 0) continue;
+            open_[kept++] = i;
+            const float value = !paired_ || sweeps_ < 3 ? upper_[i] : static_cast<float>(partners[k]);
             if (value <= bestValue) continue;
             bestValue = value;
             best = i;
         }
+        open_.resize(kept);
         return best;
+    }
+
+    /// Of every open vertex, if bounds are kept for pairs.
+    [[nodiscard]] std::vector<std::size_t> countPartners() const {
+        std::vector<std::size_t> partners(open_.size(), 0);
+        if (!paired_) return partners;
+        const float enough = threshold();
+        for (std::size_t k = 0; k < open_.size(); ++k) {
+            const float* bounds = &pairs_[row_[open_[k]] * rows_];
+            for (std::size_t l = 0; l < k; ++l) {
+                const bool maybe = bounds[row_[open_[l]]] > enough;
+                partners[k] += maybe ? 1 : 0;
+                partners[l] += maybe ? 1 : 0;
+            }
+        }
+        return partners;
     }
 
     const std::vector<VertexId>& vertices_;
