@@ -80,7 +80,7 @@ Surfaces fitSurfaces(const QuadMesh& mesh, const Layout& layout, const std::vect
             return found;
         };
         surfaces.patches = fitSmooth(mesh, layout, network, target,
-                                     {.tolerance = (effort.verifies ? 0.97 : 0.94) * allowed,
+                                     {.tolerance = (effort.verifies ? 0.97 : 0.92) * allowed,
                                       .steps = effort.stepsOfFit,
                                       .maxRounds = effort.maxRounds,
                                       .slides = effort.slides},

@@ -64,6 +64,13 @@ struct State {
     bool keeps = false;         ///< the tolerance, but where it is given up
 };
 
+/// Of what patches miss: the largest counts most, but many are worse than one.
+double badness(const std::vector<double>& missed) {
+    constexpr double share = 0.2;
+    if (missed.empty()) return 0;
+    return std::ranges::max(missed) + share * std::accumulate(missed.begin(), missed.end(), 0.0);
+}
+
 class SmoothFit {
 public:
     SmoothFit(const QuadMesh& mesh, const Layout& layout, const SmoothNetwork& network,
@@ -233,15 +240,12 @@ private:
     void keepIfBest() {
         constexpr double muchWorse = 1.05;
         const bool keeps = worst_ <= 1;
-        const double missed = std::accumulate(missed_.begin(), missed_.end(), 0.0);
-        const double before = std::accumulate(best_.missed.begin(), best_.missed.end(), 0.0);
-        bool isBetter = best_.patches.empty();
-        if (!isBetter && keeps != best_.keeps)
-            isBetter = keeps;
-        else if (!isBetter && keeps && missed <= muchWorse * before && before <= muchWorse * missed)
-            isBetter = controlPointCount(patches_) < controlPointCount(best_.patches);
-        else if (!isBetter)
-            isBetter = missed < before;
+        const double missed = badness(missed_);
+        const double before = badness(best_.missed);
+        bool isBetter = best_.patches.empty() || muchWorse * missed < before;
+        if (!isBetter && missed <= muchWorse * before)
+            isBetter = keeps != best_.keeps ? keeps
+                                            : controlPointCount(patches_) < controlPointCount(best_.patches);
         if (isBetter) best_ = {patches_, plan_, lattices_, missed_, keeps};
     }
 
