@@ -44,6 +44,11 @@ Effort effortFor(const QuadMesh& mesh) {
     return {};
 }
 
+/// How far a reference may be from a plane that it is taken for: a share of what is allowed, and of the
+/// diagonal, as much as the coordinates of mesh files are rounded.
+constexpr double planeShare = 0.005;
+constexpr double maxFlatness = 5e-6;
+
 /// Times a scan's noise: what its smoothing leaves of it, at worst.
 constexpr double noiseLeft = 1.5;
 
@@ -80,7 +85,8 @@ Surfaces fitSurfaces(const QuadMesh& mesh, const Layout& layout, const std::vect
             return found;
         };
         surfaces.patches = fitSmooth(mesh, layout, network, target,
-                                     {.tolerance = (effort.verifies ? 0.97 : 0.92) * allowed,
+                                     {.tolerance = (effort.verifies ? 0.97 : 0.94) * allowed,
+                                      .flatness = std::min(planeShare * allowed, maxFlatness * diagonal),
                                       .steps = effort.stepsOfFit,
                                       .maxRounds = effort.maxRounds,
                                       .slides = effort.slides},

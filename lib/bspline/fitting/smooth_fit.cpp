@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <numeric>
@@ -28,12 +29,11 @@ constexpr double cubicsShare = 0.2;
 /// Errors that removals may come to; what is near 1 comes back.
 constexpr double removalLimit = 0.9;
 
-/// Of the tolerance: what is no farther from a plane is to be plane.
-constexpr double flatShare = 0.005;
-
 constexpr int maxRemovals = 6;
 /// Rounds that it may take after a removal to keep the tolerance again.
 constexpr int maxRepairs = 4;
+/// Rounds without a better result, after which none is expected.
+constexpr int maxIdle = 12;
 /// Weights alone go on while each round leaves at most this share of what is missed.
 constexpr double worthwhileGain = 0.9;
 /// Removals go on while each leaves at most this share of the control points.
@@ -71,12 +71,22 @@ double badness(const std::vector<double>& missed) {
     return std::ranges::max(missed) + share * std::accumulate(missed.begin(), missed.end(), 0.0);
 }
 
+/// How much a patch is farther away than allowed, in tolerances; folds alone count little.
+double missedBy(const PatchErrors& errors, double scale) {
+    constexpr double foldsAlone = 0.05;
+    double farthest = 0;
+    for (const double distance : errors.signedDistance)
+        farthest = std::max(farthest, scale * std::abs(distance));
+    if (farthest > 1) return farthest - 1;
+    return errors.max() > 1 ? foldsAlone : 0;
+}
+
 class SmoothFit {
 public:
     SmoothFit(const QuadMesh& mesh, const Layout& layout, const SmoothNetwork& network,
               const FitTarget& reference, const SmoothFitOptions& options, unsigned jobs)
         : layout_(layout), options_(options), jobs_(jobs), map_(mesh, layout, network),
-          plan_(layout, network), planes_(planesOf(reference.grids, network, flatShare * options.tolerance)),
+          plan_(layout, network), planes_(planesOf(reference.grids, network, options.flatness)),
           sources_(latticeSources(mesh, layout, network, reference.grids, reference.weights)),
           lattices_(sources_.size()), errors_(sources_.size()), givenUp_(sources_.size()),
           missed_(sources_.size()), scale_(sources_.size(), 1) {
@@ -88,6 +98,7 @@ public:
 
     std::vector<Patch> run(const Verification& verify, const Control& control) {
         search(options_.maxRounds, control);
+        chooseBest(verify);
         flattenBest(verify);
         if (!verify) return std::move(best_.patches);
         std::vector<Patch> nearest;
@@ -101,7 +112,9 @@ public:
             plan_ = *best_.plan;
             lattices_ = best_.lattices;
             best_ = {};
+            nearest_ = {};
             search(roundsOfMending, {});
+            chooseBest(verify);
             flattenBest(verify);
         }
     }
@@ -111,12 +124,14 @@ private:
     void search(int maxRounds, const Control& control) {
         int removals = 0;
         int lastKept = 0;
+        int idle = 0;
         double excessBefore = std::numeric_limits<double>::infinity();
         double countBefore = std::numeric_limits<double>::infinity();
         for (int round = 0; round < maxRounds; ++round) {
             control.progress(static_cast<double>(round) / maxRounds);
             solve(round == 0 ? 2 * options_.slides : options_.slides); // more while there are few knots
-            keepIfBest();
+            idle = keepIfBest() ? 0 : idle + 1;
+            if (idle == maxIdle) break;
             if (worst_ <= 1) {
                 const auto count = static_cast<double>(controlPointCount(best_.patches));
                 if (removals++ == maxRemovals || count > worthwhile * countBefore) break;
@@ -207,7 +222,7 @@ private:
             errors_[k] = latticeErrors(lattices_[k], patches_[k], options_.tolerance);
             for (double& error : errors_[k].distance)
                 error *= scale_[k];
-            missed_[k] = std::max(0.0, errors_[k].max() - 1);
+            missed_[k] = missedBy(errors_[k], scale_[k]);
             for (const GivenUp& place : givenUp_[k])
                 cap(place, k);
         });
@@ -235,18 +250,35 @@ private:
         return changed;
     }
 
-    /// Within the tolerance the fewest control points are best, else the smallest errors. Where cells are
-    /// given up, what is much worse in them is no gain.
-    void keepIfBest() {
+    /// \return whether the round was the best so far, by either rule
+    bool keepIfBest() {
+        const bool isBest = isBetterThan(best_, true);
+        const bool isNearest = isBetterThan(nearest_, false);
+        if (isBest) best_ = {patches_, plan_, lattices_, missed_, worst_ <= 1};
+        if (isNearest) nearest_ = {patches_, plan_, lattices_, missed_, worst_ <= 1};
+        return isBest || isNearest;
+    }
+
+    /// Within the tolerance the fewest control points are best, else the smallest errors.
+    /// \param keepsFirst  whether to keep the tolerance but for cells that are given up is better than not to,
+    /// however much is missed there
+    [[nodiscard]] bool isBetterThan(const State& other, bool keepsFirst) const {
         constexpr double muchWorse = 1.05;
+        if (other.patches.empty()) return true;
         const bool keeps = worst_ <= 1;
+        if (keepsFirst && keeps != other.keeps) return keeps;
         const double missed = badness(missed_);
-        const double before = badness(best_.missed);
-        bool isBetter = best_.patches.empty() || muchWorse * missed < before;
-        if (!isBetter && missed <= muchWorse * before)
-            isBetter = keeps != best_.keeps ? keeps
-                                            : controlPointCount(patches_) < controlPointCount(best_.patches);
-        if (isBetter) best_ = {patches_, plan_, lattices_, missed_, keeps};
+        const double before = badness(other.missed);
+        if (missed > muchWorse * before || before > muchWorse * missed) return missed < before;
+        if (keeps != other.keeps) return keeps;
+        return controlPointCount(patches_) < controlPointCount(other.patches);
+    }
+
+    /// Takes the nearest instead where that is in truth nearer, which the lattices do not tell.
+    void chooseBest(const Verification& verify) {
+        if (!verify || nearest_.patches.empty()) return;
+        const double ofBest = std::ranges::max(verify(best_.patches));
+        if (ofBest > 1 && std::ranges::max(verify(nearest_.patches)) < ofBest) best_ = std::move(nearest_);
     }
 
     /// From now on errors count no more in the cells where nothing helps.
@@ -311,6 +343,7 @@ private:
     double excess_ = 0;
     std::vector<double> scale_; ///< by patch: how much its errors count
     State best_;
+    State nearest_; ///< the same, if what is given up counts as all else does
 };
 
 } // namespace

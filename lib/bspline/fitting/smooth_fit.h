@@ -16,6 +16,7 @@ namespace qm {
 struct SmoothFitOptions {
     double tolerance = 0;  ///< largest distance from the reference, in its unit; positive
     double bending = 1e-4; ///< weight of the thin-plate energy beside the mean squared distance of a quad
+    double flatness = 0;   ///< references no farther from a plane make plane patches
     int steps = 4;         ///< of the lattice of points that are fitted, a mesh edge; 1, 2 or 4
     int maxRounds = 30;    ///< systems that are factorised
     int slides = 6;        ///< solutions of each, between which the targets slide
