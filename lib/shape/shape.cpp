@@ -53,7 +53,7 @@ constexpr std::array recipes{
     Recipe{{"random", "a random solid made of cubes, softened; see --seed", 4, true},
            [](int n, const ShapeOptions& options) { return randomShape(n, options.voxels, options.seed); }},
     Recipe{
-        {"random-open", "the same with pieces of its surface taken out", 4},
+        {"random-open", "the same with pieces of its surface taken out", 4, true},
         [](int n, const ShapeOptions& options) { return randomOpenShape(n, options.voxels, options.seed); }},
     Recipe{{"sphere", "a cube drawn onto a sphere", 8},
            [](int n, const ShapeOptions& options) { return sphereShape(around(n, options)); },

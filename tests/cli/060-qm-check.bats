@@ -126,7 +126,7 @@ untrue() {
 }
 
 @test "surfaces" {
-    quietly qm-bspline --fit interpolate "$(stage pruned block)" -o interpolated.json
+    quietly qm-bspline --quiet --fit interpolate "$(stage pruned block)" -o interpolated.json
     jq '.surfaces.patches[0].controlPoints[1][1][2] += 1e-3' interpolated.json >spoilt.json
     untrue /surfaces/patches/0 interpolation
     spoilt '.surfaces.patches[0].controlPoints[0][0][2] += 1e-3' surfaces

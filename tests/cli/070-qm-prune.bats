@@ -62,7 +62,7 @@ objective() { field ".layout.cost + $1 * (.layout.segments | length)" "$2"; }
         is '.layout.prune.proven'
         is '.layout.prune.objectiveBound <= .layout.cost + (.layout.segments | length) + 1e-6'
         quietly qm-check out.json
-        quietly qm-bspline --fit interpolate out.json -o surfaces.json
+        quietly qm-bspline --quiet --fit interpolate out.json -o surfaces.json
         quietly qm-check surfaces.json
     done
 }

@@ -22,6 +22,10 @@ namespace {
 std::atomic<std::size_t> bytesTaken = 0;
 }
 
+// With sanitizers GCC sees that these meet malloc's blocks, and not that they are new's own.
+#ifdef __GNUC__
+#pragma GCC diagnostic ignored "-Wmismatched-new-delete"
+#endif
 // NOLINTBEGIN(cppcoreguidelines-no-malloc,cppcoreguidelines-owning-memory,misc-new-delete-overloads)
 void* operator new(std::size_t size) {
     bytesTaken += size;

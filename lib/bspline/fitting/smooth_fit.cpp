@@ -141,7 +141,7 @@ private:
                     break;
                 continue;
             }
-            if (best_.keeps && round - lastKept > maxRepairs) break;
+            if (best_.keeps && idle > 0 && round - lastKept > maxRepairs) break;
             const bool weighed = weighWhatIsMissed();
             const bool refined = refine(layout_, lattices_, map_, spaces_, errors_, plan_);
             // What has no more knots to get may still gain by weights, while it does.
