@@ -2,6 +2,7 @@
 
 #include "base/parallel.h"
 #include "bspline/fitting/fit_lattice.h"
+#include "bspline/fitting/fit_round.h"
 #include "bspline/fitting/flattening.h"
 #include "bspline/fitting/initial_knots.h"
 #include "bspline/fitting/knot_insertion.h"
@@ -13,10 +14,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -54,32 +53,6 @@ struct GivenUp {
     KnotCell cell;
     double allowed = 1;
 };
-
-/// What a round has come to.
-struct State {
-    std::vector<Patch> patches;
-    std::optional<KnotPlan> plan;
-    std::vector<FitLattice> lattices;
-    std::vector<double> missed; ///< by patch
-    bool keeps = false;         ///< the tolerance, but where it is given up
-};
-
-/// Of what patches miss: the largest counts most, but many are worse than one.
-double badness(const std::vector<double>& missed) {
-    constexpr double share = 0.2;
-    if (missed.empty()) return 0;
-    return std::ranges::max(missed) + share * std::accumulate(missed.begin(), missed.end(), 0.0);
-}
-
-/// How much a patch is farther away than allowed, in tolerances; folds alone count little.
-double missedBy(const PatchErrors& errors, double scale) {
-    constexpr double foldsAlone = 0.05;
-    double farthest = 0;
-    for (const double distance : errors.signedDistance)
-        farthest = std::max(farthest, scale * std::abs(distance));
-    if (farthest > 1) return farthest - 1;
-    return errors.max() > 1 ? foldsAlone : 0;
-}
 
 class SmoothFit {
 public:
@@ -141,7 +114,7 @@ private:
                     break;
                 continue;
             }
-            if (best_.keeps && idle > 0 && round - lastKept > maxRepairs) break;
+            if (best_.score.keeps && idle > 0 && round - lastKept > maxRepairs) break;
             const bool weighed = weighWhatIsMissed();
             const bool refined = refine(layout_, lattices_, map_, spaces_, errors_, plan_);
             // What has no more knots to get may still gain by weights, while it does.
@@ -252,26 +225,12 @@ private:
 
     /// \return whether the round was the best so far, by either rule
     bool keepIfBest() {
-        const bool isBest = isBetterThan(best_, true);
-        const bool isNearest = isBetterThan(nearest_, false);
-        if (isBest) best_ = {patches_, plan_, lattices_, missed_, worst_ <= 1};
-        if (isNearest) nearest_ = {patches_, plan_, lattices_, missed_, worst_ <= 1};
+        const RoundScore score = scoreOf(missed_, worst_ <= 1, patches_);
+        const bool isBest = best_.patches.empty() || isBetter(score, best_.score, true);
+        const bool isNearest = nearest_.patches.empty() || isBetter(score, nearest_.score, false);
+        if (isBest) best_ = {score, patches_, plan_, lattices_, missed_};
+        if (isNearest) nearest_ = {score, patches_, plan_, lattices_, missed_};
         return isBest || isNearest;
-    }
-
-    /// Within the tolerance the fewest control points are best, else the smallest errors.
-    /// \param keepsFirst  whether to keep the tolerance but for cells that are given up is better than not to,
-    /// however much is missed there
-    [[nodiscard]] bool isBetterThan(const State& other, bool keepsFirst) const {
-        constexpr double muchWorse = 1.05;
-        if (other.patches.empty()) return true;
-        const bool keeps = worst_ <= 1;
-        if (keepsFirst && keeps != other.keeps) return keeps;
-        const double missed = badness(missed_);
-        const double before = badness(other.missed);
-        if (missed > muchWorse * before || before > muchWorse * missed) return missed < before;
-        if (keeps != other.keeps) return keeps;
-        return controlPointCount(patches_) < controlPointCount(other.patches);
     }
 
     /// Takes the nearest instead where that is in truth nearer, which the lattices do not tell.
@@ -342,8 +301,8 @@ private:
     double worst_ = 0;
     double excess_ = 0;
     std::vector<double> scale_; ///< by patch: how much its errors count
-    State best_;
-    State nearest_; ///< the same, if what is given up counts as all else does
+    FitRound best_;
+    FitRound nearest_; ///< the same, if what is given up counts as all else does
 };
 
 } // namespace
@@ -351,6 +310,7 @@ private:
 std::vector<Patch> fitSmooth(const QuadMesh& mesh, const Layout& layout, const SmoothNetwork& network,
                              const FitTarget& reference, const SmoothFitOptions& options,
                              const Verification& verify, const Control& control) {
+    if (layout.segments.empty()) return {};
     return SmoothFit(mesh, layout, network, reference, options, control.jobs).run(verify, control);
 }
 

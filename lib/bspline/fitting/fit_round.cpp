@@ -1,0 +1,34 @@
+#include "bspline/fitting/fit_round.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace qm {
+
+double missedBy(const PatchErrors& errors, double scale) {
+    constexpr double foldsAlone = 0.05;
+    double farthest = 0;
+    for (const double distance : errors.signedDistance)
+        farthest = std::max(farthest, scale * std::abs(distance));
+    if (farthest > 1) return farthest - 1;
+    return errors.max() > 1 ? foldsAlone : 0;
+}
+
+RoundScore scoreOf(const std::vector<double>& missed, bool keeps, const std::vector<Patch>& patches) {
+    constexpr double share = 0.2; // many that miss something are worse than one
+    const double all = std::accumulate(missed.begin(), missed.end(), 0.0);
+    const double most = missed.empty() ? 0 : std::ranges::max(missed);
+    return {keeps, most + share * all, controlPointCount(patches)};
+}
+
+bool isBetter(const RoundScore& one, const RoundScore& other, bool keepsFirst) {
+    constexpr double muchWorse = 1.05;
+    if (keepsFirst && one.keeps != other.keeps) return one.keeps;
+    if (one.missed > muchWorse * other.missed || other.missed > muchWorse * one.missed)
+        return one.missed < other.missed;
+    if (one.keeps != other.keeps) return one.keeps;
+    return one.controlPoints < other.controlPoints;
+}
+
+} // namespace qm
