@@ -34,9 +34,8 @@ struct CertificationOptions {
 
 /// Of all patches. The largest of all `upper` is as close as the options say; that of a patch may also be as
 /// much as half of the largest, which takes a fraction of the time.
-[[nodiscard]] std::vector<CertifiedDeviation> certifiedDeviations(const PairedSurfaces& surfaces,
-                                                                  const CertificationOptions& options,
-                                                                  unsigned jobs);
+[[nodiscard]] std::vector<CertifiedDeviation>
+certifiedDeviations(const PairedSurfaces& surfaces, const CertificationOptions& options, unsigned jobs);
 
 /// Root of the mean of the squares, and the smallest distance that at least 95 of 100 parts of the area do
 /// not exceed.
