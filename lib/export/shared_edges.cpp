@@ -1,15 +1,16 @@
 #include "export/shared_edges.h"
 
+#include "base/disjoint_sets.h"
+#include "bspline/measure/border_measures.h"
 #include "bspline/splines/evaluate.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 namespace qm {
 namespace {
 
-constexpr int gapSteps = 8; ///< samples of gap and angle along every mesh edge
+constexpr int samples = 9; ///< of gap and angle along every mesh edge
 /// Between normals, in degrees: two patches are one smooth surface up to here, whatever a program may ask.
 constexpr double exactAngle = 0.01;
 
@@ -47,13 +48,9 @@ std::vector<Difference> differences(const Layout& layout, const std::vector<Patc
                                     const std::vector<BorderEdge>& borders) {
     std::vector<Difference> result(borders.size());
     for (std::size_t b = 0; b < borders.size(); ++b)
-        for (int k = 0; k <= gapSteps && borders[b].places.size() > 1; ++k) {
-            const double along = static_cast<double>(k) / gapSteps;
-            const SurfacePoint one = pointOn(layout, patches, borders[b].places[0], along);
-            const SurfacePoint other = pointOn(layout, patches, borders[b].places[1], 1 - along);
-            result[b].gap = std::max(result[b].gap, (one.position - other.position).norm());
-            result[b].angle = std::max(
-                result[b].angle, angleInDegrees(unitNormal(one.du, one.dv), unitNormal(other.du, other.dv)));
+        if (borders[b].places.size() > 1) {
+            const MeetingMeasures measures = measureBorder(borders[b], layout, patches, samples);
+            result[b] = {measures.gap, std::ranges::max(measures.angles)};
         }
     return result;
 }
@@ -134,22 +131,15 @@ SharedEdges shareEdges(const QuadMesh& mesh, const Layout& layout, const std::ve
 }
 
 std::vector<std::size_t> patchComponents(const SharedEdges& shared) {
-    std::vector<std::size_t> parent(shared.ofPatch.size());
-    std::iota(parent.begin(), parent.end(), std::size_t{0});
-    const auto root = [&](std::size_t k) {
-        while (parent[k] != k)
-            k = parent[k] = parent[parent[k]];
-        return k;
-    };
-    for (const SharedEdge& edge : shared.edges) {
-        const std::size_t a = root(edge.places.front().patch);
-        const std::size_t b = root(edge.places.back().patch);
-        parent[std::max(a, b)] = std::min(a, b);
-    }
-    std::vector<std::size_t> component(parent.size());
+    DisjointSets sets(shared.ofPatch.size());
+    for (const SharedEdge& edge : shared.edges)
+        sets.join(edge.places.front().patch, edge.places.back().patch);
+    std::vector<std::size_t> component(shared.ofPatch.size());
     std::size_t count = 0;
-    for (std::size_t k = 0; k < parent.size(); ++k)
-        component[k] = root(k) == k ? count++ : component[root(k)];
+    for (std::size_t k = 0; k < component.size(); ++k) { // the lowest patch of a set comes first
+        const std::size_t lowest = sets.find(k);
+        component[k] = lowest == k ? count++ : component[lowest];
+    }
     return component;
 }
 

@@ -1,7 +1,8 @@
 #include "mesh/topology.h"
 
+#include "base/disjoint_sets.h"
+
 #include <algorithm>
-#include <numeric>
 
 namespace qm {
 
@@ -14,26 +15,6 @@ std::size_t indexOf(VertexId vertex) {
 bool isRegularWith(const QuadMesh& mesh, VertexId vertex, unsigned edges) {
     return mesh.is_isolated(vertex) || (mesh.is_boundary(vertex) ? edges <= 3 : edges == 4);
 }
-
-/// Sets of vertices that grow together; each is known by its lowest vertex.
-class DisjointSets {
-public:
-    explicit DisjointSets(std::size_t count) : parent_(count) {
-        std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-    }
-    std::size_t find(std::size_t k) {
-        while (parent_[k] != k)
-            k = parent_[k] = parent_[parent_[k]];
-        return k;
-    }
-    void join(std::size_t a, std::size_t b) {
-        const auto [low, high] = std::minmax({find(a), find(b)});
-        parent_[high] = low;
-    }
-
-private:
-    std::vector<std::size_t> parent_;
-};
 
 } // namespace
 

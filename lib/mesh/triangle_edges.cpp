@@ -1,12 +1,12 @@
 #include "mesh/triangle_edges.h"
 
+#include "base/disjoint_sets.h"
 #include "base/error.h"
 #include "base/number_text.h"
 
 #include <algorithm>
 #include <compare>
 #include <cstdint>
-#include <numeric>
 #include <span>
 
 namespace qm {
@@ -60,27 +60,20 @@ struct Fault {
 /// Counts the connected parts that edges form.
 class EdgeParts {
 public:
-    explicit EdgeParts(std::size_t points) : parent_(points), used_(points, false) {
-        std::iota(parent_.begin(), parent_.end(), 0);
-    }
+    explicit EdgeParts(std::size_t points) : sets_(points), used_(points, false) {}
     void join(int a, int b) {
-        parent_[root(static_cast<std::size_t>(a))] = root(static_cast<std::size_t>(b));
+        sets_.join(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
         used_[static_cast<std::size_t>(a)] = used_[static_cast<std::size_t>(b)] = true;
     }
     [[nodiscard]] std::size_t count() {
-        std::size_t roots = 0;
-        for (std::size_t k = 0; k < parent_.size(); ++k)
-            if (used_[k] && root(k) == k) ++roots;
-        return roots;
+        std::size_t parts = 0;
+        for (std::size_t k = 0; k < used_.size(); ++k)
+            if (used_[k] && sets_.find(k) == k) ++parts;
+        return parts;
     }
 
 private:
-    std::size_t root(std::size_t k) {
-        while (parent_[k] != k)
-            k = parent_[k] = parent_[parent_[k]];
-        return k;
-    }
-    std::vector<std::size_t> parent_;
+    DisjointSets sets_;
     std::vector<bool> used_;
 };
 

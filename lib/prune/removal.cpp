@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <utility>
 
 namespace qm {
@@ -16,7 +15,7 @@ std::size_t at(int index) {
 
 Removal::Removal(const QuadMesh& mesh, const Layout& layout)
     : mesh_(mesh), border_(mesh.n_edges(), false), segmentOf_(mesh.n_faces(), -1),
-      parent_(layout.segments.size()) {
+      sets_(layout.segments.size()) {
     for (const EdgeId edge : mesh.edges())
         border_[at(edge.idx())] = mesh.is_boundary(edge);
     for (const LayoutTrack& track : layout.tracks)
@@ -24,7 +23,6 @@ Removal::Removal(const QuadMesh& mesh, const Layout& layout)
     for (std::size_t s = 0; s < layout.segments.size(); ++s)
         for (const FaceId face : layout.segments[s].faces)
             segmentOf_[at(face.idx())] = static_cast<int>(s);
-    std::iota(parent_.begin(), parent_.end(), 0);
 }
 
 bool Removal::isBorder(HalfedgeId halfedge) const {
@@ -37,9 +35,7 @@ void Removal::setBorder(const Track& track, bool border) {
 }
 
 int Removal::find(int segment) {
-    while (parent_[at(segment)] != segment)
-        segment = parent_[at(segment)] = parent_[at(parent_[at(segment)])];
-    return segment;
+    return static_cast<int>(sets_.find(at(segment)));
 }
 
 bool Removal::hasBorder(VertexId vertex) const {
@@ -125,7 +121,7 @@ double Removal::largestTurn(const Track& track) const {
 std::vector<EdgeId> Removal::remove(const Track& track) {
     setBorder(track, false);
     for (const auto& [left, right] : joinedPairs(track))
-        parent_[at(find(left))] = find(right);
+        sets_.join(at(left), at(right));
     std::vector<EdgeId> beside;
     for (const HalfedgeId halfedge : track.halfedges)
         for (const HalfedgeId leaving : {halfedge, mesh_.opposite_halfedge_handle(halfedge)}) {

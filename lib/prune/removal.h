@@ -1,6 +1,7 @@
 /// \file What becomes of the segments when a track is taken away (docs/METHOD.md#pruning).
 #pragma once
 
+#include "base/disjoint_sets.h"
 #include "layout/layout.h"
 
 #include <array>
@@ -60,7 +61,7 @@ private:
     const QuadMesh& mesh_;
     std::vector<bool> border_;   ///< of every edge
     std::vector<int> segmentOf_; ///< of every face, as the layout has it
-    std::vector<int> parent_;    ///< of every segment: what it has been joined to
+    DisjointSets sets_;          ///< segments that have been joined
 };
 
 } // namespace qm

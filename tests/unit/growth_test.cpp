@@ -22,7 +22,7 @@ namespace {
 std::atomic<std::size_t> bytesTaken = 0;
 }
 
-// With sanitizers GCC sees that these meet malloc's blocks, and not that they are new's own.
+// With sanitizers GCC takes blocks that these functions make for those of the library's.
 #ifdef __GNUC__
 #pragma GCC diagnostic ignored "-Wmismatched-new-delete"
 #endif
@@ -31,6 +31,10 @@ void* operator new(std::size_t size) {
     bytesTaken += size;
     if (void* place = std::malloc(size == 0 ? 1 : size)) return place;
     throw std::bad_alloc();
+}
+void* operator new(std::size_t size, const std::nothrow_t& /*tag*/) noexcept {
+    bytesTaken += size;
+    return std::malloc(size == 0 ? 1 : size);
 }
 void operator delete(void* place) noexcept {
     std::free(place);

@@ -1,5 +1,6 @@
 #include "bspline/fitting/plane_patches.h"
 
+#include "base/disjoint_sets.h"
 #include "bspline/splines/eigen_point.h"
 
 #include <Eigen/Eigenvalues>
@@ -7,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <span>
 
 namespace qm {
@@ -47,21 +47,14 @@ constexpr double flat = 1e-4; ///< share of its extent that a plane may be thick
 /// Gives planes to those of some patches that are plane together with what they meet smoothly.
 void findPlanes(const std::vector<ReferenceGrid>& reference, const SmoothNetwork& network, double tolerance,
                 const std::vector<bool>& isPlane, std::vector<std::optional<Plane>>& planes) {
-    std::vector<std::size_t> group(reference.size()); // a patch of the same group, or itself
-    std::iota(group.begin(), group.end(), 0);
-    const auto root = [&](std::size_t patch) {
-        while (group[patch] != patch)
-            patch = group[patch] = group[group[patch]];
-        return patch;
-    };
+    DisjointSets groups(reference.size());
     for (const SmoothRun& run : network.runs) {
         const auto& sides = network.stretches[run.stretch].sides;
-        if (isPlane[sides[0].patch] && isPlane[sides[1].patch])
-            group[root(sides[0].patch)] = root(sides[1].patch);
+        if (isPlane[sides[0].patch] && isPlane[sides[1].patch]) groups.join(sides[0].patch, sides[1].patch);
     }
     std::vector<std::vector<std::size_t>> members(reference.size());
     for (std::size_t k = 0; k < reference.size(); ++k)
-        if (isPlane[k]) members[root(k)].push_back(k);
+        if (isPlane[k]) members[groups.find(k)].push_back(k);
     for (const auto& ofGroup : members) {
         if (ofGroup.empty()) continue;
         const auto plane = planeThrough(reference, ofGroup, tolerance, flat);
