@@ -1,11 +1,9 @@
 #include "basecomplex/arc_graph.h"
 
+#include "base/at.h"
+
 namespace qm {
 namespace {
-
-std::size_t at(VertexId vertex) {
-    return static_cast<std::size_t>(vertex.idx());
-}
 
 /// One line for every opposite pair that can meet, and one for every other separatrix.
 std::vector<Line> findLines(const BaseComplex& complex) {
@@ -92,9 +90,7 @@ private:
         int begin = 0;
         for (int k = 1; k <= length; ++k) {
             const JunctionId junction =
-                k == length
-                    ? JunctionId{}
-                    : junctionAt_[at(mesh_.from_vertex_handle(halfedges[static_cast<std::size_t>(k)]))];
+                k == length ? JunctionId{} : junctionAt_[at(mesh_.from_vertex_handle(halfedges[at(k)]))];
             if (k < length && !junction.valid()) continue;
             const ArcId arc(graph_.arcs.size());
             graph_.arcs.push_back({id, begin, k});
@@ -154,7 +150,7 @@ std::vector<ArcId> arcsOfEdges(const QuadMesh& mesh, const ArcGraph& graph, cons
     std::vector<ArcId> result(mesh.n_edges());
     for (std::size_t arc = 0; arc < graph.arcs.size(); ++arc)
         for (const HalfedgeId halfedge : halfedgesOf(graph, complex, ArcId(arc)))
-            result[static_cast<std::size_t>(mesh.edge_handle(halfedge).idx())] = ArcId(arc);
+            result[at(mesh.edge_handle(halfedge))] = ArcId(arc);
     return result;
 }
 
@@ -165,7 +161,7 @@ std::vector<double> sumOverArcs(const QuadMesh& mesh, const ArcGraph& graph, con
     for (std::size_t i = 0; i < graph.arcs.size(); ++i) {
         double sum = 0;
         for (const HalfedgeId halfedge : halfedgesOf(graph, complex, ArcId(i)))
-            sum += perEdge[static_cast<std::size_t>(mesh.edge_handle(halfedge).idx())];
+            sum += perEdge[at(mesh.edge_handle(halfedge))];
         sums.push_back(sum);
     }
     return sums;

@@ -1,5 +1,6 @@
 #include "basecomplex/base_complex.h"
 
+#include "base/at.h"
 #include "base/error.h"
 #include "mesh/topology.h"
 
@@ -32,13 +33,13 @@ void addSeed(const QuadMesh& mesh, Seed seed, std::vector<bool>& seeded, Starts&
     const std::string place = "seed at vertex " + std::to_string(vertex.idx());
     if (!continuesStraight(mesh, vertex))
         throw Error(place, "it is not an interior regular vertex", "choose another vertex of the curve");
-    if (seeded[static_cast<std::size_t>(vertex.idx())])
+    if (seeded[at(vertex)])
         throw Error(place, "another seed is there", "choose another vertex of one of the curves");
-    seeded[static_cast<std::size_t>(vertex.idx())] = true;
+    seeded[at(vertex)] = true;
     const HalfedgeId back = straightOn(mesh, opposite(mesh, seed.direction));
     for (const HalfedgeId halfedge : {seed.direction, back}) {
         starts.halfedges.push_back(halfedge);
-        starts.arrivesAtSeed[static_cast<std::size_t>(opposite(mesh, halfedge).idx())] = true;
+        starts.arrivesAtSeed[at(opposite(mesh, halfedge))] = true;
     }
 }
 
@@ -60,8 +61,7 @@ Starts findStarts(const QuadMesh& mesh, const std::vector<VertexId>& extraordina
 std::vector<HalfedgeId> trace(const QuadMesh& mesh, HalfedgeId start,
                               const std::vector<bool>& arrivesAtSeed) {
     std::vector<HalfedgeId> path{start};
-    while (!arrivesAtSeed[static_cast<std::size_t>(path.back().idx())] &&
-           continuesStraight(mesh, mesh.to_vertex_handle(path.back())))
+    while (!arrivesAtSeed[at(path.back())] && continuesStraight(mesh, mesh.to_vertex_handle(path.back())))
         path.push_back(straightOn(mesh, path.back()));
     return path;
 }
@@ -82,9 +82,7 @@ public:
     explicit Visits(std::size_t vertices) : lastPath_(vertices, -1) {}
     void nextPath() { ++path_; }
     /// \return whether this path has been here before
-    bool visit(VertexId vertex) {
-        return std::exchange(lastPath_[static_cast<std::size_t>(vertex.idx())], path_) == path_;
-    }
+    bool visit(VertexId vertex) { return std::exchange(lastPath_[at(vertex)], path_) == path_; }
 
 private:
     std::vector<int> lastPath_;
@@ -106,9 +104,7 @@ void measureReach(const QuadMesh& mesh, Separatrix& separatrix, Visits& visits) 
 
 std::size_t countJunctions(const QuadMesh& mesh, const BaseComplex& complex) {
     std::vector<int> passes(mesh.n_vertices(), 0); // undirected lines that pass a vertex
-    const auto pass = [&](HalfedgeId from) {
-        ++passes[static_cast<std::size_t>(mesh.from_vertex_handle(from).idx())];
-    };
+    const auto pass = [&](HalfedgeId from) { ++passes[at(mesh.from_vertex_handle(from))]; };
     for (const Seed seed : complex.seeds)
         pass(seed.direction);
     for (std::size_t i = 0; i < complex.separatrices.size(); ++i) {

@@ -1,5 +1,7 @@
 #include "check/angles.h"
 
+#include "base/at.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -46,9 +48,7 @@ Normal triangleNormal(const Vector& a, const Vector& b, const Vector& c) {
 
 Normal faceNormal(const CheckedMesh& mesh, std::size_t face) {
     const auto& quad = mesh.quads[face];
-    const auto point = [&](std::size_t corner) {
-        return mesh.points[static_cast<std::size_t>(quad[corner])];
-    };
+    const auto point = [&](std::size_t corner) { return mesh.points[at(quad[corner])]; };
     const Normal first = triangleNormal(point(0), point(1), point(2));
     const Normal second = triangleNormal(point(0), point(2), point(3));
     Normal sum;
@@ -71,8 +71,8 @@ Angles dihedralAngles(const CheckedMesh& mesh, const Neighbourhoods& around) {
     for (int step = 0; step < around.steps(); ++step) {
         if (around.boundary(step)) continue;
         const auto edge = static_cast<std::size_t>(around.edge(step));
-        const Normal& left = normals[static_cast<std::size_t>(around.leftFace(step))];
-        const Normal& right = normals[static_cast<std::size_t>(around.leftFace(around.back(step)))];
+        const Normal& left = normals[at(around.leftFace(step))];
+        const Normal& right = normals[at(around.leftFace(around.back(step)))];
         if (left.doubtful || right.doubtful) angles.doubt[edge] = std::numbers::pi;
         const Vector sine = cross(left.direction, right.direction);
         const double cosine = dot(left.direction, right.direction);
@@ -102,15 +102,12 @@ EdgeCosts edgeCosts(const CheckedMesh& mesh, const Neighbourhoods& around, const
     }
     for (int step = 0; step < around.steps(); ++step) {
         if (around.boundary(step) || around.from(step) > around.to(step)) continue;
-        const auto along = minus(mesh.points[static_cast<std::size_t>(around.to(step))],
-                                 mesh.points[static_cast<std::size_t>(around.from(step))]);
-        costs.cost[static_cast<std::size_t>(around.edge(step))] +=
-            weights.length * std::sqrt(dot(along, along));
+        const auto along = minus(mesh.points[at(around.to(step))], mesh.points[at(around.from(step))]);
+        costs.cost[at(around.edge(step))] += weights.length * std::sqrt(dot(along, along));
     }
     for (const ConstraintsPart::Weight& entry : constraints.weights)
         for (std::size_t i = 1; i < entry.vertices.size(); ++i)
-            costs.cost[static_cast<std::size_t>(
-                around.edge(around.stepBetween(entry.vertices[i - 1], entry.vertices[i])))] +=
+            costs.cost[at(around.edge(around.stepBetween(entry.vertices[i - 1], entry.vertices[i])))] +=
                 weights.custom * entry.weight;
     return costs;
 }

@@ -1,6 +1,7 @@
 /// \file Dihedral angles and edge costs, computed anew (docs/METHOD.md#cost).
 #pragma once
 
+#include "base/at.h"
 #include "check/checked_document.h"
 #include "check/neighbourhoods.h"
 
@@ -35,8 +36,8 @@ class CostSum {
 public:
     explicit CostSum(const EdgeCosts& costs) : costs_(costs) {}
     void add(int edge) {
-        cost_ += costs_.cost[static_cast<std::size_t>(edge)];
-        doubt_ += costs_.doubt[static_cast<std::size_t>(edge)];
+        cost_ += costs_.cost[at(edge)];
+        doubt_ += costs_.doubt[at(edge)];
     }
     void add(const CostSum& other) {
         cost_ += other.cost_;

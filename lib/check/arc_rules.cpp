@@ -1,15 +1,13 @@
 #include "check/arc_rules.h"
 
+#include "base/at.h"
+
 #include <algorithm>
 #include <numeric>
 
 namespace qm::check {
 
 namespace {
-
-std::size_t index(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 /// An undirected separatrix.
 struct ArcLine {
@@ -33,9 +31,9 @@ public:
         std::iota(parent_.begin(), parent_.end(), 0);
     }
     int find(int node) {
-        while (parent_[index(node)] != node) {
-            parent_[index(node)] = parent_[index(parent_[index(node)])];
-            node = parent_[index(node)];
+        while (parent_[at(node)] != node) {
+            parent_[at(node)] = parent_[at(parent_[at(node)])];
+            node = parent_[at(node)];
         }
         return node;
     }
@@ -44,12 +42,12 @@ public:
         a = find(a);
         b = find(b);
         if (a != b) {
-            if (members_[index(a)] < members_[index(b)]) std::swap(a, b);
-            parent_[index(b)] = a;
-            members_[index(a)] += members_[index(b)];
-            loops_[index(a)] += loops_[index(b)];
+            if (members_[at(a)] < members_[at(b)]) std::swap(a, b);
+            parent_[at(b)] = a;
+            members_[at(a)] += members_[at(b)];
+            loops_[at(a)] += loops_[at(b)];
         }
-        return ++loops_[index(a)] <= members_[index(a)];
+        return ++loops_[at(a)] <= members_[at(a)];
     }
 
 private:
@@ -89,21 +87,20 @@ private:
                std::to_string(around_.to(line.way->steps.back()));
     }
     [[nodiscard]] std::string place(int crossing) const {
-        return "vertex " + std::to_string(network_.crossings[index(crossing)].vertex);
+        return "vertex " + std::to_string(network_.crossings[at(crossing)].vertex);
     }
 
     void readLines() {
         for (std::size_t w = 0; w < network_.ways.size(); ++w) {
             const Way& way = network_.ways[w];
-            if (way.opposite >= 0 && index(way.opposite) < w) continue;
+            if (way.opposite >= 0 && at(way.opposite) < w) continue;
             ArcLine line{&way, way.opposite >= 0, {}, false};
             for (int arc = 0; arc < way.length(); ++arc)
                 line.arcs.push_back(readArc(line, arc));
             line.full = std::count(line.arcs.begin(), line.arcs.end(), 1) == way.length();
             for (int c = 1; c < way.length(); ++c)
-                sides_[index(way.stops[index(c) - 1])].push_back({static_cast<int>(lines_.size()),
-                                                                  line.arcs[index(c) - 1] != 0,
-                                                                  line.arcs[index(c)] != 0});
+                sides_[at(way.stops[at(c) - 1])].push_back(
+                    {static_cast<int>(lines_.size()), line.arcs[at(c) - 1] != 0, line.arcs[at(c)] != 0});
             lines_.push_back(std::move(line));
         }
     }
@@ -113,8 +110,8 @@ private:
         const int end = line.way->stepsTo(arc + 1);
         int in = 0;
         for (int i = begin; i < end; ++i)
-            in += present_[index(around_.edge(line.way->steps[index(i)]))] ? 1 : 0;
-        edgesOnLines_ += index(in);
+            in += present_[at(around_.edge(line.way->steps[at(i)]))] ? 1 : 0;
+        edgesOnLines_ += at(in);
         if (in != 0 && in != end - begin)
             broken("whole arcs", "only a part of an arc of " + ends(line) + " is in the graph");
         return in == end - begin ? 1 : 0;
@@ -131,10 +128,10 @@ private:
 
     // Rule 2: at a junction, if exactly one arc of one line is in, both arcs of the other are.
     void junction(int crossing) {
-        const auto& sides = sides_[index(crossing)];
+        const auto& sides = sides_[at(crossing)];
         if (sides.size() < 2) return; // the other line starts here at a seed, with both arcs
         for (int i = 0; i < 2; ++i)
-            if (sides[index(i)].present() == 1 && sides[index(1 - i)].present() != 2)
+            if (sides[at(i)].present() == 1 && sides[at(1 - i)].present() != 2)
                 broken("arc rule 2", "a dead end or an L at " + place(crossing));
     }
 
@@ -167,7 +164,7 @@ private:
         }
     }
     [[nodiscard]] bool canCrack(int line) const {
-        return lines_[index(line)].twoSources && lines_[index(line)].full;
+        return lines_[at(line)].twoSources && lines_[at(line)].full;
     }
 
     const Neighbourhoods& around_;

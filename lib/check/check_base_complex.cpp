@@ -1,5 +1,6 @@
 #include "check/check_base_complex.h"
 
+#include "base/at.h"
 #include "check/paths.h"
 
 #include <utility>
@@ -11,18 +12,18 @@ namespace {
 constexpr const char* place = "/baseComplex";
 
 void checkExtraordinaryVertices(const Neighbourhoods& around, const BaseComplexPart& part, Report& report) {
-    const std::string list = at(place, "extraordinaryVertices");
+    const std::string list = below(place, "extraordinaryVertices");
     std::vector<char> listed(static_cast<std::size_t>(around.vertices()), 0);
     for (std::size_t i = 0; i < part.extraordinaryVertices.size(); ++i) {
         const int vertex = part.extraordinaryVertices[i];
-        if (!knownVertex(around, vertex, at(list, i), report)) continue;
-        if (around.regular(vertex)) report.violate(at(list, i), "extraordinary", "this vertex is regular");
+        if (!knownVertex(around, vertex, below(list, i), report)) continue;
+        if (around.regular(vertex)) report.violate(below(list, i), "extraordinary", "this vertex is regular");
         if (i > 0 && part.extraordinaryVertices[i - 1] >= vertex)
-            report.violate(at(list, i), "order", "extraordinary vertices are listed once, ascending");
-        listed[static_cast<std::size_t>(vertex)] = 1;
+            report.violate(below(list, i), "order", "extraordinary vertices are listed once, ascending");
+        listed[at(vertex)] = 1;
     }
     for (int vertex = 0; vertex < around.vertices(); ++vertex)
-        if (!around.regular(vertex) && !listed[static_cast<std::size_t>(vertex)])
+        if (!around.regular(vertex) && !listed[at(vertex)])
             report.violate(list, "extraordinary",
                            "vertex " + std::to_string(vertex) + " is extraordinary and is not listed");
 }
@@ -44,59 +45,61 @@ public:
     }
 
 private:
-    [[nodiscard]] std::string pointer(std::size_t rank) const { return at(at(place, "separatrices"), rank); }
+    [[nodiscard]] std::string pointer(std::size_t rank) const {
+        return below(below(place, "separatrices"), rank);
+    }
 
     void readOne(std::size_t rank) {
         const auto& separatrix = part_.separatrices[rank];
         const std::string here = pointer(rank);
-        const std::string path = at(here, "vertices");
+        const std::string path = below(here, "vertices");
         if (separatrix.id != static_cast<int>(rank))
-            report_.violate(at(here, "id"), "id", "separatrices are numbered from 0 in their order");
+            report_.violate(below(here, "id"), "id", "separatrices are numbered from 0 in their order");
         const auto steps = readPath(around_, separatrix.vertices, path, report_);
         if (!steps) return;
         const auto found = network_.wayByFirstStep.find(steps->front());
         if (found == network_.wayByFirstStep.end()) {
-            report_.violate(at(path, std::size_t{0}), "separatrix start",
+            report_.violate(below(path, std::size_t{0}), "separatrix start",
                             "no separatrix leaves vertex " + std::to_string(separatrix.vertices[0]) +
                                 " this way");
             return;
         }
-        const Way& way = network_.ways[static_cast<std::size_t>(found->second)];
+        const Way& way = network_.ways[at(found->second)];
         const std::size_t bend = firstBend(around_, *steps);
         if (bend < steps->size())
-            report_.violate(at(path, bend + 1), "straight on",
+            report_.violate(below(path, bend + 1), "straight on",
                             "the path does not go straight on to this vertex");
         else if (*steps != way.steps)
             report_.violate(path, "separatrix end",
                             "it ends at vertex " + std::to_string(separatrix.vertices.back()) +
                                 ", which is neither extraordinary nor on the boundary");
-        int& known = rankOfWay_[static_cast<std::size_t>(found->second)];
+        int& known = rankOfWay_[at(found->second)];
         if (known >= 0)
             report_.violate(here, "separatrix twice", "the same as separatrix " + std::to_string(known));
         known = static_cast<int>(rank);
         wayOfRank_[rank] = found->second;
         if (separatrix.selfCrossing != way.selfCrossing())
-            report_.violate(at(here, "selfCrossing"), "self-crossing",
+            report_.violate(below(here, "selfCrossing"), "self-crossing",
                             way.selfCrossing() ? "it visits a vertex twice" : "it visits no vertex twice");
     }
 
     void checkOpposite(std::size_t rank) {
         const auto& opposite = part_.separatrices[rank].opposite;
-        const int expected = network_.ways[static_cast<std::size_t>(wayOfRank_[rank])].opposite;
-        const std::string here = at(pointer(rank), "opposite");
+        const int expected = network_.ways[at(wayOfRank_[rank])].opposite;
+        const std::string here = below(pointer(rank), "opposite");
         if (expected < 0) {
             if (opposite) report_.violate(here, "opposite", "it ends on the boundary and has no opposite");
             return;
         }
         const bool known = opposite && *opposite >= 0 && *opposite < static_cast<int>(wayOfRank_.size());
-        if (!known || wayOfRank_[static_cast<std::size_t>(*opposite)] != expected)
+        if (!known || wayOfRank_[at(*opposite)] != expected)
             report_.violate(here, "opposite",
                             "the same path backwards is separatrix " +
-                                std::to_string(rankOfWay_[static_cast<std::size_t>(expected)]));
+                                std::to_string(rankOfWay_[at(expected)]));
     }
 
     void missing(int step) {
-        report_.violate(at(place, "separatrices"), "separatrix missing",
+        report_.violate(below(place, "separatrices"), "separatrix missing",
                         "the one from vertex " + std::to_string(around_.from(step)) + " over vertex " +
                             std::to_string(around_.to(step)) + " is not listed");
     }
@@ -116,7 +119,7 @@ void checkBaseComplex(const Neighbourhoods& around, const LineNetwork& network, 
     checkExtraordinaryVertices(around, part, report);
     SeparatrixCheck(around, network, part, report).run();
     if (std::cmp_not_equal(part.ordinaryJunctions, network.ordinaryJunctions))
-        report.violate(at(place, "ordinaryJunctions"), "n_j",
+        report.violate(below(place, "ordinaryJunctions"), "n_j",
                        "the mesh has " + std::to_string(network.ordinaryJunctions) + " ordinary junctions");
 }
 

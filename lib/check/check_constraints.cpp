@@ -1,5 +1,6 @@
 #include "check/check_constraints.h"
 
+#include "base/at.h"
 #include "check/paths.h"
 
 namespace qm::check {
@@ -13,8 +14,7 @@ bool anyEdge(const Neighbourhoods& around, const std::vector<int>& path, std::sp
     for (std::size_t i = 1; i < path.size(); ++i) {
         const int step = around.stepBetween(path[i - 1], path[i]);
         // The mesh boundary bounds patches whether it is demanded or not.
-        if (!around.boundary(step) && (present[static_cast<std::size_t>(around.edge(step))] != 0) == in)
-            return true;
+        if (!around.boundary(step) && (present[at(around.edge(step))] != 0) == in) return true;
     }
     return false;
 }
@@ -26,18 +26,18 @@ void checkConstraints(const Neighbourhoods& around, const ConstraintsPart& const
     for (std::size_t i = 0; whole && i < constraints.required.size(); ++i)
         if (anyEdge(around, constraints.required[i], present, false))
             report.violate(pointer, "required",
-                           "an edge of " + at("/constraints/required", i) + " is on no track");
+                           "an edge of " + below("/constraints/required", i) + " is on no track");
     for (std::size_t i = 0; i < constraints.forbidden.size(); ++i)
         if (anyEdge(around, constraints.forbidden[i], present, true))
             report.violate(pointer, "forbidden",
-                           "an edge of " + at("/constraints/forbidden", i) + " is on a track");
+                           "an edge of " + below("/constraints/forbidden", i) + " is on a track");
 }
 
 bool checkConstraintPaths(const Neighbourhoods& around, const ConstraintsPart& constraints, Report& report) {
     const std::size_t before = report.total();
     const auto readAll = [&](const std::vector<std::vector<int>>& paths, const std::string& pointer) {
         for (std::size_t i = 0; i < paths.size(); ++i)
-            (void)readPath(around, paths[i], at(at(pointer, i), "vertices"), report);
+            (void)readPath(around, paths[i], below(below(pointer, i), "vertices"), report);
     };
     readAll(constraints.required, "/constraints/required");
     readAll(constraints.forbidden, "/constraints/forbidden");

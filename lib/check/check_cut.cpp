@@ -1,5 +1,6 @@
 #include "check/check_cut.h"
 
+#include "base/at.h"
 #include "base/number_text.h"
 #include "check/paths.h"
 
@@ -20,13 +21,14 @@ bool checkLabels(const Neighbourhoods& around, const CutPart& part, Report& repo
     std::vector<char> used(part.subMeshes.size(), 0);
     for (std::size_t v = 0; v < part.labels.size(); ++v) {
         if (part.labels[v] >= 0 && static_cast<std::size_t>(part.labels[v]) < used.size())
-            used[static_cast<std::size_t>(part.labels[v])] = 1;
+            used[at(part.labels[v])] = 1;
         else
-            report.violate(at(place, v), "label", "there is no sub-mesh of this number");
+            report.violate(below(place, v), "label", "there is no sub-mesh of this number");
     }
     const bool usable = report.total() == before;
     for (std::size_t k = 0; k < used.size(); ++k)
-        if (!used[k]) report.violate(at("/cut/subMeshes", k), "sub-mesh empty", "no vertex bears its label");
+        if (!used[k])
+            report.violate(below("/cut/subMeshes", k), "sub-mesh empty", "no vertex bears its label");
     return usable;
 }
 
@@ -35,19 +37,19 @@ void checkSubMeshes(const Neighbourhoods& around, const std::vector<LineNetwork>
     for (std::size_t k = 0; k < part.subMeshes.size(); ++k) {
         const auto& subMesh = part.subMeshes[k];
         const LineNetwork& network = networks[k];
-        const std::string here = at("/cut/subMeshes", k);
+        const std::string here = below("/cut/subMeshes", k);
         if (subMesh.id != static_cast<int>(k))
-            report.violate(at(here, "id"), "id", "sub-meshes are numbered from 0 in their order");
+            report.violate(below(here, "id"), "id", "sub-meshes are numbered from 0 in their order");
         const double complexity = quasiComplexity(network);
         if (subMesh.quasiComplexity &&
             !(std::abs(*subMesh.quasiComplexity - complexity) <= 1e-6 * std::max(1.0, complexity)))
-            report.violate(at(here, "quasiComplexity"), "U", "it is " + numberText(complexity));
+            report.violate(below(here, "quasiComplexity"), "U", "it is " + numberText(complexity));
         if (subMesh.ordinaryJunctions &&
             std::cmp_not_equal(*subMesh.ordinaryJunctions, network.ordinaryJunctions))
-            report.violate(at(here, "ordinaryJunctions"), "n_j",
+            report.violate(below(here, "ordinaryJunctions"), "n_j",
                            "it has " + std::to_string(network.ordinaryJunctions));
-        if (subMesh.source) knownVertex(around, *subMesh.source, at(here, "source"), report);
-        if (subMesh.sink) knownVertex(around, *subMesh.sink, at(here, "sink"), report);
+        if (subMesh.source) knownVertex(around, *subMesh.source, below(here, "source"), report);
+        if (subMesh.sink) knownVertex(around, *subMesh.sink, below(here, "sink"), report);
     }
 }
 

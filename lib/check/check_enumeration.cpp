@@ -1,5 +1,6 @@
 #include "check/check_enumeration.h"
 
+#include "base/at.h"
 #include "base/number_text.h"
 #include "check/check_constraints.h"
 #include "check/check_graph.h"
@@ -42,13 +43,13 @@ public:
 private:
     void subMesh(std::size_t k) {
         const auto& subMesh = part_.subMeshes[k];
-        const std::string here = at("/enumeration/subMeshes", k);
+        const std::string here = below("/enumeration/subMeshes", k);
         if (subMesh.id != static_cast<int>(k))
-            report_.violate(at(here, "id"), "id", "sub-meshes are numbered from 0 in their order");
+            report_.violate(below(here, "id"), "id", "sub-meshes are numbered from 0 in their order");
         known_.clear();
         double before = -std::numeric_limits<double>::infinity();
         for (std::size_t g = 0; g < subMesh.graphs.size(); ++g) {
-            const std::string place = at(at(here, "graphs"), g);
+            const std::string place = below(below(here, "graphs"), g);
             const CostSum cost = graph(k, subMesh.graphs[g], place);
             if (cost.value() < before && !cost.equals(before))
                 report_.violate(place, "sorted", "the graph before it costs more");
@@ -56,14 +57,14 @@ private:
             if (g == 0) best(subMesh, cost, here);
         }
         for (std::size_t s = 0; s < subMesh.samples.size(); ++s)
-            (void)graph(k, subMesh.samples[s], at(at(here, "samples"), s), true);
+            (void)graph(k, subMesh.samples[s], below(below(here, "samples"), s), true);
         count(subMesh, here);
     }
 
     /// Corners of faces around a vertex that have the graph or the mesh boundary on both sides.
     [[nodiscard]] int cornersAt(int vertex) const {
         const auto bounds = [&](int step) {
-            return around_.boundary(step) || present_[static_cast<std::size_t>(around_.edge(step))] != 0;
+            return around_.boundary(step) || present_[at(around_.edge(step))] != 0;
         };
         int corners = 0;
         const int valence = around_.valence(vertex);
@@ -76,9 +77,7 @@ private:
     }
 
     [[nodiscard]] std::size_t labelOf(int vertex) const {
-        return context_.labels.empty()
-                   ? 0
-                   : static_cast<std::size_t>(context_.labels[static_cast<std::size_t>(vertex)]);
+        return context_.labels.empty() ? 0 : static_cast<std::size_t>(context_.labels[at(vertex)]);
     }
 
     /// What the mesh boundary alone makes.
@@ -99,7 +98,7 @@ private:
         int sum = bareCorners_[subMesh];
         for (const int vertex : touched)
             if (labelOf(vertex) == subMesh)
-                sum += cornersAt(vertex) - bareCornersAt_[static_cast<std::size_t>(vertex)];
+                sum += cornersAt(vertex) - bareCornersAt_[at(vertex)];
             else if (!around_.interior(vertex) && around_.regular(vertex))
                 sum += cornersAt(vertex);
         return sum;
@@ -109,24 +108,24 @@ private:
     CostSum graph(std::size_t subMesh, const EnumerationPart::Graph& graph, const std::string& here,
                   bool maybeTwice = false) {
         const LineNetwork& network = networks_[subMesh];
-        const std::string list = at(here, "tracks");
+        const std::string list = below(here, "tracks");
         const auto tracks = readTracks(around_, graph.tracks, list, report_);
         for (const ReadTrack& track : tracks)
-            references(graph.tracks[track.rank], at(list, track.rank));
+            references(graph.tracks[track.rank], below(list, track.rank));
         auto edges = edgesOf(around_, tracks, list, report_);
         for (const int edge : edges)
-            present_[static_cast<std::size_t>(edge)] = 1;
+            present_[at(edge)] = 1;
         checkGraph(around_, network, tracks, present_, edges.size(), part_.tmesh, list, report_);
         checkConstraints(around_, context_.constraints, present_, networks_.size() == 1, list, report_);
         CostSum cost(context_.costs);
         if (context_.segmentCost != 0) cost.addCost(context_.segmentCost * corners(subMesh, tracks) / 4);
         for (const int edge : edges)
-            present_[static_cast<std::size_t>(edge)] = 0;
+            present_[at(edge)] = 0;
 
         for (const int edge : edges)
             cost.add(edge);
         if (graph.cost && !cost.equals(*graph.cost))
-            report_.violate(at(here, "cost"), "cost",
+            report_.violate(below(here, "cost"), "cost",
                             "the edges of its tracks cost " + numberText(cost.value()));
         if (maybeTwice) return cost;
         const auto [same, unique] = known_.emplace(std::move(edges), here);
@@ -136,35 +135,35 @@ private:
 
     void references(const TrackPart& track, const std::string& here) {
         if (track.source && *track.source != track.vertices.front())
-            report_.violate(at(here, "source"), "track source", "the track starts at another vertex");
+            report_.violate(below(here, "source"), "track source", "the track starts at another vertex");
         if (!track.separatrix || !complex_) return;
         const int id = *track.separatrix;
         const auto& separatrices = complex_->separatrices;
         if (id < 0 || id >= static_cast<int>(separatrices.size())) {
-            report_.violate(at(here, "separatrix"), "track separatrix",
+            report_.violate(below(here, "separatrix"), "track separatrix",
                             "there is no separatrix of this number");
             return;
         }
-        const auto& path = separatrices[static_cast<std::size_t>(id)].vertices;
+        const auto& path = separatrices[at(id)].vertices;
         const auto leaves =
             std::mismatch(track.vertices.begin(), track.vertices.end(), path.begin(), path.end());
         if (leaves.first != track.vertices.end())
-            report_.violate(at(here, "separatrix"), "track separatrix",
+            report_.violate(below(here, "separatrix"), "track separatrix",
                             "the track does not run on this separatrix");
     }
 
     void best(const EnumerationPart::SubMesh& subMesh, const CostSum& cost, const std::string& here) {
         if (subMesh.cost && !cost.equals(*subMesh.cost))
-            report_.violate(at(here, "cost"), "best cost",
+            report_.violate(below(here, "cost"), "best cost",
                             "the first graph costs " + numberText(cost.value()));
         if (subMesh.lowerBound && !(*subMesh.lowerBound <= cost.value()) && !cost.equals(*subMesh.lowerBound))
-            report_.violate(at(here, "lowerBound"), "bound", "it is above the cost of the first graph");
+            report_.violate(below(here, "lowerBound"), "bound", "it is above the cost of the first graph");
     }
 
     void count(const EnumerationPart::SubMesh& subMesh, const std::string& here) {
-        counts_.push_back(bigInteger(subMesh.count, at(here, "count")));
+        counts_.push_back(bigInteger(subMesh.count, below(here, "count")));
         if (counts_.back() && *counts_.back() < subMesh.graphs.size())
-            report_.violate(at(here, "count"), "count",
+            report_.violate(below(here, "count"), "count",
                             std::to_string(subMesh.graphs.size()) + " graphs are listed");
     }
 

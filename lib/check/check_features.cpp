@@ -20,7 +20,7 @@ void checkStraight(const Neighbourhoods& around, const FeaturesPart::Curve& curv
     if (isClosed(curve) && around.passable(curve.vertices.front())) steps.push_back(steps.front());
     const std::size_t bend = firstBend(around, steps);
     if (bend < steps.size())
-        report.violate(at(pointer, std::min(bend + 1, curve.vertices.size() - 1)), "straight on",
+        report.violate(below(pointer, std::min(bend + 1, curve.vertices.size() - 1)), "straight on",
                        "the curve does not go straight on across vertex " +
                            std::to_string(around.from(steps[bend])));
 }
@@ -40,13 +40,13 @@ std::vector<int> checkFeatures(const Neighbourhoods& around, const FeaturesPart&
     std::unordered_set<int> ids;
     for (std::size_t i = 0; i < part.curves.size(); ++i) {
         const auto& curve = part.curves[i];
-        const std::string here = at("/features/curves", i);
-        if (!ids.insert(curve.id).second) report.violate(at(here, "id"), "id", "another curve has it too");
-        const auto steps = readPath(around, curve.vertices, at(here, "vertices"), report);
+        const std::string here = below("/features/curves", i);
+        if (!ids.insert(curve.id).second) report.violate(below(here, "id"), "id", "another curve has it too");
+        const auto steps = readPath(around, curve.vertices, below(here, "vertices"), report);
         if (!steps) continue;
-        checkStraight(around, curve, *steps, at(here, "vertices"), report);
+        checkStraight(around, curve, *steps, below(here, "vertices"), report);
 
-        const std::string seedPlace = at(here, "seed");
+        const std::string seedPlace = below(here, "seed");
         if (!knownVertex(around, curve.seed, seedPlace, report)) continue;
         const int step = seedStep(around, *steps, curve.seed);
         if (step < 0) report.violate(seedPlace, "seed on curve", "the seed is no vertex of its curve");

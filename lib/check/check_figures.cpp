@@ -1,5 +1,6 @@
 #include "check/check_figures.h"
 
+#include "base/at.h"
 #include "base/number_text.h"
 #include "check/check_meetings.h"
 #include "check/check_segments.h"
@@ -18,10 +19,6 @@ using Figures = SurfacesPart::Figures;
 using Parameters = std::array<double, 2>;
 
 constexpr int perEdge = 16;
-
-std::size_t index(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 double dot(const Place& a, const Place& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -43,8 +40,8 @@ public:
         for (std::size_t p = 0; p < layout.segments.size(); ++p) {
             const auto& segment = layout.segments[p];
             for (std::size_t f = 0; f < segment.faces.size(); ++f)
-                places_[index(segment.faces[f])] = {p, static_cast<int>(f) % segment.size[0],
-                                                    static_cast<int>(f) / segment.size[0]};
+                places_[at(segment.faces[f])] = {p, static_cast<int>(f) % segment.size[0],
+                                                 static_cast<int>(f) / segment.size[0]};
         }
     }
 
@@ -82,16 +79,16 @@ private:
         const auto points = evaluateLattice(patch, us, vs);
         const std::size_t width = us.size();
         for (int column = 0; column < columns; ++column) {
-            const std::size_t low = index(row * (columns + 1) + column);
-            const std::size_t high = low + index(columns) + 1;
-            const Quad quad{{mesh_.points[index(vertices[low])], mesh_.points[index(vertices[low + 1])],
-                             mesh_.points[index(vertices[high + 1])], mesh_.points[index(vertices[high])]},
-                            layout_.segments[p].faces[index(row * columns + column)]};
+            const std::size_t low = at(row * (columns + 1) + column);
+            const std::size_t high = low + at(columns) + 1;
+            const Quad quad{{mesh_.points[at(vertices[low])], mesh_.points[at(vertices[low + 1])],
+                             mesh_.points[at(vertices[high + 1])], mesh_.points[at(vertices[high])]},
+                            layout_.segments[p].faces[at(row * columns + column)]};
             const bool last = column + 1 == columns;
             const bool top = row + 1 == rows;
             for (int j = 0; j < (top ? perEdge + 1 : perEdge); ++j)
                 for (int i = 0; i < (last ? perEdge + 1 : perEdge); ++i) {
-                    const SurfacePoint& on = points[index(j) * width + index(column * perEdge + i)];
+                    const SurfacePoint& on = points[at(j) * width + at(column * perEdge + i)];
                     if (isTooFar(p, quad, {column, row}, i, j, on)) return false;
                 }
             if (isFolded(p, quad, points, width, column)) return false;
@@ -167,11 +164,11 @@ private:
                                             int face, double limit) const {
         double least = distanceToPatch(part_.patches[p], parameters, point);
         if (least <= limit) return least;
-        for (const int vertex : mesh_.quads[index(face)])
+        for (const int vertex : mesh_.quads[at(face)])
             for (int k = 0; k < around_.valence(vertex); ++k) {
                 const int other = around_.leftFace(around_.firstStep(vertex) + k);
                 if (other < 0) continue;
-                const FacePlace& place = places_[index(other)];
+                const FacePlace& place = places_[at(other)];
                 for (const Parameters& start : {Parameters{0.5, 0.5}, {0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
                     least = std::min(least,
                                      distanceToPatch(part_.patches[place.patch],
@@ -192,9 +189,9 @@ private:
 
     /// From the segment's parameters in a quad to those of the face, which may begin at another corner.
     [[nodiscard]] Parameters startIn(const Quad& quad, double s, double t) const {
-        const auto& face = mesh_.quads[index(quad.face)];
+        const auto& face = mesh_.quads[at(quad.face)];
         std::size_t turns = 0;
-        while (turns < 3 && mesh_.points[index(face[turns])] != quad.corners[0])
+        while (turns < 3 && mesh_.points[at(face[turns])] != quad.corners[0])
             ++turns;
         for (std::size_t k = 0; k < turns; ++k) {
             const double turned = 1 - t;
@@ -213,12 +210,12 @@ private:
         constexpr int step = perEdge / 4;
         for (int j = step / 2; j < perEdge; j += step)
             for (int i = step / 2; i < perEdge; i += step) {
-                const Place normal = normalOf(points[index(j) * width + index(column * perEdge + i)]);
+                const Place normal = normalOf(points[at(j) * width + at(column * perEdge + i)]);
                 const double cosine = dot(normal, outwards);
                 constexpr double away = -0.5; // surely more than a right angle
                 if (cosine >= away * std::sqrt(dot(normal, normal) * dot(outwards, outwards))) continue;
-                report_.violate(at(at(at("/surfaces/patches", p), "deviation"), "folds"), "deviation",
-                                "the normal turns over at face " + std::to_string(quad.face));
+                report_.violate(below(below(below("/surfaces/patches", p), "deviation"), "folds"),
+                                "deviation", "the normal turns over at face " + std::to_string(quad.face));
                 return true;
             }
         return false;
@@ -230,7 +227,7 @@ private:
             const auto& stated = part_.figures.*member;
             for (const Patch& patch : part_.patches)
                 if (stated && (patch.figures.*member).value_or(0) > *stated) {
-                    report_.violate(at("/surfaces/deviation", figure), "deviation",
+                    report_.violate(below("/surfaces/deviation", figure), "deviation",
                                     "a patch has " + numberText(*(patch.figures.*member)));
                     return;
                 }

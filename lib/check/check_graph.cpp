@@ -1,5 +1,6 @@
 #include "check/check_graph.h"
 
+#include "base/at.h"
 #include "check/arc_rules.h"
 #include "check/paths.h"
 #include "check/track_rules.h"
@@ -10,15 +11,11 @@ namespace qm::check {
 
 namespace {
 
-std::size_t index(int i) {
-    return static_cast<std::size_t>(i);
-}
-
 /// The coordinate after `steps` steps of the way; -1 between two stops.
 int coordinateAfter(const Way& way, std::size_t steps) {
     if (steps == way.steps.size()) return way.length();
     const auto stop = std::lower_bound(way.stopSteps.begin(), way.stopSteps.end(), static_cast<int>(steps));
-    const bool found = stop != way.stopSteps.end() && index(*stop) == steps;
+    const bool found = stop != way.stopSteps.end() && at(*stop) == steps;
     return found ? static_cast<int>(stop - way.stopSteps.begin()) + 1 : -1;
 }
 
@@ -26,7 +23,7 @@ void straight(const Neighbourhoods& around, std::span<const ReadTrack> tracks, c
               Report& report) {
     for (const ReadTrack& track : tracks)
         if (const std::size_t bend = firstBend(around, track.steps); bend < track.steps.size())
-            report.violate(at(at(at(pointer, track.rank), "vertices"), bend + 1), "track straight",
+            report.violate(below(below(below(pointer, track.rank), "vertices"), bend + 1), "track straight",
                            "it does not go straight on to this vertex");
 }
 
@@ -37,7 +34,7 @@ std::vector<ReadTrack> readTracks(const Neighbourhoods& around, const std::vecto
     std::vector<ReadTrack> read;
     read.reserve(tracks.size());
     for (std::size_t i = 0; i < tracks.size(); ++i)
-        if (auto steps = readPath(around, tracks[i].vertices, at(at(pointer, i), "vertices"), report))
+        if (auto steps = readPath(around, tracks[i].vertices, below(below(pointer, i), "vertices"), report))
             read.push_back({i, std::move(*steps)});
     return read;
 }
@@ -53,7 +50,7 @@ std::vector<int> edgesOf(const Neighbourhoods& around, std::span<const ReadTrack
     result.reserve(edges.size());
     for (std::size_t i = 0; i < edges.size(); ++i) {
         if (i > 0 && edges[i].first == edges[i - 1].first)
-            report.violate(at(pointer, edges[i].second), "edge twice",
+            report.violate(below(pointer, edges[i].second), "edge twice",
                            "an edge of it lies also on track " + std::to_string(edges[i - 1].second));
         else
             result.push_back(edges[i].first);
@@ -70,33 +67,33 @@ Coordinates coordinatesOf(const Neighbourhoods& around, const LineNetwork& netwo
         found.sound = false;
     };
     for (const ReadTrack& track : tracks) {
-        const std::string here = at(pointer, track.rank);
-        const std::string path = at(here, "vertices");
+        const std::string here = below(pointer, track.rank);
+        const std::string path = below(here, "vertices");
         const auto start = network.wayByFirstStep.find(track.steps.front());
         if (start == network.wayByFirstStep.end()) {
-            unsound(at(path, std::size_t{0}), "track start",
+            unsound(below(path, std::size_t{0}), "track start",
                     "no particle starts at vertex " + std::to_string(around.from(track.steps.front())) +
                         " this way");
             continue;
         }
-        const Way& way = network.ways[index(start->second)];
+        const Way& way = network.ways[at(start->second)];
         const auto [leaves, expected] =
             std::mismatch(track.steps.begin(), track.steps.end(), way.steps.begin(), way.steps.end());
         if (leaves != track.steps.end()) {
-            unsound(at(path, static_cast<std::size_t>(leaves - track.steps.begin()) + 1), "track straight",
+            unsound(below(path, static_cast<std::size_t>(leaves - track.steps.begin()) + 1), "track straight",
                     expected == way.steps.end() ? "the separatrix ends before this vertex"
                                                 : "the track leaves its separatrix at this vertex");
             continue;
         }
         const int x = coordinateAfter(way, track.steps.size());
         if (x < 0)
-            unsound(at(path, track.steps.size()), "A4",
+            unsound(below(path, track.steps.size()), "A4",
                     "it ends where no line crosses, and nothing stops it");
-        if (found.trackOf[index(start->second)] >= 0)
+        if (found.trackOf[at(start->second)] >= 0)
             unsound(here, "track twice",
-                    "the same particle's as track " + std::to_string(found.trackOf[index(start->second)]));
-        found.trackOf[index(start->second)] = static_cast<int>(track.rank);
-        found.x[index(start->second)] = x;
+                    "the same particle's as track " + std::to_string(found.trackOf[at(start->second)]));
+        found.trackOf[at(start->second)] = static_cast<int>(track.rank);
+        found.x[at(start->second)] = x;
     }
     return found;
 }
@@ -113,11 +110,11 @@ void checkGraph(const Neighbourhoods& around, const LineNetwork& network, std::s
     const Coordinates coordinates = coordinatesOf(around, network, tracks, pointer, report);
     if (coordinates.sound)
         for (const BrokenTrackRule& broken : brokenTrackRules(network, coordinates.x)) {
-            const int track = coordinates.trackOf[index(broken.way)];
-            const int first = network.ways[index(broken.way)].steps.front();
+            const int track = coordinates.trackOf[at(broken.way)];
+            const int first = network.ways[at(broken.way)].steps.front();
             const std::string particle = "the particle from vertex " + std::to_string(around.from(first)) +
                                          " over vertex " + std::to_string(around.to(first)) + ": ";
-            report.violate(track < 0 ? pointer : at(pointer, index(track)), broken.rule,
+            report.violate(track < 0 ? pointer : below(pointer, at(track)), broken.rule,
                            particle + broken.explanation);
         }
 

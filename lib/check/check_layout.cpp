@@ -1,5 +1,6 @@
 #include "check/check_layout.h"
 
+#include "base/at.h"
 #include "base/number_text.h"
 #include "check/check_constraints.h"
 #include "check/check_front.h"
@@ -17,35 +18,31 @@ namespace {
 
 constexpr const char* tracksPlace = "/layout/tracks";
 
-std::size_t index(int i) {
-    return static_cast<std::size_t>(i);
-}
-
 /// By vertex: the lowest vertex of its component if no particle starts in the component, else -1.
 std::vector<int> componentsWithoutSource(const Neighbourhoods& around, const LineNetwork& network) {
-    std::vector<char> source(index(around.vertices()), 0);
+    std::vector<char> source(at(around.vertices()), 0);
     for (const Way& way : network.ways)
-        source[index(around.from(way.steps.front()))] = 1;
-    std::vector<int> component(index(around.vertices()), -2);
+        source[at(around.from(way.steps.front()))] = 1;
+    std::vector<int> component(at(around.vertices()), -2);
     std::vector<int> reached;
     for (int start = 0; start < around.vertices(); ++start) {
-        if (component[index(start)] != -2) continue;
+        if (component[at(start)] != -2) continue;
         reached.assign(1, start);
-        component[index(start)] = start;
+        component[at(start)] = start;
         bool any = false;
         for (std::size_t next = 0; next < reached.size(); ++next) {
             const int vertex = reached[next];
-            any = any || source[index(vertex)];
+            any = any || source[at(vertex)];
             for (int i = 0; i < around.valence(vertex); ++i) {
                 const int other = around.to(around.firstStep(vertex) + i);
-                if (component[index(other)] != -2) continue;
-                component[index(other)] = start;
+                if (component[at(other)] != -2) continue;
+                component[at(other)] = start;
                 reached.push_back(other);
             }
         }
         if (any)
             for (const int vertex : reached)
-                component[index(vertex)] = -1;
+                component[at(vertex)] = -1;
     }
     return component;
 }
@@ -75,13 +72,13 @@ class LayoutCheck {
 public:
     LayoutCheck(const Context& context, const LineNetwork& network, const LayoutPart& part, Report& report)
         : context_(context), around_(context.around), network_(network), part_(part), report_(report),
-          sourceless_(componentsWithoutSource(around_, network)), onTrack_(index(around_.edges()), 0) {}
+          sourceless_(componentsWithoutSource(around_, network)), onTrack_(at(around_.edges()), 0) {}
 
     void run() {
         auto tracks = readTracks(around_, part_.tracks, tracksPlace, report_);
         ids();
         for (const int edge : edgesOf(around_, tracks, tracksPlace, report_))
-            onTrack_[index(edge)] = 1;
+            onTrack_[at(edge)] = 1;
         prices(tracks);
 
         const auto notTransversal =
@@ -89,7 +86,7 @@ public:
                                   [&](const ReadTrack& t) { return part_.tracks[t.rank].transversal; });
         const std::span transversals(tracks.begin(), notTransversal);
         const auto ordinary = std::stable_partition(notTransversal, tracks.end(), [&](const ReadTrack& t) {
-            return sourceless_[index(around_.from(t.steps.front()))] >= 0;
+            return sourceless_[at(around_.from(t.steps.front()))] >= 0;
         });
         wholeLines(std::span(notTransversal, ordinary));
         particles(std::span(ordinary, tracks.end()));
@@ -109,7 +106,7 @@ private:
         std::unordered_set<int> seen;
         for (std::size_t i = 0; i < part_.tracks.size(); ++i)
             if (part_.tracks[i].id && !seen.insert(*part_.tracks[i].id).second)
-                report_.violate(at(at(tracksPlace, i), "id"), "id", "another track has it too");
+                report_.violate(below(below(tracksPlace, i), "id"), "id", "another track has it too");
     }
 
     void prices(std::span<const ReadTrack> tracks) {
@@ -121,7 +118,7 @@ private:
             if (!part_.tracks[track.rank].transversal) total.add(cost);
             const auto& claimed = part_.tracks[track.rank].cost;
             if (claimed && !cost.equals(*claimed))
-                report_.violate(at(at(tracksPlace, track.rank), "cost"), "cost",
+                report_.violate(below(below(tracksPlace, track.rank), "cost"), "cost",
                                 "its edges cost " + numberText(cost.value()));
         }
         if (part_.cost && !total.equals(*part_.cost))
@@ -142,7 +139,7 @@ private:
             std::size_t count = 0;
             for (const ReadTrack& track : tracks)
                 for (const int step : track.steps) {
-                    char& edge = present[index(around_.edge(step))];
+                    char& edge = present[at(around_.edge(step))];
                     count += edge == 0;
                     edge = 1;
                 }
@@ -152,15 +149,15 @@ private:
 
     /// What pruning leaves may begin and end anywhere; the segments tell whether that is right.
     void straight(const ReadTrack& track) {
-        const std::string path = at(at(tracksPlace, track.rank), "vertices");
+        const std::string path = below(below(tracksPlace, track.rank), "vertices");
         for (std::size_t k = 0; k < track.steps.size(); ++k) {
             if (around_.boundary(track.steps[k]))
-                return report_.violate(at(path, k), "track inside",
+                return report_.violate(below(path, k), "track inside",
                                        "the track runs along the mesh boundary from here");
             if (k + 1 == track.steps.size()) return;
             const int vertex = around_.to(track.steps[k]);
             if (!around_.passable(vertex) || around_.straightOn(track.steps[k]) != track.steps[k + 1])
-                return report_.violate(at(path, k + 1), "track straight",
+                return report_.violate(below(path, k + 1), "track straight",
                                        "the track does not go straight on at vertex " +
                                            std::to_string(vertex));
         }
@@ -169,7 +166,7 @@ private:
     /// Where no particle starts, the tracks of a component are those of one line.
     void wholeLines(std::span<ReadTrack> tracks) {
         const auto componentOf = [&](const ReadTrack& t) {
-            return sourceless_[index(around_.from(t.steps.front()))];
+            return sourceless_[at(around_.from(t.steps.front()))];
         };
         std::stable_sort(tracks.begin(), tracks.end(), [&](const ReadTrack& a, const ReadTrack& b) {
             return componentOf(a) < componentOf(b);
@@ -182,24 +179,24 @@ private:
             std::sort(edges.begin(), edges.end());
             if (edges != wholeLine(around_, tracks[begin].steps.front()))
                 report_.violate(
-                    at(tracksPlace, tracks[begin].rank), "whole line",
+                    below(tracksPlace, tracks[begin].rank), "whole line",
                     "no particle starts in this component, and its tracks are not one whole mesh line");
         }
     }
 
     void countVisits(const ReadTrack& track) {
-        visits_.resize(index(around_.vertices()), 0);
+        visits_.resize(at(around_.vertices()), 0);
         for (const int step : track.steps)
-            ++visits_[index(around_.from(step))];
-        ++visits_[index(around_.to(track.steps.back()))];
+            ++visits_[at(around_.from(step))];
+        ++visits_[at(around_.to(track.steps.back()))];
     }
 
     /// From one track or boundary to another, straight, and clear of tracks between.
     void transversal(const ReadTrack& track) {
-        const std::string path = at(at(tracksPlace, track.rank), "vertices");
+        const std::string path = below(below(tracksPlace, track.rank), "vertices");
         const std::size_t bend = firstBend(around_, track.steps);
         if (bend < track.steps.size()) {
-            report_.violate(at(path, bend + 1), "transversal straight",
+            report_.violate(below(path, bend + 1), "transversal straight",
                             "it does not go straight on to this vertex");
             return;
         }
@@ -211,9 +208,9 @@ private:
         for (std::size_t i = 0; i <= track.steps.size(); ++i) {
             const bool end = i == 0 || i == track.steps.size();
             const int vertex = end && i > 0 ? around_.to(track.steps.back()) : around_.from(track.steps[i]);
-            const bool other = visits_[index(vertex)] > 1 || !around_.interior(vertex);
+            const bool other = visits_[at(vertex)] > 1 || !around_.interior(vertex);
             if (other != end)
-                report_.violate(at(path, i), "transversal ends",
+                report_.violate(below(path, i), "transversal ends",
                                 end ? "it ends on no other track and not on the boundary"
                                     : "it meets another track before its end");
         }

@@ -1,5 +1,6 @@
 #include "check/check_meetings.h"
 
+#include "base/at.h"
 #include "base/number_text.h"
 #include "check/distance.h"
 #include "check/patch_borders.h"
@@ -17,10 +18,6 @@ namespace {
 using Patch = SurfacesPart::Patch;
 
 constexpr int perEdge = 16;
-
-std::size_t index(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 Place cross(const Place& a, const Place& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
@@ -59,8 +56,8 @@ private:
         const Patch& patch = part_.patches[p];
         for (std::size_t k = 0; k < 2; ++k) {
             const auto& knots = patch.knots[k];
-            const auto degree = index(patch.degree[k]);
-            const auto count = index(patch.count[k]);
+            const auto degree = at(patch.degree[k]);
+            const auto count = at(patch.count[k]);
             for (std::size_t i = degree + 1; i + degree <= count; ++i) {
                 const double line = knots[i];
                 const bool begins = knots[i - 1] < line;
@@ -146,7 +143,7 @@ void checkMeetings(const Context& context, const LayoutPart& layout, const Surfa
 bool checkFigure(std::size_t patch, const char* figure, const std::optional<double>& stated, double found,
                  double slack, const std::string& where, Report& report) {
     if (!stated || found <= *stated * (1 + 1e-6) + slack) return false;
-    report.violate(at(at(at("/surfaces/patches", patch), "deviation"), figure), "deviation",
+    report.violate(below(below(below("/surfaces/patches", patch), "deviation"), figure), "deviation",
                    "it is " + numberText(found) + " " + where);
     return true;
 }

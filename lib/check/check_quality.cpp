@@ -1,5 +1,6 @@
 #include "check/check_quality.h"
 
+#include "base/at.h"
 #include "base/number_text.h"
 
 #include <algorithm>
@@ -12,10 +13,6 @@ namespace {
 
 constexpr const char* place = "/layout/quality";
 
-std::size_t index(int i) {
-    return static_cast<std::size_t>(i);
-}
-
 bool between(double min, double value, double max) {
     const double slack = 1e-6 * std::max(1.0, std::abs(max));
     return value >= min - slack && value <= max + slack;
@@ -23,13 +20,13 @@ bool between(double min, double value, double max) {
 
 /// Vertices where a side of one segment ends within a side of another.
 double tJoints(const Neighbourhoods& around, const LayoutPart& part) {
-    std::vector<char> ends(index(around.vertices()), 0);
-    std::vector<char> within(index(around.vertices()), 0);
+    std::vector<char> ends(at(around.vertices()), 0);
+    std::vector<char> within(at(around.vertices()), 0);
     for (const auto& segment : part.segments)
         for (const auto& side : segment.sides) {
-            ends[index(side.front())] = 1;
+            ends[at(side.front())] = 1;
             for (std::size_t i = 1; i + 1 < side.size(); ++i)
-                within[index(side[i])] = 1;
+                within[at(side[i])] = 1;
         }
     double count = 0;
     for (std::size_t v = 0; v < ends.size(); ++v)
@@ -59,7 +56,7 @@ void checkSharpness(const Angles& angles, std::span<const char> onTrack, const L
         captured += onTrack[edge] ? angles.angle[edge] : 0;
     }
     if (sharp > 0 && !between(captured / sharp, *part.quality.capturedSharpness, captured / sharp))
-        report.violate(at(place, "capturedSharpness"), "quality", "it is " + numberText(captured / sharp));
+        report.violate(below(place, "capturedSharpness"), "quality", "it is " + numberText(captured / sharp));
 }
 
 } // namespace
@@ -68,7 +65,7 @@ void checkQuality(const Neighbourhoods& around, const Angles& angles, std::span<
                   const LayoutPart& part, Report& report) {
     const auto expect = [&](const std::optional<double>& claimed, const char* key, double min, double max) {
         if (claimed && !between(min, *claimed, max))
-            report.violate(at(place, key), "quality", "it is " + numberText(max));
+            report.violate(below(place, key), "quality", "it is " + numberText(max));
     };
     const auto number = static_cast<double>(part.segments.size());
     expect(part.quality.segments, "segments", number, number);

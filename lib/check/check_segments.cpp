@@ -1,5 +1,6 @@
 #include "check/check_segments.h"
 
+#include "base/at.h"
 #include "check/paths.h"
 
 #include <algorithm>
@@ -7,10 +8,6 @@
 namespace qm::check {
 
 namespace {
-
-std::size_t index(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 /// The vertices of a face, counter-clockwise, from `first` on; nothing if it is none of them.
 bool turned(std::array<int, 4>& quad, int first) {
@@ -30,22 +27,22 @@ bool sizeFits(const LayoutPart::Segment& segment) {
 std::vector<int> gridOf(const CheckedMesh& mesh, const LayoutPart::Segment& segment,
                         const std::string& pointer, Report& report) {
     if (!sizeFits(segment)) {
-        report.violate(at(pointer, "faces"), "grid", "a grid of this size has another number of faces");
+        report.violate(below(pointer, "faces"), "grid", "a grid of this size has another number of faces");
         return {};
     }
-    const std::size_t columns = index(segment.size[0]);
+    const std::size_t columns = at(segment.size[0]);
     const std::size_t width = columns + 1;
-    std::vector<int> grid(width * (index(segment.size[1]) + 1), -1);
+    std::vector<int> grid(width * (at(segment.size[1]) + 1), -1);
     grid[0] = segment.corners[0];
     for (std::size_t f = 0; f < segment.faces.size(); ++f) {
-        const std::string here = at(at(pointer, "faces"), f);
+        const std::string here = below(below(pointer, "faces"), f);
         const int face = segment.faces[f];
-        if (face < 0 || index(face) >= mesh.quads.size()) {
+        if (face < 0 || at(face) >= mesh.quads.size()) {
             report.violate(here, "face", "the mesh has no face of this number");
             return {};
         }
         const std::size_t corner = f / columns * width + f % columns;
-        auto quad = mesh.quads[index(face)];
+        auto quad = mesh.quads[at(face)];
         bool fits = turned(quad, grid[corner]);
         const std::array<std::size_t, 4> places{corner, corner + 1, corner + 1 + width, corner + width};
         for (std::size_t i = 1; i < 4 && fits; ++i) {
@@ -68,7 +65,7 @@ public:
     SegmentCheck(const CheckedMesh& mesh, const Neighbourhoods& around, std::span<const char> onTrack,
                  const LayoutPart& part, Report& report)
         : mesh_(mesh), around_(around), onTrack_(onTrack), part_(part), report_(report),
-          segmentOf_(index(around.faces()), -1), inside_(index(around.edges()), 0) {}
+          segmentOf_(at(around.faces()), -1), inside_(at(around.edges()), 0) {}
 
     void run() {
         for (std::size_t s = 0; s < part_.segments.size(); ++s)
@@ -80,14 +77,14 @@ public:
 private:
     void segment(std::size_t s) {
         const auto& segment = part_.segments[s];
-        const std::string here = at("/layout/segments", s);
+        const std::string here = below("/layout/segments", s);
         uniqueId(s, here);
         for (std::size_t f = 0; f < segment.faces.size(); ++f) {
             const int face = segment.faces[f];
             if (face < 0 || face >= around_.faces()) continue; // the grid reports it
-            int& owner = segmentOf_[index(face)];
+            int& owner = segmentOf_[at(face)];
             if (owner >= 0)
-                report_.violate(at(at(here, "faces"), f), "tiling",
+                report_.violate(below(below(here, "faces"), f), "tiling",
                                 "the face lies also in segment " + std::to_string(owner));
             owner = static_cast<int>(s);
         }
@@ -99,13 +96,13 @@ private:
 
     void uniqueId(std::size_t s, const std::string& here) {
         if (part_.segments[s].id != static_cast<int>(s))
-            report_.violate(at(here, "id"), "id", "segments are numbered from 0 in their order");
+            report_.violate(below(here, "id"), "id", "segments are numbered from 0 in their order");
     }
 
     /// Side k leads from corner k to corner k + 1 along the grid's border, faces on the left.
     void sides(const LayoutPart::Segment& segment, const std::vector<int>& grid, const std::string& here) {
-        const std::size_t a = index(segment.size[0]);
-        const std::size_t b = index(segment.size[1]);
+        const std::size_t a = at(segment.size[0]);
+        const std::size_t b = at(segment.size[1]);
         const std::size_t width = a + 1;
         std::array<std::vector<int>, 4> border;
         for (std::size_t i = 0; i <= a; ++i)
@@ -118,28 +115,28 @@ private:
             border[3].push_back(grid[(b - j) * width]);
         for (std::size_t k = 0; k < 4; ++k) {
             if (segment.corners[k] != border[k].front())
-                report_.violate(at(at(here, "corners"), k), "corner",
+                report_.violate(below(below(here, "corners"), k), "corner",
                                 "the grid's corner is vertex " + std::to_string(border[k].front()));
             const auto& side = segment.sides[k];
             const auto differs = std::mismatch(side.begin(), side.end(), border[k].begin(), border[k].end());
             if (differs.first == side.end() && differs.second == border[k].end()) continue;
-            const std::string list = at(at(here, "sides"), k);
+            const std::string list = below(below(here, "sides"), k);
             if (differs.first == side.end() || differs.second == border[k].end())
                 report_.violate(list, "side",
                                 "the grid's side has " + std::to_string(border[k].size()) + " vertices");
             else
-                report_.violate(at(list, static_cast<std::size_t>(differs.first - side.begin())), "side",
+                report_.violate(below(list, static_cast<std::size_t>(differs.first - side.begin())), "side",
                                 "the grid's side has vertex " + std::to_string(*differs.second) + " here");
         }
     }
 
     /// Marks the edges between two faces of the grid.
     void markInside(const LayoutPart::Segment& segment, const std::vector<int>& grid) {
-        const std::size_t a = index(segment.size[0]);
-        const std::size_t b = index(segment.size[1]);
+        const std::size_t a = at(segment.size[0]);
+        const std::size_t b = at(segment.size[1]);
         const std::size_t width = a + 1;
         const auto mark = [&](std::size_t from, std::size_t to) {
-            inside_[index(around_.edge(around_.stepBetween(grid[from], grid[to])))] = 1;
+            inside_[at(around_.edge(around_.stepBetween(grid[from], grid[to])))] = 1;
         };
         for (std::size_t j = 0; j < b; ++j)
             for (std::size_t i = 1; i < a; ++i)
@@ -151,20 +148,20 @@ private:
 
     void everyFace() {
         for (int face = 0; face < around_.faces(); ++face)
-            if (segmentOf_[index(face)] < 0)
+            if (segmentOf_[at(face)] < 0)
                 report_.violate("/layout/segments", "tiling",
                                 "face " + std::to_string(face) + " lies in no segment");
     }
 
     void borders() {
         for (int step = 0; step < around_.steps(); ++step) {
-            const std::size_t edge = index(around_.edge(step));
+            const std::size_t edge = at(around_.edge(step));
             if (around_.from(step) > around_.to(step) || around_.boundary(step)) continue;
-            const int left = segmentOf_[index(around_.leftFace(step))];
+            const int left = segmentOf_[at(around_.leftFace(step))];
             if (left < 0) continue;
             const std::string ends = "the edge between vertices " + std::to_string(around_.from(step)) +
                                      " and " + std::to_string(around_.to(step));
-            const std::string here = at("/layout/segments", index(left));
+            const std::string here = below("/layout/segments", at(left));
             if (inside_[edge] && onTrack_[edge])
                 report_.violate(here, "border", ends + " is inside, on a track");
             if (!inside_[edge] && !onTrack_[edge])

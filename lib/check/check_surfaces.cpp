@@ -1,5 +1,6 @@
 #include "check/check_surfaces.h"
 
+#include "base/at.h"
 #include "base/number_text.h"
 #include "check/check_segments.h"
 #include "check/distance.h"
@@ -15,18 +16,14 @@ namespace {
 
 using Patch = SurfacesPart::Patch;
 
-std::size_t index(int i) {
-    return static_cast<std::size_t>(i);
-}
-
 double boundingBoxDiagonal(const CheckedMesh& mesh) {
     Place low{HUGE_VAL, HUGE_VAL, HUGE_VAL};
     Place high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
     for (const auto& quad : mesh.quads)
         for (const int vertex : quad)
             for (std::size_t k = 0; k < 3; ++k) {
-                low[k] = std::min(low[k], mesh.points[index(vertex)][k]);
-                high[k] = std::max(high[k], mesh.points[index(vertex)][k]);
+                low[k] = std::min(low[k], mesh.points[at(vertex)][k]);
+                high[k] = std::max(high[k], mesh.points[at(vertex)][k]);
             }
     return mesh.quads.empty() ? 0 : distance(low, high);
 }
@@ -55,25 +52,27 @@ public:
     }
 
 private:
-    [[nodiscard]] static std::string pointer(std::size_t patch) { return at("/surfaces/patches", patch); }
+    [[nodiscard]] static std::string pointer(std::size_t patch) { return below("/surfaces/patches", patch); }
 
     bool shape(std::size_t p) {
         const Patch& patch = part_.patches[p];
         const std::size_t before = report_.total();
         if (patch.segment != layout_.segments[p].id)
-            report_.violate(at(pointer(p), "segment"), "one patch per segment",
+            report_.violate(below(pointer(p), "segment"), "one patch per segment",
                             "patches stand in the order of the segments; here " +
                                 std::to_string(layout_.segments[p].id) + " is due");
         if (!patch.rectangular)
-            report_.violate(at(pointer(p), "controlPoints"), "control points", "its rows differ in length");
+            report_.violate(below(pointer(p), "controlPoints"), "control points",
+                            "its rows differ in length");
         for (std::size_t k = 0; k < 2; ++k)
             direction(p, k);
         for (std::size_t i = 0; i < patch.controlPoints.size(); ++i)
             for (const double x : patch.controlPoints[i])
                 if (!std::isfinite(x)) {
-                    const std::size_t columns = std::max<std::size_t>(1, index(patch.count[0]));
-                    report_.violate(at(at(at(pointer(p), "controlPoints"), i / columns), i % columns),
-                                    "finite", "a coordinate is no finite number");
+                    const std::size_t columns = std::max<std::size_t>(1, at(patch.count[0]));
+                    report_.violate(
+                        below(below(below(pointer(p), "controlPoints"), i / columns), i % columns), "finite",
+                        "a coordinate is no finite number");
                 }
         return report_.total() == before;
     }
@@ -81,16 +80,16 @@ private:
     void direction(std::size_t p, std::size_t k) {
         const Patch& patch = part_.patches[p];
         const auto& knots = patch.knots[k];
-        const std::string here = at(at(pointer(p), "knots"), k);
+        const std::string here = below(below(pointer(p), "knots"), k);
         if (patch.degree[k] < 1 || patch.degree[k] > maxDegree) {
-            report_.violate(at(at(pointer(p), "degree"), k), "degree",
+            report_.violate(below(below(pointer(p), "degree"), k), "degree",
                             "degrees are 1 to " + std::to_string(maxDegree));
             return;
         }
-        const std::size_t degree = index(patch.degree[k]);
-        const std::size_t count = index(std::max(0, patch.count[k]));
+        const std::size_t degree = at(patch.degree[k]);
+        const std::size_t count = at(std::max(0, patch.count[k]));
         if (count < degree + 1) {
-            report_.violate(at(pointer(p), "controlPoints"), "control points",
+            report_.violate(below(pointer(p), "controlPoints"), "control points",
                             "fewer than degree + 1 in a direction");
             return;
         }
@@ -102,7 +101,7 @@ private:
         }
         for (std::size_t i = 0; i < knots.size(); ++i)
             if (!std::isfinite(knots[i]) || (i > 0 && knots[i] < knots[i - 1])) {
-                report_.violate(at(here, i), "knots", "knots are finite and do not decrease");
+                report_.violate(below(here, i), "knots", "knots are finite and do not decrease");
                 return;
             }
         const double max = layout_.segments[p].size[k];
@@ -118,12 +117,12 @@ private:
 
     void interpolation(std::size_t p) {
         const auto vertices = grid(p);
-        const std::size_t width = index(layout_.segments[p].size[0]) + 1;
+        const std::size_t width = at(layout_.segments[p].size[0]) + 1;
         for (std::size_t i = 0; i < vertices.size(); ++i) {
             const std::size_t column = i % width, row = i / width;
             const auto here =
                 evaluate(part_.patches[p], static_cast<double>(column), static_cast<double>(row));
-            const double error = distance(here.point, mesh_.points[index(vertices[i])]);
+            const double error = distance(here.point, mesh_.points[at(vertices[i])]);
             if (error <= 1e-9 * diagonal_) continue;
             report_.violate(pointer(p), "interpolation",
                             "it misses vertex " + std::to_string(vertices[i]) + " by " + numberText(error));
@@ -147,15 +146,15 @@ private:
     }
 
     void farthest(const SurfacesPart::Farthest& place) {
-        const bool there = place.patch >= 0 && index(place.patch) < part_.patches.size();
+        const bool there = place.patch >= 0 && at(place.patch) < part_.patches.size();
         const auto inside = [&](std::size_t k) {
-            return place.at[k] >= 0 && place.at[k] <= layout_.segments[index(place.patch)].size[k];
+            return place.at[k] >= 0 && place.at[k] <= layout_.segments[at(place.patch)].size[k];
         };
         if (!there || !inside(0) || !inside(1)) {
             report_.violate("/surfaces/farthest", "farthest place", "it lies on no patch");
             return;
         }
-        const Place point = evaluate(part_.patches[index(place.patch)], place.at[0], place.at[1]).point;
+        const Place point = evaluate(part_.patches[at(place.patch)], place.at[0], place.at[1]).point;
         if (!(distance(point, place.point) <= 1e-9 * diagonal_))
             report_.violate("/surfaces/farthest/point", "farthest place",
                             "the patch is elsewhere at these parameters");

@@ -1,5 +1,7 @@
 #include "check/distance.h"
 
+#include "base/at.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -78,12 +80,12 @@ double distance(const Place& a, const Place& b) {
 }
 
 Place pointOf(const CheckedMesh& mesh, int face, double s, double t) {
-    const auto& quad = mesh.quads[static_cast<std::size_t>(face)];
+    const auto& quad = mesh.quads[at(face)];
     const std::array<double, 4> weight{(1 - s) * (1 - t), s * (1 - t), s * t, (1 - s) * t};
     Place sum{};
     for (std::size_t i = 0; i < 4; ++i)
         for (std::size_t k = 0; k < 3; ++k)
-            sum[k] += weight[i] * mesh.points[static_cast<std::size_t>(quad[i])][k];
+            sum[k] += weight[i] * mesh.points[at(quad[i])][k];
     return sum;
 }
 
@@ -102,7 +104,7 @@ double distanceToMesh(const CheckedMesh& mesh, const Neighbourhoods& around, int
     double min = distanceToFace(mesh, face, point);
     while (true) {
         int nearer = -1;
-        for (const int vertex : mesh.quads[static_cast<std::size_t>(face)]) {
+        for (const int vertex : mesh.quads[at(face)]) {
             const int first = around.firstStep(vertex);
             for (int step = first; step < first + around.valence(vertex); ++step) {
                 const int other = around.leftFace(step);
@@ -120,7 +122,7 @@ double distanceToMesh(const CheckedMesh& mesh, const Neighbourhoods& around, int
 }
 
 double distanceToPatch(const SurfacesPart::Patch& patch, Parameters parameters, const Place& point) {
-    const auto max = [&](std::size_t k) { return patch.knots[k][static_cast<std::size_t>(patch.count[k])]; };
+    const auto max = [&](std::size_t k) { return patch.knots[k][at(patch.count[k])]; };
     return nearest([&](const Parameters& at) { return evaluate(patch, at[0], at[1]); }, parameters,
                    {max(0), max(1)}, point);
 }

@@ -1,5 +1,7 @@
 #include "check/lines.h"
 
+#include "base/at.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,19 +9,15 @@ namespace qm::check {
 
 namespace {
 
-std::size_t index(int i) {
-    return static_cast<std::size_t>(i);
-}
-
 class Tracer {
 public:
     Tracer(const Neighbourhoods& around, const TraceInput& input)
-        : around_(around), input_(input), seedStep_(index(around.vertices()), -1),
-          covered_(index(around.steps()), 0), reached_(index(around.steps()), 0),
-          visitedBy_(index(around.vertices()), -1), crossing_(index(around.vertices()), -1),
-          junction_(index(around.vertices()), 0), networks_(index(input.subMeshes)) {
+        : around_(around), input_(input), seedStep_(at(around.vertices()), -1),
+          covered_(at(around.steps()), 0), reached_(at(around.steps()), 0),
+          visitedBy_(at(around.vertices()), -1), crossing_(at(around.vertices()), -1),
+          junction_(at(around.vertices()), 0), networks_(at(input.subMeshes)) {
         for (const int step : input.seedSteps)
-            seedStep_[index(around.from(step))] = step;
+            seedStep_[at(around.from(step))] = step;
     }
 
     std::vector<LineNetwork> run() {
@@ -34,7 +32,7 @@ public:
 
 private:
     [[nodiscard]] int label(int vertex) const {
-        return input_.labels.empty() ? 0 : input_.labels[index(vertex)];
+        return input_.labels.empty() ? 0 : input_.labels[at(vertex)];
     }
 
     /// True if a particle starts at the step's first vertex and takes this step.
@@ -42,7 +40,7 @@ private:
         const int vertex = around_.from(step);
         if (around_.boundary(step)) return false;
         if (!around_.regular(vertex)) return true;
-        const int seed = seedStep_[index(vertex)];
+        const int seed = seedStep_[at(vertex)];
         return seed >= 0 && (step == seed || step == around_.turn(seed, 2));
     }
 
@@ -53,24 +51,24 @@ private:
     }
 
     void trace(int step, int subMesh) {
-        LineNetwork& network = networks_[index(subMesh)];
+        LineNetwork& network = networks_[at(subMesh)];
         network.wayByFirstStep.emplace(step, static_cast<int>(network.ways.size()));
         Way way;
         const int mark = ways_++;
-        visitedBy_[index(around_.from(step))] = mark;
+        visitedBy_[at(around_.from(step))] = mark;
         while (true) {
             way.steps.push_back(step);
-            covered_[index(step)] = 1;
+            covered_[at(step)] = 1;
             const int reached = around_.to(step);
             const bool inside = label(reached) == subMesh;
-            if (inside) covered_[index(around_.back(step))] = 1;
+            if (inside) covered_[at(around_.back(step))] = 1;
             if (way.reach == 0) {
-                reached_[index(step)] = 1;
-                if (inside) reached_[index(around_.back(step))] = 1;
+                reached_[at(step)] = 1;
+                if (inside) reached_[at(around_.back(step))] = 1;
                 // An end at the own source is an end like any other.
-                const bool twice = visitedBy_[index(reached)] == mark && around_.passable(reached);
+                const bool twice = visitedBy_[at(reached)] == mark && around_.passable(reached);
                 if (twice) way.reach = static_cast<int>(way.steps.size());
-                visitedBy_[index(reached)] = mark;
+                visitedBy_[at(reached)] = mark;
             }
             if (!inside) break;
             if (!around_.passable(reached) || isFirstStep(around_.back(step))) break;
@@ -87,16 +85,16 @@ private:
         int covered = 0;
         int reached = 0;
         for (int step = first; step < first + 4; ++step) {
-            covered += covered_[index(step)];
-            reached += reached_[index(step)];
+            covered += covered_[at(step)];
+            reached += reached_[at(step)];
         }
-        LineNetwork& network = networks_[index(label(vertex))];
-        junction_[index(vertex)] = reached >= 3;
+        LineNetwork& network = networks_[at(label(vertex))];
+        junction_[at(vertex)] = reached >= 3;
         network.ordinaryJunctions += reached >= 3;
         if (covered < 4) return;
         auto& crossings = network.crossings;
-        crossing_[index(vertex)] = static_cast<int>(crossings.size());
-        crossings.push_back({vertex, {}, seedStep_[index(vertex)] >= 0});
+        crossing_[at(vertex)] = static_cast<int>(crossings.size());
+        crossings.push_back({vertex, {}, seedStep_[at(vertex)] >= 0});
     }
 
     void finish(LineNetwork& network) const {
@@ -112,12 +110,12 @@ private:
                 const int arrival = around_.back(way.steps[walked - 1]);
                 const int vertex = around_.from(arrival);
                 const bool withinReach = static_cast<int>(walked) < way.reach;
-                if (withinReach && junction_[index(vertex)]) ++way.candidateStops;
-                const int crossing = crossing_[index(vertex)];
+                if (withinReach && junction_[at(vertex)]) ++way.candidateStops;
+                const int crossing = crossing_[at(vertex)];
                 if (crossing < 0) continue;
                 way.stops.push_back(crossing);
                 way.stopSteps.push_back(static_cast<int>(walked));
-                network.crossings[index(crossing)].from[index(arrival - around_.firstStep(vertex))] = {
+                network.crossings[at(crossing)].from[at(arrival - around_.firstStep(vertex))] = {
                     static_cast<int>(w), static_cast<int>(way.stops.size())};
             }
         }
@@ -142,7 +140,7 @@ std::vector<LineNetwork> traceLines(const Neighbourhoods& around, const TraceInp
 }
 
 Meeting meetingAt(const LineNetwork& network, int way, int x) {
-    const Crossing& crossing = network.crossings[index(network.ways[index(way)].stops[index(x) - 1])];
+    const Crossing& crossing = network.crossings[at(network.ways[at(way)].stops[at(x) - 1])];
     std::size_t side = 0;
     while (crossing.from[side].way != way || crossing.from[side].coordinate != x)
         ++side;

@@ -1,6 +1,7 @@
 /// \file Separatrices, traced anew, with their junctions and coordinates (docs/METHOD.md#base-complex).
 #pragma once
 
+#include "base/at.h"
 #include "check/neighbourhoods.h"
 
 #include <array>
@@ -29,7 +30,7 @@ struct Way {
     /// The number of steps to coordinate x.
     [[nodiscard]] int stepsTo(int x) const {
         if (x == length()) return static_cast<int>(steps.size());
-        return x == 0 ? 0 : stopSteps[static_cast<std::size_t>(x) - 1];
+        return x == 0 ? 0 : stopSteps[at(x) - 1];
     }
 };
 

@@ -36,24 +36,23 @@ Neighbourhoods::Neighbourhoods(const CheckedMesh& mesh) {
     std::vector<int> begin(vertexCount + 1, 0);
     for (const auto& quad : mesh.quads)
         for (const int vertex : quad)
-            ++begin[index(vertex) + 1];
+            ++begin[at(vertex) + 1];
     for (std::size_t v = 0; v < vertexCount; ++v)
         begin[v + 1] += begin[v];
     std::vector<Corner> corners(mesh.quads.size() * 4);
     std::vector<int> filled(begin.begin(), begin.end() - 1);
     for (int face = 0; face < faces_; ++face) {
-        const auto& quad = mesh.quads[index(face)];
+        const auto& quad = mesh.quads[at(face)];
         for (std::size_t i = 0; i < 4; ++i)
-            corners[index(filled[index(quad[i])]++)] = {quad[(i + 1) % 4], quad[(i + 3) % 4],
-                                                        4 * face + static_cast<int>(i)};
+            corners[at(filled[at(quad[i])]++)] = {quad[(i + 1) % 4], quad[(i + 3) % 4],
+                                                  4 * face + static_cast<int>(i)};
     }
 
     stepOfSide_.resize(corners.size());
     first_.push_back(0);
     closed_.reserve(vertexCount);
     for (std::size_t v = 0; v < vertexCount; ++v)
-        addFan(static_cast<int>(v),
-               std::span(corners).subspan(index(begin[v]), index(begin[v + 1] - begin[v])));
+        addFan(static_cast<int>(v), std::span(corners).subspan(at(begin[v]), at(begin[v + 1] - begin[v])));
     pairSteps(mesh);
 }
 
@@ -72,8 +71,8 @@ void Neighbourhoods::addFan(int vertex, std::span<Corner> corners) {
             badVertex(vertex, "two faces leave it along the same edge in the same direction");
         const int after = cornerAfter(corners[i].previous);
         if (after < 0) continue;
-        if (hasBefore[index(after)]) badVertex(vertex, "two faces reach it along the same edge");
-        hasBefore[index(after)] = 1;
+        if (hasBefore[at(after)]) badVertex(vertex, "two faces reach it along the same edge");
+        hasBefore[at(after)] = 1;
     }
 
     // An open fan begins at the only corner that no other comes before.
@@ -83,8 +82,8 @@ void Neighbourhoods::addFan(int vertex, std::span<Corner> corners) {
     std::size_t walked = 0;
     if (!corners.empty()) {
         while (true) {
-            const Corner& here = corners[index(corner)];
-            stepOfSide_[index(here.side)] = static_cast<int>(to_.size());
+            const Corner& here = corners[at(corner)];
+            stepOfSide_[at(here.side)] = static_cast<int>(to_.size());
             to_.push_back(here.next);
             left_.push_back(here.side / 4);
             ++walked;
@@ -113,10 +112,10 @@ void Neighbourhoods::pairSteps(const CheckedMesh& mesh) {
         const int step = stepOfSide_[side];
         const int beside = stepOfSide_[corner];
         const int other = firstStep(vertex) + (beside - firstStep(vertex) + 1) % valence(vertex);
-        back_[index(step)] = other;
-        back_[index(other)] = step;
-        if (edge_[index(step)] >= 0) continue;
-        edge_[index(step)] = edge_[index(other)] = edges_++;
+        back_[at(step)] = other;
+        back_[at(other)] = step;
+        if (edge_[at(step)] >= 0) continue;
+        edge_[at(step)] = edge_[at(other)] = edges_++;
     }
 }
 

@@ -3,6 +3,8 @@
 /// Built from nothing but the list of faces, so that no adjacency of the other modules is taken on trust.
 #pragma once
 
+#include "base/at.h"
+
 #include <array>
 #include <cstddef>
 #include <span>
@@ -31,20 +33,20 @@ public:
     [[nodiscard]] int edges() const { return edges_; }
     [[nodiscard]] int steps() const { return static_cast<int>(to_.size()); }
 
-    [[nodiscard]] int valence(int vertex) const { return first_[index(vertex) + 1] - first_[index(vertex)]; }
-    [[nodiscard]] int firstStep(int vertex) const { return first_[index(vertex)]; }
-    [[nodiscard]] bool interior(int vertex) const { return closed_[index(vertex)] && valence(vertex) > 0; }
+    [[nodiscard]] int valence(int vertex) const { return first_[at(vertex) + 1] - first_[at(vertex)]; }
+    [[nodiscard]] int firstStep(int vertex) const { return first_[at(vertex)]; }
+    [[nodiscard]] bool interior(int vertex) const { return closed_[at(vertex)] && valence(vertex) > 0; }
     /// Interior with four edges, or on the boundary with one or two faces; a vertex of no face counts too.
     [[nodiscard]] bool regular(int vertex) const;
     /// True where a mesh line goes on: interior with four edges.
     [[nodiscard]] bool passable(int vertex) const { return interior(vertex) && valence(vertex) == 4; }
 
-    [[nodiscard]] int from(int step) const { return to_[index(back_[index(step)])]; }
-    [[nodiscard]] int to(int step) const { return to_[index(step)]; }
-    [[nodiscard]] int back(int step) const { return back_[index(step)]; }
-    [[nodiscard]] int edge(int step) const { return edge_[index(step)]; }
+    [[nodiscard]] int from(int step) const { return to_[at(back_[at(step)])]; }
+    [[nodiscard]] int to(int step) const { return to_[at(step)]; }
+    [[nodiscard]] int back(int step) const { return back_[at(step)]; }
+    [[nodiscard]] int edge(int step) const { return edge_[at(step)]; }
     /// The face to the left; -1 where the mesh ends.
-    [[nodiscard]] int leftFace(int step) const { return left_[index(step)]; }
+    [[nodiscard]] int leftFace(int step) const { return left_[at(step)]; }
     [[nodiscard]] bool boundary(int step) const { return leftFace(step) < 0 || leftFace(back(step)) < 0; }
 
     /// The step from one vertex to another; -1 if no edge joins them.
@@ -55,7 +57,6 @@ public:
     [[nodiscard]] int turn(int step, int quarters) const;
 
 private:
-    static std::size_t index(int i) { return static_cast<std::size_t>(i); }
     struct Corner {
         int next;     ///< the vertex after the corner, around its face
         int previous; ///< the vertex before it

@@ -1,5 +1,7 @@
 #include "check/patch_borders.h"
 
+#include "base/at.h"
+
 namespace qm::check {
 
 std::vector<std::vector<BorderPlace>> patchBorders(const Neighbourhoods& around, const LayoutPart& layout) {
@@ -17,8 +19,7 @@ std::vector<std::vector<BorderPlace>> patchBorders(const Neighbourhoods& around,
                     return std::array<double, 2>{corners[k][0] + ways[k][0] * static_cast<double>(n),
                                                  corners[k][1] + ways[k][1] * static_cast<double>(n)};
                 };
-                places[static_cast<std::size_t>(around.edge(step))].push_back(
-                    {patch, parameters(i - 1), parameters(i)});
+                places[at(around.edge(step))].push_back({patch, parameters(i - 1), parameters(i)});
             }
     }
     return places;

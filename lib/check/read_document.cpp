@@ -287,7 +287,7 @@ void checkHistory(const Json& root, Report& report) {
     const auto all = stages(root);
     for (std::size_t i = 1; i < all.size(); ++i)
         if (all[i].first < all[i - 1].first)
-            report.violate(at("/history", all[i].second), "history",
+            report.violate(below("/history", all[i].second), "history",
                            std::string(pipeline[all[i].first].name) + " comes after " +
                                pipeline[all[i - 1].first].name + ", whose section it would have dropped");
     const auto kind = text(member(root, "kind"));

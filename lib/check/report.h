@@ -41,10 +41,10 @@ private:
 };
 
 /// A pointer one level deeper.
-[[nodiscard]] inline std::string at(const std::string& pointer, std::size_t index) {
+[[nodiscard]] inline std::string below(const std::string& pointer, std::size_t index) {
     return pointer + "/" + std::to_string(index);
 }
-[[nodiscard]] inline std::string at(const std::string& pointer, const char* key) {
+[[nodiscard]] inline std::string below(const std::string& pointer, const char* key) {
     return pointer + "/" + key;
 }
 

@@ -1,5 +1,7 @@
 #include "check/track_rules.h"
 
+#include "base/at.h"
+
 namespace qm::check {
 
 namespace {
@@ -19,8 +21,8 @@ public:
     }
 
 private:
-    [[nodiscard]] const Way& way() const { return network_.ways[static_cast<std::size_t>(way_)]; }
-    [[nodiscard]] int x(int way) const { return x_[static_cast<std::size_t>(way)]; }
+    [[nodiscard]] const Way& way() const { return network_.ways[at(way_)]; }
+    [[nodiscard]] int x(int way) const { return x_[at(way)]; }
     [[nodiscard]] bool passes(const Arrival& other) const {
         return other.way >= 0 && x(other.way) > other.coordinate;
     }

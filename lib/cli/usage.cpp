@@ -1,5 +1,6 @@
 #include "cli/usage.h"
 
+#include "base/at.h"
 #include "base/number_text.h"
 #include "document/json.h"
 #include "document/version.h"
@@ -77,7 +78,7 @@ Json describeOption(const OptionRecord& option) {
     Json entry{{"name", "--" + option.name}};
     if (!option.shortName.empty()) entry["short"] = "-" + option.shortName;
     entry["group"] = option.group;
-    entry["type"] = types[static_cast<std::size_t>(option.type)];
+    entry["type"] = types[at(option.type)];
     if (!option.placeholder.empty()) entry["placeholder"] = option.placeholder;
     if (std::isfinite(option.range.min)) entry["minimum"] = option.range.min;
     if (std::isfinite(option.range.max)) entry["maximum"] = option.range.max;

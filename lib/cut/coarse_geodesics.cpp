@@ -1,5 +1,7 @@
 #include "cut/coarse_geodesics.h"
 
+#include "base/at.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,10 +10,6 @@ namespace qm {
 namespace {
 
 constexpr int unknown = std::numeric_limits<int>::max();
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
 
 /// Edges from a centre to the border of its cell: in a grid of quads, cells of this radius have about
 /// 3/4 (radius + 1)^2 vertices.

@@ -1,6 +1,7 @@
 /// \file Geodesic distances on a large sub-mesh, by way of a coarser mesh (docs/METHOD.md#mesh-cut).
 #pragma once
 
+#include "base/at.h"
 #include "cut/geodesics.h"
 
 #include <optional>
@@ -35,7 +36,7 @@ private:
     void growCell(VertexId centre, int radius);
     void addTies(VertexId vertex, std::vector<Tie>& ties) const;
     void findNeighbours(const std::vector<Tie>& ties);
-    [[nodiscard]] int& cellOf(VertexId vertex) { return cellOf_[static_cast<std::size_t>(vertex.idx())]; }
+    [[nodiscard]] int& cellOf(VertexId vertex) { return cellOf_[at(vertex)]; }
     [[nodiscard]] double length(VertexId vertex, int cell) const;
 
     const QuadMesh& mesh_;

@@ -1,5 +1,6 @@
 #include "cut/cut.h"
 
+#include "base/at.h"
 #include "cut/coarse_geodesics.h"
 #include "cut/energy.h"
 #include "cut/measure.h"
@@ -14,10 +15,6 @@
 
 namespace qm {
 namespace {
-
-std::size_t at(VertexId vertex) {
-    return static_cast<std::size_t>(vertex.idx());
-}
 
 /// A sub-mesh while it may still be cut.
 struct Piece {
@@ -98,18 +95,17 @@ private:
         nextLabel_ += count;
         std::vector<std::size_t> sizes(parts.size(), 0);
         for (const int part : partOf)
-            ++sizes[static_cast<std::size_t>(part)];
+            ++sizes[at(part)];
         for (std::size_t part = 0; part < parts.size(); ++part)
             parts[part].vertices.reserve(sizes[part]);
         for (std::size_t k = 0; k < piece.vertices.size(); ++k) {
             labels_[at(piece.vertices[k])] = base + partOf[k];
-            parts[static_cast<std::size_t>(partOf[k])].vertices.push_back(piece.vertices[k]);
+            parts[at(partOf[k])].vertices.push_back(piece.vertices[k]);
         }
         for (const std::size_t i : piece.separatrices)
-            parts[static_cast<std::size_t>(labels_[at(measure_.sourceOf(i))] - base)].separatrices.push_back(
-                i);
+            parts[at(labels_[at(measure_.sourceOf(i))] - base)].separatrices.push_back(i);
         for (int part = 0; part < count; ++part) {
-            Piece& made = parts[static_cast<std::size_t>(part)];
+            Piece& made = parts[at(part)];
             made.measures.source = piece.measures.source;
             made.measures.sink = piece.measures.sink;
             remeasure(made, base + part);
@@ -151,14 +147,14 @@ private:
         std::vector<int> partOfComponent(static_cast<std::size_t>(components), -1);
         int parts = 0;
         for (const std::size_t i : piece.separatrices) {
-            int& part = partOfComponent[static_cast<std::size_t>(component_[at(measure_.sourceOf(i))])];
+            int& part = partOfComponent[at(component_[at(measure_.sourceOf(i))])];
             if (part < 0) part = parts++;
         }
         const bool others = std::ranges::count(partOfComponent, -1) > 0;
         std::ranges::replace(partOfComponent, -1, parts);
         std::vector<int> partOf;
         for (const VertexId vertex : piece.vertices)
-            partOf.push_back(partOfComponent[static_cast<std::size_t>(component_[at(vertex)])]);
+            partOf.push_back(partOfComponent[at(component_[at(vertex)])]);
         return divide(piece, partOf, parts + (others ? 1 : 0));
     }
 

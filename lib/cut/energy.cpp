@@ -1,5 +1,7 @@
 #include "cut/energy.h"
 
+#include "base/at.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -11,16 +13,12 @@ namespace {
 /// Larger weights than this mean "infinite"; sums of them stay finite.
 constexpr double largestWeight = 1e100;
 
-std::size_t at(VertexId vertex) {
-    return static_cast<std::size_t>(vertex.idx());
-}
-
 std::vector<double> sharpestAtVertices(const QuadMesh& mesh, const std::vector<double>& angles) {
     std::vector<double> sharpest(mesh.n_vertices(), 0);
     for (const EdgeId edge : mesh.edges()) {
         const HalfedgeId halfedge = mesh.halfedge_handle(edge, 0);
         for (const VertexId end : {mesh.from_vertex_handle(halfedge), mesh.to_vertex_handle(halfedge)})
-            sharpest[at(end)] = std::max(sharpest[at(end)], angles[static_cast<std::size_t>(edge.idx())]);
+            sharpest[at(end)] = std::max(sharpest[at(end)], angles[at(edge)]);
     }
     return sharpest;
 }
@@ -48,9 +46,7 @@ CutProblem Energy::operator()(const std::vector<VertexId>& vertices,
         const double fromSource = nearness[k], sum = fromSource + fromSink[k];
         nearness[k] = sum > 0 && std::isfinite(sum) ? 1 - fromSource / sum : 0.5;
     }
-    const auto nearnessOf = [&](VertexId vertex) -> double& {
-        return nearness[static_cast<std::size_t>(node_[at(vertex)])];
-    };
+    const auto nearnessOf = [&](VertexId vertex) -> double& { return nearness[at(node_[at(vertex)])]; };
     const auto& [sourceGroup, sinkGroup] = terminals.groups;
     if (sourceGroup.empty() && sinkGroup.empty())
         for (const VertexId vertex : extraordinary)

@@ -1,5 +1,7 @@
 #include "cut/geodesics.h"
 
+#include "base/at.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,10 +11,6 @@ namespace qm {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
 
 std::vector<Point> pointsOf(const QuadMesh& mesh) {
     std::vector<Point> points;

@@ -3,6 +3,7 @@
 /// (docs/METHOD.md#melvaer-2012).
 #pragma once
 
+#include "base/at.h"
 #include "cut/front.h"
 #include "cut/surface_distances.h"
 
@@ -63,8 +64,8 @@ private:
     void reach(const Quad& quad, unsigned from, unsigned to, int part);
     [[nodiscard]] double across(const Quad& quad, unsigned a, unsigned b, unsigned target,
                                 double limit) const;
-    [[nodiscard]] Node& nodeAt(int node) { return nodes_[static_cast<std::size_t>(node)]; }
-    [[nodiscard]] const Node& nodeAt(int node) const { return nodes_[static_cast<std::size_t>(node)]; }
+    [[nodiscard]] Node& nodeAt(int node) { return nodes_[at(node)]; }
+    [[nodiscard]] const Node& nodeAt(int node) const { return nodes_[at(node)]; }
 
     const std::vector<int>& part_;
     std::vector<Node> nodes_; ///< the vertices in an order that has neighbours close to each other

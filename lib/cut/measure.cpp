@@ -1,13 +1,11 @@
 #include "cut/measure.h"
 
+#include "base/at.h"
+
 #include <cmath>
 
 namespace qm {
-namespace {
-std::size_t at(VertexId vertex) {
-    return static_cast<std::size_t>(vertex.idx());
-}
-} // namespace
+namespace {} // namespace
 
 Measure::Measure(const QuadMesh& mesh, const BaseComplex& complex)
     : mesh_(mesh), complex_(complex), seeds_(mesh.n_vertices(), 0), passes_(mesh.n_vertices(), 0) {
@@ -78,11 +76,11 @@ std::vector<SubMesh> measureSubMeshes(const QuadMesh& mesh, const BaseComplex& c
     Measure measure(mesh, complex);
     std::vector<std::vector<std::size_t>> separatrices(static_cast<std::size_t>(count));
     for (std::size_t i = 0; i < complex.separatrices.size(); ++i)
-        separatrices[static_cast<std::size_t>(labels[at(measure.sourceOf(i))])].push_back(i);
+        separatrices[at(labels[at(measure.sourceOf(i))])].push_back(i);
     std::vector<SubMesh> result;
     result.reserve(separatrices.size());
     for (int label = 0; label < count; ++label)
-        result.push_back(measure(separatrices[static_cast<std::size_t>(label)], labels, label));
+        result.push_back(measure(separatrices[at(label)], labels, label));
     return result;
 }
 

@@ -1,5 +1,7 @@
 #include "cut/min_cut.h"
 
+#include "base/at.h"
+
 // GCC 12 takes an empty boost::optional inside the graph's edge iterators for an uninitialised one.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
@@ -13,10 +15,6 @@
 
 namespace qm {
 namespace {
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
 
 struct Neighbour {
     int node;

@@ -1,5 +1,6 @@
 #include "document/constraints_section.h"
 
+#include "base/at.h"
 #include "document/mesh_paths.h"
 
 namespace qm {
@@ -12,7 +13,7 @@ public:
         : mesh_(mesh), onLine_(mesh.n_edges()), required_(mesh.n_edges()), forbidden_(mesh.n_edges()) {
         for (const Separatrix& separatrix : complex.separatrices)
             for (const HalfedgeId halfedge : separatrix.halfedges)
-                onLine_[index(mesh.edge_handle(halfedge))] = true;
+                onLine_[at(mesh.edge_handle(halfedge))] = true;
     }
 
     std::vector<EdgeId> read(const JsonPlace& list, bool required) {
@@ -30,14 +31,14 @@ public:
                         k + 1,
                         "the edge to this vertex is on the mesh boundary, which always bounds patches");
                 }
-                if (!onLine_[index(edge)])
+                if (!onLine_[at(edge)])
                     vertices.failAt(
                         k + 1, "the edge to this vertex lies on no separatrix, so no patch can end there",
                         "Demand edges of separatrices or of lines with a feature seed");
-                if (others[index(edge)])
+                if (others[at(edge)])
                     vertices.failAt(k + 1, "the edge to this vertex is both required and forbidden");
-                if (!known[index(edge)]) edges.push_back(edge);
-                known[index(edge)] = true;
+                if (!known[at(edge)]) edges.push_back(edge);
+                known[at(edge)] = true;
             }
         }
         return edges;
@@ -52,12 +53,11 @@ public:
             const std::vector<HalfedgeId> path = pathAt(mesh_, vertices);
             for (std::size_t k = 0; k < path.size(); ++k) {
                 const EdgeId edge = mesh_.edge_handle(path[k]);
-                if (!onLine_[index(edge)])
+                if (!onLine_[at(edge)])
                     vertices.failAt(
                         k + 1, "the edge to this vertex lies on no separatrix, so no patch can end there");
-                if (known[index(edge)])
-                    vertices.failAt(k + 1, "the edge to this vertex has a weight already");
-                known[index(edge)] = true;
+                if (known[at(edge)]) vertices.failAt(k + 1, "the edge to this vertex has a weight already");
+                known[at(edge)] = true;
                 weights.emplace_back(edge, weight);
             }
         }
@@ -65,8 +65,6 @@ public:
     }
 
 private:
-    static std::size_t index(EdgeId edge) { return static_cast<std::size_t>(edge.idx()); }
-
     const QuadMesh& mesh_;
     std::vector<bool> onLine_;
     std::vector<bool> required_;

@@ -1,5 +1,6 @@
 #include "document/enumeration_section.h"
 
+#include "base/at.h"
 #include "document/mesh_paths.h"
 #include "document/options.h"
 #include "layout/corners.h"
@@ -13,7 +14,7 @@ namespace qm {
 SeparatrixIndex::SeparatrixIndex(const QuadMesh& mesh, const BaseComplex& complex)
     : starts_(mesh.n_halfedges()) {
     for (std::size_t i = 0; i < complex.separatrices.size(); ++i)
-        starts_[static_cast<std::size_t>(complex.separatrices[i].halfedges.front().idx())] = SeparatrixId(i);
+        starts_[at(complex.separatrices[i].halfedges.front())] = SeparatrixId(i);
 }
 
 // ------------------------------------------------------------------------------------------------- writing
@@ -189,9 +190,7 @@ private:
                                                          : "the particle's way does not turn to this vertex");
     }
 
-    [[nodiscard]] std::size_t edgeIndex(HalfedgeId halfedge) const {
-        return static_cast<std::size_t>(mesh_.edge_handle(halfedge).idx());
-    }
+    [[nodiscard]] std::size_t edgeIndex(HalfedgeId halfedge) const { return at(mesh_.edge_handle(halfedge)); }
 
     void verifyOnLines(const JsonPlace& vertices, const std::vector<HalfedgeId>& path) const {
         requireStraight(mesh_, path, vertices);
@@ -205,7 +204,7 @@ private:
     void verifyStartsInside(const JsonPlace& vertices, const std::vector<HalfedgeId>& path, int label) const {
         const std::vector<int>& labels = context_.subMeshes.labels;
         if (labels.empty()) return;
-        if (labels[static_cast<std::size_t>(mesh_.from_vertex_handle(path.front()).idx())] != label)
+        if (labels[at(mesh_.from_vertex_handle(path.front()))] != label)
             vertices.failAt(0, "the track starts in another sub-mesh");
     }
 

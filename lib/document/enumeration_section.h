@@ -1,6 +1,7 @@
 /// \file The section `enumeration`.
 #pragma once
 
+#include "base/at.h"
 #include "basecomplex/base_complex.h"
 #include "document/json_place.h"
 #include "enumerate/enumerate.h"
@@ -12,9 +13,7 @@ class SeparatrixIndex {
 public:
     SeparatrixIndex(const QuadMesh& mesh, const BaseComplex& complex);
     /// Invalid if there is none.
-    [[nodiscard]] SeparatrixId startingWith(HalfedgeId halfedge) const {
-        return starts_[static_cast<std::size_t>(halfedge.idx())];
-    }
+    [[nodiscard]] SeparatrixId startingWith(HalfedgeId halfedge) const { return starts_[at(halfedge)]; }
 
 private:
     std::vector<SeparatrixId> starts_; ///< by halfedge

@@ -1,5 +1,6 @@
 #include "document/features_section.h"
 
+#include "base/at.h"
 #include "document/mesh_paths.h"
 #include "document/options_json.h"
 #include "mesh/topology.h"
@@ -39,12 +40,12 @@ public:
 
     void claim(const FeatureCurve& curve, const JsonPlace& place) {
         for (std::size_t i = 0; i < curve.halfedges.size(); ++i) {
-            const auto edge = static_cast<std::size_t>(mesh_.edge_handle(curve.halfedges[i]).idx());
+            const auto edge = at(mesh_.edge_handle(curve.halfedges[i]));
             if (edges_[edge])
                 place["vertices"].failAt(i + 1, "the edge to this vertex lies on a curve already");
             edges_[edge] = true;
         }
-        const auto seed = static_cast<std::size_t>(curve.seed.idx());
+        const auto seed = at(curve.seed);
         if (seeds_[seed])
             place["seed"].fail("another curve has its seed there", "Choose another vertex of the curve");
         seeds_[seed] = true;

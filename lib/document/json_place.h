@@ -1,6 +1,7 @@
 /// \file A value of a document together with its JSON pointer, so that every complaint names its place.
 #pragma once
 
+#include "base/at.h"
 #include "document/json.h"
 
 #include <cstdint>
@@ -28,7 +29,7 @@ public:
     [[nodiscard]] std::optional<JsonPlace> find(const char* key) const;
     /// An element of an array.
     [[nodiscard]] JsonPlace operator[](std::size_t index) const;
-    [[nodiscard]] JsonPlace operator[](int index) const { return (*this)[static_cast<std::size_t>(index)]; }
+    [[nodiscard]] JsonPlace operator[](int index) const { return (*this)[at(index)]; }
     /// The number of elements of an array.
     [[nodiscard]] std::size_t size() const;
 

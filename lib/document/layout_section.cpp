@@ -1,5 +1,6 @@
 #include "document/layout_section.h"
 
+#include "base/at.h"
 #include "base/error.h"
 #include "document/mesh_paths.h"
 #include "layout/quality.h"
@@ -115,9 +116,8 @@ std::vector<LayoutTrack> readTracks(const QuadMesh& mesh, const std::vector<doub
             const EdgeId edge = mesh.edge_handle(entry.track.halfedges[k]);
             if (mesh.is_boundary(edge))
                 vertices.failAt(k + 1, "the edge to this vertex is on the mesh boundary");
-            if (taken[static_cast<std::size_t>(edge.idx())])
-                vertices.failAt(k + 1, "the edge to this vertex lies on a track already");
-            taken[static_cast<std::size_t>(edge.idx())] = true;
+            if (taken[at(edge)]) vertices.failAt(k + 1, "the edge to this vertex lies on a track already");
+            taken[at(edge)] = true;
         }
         requireStraight(mesh, entry.track.halfedges, vertices);
         entry.track.cost = sumAlong(mesh, entry.track.halfedges, edgeCosts);

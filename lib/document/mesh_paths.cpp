@@ -1,5 +1,6 @@
 #include "document/mesh_paths.h"
 
+#include "base/at.h"
 #include "mesh/topology.h"
 
 #include <algorithm>
@@ -100,7 +101,7 @@ Json pathNumbers(const QuadMesh& mesh, std::span<const HalfedgeId> path) {
 double sumAlong(const QuadMesh& mesh, std::span<const HalfedgeId> path, const std::vector<double>& perEdge) {
     double sum = 0;
     for (const HalfedgeId halfedge : path)
-        sum += perEdge[static_cast<std::size_t>(mesh.edge_handle(halfedge).idx())];
+        sum += perEdge[at(mesh.edge_handle(halfedge))];
     return sum;
 }
 

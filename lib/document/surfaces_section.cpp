@@ -1,5 +1,6 @@
 #include "document/surfaces_section.h"
 
+#include "base/at.h"
 #include "bspline/splines/evaluate.h"
 
 #include <array>
@@ -122,9 +123,8 @@ std::vector<double> readKnots(const JsonPlace& place, int degree, int count, int
         knots.push_back(place[i].number());
         if (i > 0 && knots[i] < knots[i - 1]) place.failAt(i, "is less than the knot before it");
     }
-    const auto at = [&](int i) { return knots[static_cast<std::size_t>(i)]; };
     constexpr double slack = 1e-9;
-    if (std::abs(at(degree)) > slack || std::abs(at(count) - size) > slack * size)
+    if (std::abs(knots[at(degree)]) > slack || std::abs(knots[at(count)] - size) > slack * size)
         place.fail("the surface does not run from 0 to " + std::to_string(size) + ", as its segment does");
     return knots;
 }

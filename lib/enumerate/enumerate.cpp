@@ -1,5 +1,6 @@
 #include "enumerate/enumerate.h"
 
+#include "base/at.h"
 #include "base/deadline.h"
 #include "base/error.h"
 #include "base/parallel.h"
@@ -90,7 +91,7 @@ Enumeration enumerateGraphs(const QuadMesh& mesh, const BaseComplex& complex,
     result.count = BigCount(1);
     for (int i = 0; i < subMeshes.count; ++i) {
         if (!options.part.holds(i)) continue;
-        const auto& count = result.subMeshes[static_cast<std::size_t>(i)].count;
+        const auto& count = result.subMeshes[at(i)].count;
         if (result.count && count)
             *result.count *= *count;
         else

@@ -1,5 +1,6 @@
 #include "enumerate/sub_mesh_search.h"
 
+#include "base/at.h"
 #include "base/error.h"
 #include "enumerate/diagram/count_and_draw.h"
 #include "enumerate/diagram/count_graphs.h"
@@ -18,10 +19,6 @@
 
 namespace qm {
 namespace {
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
 
 CoordinateMethod coordinateMethod(Method method) {
     switch (method) {

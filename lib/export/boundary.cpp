@@ -1,5 +1,6 @@
 #include "export/boundary.h"
 
+#include "base/at.h"
 #include "bspline/splines/bounding_box.h"
 #include "bspline/splines/clamped_patch.h"
 #include "export/curve_on_surface.h"
@@ -102,17 +103,15 @@ private:
             if (!simple_[k]) simple_[k] = std::move(found[k]);
     }
 
-    static std::size_t index(VertexId vertex) { return static_cast<std::size_t>(vertex.idx()); }
-
     /// Vertices of simple faces get on all of these.
     void moveVertices() {
         std::vector<std::vector<std::size_t>> facesAt(mesh_.n_vertices());
         for (const SharedEdge& edge : shared_.edges)
             for (const VertexId vertex : {edge.start, edge.end})
-                for (const BorderPlace& at : edge.places)
-                    if (auto& faces = facesAt[index(vertex)];
-                        simple_[at.patch] && std::ranges::find(faces, at.patch) == faces.end())
-                        faces.push_back(at.patch);
+                for (const auto& [patch, side, position] : edge.places)
+                    if (auto& faces = facesAt[at(vertex)];
+                        simple_[patch] && std::ranges::find(faces, patch) == faces.end())
+                        faces.push_back(patch);
         for (std::size_t v = 0; v < facesAt.size(); ++v) {
             if (facesAt[v].size() < 2) continue;
             std::vector<SimpleSurface> surfaces;
@@ -129,13 +128,12 @@ private:
     /// Where its two simple faces meet; none if that is not near the patches' border.
     [[nodiscard]] Handle(Geom_BSplineCurve)
         exactCurve(const SharedEdge& edge, const Handle(Geom_BSplineCurve) & border) const {
-        if (edge.places.size() < 2 || !isCommon_[index(edge.start)] || !isCommon_[index(edge.end)])
-            return nullptr;
+        if (edge.places.size() < 2 || !isCommon_[at(edge.start)] || !isCommon_[at(edge.end)]) return nullptr;
         const auto& one = simple_[edge.places[0].patch];
         const auto& other = simple_[edge.places[1].patch];
         if (!one || !other) return nullptr;
-        const std::array ends{place(shared_.vertexPoint[index(edge.start)]),
-                              place(shared_.vertexPoint[index(edge.end)])};
+        const std::array ends{place(shared_.vertexPoint[at(edge.start)]),
+                              place(shared_.vertexPoint[at(edge.end)])};
         const auto curve = commonCurve(border, ends, {*one, *other}, resolution_);
         for (int k = curve->FirstUKnotIndex(); k <= curve->LastUKnotIndex(); ++k)
             if (!(curve->Value(curve->Knot(k)).Distance(border->Value(curve->Knot(k))) <= reach_))
@@ -145,7 +143,7 @@ private:
 
     /// Made once, as one side may be many edges.
     const SplineCurve& border(std::size_t patch, int side) {
-        SplineCurve& curve = borders_[patch][static_cast<std::size_t>(side)];
+        SplineCurve& curve = borders_[patch][at(side)];
         if (curve.points.empty()) curve = borderCurve(patches_[patch], side);
         return curve;
     }
@@ -191,14 +189,14 @@ private:
         for (std::size_t e = 0; e < result_.edges.size(); ++e)
             for (const bool atEnd : {false, true}) {
                 const VertexId vertex = atEnd ? shared_.edges[e].end : shared_.edges[e].start;
-                const auto v = index(vertex);
+                const auto v = at(vertex);
                 if (number[v] < 0) {
                     number[v] = static_cast<std::ptrdiff_t>(result_.vertices.size());
                     result_.vertices.push_back({place(shared_.vertexPoint[v]), resolution_});
                 }
                 BoundaryEdge& edge = result_.edges[e];
                 edge.ends.at(atEnd ? 1 : 0) = static_cast<std::size_t>(number[v]);
-                BoundaryVertex& made = result_.vertices[static_cast<std::size_t>(number[v])];
+                BoundaryVertex& made = result_.vertices[at(number[v])];
                 const double gap =
                     made.point.Distance(atEnd ? edge.curve->EndPoint() : edge.curve->StartPoint());
                 made.tolerance =

@@ -1,5 +1,7 @@
 #include "export/curve_on_surface.h"
 
+#include "base/at.h"
+
 #include <ElSLib.hxx>
 #include <Geom2dAPI_Interpolate.hxx>
 #include <Geom2d_BSplineCurve.hxx>
@@ -60,12 +62,12 @@ Handle(Geom_BSplineCurve)
     interpolated(const std::vector<gp_Pnt>& points, const std::vector<double>& parameters) {
     const auto size = static_cast<int>(points.size());
     const Handle(TColgp_HArray1OfPnt) through = new TColgp_HArray1OfPnt(1, size);
-    const Handle(TColStd_HArray1OfReal) at = new TColStd_HArray1OfReal(1, size);
+    const Handle(TColStd_HArray1OfReal) places = new TColStd_HArray1OfReal(1, size);
     for (int k = 1; k <= size; ++k) {
-        through->SetValue(k, points[static_cast<std::size_t>(k - 1)]);
-        at->SetValue(k, parameters[static_cast<std::size_t>(k - 1)]);
+        through->SetValue(k, points[at(k - 1)]);
+        places->SetValue(k, parameters[at(k - 1)]);
     }
-    GeomAPI_Interpolate interpolation(through, at, Standard_False, 1e-12);
+    GeomAPI_Interpolate interpolation(through, places, Standard_False, 1e-12);
     interpolation.Perform();
     return interpolation.Curve();
 }
@@ -121,18 +123,18 @@ CurveOnSurface curveOnSurface(const Handle(Geom_BSplineCurve) & curve, const Sim
         const auto parameters = parametersOf(*curve, steps);
         const auto size = static_cast<int>(parameters.size());
         const Handle(TColgp_HArray1OfPnt2d) points = new TColgp_HArray1OfPnt2d(1, size);
-        const Handle(TColStd_HArray1OfReal) at = new TColStd_HArray1OfReal(1, size);
+        const Handle(TColStd_HArray1OfReal) places = new TColStd_HArray1OfReal(1, size);
         // The patch lies about the middle of all angles u, opposite to the seam.
         gp_Pnt2d last(std::numbers::pi, on.tubeAngle);
         for (int k = 1; k <= size; ++k) {
-            const double t = parameters[static_cast<std::size_t>(k - 1)];
+            const double t = parameters[at(k - 1)];
             gp_Pnt2d point = nearest(surface, curve->Value(t));
             if (surface->IsUPeriodic()) point.SetX(angleNear(point.X(), last.X()));
             if (surface->IsVPeriodic()) point.SetY(angleNear(point.Y(), last.Y()));
             points->SetValue(k, last = point);
-            at->SetValue(k, t);
+            places->SetValue(k, t);
         }
-        Geom2dAPI_Interpolate interpolation(points, at, Standard_False, 1e-12);
+        Geom2dAPI_Interpolate interpolation(points, places, Standard_False, 1e-12);
         interpolation.Perform();
         result.curve = interpolation.Curve();
     }

@@ -1,5 +1,6 @@
 #include "export/face_patches.h"
 
+#include "base/at.h"
 #include "base/error.h"
 #include "bspline/splines/basis.h"
 #include "bspline/splines/clamped_patch.h"
@@ -108,27 +109,22 @@ FacePatches facePatches(const Layout& layout, const std::vector<Patch>& patches)
 
 Segment partOf(const std::vector<VertexId>& vertices, const Segment& segment, const std::array<int, 2>& from,
                const std::array<int, 2>& to) {
-    const auto at = [&](int i, int j) {
-        return vertices[static_cast<std::size_t>(j) * (static_cast<std::size_t>(segment.size[0]) + 1) +
-                        static_cast<std::size_t>(i)];
-    };
+    const auto vertexAt = [&](int i, int j) { return vertices[at(j) * (at(segment.size[0]) + 1) + at(i)]; };
     Segment part;
     part.size = {to[0] - from[0], to[1] - from[1]};
     for (int i = 0; i <= part.size[0]; ++i) {
-        part.sides[0].push_back(at(from[0] + i, from[1]));
-        part.sides[2].push_back(at(to[0] - i, to[1]));
+        part.sides[0].push_back(vertexAt(from[0] + i, from[1]));
+        part.sides[2].push_back(vertexAt(to[0] - i, to[1]));
     }
     for (int j = 0; j <= part.size[1]; ++j) {
-        part.sides[1].push_back(at(to[0], from[1] + j));
-        part.sides[3].push_back(at(from[0], to[1] - j));
+        part.sides[1].push_back(vertexAt(to[0], from[1] + j));
+        part.sides[3].push_back(vertexAt(from[0], to[1] - j));
     }
     for (std::size_t k = 0; k < 4; ++k)
         part.corners[k] = part.sides[k].front();
     for (int j = from[1]; j < to[1]; ++j)
         for (int i = from[0]; i < to[0]; ++i)
-            part.faces.push_back(
-                segment.faces[static_cast<std::size_t>(j) * static_cast<std::size_t>(segment.size[0]) +
-                              static_cast<std::size_t>(i)]);
+            part.faces.push_back(segment.faces[at(j) * at(segment.size[0]) + at(i)]);
     return part;
 }
 

@@ -1,5 +1,7 @@
 #include "export/geometry.h"
 
+#include "base/at.h"
+
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -22,7 +24,7 @@ KnotTable knotTable(const std::vector<double>& knots) {
     const auto size = static_cast<int>(distinct.size());
     KnotTable table{TColStd_Array1OfReal(1, size), TColStd_Array1OfInteger(1, size)};
     for (int k = 0; k < size; ++k) {
-        const auto& [knot, multiplicity] = distinct[static_cast<std::size_t>(k)];
+        const auto& [knot, multiplicity] = distinct[at(k)];
         table.values.SetValue(k + 1, knot);
         table.multiplicities.SetValue(k + 1, multiplicity);
     }
@@ -67,7 +69,7 @@ Handle(Geom_BSplineSurface) splineSurface(const Patch& clampedPatch) {
 Handle(Geom_BSplineCurve) splineCurve(const SplineCurve& curve) {
     TColgp_Array1OfPnt poles(1, static_cast<int>(curve.points.size()));
     for (int k = 0; k < poles.Length(); ++k)
-        poles.SetValue(k + 1, place(curve.points[static_cast<std::size_t>(k)]));
+        poles.SetValue(k + 1, place(curve.points[at(k)]));
     const KnotTable knots = knotTable(curve.knots);
     return new Geom_BSplineCurve(poles, knots.values, knots.multiplicities, 3);
 }

@@ -1,5 +1,6 @@
 #include "export/join.h"
 
+#include "base/at.h"
 #include "bspline/splines/spline_curve.h"
 #include "export/geometry.h"
 #include "export/separate.h"
@@ -30,7 +31,7 @@ Segment quarterTurned(const Segment& segment) {
     }
     for (int j = 0; j < a; ++j)
         for (int i = 0; i < b; ++i)
-            result.faces.push_back(segment.faces[static_cast<std::size_t>(i * a + a - 1 - j)]);
+            result.faces.push_back(segment.faces[at(i * a + a - 1 - j)]);
     return result;
 }
 
@@ -46,8 +47,7 @@ Patch quarterTurned(const Patch& patch) {
     result.controlPoints.clear();
     for (int j = 0; j < columns; ++j)
         for (int i = 0; i < rows; ++i)
-            result.controlPoints.push_back(
-                patch.controlPoints[static_cast<std::size_t>(i * columns + columns - 1 - j)]);
+            result.controlPoints.push_back(patch.controlPoints[at(i * columns + columns - 1 - j)]);
     return result;
 }
 
@@ -160,7 +160,7 @@ private:
 
     void enter(std::size_t f) {
         for (int side = 0; side < 4; ++side) {
-            const auto& line = faces_[f]->segment.sides[static_cast<std::size_t>(side)];
+            const auto& line = faces_[f]->segment.sides[at(side)];
             sides_[{line[0].idx(), line[1].idx()}] = {f, side};
         }
     }
@@ -171,7 +171,7 @@ private:
 
     bool joinOnce(std::size_t f) {
         for (int side = 0; side < 4; ++side) {
-            const auto& line = faces_[f]->segment.sides[static_cast<std::size_t>(side)];
+            const auto& line = faces_[f]->segment.sides[at(side)];
             const auto beside = sides_.find({line.back().idx(), line[line.size() - 2].idx()});
             if (beside == sides_.end() || beside->second.face == f) continue;
             const auto [other, otherSide] = beside->second;

@@ -1,5 +1,6 @@
 #include "export/quads.h"
 
+#include "base/at.h"
 #include "base/bytes.h"
 #include "base/number_text.h"
 
@@ -58,9 +59,9 @@ std::string quadsAsPly(const QuadMesh& mesh, const Layout& layout, const std::ve
     std::vector<std::size_t> segmentOf(mesh.n_faces(), 0);
     for (std::size_t s = 0; s < layout.segments.size(); ++s)
         for (const FaceId face : layout.segments[s].faces)
-            segmentOf[static_cast<std::size_t>(face.idx())] = s;
+            segmentOf[at(face)] = s;
     for (const FaceId face : mesh.faces()) {
-        const std::size_t segment = segmentOf[static_cast<std::size_t>(face.idx())];
+        const std::size_t segment = segmentOf[at(face)];
         appendBytes(bytes, std::uint8_t{4});
         for (const VertexId vertex : corners(mesh, face))
             appendBytes(bytes, static_cast<std::int32_t>(vertex.idx()));

@@ -1,5 +1,6 @@
 #include "export/separate.h"
 
+#include "base/at.h"
 #include "export/geometry.h"
 
 #include <algorithm>
@@ -37,7 +38,7 @@ std::vector<bool> cornersOf(const QuadMesh& mesh, const Layout& layout) {
     std::vector<bool> result(mesh.n_vertices(), false);
     for (const Segment& segment : layout.segments)
         for (const VertexId corner : segment.corners)
-            result[static_cast<std::size_t>(corner.idx())] = true;
+            result[at(corner)] = true;
     return result;
 }
 
@@ -47,7 +48,7 @@ void addCrowds(const Segment& segment, const std::vector<bool>& isCorner, Cuts& 
         const auto& line = segment.sides[side];
         std::size_t count = 0;
         for (std::size_t k = 1; k + 1 < line.size(); ++k)
-            if (isCorner[static_cast<std::size_t>(line[k].idx())] && ++count % maxEdges == 0)
+            if (isCorner[at(line[k])] && ++count % maxEdges == 0)
                 cuts[side % 2].push_back(static_cast<int>(side < 2 ? k : line.size() - 1 - k));
     }
     for (std::vector<int>& lines : cuts) {

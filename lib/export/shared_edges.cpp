@@ -1,5 +1,6 @@
 #include "export/shared_edges.h"
 
+#include "base/at.h"
 #include "base/disjoint_sets.h"
 #include "bspline/measure/border_measures.h"
 #include "bspline/splines/evaluate.h"
@@ -14,10 +15,6 @@ constexpr int samples = 9; ///< of gap and angle along every mesh edge
 /// Between normals, in degrees: two patches are one smooth surface up to here, whatever a program may ask.
 constexpr double exactAngle = 0.01;
 
-std::size_t index(VertexId vertex) {
-    return static_cast<std::size_t>(vertex.idx());
-}
-
 /// For every side of every patch, the number of the border edge at each position.
 using BorderNumbers = std::vector<std::array<std::vector<std::size_t>, 4>>;
 
@@ -27,8 +24,8 @@ BorderNumbers borderNumbers(const Layout& layout, const std::vector<BorderEdge>&
         for (std::size_t side = 0; side < 4; ++side)
             numbers[s][side].resize(layout.segments[s].sides[side].size() - 1);
     for (std::size_t b = 0; b < borders.size(); ++b)
-        for (const BorderPlace& at : borders[b].places)
-            numbers[at.patch][static_cast<std::size_t>(at.side)][static_cast<std::size_t>(at.position)] = b;
+        for (const auto& [patch, side, position] : borders[b].places)
+            numbers[patch][at(side)][at(position)] = b;
     return numbers;
 }
 
@@ -65,15 +62,15 @@ std::vector<bool> meetingPoints(const QuadMesh& mesh, const Layout& layout,
     for (std::size_t b = 0; b < borders.size(); ++b)
         for (const VertexId vertex :
              {mesh.from_vertex_handle(borders[b].halfedge), mesh.to_vertex_handle(borders[b].halfedge)}) {
-            ++valence[index(vertex)];
-            if (differences[b].angle < exactAngle) ++smooth[index(vertex)];
+            ++valence[at(vertex)];
+            if (differences[b].angle < exactAngle) ++smooth[at(vertex)];
         }
     std::vector<bool> result(mesh.n_vertices());
     for (std::size_t v = 0; v < valence.size(); ++v)
         result[v] = valence[v] > 2 || smooth[v] == 1;
     for (const Segment& segment : layout.segments)
         for (const VertexId corner : segment.corners)
-            result[index(corner)] = true;
+            result[at(corner)] = true;
     return result;
 }
 
@@ -88,10 +85,10 @@ SharedEdges cutSides(const QuadMesh& mesh, const Layout& layout, const std::vect
     result.ofPatch.resize(layout.segments.size());
     for (std::size_t s = 0; s < layout.segments.size(); ++s)
         for (int side = 0; side < 4; ++side) {
-            const auto& line = numbers[s][static_cast<std::size_t>(side)];
-            const auto& vertices = layout.segments[s].sides[static_cast<std::size_t>(side)];
+            const auto& line = numbers[s][at(side)];
+            const auto& vertices = layout.segments[s].sides[at(side)];
             for (std::size_t begin = 0, end = 1; end < vertices.size(); ++end) {
-                if (!meets[index(vertices[end])]) continue;
+                if (!meets[at(vertices[end])]) continue;
                 const bool made = edgeOf[line[begin]] >= 0;
                 if (!made) {
                     SharedEdge edge{{}, static_cast<int>(end - begin), vertices[begin], vertices[end]};
@@ -120,7 +117,7 @@ SharedEdges shareEdges(const QuadMesh& mesh, const Layout& layout, const std::ve
     for (const SharedEdge& edge : result.edges)
         for (std::size_t use = 0; use < edge.places.size(); ++use)
             for (const bool atEnd : {false, true}) {
-                const std::size_t vertex = index(atEnd == (use == 0) ? edge.end : edge.start);
+                const std::size_t vertex = at(atEnd == (use == 0) ? edge.end : edge.start);
                 result.vertexPoint[vertex] +=
                     pointOn(layout, patches, edge.places[use], atEnd ? edge.length : 0).position;
                 ++count[vertex];

@@ -1,5 +1,6 @@
 #include "features/features.h"
 
+#include "base/at.h"
 #include "mesh/bounding_box.h"
 #include "mesh/mesh_lines.h"
 #include "mesh/topology.h"
@@ -46,8 +47,8 @@ public:
 
 private:
     [[nodiscard]] bool sharp(const MeshLine& line, int k) const {
-        const HalfedgeId halfedge = line.halfedges[static_cast<std::size_t>(k) % line.halfedges.size()];
-        return angles_[static_cast<std::size_t>(mesh_.edge_handle(halfedge).idx())] > options_.rho;
+        const HalfedgeId halfedge = line.halfedges[at(k) % line.halfedges.size()];
+        return angles_[at(mesh_.edge_handle(halfedge))] > options_.rho;
     }
 
     /// Where the walk round a closed line may begin without dividing a run; its length if there is no such
@@ -94,7 +95,7 @@ private:
     static FeatureCurve cut(const MeshLine& line, int begin, int end) {
         FeatureCurve curve;
         for (int k = begin; k < end; ++k)
-            curve.halfedges.push_back(line.halfedges[static_cast<std::size_t>(k) % line.halfedges.size()]);
+            curve.halfedges.push_back(line.halfedges[at(k) % line.halfedges.size()]);
         return curve;
     }
 
@@ -124,9 +125,9 @@ bool placeSeed(const QuadMesh& mesh, FeatureCurve& curve, std::vector<bool>& tak
         order[k] = static_cast<int>(k);
     std::ranges::stable_sort(order, {}, [&](int k) { return std::abs(k - middle); });
     for (const int k : order) {
-        const VertexId vertex = vertices[static_cast<std::size_t>(k)];
-        if (taken[static_cast<std::size_t>(vertex.idx())] || !continuesStraight(mesh, vertex)) continue;
-        taken[static_cast<std::size_t>(vertex.idx())] = true;
+        const VertexId vertex = vertices[at(k)];
+        if (taken[at(vertex)] || !continuesStraight(mesh, vertex)) continue;
+        taken[at(vertex)] = true;
         curve.seed = vertex;
         return true;
     }

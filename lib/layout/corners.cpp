@@ -1,5 +1,6 @@
 #include "layout/corners.h"
 
+#include "base/at.h"
 #include "mesh/topology.h"
 
 #include <set>
@@ -7,10 +8,6 @@
 
 namespace qm {
 namespace {
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
 
 std::size_t facesAround(const QuadMesh& mesh, VertexId vertex) {
     std::size_t faces = 0;

@@ -2,6 +2,7 @@
 /// or the mesh boundary on both sides.
 #pragma once
 
+#include "base/at.h"
 #include "layout/motorcycle_graph.h"
 
 #include <vector>
@@ -18,7 +19,7 @@ public:
 
     /// Those that all graphs of a sub-mesh have: at its extraordinary vertices and the convex ones of its
     /// boundary.
-    [[nodiscard]] std::size_t sure(int subMesh) const { return sure_[static_cast<std::size_t>(subMesh)]; }
+    [[nodiscard]] std::size_t sure(int subMesh) const { return sure_[at(subMesh)]; }
 
     /// The sure ones, those at the other vertices of the sub-mesh, and two where a track ends on the mesh
     /// boundary, be it past the cut. Takes time linear in the tracks.

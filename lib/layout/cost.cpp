@@ -1,13 +1,8 @@
 #include "layout/cost.h"
 
+#include "base/at.h"
+
 namespace qm {
-namespace {
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
-} // namespace
 
 std::vector<double> edgeCosts(const QuadMesh& mesh, const std::vector<double>& dihedralAngles,
                               const GraphCost& cost, const Constraints& constraints) {

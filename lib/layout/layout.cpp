@@ -1,5 +1,6 @@
 #include "layout/layout.h"
 
+#include "base/at.h"
 #include "base/error.h"
 #include "layout/grid.h"
 #include "layout/seed_line.h"
@@ -10,10 +11,6 @@
 
 namespace qm {
 namespace {
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
 
 class Builder {
 public:

@@ -1,13 +1,11 @@
 #include "layout/quality.h"
 
+#include "base/at.h"
+
 #include <algorithm>
 
 namespace qm {
 namespace {
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
 
 /// Share of the sharp edges' angles that borders of segments follow; 1 where nothing is sharp.
 double capturedSharpness(const QuadMesh& mesh, const Layout& layout, const std::vector<double>& angles,

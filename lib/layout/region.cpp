@@ -1,15 +1,10 @@
 #include "layout/region.h"
 
+#include "base/at.h"
+
 #include <algorithm>
 
 namespace qm {
-namespace {
-
-template <class Handle> std::size_t at(Handle handle) {
-    return static_cast<std::size_t>(handle.idx());
-}
-
-} // namespace
 
 std::size_t BorderLoop::corners() const {
     return static_cast<std::size_t>(std::ranges::count(quads, 1));

@@ -1,6 +1,7 @@
 /// \file Regions: what the tracks leave connected, and their borders (docs/METHOD.md#layout).
 #pragma once
 
+#include "base/at.h"
 #include "mesh/quad_mesh.h"
 
 #include <vector>
@@ -29,7 +30,7 @@ class Borders {
 public:
     explicit Borders(const QuadMesh& mesh);
 
-    void add(EdgeId edge) { border_[static_cast<std::size_t>(edge.idx())] = true; }
+    void add(EdgeId edge) { border_[at(edge)] = true; }
     [[nodiscard]] bool isBorder(HalfedgeId halfedge) const {
         return border_[static_cast<std::size_t>(halfedge.idx() / 2)];
     }

@@ -1,5 +1,6 @@
 #include "layout/seed_line.h"
 
+#include "base/at.h"
 #include "mesh/topology.h"
 
 namespace qm {
@@ -8,7 +9,7 @@ namespace {
 HalfedgeId edgeOfMaxAngle(const QuadMesh& mesh, std::span<const FaceId> faces,
                           const std::vector<double>& dihedralAngles) {
     EdgeId best;
-    const auto angle = [&](EdgeId edge) { return dihedralAngles[static_cast<std::size_t>(edge.idx())]; };
+    const auto angle = [&](EdgeId edge) { return dihedralAngles[at(edge)]; };
     for (const FaceId face : faces)
         for (const EdgeId edge : mesh.fe_range(face)) {
             if (mesh.is_boundary(edge)) continue;

@@ -1,5 +1,6 @@
 #include "layout/tracks.h"
 
+#include "base/at.h"
 #include "base/error.h"
 
 #include <algorithm>
@@ -8,10 +9,6 @@
 
 namespace qm {
 namespace {
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
 
 /// Gives every crossing to one of its lines such that no line gets two: an orientation of a pseudo-forest
 /// (docs/METHOD.md#hakimi-1965).

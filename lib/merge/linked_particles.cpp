@@ -1,5 +1,7 @@
 #include "merge/linked_particles.h"
 
+#include "base/at.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -95,8 +97,6 @@ private:
         for (int k = begin; k <= end; ++k)
             if (!leavesPresent(ArcId(k))) take(ArcId(k));
     }
-
-    static std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
     /// A track over the cut stays, because this search cannot change how it goes on outside.
     [[nodiscard]] bool leavesPresent(ArcId arc) const {

@@ -1,5 +1,6 @@
 #include "merge/merge.h"
 
+#include "base/at.h"
 #include "base/error.h"
 #include "base/parallel.h"
 #include "enumerate/optimum/optimum.h"
@@ -19,10 +20,6 @@
 
 namespace qm {
 namespace {
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
 
 class Generator {
 public:

@@ -1,5 +1,7 @@
 #include "mesh/boundary_loops.h"
 
+#include "base/at.h"
+
 #include <algorithm>
 #include <tuple>
 
@@ -10,7 +12,7 @@ BoundaryLoop walk(const QuadMesh& mesh, HalfedgeId start, std::vector<bool>& see
     BoundaryLoop loop{mesh.from_vertex_handle(start)};
     HalfedgeId halfedge = start;
     do {
-        seen[static_cast<std::size_t>(halfedge.idx())] = true;
+        seen[at(halfedge)] = true;
         loop.vertex = std::min(loop.vertex, mesh.from_vertex_handle(halfedge));
         ++loop.edges;
         loop.length +=
@@ -27,8 +29,7 @@ std::vector<BoundaryLoop> boundaryLoops(const QuadMesh& mesh) {
     std::vector<BoundaryLoop> loops;
     std::vector<bool> seen(mesh.n_halfedges(), false);
     for (const HalfedgeId halfedge : mesh.halfedges())
-        if (mesh.is_boundary(halfedge) && !seen[static_cast<std::size_t>(halfedge.idx())])
-            loops.push_back(walk(mesh, halfedge, seen));
+        if (mesh.is_boundary(halfedge) && !seen[at(halfedge)]) loops.push_back(walk(mesh, halfedge, seen));
     std::ranges::sort(
         loops, {}, [](const BoundaryLoop& loop) { return std::make_tuple(-loop.length, loop.vertex.idx()); });
     return loops;

@@ -1,5 +1,6 @@
 #include "mesh/dihedral.h"
 
+#include "base/at.h"
 #include "mesh/quad_geometry.h"
 
 #include <cmath>
@@ -15,11 +16,10 @@ std::vector<double> dihedralAngles(const QuadMesh& mesh) {
     for (const EdgeId edge : mesh.edges()) {
         if (mesh.is_boundary(edge)) continue;
         const auto normal = [&](unsigned side) {
-            return normals[static_cast<std::size_t>(
-                mesh.face_handle(mesh.halfedge_handle(edge, side)).idx())];
+            return normals[at(mesh.face_handle(mesh.halfedge_handle(edge, side)))];
         };
         if (const auto a = normal(0), b = normal(1); a && b)
-            angles[static_cast<std::size_t>(edge.idx())] = std::atan2((*a % *b).norm(), *a | *b);
+            angles[at(edge)] = std::atan2((*a % *b).norm(), *a | *b);
     }
     return angles;
 }

@@ -1,5 +1,7 @@
 #include "mesh/fans.h"
 
+#include "base/at.h"
+
 namespace qm {
 namespace {
 
@@ -9,7 +11,7 @@ std::vector<bool> crowdedVertices(const Soup& soup, const SoupEdges& edges) {
     for (std::size_t k = 0; k < edges.count(); ++k)
         if (const auto sides = edges.edge(k); sides.size() > 2)
             for (const std::int64_t vertex : {sideFrom(soup, sides[0]), sideTo(soup, sides[0])})
-                crowded[static_cast<std::size_t>(vertex)] = true;
+                crowded[at(vertex)] = true;
     return crowded;
 }
 

@@ -1,5 +1,6 @@
 #include "mesh/mesh_lines.h"
 
+#include "base/at.h"
 #include "mesh/topology.h"
 
 namespace qm {
@@ -25,9 +26,7 @@ public:
     }
 
 private:
-    [[nodiscard]] std::size_t index(HalfedgeId halfedge) const {
-        return static_cast<std::size_t>(mesh_.edge_handle(halfedge).idx());
-    }
+    [[nodiscard]] std::size_t index(HalfedgeId halfedge) const { return at(mesh_.edge_handle(halfedge)); }
 
     const QuadMesh& mesh_;
     std::vector<bool> visited_;

@@ -1,5 +1,6 @@
 #include "mesh/read_triangles.h"
 
+#include "base/at.h"
 #include "base/error.h"
 #include "mesh/soup.h"
 #include "mesh/validate.h"
@@ -55,8 +56,7 @@ public:
 private:
     void add(const std::array<std::int64_t, 3>& corners) {
         std::array<std::uint32_t, 3> points{};
-        std::ranges::transform(corners, points.begin(),
-                               [&](std::int64_t k) { return first_[static_cast<std::size_t>(k)]; });
+        std::ranges::transform(corners, points.begin(), [&](std::int64_t k) { return first_[at(k)]; });
         if (points[0] == points[1] || points[1] == points[2] || points[2] == points[0]) return;
         auto& face = result_.faces.emplace_back();
         std::ranges::transform(points, face.begin(), [&](std::uint32_t k) { return numberOf(k); });

@@ -1,5 +1,7 @@
 #include "mesh/soup_edges.h"
 
+#include "base/at.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -11,13 +13,13 @@ SoupEdges findEdges(const Soup& soup) {
     const auto ends = [&](Side side) { return std::minmax({sideFrom(soup, side), sideTo(soup, side)}); };
     std::vector<std::size_t> bucketBegin(soup.points.size() + 2, 0);
     for (Side side = 0; side < sideCount; ++side)
-        ++bucketBegin[static_cast<std::size_t>(ends(side).first) + 2];
+        ++bucketBegin[at(ends(side).first) + 2];
     for (std::size_t k = 2; k < bucketBegin.size(); ++k)
         bucketBegin[k] += bucketBegin[k - 1];
     std::vector<std::pair<std::int64_t, Side>> sorted(sideCount); // by higher vertex, then side
     for (Side side = 0; side < sideCount; ++side) {
         const auto [lower, higher] = ends(side);
-        sorted[bucketBegin[static_cast<std::size_t>(lower) + 1]++] = {higher, side};
+        sorted[bucketBegin[at(lower) + 1]++] = {higher, side};
     }
     SoupEdges edges;
     edges.sides.reserve(sideCount);

@@ -1,5 +1,7 @@
 #include "mesh/soup_edit.h"
 
+#include "base/at.h"
+
 #include <algorithm>
 
 namespace qm {
@@ -59,7 +61,7 @@ std::size_t mergePoints(Soup& soup, const std::vector<std::size_t>& target) {
     shorten(soup.pointLines, points);
     shorten(soup.pointNumbers, points);
     for (std::int64_t& corner : soup.corners)
-        corner = newIndex[static_cast<std::size_t>(corner)];
+        corner = newIndex[at(corner)];
     return target.size() - points;
 }
 

@@ -1,5 +1,6 @@
 #include "mesh/topology.h"
 
+#include "base/at.h"
 #include "base/disjoint_sets.h"
 
 #include <algorithm>
@@ -7,10 +8,6 @@
 namespace qm {
 
 namespace {
-
-std::size_t indexOf(VertexId vertex) {
-    return static_cast<std::size_t>(vertex.idx());
-}
 
 bool isRegularWith(const QuadMesh& mesh, VertexId vertex, unsigned edges) {
     return mesh.is_isolated(vertex) || (mesh.is_boundary(vertex) ? edges <= 3 : edges == 4);
@@ -27,10 +24,10 @@ std::vector<VertexId> extraordinaryVertices(const QuadMesh& mesh) {
     std::vector<unsigned> edges(mesh.n_vertices(), 0);
     for (const EdgeId edge : mesh.edges())
         for (const unsigned side : {0U, 1U})
-            ++edges[indexOf(mesh.to_vertex_handle(mesh.halfedge_handle(edge, side)))];
+            ++edges[at(mesh.to_vertex_handle(mesh.halfedge_handle(edge, side)))];
     std::vector<VertexId> result;
     for (const VertexId vertex : mesh.vertices())
-        if (!isRegularWith(mesh, vertex, edges[indexOf(vertex)])) result.push_back(vertex);
+        if (!isRegularWith(mesh, vertex, edges[at(vertex)])) result.push_back(vertex);
     return result;
 }
 
@@ -58,8 +55,8 @@ std::optional<std::vector<HalfedgeId>> halfedgesAlong(const QuadMesh& mesh,
 Components components(const QuadMesh& mesh) {
     DisjointSets sets(mesh.n_vertices());
     for (const EdgeId edge : mesh.edges())
-        sets.join(indexOf(mesh.to_vertex_handle(mesh.halfedge_handle(edge, 0))),
-                  indexOf(mesh.to_vertex_handle(mesh.halfedge_handle(edge, 1))));
+        sets.join(at(mesh.to_vertex_handle(mesh.halfedge_handle(edge, 0))),
+                  at(mesh.to_vertex_handle(mesh.halfedge_handle(edge, 1))));
     Components result;
     result.ofVertex.resize(mesh.n_vertices());
     for (std::size_t k = 0; k < result.ofVertex.size(); ++k) { // the lowest vertex of a set comes first

@@ -1,5 +1,6 @@
 #include "mesh/triangle_edges.h"
 
+#include "base/at.h"
 #include "base/disjoint_sets.h"
 #include "base/error.h"
 #include "base/number_text.h"
@@ -36,9 +37,7 @@ std::vector<TriangleSide> sortedSides(const Triangles& triangles) {
 }
 
 std::string placeOf(const Triangles& triangles, const TriangleSide& side) {
-    const Point middle = (triangles.points[static_cast<std::size_t>(side.low)] +
-                          triangles.points[static_cast<std::size_t>(side.high)]) /
-                         2;
+    const Point middle = (triangles.points[at(side.low)] + triangles.points[at(side.high)]) / 2;
     return "at (" + roundedText(middle[0]) + ", " + roundedText(middle[1]) + ", " + roundedText(middle[2]) +
            ")";
 }
@@ -63,7 +62,7 @@ public:
     explicit EdgeParts(std::size_t points) : sets_(points), used_(points, false) {}
     void join(int a, int b) {
         sets_.join(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
-        used_[static_cast<std::size_t>(a)] = used_[static_cast<std::size_t>(b)] = true;
+        used_[at(a)] = used_[at(b)] = true;
     }
     [[nodiscard]] std::size_t count() {
         std::size_t parts = 0;

@@ -1,5 +1,6 @@
 #include "mesh/write_soup.h"
 
+#include "base/at.h"
 #include "base/bytes.h"
 #include "base/number_text.h"
 #include "mesh/quad_geometry.h"
@@ -78,9 +79,7 @@ std::string asStl(const Soup& soup) {
             appendBytes(bytes, static_cast<float>(coordinate));
     };
     for (std::size_t k = 0; k < soup.faceCount(); ++k) {
-        const auto corner = [&](std::size_t n) -> const Point& {
-            return soup.points[static_cast<std::size_t>(soup.face(k)[n])];
-        };
+        const auto corner = [&](std::size_t n) -> const Point& { return soup.points[at(soup.face(k)[n])]; };
         const Point normal = (corner(1) - corner(0)) % (corner(2) - corner(0));
         append(normal / std::max(normal.norm(), std::numeric_limits<double>::min()));
         for (std::size_t n = 0; n < 3; ++n)

@@ -1,5 +1,7 @@
 #include "program/integer_program.h"
 
+#include "base/at.h"
+
 #include <algorithm>
 #include <numeric>
 
@@ -11,7 +13,7 @@ void IntegerProgram::Row::add(ColumnId column, double weight) {
         columns.push_back(column);
         weights.push_back(weight);
     } else {
-        weights[static_cast<std::size_t>(known - columns.begin())] += weight;
+        weights[at(known - columns.begin())] += weight;
     }
 }
 

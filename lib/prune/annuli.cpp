@@ -1,5 +1,6 @@
 #include "prune/annuli.h"
 
+#include "base/at.h"
 #include "mesh/mesh_lines.h"
 
 #include <algorithm>
@@ -7,10 +8,6 @@
 
 namespace qm {
 namespace {
-
-template <class Handle> std::size_t at(Handle handle) {
-    return static_cast<std::size_t>(handle.idx());
-}
 
 /// Maximal rows of quads, each next to the last across the opposite edge. Every edge lies across one of them.
 class Strips {

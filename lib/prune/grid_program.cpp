@@ -1,5 +1,6 @@
 #include "prune/grid_program.h"
 
+#include "base/at.h"
 #include "layout/seed_line.h"
 #include "mesh/topology.h"
 #include "prune/annuli.h"
@@ -14,10 +15,6 @@ namespace qm {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
 
 class Builder {
 public:

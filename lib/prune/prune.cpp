@@ -1,5 +1,6 @@
 #include "prune/prune.h"
 
+#include "base/at.h"
 #include "prune/removal.h"
 
 #include <algorithm>
@@ -31,7 +32,7 @@ std::vector<std::size_t> rankOfEdges(const QuadMesh& mesh, const Layout& layout,
     std::vector<std::size_t> rankOf(mesh.n_edges(), none);
     for (std::size_t rank = 0; rank < order.size(); ++rank)
         for (const HalfedgeId halfedge : layout.tracks[order[rank]].track.halfedges)
-            rankOf[static_cast<std::size_t>(mesh.edge_handle(halfedge).idx())] = rank;
+            rankOf[at(mesh.edge_handle(halfedge))] = rank;
     return rankOf;
 }
 
@@ -61,7 +62,7 @@ std::vector<Fate> decide(const QuadMesh& mesh, const Layout& layout, const Prune
         fate = judge(removal, track, options);
         if (fate == Fate::removed)
             for (const EdgeId edge : removal.remove(track)) {
-                const std::size_t other = rankOf[static_cast<std::size_t>(edge.idx())];
+                const std::size_t other = rankOf[at(edge)];
                 if (other != none) (other > rank ? pass : nextPass).insert(other);
             }
         if (pass.empty()) std::swap(pass, nextPass);

@@ -1,5 +1,6 @@
 #include "prune/prune_optimum.h"
 
+#include "base/at.h"
 #include "base/deadline.h"
 #include "base/error.h"
 #include "layout/quality.h"
@@ -18,10 +19,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double flat = 180; ///< degrees: no border turns by more
-
-std::size_t at(EdgeId edge) {
-    return static_cast<std::size_t>(edge.idx());
-}
 
 /// What a search is after.
 struct Aim {

@@ -1,5 +1,6 @@
 #include "prune/removal.h"
 
+#include "base/at.h"
 #include "prune/turn.h"
 
 #include <algorithm>
@@ -7,11 +8,7 @@
 #include <utility>
 
 namespace qm {
-namespace {
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-} // namespace
+namespace {} // namespace
 
 Removal::Removal(const QuadMesh& mesh, const Layout& layout)
     : mesh_(mesh), border_(mesh.n_edges(), false), segmentOf_(mesh.n_faces(), -1),

@@ -1,5 +1,6 @@
 #include "shape/machine_parts.h"
 
+#include "base/at.h"
 #include "shape/round_hole.h"
 #include "shape/voxels.h"
 
@@ -150,7 +151,7 @@ QuadList plateShape(int n) {
     const int inner = static_cast<int>(sheet.points.size());
     for (int k = 0; k < 4; ++k) {
         const auto corner = static_cast<std::size_t>(k);
-        const Point& point = sheet.points[static_cast<std::size_t>(outer[corner])];
+        const Point& point = sheet.points[at(outer[corner])];
         const Point centre(middleX, middleY, 0);
         sheet.points.push_back(centre + (point - centre) * (hole.hole / hole.frame));
         sheet.quads.push_back({outer[corner], outer[(corner + 1) % 4], inner + (k + 1) % 4, inner + k});

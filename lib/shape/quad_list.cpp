@@ -1,5 +1,7 @@
 #include "shape/quad_list.h"
 
+#include "base/at.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -27,31 +29,30 @@ private:
         const int columns = parts(a, b), rows = parts(b, c);
         const auto width = static_cast<std::size_t>(columns) + 1;
         std::vector<int> grid(width * (static_cast<std::size_t>(rows) + 1));
-        const auto at = [&](int i, int j) -> int& {
-            return grid[static_cast<std::size_t>(j) * width + static_cast<std::size_t>(i)];
-        };
+        const auto vertexAt = [&](int i, int j) -> int& { return grid[at(j) * width + at(i)]; };
         for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(d, c), std::pair(a, d)})
             (void)onEdge(from, to, 1);
         for (int i = 0; i <= columns; ++i) {
-            at(i, 0) = onEdge(a, b, i);
-            at(i, rows) = onEdge(d, c, i);
+            vertexAt(i, 0) = onEdge(a, b, i);
+            vertexAt(i, rows) = onEdge(d, c, i);
         }
         for (int j = 0; j <= rows; ++j) {
-            at(0, j) = onEdge(a, d, j);
-            at(columns, j) = onEdge(b, c, j);
+            vertexAt(0, j) = onEdge(a, d, j);
+            vertexAt(columns, j) = onEdge(b, c, j);
         }
         for (int j = 1; j < rows; ++j)
             for (int i = 1; i < columns; ++i) {
-                at(i, j) = static_cast<int>(fine_.points.size());
+                vertexAt(i, j) = static_cast<int>(fine_.points.size());
                 fine_.points.push_back(between(between(point(a), point(b), i, columns),
                                                between(point(d), point(c), i, columns), j, rows));
             }
         for (int j = 0; j < rows; ++j)
             for (int i = 0; i < columns; ++i)
-                fine_.quads.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
+                fine_.quads.push_back(
+                    {vertexAt(i, j), vertexAt(i + 1, j), vertexAt(i + 1, j + 1), vertexAt(i, j + 1)});
     }
 
-    [[nodiscard]] const Point& point(int k) const { return coarse_.points[static_cast<std::size_t>(k)]; }
+    [[nodiscard]] const Point& point(int k) const { return coarse_.points[at(k)]; }
 
     /// How many parts an edge falls into.
     [[nodiscard]] int parts(int a, int b) const {

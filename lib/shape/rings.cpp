@@ -1,5 +1,7 @@
 #include "shape/rings.h"
 
+#include "base/at.h"
+
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -42,7 +44,7 @@ void raiseBoss(QuadList& list, const Ring& ring, int firstColumn, int firstRow, 
         const int below = ring.grid.vertex(column, row);
         const bool inside =
             column > firstColumn && column < firstColumn + size && row > firstRow && row < firstRow + size;
-        if (inside) list.points[static_cast<std::size_t>(below)] = ring.at(column, row, level * step);
+        if (inside) list.points[at(below)] = ring.at(column, row, level * step);
         if (inside || level == 0) return below;
         const auto [entry, isNew] =
             numbers.try_emplace({column, row, level}, static_cast<int>(list.points.size()));

@@ -1,5 +1,6 @@
 #include "shape/scan.h"
 
+#include "base/at.h"
 #include "shape/quad_list.h"
 
 #include <cmath>
@@ -9,10 +10,6 @@
 
 namespace qm {
 namespace {
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
 
 /// The same numbers everywhere, which the distributions of the standard library do not promise.
 class NormalNumbers {

@@ -1,5 +1,6 @@
 #include "shape/soft_solids.h"
 
+#include "base/at.h"
 #include "shape/voxels.h"
 
 #include <algorithm>
@@ -64,15 +65,14 @@ void removeFaces(QuadList& list, Chance& chance) {
     std::vector<std::vector<std::size_t>> around(list.points.size());
     for (std::size_t face = 0; face < list.quads.size(); ++face)
         for (const int vertex : list.quads[face])
-            around[static_cast<std::size_t>(vertex)].push_back(face);
+            around[at(vertex)].push_back(face);
     std::vector<bool> gone(list.quads.size(), false);
     for (std::size_t trial = 0; trial < list.quads.size() / 8 + 1; ++trial) {
         const std::size_t face = chance.below(list.quads.size());
         if (gone[face]) continue;
         gone[face] = true;
-        gone[face] = std::ranges::all_of(list.quads[face], [&](int vertex) {
-            return isOneFan(list, gone, around[static_cast<std::size_t>(vertex)], vertex);
-        });
+        gone[face] = std::ranges::all_of(
+            list.quads[face], [&](int vertex) { return isOneFan(list, gone, around[at(vertex)], vertex); });
     }
     std::size_t kept = 0;
     for (std::size_t face = 0; face < gone.size(); ++face)

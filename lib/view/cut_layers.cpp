@@ -1,3 +1,4 @@
+#include "base/at.h"
 #include "mesh/topology.h"
 #include "view/layers.h"
 #include "view/palette.h"
@@ -62,7 +63,7 @@ void addCut(Scene& scene, const QuadMesh& mesh, const Cut& cut) {
         const std::vector<VertexId> ends = {mesh.from_vertex_handle(halfedge),
                                             mesh.to_vertex_handle(halfedge)};
         const auto label = [&](std::size_t end) {
-            return static_cast<std::uint32_t>(cut.labels[static_cast<std::size_t>(ends[end].idx())]);
+            return static_cast<std::uint32_t>(cut.labels[at(ends[end])]);
         };
         if (label(0) == label(1)) continue;
         neighbours.emplace_back(label(0), label(1));

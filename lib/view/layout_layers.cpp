@@ -1,3 +1,4 @@
+#include "base/at.h"
 #include "mesh/topology.h"
 #include "view/layers.h"
 #include "view/palette.h"
@@ -15,9 +16,7 @@ neighbouringSegments(const QuadMesh& mesh, const std::vector<std::uint32_t>& of)
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
     for (const EdgeId edge : mesh.edges()) {
         if (mesh.is_boundary(edge)) continue;
-        const auto side = [&](unsigned k) {
-            return of[static_cast<std::size_t>(mesh.face_handle(mesh.halfedge_handle(edge, k)).idx())];
-        };
+        const auto side = [&](unsigned k) { return of[at(mesh.face_handle(mesh.halfedge_handle(edge, k)))]; };
         if (side(0) != side(1)) pairs.emplace_back(side(0), side(1));
     }
     return pairs;
@@ -37,7 +36,7 @@ void addSegments(Scene& scene, const QuadMesh& mesh, const Layout& layout) {
     for (std::size_t k = 0; k < layout.segments.size(); ++k) {
         const Segment& segment = layout.segments[k];
         for (const FaceId face : segment.faces)
-            faces.groups[static_cast<std::size_t>(face.idx())] = static_cast<std::uint32_t>(k);
+            faces.groups[at(face)] = static_cast<std::uint32_t>(k);
         addFigure(faces.items, "quads along side 0", segment.size[0]);
         addFigure(faces.items, "quads along side 1", segment.size[1]);
         for (std::size_t side = 0; side < 4; ++side) {

@@ -1,3 +1,4 @@
+#include "base/at.h"
 #include "mesh/topology.h"
 #include "view/layers.h"
 
@@ -15,8 +16,7 @@ void addEdges(Scene& scene, const QuadMesh& mesh, const std::vector<double>& dih
     for (const EdgeId edge : mesh.edges()) {
         const HalfedgeId halfedge = mesh.halfedge_handle(edge, 0);
         addItem(edges, {mesh.from_vertex_handle(halfedge), mesh.to_vertex_handle(halfedge)});
-        addFigure(edges.items, "dihedral angle, degrees",
-                  dihedralAngles[static_cast<std::size_t>(edge.idx())] * 180 / std::numbers::pi);
+        addFigure(edges.items, "dihedral angle, degrees", dihedralAngles[at(edge)] * 180 / std::numbers::pi);
     }
     for (Column& column : edges.items.columns)
         column.rough = true;

@@ -1,3 +1,4 @@
+#include "base/at.h"
 #include "bspline/network/smooth_network.h"
 #include "view/layers.h"
 #include "view/surface_samples.h"
@@ -75,7 +76,7 @@ LineLayer borderCurves(const std::vector<Segment>& segments, const Lattice& latt
     curves.base = Base::surfaces;
     for (std::size_t k = 0; k < segments.size(); ++k)
         for (int side = 0; side < 4; ++side) {
-            const auto edges = static_cast<std::size_t>(segments[k].size[static_cast<std::size_t>(side % 2)]);
+            const auto edges = static_cast<std::size_t>(segments[k].size[at(side % 2)]);
             for (std::size_t along = 0; along <= edges * lattice.steps(); ++along)
                 curves.points.push_back(lattice.onSide(k, side, along));
             endItem(curves);

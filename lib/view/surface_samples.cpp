@@ -1,5 +1,6 @@
 #include "view/surface_samples.h"
 
+#include "base/at.h"
 #include "base/parallel.h"
 #include "bspline/measure/border_measures.h"
 #include "bspline/measure/foot_search.h"
@@ -66,7 +67,7 @@ std::vector<double> normalJumps(const QuadMesh& mesh, const Layout& layout, cons
     constexpr int samples = 5;
     std::vector<double> jumps;
     for (const BorderEdge& border : borders) {
-        const auto edge = static_cast<std::size_t>(mesh.edge_handle(border.halfedge).idx());
+        const auto edge = at(mesh.edge_handle(border.halfedge));
         const bool smooth = border.places.size() == 2 && !marks.isCrease[edge];
         const auto angles =
             smooth ? measureBorder(border, layout, patches, samples).angles : std::vector<double>{};

@@ -1,5 +1,6 @@
 #include "bench/sample_models.h"
 
+#include "base/at.h"
 #include "support/polycube.h"
 #include "support/random_graph.h"
 
@@ -44,7 +45,7 @@ std::vector<int> section(const check::CheckedMesh& mesh) {
 /// Between the section and the next one.
 bool isBehindSection(const check::CheckedMesh& mesh, const std::array<int, 4>& quad) {
     return std::ranges::all_of(quad, [&](int vertex) {
-        const auto& point = mesh.points[static_cast<std::size_t>(vertex)];
+        const auto& point = mesh.points[at(vertex)];
         return point[0] >= width && point[0] <= width + 1 && point[1] <= width;
     });
 }
@@ -65,7 +66,7 @@ QuadMesh paperTorus() {
         if (!isBehindSection(mesh, quad)) continue;
         for (int& vertex : quad)
             if (const auto place = std::ranges::find(around, vertex); place != around.end())
-                vertex = around[static_cast<std::size_t>(place - around.begin() + twist) % around.size()];
+                vertex = around[at(place - around.begin() + twist) % around.size()];
     }
     return testing::quadMesh(mesh);
 }

@@ -1,5 +1,7 @@
 #include "bench/staircase.h"
 
+#include "base/at.h"
+
 #include <array>
 #include <cmath>
 #include <map>
@@ -41,8 +43,8 @@ private:
         Lattice position;
         for (std::size_t axis = 0; axis < 3; ++axis)
             position[axis] = corner[axis] * refinement_;
-        position[static_cast<std::size_t>(axisU)] += i;
-        position[static_cast<std::size_t>(axisV)] += j;
+        position[at(axisU)] += i;
+        position[at(axisV)] += j;
         const auto [place, isNew] = vertices_.try_emplace(position);
         if (isNew) place->second = mesh_.add_vertex(bend(position));
         return place->second;
@@ -71,10 +73,10 @@ QuadMesh staircase(int steps, int refinement) {
                 for (int axis = 0; axis < 3; ++axis)
                     for (const int side : {0, 1}) {
                         Lattice neighbour = cell;
-                        neighbour[static_cast<std::size_t>(axis)] += side == 1 ? 1 : -1;
+                        neighbour[at(axis)] += side == 1 ? 1 : -1;
                         if (isSolid(steps, neighbour)) continue;
                         Lattice corner = cell;
-                        corner[static_cast<std::size_t>(axis)] += side;
+                        corner[at(axis)] += side;
                         surface.addSquare(corner, (axis + 1) % 3, (axis + 2) % 3, side == 0);
                     }
             }

@@ -1,5 +1,6 @@
 // A finer mesh: `refine MESH N` splits every quad into N x N on its bilinear surface, `refine MESH smooth`
 // makes one step of Catmull and Clark's subdivision. Writes OBJ to standard output.
+#include "base/at.h"
 #include "base/error.h"
 #include "mesh/build_mesh.h"
 #include "mesh/read_mesh.h"
@@ -17,16 +18,13 @@
 
 namespace {
 
+using qm::at;
 using qm::EdgeId;
 using qm::FaceId;
 using qm::HalfedgeId;
 using qm::Point;
 using qm::QuadMesh;
 using qm::VertexId;
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
 
 struct Grids {
     std::vector<Point> points; ///< the mesh's vertices, then those on edges, then those inside quads

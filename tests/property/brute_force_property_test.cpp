@@ -1,5 +1,6 @@
 // The search against trying everything, by code that shares nothing with it, on random small meshes: the same
 // number of graphs, the same minimum, the same best ones.
+#include "base/at.h"
 #include "basecomplex/arc_graph.h"
 #include "enumerate/diagram/count_graphs.h"
 #include "enumerate/diagram/ranked_graphs.h"
@@ -31,7 +32,7 @@ std::optional<std::vector<double>> triedOut(const QuadMesh& mesh) {
     const check::Neighbourhoods around(checkedMesh(mesh));
     check::EdgeCosts costs{std::vector(static_cast<std::size_t>(around.edges()), 0.0), {}};
     for (int step = 0; step < around.steps(); ++step)
-        costs.cost[static_cast<std::size_t>(around.edge(step))] = costOf(around.from(step), around.to(step));
+        costs.cost[at(around.edge(step))] = costOf(around.from(step), around.to(step));
     const BruteForce all = bruteForce(around, check::traceLines(around, {}).front(), costs, maxSteps);
     if (!all.complete) return std::nullopt;
     std::vector<double> result;

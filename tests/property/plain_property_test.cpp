@@ -1,4 +1,5 @@
 // The plain motorcycle graph of random meshes against rules A1 to A4 and the rules on arcs.
+#include "base/at.h"
 #include "check/check_graph.h"
 #include "enumerate/paper/plain_graph.h"
 #include "mesh/topology.h"
@@ -37,7 +38,7 @@ std::string brokenRules(const QuadMesh& mesh, const std::vector<Seed>& seeds,
     std::vector<char> present(static_cast<std::size_t>(around.edges()), 0);
     const std::vector<int> edges = check::edgesOf(around, paths, "", report);
     for (const int edge : edges)
-        present[static_cast<std::size_t>(edge)] = 1;
+        present[at(edge)] = 1;
     check::checkGraph(around, check::traceLines(around, input).front(), paths, present, edges.size(), false,
                       "", report);
     std::string text;

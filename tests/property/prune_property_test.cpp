@@ -1,4 +1,5 @@
 // Pruning as an integer program against trying every set of arcs, and against the greedy removal.
+#include "base/at.h"
 #include "basecomplex/arc_graph.h"
 #include "enumerate/paper/plain_graph.h"
 #include "mesh/dihedral.h"
@@ -65,8 +66,7 @@ std::vector<Layout> allLayouts(const Case& drawn, const ArcGraph& graph) {
             const auto halfedges = halfedgesOf(graph, drawn.complex, ArcId(arc));
             tracks.push_back({{halfedges.begin(), halfedges.end()}, 0});
             for (const HalfedgeId halfedge : halfedges)
-                tracks.back().cost +=
-                    drawn.costs[static_cast<std::size_t>(drawn.mesh.edge_handle(halfedge).idx())];
+                tracks.back().cost += drawn.costs[at(drawn.mesh.edge_handle(halfedge))];
         }
         try {
             layouts.push_back(buildLayout(drawn.mesh, tracks, drawn.angles, drawn.costs));

@@ -1,5 +1,6 @@
 // The searches against each other, and against trying everything, on random meshes with random seeds and
 // costs.
+#include "base/at.h"
 #include "base/error.h"
 #include "enumerate/diagram/count_and_draw.h"
 #include "enumerate/diagram/count_graphs.h"
@@ -115,7 +116,7 @@ std::vector<bool> edgesOf(const Case& drawn, const Assignment& graph) {
     std::vector<bool> edges(drawn.mesh.n_edges(), false);
     for (std::size_t arc = 0; arc < present.size(); ++arc)
         for (const HalfedgeId halfedge : halfedgesOf(drawn.graph, drawn.complex, ArcId(arc)))
-            if (present[arc]) edges[static_cast<std::size_t>(drawn.mesh.edge_handle(halfedge).idx())] = true;
+            if (present[arc]) edges[at(drawn.mesh.edge_handle(halfedge))] = true;
     return edges;
 }
 
@@ -123,7 +124,7 @@ std::vector<bool> edgesOf(const Case& drawn, const Assignment& graph) {
 std::size_t countCorners(const QuadMesh& mesh, const std::vector<bool>& edges) {
     const auto bounds = [&](HalfedgeId halfedge) {
         const EdgeId edge = mesh.edge_handle(halfedge);
-        return edges[static_cast<std::size_t>(edge.idx())] || mesh.is_boundary(edge);
+        return edges[at(edge)] || mesh.is_boundary(edge);
     };
     std::size_t corners = 0;
     for (const HalfedgeId halfedge : mesh.halfedges())

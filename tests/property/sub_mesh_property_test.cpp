@@ -1,4 +1,5 @@
 // What searches of sub-meshes look at, against the same on the whole mesh: random meshes, seeds and cuts.
+#include "base/at.h"
 #include "enumerate/enumerate.h"
 #include "enumerate/state/assignment.h"
 #include "enumerate/sub_mesh/own_space.h"
@@ -113,11 +114,11 @@ TEST(SubMeshProperty, GraphsCostWhatTheirTracksAndCornersDo) {
             enumerateGraphs(drawn->mesh, drawn->complex, drawn->edgeCosts, drawn->parts, options);
         const Corners corners(drawn->mesh, drawn->parts.labels, drawn->parts.count);
         for (int subMesh = 0; subMesh < drawn->parts.count; ++subMesh)
-            for (const MotorcycleGraph& graph : found.subMeshes[static_cast<std::size_t>(subMesh)].graphs) {
+            for (const MotorcycleGraph& graph : found.subMeshes[at(subMesh)].graphs) {
                 double cost = 0.5 * static_cast<double>(corners.between(graph.tracks, subMesh));
                 for (const Track& track : graph.tracks) {
                     const VertexId end = drawn->mesh.to_vertex_handle(track.halfedges.back());
-                    const int label = drawn->parts.labels[static_cast<std::size_t>(end.idx())];
+                    const int label = drawn->parts.labels[at(end)];
                     cost += track.cost;
                     endsPastTheCut += drawn->mesh.is_boundary(end) && label != subMesh ? 1 : 0;
                 }
@@ -153,7 +154,7 @@ TEST(SubMeshProperty, FreeParticlesAreKnownAfterEveryChange) {
             std::size_t count = 0;
             for (int subMesh = 0; subMesh < drawn->parts.count; ++subMesh) {
                 const auto& in = free.in(subMesh);
-                EXPECT_EQ(std::vector(in.begin(), in.end()), expected[static_cast<std::size_t>(subMesh)]);
+                EXPECT_EQ(std::vector(in.begin(), in.end()), expected[at(subMesh)]);
                 count += in.size();
             }
             EXPECT_EQ(free.count(), count);

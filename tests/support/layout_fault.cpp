@@ -1,5 +1,7 @@
 #include "support/layout_fault.h"
 
+#include "base/at.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,10 +9,6 @@
 namespace qm::testing {
 
 namespace {
-
-template <class Handle> std::size_t at(Handle handle) {
-    return static_cast<std::size_t>(handle.idx());
-}
 
 /// By edge: on how many tracks it lies, the mesh boundary counting as one.
 std::vector<int> timesOnBorder(const QuadMesh& mesh, const Layout& layout) {

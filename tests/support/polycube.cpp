@@ -1,5 +1,7 @@
 #include "support/polycube.h"
 
+#include "base/at.h"
+
 #include <cmath>
 #include <cstring>
 #include <map>
@@ -87,8 +89,8 @@ Cells bump() {
 check::CheckedMesh plane(const std::vector<const char*>& rows) {
     Builder builder(1);
     for (int y = 0; y < static_cast<int>(rows.size()); ++y)
-        for (int x = 0; x < static_cast<int>(std::strlen(rows[static_cast<std::size_t>(y)])); ++x)
-            if (rows[static_cast<std::size_t>(y)][x] == 'x')
+        for (int x = 0; x < static_cast<int>(std::strlen(rows[at(y)])); ++x)
+            if (rows[at(y)][x] == 'x')
                 builder.add({Position{x, y, 0}, {x + 1, y, 0}, {x + 1, y + 1, 0}, {x, y + 1, 0}});
     return builder.mesh();
 }
@@ -126,19 +128,19 @@ check::CheckedMesh glued(int squares, const std::vector<std::array<int, 2>>& pai
     const auto point = [&](int square, int i, int j) { return (square * (n + 1) + j) * (n + 1) + i; };
     const auto onSide = [&](int side, int k) {
         const std::array<std::array<int, 2>, 4> places{{{k, 0}, {n, k}, {n - k, n}, {0, n - k}}};
-        const auto [i, j] = places[static_cast<std::size_t>(side % 4)];
+        const auto [i, j] = places[at(side % 4)];
         return point(side / 4, i, j);
     };
     std::vector<int> same(static_cast<std::size_t>(squares * (n + 1) * (n + 1)));
     std::iota(same.begin(), same.end(), 0);
     const auto root = [&](int p) {
-        while (same[static_cast<std::size_t>(p)] != p)
-            p = same[static_cast<std::size_t>(p)];
+        while (same[at(p)] != p)
+            p = same[at(p)];
         return p;
     };
     for (const auto& [one, other] : pairs)
         for (int k = 0; k <= n; ++k)
-            same[static_cast<std::size_t>(root(onSide(one, k)))] = root(onSide(other, n - k));
+            same[at(root(onSide(one, k)))] = root(onSide(other, n - k));
 
     check::CheckedMesh mesh;
     std::map<int, int> number;

@@ -1,5 +1,6 @@
 #include "support/random_graph.h"
 
+#include "base/at.h"
 #include "base/error.h"
 #include "mesh/build_mesh.h"
 #include "mesh/topology.h"
@@ -95,7 +96,6 @@ std::vector<Seed> randomSeeds(const QuadMesh& mesh, std::size_t max, std::mt1993
 
 std::vector<Track> randomGraph(const QuadMesh& mesh, const BaseComplex& complex,
                                const std::vector<double>& edgeCosts, std::mt19937& random) {
-    const auto at = [](auto handle) { return static_cast<std::size_t>(handle.idx()); };
     std::vector<bool> visited(mesh.n_vertices()), covered(mesh.n_edges());
     std::vector<Track> tracks(complex.separatrices.size());
     using Departure = std::pair<double, std::size_t>;

@@ -1,5 +1,6 @@
 #include "support/track_along.h"
 
+#include "base/at.h"
 #include "mesh/topology.h"
 #include "support/grid_layout.h"
 
@@ -14,7 +15,7 @@ Track trackAlong(const QuadMesh& mesh, const Path& path, double cost) {
 
 PerEdge& PerEdge::along(const Path& path, double value) {
     for (const HalfedgeId halfedge : trackAlong(mesh_, path).halfedges)
-        values_[static_cast<std::size_t>(mesh_.edge_handle(halfedge).idx())] = value;
+        values_[at(mesh_.edge_handle(halfedge))] = value;
     return *this;
 }
 

@@ -1,3 +1,4 @@
+#include "base/at.h"
 #include "bspline/measure/certified_deviation.h"
 #include "bspline/measure/folds.h"
 #include "bspline/measure/foot_search.h"
@@ -40,9 +41,9 @@ struct Pair {
                     const double v = static_cast<double>(j) / steps;
                     const double width = r.i1 - r.i0;
                     const double height = r.j1 - r.j0;
-                    const std::array<std::array<double, 2>, 4> at{
+                    const std::array<std::array<double, 2>, 4> places{
                         {{u, v}, {width - v, u}, {width - u, height - v}, {v, height - u}}};
-                    const auto& [column, row] = at[static_cast<std::size_t>(r.turned)];
+                    const auto& [column, row] = places[at(r.turned)];
                     reference.points.push_back(shape(r.i0 + column, r.j0 + row));
                 }
             result.push_back(reference);
@@ -128,7 +129,7 @@ TEST(CertifiedDeviation, OfEqualSurfacesIsNothing) {
     const auto plane = [](double i, double j) { return Point(i, j, 0); };
     Pair pair{{6, 6, plane}, {{0, 0, 6, 6}}, plane};
     for (int k = 0; k < 81; ++k)
-        pair.patches[0].controlPoints[static_cast<std::size_t>(k)] = Point(k % 9 - 1, k / 9 - 1, 0);
+        pair.patches[0].controlPoints[at(k)] = Point(k % 9 - 1, k / 9 - 1, 0);
     const auto deviation = certifiedDeviation(pair.paired(), 0, {.negligible = 1e-12});
     EXPECT_LT(deviation.upper, 1e-12);
 }

@@ -1,4 +1,5 @@
 // True documents pass; of each rule there is one that breaks it, and the place is named.
+#include "base/at.h"
 #include "base/error.h"
 #include "check/angles.h"
 #include "check/check_document.h"
@@ -84,7 +85,7 @@ Model torusModel() {
         CostSum cost(costs);
         for (std::size_t i = 1; i < track.vertices.size(); ++i) {
             const int edge = around.edge(around.stepBetween(track.vertices[i - 1], track.vertices[i]));
-            border[static_cast<std::size_t>(edge)] = 1;
+            border[at(edge)] = 1;
             cost.add(edge);
         }
         track.id = static_cast<int>(t);
@@ -578,8 +579,7 @@ TEST(CheckLayout, LetsAPrunedLayoutLackTracks) {
     std::vector<char> border(static_cast<std::size_t>(around.edges()), 0);
     for (const auto& track : part.tracks)
         for (std::size_t i = 1; i < track.vertices.size(); ++i)
-            border[static_cast<std::size_t>(
-                around.edge(around.stepBetween(track.vertices[i - 1], track.vertices[i])))] = 1;
+            border[at(around.edge(around.stepBetween(track.vertices[i - 1], track.vertices[i])))] = 1;
     part.segments = segmentsBetween(model.mesh, around, border);
     part.lowerBound = *part.cost + 1;
     part.pruned = true;

@@ -1,3 +1,4 @@
+#include "base/at.h"
 #include "cut/energy.h"
 #include "cut/geodesics.h"
 #include "mesh/build_mesh.h"
@@ -42,7 +43,7 @@ double statedEnergy(const QuadMesh& mesh, VertexId source, VertexId sink,
                     const std::vector<int>& labels) {
     double energy = 0;
     for (const VertexId p : mesh.vertices()) {
-        const int label = labels[static_cast<std::size_t>(p.idx())];
+        const int label = labels[at(p)];
         const double toSource = (mesh.point(p) - mesh.point(source)).norm();
         const double toSink = (mesh.point(p) - mesh.point(sink)).norm();
         double d = 1 - (label == 0 ? toSource : toSink) / (toSource + toSink);
@@ -57,8 +58,7 @@ double statedEnergy(const QuadMesh& mesh, VertexId source, VertexId sink,
     }
     for (const EdgeId edge : mesh.edges()) {
         const HalfedgeId h = mesh.halfedge_handle(edge, 0);
-        if (labels[static_cast<std::size_t>(mesh.from_vertex_handle(h).idx())] !=
-            labels[static_cast<std::size_t>(mesh.to_vertex_handle(h).idx())])
+        if (labels[at(mesh.from_vertex_handle(h))] != labels[at(mesh.to_vertex_handle(h))])
             energy += o.lambda;
     }
     return energy;
@@ -107,7 +107,7 @@ TEST(CutEnergy, HoldsOnlyForTheSubMesh) {
     std::vector<int> labels(15, 3);
     const std::vector<VertexId> inside{VertexId(0), VertexId(1), VertexId(5), VertexId(6)};
     for (const VertexId vertex : inside)
-        labels[static_cast<std::size_t>(vertex.idx())] = 8;
+        labels[at(vertex)] = 8;
     Geodesics geodesics(mesh, labels);
     const std::vector<double> flat(mesh.n_edges(), 0);
     Energy energy(mesh, flat, {}, labels);

@@ -1,3 +1,4 @@
+#include "base/at.h"
 #include "check/lines.h"
 #include "cut/cut.h"
 #include "mesh/build_mesh.h"
@@ -19,10 +20,6 @@ namespace qm::testing {
 namespace {
 
 constexpr std::array everyKind{Terminals::irregular, Terminals::farthest, Terminals::box};
-
-std::size_t at(VertexId vertex) {
-    return static_cast<std::size_t>(vertex.idx());
-}
 
 CutOptions cutOptions(double chi, Terminals kind = Terminals::irregular) {
     CutOptions options;
@@ -328,8 +325,7 @@ TEST(Cut, HoldsOnRandomMeshes) {
         if (!mesh) continue;
         const std::vector<Seed> seeds = randomSeeds(*mesh, 3, random);
         const double whole = maxComplexity(cutAt(*mesh, cutOptions(1e9), seeds));
-        CutOptions options =
-            cutOptions(whole * (round % 5) / 5, everyKind[static_cast<std::size_t>(round) % 3]);
+        CutOptions options = cutOptions(whole * (round % 5) / 5, everyKind[at(round) % 3]);
         options.avoidFeatures = round % 2 == 0;
         const Cut cut = cutAt(*mesh, options, seeds);
         expectProperLabels(*mesh, cut);
@@ -371,9 +367,7 @@ std::size_t stepsAlongFeatures(const QuadMesh& mesh, const std::vector<double>& 
                                const std::vector<int>& labels) {
     std::size_t steps = 0;
     for (const HalfedgeId halfedge : mesh.halfedges()) {
-        if (mesh.is_boundary(halfedge) ||
-            angles[static_cast<std::size_t>(mesh.edge_handle(halfedge).idx())] < 0.5)
-            continue;
+        if (mesh.is_boundary(halfedge) || angles[at(mesh.edge_handle(halfedge))] < 0.5) continue;
         const HalfedgeId next = mesh.next_halfedge_handle(halfedge);
         const int a = labels[at(mesh.from_vertex_handle(halfedge))],
                   b = labels[at(mesh.to_vertex_handle(halfedge))];

@@ -1,3 +1,4 @@
+#include "base/at.h"
 #include "mesh/build_mesh.h"
 #include "mesh/dihedral.h"
 #include "mesh/quad_geometry.h"
@@ -25,7 +26,7 @@ QuadMesh hinge(double angle, double size = 1) {
 
 double angleOfHinge(const QuadMesh& mesh) {
     const HalfedgeId halfedge = mesh.find_halfedge(VertexId(0), VertexId(1));
-    return dihedralAngles(mesh)[static_cast<std::size_t>(mesh.edge_handle(halfedge).idx())];
+    return dihedralAngles(mesh)[at(mesh.edge_handle(halfedge))];
 }
 
 TEST(Dihedral, IsTheAngleBetweenTheFacesWhicheverWayTheyTurn) {

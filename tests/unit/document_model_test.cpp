@@ -1,5 +1,6 @@
 /// \file From documents to structs: what is read is what was written, and every broken rule is named with its
 /// place.
+#include "base/at.h"
 #include "base/error.h"
 #include "document/document.h"
 #include "document/features_section.h"
@@ -17,6 +18,7 @@
 
 namespace {
 
+using qm::at;
 using qm::Document;
 using qm::Json;
 using qm::Kind;
@@ -265,7 +267,7 @@ TEST_F(ModelTest, ConstraintsAreEdgesOfSeparatrices) {
     std::vector<bool> used(qm::testing::sampleMesh().n_vertices());
     for (const Json& separatrix : document.root["baseComplex"]["separatrices"])
         for (const int vertex : separatrix["vertices"])
-            used[static_cast<std::size_t>(vertex)] = true;
+            used[at(vertex)] = true;
     for (const qm::EdgeId edge : qm::testing::sampleMesh().edges()) {
         const int a = qm::testing::sampleMesh()
                           .to_vertex_handle(qm::testing::sampleMesh().halfedge_handle(edge, 0))
@@ -273,7 +275,7 @@ TEST_F(ModelTest, ConstraintsAreEdgesOfSeparatrices) {
         const int b = qm::testing::sampleMesh()
                           .to_vertex_handle(qm::testing::sampleMesh().halfedge_handle(edge, 1))
                           .idx();
-        if (used[static_cast<std::size_t>(a)] || used[static_cast<std::size_t>(b)]) continue;
+        if (used[at(a)] || used[at(b)]) continue;
         const std::vector<int> curve = document.root["features"]["curves"][0]["vertices"];
         if (std::find(curve.begin(), curve.end(), a) != curve.end()) continue;
         const std::string message = constrained({{"forbidden", {{{"vertices", {a, b}}}}}});

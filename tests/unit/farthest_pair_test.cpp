@@ -1,3 +1,4 @@
+#include "base/at.h"
 #include "cut/farthest_pair.h"
 #include "cut/geodesics.h"
 #include "mesh/build_mesh.h"
@@ -12,10 +13,6 @@
 
 namespace qm::testing {
 namespace {
-
-std::size_t at(VertexId vertex) {
-    return static_cast<std::size_t>(vertex.idx());
-}
 
 /// The same by sweeping from every vertex.
 double longestOfAll(const std::vector<VertexId>& vertices, Geodesics& geodesics) {

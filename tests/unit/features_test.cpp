@@ -1,3 +1,4 @@
+#include "base/at.h"
 #include "features/features.h"
 #include "mesh/topology.h"
 #include "support/polycube.h"
@@ -138,9 +139,7 @@ TEST(Features, MayBeClosedLoops) {
         // One blunt edge, wherever it is, leaves one run that goes round past the loop's first vertex.
         for (int gap = 0; gap < length; ++gap) {
             const PerEdge angles =
-                PerEdge(mesh, 0)
-                    .along(loop, sharp)
-                    .along({loop[static_cast<std::size_t>(gap)], loop[static_cast<std::size_t>(gap) + 1]}, 0);
+                PerEdge(mesh, 0).along(loop, sharp).along({loop[at(gap)], loop[at(gap) + 1]}, 0);
             const Features open = findFeatures(mesh, angles, limits(1, 1000));
             ASSERT_EQ(open.curves.size(), 1U) << gap;
             EXPECT_EQ(open.curves[0].halfedges.size(), static_cast<std::size_t>(length - 1)) << gap;
@@ -194,9 +193,7 @@ public:
     }
 
 private:
-    bool isSharp(EdgeId edge) const {
-        return !mesh_.is_boundary(edge) && angles_[static_cast<std::size_t>(edge.idx())] > options_.rho;
-    }
+    bool isSharp(EdgeId edge) const { return !mesh_.is_boundary(edge) && angles_[at(edge)] > options_.rho; }
 
     /// Takes in the sharp edges ahead.
     /// \return whether the end is far enough from extraordinary vertices
@@ -235,8 +232,7 @@ TEST(Features, AgreeWithTheLetterOfTheMethod) {
         const double share = angle(random);
         std::vector<double> angles(mesh->n_edges());
         for (const EdgeId edge : mesh->edges())
-            angles[static_cast<std::size_t>(edge.idx())] =
-                mesh->is_boundary(edge) || angle(random) > share ? 0 : sharp;
+            angles[at(edge)] = mesh->is_boundary(edge) || angle(random) > share ? 0 : sharp;
         FeatureOptions options = limits(1 + round % 4, round % 3);
         // No sum of edges' lengths is near these, which rounding could put on either side.
         if (round % 2 == 0) options.minLength = {1.2345 * (round % 5), false};

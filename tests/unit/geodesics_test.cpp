@@ -1,3 +1,4 @@
+#include "base/at.h"
 #include "cut/coarse_geodesics.h"
 #include "mesh/build_mesh.h"
 #include "support/polycube.h"
@@ -15,10 +16,6 @@ namespace qm::testing {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-std::size_t at(VertexId vertex) {
-    return static_cast<std::size_t>(vertex.idx());
-}
 
 double norm(const Point& point) {
     return point.norm();
@@ -117,7 +114,7 @@ TEST(Geodesics, StayInTheirPart) {
     // A wall in column 5 with a gap in the last row: vertices (0..4, j) reach (6..10, j) only around it.
     std::vector<int> part(mesh.n_vertices(), 0);
     for (int j = 0; j < 10; ++j)
-        part[static_cast<std::size_t>(j * 11 + 5)] = 1;
+        part[at(j * 11 + 5)] = 1;
     Geodesics geodesics(mesh, part);
     const std::vector<double>& distance = geodesics.from(VertexId(0));
     EXPECT_EQ(distance[5], infinity);
@@ -238,7 +235,7 @@ TEST(CoarseGeodesics, StayInTheirPartAndTurnToAnother) {
     // A wall in the middle column with a gap in the last rows.
     std::vector<int> part(mesh.n_vertices(), 0);
     for (int j = 0; j < size - 4; ++j)
-        part[static_cast<std::size_t>(j * (size + 1) + size / 2)] = 1;
+        part[at(j * (size + 1) + size / 2)] = 1;
     CoarseGeodesics geodesics(mesh, part);
     geodesics.coarsen(verticesOf(mesh, part, 0));
     const auto distance = [&](int from, int to) {

@@ -1,3 +1,4 @@
+#include "base/at.h"
 #include "bspline/splines/evaluate.h"
 #include "bspline/splines/interpolate.h"
 
@@ -38,7 +39,7 @@ TEST_P(InterpolateSizes, PassesThroughEveryPoint) {
     const Patch patch = interpolate(grid, {m, n});
     for (int j = 0; j <= n; ++j)
         for (int i = 0; i <= m; ++i) {
-            const Point expected = grid[static_cast<std::size_t>(j * (m + 1) + i)];
+            const Point expected = grid[at(j * (m + 1) + i)];
             EXPECT_LT((evaluate(patch, i, j).position - expected).norm(), 1e-12) << i << ' ' << j;
         }
 }
@@ -47,9 +48,7 @@ TEST_P(InterpolateSizes, SolvesTheSystemOfTheMethod) {
     const auto [m, n] = GetParam();
     const auto grid = wavyGrid(m, n);
     const Patch patch = interpolate(grid, {m, n});
-    const auto control = [&](int i, int j) {
-        return patch.controlPoints[static_cast<std::size_t>(j * (m + 3) + i)];
-    };
+    const auto control = [&](int i, int j) { return patch.controlPoints[at(j * (m + 3) + i)]; };
     for (int i = 0; i < m + 3; ++i) {
         EXPECT_EQ(control(i, 0), control(i, 1));
         EXPECT_EQ(control(i, n + 1), control(i, n + 2));
@@ -65,7 +64,7 @@ TEST_P(InterpolateSizes, SolvesTheSystemOfTheMethod) {
     for (int j = 0; j <= n; ++j)
         for (int i = 0; i <= m; ++i) {
             const Point sum = row(i, j) + 4.0 * row(i + 1, j) + row(i + 2, j);
-            EXPECT_LT((sum - 6.0 * grid[static_cast<std::size_t>(j * (m + 1) + i)]).norm(), 1e-11);
+            EXPECT_LT((sum - 6.0 * grid[at(j * (m + 1) + i)]).norm(), 1e-11);
         }
 }
 

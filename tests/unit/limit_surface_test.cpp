@@ -1,3 +1,4 @@
+#include "base/at.h"
 #include "bspline/network/vertex_rules.h"
 #include "bspline/reference/control_mesh.h"
 #include "bspline/reference/limit_surface.h"
@@ -85,12 +86,12 @@ HalfedgeId halfedge(const QuadMesh& mesh, int from, int to) {
 std::vector<bool> creaseAlong(const QuadMesh& mesh, const std::vector<std::array<int, 2>>& edges) {
     std::vector<bool> creases = noCreases(mesh);
     for (const auto& [from, to] : edges)
-        creases[static_cast<std::size_t>(mesh.edge_handle(halfedge(mesh, from, to)).idx())] = true;
+        creases[at(mesh.edge_handle(halfedge(mesh, from, to)))] = true;
     return creases;
 }
 
 VertexRule ruleAt(const QuadMesh& mesh, const Layout& layout, const std::vector<bool>& creases, int vertex) {
-    return vertexRules(mesh, layout, creasesAndBoundary(mesh, creases))[static_cast<std::size_t>(vertex)];
+    return vertexRules(mesh, layout, creasesAndBoundary(mesh, creases))[at(vertex)];
 }
 
 // ------------------------------------------------------------------------------- shape
@@ -157,8 +158,8 @@ TEST(LimitSurface, KeepsThePlanesAndEdgesOfACube) {
     double high = corner[0];
     for (const VertexId vertex : mesh.vertices())
         for (int axis = 0; axis < 3; ++axis) {
-            low = std::min(low, mesh.point(vertex)[static_cast<std::size_t>(axis)]);
-            high = std::max(high, mesh.point(vertex)[static_cast<std::size_t>(axis)]);
+            low = std::min(low, mesh.point(vertex)[at(axis)]);
+            high = std::max(high, mesh.point(vertex)[at(axis)]);
         }
     for (const ReferenceGrid& grid : grids)
         for (const Point& point : grid.points) {
@@ -180,12 +181,11 @@ TEST(LimitSurface, PassesThroughTheVerticesWhateverTheirValence) {
         EXPECT_EQ(std::ranges::count(control.interpolates, false), 0) << n;
         VertexStencil stencil;
         for (const VertexId vertex : mesh.vertices()) {
-            limitStencil(mesh, vertex, rules[static_cast<std::size_t>(vertex.idx())], stencil);
-            Point limit = stencil.own * control.points[static_cast<std::size_t>(vertex.idx())];
+            limitStencil(mesh, vertex, rules[at(vertex)], stencil);
+            Point limit = stencil.own * control.points[at(vertex)];
             for (const auto& [spoke, diagonal, weight] : stencil.around) {
                 const HalfedgeId onward = diagonal ? mesh.next_halfedge_handle(spoke) : spoke;
-                limit +=
-                    weight * control.points[static_cast<std::size_t>(mesh.to_vertex_handle(onward).idx())];
+                limit += weight * control.points[at(mesh.to_vertex_handle(onward))];
             }
             EXPECT_LT((limit - mesh.point(vertex)).norm(), 1e-10) << n << ' ' << vertex.idx();
         }
@@ -239,7 +239,7 @@ TEST(LimitSurface, SegmentsMayBeTurnedInAnyWay) {
         for (double v = 0; v <= 4; v += 0.5)
             for (double u = 0; u <= 6; u += 0.5) {
                 const auto place = std::array{std::array{v, 6 - u}, std::array{6 - u, 4 - v},
-                                              std::array{4 - v, u}}[static_cast<std::size_t>(turned - 1)];
+                                              std::array{4 - v, u}}[at(turned - 1)];
                 EXPECT_LT((other.at(place[0], place[1]) - grid.at(u, v)).norm(), 1e-12) << turned;
             }
     }
@@ -390,10 +390,7 @@ TEST(VertexRules, ABoundaryVertexOfOneQuadIsACornerAndStraightOnesAreNot) {
     for (int k = 0; k < 12; ++k) {
         const bool isCorner = k == 0 || k == 3 || k == 8 || k == 11;
         const bool isInside = k == 5 || k == 6;
-        EXPECT_EQ(rules[static_cast<std::size_t>(k)].kind, isCorner   ? Kind::corner
-                                                           : isInside ? Kind::smooth
-                                                                      : Kind::crease)
-            << k;
+        EXPECT_EQ(rules[at(k)].kind, isCorner ? Kind::corner : isInside ? Kind::smooth : Kind::crease) << k;
     }
 }
 

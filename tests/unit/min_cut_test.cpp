@@ -1,3 +1,4 @@
+#include "base/at.h"
 #include "cut/min_cut.h"
 
 #include <gtest/gtest.h>
@@ -9,10 +10,6 @@
 
 namespace qm {
 namespace {
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
 
 double energy(const CutProblem& problem, const std::vector<int>& labels) {
     double sum = 0;

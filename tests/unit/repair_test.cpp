@@ -1,3 +1,4 @@
+#include "base/at.h"
 #include "base/error.h"
 #include "mesh/read_mesh.h"
 #include "mesh/repair.h"
@@ -219,7 +220,7 @@ TEST(Repair, DropsDuplicateFaces) {
     const QuadMesh mesh = makeShape("cube", {.resolution = 2});
     std::string text = writeObj(mesh);
     const auto face = facesOf(mesh)[5];
-    const auto word = [&](int k) { return " " + std::to_string(face[static_cast<std::size_t>(k)] + 1); };
+    const auto word = [&](int k) { return " " + std::to_string(face[at(k)] + 1); };
     text += "f" + word(1) + word(2) + word(3) + word(0) + "\n"; // the same, turned
     text += "f" + word(3) + word(2) + word(1) + word(0) + "\n"; // the other way round
     const ReadResult result = repaired(text);

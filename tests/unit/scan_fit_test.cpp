@@ -1,3 +1,4 @@
+#include "base/at.h"
 #include "basecomplex/base_complex.h"
 #include "bspline/fit.h"
 #include "bspline/splines/evaluate.h"
@@ -42,7 +43,7 @@ TEST_P(NoisyScan, IsFartherFromTheTruthThanTheSurfacesFittedToIt) {
     double sum = 0;
     double count = 0;
     for (const Patch& patch : surfaces.patches) {
-        const auto& size = layout.segments[static_cast<std::size_t>(patch.segment.value())].size;
+        const auto& size = layout.segments[at(patch.segment.value())].size;
         for (int j = 0; j <= 3 * size[1]; ++j)
             for (int i = 0; i <= 3 * size[0]; ++i) {
                 sum += std::pow(truth->nearest(evaluate(patch, i / 3.0, j / 3.0).position).distance, 2);
@@ -73,8 +74,7 @@ TEST(DirtyScan, NeedsFewMoreControlPointsThanACleanOne) {
     const double radius = 0.08 * diagonalOf(clean);
     const Point middle = clean.points[clean.points.size() / 3];
     for (const auto& face : clean.faces)
-        if ((clean.points[static_cast<std::size_t>(face[0])] - middle).norm() > radius)
-            torn.faces.push_back(face);
+        if ((clean.points[at(face[0])] - middle).norm() > radius) torn.faces.push_back(face);
     EXPECT_LE(controlPointsFor(mesh, torn), 1.2 * static_cast<double>(expected));
 
     Triangles spiked = clean;

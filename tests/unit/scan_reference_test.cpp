@@ -1,3 +1,4 @@
+#include "base/at.h"
 #include "bspline/reference/limit_surface.h"
 #include "bspline/reference/scan_reference.h"
 #include "mesh/dihedral.h"
@@ -55,7 +56,7 @@ struct Part {
 Triangles without(const Triangles& scan, const std::function<bool(const Point&)>& gone) {
     Triangles result{scan.points, {}};
     for (const auto& face : scan.faces)
-        if (!gone(scan.points[static_cast<std::size_t>(face[0])])) result.faces.push_back(face);
+        if (!gone(scan.points[at(face[0])])) result.faces.push_back(face);
     return result;
 }
 

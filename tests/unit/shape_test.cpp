@@ -1,3 +1,4 @@
+#include "base/at.h"
 #include "base/error.h"
 #include "mesh/build_mesh.h"
 #include "mesh/dihedral.h"
@@ -116,7 +117,7 @@ TEST(Shapes, BlockIsSharpOutsideAndSoftInside) {
     const QuadMesh mesh = makeShape("block", {.resolution = 8});
     const std::vector<double> angles = dihedralAngles(mesh);
     for (const EdgeId edge : mesh.edges()) {
-        const double angle = angles[static_cast<std::size_t>(edge.idx())];
+        const double angle = angles[at(edge)];
         const Point middle = mesh.calc_edge_midpoint(edge);
         int extremes = 0; // of the block's six sides, those that the edge lies on
         for (const unsigned axis : {0U, 1U, 2U})

@@ -1,3 +1,4 @@
+#include "base/at.h"
 #include "base/error.h"
 #include "basecomplex/base_complex.h"
 #include "bspline/fit.h"
@@ -61,7 +62,7 @@ TEST(View, EveryQuadBelongsToItsSegment) {
     EXPECT_EQ(segments.groups.size(), 80U);
     for (std::size_t k = 0; k < sample.layout.segments.size(); ++k)
         for (const FaceId face : sample.layout.segments[k].faces)
-            EXPECT_EQ(segments.groups[static_cast<std::size_t>(face.idx())], k);
+            EXPECT_EQ(segments.groups[at(face)], k);
     EXPECT_EQ(named(scene.lines, "borders").items.count, 12U);
 }
 

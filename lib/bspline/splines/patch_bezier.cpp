@@ -1,5 +1,6 @@
 #include "bspline/splines/patch_bezier.h"
 
+#include "base/at.h"
 #include "bspline/splines/basis.h"
 #include "bspline/splines/eigen_point.h"
 
@@ -10,16 +11,12 @@ namespace {
 
 using Row = std::array<double, 2 * maxDegree + 1>;
 
-std::size_t index(int i) {
-    return static_cast<std::size_t>(i);
-}
-
 /// "degree over k" for k from 0 to degree.
 Row binomials(int degree) {
     Row row{};
     row[0] = 1;
     for (int k = 1; k <= degree; ++k)
-        row[index(k)] = row[index(k - 1)] * (degree - k + 1) / k;
+        row[at(k)] = row[at(k - 1)] * (degree - k + 1) / k;
     return row;
 }
 
@@ -31,7 +28,7 @@ std::vector<Eigen::Vector3d> scaled(const BezierPiece& piece) {
     std::size_t k = 0;
     for (int j = 0; j <= piece.degree[1]; ++j)
         for (int i = 0; i <= piece.degree[0]; ++i)
-            points[k++] *= u[index(i)] * v[index(j)];
+            points[k++] *= u[at(i)] * v[at(j)];
     return points;
 }
 
@@ -43,12 +40,12 @@ void bernstein(int degree, double t, Row& value, Row& derivative) {
         if (d == degree) {
             derivative[0] = -degree * value[0];
             for (int i = 1; i < degree; ++i)
-                derivative[index(i)] = degree * (value[index(i - 1)] - value[index(i)]);
-            derivative[index(degree)] = degree * value[index(degree - 1)];
+                derivative[at(i)] = degree * (value[at(i - 1)] - value[at(i)]);
+            derivative[at(degree)] = degree * value[at(degree - 1)];
         }
-        value[index(d)] = t * value[index(d - 1)];
+        value[at(d)] = t * value[at(d - 1)];
         for (int i = d - 1; i > 0; --i)
-            value[index(i)] = t * value[index(i - 1)] + (1 - t) * value[index(i)];
+            value[at(i)] = t * value[at(i - 1)] + (1 - t) * value[at(i)];
         value[0] *= 1 - t;
     }
 }
@@ -58,14 +55,13 @@ void restrictRow(Eigen::Vector3d* points, std::size_t stride, int degree, double
     if (to < 1)
         for (int level = 1; level <= degree; ++level)
             for (int i = degree; i >= level; --i)
-                points[index(i) * stride] =
-                    (1 - to) * points[index(i - 1) * stride] + to * points[index(i) * stride];
+                points[at(i) * stride] = (1 - to) * points[at(i - 1) * stride] + to * points[at(i) * stride];
     const double begin = to > 0 ? from / to : 0;
     if (begin > 0)
         for (int level = 1; level <= degree; ++level)
             for (int i = 0; i + level <= degree; ++i)
-                points[index(i) * stride] =
-                    (1 - begin) * points[index(i) * stride] + begin * points[index(i + 1) * stride];
+                points[at(i) * stride] =
+                    (1 - begin) * points[at(i) * stride] + begin * points[at(i + 1) * stride];
 }
 
 } // namespace
@@ -75,22 +71,22 @@ void BezierPieces::get(std::size_t i, std::size_t j, BezierPiece& piece) const {
     const BezierExtraction& v = along[1];
     const std::span<const double> weightsU = u.of(i);
     const std::span<const double> weightsV = v.of(j);
-    const std::size_t columns = index(u.degree) + 1;
-    const std::size_t rows = index(v.degree) + 1;
+    const std::size_t columns = at(u.degree) + 1;
+    const std::size_t rows = at(v.degree) + 1;
     piece.degree = {u.degree, v.degree};
     piece.points.assign(columns * rows, Eigen::Vector3d::Zero());
     std::array<Eigen::Vector3d, maxDegree + 1> onRow;
     const double* weightU = nullptr;
-    for (std::size_t r = 0; r < index(v.controls); ++r) {
+    for (std::size_t r = 0; r < at(v.controls); ++r) {
         const Point* control = controls.data() + (v.first[j] + r) * width + u.first[i];
         weightU = weightsU.data();
         for (std::size_t column = 0; column < columns; ++column) {
             onRow[column] = *weightU++ * vector(control[0]);
-            for (std::size_t c = 1; c < index(u.controls); ++c)
+            for (std::size_t c = 1; c < at(u.controls); ++c)
                 onRow[column] += *weightU++ * vector(control[c]);
         }
         for (std::size_t row = 0; row < rows; ++row) {
-            const double weight = weightsV[row * index(v.controls) + r];
+            const double weight = weightsV[row * at(v.controls) + r];
             for (std::size_t column = 0; column < columns; ++column)
                 piece.points[row * columns + column] += weight * onRow[column];
         }
@@ -103,7 +99,7 @@ BezierPieces bezierPieces(const Patch& patch) {
         pieces.along[k] = splineExtraction(patch.knots[k], patch.degree[k],
                                            differentKnots(patch.knots[k], patch.degree[k]), patch.degree[k]);
     pieces.controls = patch.controlPoints;
-    pieces.width = index(patch.count[0]);
+    pieces.width = at(patch.count[0]);
     return pieces;
 }
 
@@ -113,15 +109,15 @@ BezierPieces bezierPieces(const Patch& patch, const std::array<std::vector<doubl
     for (std::size_t k = 0; k < 2; ++k)
         pieces.along[k] = splineExtraction(patch.knots[k], patch.degree[k], breaks[k], raisedTo);
     pieces.controls = patch.controlPoints;
-    pieces.width = index(patch.count[0]);
+    pieces.width = at(patch.count[0]);
     return pieces;
 }
 
 void restrict(const BezierPiece& piece, const std::array<double, 2>& from, const std::array<double, 2>& to,
               BezierPiece& result) {
     result = piece;
-    const std::size_t columns = index(piece.degree[0]) + 1;
-    for (std::size_t row = 0; row <= index(piece.degree[1]); ++row)
+    const std::size_t columns = at(piece.degree[0]) + 1;
+    for (std::size_t row = 0; row <= at(piece.degree[1]); ++row)
         restrictRow(&result.points[row * columns], 1, piece.degree[0], from[0], to[0]);
     for (std::size_t column = 0; column < columns; ++column)
         restrictRow(&result.points[column], columns, piece.degree[1], from[1], to[1]);
@@ -140,12 +136,12 @@ PiecePoint evaluate(const BezierPiece& piece, double u, double v) {
         Eigen::Vector3d onRow = Eigen::Vector3d::Zero();
         Eigen::Vector3d slope = Eigen::Vector3d::Zero();
         for (int i = 0; i <= piece.degree[0]; ++i, ++point) {
-            onRow += valueU[index(i)] * *point;
-            slope += slopeU[index(i)] * *point;
+            onRow += valueU[at(i)] * *point;
+            slope += slopeU[at(i)] * *point;
         }
-        result.position += valueV[index(j)] * onRow;
-        result.du += valueV[index(j)] * slope;
-        result.dv += slopeV[index(j)] * onRow;
+        result.position += valueV[at(j)] * onRow;
+        result.du += valueV[at(j)] * slope;
+        result.dv += slopeV[at(j)] * onRow;
     }
     return result;
 }
@@ -153,12 +149,12 @@ PiecePoint evaluate(const BezierPiece& piece, double u, double v) {
 BezierPiece derivative(const BezierPiece& piece, int direction) {
     BezierPiece result;
     result.degree = piece.degree;
-    --result.degree[index(direction)];
+    --result.degree[at(direction)];
     const int stepI = direction == 0 ? 1 : 0;
     result.points.reserve(piece.points.size());
     for (int j = 0; j <= result.degree[1]; ++j)
         for (int i = 0; i <= result.degree[0]; ++i)
-            result.points.emplace_back(piece.degree[index(direction)] *
+            result.points.emplace_back(piece.degree[at(direction)] *
                                        (piece.at(i + stepI, j + 1 - stepI) - piece.at(i, j)));
     return result;
 }
@@ -170,10 +166,10 @@ BezierPiece normalPiece(const BezierPiece& piece) {
     const auto right = scaled(dv);
     BezierPiece normal;
     normal.degree = {2 * piece.degree[0] - 1, 2 * piece.degree[1] - 1};
-    const std::size_t columns = index(normal.degree[0]) + 1;
-    const std::size_t rows = index(normal.degree[1]) + 1;
-    const std::size_t leftColumns = index(du.degree[0]) + 1;
-    const std::size_t rightColumns = index(dv.degree[0]) + 1;
+    const std::size_t columns = at(normal.degree[0]) + 1;
+    const std::size_t rows = at(normal.degree[1]) + 1;
+    const std::size_t leftColumns = at(du.degree[0]) + 1;
+    const std::size_t rightColumns = at(dv.degree[0]) + 1;
     normal.points.assign(columns * rows, Eigen::Vector3d::Zero());
     for (std::size_t a = 0; a < left.size(); ++a)
         for (std::size_t b = 0; b < right.size(); ++b) {

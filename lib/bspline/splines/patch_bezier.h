@@ -2,6 +2,7 @@
 /// between (Farin, Curves and Surfaces for CAGD).
 #pragma once
 
+#include "base/at.h"
 #include "bspline/splines/bezier_extraction.h"
 #include "bspline/splines/surfaces.h"
 
@@ -20,8 +21,7 @@ struct BezierPiece {
     std::vector<Eigen::Vector3d> points;
 
     [[nodiscard]] const Eigen::Vector3d& at(int i, int j) const {
-        return points[static_cast<std::size_t>(j) * (static_cast<std::size_t>(degree[0]) + 1) +
-                      static_cast<std::size_t>(i)];
+        return points[qm::at(j) * (qm::at(degree[0]) + 1) + qm::at(i)];
     }
 };
 

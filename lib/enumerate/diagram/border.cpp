@@ -1,5 +1,7 @@
 #include "enumerate/diagram/border.h"
 
+#include "base/at.h"
+
 #include <algorithm>
 
 namespace qm {
@@ -8,10 +10,6 @@ namespace {
 constexpr unsigned valueBits = 2;
 constexpr unsigned groupBits = 16; ///< of a group's label, and as many of what it has left
 constexpr unsigned wordBits = 64;
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
 
 /// The first and last of the steps that something depends on.
 struct Span {

@@ -1,5 +1,6 @@
 #include "enumerate/diagram/ranked_graphs.h"
 
+#include "base/at.h"
 #include "enumerate/state/incumbents.h"
 
 #include <algorithm>
@@ -112,8 +113,8 @@ private:
 
     const Assignment& graphOf(std::int64_t way) {
         std::vector<Diagram::NodeId> detours;
-        for (; way >= 0; way = ways_[static_cast<std::size_t>(way)].before)
-            if (const std::uint32_t detour = ways_[static_cast<std::size_t>(way)].detour; detour != 0)
+        for (; way >= 0; way = ways_[at(way)].before)
+            if (const std::uint32_t detour = ways_[at(way)].detour; detour != 0)
                 detours.push_back(detours_[detour].node);
         graph_ = diagram_.fixed;
         for (Diagram::NodeId id = diagram_.root; id > Diagram::end;) {

@@ -1,5 +1,7 @@
 #include "enumerate/optimum/relaxation.h"
 
+#include "base/at.h"
+
 #include <coin/ClpSimplex.hpp>
 
 #include <algorithm>
@@ -7,10 +9,6 @@
 
 namespace qm {
 namespace {
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
 
 double bounded(double value) {
     return std::isinf(value) ? std::copysign(COIN_DBL_MAX, value) : value;

@@ -1,13 +1,11 @@
 #include "enumerate/paper/plain_graph.h"
 
+#include "base/at.h"
+
 #include <algorithm>
 
 namespace qm {
 namespace {
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
 
 /// One run of the process.
 class Race {

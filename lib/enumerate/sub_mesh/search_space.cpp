@@ -1,5 +1,6 @@
 #include "enumerate/sub_mesh/search_space.h"
 
+#include "base/at.h"
 #include "base/error.h"
 #include "enumerate/sub_mesh/extend.h"
 #include "mesh/topology.h"
@@ -9,10 +10,6 @@
 
 namespace qm {
 namespace {
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
 
 std::string nameOf(const QuadMesh& mesh, EdgeId edge) {
     const HalfedgeId halfedge = mesh.halfedge_handle(edge, 0);

@@ -1,16 +1,11 @@
 #include "enumerate/window/chain_links.h"
 
+#include "base/at.h"
+
 #include <map>
 #include <unordered_set>
 
 namespace qm {
-namespace {
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
-} // namespace
 
 ChainLinks::ChainLinks(const Problem& problem)
     : neighbours_(problem.chains.size()), crossings_(problem.chains.size()) {
