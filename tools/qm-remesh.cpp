@@ -25,6 +25,9 @@ int main(int argc, char** argv) {
             tool.option("quads", options.quads, qm::Range{8, 10'000'000}, "make about so many");
             tool.option("preserve-sharp", options.preserveSharp, {},
                         "do not make edges follow the sharp edges of the scan");
+            tool.option("draw", options.draw, {},
+                        "leave the vertices where QuadriFlow puts them, which cuts off edges and corners; "
+                        "else they are drawn to the scan");
             tool.option("seed", options.seed, qm::Range{0, 1'000'000}, "another one, another mesh");
             tool.example("qm-remesh scan.stl --quads 2000 -o part.obj");
             return [&] {
@@ -32,7 +35,8 @@ int main(int argc, char** argv) {
                     qm::readTriangles(tool.readInput(), tool.inputPath() == "-" ? "" : tool.inputPath());
                 tool.protect(tool.inputPath());
                 tool.count("triangles", static_cast<double>(scan.faces.size()));
-                const qm::Remeshed remeshed = qm::remeshWithBlender(scan, options);
+                const qm::Remeshed remeshed =
+                    qm::remeshWithBlender(scan, options, tool.control("drawing").jobs);
                 if (remeshed.loops != remeshed.scanLoops)
                     tool.warn(tool.inputName() + ": the quad mesh has " + loopsText(remeshed.loops) +
                               ", the scan has " + std::to_string(remeshed.scanLoops) +

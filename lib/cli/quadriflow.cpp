@@ -9,6 +9,7 @@
 #include "mesh/read_mesh.h"
 #include "mesh/triangle_edges.h"
 #include "mesh/write_soup.h"
+#include "remesh/draw_to_scan.h"
 
 #include <algorithm>
 #include <array>
@@ -94,7 +95,7 @@ std::size_t difference(const Remeshed& remeshed) {
 
 } // namespace
 
-Remeshed remeshWithBlender(const Triangles& scan, const RemeshOptions& options) {
+Remeshed remeshWithBlender(const Triangles& scan, const RemeshOptions& options, unsigned jobs) {
     const std::size_t scanLoops = validateTriangleEdges(scan);
     const HeldSignals signals;
     const TemporaryFolder folder("qm-remesh");
@@ -119,6 +120,8 @@ Remeshed remeshWithBlender(const Triangles& scan, const RemeshOptions& options) 
     if (!best)
         throw Error("", "QuadriFlow makes no quad mesh of it: " + problem,
                     "Try another number of quads, or mend the scan");
+    if (options.draw && !HeldSignals::oneWaits())
+        best->mesh = drawToScan(std::move(best->mesh), scan, {}, jobs);
     return std::move(*best);
 }
 

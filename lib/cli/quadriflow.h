@@ -11,6 +11,7 @@ struct RemeshOptions {
     int quads = 5000;          ///< about so many
     bool preserveSharp = true; ///< edges of the mesh follow the sharp edges of the scan
     int seed = 0;              ///< another one, another mesh
+    bool draw = true;          ///< the vertices are drawn to the scan (see `drawToScan`)
 };
 
 struct Remeshed {
@@ -25,6 +26,6 @@ struct Remeshed {
 /// result is no quad mesh, or has other boundary loops than the scan, the next seeds are tried, three in all,
 /// and the first of the best results is taken.
 /// \throw Error  if there is no Blender, the scan is no manifold, or no result is a quad mesh
-[[nodiscard]] Remeshed remeshWithBlender(const Triangles& scan, const RemeshOptions& options);
+[[nodiscard]] Remeshed remeshWithBlender(const Triangles& scan, const RemeshOptions& options, unsigned jobs);
 
 } // namespace qm

@@ -47,8 +47,14 @@ blender_or_skip() { command -v blender >/dev/null || skip 'there is no Blender';
     rm told
     quietly qm-remesh scan.stl --quads 70 --no-preserve-sharp --seed 4 -o part.obj
     assert_equal "$(cat told)" '70 0 0 4 '
-    # Boundaries are kept; a result without them makes it try other seeds, and say so.
+    # The vertices stay where they are put, or go to the scan.
+    quietly qm-remesh scan.stl --no-draw -o plain.obj
+    quietly qm-remesh scan.stl -o drawn.obj
+    assert_equal "$(grep -c '^v ' drawn.obj)" "$(grep -c '^v ' plain.obj)"
+    run cmp drawn.obj plain.obj
+    assert_failure
     rm told
+    # Boundaries are kept; a result without them makes it try other seeds, and say so.
     run --separate-stderr qm-remesh open.stl -o part.obj
     assert_success
     assert_equal "$(cat told)" '5000 1 1 0 5000 1 1 1 5000 1 1 2 '

@@ -1,0 +1,23 @@
+/// \file A quad mesh drawn closer to the scan that it was made of (docs/METHOD.md#drawing).
+#pragma once
+
+#include "mesh/quad_mesh.h"
+#include "mesh/triangles.h"
+
+namespace qm {
+
+struct DrawOptions {
+    int rounds = 12; ///< of nearest places, and of least squares
+};
+
+/// Moves the vertices so that the distances of the quads from the scan and of the scan from the quads become
+/// small, in the sense of robust least squares. So the sharp edges and corners come back that a remesher cuts
+/// off by quads that lie across them: the nearest rows of vertices move there. At first the quads are made
+/// even, which unfolds those that are folded; in the end neighbours only move alike where the scan says
+/// nothing else.
+/// \param mesh  nearer to the scan than about an edge, and oriented like it
+/// \param jobs  threads; the result does not depend on it
+[[nodiscard]] QuadMesh drawToScan(QuadMesh mesh, const Triangles& scan, const DrawOptions& options,
+                                  unsigned jobs);
+
+} // namespace qm

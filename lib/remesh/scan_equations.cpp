@@ -1,0 +1,118 @@
+#include "remesh/scan_equations.h"
+
+#include "base/parallel.h"
+#include "mesh/quad_geometry.h"
+
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+namespace qm {
+namespace {
+
+using Nearest = TriangleSurface::Nearest;
+
+constexpr double minCosine = 0.4; ///< between the normals of places that belong together
+
+/// Both halves of all quads, in their order.
+Triangles halves(const QuadMesh& mesh) {
+    Triangles result;
+    for (const VertexId vertex : mesh.vertices())
+        result.points.push_back(mesh.point(vertex));
+    for (const FaceId face : mesh.faces()) {
+        const auto corners = cornersOf(mesh, face);
+        for (const std::size_t k : {1U, 2U})
+            result.faces.push_back({corners[0].idx(), corners[k].idx(), corners[k + 1].idx()});
+    }
+    return result;
+}
+
+/// Weights of a triangle's corners that give a point of it; none if it has no area.
+std::optional<std::array<double, 3>> weightsOf(const std::array<Point, 3>& corners, const Point& at) {
+    const Point normal = (corners[1] - corners[0]) % (corners[2] - corners[0]);
+    const double square = normal.sqrnorm();
+    if (!(square > 0)) return std::nullopt;
+    std::array<double, 3> weights{};
+    for (std::size_t k = 0; k < 3; ++k)
+        weights[k] = (((corners[(k + 1) % 3] - at) % (corners[(k + 2) % 3] - at)) | normal) / square;
+    return weights;
+}
+
+class Equations {
+public:
+    Equations(const QuadMesh& mesh, const TriangleSurface& scan, double edge)
+        : mesh_(mesh), halves_(halves(mesh)), quads_(halves_), scan_(scan), edge_(edge) {}
+
+    /// \return of no weight where the scan shows nothing
+    [[nodiscard]] ScanEquation towardsScan(const QuadSample& sample) const {
+        ScanEquation equation{sample.vertices, sample.weights};
+        Point place{0, 0, 0};
+        for (std::size_t k = 0; k < 4; ++k)
+            place += sample.weights[k] * at(sample.vertices[k]);
+        const Nearest foot = scan_.nearest(place, edge_);
+        if (!foot.found() || foot.onBoundary != sample.onBoundary) return equation;
+        const std::optional<Point> normal = normalOf(scan_.corners(foot.face));
+        if (!normal) return equation;
+        const Point own = (at(sample.vertices[2]) - at(sample.vertices[0])) %
+                          (at(sample.vertices[3]) - at(sample.vertices[1]));
+        if (!foot.onBoundary && !agree(own, *normal)) return equation;
+        require(equation, foot.position - place, *normal, foot.onBoundary, sample.area);
+        return equation;
+    }
+
+    [[nodiscard]] ScanEquation towardsSample(const ScanSample& sample) const {
+        ScanEquation equation;
+        const Nearest foot = quads_.nearest(sample.position, edge_);
+        if (!foot.found()) return equation;
+        const auto corners = quads_.corners(foot.face);
+        const std::optional<Point> own = normalOf(corners);
+        const auto weights = weightsOf(corners, foot.position);
+        if (!own || !weights || !agree(*own, sample.normal)) return equation;
+        const auto& vertices = halves_.faces[static_cast<std::size_t>(foot.face)];
+        equation.vertices = {vertices[0], vertices[1], vertices[2], vertices[0]};
+        equation.weights = {(*weights)[0], (*weights)[1], (*weights)[2], 0};
+        require(equation, sample.position - foot.position, sample.normal, foot.onBoundary, sample.area);
+        return equation;
+    }
+
+private:
+    [[nodiscard]] const Point& at(int vertex) const { return mesh_.point(VertexId(vertex)); }
+
+    static std::optional<Point> normalOf(const std::array<Point, 3>& corners) {
+        return triangleNormal(corners[0], corners[1], corners[2]);
+    }
+
+    static bool agree(const Point& a, const Point& b) { return (a | b) > minCosine * a.norm() * b.norm(); }
+
+    void require(ScanEquation& equation, const Point& gap, const Point& normal, bool straight,
+                 double area) const {
+        const double length = gap.norm();
+        equation.direction = straight && length > 0 ? gap / length : normal;
+        equation.distance = gap | equation.direction;
+        const double share = length / (edge_ / 3);
+        equation.weight = area / ((1 + share * share) * (1 + share * share));
+    }
+
+    const QuadMesh& mesh_;
+    Triangles halves_;
+    TriangleSurface quads_;
+    const TriangleSurface& scan_;
+    double edge_;
+};
+
+} // namespace
+
+std::vector<ScanEquation> scanEquations(const QuadMesh& mesh, const TriangleSurface& scan,
+                                        const std::vector<ScanSample>& samples, double edge, unsigned jobs) {
+    const std::vector<QuadSample> ofQuads = samplesOfQuads(mesh);
+    const Equations equations(mesh, scan, edge);
+    std::vector<ScanEquation> all(ofQuads.size() + samples.size());
+    parallelForMany(all.size(), jobs, [&](std::size_t k) {
+        all[k] = k < ofQuads.size() ? equations.towardsScan(ofQuads[k])
+                                    : equations.towardsSample(samples[k - ofQuads.size()]);
+    });
+    std::erase_if(all, [](const ScanEquation& equation) { return !(equation.weight > 0); });
+    return all;
+}
+
+} // namespace qm

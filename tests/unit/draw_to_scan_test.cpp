@@ -1,0 +1,113 @@
+#include "mesh/dihedral.h"
+#include "mesh/quad_geometry.h"
+#include "remesh/draw_to_scan.h"
+#include "shape/scan.h"
+#include "shape/shape.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numbers>
+
+namespace qm {
+namespace {
+
+/// As remeshers do it: every vertex in the middle of itself and of what is around it.
+QuadMesh withCutOffCorners(QuadMesh mesh) {
+    const QuadMesh before = mesh;
+    for (const VertexId vertex : mesh.vertices()) {
+        if (mesh.is_boundary(vertex)) continue;
+        Point sum = before.point(vertex) * mesh.valence(vertex);
+        for (const VertexId other : before.vv_range(vertex))
+            sum += before.point(other);
+        mesh.set_point(vertex, sum / (2.0 * mesh.valence(vertex)));
+    }
+    return mesh;
+}
+
+double maxDistance(const QuadMesh& mesh, const std::string& part) {
+    const auto surface = trueSurface(part);
+    double max = 0;
+    for (const VertexId vertex : mesh.vertices())
+        max = std::max(max, surface->nearest(mesh.point(vertex)).distance);
+    return max;
+}
+
+TEST(DrawToScan, WhatWasCutOffAtEdgesAndCornersComesBack) {
+    for (const char* part : {"cube", "block", "cylinder"}) {
+        const QuadMesh cut = withCutOffCorners(makeShape(part, {.resolution = 6}));
+        const QuadMesh drawn = drawToScan(cut, makeScan(part, 20000), {}, 2);
+        EXPECT_GT(maxDistance(cut, part), 0.02) << part;
+        EXPECT_LT(maxDistance(drawn, part), 0.25 * maxDistance(cut, part)) << part;
+    }
+}
+
+TEST(DrawToScan, SharpEdgesAreSharpAgain) {
+    const QuadMesh cut = withCutOffCorners(makeShape("cube", {.resolution = 6}));
+    const QuadMesh drawn = drawToScan(cut, makeScan("cube", 20000), {}, 1);
+    const auto sharp = [](const QuadMesh& mesh) {
+        return std::ranges::count_if(dihedralAngles(mesh),
+                                     [](double angle) { return angle > 85 * std::numbers::pi / 180; });
+    };
+    EXPECT_EQ(sharp(cut), 0);
+    EXPECT_EQ(sharp(drawn), 12 * 6);
+}
+
+TEST(DrawToScan, NoiseAndHolesOfTheScanChangeLittle) {
+    const QuadMesh cut = withCutOffCorners(makeShape("cube", {.resolution = 6}));
+    Triangles scan = makeScan("cube", 20000);
+    addNoise(scan, 0.004, 1);
+    std::erase_if(scan.faces, [&](const auto& face) {
+        const Point& corner = scan.points[static_cast<std::size_t>(face[0])];
+        return (corner - Point(0.5, 0.5, 1)).norm() < 0.2;
+    });
+    EXPECT_LT(maxDistance(drawToScan(cut, scan, {}, 1), "cube"), 0.4 * maxDistance(cut, "cube"));
+}
+
+TEST(DrawToScan, FoldedQuadsUnfold) {
+    QuadMesh mesh = makeShape("sphere", {.resolution = 8});
+    // Swaps the ends of an edge.
+    const HalfedgeId edge = mesh.halfedge_handle(VertexId(0));
+    const Point from = mesh.point(VertexId(0));
+    mesh.set_point(VertexId(0), mesh.point(mesh.to_vertex_handle(edge)));
+    mesh.set_point(mesh.to_vertex_handle(edge), from);
+    const auto folded = [](const QuadMesh& of) {
+        return std::ranges::count_if(of.faces(), [&](FaceId face) {
+            const auto corners = cornersOf(of, face);
+            Point middle{0, 0, 0};
+            for (const VertexId corner : corners)
+                middle += of.point(corner);
+            const auto normals = triangleNormals(of, face);
+            return std::ranges::any_of(normals, [&](const auto& n) { return !n || (*n | middle) < 0; });
+        });
+    };
+    EXPECT_GT(folded(mesh), 0);
+    EXPECT_EQ(folded(drawToScan(mesh, makeScan("sphere", 20000), {}, 1)), 0);
+}
+
+TEST(DrawToScan, BoundariesGoToTheScansOwn) {
+    QuadMesh mesh = makeShape("plate", {.resolution = 6});
+    const QuadMesh before = mesh;
+    for (const VertexId vertex : mesh.vertices()) // some outside, some inside
+        mesh.set_point(vertex, mesh.point(vertex) * (vertex.idx() % 2 == 0 ? 1.01 : 0.99));
+    const QuadMesh drawn = drawToScan(mesh, makeScan("plate", 20000), {}, 1);
+    const auto off = [&](const QuadMesh& of) {
+        double sum = 0;
+        for (const VertexId vertex : of.vertices())
+            if (of.is_boundary(vertex)) sum += trueSurface("plate")->nearest(of.point(vertex)).distance;
+        return sum;
+    };
+    EXPECT_LT(off(drawn), 0.3 * off(mesh));
+}
+
+TEST(DrawToScan, ThreadsDoNotMatter) {
+    const QuadMesh mesh = withCutOffCorners(makeShape("block", {.resolution = 4}));
+    const Triangles scan = makeScan("block", 5000);
+    const QuadMesh one = drawToScan(mesh, scan, {}, 1);
+    const QuadMesh many = drawToScan(mesh, scan, {}, 4);
+    for (const VertexId vertex : mesh.vertices())
+        EXPECT_EQ(one.point(vertex), many.point(vertex));
+}
+
+} // namespace
+} // namespace qm
