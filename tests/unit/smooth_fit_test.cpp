@@ -70,7 +70,8 @@ TEST(Creases, ShortCurvesThatEndInNothingAreNoise) {
                         }};
         const QuadMesh mesh = test::makeMesh(grid);
         const Layout layout = test::makeLayout(grid, {{0, 0, 12, 3}, {0, 3, 12, 6}});
-        const auto isCrease = findCreases(mesh, borderEdges(mesh, layout), dihedralAngles(mesh), 0.45);
+        const auto isCrease =
+            markBorders(mesh, borderEdges(mesh, layout), dihedralAngles(mesh), 0.45).isCrease;
         std::size_t inside = 0;
         for (const EdgeId edge : mesh.edges())
             if (isCrease[static_cast<std::size_t>(edge.idx())] && !mesh.is_boundary(edge)) ++inside;

@@ -1,5 +1,7 @@
 #include "bspline/network/creases.h"
 
+#include "bspline/network/vertex_rules.h"
+
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -13,12 +15,15 @@ constexpr double certain = 1.0;
 /// Longer curves may end anywhere, too.
 constexpr std::size_t maxEdges = 4;
 
+/// Of rho: what is sharper may be the third crease of a corner.
+constexpr double shareOfThird = 0.5;
+
 class Creases {
 public:
-    Creases(const QuadMesh& mesh, const std::vector<double>& dihedralAngles, std::vector<bool> isCrease)
-        : mesh_(mesh), angles_(dihedralAngles), isCrease_(std::move(isCrease)) {}
+    Creases(const QuadMesh& mesh, const std::vector<double>& dihedralAngles, BorderMarks marks)
+        : mesh_(mesh), angles_(dihedralAngles), marks_(std::move(marks)) {}
 
-    std::vector<bool> withoutLooseEnds() {
+    void takeBackLooseEnds() {
         std::vector<VertexId> waiting(mesh_.vertices_begin(), mesh_.vertices_end());
         while (!waiting.empty()) {
             const VertexId vertex = waiting.back();
@@ -26,11 +31,28 @@ public:
             // What remains at the curve's other end may be a loose end now.
             if (const auto end = takeBackFrom(vertex)) waiting.push_back(*end);
         }
-        return std::move(isCrease_);
     }
 
+    void giveCornersThirdCreases(double minAngle) {
+        std::vector<VertexId> waiting(mesh_.vertices_begin(), mesh_.vertices_end());
+        while (!waiting.empty()) {
+            const VertexId vertex = waiting.back();
+            waiting.pop_back();
+            if (!isCornerOfTwo(vertex)) continue;
+            const HalfedgeId third = sharpestOther(vertex);
+            if (!third.is_valid() || angles_[index(third)] <= minAngle) continue;
+            marks_.isCrease[index(third)] = true;
+            waiting.push_back(mesh_.to_vertex_handle(third)); // which may have become such a corner
+        }
+    }
+
+    BorderMarks marks() && { return std::move(marks_); }
+
 private:
-    static std::size_t index(EdgeId edge) { return static_cast<std::size_t>(edge.idx()); }
+    [[nodiscard]] std::size_t index(HalfedgeId halfedge) const {
+        return static_cast<std::size_t>(mesh_.edge_handle(halfedge).idx());
+    }
+    [[nodiscard]] bool isCrease(HalfedgeId halfedge) const { return marks_.isCrease[index(halfedge)]; }
 
     /// The only crease that leaves a vertex beside one that arrives, if there is one and no more.
     [[nodiscard]] HalfedgeId onlyCrease(VertexId vertex, HalfedgeId arriving) const {
@@ -38,7 +60,7 @@ private:
         for (const HalfedgeId halfedge : mesh_.voh_range(vertex)) {
             const bool isBack =
                 arriving.is_valid() && mesh_.edge_handle(halfedge) == mesh_.edge_handle(arriving);
-            if (isBack || !isCrease_[index(mesh_.edge_handle(halfedge))]) continue;
+            if (isBack || !isCrease(halfedge)) continue;
             if (only.is_valid()) return HalfedgeId();
             only = halfedge;
         }
@@ -47,37 +69,69 @@ private:
 
     /// \return the other end of the curve that was taken back
     std::optional<VertexId> takeBackFrom(VertexId vertex) {
-        std::vector<EdgeId> curve;
+        std::vector<HalfedgeId> curve;
         VertexId end = vertex;
         for (HalfedgeId next = onlyCrease(vertex, HalfedgeId()); next.is_valid();
              next = onlyCrease(end, next)) {
-            const EdgeId edge = mesh_.edge_handle(next);
-            if (curve.size() == maxEdges || mesh_.is_boundary(edge) || angles_[index(edge)] > certain)
+            if (curve.size() == maxEdges || mesh_.is_boundary(mesh_.edge_handle(next)) ||
+                angles_[index(next)] > certain)
                 return std::nullopt;
-            curve.push_back(edge);
+            curve.push_back(next);
             end = mesh_.to_vertex_handle(next);
         }
         if (curve.empty()) return std::nullopt;
-        for (const EdgeId edge : curve)
-            isCrease_[index(edge)] = false;
-        return end;
+        for (const HalfedgeId halfedge : curve)
+            marks_.isCrease[index(halfedge)] = false;
+        if (!isCornerOfTwo(end)) return end;
+        for (const HalfedgeId halfedge : curve)
+            marks_.isCrease[index(halfedge)] = true;
+        return std::nullopt;
+    }
+
+    /// Two creases meet inside the surface, no curve follows both, and no side of a patch.
+    [[nodiscard]] bool isCornerOfTwo(VertexId vertex) const {
+        std::vector<HalfedgeId> creases;
+        for (const HalfedgeId halfedge : mesh_.voh_range(vertex))
+            if (isCrease(halfedge)) creases.push_back(halfedge);
+        if (creases.size() != 2 || mesh_.is_boundary(vertex)) return false;
+        if (isCurve(mesh_, {creases[0], creases[1]})) return false;
+        const VertexFan fan = vertexFan(mesh_, marks_, vertex);
+        for (std::size_t k = 0; k < fan.borders.size(); ++k)
+            if (fan.faces[k] == 2 && fan.isCrease[k] && fan.isCrease[(k + 1) % fan.borders.size()])
+                return false;
+        return true;
+    }
+
+    /// Of the borders that are no creases, the one with the largest dihedral angle.
+    [[nodiscard]] HalfedgeId sharpestOther(VertexId vertex) const {
+        HalfedgeId sharpest;
+        for (const HalfedgeId halfedge : mesh_.voh_range(vertex)) {
+            if (!marks_.isBorder[index(halfedge)] || isCrease(halfedge)) continue;
+            if (!sharpest.is_valid() || angles_[index(halfedge)] > angles_[index(sharpest)])
+                sharpest = halfedge;
+        }
+        return sharpest;
     }
 
     const QuadMesh& mesh_;
     const std::vector<double>& angles_;
-    std::vector<bool> isCrease_;
+    BorderMarks marks_;
 };
 
 } // namespace
 
-std::vector<bool> findCreases(const QuadMesh& mesh, const std::vector<BorderEdge>& borders,
-                              const std::vector<double>& dihedralAngles, double rho) {
-    std::vector<bool> isCrease(mesh.n_edges());
+BorderMarks markBorders(const QuadMesh& mesh, const std::vector<BorderEdge>& borders,
+                        const std::vector<double>& dihedralAngles, double rho) {
+    BorderMarks marks{std::vector<bool>(mesh.n_edges()), std::vector<bool>(mesh.n_edges())};
     for (const BorderEdge& border : borders) {
         const auto edge = static_cast<std::size_t>(mesh.edge_handle(border.halfedge).idx());
-        isCrease[edge] = border.places.size() != 2 || dihedralAngles[edge] > rho;
+        marks.isBorder[edge] = true;
+        marks.isCrease[edge] = border.places.size() != 2 || dihedralAngles[edge] > rho;
     }
-    return Creases(mesh, dihedralAngles, std::move(isCrease)).withoutLooseEnds();
+    Creases creases(mesh, dihedralAngles, std::move(marks));
+    creases.takeBackLooseEnds();
+    creases.giveCornersThirdCreases(shareOfThird * rho);
+    return std::move(creases).marks();
 }
 
 } // namespace qm

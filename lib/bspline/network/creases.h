@@ -2,19 +2,24 @@
 #pragma once
 
 #include "bspline/network/borders.h"
+#include "bspline/network/vertex_fan.h"
 #include "mesh/quad_mesh.h"
 
 #include <vector>
 
 namespace qm {
 
-/// By edge: the borders of larger dihedral angle than rho, without what is noise about that limit, and the
-/// ends of the surface. A curve of creases that ends in nothing, after a few edges and nowhere sharp beyond
-/// doubt, is taken back as far as where creases meet: a surface with such a cut is neither sharp nor smooth,
-/// and CAD systems cannot offset it.
+/// Marks the borders, and as creases those of larger dihedral angle than rho and the ends of the surface. Two
+/// things are mended about that limit:
+/// - a curve of creases that ends in nothing, after a few edges and nowhere sharp beyond doubt, is taken back
+///   as far as where creases meet: a surface with such a cut is neither sharp nor smooth, and CAD systems
+///   cannot offset it;
+/// - where just two creases meet at an angle, the sharpest border between them is a crease, too, if its angle
+///   is more than half of rho: surfaces that are smooth on both sides of a corner have one tangent plane
+///   there, which no two faces that meet in an edge have.
 /// \param borders  of the layout
 /// \param dihedralAngles  by edge index, radians
-[[nodiscard]] std::vector<bool> findCreases(const QuadMesh& mesh, const std::vector<BorderEdge>& borders,
-                                            const std::vector<double>& dihedralAngles, double rho);
+[[nodiscard]] BorderMarks markBorders(const QuadMesh& mesh, const std::vector<BorderEdge>& borders,
+                                      const std::vector<double>& dihedralAngles, double rho);
 
 } // namespace qm

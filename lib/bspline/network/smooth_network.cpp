@@ -9,14 +9,6 @@
 namespace qm {
 namespace {
 
-BorderMarks markBorders(const QuadMesh& mesh, const std::vector<BorderEdge>& borders,
-                        const std::vector<double>& dihedralAngles, double rho) {
-    BorderMarks marks{std::vector<bool>(mesh.n_edges()), findCreases(mesh, borders, dihedralAngles, rho)};
-    for (const BorderEdge& border : borders)
-        marks.isBorder[static_cast<std::size_t>(mesh.edge_handle(border.halfedge).idx())] = true;
-    return marks;
-}
-
 /// The tangent ratio of every smooth border at the vertex that its halfedge leaves, by halfedge index.
 std::unordered_map<int, double> ratiosAtVertices(const QuadMesh& mesh, const SmoothNetwork& network,
                                                  const std::vector<BorderEdge>& borders) {

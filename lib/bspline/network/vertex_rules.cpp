@@ -25,6 +25,11 @@ double straightness(const QuadMesh& mesh, const Pair& pair) {
     return lengths > 0 ? -(a | b) / lengths : -1;
 }
 
+/// True if one quad fills the angle counter-clockwise from one halfedge to the other.
+bool quadAloneBetween(const QuadMesh& mesh, HalfedgeId from, HalfedgeId to) {
+    return !mesh.is_boundary(from) && mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(from)) == to;
+}
+
 class Rules {
 public:
     Rules(const QuadMesh& mesh, const std::vector<bool>& sharp)
@@ -55,16 +60,8 @@ private:
             }
         if (count == 0) return {};
         if (count == 1) return {VertexRule::Kind::dart, {found[0], found[0]}};
-        const bool curve = count == 2 && !quadAloneBetween(found[0], found[1]) &&
-                           !quadAloneBetween(found[1], found[0]) &&
-                           straightness(mesh_, found) >= std::cos(cornerAngle);
-        return curve ? VertexRule{VertexRule::Kind::crease, found} : VertexRule{VertexRule::Kind::corner};
-    }
-
-    /// True if one quad fills the angle counter-clockwise from one halfedge to the other.
-    bool quadAloneBetween(HalfedgeId from, HalfedgeId to) const {
-        return !mesh_.is_boundary(from) &&
-               mesh_.opposite_halfedge_handle(mesh_.prev_halfedge_handle(from)) == to;
+        return count == 2 && isCurve(mesh_, found) ? VertexRule{VertexRule::Kind::crease, found}
+                                                   : VertexRule{VertexRule::Kind::corner};
     }
 
     /// Lets the curve follow a side through the vertices inside it.
@@ -92,6 +89,12 @@ private:
 };
 
 } // namespace
+
+bool isCurve(const QuadMesh& mesh, const std::array<HalfedgeId, 2>& creases) {
+    return !quadAloneBetween(mesh, creases[0], creases[1]) &&
+           !quadAloneBetween(mesh, creases[1], creases[0]) &&
+           straightness(mesh, creases) >= std::cos(cornerAngle);
+}
 
 std::vector<bool> creasesAndBoundary(const QuadMesh& mesh, const std::vector<bool>& isCrease) {
     std::vector<bool> sharp = isCrease;

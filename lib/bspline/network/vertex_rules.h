@@ -26,12 +26,15 @@ struct VertexRule {
 /// Every edge that is a crease or lies on the mesh boundary, by edge.
 [[nodiscard]] std::vector<bool> creasesAndBoundary(const QuadMesh& mesh, const std::vector<bool>& isCrease);
 
+/// Whether one smooth curve may follow two creases that leave a vertex: two or more quads lie on either side
+/// between them, so that no quad alone has to fill a flat angle, and they turn by at most `cornerAngle`.
+[[nodiscard]] bool isCurve(const QuadMesh& mesh, const std::array<HalfedgeId, 2>& creases);
+
 /// The rule of every vertex. With two or more creases (the mesh boundary is one) it is a corner, unless
 /// - a side of a segment passes straight through along two creases: there the patch has only one tangent. If
 ///   several pass, the straightest is the curve, the first of them where they are equal; or
-/// - there are just two creases, two or more quads lie on either side between them, so that no quad alone has
-///   to fill a flat angle, and they turn by at most `cornerAngle`. Beyond the boundary there are no quads to
-///   count, so a boundary vertex of a single quad is a corner.
+/// - there are just two creases, and a curve may follow both. Beyond the boundary there are no quads to count,
+///   so a boundary vertex of a single quad is a corner.
 ///
 /// OpenSubdiv and the subdivision literature count creases alone: they have no rule for a crease that ends on
 /// another one, which is what tracks of a layout do. \param sharp  by edge, from `creasesAndBoundary`
