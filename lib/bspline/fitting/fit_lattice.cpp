@@ -47,6 +47,21 @@ void markSide(const LatticeSource& source, std::size_t side, const std::vector<S
     }
 }
 
+/// What the reference folds itself, no patch is asked to keep upright.
+void forgetFoldedNormals(FitLattice& lattice) {
+    const std::vector<Point> all = lattice.normals;
+    const std::size_t columns = lattice.columns();
+    const auto compare = [&](std::size_t a, std::size_t b) {
+        if ((all[a] | all[b]) > 0) return;
+        lattice.normals[a] = lattice.normals[b] = Point(0, 0, 0);
+        lattice.jacobian[a] = lattice.jacobian[b] = 0;
+    };
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        if ((k + 1) % columns != 0) compare(k, k + 1);
+        if (k + columns < all.size()) compare(k, k + columns);
+    }
+}
+
 /// For every parameter of a finer list the interval of a coarser one that it lies in, and how far.
 struct Place {
     std::size_t first = 0;
@@ -112,10 +127,12 @@ FitLattice makeLattice(const LatticeSource& source, const std::array<std::vector
     const auto points = source.grid->evaluateLattice(parameters[0], parameters[1]);
     for (const SurfacePoint& point : points) {
         lattice.reference.push_back(point.position);
-        lattice.axes.push_back(unitNormal(point.du, point.dv));
+        lattice.normals.push_back(unitNormal(point.du, point.dv));
         lattice.jacobian.push_back((point.du % point.dv).norm());
         lattice.edge.push_back(std::sqrt(std::min(point.du.sqrnorm(), point.dv.sqrnorm())));
     }
+    lattice.axes = lattice.normals;
+    forgetFoldedNormals(lattice);
     lattice.targets.points = lattice.reference;
     lattice.freedom.assign(points.size(), Freedom::surface);
     lattice.emphasis.assign(points.size(), 1);

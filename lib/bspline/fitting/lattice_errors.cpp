@@ -16,8 +16,8 @@ std::vector<SurfacePoint> pointsOf(const Patch& patch, const FitLattice& lattice
 }
 
 bool isFolded(const FitLattice& lattice, std::size_t k, const SurfacePoint& point) {
-    return lattice.freedom[k] == Freedom::surface &&
-           ((point.du % point.dv) | lattice.axes[k]) < minJacobian * lattice.jacobian[k];
+    const double min = lattice.freedom[k] == Freedom::surface ? minJacobian : minJacobian/10;
+    return ((point.du % point.dv) | lattice.normals[k]) < min * lattice.jacobian[k];
 }
 
 /// Where a surface has slid along a bend, the mean of both normals tells how far it is: the chord between two

@@ -88,18 +88,21 @@ private:
         return std::nullopt;
     }
 
-    /// Two creases meet inside the surface, no curve follows both, and no side of a patch.
+    /// Two creases meet inside the surface, no side of a patch follows both, and no curve can.
     [[nodiscard]] bool isCornerOfTwo(VertexId vertex) const {
         std::vector<HalfedgeId> creases;
         for (const HalfedgeId halfedge : mesh_.voh_range(vertex))
             if (isCrease(halfedge)) creases.push_back(halfedge);
         if (creases.size() != 2 || mesh_.is_boundary(vertex)) return false;
-        if (isCurve(mesh_, {creases[0], creases[1]})) return false;
         const VertexFan fan = vertexFan(mesh_, marks_, vertex);
-        for (std::size_t k = 0; k < fan.borders.size(); ++k)
-            if (fan.faces[k] == 2 && fan.isCrease[k] && fan.isCrease[(k + 1) % fan.borders.size()])
-                return false;
-        return true;
+        bool leavesRoom = true;
+        for (std::size_t k = 0; k < fan.borders.size(); ++k) {
+            if (fan.faces[k] != 2) continue;
+            if (fan.isCrease[k] && fan.isCrease[(k + 1) % fan.borders.size()]) return false;
+            leavesRoom = false;
+        }
+        // A curve takes half a turn on either side, and so does a patch whose side passes straight through.
+        return !leavesRoom || !isCurve(mesh_, {creases[0], creases[1]});
     }
 
     /// Of the borders that are no creases, the one with the largest dihedral angle.
