@@ -139,6 +139,9 @@ template <class Visitor> void describe(PruneOptions& options, Visitor&& option) 
     option("smooth", options.smooth, Range{}, "leave out the smoothness criterion");
     option("max-turn", options.maxTurn, Range{0, 180},
            "P, the most that the boundary may turn where a removed track ended, degrees");
+    option("min-corner", options.minCorner, Range{0, 90},
+           "the least that a corner keeps beside a side that passes straight through an extraordinary "
+           "vertex, degrees; 0 as in the paper");
     option("beta", options.beta, Range{0, highestPrice}, "with --method optimum: the price of a segment");
     option("fewest-patches", options.fewestPatches, Range{},
            "with --method optimum: as few segments as can be, and only then the lowest G_T");
@@ -153,7 +156,7 @@ template <class Visitor> void describe(PruneOptions& options, Visitor&& option) 
 template <class Visitor> void conditions(const PruneOptions& options, Visitor&& needs) {
     const auto optimum = [&options] { return options.method == PruneMethod::optimum; };
     needs({"eta"}, "--method greedy", [&options] { return options.method == PruneMethod::greedy; });
-    needs({"max-turn"}, "the smoothness criterion", [&options] { return options.smooth; });
+    needs({"max-turn", "min-corner"}, "the smoothness criterion", [&options] { return options.smooth; });
     needs({"beta", "fewest-patches", "max-segments"}, "--method optimum", optimum);
     needs({"beta"}, "segments whose number is free",
           [&options] { return !options.fewestPatches && !std::isfinite(options.maxSegments); });

@@ -5,6 +5,7 @@
 #include "mesh/topology.h"
 #include "prune/annuli.h"
 #include "prune/turn.h"
+#include "prune/vertex_room.h"
 
 #include <algorithm>
 #include <iterator>
@@ -19,9 +20,11 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 class Builder {
 public:
     Builder(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
-            const std::vector<double>& dihedralAngles, const std::vector<double>& edgeCosts, double maxTurn)
+            const std::vector<double>& dihedralAngles, const std::vector<double>& edgeCosts,
+            const Smoothness& smoothness)
         : mesh_(mesh), complex_(complex), graph_(graph), dihedralAngles_(dihedralAngles),
-          edgeCosts_(edgeCosts), maxTurn_(maxTurn), arcOf_(mesh.n_edges()), inLayout_(mesh.n_edges(), false) {
+          edgeCosts_(edgeCosts), smoothness_(smoothness), arcOf_(mesh.n_edges()),
+          inLayout_(mesh.n_edges(), false) {
         result_.program.costs = ColumnValues(sumOverArcs(mesh, graph, complex, edgeCosts));
         result_.quarters.assign(graph.arcs.size(), 0);
         for (std::size_t arc = 0; arc < graph.arcs.size(); ++arc)
@@ -37,8 +40,10 @@ public:
             addJunction(junction);
         for (const Seed seed : complex_.seeds)
             addSeed(seed);
-        for (const VertexId vertex : complex_.extraordinaryVertices)
+        for (const VertexId vertex : complex_.extraordinaryVertices) {
             addExtraordinary(vertex);
+            keepRoom(vertex);
+        }
         for (const VertexId vertex : mesh_.vertices())
             if (mesh_.is_boundary(vertex) && !mesh_.is_isolated(vertex) && isRegular(mesh_, vertex))
                 addBoundary(vertex);
@@ -134,7 +139,7 @@ private:
             result_.corners += known - 1;
             const bool mayEnd =
                 inLayout_[at(mesh_.edge_handle(next).idx())] && b.valid() && haveQuadBetween(next, afterNext);
-            if (mayEnd && turnBetween(mesh_, edge, afterNext) > maxTurn_) atLeast({{b, 1}}, 1);
+            if (mayEnd && turnBetween(mesh_, edge, afterNext) > smoothness_.maxTurn) atLeast({{b, 1}}, 1);
         }
     }
 
@@ -215,6 +220,20 @@ private:
             result_.program.rows.push_back({{column, columnOf(arc)}, {1, 1}, 0, 1});
     }
 
+    /// Corners keep their room, but where the layout has left them less.
+    void keepRoom(VertexId vertex) {
+        for (const RoomSector& sector : roomAt(mesh_, dihedralAngles_, vertex, smoothness_.minCorner)) {
+            Terms terms;
+            std::size_t missing = 0;
+            for (const HalfedgeId edge : sector.edges) {
+                terms.emplace_back(arcAt(edge), 1);
+                missing += inLayout_[at(mesh_.edge_handle(edge).idx())] ? 0 : 1;
+            }
+            missing = std::max(missing, sector.maxMissing);
+            if (missing < terms.size()) atLeast(terms, static_cast<double>(terms.size() - missing));
+        }
+    }
+
     /// Where a track of the layout ends at others that turn there, it stays as long as these pass.
     void keepSmooth(HalfedgeId arriving) {
         const VertexId vertex = mesh_.to_vertex_handle(arriving);
@@ -223,7 +242,7 @@ private:
         const HalfedgeId right = mesh_.opposite_halfedge_handle(
             mesh_.prev_halfedge_handle(mesh_.opposite_halfedge_handle(arriving)));
         if (!arcAt(arriving).valid() || !arcAt(left).valid() || !arcAt(right).valid()) return;
-        if (turnBetween(mesh_, left, right) > maxTurn_)
+        if (turnBetween(mesh_, left, right) > smoothness_.maxTurn)
             atLeast({{arcAt(arriving), 1}, {arcAt(left), -1}, {arcAt(right), -1}}, -1);
     }
 
@@ -232,7 +251,7 @@ private:
     const ArcGraph& graph_;
     const std::vector<double>& dihedralAngles_;
     const std::vector<double>& edgeCosts_;
-    double maxTurn_;
+    Smoothness smoothness_;
     std::vector<ArcId> arcOf_;   ///< of every edge
     std::vector<bool> inLayout_; ///< of every edge, on a track that is no transversal
     GridProgram result_;
@@ -258,8 +277,8 @@ ColumnValues GridProgram::valuesOf(const std::vector<bool>& present) const {
 
 GridProgram gridProgram(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
                         const std::vector<double>& dihedralAngles, const std::vector<double>& edgeCosts,
-                        const Layout& layout, double maxTurn) {
-    return Builder(mesh, complex, graph, dihedralAngles, edgeCosts, maxTurn).build(layout);
+                        const Layout& layout, const Smoothness& smoothness) {
+    return Builder(mesh, complex, graph, dihedralAngles, edgeCosts, smoothness).build(layout);
 }
 
 } // namespace qm

@@ -18,6 +18,12 @@
 
 namespace qm {
 
+/// What a removal may do to what stays, in degrees; anything, if nothing is said.
+struct Smoothness {
+    double maxTurn = 180; ///< where a border would turn by more, what supports it must stay
+    double minCorner = 0; ///< that a corner keeps at an extraordinary vertex, see `roomAt`
+};
+
 /// The first columns are the arcs, and after them come the indicators.
 struct GridProgram {
     [[nodiscard]] static ColumnId columnOf(ArcId arc) { return ColumnId(arc.value()); }
@@ -43,10 +49,9 @@ struct GridProgram {
 
 /// \param layout   what it has removed already may stay so, and where its tracks end is where a further
 ///                 removal could make a border turn
-/// \param maxTurn  degrees: where a border would turn by more, what supports it must stay
 [[nodiscard]] GridProgram gridProgram(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
                                       const std::vector<double>& dihedralAngles,
                                       const std::vector<double>& edgeCosts, const Layout& layout,
-                                      double maxTurn);
+                                      const Smoothness& smoothness);
 
 } // namespace qm

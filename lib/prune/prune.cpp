@@ -36,16 +36,20 @@ std::vector<std::size_t> rankOfEdges(const QuadMesh& mesh, const Layout& layout,
     return rankOf;
 }
 
-Fate judge(Removal& removal, const Track& track, const PruneOptions& options) {
+Fate judge(Removal& removal, const Track& track, const std::vector<double>& dihedralAngles,
+           const PruneOptions& options) {
     if (!removal.keepsGrids(track)) return Fate::notQuadrilateral;
-    if (options.smooth && removal.largestTurn(track) > options.maxTurn) return Fate::notSmooth;
+    if (options.smooth && (removal.largestTurn(track) > options.maxTurn ||
+                           !removal.leavesRoom(track, dihedralAngles, options.minCorner)))
+        return Fate::notSmooth;
     return Fate::removed;
 }
 
 /// Tries the candidates again and again until none can be removed. A kept one is tried again only after
 /// something beside it has been removed: until then the outcome is the same.
 /// \return what becomes of every track
-std::vector<Fate> decide(const QuadMesh& mesh, const Layout& layout, const PruneOptions& options,
+std::vector<Fate> decide(const QuadMesh& mesh, const Layout& layout,
+                         const std::vector<double>& dihedralAngles, const PruneOptions& options,
                          const Control& control) {
     Removal removal(mesh, layout);
     const std::vector<std::size_t> order = candidates(layout, options.eta),
@@ -59,7 +63,7 @@ std::vector<Fate> decide(const QuadMesh& mesh, const Layout& layout, const Prune
         pass.erase(pass.begin());
         const Track& track = layout.tracks[order[rank]].track;
         Fate& fate = fates[order[rank]];
-        fate = judge(removal, track, options);
+        fate = judge(removal, track, dihedralAngles, options);
         if (fate == Fate::removed)
             for (const EdgeId edge : removal.remove(track)) {
                 const std::size_t other = rankOf[at(edge)];
@@ -75,7 +79,7 @@ std::vector<Fate> decide(const QuadMesh& mesh, const Layout& layout, const Prune
 PruneResult pruneLayout(const QuadMesh& mesh, const Layout& layout, const std::vector<double>& dihedralAngles,
                         const std::vector<double>& edgeCosts, const PruneOptions& options,
                         const Control& control) {
-    const std::vector<Fate> fates = decide(mesh, layout, options, control);
+    const std::vector<Fate> fates = decide(mesh, layout, dihedralAngles, options, control);
     std::vector<Track> kept;
     for (std::size_t t = 0; t < layout.tracks.size(); ++t)
         if (!layout.tracks[t].transversal && fates[t] != Fate::removed)

@@ -20,7 +20,9 @@ struct PruneOptions {
     double eta = 1;      ///< greedy: tracks that cost more than this are removed; -3 suits soft models
     bool smooth = true;  ///< apply the smoothness criterion
     double maxTurn = 25; ///< P, degrees: the most that the boundary may turn where a removed track ended
-    double beta = 1;     ///< optimum: the price of a segment
+    /// Degrees that a corner keeps beside a side that passes straight through an extraordinary vertex.
+    double minCorner = 25;
+    double beta = 1; ///< optimum: the price of a segment
     /// optimum: as few segments as can be, and only then the lowest G_T; then beta does not count
     bool fewestPatches = false;
     /// optimum: at most so many segments, whatever they cost; then beta does not count

@@ -18,7 +18,6 @@ namespace qm {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double flat = 180; ///< degrees: no border turns by more
 
 /// What a search is after.
 struct Aim {
@@ -34,7 +33,7 @@ public:
         : mesh_(mesh), complex_(complex), dihedralAngles_(dihedralAngles), edgeCosts_(edgeCosts),
           options_(options), control_(control), graph_(buildArcGraph(mesh, complex)),
           grids_(gridProgram(mesh, complex, graph_, dihedralAngles, edgeCosts, layout,
-                             options.smooth ? options.maxTurn : flat)),
+                             options.smooth ? Smoothness{options.maxTurn, options.minCorner} : Smoothness())),
           layout_(layout), known_{valuesOf(layout)} {
         if (!grids_.program.allows(known_.front()))
             throw Error("/layout/tracks", "they are not made of whole arcs of the base complex",

@@ -1,7 +1,9 @@
 #include "prune/removal.h"
 
 #include "base/at.h"
+#include "mesh/topology.h"
 #include "prune/turn.h"
+#include "prune/vertex_room.h"
 
 #include <algorithm>
 #include <map>
@@ -113,6 +115,30 @@ double Removal::turnAt(HalfedgeId leaving) const {
 double Removal::largestTurn(const Track& track) const {
     return std::max(turnAt(track.halfedges.front()),
                     turnAt(mesh_.opposite_halfedge_handle(track.halfedges.back())));
+}
+
+bool Removal::leavesRoom(const Track& track, const std::vector<double>& dihedralAngles,
+                         double minCorner) const {
+    const auto isOnTrack = [&](HalfedgeId leaving) {
+        return std::ranges::any_of(track.halfedges, [&](HalfedgeId halfedge) {
+            return mesh_.edge_handle(halfedge) == mesh_.edge_handle(leaving);
+        });
+    };
+    const auto hasRoom = [&](VertexId vertex) {
+        if (isRegular(mesh_, vertex)) return true;
+        return std::ranges::all_of(
+            roomAt(mesh_, dihedralAngles, vertex, minCorner), [&](const RoomSector& sector) {
+                const auto removed = std::ranges::count_if(sector.edges, isOnTrack);
+                const auto missing = removed + std::ranges::count_if(sector.edges, [&](HalfedgeId leaving) {
+                                         return !isBorder(leaving);
+                                     });
+                return removed == 0 || static_cast<std::size_t>(missing) <= sector.maxMissing;
+            });
+    };
+    return hasRoom(mesh_.from_vertex_handle(track.halfedges.front())) &&
+           std::ranges::all_of(track.halfedges, [&](HalfedgeId halfedge) {
+               return hasRoom(mesh_.to_vertex_handle(halfedge));
+           });
 }
 
 std::vector<EdgeId> Removal::remove(const Track& track) {

@@ -31,6 +31,11 @@ public:
     /// \param track  with `keepsGrids`: at each end exactly one segment goes straight on
     [[nodiscard]] double largestTurn(const Track& track) const;
 
+    /// Whether every corner at its extraordinary vertices keeps so many degrees, see `roomAt`. Takes time
+    /// linear in the track's length.
+    [[nodiscard]] bool leavesRoom(const Track& track, const std::vector<double>& dihedralAngles,
+                                  double minCorner) const;
+
     /// \return the borders next to it, around its vertices: only for the tracks there can `keepsGrids` or
     /// `largestTurn` have improved
     std::vector<EdgeId> remove(const Track& track);

@@ -37,7 +37,7 @@ is() { assert_equal "$(field "$1" out.json)" true; }
     for model in block genus2; do
         prune "$model" --eta -3 --no-smooth
         rough=$(field '.layout.segments | length' out.json)
-        prune "$model" --eta -3 --max-turn 180
+        prune "$model" --eta -3 --max-turn 180 --min-corner 0
         assert_equal "$(field '.layout.segments | length' out.json)" "$rough"
         prune "$model" --eta -3 --max-turn 0
         assert [ "$(field '.layout.segments | length' out.json)" -ge "$rough" ]
@@ -72,6 +72,15 @@ objective() { field ".layout.cost + $1 * (.layout.segments | length)" "$2"; }
     rough=$(objective 1 out.json)
     prune random --method optimum --max-turn 1
     is ".layout.cost + (.layout.segments | length) >= $rough - 1e-6"
+    quietly qm-check out.json
+}
+
+@test "corners may be left without room only where that is asked for" {
+    prune random --method optimum --max-turn 180 --min-corner 0
+    rough=$(objective 1 out.json)
+    prune random --method optimum --max-turn 180 --min-corner 90
+    is ".layout.cost + (.layout.segments | length) >= $rough - 1e-6"
+    is '.history[-1].options.minCorner == 90'
     quietly qm-check out.json
 }
 

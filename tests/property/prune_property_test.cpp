@@ -6,6 +6,7 @@
 #include "program/neighbourhood_search.h"
 #include "program/solve_program.h"
 #include "prune/prune_optimum.h"
+#include "prune/vertex_room.h"
 #include "support/polycube.h"
 #include "support/random_graph.h"
 
@@ -111,6 +112,56 @@ TEST_P(AllSetsOfArcs, HaveNoneThatIsBetterThanTheOptimum) {
     EXPECT_GT(compared, 10U);
     EXPECT_GT(cheaper, 3U);
     EXPECT_GT(annuli, 3U);
+}
+
+/// Whether the corners at all extraordinary vertices keep so many degrees.
+bool hasRoom(const Case& drawn, const Layout& layout, double minCorner) {
+    std::vector<bool> onTrack(drawn.mesh.n_edges());
+    for (const LayoutTrack& track : layout.tracks)
+        for (const HalfedgeId halfedge : track.track.halfedges)
+            if (!track.transversal)
+                onTrack[static_cast<std::size_t>(drawn.mesh.edge_handle(halfedge).idx())] = true;
+    return std::ranges::all_of(drawn.complex.extraordinaryVertices, [&](VertexId vertex) {
+        return std::ranges::all_of(
+            roomAt(drawn.mesh, drawn.angles, vertex, minCorner), [&](const RoomSector& sector) {
+                const auto missing = std::ranges::count_if(sector.edges, [&](HalfedgeId edge) {
+                    return !onTrack[static_cast<std::size_t>(drawn.mesh.edge_handle(edge).idx())];
+                });
+                return static_cast<std::size_t>(missing) <= sector.maxMissing;
+            });
+    });
+}
+
+TEST_P(AllSetsOfArcs, HaveNoneWithRoomForCornersThatIsBetterThanTheOptimum) {
+    std::size_t compared = 0, dearer = 0;
+    for (unsigned number = 0; number < 600 && compared < 60; ++number) {
+        const auto drawn = drawSmallCase(number, GetParam());
+        if (!drawn) continue;
+        ++compared;
+        const auto all = allLayouts(*drawn, buildArcGraph(drawn->mesh, drawn->complex));
+        for (const double minCorner : {25.0, 80.0}) {
+            constexpr double beta = 10;
+            PruneOptions options = optimum(beta, true);
+            options.maxTurn = 180;
+            options.minCorner = minCorner;
+            const PruneResult pruned = pruneToOptimum(drawn->mesh, drawn->complex, drawn->layout,
+                                                      drawn->angles, drawn->costs, options);
+            double least = std::numeric_limits<double>::infinity(), leastOfAll = least;
+            for (const Layout& layout : all) {
+                leastOfAll = std::min(leastOfAll, objective(layout, beta));
+                if (hasRoom(*drawn, layout, minCorner)) least = std::min(least, objective(layout, beta));
+            }
+            EXPECT_TRUE(hasRoom(*drawn, pruned.layout, minCorner)) << "case " << number;
+            EXPECT_NEAR(objective(pruned.layout, beta), least, 1e-6) << "case " << number;
+            if (least > leastOfAll + 1e-6) ++dearer;
+            options.eta = -1e9;
+            const Layout greedy =
+                pruneLayout(drawn->mesh, drawn->layout, drawn->angles, drawn->costs, options).layout;
+            EXPECT_TRUE(hasRoom(*drawn, greedy, minCorner)) << "case " << number;
+        }
+    }
+    EXPECT_GT(compared, 10U);
+    EXPECT_GT(dearer, 3U);
 }
 
 TEST_P(AllSetsOfArcs, HaveNoneOfFewerPatchesThanTheFewest) {

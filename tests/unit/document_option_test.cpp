@@ -19,6 +19,7 @@ TEST(Options, AreRecordedAsTheyAreInEffect) {
                                               {"eta", -3.0},
                                               {"smooth", true},
                                               {"maxTurn", 25.0},
+                                              {"minCorner", 25.0},
                                               {"beta", 1.0},
                                               {"fewestPatches", false},
                                               {"maxSegments", nullptr},

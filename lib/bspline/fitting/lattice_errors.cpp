@@ -16,7 +16,7 @@ std::vector<SurfacePoint> pointsOf(const Patch& patch, const FitLattice& lattice
 }
 
 bool isFolded(const FitLattice& lattice, std::size_t k, const SurfacePoint& point) {
-    const double min = lattice.freedom[k] == Freedom::surface ? minJacobian : minJacobian/10;
+    const double min = lattice.freedom[k] == Freedom::surface ? minJacobian : minJacobian / 10;
     return ((point.du % point.dv) | lattice.normals[k]) < min * lattice.jacobian[k];
 }
 

@@ -33,7 +33,8 @@ struct VertexRule {
 /// The rule of every vertex. With two or more creases (the mesh boundary is one) it is a corner, unless
 /// - a side of a segment passes straight through along two creases: there the patch has only one tangent. If
 ///   several pass, the straightest is the curve, the first of them where they are equal; or
-/// - there are just two creases, and a curve may follow both. Beyond the boundary there are no quads to count,
+/// - there are just two creases, and a curve may follow both. Beyond the boundary there are no quads to
+/// count,
 ///   so a boundary vertex of a single quad is a corner.
 ///
 /// OpenSubdiv and the subdivision literature count creases alone: they have no rule for a crease that ends on
