@@ -5,6 +5,7 @@
 #include "document/mesh_section.h"
 #include "mesh/boundary_loops.h"
 #include "mesh/read_mesh.h"
+#include "mesh/suspicions.h"
 #include "mesh/write_soup.h"
 
 #include <algorithm>
@@ -53,7 +54,7 @@ MeshInput readMeshInput(const Tool& tool, bool repair) {
     const std::string bytes = tool.readInput();
     tool.protect(tool.inputPath());
     ReadResult read = readMesh(bytes, tool.inputPath() == "-" ? "" : tool.inputPath(), {repair});
-    for (const std::string& warning : read.warnings)
+    for (const std::string& warning : suspicions(read.mesh))
         tool.warn(tool.inputName() + ": " + warning);
     if (const std::vector<BoundaryLoop> loops = boundaryLoops(read.mesh); !loops.empty())
         tool.warn(tool.inputName() + ": the mesh is open: " + loopsText(loops) +

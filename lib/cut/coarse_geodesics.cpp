@@ -73,18 +73,21 @@ void CoarseGeodesics::growCell(VertexId centre, int radius) {
 
 /// Of the quads that a vertex is the lowest corner of, among those in its part.
 void CoarseGeodesics::addTies(VertexId vertex, std::vector<Tie>& ties) const {
+    const int part = part_[at(vertex.idx())], own = cellOf_[at(vertex.idx())];
     for (const HalfedgeId halfedge : mesh_.voh_range(vertex)) {
         if (mesh_.is_boundary(halfedge)) continue;
-        Tie tie{};
-        std::size_t count = 0;
+        Tie tie{own};
+        std::size_t count = 1;
         bool lowest = true;
         HalfedgeId side = halfedge;
-        for (int k = 0; k < 4; ++k, side = mesh_.next_halfedge_handle(side)) {
-            const VertexId corner = mesh_.from_vertex_handle(side);
-            if (part_[at(corner.idx())] != part_[at(vertex.idx())]) continue;
-            lowest = lowest && vertex.idx() <= corner.idx();
+        for (int k = 1; k < 4 && lowest; ++k) {
+            const VertexId corner = mesh_.to_vertex_handle(side);
+            side = mesh_.next_halfedge_handle(side);
+            if (part_[at(corner.idx())] != part) continue;
+            lowest = vertex.idx() < corner.idx();
             const int cell = cellOf_[at(corner.idx())];
-            if (std::find(tie.begin(), tie.begin() + count, cell) == tie.begin() + count) tie[count++] = cell;
+            if (cell != own && std::find(tie.begin(), tie.begin() + count, cell) == tie.begin() + count)
+                tie[count++] = cell;
         }
         if (!lowest || count < 2) continue;
         std::rotate(tie.begin(), std::min_element(tie.begin(), tie.begin() + count), tie.begin() + count);
@@ -124,7 +127,8 @@ std::vector<double> CoarseGeodesics::between(VertexId source, const std::vector<
         if (std::ranges::binary_search(near, own))
             nearest = (mesh_.point(target) - mesh_.point(source)).norm();
         for (const int cell : around_[at(own)])
-            nearest = std::min(nearest, toCentres[at(cell)] + length(target, cell));
+            if (toCentres[at(cell)] < nearest)
+                nearest = std::min(nearest, toCentres[at(cell)] + length(target, cell));
         distances.push_back(nearest);
     }
     return distances;

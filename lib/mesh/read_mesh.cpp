@@ -1,7 +1,6 @@
 #include "mesh/read_mesh.h"
 
 #include "mesh/build_mesh.h"
-#include "mesh/suspicions.h"
 #include "mesh/validate.h"
 
 namespace qm {
@@ -13,7 +12,6 @@ ReadResult readMesh(std::string_view bytes, std::string_view name, const ReadOpt
         result.repair = repairSoup(soup);
     }
     result.mesh = buildMesh(soup);
-    result.warnings = suspicions(result.mesh);
     return result;
 }
 

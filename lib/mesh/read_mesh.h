@@ -8,9 +8,7 @@
 #include "mesh/quad_mesh.h"
 #include "mesh/repair.h"
 
-#include <string>
 #include <string_view>
-#include <vector>
 
 namespace qm {
 
@@ -21,7 +19,6 @@ struct ReadOptions {
 struct ReadResult {
     QuadMesh mesh;
     RepairReport repair;
-    std::vector<std::string> warnings; ///< valid but suspicious, a sentence each
 };
 
 /// \param name  of the file; its extension tells the format, and where it has none the first word does

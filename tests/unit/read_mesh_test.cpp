@@ -1,6 +1,7 @@
 #include "base/error.h"
 #include "mesh/quad_geometry.h"
 #include "mesh/read_mesh.h"
+#include "mesh/suspicions.h"
 #include "mesh/topology.h"
 #include "mesh/write_soup.h"
 #include "shape/shape.h"
@@ -527,7 +528,7 @@ TEST(Refusal, OfASaturatedVertexWithOneMoreFan) {
 // ----------------------------------------------------------------------------------------------- warnings
 
 std::vector<std::string> warningsOf(const std::string& text) {
-    return readMesh(text, "a.obj").warnings;
+    return suspicions(readMesh(text, "a.obj").mesh);
 }
 
 std::string onlyOne(const std::vector<std::string>& warnings) {
