@@ -19,6 +19,7 @@ only    ?=#             regular expression: run only the tests whose name matche
 killed  ?= 200#         how often `make check-faults` kills, and does anything else to, some tool
 seed    ?= 1#           where, when and which
 seconds ?= 60#          how long `make fuzz` runs each fuzzer
+CINOLIB ?=#             a copy of cinolib, for `make bench-peers`
 jobs    ?= $(shell nproc)
 
 -include config.mk
@@ -233,6 +234,10 @@ check-slurm: $(tools) ## forty models on a Slurm cluster of this host, whose sec
 check-faults: $(tools) ## what the tools leave when killed=200 times, without disk or memory, with damaged input; seed=1
 	@QM_BIN=$(abspath $(bin)) tests/faults/run $(abspath $(O))/check-faults $(killed) $(seed)
 
+.PHONY: check-pairs
+check-pairs: $(tools) ## every option of every tool together with every other one
+	@QM_BIN=$(abspath $(bin)) JOBS=$(jobs) tests/faults/pairs $(abspath $(O))/check-pairs
+
 # One test file alone, the quick way while writing it: `make test-cut` builds and runs tests/unit/cut_test.cpp.
 test-%: $(O)/tests/%_test
 	$< $(if $(only),--gtest_filter='*$(only)*')
@@ -325,6 +330,18 @@ bench-scale: ## how time and memory of every stage grow up to QUADS=4000000, as 
 	@scripts/install-dependencies --verify build bench
 	@$(again) all $(O)/tests/refine
 	@QM_BIN=$(abspath $(bin)) REFINE=$(abspath $(O)/tests/refine) scripts/bench-scale
+
+# The peer is a library of headers, which brings the ones that it needs.
+.PHONY: bench-peers
+bench-peers: ## base complexes and layouts beside those of CINOLIB=FOLDER, a copy of cinolib, as a table; only=REGEX to filter
+	@scripts/install-dependencies --verify build bench
+	@$(if $(CINOLIB),$(again) all $(O)/peers/cinolib,echo 'bench-peers: skipped: set CINOLIB to a folder that holds cinolib')
+	@$(if $(CINOLIB),QM_BIN=$(abspath $(bin)) scripts/bench-peers $(O)/peers/cinolib '$(only)')
+
+$(O)/peers/cinolib: scripts/peers/cinolib.cpp
+	@mkdir -p $(@D)
+	$(call quietly,compile,$<) $(CXX) -std=c++17 -w $(CXXFLAGS) -I$(CINOLIB)/include -I$(CINOLIB)/external \
+	    $(shell pkg-config --cflags eigen3 2>/dev/null) $< -o $@
 
 .PHONY: bench-cad
 bench-cad: ## what CAD systems and meshers do with our STEP files, as a table; only=REGEX to filter models

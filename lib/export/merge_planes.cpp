@@ -195,8 +195,7 @@ void mergePlanes(Boundary& boundary, std::vector<std::vector<std::size_t>>& orig
             if (face != f) origins[f].insert(origins[f].end(), origins[face].begin(), origins[face].end());
         }
         std::ranges::sort(origins[f]);
-        const auto doubled = std::ranges::unique(origins[f]);
-        origins[f].erase(doubled.begin(), doubled.end());
+        origins[f].erase(std::unique(origins[f].begin(), origins[f].end()), origins[f].end());
         for (const EdgeUse& use : region.outline()) {
             double& reach = boundary.edges[use.edge].tolerance;
             reach = std::max(reach, distance(boundary.edges[use.edge], region.plane()));
