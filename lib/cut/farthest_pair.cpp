@@ -10,7 +10,10 @@ namespace qm {
 namespace {
 
 constexpr float unbounded = std::numeric_limits<float>::infinity();
+/// With so many sweeps the pair is exact, as it usually is by then; each one more allows it to be so much
+/// nearer, as a share, that few follow.
 constexpr std::size_t exactSweeps = 24;
+constexpr double slackPerSweep = 0.01;
 /// With at most this many candidates a bound is kept for every pair; with more, one for every candidate.
 constexpr std::size_t pairLimit = 2048;
 
@@ -60,7 +63,8 @@ private:
 
     /// A pair must be farther apart than this to be worth looking for.
     [[nodiscard]] float threshold() const {
-        const double slack = sweeps_ <= exactSweeps ? 0 : 0.01 * static_cast<double>(sweeps_ - exactSweeps);
+        const double slack =
+            sweeps_ <= exactSweeps ? 0 : slackPerSweep * static_cast<double>(sweeps_ - exactSweeps);
         return static_cast<float>(longest_ * (1 + slack));
     }
 

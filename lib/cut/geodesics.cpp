@@ -203,7 +203,8 @@ void Geodesics::reach(const Quad& quad, unsigned from, unsigned to, int part) {
 /// and b on the x axis; infinity if the straight way from that source does not lead between them, or is no
 /// shorter than the limit.
 double Geodesics::across(const Quad& quad, unsigned a, unsigned b, unsigned target, double limit) const {
-    constexpr double rounding = 1e-12;
+    constexpr double rounding =
+        1e-12; // of the squares below: what is no shorter by more may be dropped early
     const double length = quad.length(a, b), toA = quad.length(a, target), toB = quad.length(b, target);
     if (length == 0) return infinity;
     const double fromA = nodeAt(quad.corners[a]).distance, fromB = nodeAt(quad.corners[b]).distance;

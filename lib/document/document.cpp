@@ -1,7 +1,7 @@
 #include "document/document.h"
 
 #include "document/files.h"
-#include "document/schema.h"
+#include "document/schema_check.h"
 #include "document/version.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "document/json_place.h"
 
 #include "base/error.h"
-#include "document/schema_view.h"
+#include "document/whole_number.h"
 
 #include <cmath>
 

@@ -106,7 +106,8 @@ double sumAlong(const QuadMesh& mesh, std::span<const HalfedgeId> path, const st
 }
 
 bool sameCost(double a, double b) {
-    return std::abs(a - b) <= 1e-6 * std::max(1.0, std::abs(a));
+    constexpr double share = 1e-6; // other programs write six or seven digits
+    return std::abs(a - b) <= share * std::max(1.0, std::abs(a));
 }
 
 bool verifyDistinctIds(const JsonPlace& list) {

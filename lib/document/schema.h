@@ -1,4 +1,4 @@
-/// \file The schemas of the documents, and validation against them.
+/// \file The schemas of the documents.
 #pragma once
 
 #include "document/json.h"
@@ -8,6 +8,9 @@
 #include <string_view>
 
 namespace qm {
+
+/// Begins a reference to a definition in the same schema.
+inline constexpr std::string_view localReference = "#/definitions/";
 
 struct EmbeddedSchema {
     std::string_view name; ///< "layout.schema.json"
@@ -22,14 +25,10 @@ struct EmbeddedSchema {
 /// \throw std::logic_error  if there is no such kind, or a schema refers to what does not exist
 [[nodiscard]] Json bundledSchema(const std::string& kind);
 
-/// The same as text.
+/// The same without its `$id`: nothing is to be fetched by that name.
+[[nodiscard]] Json namelessSchema(const std::string& kind);
+
+/// The whole schema as text.
 [[nodiscard]] std::string standaloneSchema(const std::string& kind);
-
-/// Checks a document against the schema of its kind.
-/// \throw Error  with the JSON pointer of the first place that is wrong
-void validateAgainstSchema(const Json& root, const std::string& kind);
-
-/// Checks a value against any schema. For tests, and for schemas of schemas.
-void validate(const Json& root, const Json& schema);
 
 } // namespace qm

@@ -1,63 +1,8 @@
 #include "document/schema_view.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numeric>
 
 namespace qm {
-
-std::optional<std::int64_t> wholeNumber(const Json& value) {
-    switch (value.type()) {
-    case Json::value_t::number_integer:
-        return value.get<std::int64_t>();
-    case Json::value_t::number_unsigned: {
-        const auto number = value.get<std::uint64_t>();
-        if (number > static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max())) return {};
-        return static_cast<std::int64_t>(number);
-    }
-    case Json::value_t::number_float: {
-        constexpr double limit = 9007199254740992; // 2^53: every whole number up to here is a double
-        const double number = value.get<double>();
-        if (!(std::abs(number) <= limit) || number != std::floor(number)) return {};
-        return static_cast<std::int64_t>(number);
-    }
-    default:
-        return {};
-    }
-}
-
-std::vector<std::size_t> shownElements(const Json::array_t& array) {
-    constexpr std::size_t shortArray = 8;
-    const auto all = [&array] {
-        std::vector<std::size_t> positions(array.size());
-        std::iota(positions.begin(), positions.end(), std::size_t{0});
-        return positions;
-    };
-    if (array.size() <= shortArray) return all();
-
-    std::vector<std::size_t> shown;
-    std::size_t minAt = 0;
-    std::size_t maxAt = 0;
-    double minValue = std::numeric_limits<double>::infinity();
-    double maxValue = -minValue;
-    for (std::size_t i = 0; i < array.size(); ++i) {
-        if (!array[i].is_number()) return all();
-        if (shown.empty() && array[i].is_number_float() && !wholeNumber(array[i])) shown.push_back(i);
-        const auto value = array[i].get<double>();
-        if (value < minValue) {
-            minValue = value;
-            minAt = i;
-        }
-        if (value > maxValue) {
-            maxValue = value;
-            maxAt = i;
-        }
-    }
-    shown.push_back(minAt);
-    shown.push_back(maxAt);
-    return shown;
-}
 
 namespace schema_view {
 

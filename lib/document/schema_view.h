@@ -1,12 +1,13 @@
 /// \file A document as Valijson sees it.
 ///
 /// Valijson visits every element of every array at several microseconds each, and reports one error per
-/// element. This view keeps both in bounds. Of a long array of numbers it shows three at most: the first that
-/// is not whole, the smallest, and the largest. As long as the schemas ask of such numbers nothing but a type
-/// and limits, these three are valid exactly if all are. After the first error it shows nothing more.
+/// element. This view keeps both in bounds: of a long array of numbers it shows three at most (see
+/// `shown_elements.h`), and nothing more after the first error.
 #pragma once
 
 #include "document/json.h"
+#include "document/shown_elements.h"
+#include "document/whole_number.h"
 
 #include <valijson/internal/adapter.hpp>
 #include <valijson/internal/basic_adapter.hpp>
@@ -19,12 +20,6 @@
 #include <vector>
 
 namespace qm {
-
-/// Positions of the elements that the view shows.
-[[nodiscard]] std::vector<std::size_t> shownElements(const Json::array_t& array);
-
-/// A whole number, however it is written, that a 64-bit integer can hold.
-[[nodiscard]] std::optional<std::int64_t> wholeNumber(const Json& value);
 
 namespace schema_view {
 

@@ -19,13 +19,16 @@ namespace {
 constexpr double planeTolerance = 1e-7;
 /// Programs take two faces for one smooth surface below this angle, in degrees: 0.01 radians.
 constexpr double smoothAngle = 0.57;
+/// A tolerance covers so many times a gap that was sampled: between the samples it may be larger.
+constexpr double gapMargin = 1.1;
 
 /// The smallest tolerance: what OpenCASCADE takes for equal, and coordinates can tell apart.
 double resolution(const QuadMesh& mesh) {
     double largest = 0;
     for (const VertexId vertex : mesh.vertices())
         largest = std::max(largest, mesh.point(vertex).max_abs());
-    return std::max(Precision::Confusion(), 4e-12 * largest);
+    constexpr double digits = 4e-12; // of a coordinate, with those that computing with it takes
+    return std::max(Precision::Confusion(), digits * largest);
 }
 
 /// Of a curve's control polygon: the curve is no longer.
@@ -73,8 +76,7 @@ public:
     }
 
 private:
-    /// A tolerance has to cover a gap, with a margin for what lies between the samples.
-    [[nodiscard]] double toleranceFor(double gap) const { return std::max(1.1 * gap, resolution_); }
+    [[nodiscard]] double toleranceFor(double gap) const { return std::max(gapMargin * gap, resolution_); }
 
     void makeFaces() {
         for (const Patch& patch : patches_)
@@ -200,7 +202,7 @@ private:
                 const double gap =
                     made.point.Distance(atEnd ? edge.curve->EndPoint() : edge.curve->StartPoint());
                 made.tolerance =
-                    std::max(made.tolerance, edge.tolerance + (gap > resolution_ ? 1.1 * gap : 0));
+                    std::max(made.tolerance, edge.tolerance + (gap > resolution_ ? gapMargin * gap : 0));
             }
     }
 

@@ -31,10 +31,13 @@ std::vector<Colour> segmentColours(const Layout& layout, const Surfaces* surface
     }
     // Steps of the golden section keep the hues of any few successive numbers far apart.
     constexpr double goldenSection = 0.6180339887498949;
+    // Hues come back after some seven, a little darker each time, so that light falls on pale colours only.
+    constexpr std::size_t hues = 7, shades = 3;
+    constexpr double saturation = 0.55, brightest = 0.95, darker = 0.15;
     for (std::size_t k = 0; k < layout.segments.size(); ++k) {
         const auto number = static_cast<double>(k);
-        const double value = 0.95 - 0.15 * static_cast<double>(k / 7 % 3);
-        colours.push_back(fromHue(std::fmod(number * goldenSection, 1.0), 0.55, value));
+        const double value = brightest - darker * static_cast<double>(k / hues % shades);
+        colours.push_back(fromHue(std::fmod(number * goldenSection, 1.0), saturation, value));
     }
     return colours;
 }

@@ -57,6 +57,9 @@ gp_Pnt projected(const gp_Pnt& point, const SimpleSurface& on) {
     return on.surface->Value(at.X(), at.Y());
 }
 
+/// Points closer than this are one, to OpenCASCADE's interpolation: so small that none is left out.
+constexpr double samePoint = 1e-12;
+
 /// Through points at parameters; C2.
 Handle(Geom_BSplineCurve)
     interpolated(const std::vector<gp_Pnt>& points, const std::vector<double>& parameters) {
@@ -67,7 +70,7 @@ Handle(Geom_BSplineCurve)
         through->SetValue(k, points[at(k - 1)]);
         places->SetValue(k, parameters[at(k - 1)]);
     }
-    GeomAPI_Interpolate interpolation(through, places, Standard_False, 1e-12);
+    GeomAPI_Interpolate interpolation(through, places, Standard_False, samePoint);
     interpolation.Perform();
     return interpolation.Curve();
 }
@@ -76,12 +79,13 @@ Handle(Geom_BSplineCurve)
 
 gp_Pnt commonPoint(const gp_Pnt& near, const std::vector<SimpleSurface>& surfaces) {
     constexpr int rounds = 100; // each halves the distance at least where they meet at 45 degrees or more
+    constexpr double rounding = 1e-15;
     gp_XYZ point = near.XYZ();
     for (int round = 0; round < rounds; ++round) {
         const gp_XYZ before = point;
         for (const SimpleSurface& surface : surfaces)
             point = projected(point, surface).XYZ();
-        if ((point - before).Modulus() <= 1e-15 * before.Modulus()) break;
+        if ((point - before).Modulus() <= rounding * before.Modulus()) break;
     }
     return point;
 }
@@ -97,7 +101,7 @@ Handle(Geom_BSplineCurve)
         const double share = (t - first) / (last - first);
         return commonPoint(near->Value(t).XYZ() + moveFirst * (1 - share) + moveLast * share, both);
     };
-    constexpr int maxSteps = 64;
+    constexpr int maxSteps = 64; // an interval; a curve that is still off then is told with its gap
     for (int perInterval = steps;; perInterval *= 2) {
         const auto parameters = parametersOf(*near, perInterval);
         std::vector<gp_Pnt> points{ends[0]};
@@ -134,7 +138,7 @@ CurveOnSurface curveOnSurface(const Handle(Geom_BSplineCurve) & curve, const Sim
             points->SetValue(k, last = point);
             places->SetValue(k, t);
         }
-        Geom2dAPI_Interpolate interpolation(points, places, Standard_False, 1e-12);
+        Geom2dAPI_Interpolate interpolation(points, places, Standard_False, samePoint);
         interpolation.Perform();
         result.curve = interpolation.Curve();
     }

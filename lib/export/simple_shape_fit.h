@@ -1,36 +1,11 @@
 /// \file Planes, cylinders, cones, spheres and tori through points with normals, by least squares.
 #pragma once
 
-#include <Eigen/Core>
+#include "export/simple_shape_guess.h"
 
 #include <optional>
-#include <vector>
 
 namespace qm {
-
-enum class SimpleKind { plane, cylinder, cone, sphere, torus };
-
-/// One of these surfaces. What does not belong to its kind counts for nothing.
-struct SimpleShape {
-    SimpleKind kind = SimpleKind::plane;
-    Eigen::Vector3d origin{0, 0, 0}; ///< a point of the plane or axis; the apex of a cone; else the centre
-    Eigen::Vector3d axis{0, 0, 1};   ///< unit; the plane's normal; a cone opens towards it
-    double radius = 0;               ///< of a torus: of the circle around which its tube runs
-    double second = 0;               ///< half of a cone's opening angle, in radians; the tube's radius
-
-    /// Signed; positive outside.
-    [[nodiscard]] double distance(const Eigen::Vector3d& point) const;
-    /// Unit, outwards.
-    [[nodiscard]] Eigen::Vector3d normal(const Eigen::Vector3d& point) const;
-    /// From the axis, or a sphere's centre, to the point; of no certain length.
-    [[nodiscard]] Eigen::Vector3d radial(const Eigen::Vector3d& point) const;
-};
-
-/// Points of a surface about the origin, of about unit size, and the unit normals there.
-struct OrientedPoints {
-    std::vector<Eigen::Vector3d> points;
-    std::vector<Eigen::Vector3d> normals;
-};
 
 /// The surface of that kind nearest to the points (sum of squared distances); none if their normals do not
 /// point to one.

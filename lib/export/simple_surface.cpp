@@ -32,6 +32,12 @@ struct Tuning {
     static constexpr double seamMargin = 2 * degree;
     /// Between patch and a sphere's poles, where parameters run together.
     static constexpr double poleMargin = 15 * degree;
+    /// Of radial directions: if they all but cancel, the patch goes around, and no side is free for the seam.
+    static constexpr double minMean = 1e-3;
+    /// Of an axis, the part across the direction to the patch: with less, any other direction serves better.
+    static constexpr double minAcross = 0.1;
+    /// Between patch and a cone's apex, in sizes of the patch.
+    static constexpr double apexMargin = 1e-3;
     /// Samples of every knot interval: one more than the degree.
     static constexpr int samplesPerInterval = 4;
 };
@@ -112,12 +118,13 @@ std::optional<gp_Ax3> axesFor(SimpleShape& shape, const Cloud& cloud) {
     Vector3d middle(0, 0, 0);
     for (const Vector3d& point : cloud.samples.points)
         middle += shape.radial(point).normalized();
-    if (middle.norm() < 1e-3 * static_cast<double>(cloud.samples.points.size())) return std::nullopt;
+    if (middle.norm() < Tuning::minMean * static_cast<double>(cloud.samples.points.size()))
+        return std::nullopt;
     middle.normalize();
-    if (shape.kind == SimpleKind::sphere)
-        shape.axis = (shape.axis - middle * middle.dot(shape.axis)).norm() > 0.1
-                         ? (shape.axis - middle * middle.dot(shape.axis)).normalized()
-                         : middle.unitOrthogonal();
+    if (shape.kind == SimpleKind::sphere) {
+        const Vector3d across = shape.axis - middle * middle.dot(shape.axis);
+        shape.axis = across.norm() > Tuning::minAcross ? across.normalized() : middle.unitOrthogonal();
+    }
     const Vector3d across = shape.axis.cross(middle);
     for (const Vector3d& point : cloud.samples.points) {
         const Vector3d out = shape.radial(point).normalized();
@@ -133,7 +140,7 @@ Handle(Geom_ElementarySurface) cone(const SimpleShape& shape, gp_Ax3 axes, const
     double near = Tuning::maxRadius;
     for (const Vector3d& point : cloud.samples.points)
         near = std::min(near, shape.axis.dot(point - shape.origin));
-    if (near < 1e-3) return nullptr; // too near to the apex
+    if (near < Tuning::apexMargin) return nullptr;
     axes.SetLocation(place(cloud.centre + (shape.origin + shape.axis * near) * cloud.size));
     return new Geom_ConicalSurface(axes, shape.second, near * std::tan(shape.second) * cloud.size);
 }

@@ -51,7 +51,8 @@ public:
         const ProgramSolution solution = solveProgram(part, start, {seconds, options_.nodes}, control);
         if (!solution.values) return false;
         const double after = part.cost(*solution.values);
-        if (after > before - 1e-9) return false;
+        constexpr double rounding = 1e-9; // of sums of costs
+        if (after > before - rounding) return false;
         for (std::size_t k = 0; k < free.size(); ++k)
             values_[free[k]] = (*solution.values)[ColumnId(k)];
         return true;

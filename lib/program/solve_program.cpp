@@ -18,6 +18,9 @@
 namespace qm {
 namespace {
 
+/// Seconds; the solver knows no infinity.
+constexpr double noLimit = 1e9;
+
 class StopHandler : public CbcEventHandler {
 public:
     explicit StopHandler(const Control& control) : control_(control) {}
@@ -87,7 +90,7 @@ ProgramSolution solveProgram(const IntegerProgram& program, const ColumnValues& 
     model.passInEventHandler(&handler);
     if (!start.empty())
         model.setBestSolution(start.data(), static_cast<int>(start.size()), program.cost(start));
-    const std::string seconds = std::to_string(std::min(end.secondsLeft(), 1e9));
+    const std::string seconds = std::to_string(std::min(end.secondsLeft(), noLimit));
     const std::string nodes = std::to_string(limits.nodes);
     // CBC's own presolve crashes when it is interrupted.
     const char* arguments[] = {"cbc",  "-log",          "0",         "-timeMode",   "elapsed",
@@ -120,7 +123,7 @@ double boundProgram(const IntegerProgram& program, double seconds, const Control
     CbcCompareObjective minBoundFirst;
     model.setNodeComparison(minBoundFirst);
     model.setUseElapsedTime(true);
-    model.setMaximumSeconds(std::min(seconds, 1e9));
+    model.setMaximumSeconds(std::min(seconds, noLimit));
     // The solver looks at no clock of ours.
     dynamic_cast<OsiClpSolverInterface&>(*model.solver()).getModelPtr()->setMaximumWallSeconds(seconds);
     model.initialSolve();

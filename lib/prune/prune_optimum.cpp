@@ -94,13 +94,16 @@ private:
     /// A price beyond which only the number of segments counts.
     static constexpr double dearest = std::numeric_limits<double>::max();
     static constexpr double cheapestPrice = 1.0 / 16; ///< of a front; the next is twice as much
-    static constexpr int frontPrices = 11;
+    static constexpr int frontPrices = 11;            ///< up to 64, where next to nothing but segments counts
+    static constexpr double highestPrice = 1024;      ///< a layout of few segments is looked for up to here
+    static constexpr double priceGrowth = 4;          ///< ... in few steps, each of which is a search
+    static constexpr double shareOfApproach = 1.0 / 12; ///< of the time, for each of them: six take half
+    static constexpr double rounding = 1e-9;            ///< of sums of costs, and of numbers of corners
 
     /// Whether the first is as good in everything.
     static bool covers(const FrontPoint& a, const FrontPoint& b) {
-        constexpr double tiny = 1e-9;
-        return a.segments <= b.segments && a.cost <= b.cost + tiny &&
-               a.capturedSharpness >= b.capturedSharpness - tiny;
+        return a.segments <= b.segments && a.cost <= b.cost + rounding &&
+               a.capturedSharpness >= b.capturedSharpness - rounding;
     }
 
     /// First their number, then G_T with no more than that.
@@ -113,7 +116,7 @@ private:
         const Found fewest = solve(numbers, infinity, firstEnd);
         PruneResult result = prune({0, grids_.segments(fewest.values)}, end.secondsLeft());
         result.proven = result.proven && fewest.proven;
-        result.objectiveBound = std::ceil(fewest.lowerBound + grids_.corners / 4 - 1e-6);
+        result.objectiveBound = std::ceil(fewest.lowerBound + grids_.corners / 4 - integral);
         return result;
     }
 
@@ -158,7 +161,7 @@ private:
     std::optional<ColumnValues> bestKnown(const IntegerProgram& program, double maxSegments) const {
         const ColumnValues* best = nullptr;
         for (const ColumnValues& values : known_)
-            if (grids_.segments(values) <= maxSegments + 1e-9 &&
+            if (grids_.segments(values) <= maxSegments + rounding &&
                 (!best || program.cost(values) < program.cost(*best)))
                 best = &values;
         return best ? std::optional(*best) : std::nullopt;
@@ -176,9 +179,9 @@ private:
     /// Looks for a first layout of so few segments, by making them dearer and dearer. Takes at most half of
     /// the time.
     void approach(double maxSegments, const Deadline& end) {
-        constexpr double highest = 1024;
-        const double seconds = end.secondsLeft() / 12;
-        for (double beta = 1; beta <= highest && !bestKnown(grids_.program, maxSegments); beta *= 4) {
+        const double seconds = end.secondsLeft() * shareOfApproach;
+        for (double beta = 1; beta <= highestPrice && !bestKnown(grids_.program, maxSegments);
+             beta *= priceGrowth) {
             const IntegerProgram program = programFor({beta});
             known_.push_back(valuesOf(improveByNeighbourhoods(program, *bestKnown(program, infinity), lines(),
                                                               {.seconds = seconds}, control_)));

@@ -7,17 +7,19 @@
 namespace qm {
 
 std::string figureText(double value) {
+    constexpr double whole = 100, longest = 1e9; // from three digits on no fraction; from ten on an exponent
+    constexpr double tiny = 1e-6;                // an exponent stands there anyway: two digits are enough
     std::string text;
-    if (std::abs(value) >= 100 && std::abs(value) < 1e9)
+    if (std::abs(value) >= whole && std::abs(value) < longest)
         appendNumber(text, std::round(value), std::chars_format::fixed, 0);
     else
-        appendNumber(text, value, std::chars_format::general, std::abs(value) < 1e-6 ? 2 : 3);
+        appendNumber(text, value, std::chars_format::general, std::abs(value) < tiny ? 2 : 3);
     return text;
 }
 
 std::string pointText(const Point& point, double extent) {
-    // Beside the others, nothing is what rounding left of zero.
-    const double nothing = 1e-12 * point.norm();
+    constexpr double rounding = 1e-12; // what it leaves of zero, beside the other coordinates
+    const double nothing = rounding * point.norm();
     // So many digits behind the point as tell places on the model apart, where three do not.
     const int digits = extent > 0 ? static_cast<int>(std::ceil(2 - std::log10(extent))) : 0;
     std::string text;

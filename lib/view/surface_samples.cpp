@@ -28,7 +28,7 @@ std::vector<BasisValues> basisOnLattice(const Patch& patch, std::size_t directio
 
 std::size_t latticeSteps(std::size_t faces) {
     constexpr double maxPoints = 120'000; // what is drawn at ease without a graphics card
-    constexpr double finest = 8;
+    constexpr double finest = 8;          // an edge: more is seen on no screen
     return static_cast<std::size_t>(std::clamp(
         std::floor(std::sqrt(maxPoints / std::max(1.0, static_cast<double>(faces)))), 1.0, finest));
 }
@@ -36,7 +36,7 @@ std::size_t latticeSteps(std::size_t faces) {
 std::vector<double> distancesFromReference(const QuadMesh& mesh, const Layout& layout,
                                            const std::vector<Patch>& patches, const BorderMarks& marks,
                                            std::size_t steps, unsigned jobs) {
-    constexpr int referenceSteps = 4;
+    constexpr int referenceSteps = 4; // an edge, as those of the fit
     constexpr std::size_t reference = 1;
     const auto grids = limitSurface(mesh, layout, marks.isCrease, referenceSteps, jobs);
     const auto borders = borderEdges(mesh, layout);
@@ -64,7 +64,7 @@ std::vector<double> distancesFromReference(const QuadMesh& mesh, const Layout& l
 
 std::vector<double> normalJumps(const QuadMesh& mesh, const Layout& layout, const std::vector<Patch>& patches,
                                 const std::vector<BorderEdge>& borders, const BorderMarks& marks) {
-    constexpr int samples = 5;
+    constexpr int samples = 5; // an edge: both ends, and three between, as angles change smoothly
     std::vector<double> jumps;
     for (const BorderEdge& border : borders) {
         const auto edge = at(mesh.edge_handle(border.halfedge));

@@ -6,7 +6,7 @@
 #include "document/features_section.h"
 #include "document/json_place.h"
 #include "document/model.h"
-#include "document/schema.h"
+#include "document/schema_check.h"
 #include "document/sha256.h"
 #include "mesh/topology.h"
 #include "support/sample_document.h"

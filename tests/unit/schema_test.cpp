@@ -2,7 +2,8 @@
 #include "base/error.h"
 #include "document/json_place.h"
 #include "document/schema.h"
-#include "document/schema_view.h"
+#include "document/schema_check.h"
+#include "document/shown_elements.h"
 #include "support/sample_document.h"
 
 #include <gtest/gtest.h>

@@ -104,8 +104,8 @@ Point unit(const Point& vector) {
 Point unitNormal(const Point& du, const Point& dv) {
     const Point normal = du % dv;
     const double length = normal.norm();
-    // Parallel derivatives leave nothing but rounding.
-    if (!(length > 1e-12 * du.norm() * dv.norm())) return {0, 0, 0};
+    constexpr double rounding = 1e-12; // of a sine: parallel derivatives leave nothing else
+    if (!(length > rounding * du.norm() * dv.norm())) return {0, 0, 0};
     return normal / length;
 }
 

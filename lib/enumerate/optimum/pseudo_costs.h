@@ -18,7 +18,7 @@ public:
 
     void learn(ColumnId column, bool up, double distance, double growth) {
         Mean& mean = (up ? up_ : down_)[column];
-        const double rate = std::max(growth, 0.0) / std::max(distance, 1e-6);
+        const double rate = std::max(growth, 0.0) / std::max(distance, BranchingTuning::minDistance);
         for (Mean* each : {&mean, &all_}) {
             each->sum += rate;
             ++each->count;

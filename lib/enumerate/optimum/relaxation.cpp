@@ -117,7 +117,7 @@ void Relaxation::setBounds(const ColumnState& state) {
     }
     for (std::size_t k = 0; k < solverRows_.size(); ++k) {
         const OpenRow& row = rows_[solverRows_[k]];
-        if (formulation_->rows[row.row].lower > -1e9) continue; // not a cover row
+        if (std::isfinite(formulation_->rows[row.row].lower)) continue; // not a cover row
         const double lower = bounded(state.rowLower(row.row) - row.constant);
         if (solver_->rowLower()[k] != lower)
             solver_->setRowBounds(static_cast<int>(k), lower, solver_->rowUpper()[k]);

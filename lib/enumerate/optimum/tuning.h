@@ -18,6 +18,8 @@ struct BranchingTuning {
     static constexpr int iterationsPerProbe = 100;
     /// Growth below this counts as this much, so that a product of two tells sides apart when one is 0.
     static constexpr double minGrowth = 1e-6;
+    /// Columns moved by less count as moved by this much: rounding would be taken for a steep rate.
+    static constexpr double minDistance = 1e-6;
 };
 
 struct TreeTuning {

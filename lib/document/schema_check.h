@@ -1,0 +1,17 @@
+/// \file Whether a document keeps to a schema, and what is wrong otherwise, in words.
+#pragma once
+
+#include "document/json.h"
+
+#include <string>
+
+namespace qm {
+
+/// Checks a document against the schema of its kind.
+/// \throw Error  with the JSON pointer of the first place that is wrong
+void validateAgainstSchema(const Json& root, const std::string& kind);
+
+/// Checks a value against any schema. For tests, and for schemas of schemas.
+void validate(const Json& root, const Json& schema);
+
+} // namespace qm

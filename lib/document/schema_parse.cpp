@@ -1,0 +1,15 @@
+#include "document/schema_parse.h"
+
+#include "document/schema_view.h"
+
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+
+namespace qm {
+
+void parseSchema(const Json& schema, valijson::Schema& compiled) {
+    valijson::SchemaParser parser(valijson::SchemaParser::kDraft7);
+    parser.populateSchema(schema_view::Adapter(schema), compiled);
+}
+
+} // namespace qm
