@@ -15,11 +15,10 @@
 ///         });
 ///     }
 ///
-/// Every tool so has --help, --version, --quiet, --verbose, --stats, --jobs, --json-usage and, where it
-/// applies,
-/// --output and --schema. Declarations open no file: a wrong command line ends with status 2 before anything
-/// is touched. What the body throws becomes one line on standard error and status 1. Tools whose document
-/// grows along the pipe use stage.h, which declares operand, --mesh, output and schema in one go.
+/// So every tool has --help, --version, --quiet, --verbose, --stats, --jobs, --json-usage and, where it
+/// applies, --output and --schema. Declarations open no file: a wrong command line ends with status 2 before
+/// anything is touched. What the body throws becomes one line on standard error and status 1. Tools whose
+/// document grows along the pipe use stage.h, which declares operand, --mesh, output and schema in one go.
 #pragma once
 
 #include "base/control.h"

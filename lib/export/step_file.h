@@ -14,7 +14,8 @@ struct StepId {
 };
 
 /// What stands between the quotation marks of a string. A comma is written by its number, as lines are broken
-/// after commas. \param utf8  valid
+/// after commas.
+/// \param utf8  valid
 [[nodiscard]] std::string stepText(std::string_view utf8);
 
 /// Text of an entity in the making: `StepText("DIRECTION('',").reals(xyz).end()`.

@@ -10,8 +10,9 @@
 namespace qm {
 
 /// Visits every fan once: a maximal run of quads around a vertex, each beside the next. Open fans come first,
-/// then those that are closed. \param twins  of a consistently oriented soup (see `twinSides`) \param visit
-/// takes the corners of the fan, which are all at one vertex
+/// then those that are closed.
+/// \param twins  of a consistently oriented soup (see `twinSides`)
+/// \param visit  takes the corners of the fan, which are all at one vertex
 void forEachFan(const std::vector<Side>& twins, const std::function<void(std::span<const Side>)>& visit);
 
 /// Gives every fan but the first at its vertex a vertex of its own, at the same place, behind all others.

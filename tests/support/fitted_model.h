@@ -29,7 +29,8 @@ struct FittedModel {
 /// A torus of 16 x 12 quads as one patch whose sides meet, or as several; closed either way.
 [[nodiscard]] FittedModel torus(const std::vector<std::array<int, 4>>& rectangles);
 
-/// A grid of which vertices at the same place are the same, as one patch. \param turned  as in Rectangle
+/// A grid of which vertices at the same place are the same, as one patch.
+/// \param turned  as in Rectangle
 [[nodiscard]] FittedModel glued(const Grid& grid, int turned);
 
 /// A strip that goes round in a loop until it passes its own beginning: like the letter rho.

@@ -10,7 +10,8 @@
 namespace qm::testing {
 namespace {
 
-/// Quads around vertex 0, in a plane. \param turn  degrees that they fill, 360 if they close
+/// Quads around vertex 0, in a plane.
+/// \param turn  degrees that they fill, 360 if they close
 QuadMesh star(int quads, double turn = 360) {
     check::CheckedMesh mesh{{{0, 0, 0}}, {}};
     const int spokes = turn < 360 ? quads + 1 : quads;

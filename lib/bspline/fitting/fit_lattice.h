@@ -49,7 +49,8 @@ struct FitLattice {
 /// What folds so often may not slide any more at all.
 constexpr int maxHolds = 2;
 
-/// Of every segment. \param reference  of every segment; must outlive what is returned, as the weights must
+/// Of every segment.
+/// \param reference  of every segment; must outlive what is returned, as the weights must
 /// \param weights  of the points of every grid; empty if all are 1
 [[nodiscard]] std::vector<LatticeSource> latticeSources(const QuadMesh& mesh, const Layout& layout,
                                                         const SmoothNetwork& network,

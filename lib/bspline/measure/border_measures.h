@@ -17,7 +17,8 @@ struct MeetingMeasures {
 
 /// At so many samples, from one end of the edge to the other. Angles are those at 1/200 of the edge from its
 /// ends, in place of the ends themselves, where a patch may have no normal. On the boundary of the mesh there
-/// is nothing to measure. \param samples  at least 2
+/// is nothing to measure.
+/// \param samples  at least 2
 [[nodiscard]] MeetingMeasures measureBorder(const BorderEdge& border, const Layout& layout,
                                             const std::vector<Patch>& patches, int samples);
 

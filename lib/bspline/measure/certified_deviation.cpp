@@ -65,7 +65,8 @@ private:
             }
     }
 
-    /// To first order, where little slides along the reference. \param u, v  within the cell
+    /// To first order, where little slides along the reference.
+    /// \param u, v  within the cell
     [[nodiscard]] double distanceAt(const LayoutPlace& place, double u, double v) {
         const PiecePoint away = evaluate(difference_, u, v);
         const PiecePoint on = evaluate(reference_, u, v);

@@ -14,9 +14,8 @@ double speedRatio(const Eigen::Vector3d& own, const Eigen::Vector3d& other) {
     return square > 0 ? std::clamp(own.dot(other) / square, 0.5, 2.0) : 1;
 }
 
-/// Where to divide a box, from -1/2 to 1/2. \param low, high  ends of the other's cell, the box being from -1
-/// to
-/// 1
+/// Where to divide a box, from -1/2 to 1/2.
+/// \param low, high  ends of the other's cell, the box being from -1 to 1
 double division(double low, double high) {
     constexpr double thin = 0.9;
     const double nearer = std::abs(low) < std::abs(high) ? low : high;

@@ -20,7 +20,8 @@ class FoldSearch {
 public:
     explicit FoldSearch(const ReferenceGrid& reference) : reference_(reference) {}
 
-    /// A place of the box that is not certain to be free of folds. \param piece  over the box
+    /// A place of the box that is not certain to be free of folds.
+    /// \param piece  over the box
     [[nodiscard]] std::optional<Parameters> fold(const BezierPiece& piece, const Parameters& from,
                                                  const Parameters& to, int halvings) const {
         const Parameters middle{0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])};

@@ -28,8 +28,8 @@ public:
                                   const Eigen::Vector3d& point);
 
 private:
-    /// From a start to the nearest place around, over at most so many borders. \param crossings  leaves how
-    /// many may still be crossed
+    /// From a start to the nearest place around, over at most so many borders.
+    /// \param crossings  leaves how many may still be crossed
     [[nodiscard]] Foot walk(std::size_t surface, const LayoutPlace& start, const Eigen::Vector3d& point,
                             int& crossings);
     [[nodiscard]] PiecePoint evaluateAt(std::size_t surface, const LayoutPlace& place);

@@ -31,7 +31,8 @@ struct Measurement {
 };
 
 /// Measures deviation from the reference, from the quads and from the vertices, borders, inner lines, folds
-/// and fairness. Linear in the mesh; about 10 microseconds a quad. \param references  one for every patch
+/// and fairness. Linear in the mesh; about 10 microseconds a quad.
+/// \param references  one for every patch
 /// \param isSmooth  by edge: across which borders normals are compared
 [[nodiscard]] Measurement measureSurfaces(const QuadMesh& mesh, const Layout& layout,
                                           const std::vector<Patch>& patches,

@@ -23,7 +23,9 @@ struct Cell {
 /// The fitted surfaces, number 0, and their reference, number 1, over the same patches.
 class PairedSurfaces {
 public:
-    /// What is passed must outlive it. \param references  one for every patch \param borders  of the layout
+    /// What is passed must outlive it.
+    /// \param references  one for every patch
+    /// \param borders  of the layout
     PairedSurfaces(const Layout& layout, const std::vector<Patch>& patches,
                    const std::vector<ReferenceGrid>& references, const std::vector<BorderEdge>& borders);
 
@@ -36,7 +38,8 @@ public:
     [[nodiscard]] std::array<double, 2> range(const Cell& cell, std::size_t direction) const;
     [[nodiscard]] Cell cellAt(const LayoutPlace& place) const;
 
-    /// The polynomial over a cell; all are of the same degree in both directions. \param piece  written over
+    /// The polynomial over a cell; all are of the same degree in both directions.
+    /// \param piece  written over
     void get(std::size_t surface, const Cell& cell, BezierPiece& piece) const;
 
     /// A step over a border into the patch beyond.

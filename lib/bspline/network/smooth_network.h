@@ -17,7 +17,8 @@ struct SmoothNetwork {
     std::vector<SmoothRun> runs; ///< their ratios have values at their ends, but no reach yet
 };
 
-/// Linear in the mesh. \param dihedralAngles  by edge index, radians
+/// Linear in the mesh.
+/// \param dihedralAngles  by edge index, radians
 /// \param rho  a border edge of a larger dihedral angle is a crease
 [[nodiscard]] SmoothNetwork buildNetwork(const QuadMesh& mesh, const Layout& layout,
                                          const std::vector<double>& dihedralAngles, double rho);

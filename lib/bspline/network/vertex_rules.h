@@ -34,11 +34,11 @@ struct VertexRule {
 /// - a side of a segment passes straight through along two creases: there the patch has only one tangent. If
 ///   several pass, the straightest is the curve, the first of them where they are equal; or
 /// - there are just two creases, and a curve may follow both. Beyond the boundary there are no quads to
-/// count,
-///   so a boundary vertex of a single quad is a corner.
+///   count, so a boundary vertex of a single quad is a corner.
 ///
 /// OpenSubdiv and the subdivision literature count creases alone: they have no rule for a crease that ends on
-/// another one, which is what tracks of a layout do. \param sharp  by edge, from `creasesAndBoundary`
+/// another one, which is what tracks of a layout do.
+/// \param sharp  by edge, from `creasesAndBoundary`
 [[nodiscard]] std::vector<VertexRule> vertexRules(const QuadMesh& mesh, const Layout& layout,
                                                   const std::vector<bool>& sharp);
 

@@ -42,7 +42,8 @@ public:
         begin_.push_back(column_.size());
     }
 
-    /// \param accuracy  a length \return  by vertex: is its component solved?
+    /// \param accuracy  a length
+    /// \return  by vertex: is its component solved?
     std::vector<bool> solve(double accuracy) {
         constexpr int maxSweeps = 300;
         std::vector<std::size_t> active(own_.size());

@@ -13,8 +13,11 @@ namespace qm {
 /// edges and at the mesh boundary; `vertexRules` says where it has corners. Lattice points on a common border
 /// of segments are the same to the last bit in both, and those at vertices are the vertices themselves, but
 /// for components without an interpolating limit (see `interpolatingControlMesh`). In time linear in the
-/// mesh. \param isCrease  by edge \param steps  lattice steps a quad: a power of two, at least 2 \param jobs
-/// threads; the result does not depend on them \return for every segment its part of the surface
+/// mesh.
+/// \param isCrease  by edge
+/// \param steps  lattice steps a quad: a power of two, at least 2
+/// \param jobs  threads; the result does not depend on them
+/// \return for every segment its part of the surface
 [[nodiscard]] std::vector<ReferenceGrid> limitSurface(const QuadMesh& mesh, const Layout& layout,
                                                       const std::vector<bool>& isCrease, int steps,
                                                       unsigned jobs);

@@ -14,7 +14,8 @@ namespace qm {
 /// A point for every number of a lattice.
 class MeshLattice {
 public:
-    /// With the vertices alone. \param points  by vertex
+    /// With the vertices alone.
+    /// \param points  by vertex
     MeshLattice(const QuadMesh& mesh, const std::vector<Point>& points);
 
     [[nodiscard]] int squares() const { return numbers_.squares(); }

@@ -20,7 +20,8 @@ struct VertexStencil {
 };
 
 /// Catmull and Clark's rule for a vertex (1978), that of a cubic spline curve along creases, or the vertex
-/// itself at a corner. \param stencil  to write to; its memory is used again
+/// itself at a corner.
+/// \param stencil  to write to; its memory is used again
 void subdivisionStencil(const QuadMesh& mesh, VertexId vertex, const VertexRule& rule,
                         VertexStencil& stencil);
 

@@ -19,7 +19,8 @@ namespace qm {
 /// The points of a segment's vertices, row by row.
 [[nodiscard]] std::vector<Point> pointGrid(const QuadMesh& mesh, const Segment& segment);
 
-/// A patch through the vertices of every segment. \param jobs  threads
+/// A patch through the vertices of every segment.
+/// \param jobs  threads
 [[nodiscard]] std::vector<Patch> interpolateSegments(const QuadMesh& mesh, const Layout& layout,
                                                      unsigned jobs);
 

@@ -22,7 +22,8 @@ constexpr std::size_t latticeSize = std::size_t{perQuad + 1} * (perQuad + 1);
 /// second.
 using LimitLattices = std::vector<std::vector<Place>>;
 
-/// \param sharp  by edge; the boundary of the mesh counts as sharp in any case \param layout  its sides say
+/// \param sharp  by edge; the boundary of the mesh counts as sharp in any case
+/// \param layout  its sides say
 /// where a curve of sharp edges goes straight on
 [[nodiscard]] LimitLattices limitThroughVertices(const qm::check::CheckedMesh& mesh,
                                                  const qm::check::Neighbourhoods& around,
