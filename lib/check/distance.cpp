@@ -20,6 +20,40 @@ Place minus(const Place& a, const Place& b) {
 
 using Parameters = std::array<double, 2>;
 
+/// Where in the box [0, max] the tangent plane is nearest.
+Parameters nearestOnTangents(const SurfacePoint& here, const Place& away, const Parameters& at,
+                             const Parameters& max) {
+    const std::array<double, 2> squares{dot(here.alongU, here.alongU), dot(here.alongV, here.alongV)};
+    const std::array<double, 2> slopes{dot(here.alongU, away), dot(here.alongV, away)};
+    const double mixed = dot(here.alongU, here.alongV);
+    const double determinant = squares[0] * squares[1] - mixed * mixed;
+    if (determinant > 1e-12 * squares[0] * squares[1]) {
+        const Parameters inner{at[0] + (slopes[0] * squares[1] - slopes[1] * mixed) / determinant,
+                               at[1] + (slopes[1] * squares[0] - slopes[0] * mixed) / determinant};
+        if (inner[0] >= 0 && inner[0] <= max[0] && inner[1] >= 0 && inner[1] <= max[1]) return inner;
+    }
+    // On a side of the box, only the other parameter is free.
+    Parameters best = at;
+    double least = 0; // square of the distance, beside that from here
+    for (std::size_t k = 0; k < 2; ++k)
+        for (const double side : {0.0, max[k]}) {
+            const std::size_t other = 1 - k;
+            const double across = side - at[k];
+            const double alone = squares[other] > 0 ? (slopes[other] - mixed * across) / squares[other] : 0;
+            Parameters to{};
+            to[k] = side;
+            to[other] = std::clamp(at[other] + alone, 0.0, max[other]);
+            const double along = to[other] - at[other];
+            const double change = across * (squares[k] * across - 2 * slopes[k]) +
+                                  along * (squares[other] * along - 2 * slopes[other]) +
+                                  2 * mixed * across * along;
+            if (!(change < least)) continue;
+            least = change;
+            best = to;
+        }
+    return best;
+}
+
 /// Walks towards the parameters in the box [0, max] whose point is nearest; returns the smallest distance
 /// seen.
 template <class Surface>
@@ -41,26 +75,7 @@ double nearest(const Surface& surface, Parameters at, const Parameters& max, con
         min = now;
         halvings = 0;
         before = at;
-        const double uu = dot(here.alongU, here.alongU);
-        const double uv = dot(here.alongU, here.alongV);
-        const double vv = dot(here.alongV, here.alongV);
-        const double ru = dot(here.alongU, away);
-        const double rv = dot(here.alongV, away);
-        const double determinant = uu * vv - uv * uv;
-        Parameters next = at;
-        if (determinant > 1e-12 * uu * vv)
-            next = {at[0] + (ru * vv - rv * uv) / determinant, at[1] + (rv * uu - ru * uv) / determinant};
-        // At a side of the box only the other parameter is free.
-        for (std::size_t k = 0; k < 2; ++k) {
-            const double clamped = std::clamp(next[k], 0.0, max[k]);
-            if (clamped == next[k]) continue;
-            const double other = k == 0 ? (vv > 0 ? (rv - uv * (clamped - at[0])) / vv : 0)
-                                        : (uu > 0 ? (ru - uv * (clamped - at[1])) / uu : 0);
-            next[k] = clamped;
-            next[1 - k] = std::clamp(at[1 - k] + other, 0.0, max[1 - k]);
-            break;
-        }
-        at = next;
+        at = nearestOnTangents(here, away, at, max);
     }
     return min;
 }

@@ -102,5 +102,13 @@ TEST(CheckDistance, ToAPatch) {
     EXPECT_LE(distanceToPatch(patch, {1.2, 0.4}, {9, 9, 9}), distance(here.point, {9, 9, 9}));
 }
 
+TEST(CheckDistance, LeavesACornerAlongEitherSide) {
+    // Without its sides, what is nearest on this sheared quad would lie beyond two of them; it lies on one.
+    const CheckedMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0.2, 0.6, 0}, {-0.8, 0.6, 0}}, {{0, 1, 2, 3}}};
+    EXPECT_NEAR(distanceToFace(mesh, 0, {1, 1}, {0.1, 1.6, 0}), 1, 1e-12);
+    const CheckedMesh mirrored{{{0, 0, 0}, {0, 1, 0}, {0.6, 0.2, 0}, {0.6, -0.8, 0}}, {{0, 1, 2, 3}}};
+    EXPECT_NEAR(distanceToFace(mirrored, 0, {1, 1}, {1.6, 0.1, 0}), 1, 1e-12);
+}
+
 } // namespace
 } // namespace qm::testing
