@@ -15,7 +15,13 @@ Json fitToJson(const FitSummary& fit) {
     json["deviationRelative"] = deviation.maxRelative;
     json["farthest"] = {
         {"patch", fit.farthest.patch}, {"at", fit.farthest.at}, {"point", {point[0], point[1], point[2]}}};
-    json["scan"] = fit.scan ? Json{{"coverage", fit.scan->coverage}, {"noise", fit.scan->noise}} : Json();
+    json["scan"] = Json();
+    if (const auto& scan = fit.scan)
+        json["scan"] = {{"coverage", scan->coverage},
+                        {"noise", scan->noise},
+                        {"max", scan->max},
+                        {"rms", scan->rms},
+                        {"percentile95", scan->percentile95}};
     json["gap"] = deviation.largestGap;
     json["largestNormalAngle"] = deviation.largestNormalAngle;
     json["percentile95NormalAngle"] = deviation.percentile95NormalAngle;

@@ -33,7 +33,7 @@ std::string shapeText(const Summary& summary, const std::string& unit) {
 }
 
 std::string deviationLines(const FitSummary& fit, double diagonal, const std::string& unit) {
-    std::string text = figureText(fit.deviation.max) + " " + unit + (fit.scan ? " from the scan" : "");
+    std::string text = figureText(fit.deviation.max) + " " + unit + (fit.scan ? " without it" : "");
     if (fit.smooth)
         text += ", " + figureText(100 * fit.deviation.max / fit.tolerance) + "% of the tolerance, " +
                 figureText(fit.tolerance) + " " + unit;
@@ -42,14 +42,16 @@ std::string deviationLines(const FitSummary& fit, double diagonal, const std::st
 }
 
 /// How much of the mesh the scan shows is never rounded to all of it.
-std::string scanLine(const ScanFigures& scan, const std::string& unit) {
+std::string scanLines(const ScanFigures& scan, const std::string& unit) {
     const double shown = scan.coverage < 1 ? std::min(100 * scan.coverage, 99.9) : 100;
-    return line("scan",
-                "shows " + figureText(shown) + "% of the mesh, noise " + figureText(scan.noise) + " " + unit);
+    return line("scan", "shows " + figureText(shown) + "% of the mesh, noise " + figureText(scan.noise) + " " +
+                            unit) +
+           line("  distance", "with its noise " + figureText(scan.rms) + " " + unit + " RMS, 95% " +
+                                  figureText(scan.percentile95) + ", at most " + figureText(scan.max));
 }
 
 std::string fitLines(const FitSummary& fit, double diagonal, const std::string& unit) {
-    std::string text = (fit.scan ? scanLine(*fit.scan, unit) : "") + deviationLines(fit, diagonal, unit) +
+    std::string text = (fit.scan ? scanLines(*fit.scan, unit) : "") + deviationLines(fit, diagonal, unit) +
                        line("gap", figureText(fit.deviation.largestGap) + " " + unit) +
                        line("normals", "jump by " + figureText(fit.deviation.largestNormalAngle) +
                                            " degrees at most, 95% by less than " +

@@ -284,10 +284,15 @@ fails_with() {
     quietly quadmesh 'my scan.stl' --quads 1500 --tolerance 5% -o scan.step -o 'result/my scan.json' --keep stages
     assert_line 'mesh        my scan.quads.obj'
     assert_line --regexp '^shape +solid$'
+    # How near the surfaces are to the scan as it is, and as it is without its noise.
+    assert_line --regexp '^scan +shows .*% of the mesh, noise '
+    assert_line --regexp '^  distance  with its noise .* mm RMS, 95% .*, at most '
+    assert_line --regexp '^deviation .* mm without it, .*% of the tolerance'
     assert [ -s 'stages/my scan.quads.obj' ]
     # The document lies beside its mesh, and is the same again.
     (cd result && quietly qm-summary 'my scan.json')
-    quietly quadmesh 'my scan.stl' --quads 1500 --tolerance 5% -o again.json
+    quietly quadmesh 'my scan.stl' --quads 1500 --tolerance 5% -o again.json --json
+    jq -e '.surfaces.scan | .rms < .percentile95 and .percentile95 < .max' <<<"$output"
     assert_same_bytes again.json 'result/my scan.json'
     quietly quadmesh 'my scan.stl' --quads 1500 --remesh.seed 5 --tolerance 5% -o other.json
     run cmp again.json other.json
