@@ -70,7 +70,7 @@ std::vector<std::string> unmetLimits(const Summary& summary, const Limits& limit
                         " are allowed. Give a larger tolerance, or a finer mesh");
     if (summary.loops.empty() && !isSolid(summary))
         unmet.push_back("patches are " + figureText(fit.deviation.largestGap) + length +
-                        " apart, so the closed mesh gives no solid");
+                        " apart, so the closed mesh gives no solid. Scale it down, or move it to the origin");
     return unmet;
 }
 

@@ -165,6 +165,26 @@ TEST(Measure, MeasuresFromAScan) {
     EXPECT_EQ(from(sheetAt(0.25, 9), 0.2).covered, 0);
 }
 
+/// Triangles of a hundredth of a quad, in a plane.
+ScanPoint ofManyTriangles(const Point& point) {
+    constexpr double size = 0.01;
+    const Point a(std::floor(point[0] / size) * size, std::floor(point[1] / size) * size, 0);
+    const bool isUpper = point[0] - a[0] + point[1] - a[1] > size;
+    const Point b = a + Point(size, 0, 0);
+    const Point c = a + Point(0, size, 0);
+    return {{isUpper ? a + Point(size, size, 0) : a, b, c}, std::abs(point[2]), false};
+}
+
+TEST(Measure, ManySmallTrianglesAreNotFartherAwayThanTheyAre) {
+    const QuadMesh mesh = test::makeMesh(plane);
+    const Layout layout = test::makeLayout(plane, tJoint);
+    auto patches = interpolateSegments(mesh, layout, 1);
+    for (Patch& patch : patches)
+        for (Point& point : patch.controlPoints)
+            point[2] = 0.001;
+    EXPECT_NEAR(deviationFromScan(patches, ofManyTriangles, HUGE_VAL, {}, 1).max, 0.001, 1e-9);
+}
+
 TEST(Measure, DistanceToATriangleIsThatToItsNearestPoint) {
     const std::array<Point, 3> triangle{Point(0, 0, 0), Point(2, 0, 0), Point(0, 2, 0)};
     EXPECT_NEAR(distanceToTriangle(triangle, {0.5, 0.5, -3}), 3, 1e-12);

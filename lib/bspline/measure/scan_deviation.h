@@ -34,6 +34,7 @@ struct ScanDeviation {
 
 /// Of all patches from a scan.
 struct ScanDeviations {
+    /// The largest that was found: boxes over many small triangles are bounded too loosely for an upper bound.
     double max = 0;
     double rms = 0;
     double percentile95 = 0;
