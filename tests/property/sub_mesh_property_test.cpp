@@ -44,6 +44,17 @@ std::optional<Case> drawCase(std::mt19937& random) {
     return drawn;
 }
 
+/// Calls a test with every case that can be drawn, and with the numbers that it was drawn by.
+/// \param firstSeed  for a test of its own
+template <class Test> void forEachCase(unsigned firstSeed, const Test& test) {
+    for (unsigned number = 0; number < cases; ++number) {
+        SCOPED_TRACE(number);
+        std::mt19937 random(firstSeed + number);
+        const std::optional<Case> drawn = drawCase(random);
+        if (drawn) test(*drawn, random);
+    }
+}
+
 /// All that a search knows of a problem, but for the ids of arcs.
 using Numbers = std::vector<double>;
 Numbers numbersOf(const Problem& problem) {
@@ -65,15 +76,11 @@ Numbers numbersOf(const Problem& problem) {
 
 TEST(SubMeshProperty, ASubMeshesOwnLinesAreAllThatItsSearchNeeds) {
     int smaller = 0;
-    for (unsigned number = 0; number < cases; ++number) {
-        SCOPED_TRACE(number);
-        std::mt19937 random(number);
-        const auto drawn = drawCase(random);
-        if (!drawn) continue;
-        const SearchSpace& whole = drawn->space;
+    forEachCase(0, [&](const Case& drawn, std::mt19937&) {
+        const SearchSpace& whole = drawn.space;
         const std::vector<bool> none(whole.graph.arcs.size(), false);
         std::size_t lines = 0;
-        for (int subMesh = 0; subMesh < drawn->parts.count; ++subMesh) {
+        for (int subMesh = 0; subMesh < drawn.parts.count; ++subMesh) {
             const SearchSpace own = ownSpace(whole, subMesh);
             const std::vector<bool> ownNone(own.graph.arcs.size(), false);
             lines += own.graph.lines.size();
@@ -86,7 +93,7 @@ TEST(SubMeshProperty, ASubMeshesOwnLinesAreAllThatItsSearchNeeds) {
             goStraight(whole, subMesh, straight);
             EXPECT_EQ(assignmentOf(ownProblem, ownStraight), assignmentOf(wholeProblem, straight));
             const auto tracksOf = [&](const SearchSpace& space, const std::vector<bool>& present) {
-                return graphOf(drawn->mesh, drawn->complex, space.graph, present, drawn->edgeCosts,
+                return graphOf(drawn.mesh, drawn.complex, space.graph, present, drawn.edgeCosts,
                                walkersOf(space, subMesh, std::vector(present.size(), false)))
                     .tracks;
             };
@@ -96,48 +103,41 @@ TEST(SubMeshProperty, ASubMeshesOwnLinesAreAllThatItsSearchNeeds) {
                 EXPECT_EQ(ownTracks[k].halfedges, tracks[k].halfedges);
         }
         EXPECT_LE(lines, 2 * whole.graph.lines.size());
-    }
+    });
     EXPECT_GT(smaller, 20);
 }
 
 TEST(SubMeshProperty, GraphsCostWhatTheirTracksAndCornersDo) {
     std::size_t endsPastTheCut = 0;
-    for (unsigned number = 0; number < cases; ++number) {
-        SCOPED_TRACE(number);
-        std::mt19937 random(number + 2000);
-        const auto drawn = drawCase(random);
-        if (!drawn) continue;
+    forEachCase(2000, [&](const Case& drawn, std::mt19937&) {
         EnumerationOptions options;
         options.cost.terms = {1, 0, 2, 0};
         options.best = 3;
         const Enumeration found =
-            enumerateGraphs(drawn->mesh, drawn->complex, drawn->edgeCosts, drawn->parts, options);
-        const Corners corners(drawn->mesh, drawn->parts.labels, drawn->parts.count);
-        for (int subMesh = 0; subMesh < drawn->parts.count; ++subMesh)
+            enumerateGraphs(drawn.mesh, drawn.complex, drawn.edgeCosts, drawn.parts, options);
+        const Corners corners(drawn.mesh, drawn.parts.labels, drawn.parts.count);
+        for (int subMesh = 0; subMesh < drawn.parts.count; ++subMesh)
             for (const MotorcycleGraph& graph : found.subMeshes[at(subMesh)].graphs) {
                 double cost = 0.5 * static_cast<double>(corners.between(graph.tracks, subMesh));
                 for (const Track& track : graph.tracks) {
-                    const VertexId end = drawn->mesh.to_vertex_handle(track.halfedges.back());
-                    const int label = drawn->parts.labels[at(end)];
+                    const VertexId end = drawn.mesh.to_vertex_handle(track.halfedges.back());
+                    const int label = drawn.parts.labels[at(end)];
                     cost += track.cost;
-                    endsPastTheCut += drawn->mesh.is_boundary(end) && label != subMesh ? 1 : 0;
+                    endsPastTheCut += drawn.mesh.is_boundary(end) && label != subMesh ? 1 : 0;
                 }
                 EXPECT_NEAR(graph.cost, cost, 1e-9);
             }
-    }
+    });
     EXPECT_GT(endsPastTheCut, 100U);
 }
 
 TEST(SubMeshProperty, FreeParticlesAreKnownAfterEveryChange) {
     std::size_t met = 0;
-    for (unsigned number = 0; number < cases; ++number) {
-        SCOPED_TRACE(number);
-        std::mt19937 random(number + 1000);
-        const auto drawn = drawCase(random);
-        if (!drawn || drawn->space.graph.arcs.empty()) continue;
-        const ArcGraph& graph = drawn->space.graph;
+    forEachCase(1000, [&](const Case& drawn, std::mt19937& random) {
+        if (drawn.space.graph.arcs.empty()) return;
+        const ArcGraph& graph = drawn.space.graph;
         std::vector<bool> present(graph.arcs.size(), false);
-        FreeParticles free(drawn->space, present);
+        FreeParticles free(drawn.space, present);
         for (int step = 0; step < 20; ++step) {
             std::vector<ArcId> changed;
             for (std::size_t arc = 0; arc < present.size(); ++arc)
@@ -145,14 +145,14 @@ TEST(SubMeshProperty, FreeParticlesAreKnownAfterEveryChange) {
             for (const ArcId arc : changed)
                 present[arc.idx()].flip();
             free.update(changed);
-            std::vector<std::vector<Particle>> expected(static_cast<std::size_t>(drawn->parts.count));
+            std::vector<std::vector<Particle>> expected(static_cast<std::size_t>(drawn.parts.count));
             for (const Particle particle : freeParticles(graph, present)) {
                 const JunctionId junction = crashJunction(graph, particle, present);
-                expected[static_cast<std::size_t>(drawn->space.junctionLabels[junction.idx()])].push_back(
+                expected[static_cast<std::size_t>(drawn.space.junctionLabels[junction.idx()])].push_back(
                     particle);
             }
             std::size_t count = 0;
-            for (int subMesh = 0; subMesh < drawn->parts.count; ++subMesh) {
+            for (int subMesh = 0; subMesh < drawn.parts.count; ++subMesh) {
                 const auto& in = free.in(subMesh);
                 EXPECT_EQ(std::vector(in.begin(), in.end()), expected[at(subMesh)]);
                 count += in.size();
@@ -160,7 +160,7 @@ TEST(SubMeshProperty, FreeParticlesAreKnownAfterEveryChange) {
             EXPECT_EQ(free.count(), count);
             met += count;
         }
-    }
+    });
     EXPECT_GT(met, 1000U);
 }
 

@@ -3,8 +3,7 @@
 #include "base/error.h"
 #include "check/angles.h"
 #include "check/check_document.h"
-#include "support/polycube.h"
-#include "support/true_document.h"
+#include "support/true_models.h"
 
 #include <gtest/gtest.h>
 
@@ -15,124 +14,6 @@ namespace qm::testing {
 namespace {
 
 using namespace check;
-
-std::string listed(const Report& report) {
-    std::string text;
-    for (const auto& each : report.violations())
-        text += "  " + each.pointer + ": " + each.rule + ": " + each.explanation + "\n";
-    return text;
-}
-
-::testing::AssertionResult found(const Report& report, const std::string& pointer, const std::string& rule) {
-    const auto& all = report.violations();
-    if (std::any_of(all.begin(), all.end(),
-                    [&](const auto& v) { return v.pointer == pointer && v.rule == rule; }))
-        return ::testing::AssertionSuccess();
-    return ::testing::AssertionFailure() << "no " << rule << " at " << pointer << " among\n"
-                                         << listed(report);
-}
-
-CheckedMesh twoHoles() {
-    return plane({"xxxxxx", "x..xxx", "xxxx.x", "xxxxxx"});
-}
-CheckedMesh corner() {
-    return polycube({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
-}
-
-/// Left and right half of a mesh.
-std::vector<int> halves(const CheckedMesh& mesh, double x) {
-    std::vector<int> labels;
-    for (const auto& point : mesh.points)
-        labels.push_back(point[0] > x);
-    return labels;
-}
-
-struct Model {
-    CheckedMesh mesh;
-    CheckedDocument document;
-};
-
-Model make(CheckedMesh mesh, const DocumentRecipe& recipe = {}) {
-    CheckedDocument document = trueDocument(mesh, recipe);
-    document.surfaces->interpolates = true;
-    document.surfaces->watertight = true;
-    return {std::move(mesh), std::move(document)};
-}
-
-Model cut() {
-    const CheckedMesh mesh = twoHoles();
-    return make(mesh, {{}, halves(mesh, 2.5), 2});
-}
-
-/// A torus with the layout that its most curved line and a transversal give.
-Model torusModel() {
-    Model model{torus(8, 6), {}};
-    const Neighbourhoods around(model.mesh);
-    const EdgeCosts costs = edgeCosts(dihedralAngles(model.mesh, around), 0.4, 0.2);
-    model.document.weights = {0.4, 0.2};
-    LayoutPart layout;
-    TrackPart ring;
-    TrackPart across;
-    for (int i = 0; i <= 8; ++i)
-        ring.vertices.push_back(i % 8);
-    for (int j = 0; j <= 6; ++j)
-        across.vertices.push_back(j % 6 * 8);
-    across.transversal = true;
-    layout.tracks = {ring, across};
-    std::vector<char> border(static_cast<std::size_t>(around.edges()), 0);
-    for (std::size_t t = 0; t < 2; ++t) {
-        TrackPart& track = layout.tracks[t];
-        CostSum cost(costs);
-        for (std::size_t i = 1; i < track.vertices.size(); ++i) {
-            const int edge = around.edge(around.stepBetween(track.vertices[i - 1], track.vertices[i]));
-            border[at(edge)] = 1;
-            cost.add(edge);
-        }
-        track.id = static_cast<int>(t);
-        track.cost = cost.value();
-    }
-    layout.cost = layout.tracks[0].cost;
-    layout.divided = true;
-    layout.segments = segmentsBetween(model.mesh, around, border);
-    model.document.surfaces = bilinearPatches(model.mesh, layout);
-    model.document.surfaces->interpolates = true;
-    model.document.surfaces->watertight = true;
-    model.document.layout = std::move(layout);
-    return model;
-}
-
-Model cornerModel() {
-    return make(corner());
-}
-Model twoHolesModel() {
-    return make(twoHoles());
-}
-/// States that all is perfect, and promises nothing else.
-Model stating(Model model) {
-    SurfacesPart& surfaces = *model.document.surfaces;
-    const SurfacesPart::Figures nothing{0, 0, 0, 0, std::nullopt, 0};
-    surfaces.figures = nothing;
-    surfaces.rho = 0.45;
-    surfaces.interpolates = surfaces.watertight = false;
-    for (SurfacesPart::Patch& patch : surfaces.patches)
-        patch.figures = nothing;
-    return model;
-}
-Model statingModel() {
-    return stating(twoHolesModel());
-}
-Model statingTorus() {
-    return stating(torusModel());
-}
-/// A hole, and a feature curve that crosses a line of it.
-Model seededModel() {
-    CheckedMesh mesh = plane({"xxxxx", "xx.xx", "xxxxx", "xxxxx"});
-    const auto at = [&](double x, double y) {
-        const auto here = std::find(mesh.points.begin(), mesh.points.end(), std::array{x, y, 0.0});
-        return static_cast<int>(here - mesh.points.begin());
-    };
-    return make(mesh, {{{at(1, 3), at(2, 3), at(3, 3)}}, {}, 1});
-}
 
 // ---- True documents.
 
@@ -191,23 +72,8 @@ BaseComplexPart& complex(Doc& d) {
 EnumerationPart::SubMesh& first(Doc& d) {
     return d.enumeration->subMeshes[0];
 }
-LayoutPart& layout(Doc& d) {
-    return *d.layout;
-}
 SurfacesPart::Patch& patch(Doc& d) {
     return d.surfaces->patches[0];
-}
-
-/// A track that ends where another passes, and has more than one arc.
-TrackPart& crashing(Doc& d) {
-    for (TrackPart& track : layout(d).tracks) {
-        const int end = track.vertices.back();
-        for (const TrackPart& other : layout(d).tracks)
-            if (std::find(other.vertices.begin() + 1, other.vertices.end() - 1, end) !=
-                other.vertices.end() - 1)
-                return track;
-    }
-    throw std::logic_error("no track crashes");
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -522,118 +388,6 @@ TEST(CheckFigures, AcceptsWhatIsTrue) {
         each.figures.largestGap = each.figures.maxFromFacets = each.figures.maxFromVertices = 1e-6;
     surfaces.figures.largestGap = surfaces.figures.maxFromFacets = surfaces.figures.maxFromVertices = 1e-6;
     EXPECT_TRUE(checkDocument(lifted.mesh, lifted.document).ok());
-}
-
-// ---- Tracks moved so that one rule after the other (docs/METHOD.md#valid-tracks) breaks.
-
-TEST(CheckLayout, SeesATrackThatStopsBetweenJunctions) {
-    Model model = make(polycube(box(1, 1, 1), 3));
-    layout(model.document).tracks[0].vertices.pop_back();
-    EXPECT_TRUE(found(checkDocument(model.mesh, model.document), "/layout/tracks/0/vertices/2", "A4"));
-}
-
-TEST(CheckLayout, SeesATrackThatLeavesItsLine) {
-    Model model = twoHolesModel();
-    auto& track = crashing(model.document);
-    const std::string pointer = "/layout/tracks/" + std::to_string(*track.id) + "/vertices/";
-    const Neighbourhoods around(model.mesh);
-    const int end = track.vertices.back();
-    for (int i = 0; i < 4; ++i) {
-        const int other = around.to(around.firstStep(end) + i);
-        if (other == track.vertices[track.vertices.size() - 2] ||
-            other == around.to(around.straightOn(
-                         around.stepBetween(track.vertices[track.vertices.size() - 2], end))))
-            continue;
-        track.vertices.push_back(other);
-        break;
-    }
-    EXPECT_TRUE(found(checkDocument(model.mesh, model.document),
-                      pointer + std::to_string(track.vertices.size() - 1), "track straight"));
-}
-
-TEST(CheckLayout, SeesATrackThatPassesThroughAnother) {
-    Model model = twoHolesModel();
-    auto& track = crashing(model.document);
-    const Neighbourhoods around(model.mesh);
-    int step = around.stepBetween(track.vertices[track.vertices.size() - 2], track.vertices.back());
-    while (around.passable(around.to(step))) {
-        step = around.straightOn(step);
-        track.vertices.push_back(around.to(step));
-    }
-    const Report report = checkDocument(model.mesh, model.document);
-    EXPECT_TRUE(found(report, "/layout/tracks/" + std::to_string(*track.id), "A2"));
-    EXPECT_TRUE(found(report, "/layout/tracks", "arc rule 4"));
-}
-
-TEST(CheckLayout, LetsAPrunedLayoutLackTracks) {
-    // The hole of a frame gives eight tracks; without two that face each other all is still grids.
-    Model model = make(plane({"xxx", "x.x", "xxx"}));
-    model.document.surfaces.reset();
-    LayoutPart& part = layout(model.document);
-    const auto gone = part.tracks[0];
-    part.tracks.erase(part.tracks.begin());
-    for (std::size_t i = 0; i < part.tracks.size(); ++i)
-        part.tracks[i].id = static_cast<int>(i);
-    *part.cost -= *gone.cost;
-    const Neighbourhoods around(model.mesh);
-    std::vector<char> border(static_cast<std::size_t>(around.edges()), 0);
-    for (const auto& track : part.tracks)
-        for (std::size_t i = 1; i < track.vertices.size(); ++i)
-            border[at(around.edge(around.stepBetween(track.vertices[i - 1], track.vertices[i])))] = 1;
-    part.segments = segmentsBetween(model.mesh, around, border);
-    part.lowerBound = *part.cost + 1;
-    part.pruned = true;
-    const Report pruned = checkDocument(model.mesh, model.document);
-    EXPECT_TRUE(pruned.ok()) << listed(pruned);
-
-    part.pruned = false;
-    const Report merged = checkDocument(model.mesh, model.document);
-    EXPECT_TRUE(found(merged, "/layout/tracks", "A3"));
-    EXPECT_TRUE(found(merged, "/layout/tracks", "arc rule 1"));
-    EXPECT_TRUE(found(merged, "/layout/lowerBound", "bound"));
-
-    part.pruned = true;
-    part.tracks[0].vertices = {0, 1};
-    EXPECT_TRUE(
-        found(checkDocument(model.mesh, model.document), "/layout/tracks/0/vertices/0", "track inside"));
-    const auto& path = part.tracks[1].vertices; // and back again
-    part.tracks[0].vertices = {path[0], path[1], path[0]};
-    EXPECT_TRUE(
-        found(checkDocument(model.mesh, model.document), "/layout/tracks/0/vertices/1", "track straight"));
-}
-
-// ---- Meshes that are none.
-
-TEST(Neighbourhoods, RefusesWhatIsNoManifold) {
-    CheckedMesh bowTie = plane({"x.", ".x"});
-    EXPECT_THROW(Neighbourhoods{bowTie}, Error);
-    CheckedMesh flipped = plane({"xx"});
-    std::reverse(flipped.quads[1].begin(), flipped.quads[1].end());
-    EXPECT_THROW(Neighbourhoods{flipped}, Error);
-    CheckedMesh fin = plane({"xx"});
-    fin.points.push_back({1, 0, 1});
-    fin.points.push_back({1, 1, 1});
-    fin.quads.push_back({fin.quads[0][1], 6, 7, fin.quads[0][2]});
-    EXPECT_THROW(Neighbourhoods{fin}, Error);
-    CheckedMesh repeated = plane({"x"});
-    repeated.quads[0][1] = repeated.quads[0][0];
-    EXPECT_THROW(Neighbourhoods{repeated}, Error);
-    CheckedMesh outside = plane({"x"});
-    outside.quads[0][1] = 4;
-    EXPECT_THROW(Neighbourhoods{outside}, Error);
-}
-
-TEST(Neighbourhoods, KnowsBothSidesOfEveryStep) {
-    for (const CheckedMesh& mesh : {corner(), twoHoles(), torus(5, 4), tube(5, 3)}) {
-        const Neighbourhoods around(mesh);
-        for (int step = 0; step < around.steps(); ++step) {
-            EXPECT_EQ(around.back(around.back(step)), step);
-            EXPECT_EQ(around.edge(around.back(step)), around.edge(step));
-            EXPECT_EQ(around.stepBetween(around.from(step), around.to(step)), step);
-            EXPECT_NE(around.from(step), around.to(step));
-        }
-        EXPECT_EQ(around.steps(), 2 * around.edges());
-    }
 }
 
 } // namespace
