@@ -70,7 +70,7 @@ private:
     const std::vector<int>& part_;
     std::vector<Node> nodes_; ///< the vertices in an order that has neighbours close to each other
     std::vector<int> nodeOf_; ///< of every vertex
-    std::vector<Quad> quads_; ///< of nodes, in the like order
+    std::vector<Quad> quads_; ///< in the same order
     std::vector<std::uint32_t> firstCorner_;   ///< of every node, in cornersAround_; and the end
     std::vector<std::uint32_t> cornersAround_; ///< 4 * quad + corner
     std::vector<double> distance_;             ///< of every vertex

@@ -111,7 +111,7 @@ private:
     const FeatureOptions& options_;
     double minLength_ = 0;
     double minDistance_ = 0;
-    std::vector<double> lengthUpTo_; ///< of the line that is searched: from its begin to every position
+    std::vector<double> lengthUpTo_; ///< of the line that is searched: from its beginning to every position
     std::vector<FeatureCurve> curves_;
 };
 

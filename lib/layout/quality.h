@@ -12,8 +12,8 @@ namespace qm {
 struct LayoutQuality {
     std::size_t segments = 0;
     std::size_t tJoints = 0;
-    double capturedSharpness =
-        0; ///< share of the dihedral angle above rho that lies on segment boundaries, 0 to 1
+    /// Of the dihedral angles above rho, the share that lies on the boundaries of segments, 0 to 1.
+    double capturedSharpness = 0;
     double medianAspect = 0; ///< of the segments' longer to shorter side, in edges
     double maxAspect = 0;
 };

@@ -12,8 +12,8 @@ namespace qm {
 struct LineWalkers {
     bool fromBegin = false;
     bool fromEnd = false;
-    /// The last arc that the particle from the begin can walk, of a line whose two particles leave the
-    /// sub-mesh over the same vertex outside and can only meet there; else invalid.
+    /// Of a line whose two particles leave the sub-mesh over the same vertex outside, and can only meet
+    /// there: the last arc that the particle from its beginning can walk. None of other lines.
     ArcId meeting = {};
 };
 

@@ -16,7 +16,7 @@ public:
     /// Both arguments outlive this.
     FreeParticles(const SearchSpace& space, const std::vector<bool>& present);
 
-    /// Those whose tracks end in a sub-mesh, by line, the one from its begin first.
+    /// Those whose tracks end in a sub-mesh, by line, the one from its beginning first.
     [[nodiscard]] const std::set<Particle>& in(int subMesh) const;
     [[nodiscard]] std::size_t count() const { return count_; }
 

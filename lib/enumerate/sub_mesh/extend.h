@@ -10,7 +10,7 @@ namespace qm {
 /// One of the particles of a line.
 struct Particle {
     LineId line;
-    bool fromEnd = false; ///< it starts at the line's end and walks towards its begin
+    bool fromEnd = false; ///< it starts at the line's end and walks towards its beginning
 
     bool operator==(const Particle&) const = default;
     bool operator<(const Particle& other) const {

@@ -15,8 +15,8 @@ namespace qm {
 
 struct WindowOptions {
     std::size_t minVariables = 60; ///< of the smallest windows
-    std::size_t maxVariables =
-        std::numeric_limits<std::size_t>::max(); ///< of the largest; a single line may have more
+    /// Of the largest windows; a single line may have more.
+    std::size_t maxVariables = std::numeric_limits<std::size_t>::max();
     std::size_t maxWindows = std::numeric_limits<std::size_t>::max(); ///< in all
     std::size_t nodes = 50;      ///< of the search tree of one window, at first
     bool patient = false;        ///< when no window helps any more, begin again with larger trees
