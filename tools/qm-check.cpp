@@ -1,5 +1,6 @@
 /// \file qm-check: is a document true of its mesh? Only reading is shared with the tools that made it.
 #include "check/check_document.h"
+#include "check/check_history.h"
 #include "check/print_report.h"
 #include "check/read_document.h"
 #include "cli/messages.h"

@@ -1,80 +1,13 @@
 #include "check/read_document.h"
 
+#include "check/check_history.h"
+#include "check/json_values.h"
+
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace qm::check {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-/// A member of an object; null if there is none.
-const Json& member(const Json& object, const char* key) {
-    static const Json none;
-    if (!object.is_object()) return none;
-    const auto found = object.find(key);
-    return found == object.end() ? none : *found;
-}
-
-/// The elements of an array; none of anything else.
-const Json::array_t& elements(const Json& value) {
-    static const Json::array_t none;
-    return value.is_array() ? value.get_ref<const Json::array_t&>() : none;
-}
-
-const Json& element(const Json& value, std::size_t rank) {
-    static const Json none;
-    return rank < elements(value).size() ? elements(value)[rank] : none;
-}
-
-std::optional<double> number(const Json& value) {
-    return value.is_number() ? std::optional(value.get<double>()) : std::nullopt;
-}
-
-/// NaN for what is no number: no comparison accepts it.
-double numberOrNan(const Json& value) {
-    return number(value).value_or(std::numeric_limits<double>::quiet_NaN());
-}
-
-/// -1 for what is no whole number from 0 on that an index can hold.
-int whole(const Json& value) {
-    const double figure = numberOrNan(value);
-    const bool fits =
-        figure >= 0 && figure <= std::numeric_limits<int>::max() && figure == std::floor(figure);
-    return fits ? static_cast<int>(figure) : -1;
-}
-
-std::optional<int> wholeIfAny(const Json& value) {
-    return value.is_null() ? std::nullopt : std::optional(whole(value));
-}
-
-std::optional<std::string> text(const Json& value) {
-    return value.is_string() ? std::optional(value.get<std::string>()) : std::nullopt;
-}
-
-bool isTrue(const Json& value) {
-    return value.is_boolean() && value.get<bool>();
-}
-
-std::vector<int> wholes(const Json& value) {
-    std::vector<int> result;
-    result.reserve(elements(value).size());
-    for (const Json& each : elements(value))
-        result.push_back(whole(each));
-    return result;
-}
-
-template <class Part, class Read> std::vector<Part> all(const Json& list, const Read& read) {
-    std::vector<Part> parts;
-    parts.reserve(elements(list).size());
-    for (const Json& each : elements(list))
-        parts.push_back(read(each));
-    return parts;
-}
-
-// ---- The sections.
 
 std::vector<std::vector<int>> readPaths(const Json& list) {
     return all<std::vector<int>>(list, [](const Json& path) { return wholes(member(path, "vertices")); });
@@ -248,53 +181,7 @@ SurfacesPart readSurfaces(const Json& section, const Json& options) {
     return part;
 }
 
-// ---- The history.
-
-/// The tools of the pipeline in their order, and the kind that each leaves.
-struct PipelineTool {
-    const char* name;
-    const char* kind;
-};
-constexpr std::array<PipelineTool, 7> pipeline{{{"qm-basecomplex", "basecomplex"},
-                                                {"qm-features", "features"},
-                                                {"qm-cut", "cut"},
-                                                {"qm-enum", "enumeration"},
-                                                {"qm-merge", "layout"},
-                                                {"qm-prune", "layout"},
-                                                {"qm-bspline", "surfaces"}}};
-
-/// The ranks in the pipeline of the tools that took part, as the history has them, and where each stands
-/// there.
-std::vector<std::pair<std::size_t, std::size_t>> stages(const Json& root) {
-    std::vector<std::pair<std::size_t, std::size_t>> result;
-    const auto& history = elements(member(root, "history"));
-    for (std::size_t i = 0; i < history.size(); ++i)
-        for (std::size_t stage = 0; stage < pipeline.size(); ++stage)
-            if (text(member(history[i], "tool")) == pipeline[stage].name) result.emplace_back(stage, i);
-    return result;
-}
-
-bool wasPruned(const Json& root) {
-    const auto all = stages(root);
-    return std::any_of(all.begin(), all.end(), [](const auto& stage) {
-        return std::string(pipeline[stage.first].name) == "qm-prune";
-    });
-}
-
 } // namespace
-
-void checkHistory(const Json& root, Report& report) {
-    const auto all = stages(root);
-    for (std::size_t i = 1; i < all.size(); ++i)
-        if (all[i].first < all[i - 1].first)
-            report.violate(below("/history", all[i].second), "history",
-                           std::string(pipeline[all[i].first].name) + " comes after " +
-                               pipeline[all[i - 1].first].name + ", whose section it would have dropped");
-    const auto kind = text(member(root, "kind"));
-    if (all.empty() || kind != pipeline[all.back().first].kind)
-        report.violate("/history", "history",
-                       "its last tool makes no document of kind " + kind.value_or("unknown"));
-}
 
 CheckedDocument readDocument(const Json& root) {
     CheckedDocument document;

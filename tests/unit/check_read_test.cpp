@@ -1,4 +1,5 @@
 // The checker's reader takes any JSON and invents nothing.
+#include "check/check_history.h"
 #include "check/read_document.h"
 
 #include <gtest/gtest.h>
