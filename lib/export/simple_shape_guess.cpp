@@ -86,7 +86,8 @@ SimpleShape firstCone(const OrientedPoints& cloud) {
     return cone;
 }
 
-/// The normals of a surface of revolution all meet its axis: a linear complex (Pottmann and Wallner). Around
+/// The normals of a surface of revolution all meet its axis: a linear complex
+/// (docs/METHOD.md#pottmann-2001). Around
 /// it, points are a radius away from one circle.
 SimpleShape firstTorus(const OrientedPoints& cloud) {
     using Vector6 = Eigen::Matrix<double, 6, 1>;

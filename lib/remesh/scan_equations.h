@@ -1,4 +1,5 @@
-/// \file What has to hold so that quads and scan come closer to one another.
+/// \file What has to hold so that quads and scan come closer to one another: squared distances from tangent
+/// planes (docs/METHOD.md#pottmann-2002).
 #pragma once
 
 #include "bspline/reference/triangle_surface.h"

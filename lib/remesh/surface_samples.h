@@ -16,8 +16,8 @@ struct ScanSample {
     double area = 0;
 };
 
-/// Evenly over all triangles, large ones in pieces of at most `area`; of very many small ones every so
-/// manieth, so that there are about `most` of them. Triangles without area have none.
+/// Evenly over all triangles, large ones in pieces of at most `area`; of very many small ones only every
+/// second, third and so on, so that there are about `most` of them. Triangles without area have none.
 [[nodiscard]] std::vector<ScanSample> samplesOfScan(const Triangles& scan, double area, std::size_t most);
 
 /// A place on a quad mesh: a mean of vertices, so that it moves with them.

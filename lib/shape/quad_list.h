@@ -17,11 +17,11 @@ struct QuadList {
 /// Divides every quad into n x n. New points lie on the edges and in the quads, bilinearly.
 /// \pre n > 0; neighbours share their vertices
 [[nodiscard]] QuadList refined(const QuadList& coarse, int n);
-/// The same with as many parts as the axis has that an edge runs along, mostly.
+/// The same with as many parts as the axis has that an edge mostly runs along.
 [[nodiscard]] QuadList refined(const QuadList& coarse, const std::array<int, 3>& n);
 
 /// Moves every point towards the middle of its neighbours and part of the way back, which rounds edges and
-/// keeps the volume about the same (Taubin 1995).
+/// keeps the volume about the same (docs/METHOD.md#taubin-1995).
 void soften(QuadList& list, int rounds);
 
 /// A grid of `columns` x `rows` quads. Opposite sides may be one.

@@ -1,4 +1,6 @@
-/// \file A quadratic form minimised under linear equations (docs/METHOD.md#smooth-fit).
+/// \file A quadratic form minimised under linear equations (docs/METHOD.md#smooth-fit): factors of a
+/// quasi-definite matrix (docs/METHOD.md#vanderbei-1995) in an order that keeps them sparse
+/// (docs/METHOD.md#amestoy-2004).
 #pragma once
 
 #include "bspline/network/border_strip.h"

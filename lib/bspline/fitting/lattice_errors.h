@@ -29,6 +29,7 @@ struct PatchErrors {
 /// moved: the parameters of the reference are a choice, and a surface that need not heed them is smoother and
 /// has fewer knots. Where the patch is folded the targets go back to the reference's points: the
 /// second time for good.
+/// Tangent-distance minimisation (docs/METHOD.md#wang-2006), accelerated (docs/METHOD.md#nesterov-1983).
 void slideTargets(const Patch& patch, FitLattice& lattice);
 
 /// Puts the targets in a rectangle of parameters back to the reference's points for good.

@@ -11,7 +11,7 @@ namespace {
 constexpr int degree = 3;
 
 /// The weights of the control points of knot interval `span` in the polar form at three parameters (de Boor's
-/// algorithm with one parameter a step).
+/// algorithm with one parameter a step, docs/METHOD.md#de-boor-1978).
 std::array<double, 4> blossomWeights(std::span<const double> knots, std::size_t span,
                                      const std::array<double, 3>& at) {
     std::array<std::array<double, 4>, 4> points{};

@@ -1,4 +1,5 @@
-/// \file The control points whose Catmull-Clark limit passes through a mesh's vertices.
+/// \file The control points whose Catmull-Clark limit passes through a mesh's vertices
+/// (docs/METHOD.md#halstead-1993).
 #pragma once
 
 #include "bspline/network/vertex_rules.h"

@@ -6,10 +6,10 @@
 namespace qm {
 
 /// Draws a cubic through the targets around each one, along the lines of the lattice in both directions
-/// (Savitzky and Golay's filter with the targets' weights), and puts the target on it. How many take part is
-/// chosen point by point: more, as long as that changes the target by no more than the noise explains
-/// (Lepski's rule), so that what is no noise stays. Border lines stay. Does nothing where there is no noise
-/// to speak of.
+/// (Savitzky and Golay's filter with the targets' weights, docs/METHOD.md#savitzky-1964), and puts the target
+/// on it. How many take part is chosen point by point: more, as long as that changes the target by no more
+/// than the noise explains (Lepski's rule, docs/METHOD.md#lepski-1991), so that what is no noise stays.
+/// Border lines stay. Does nothing where there is no noise to speak of.
 /// \param reference  its `noise` is the standard deviation to be expected
 void smoothInside(ScanReference& reference, unsigned jobs);
 

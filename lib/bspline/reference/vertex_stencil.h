@@ -19,15 +19,15 @@ struct VertexStencil {
     std::vector<Term> around;
 };
 
-/// Catmull and Clark's rule for a vertex (1978), that of a cubic spline curve along creases, or the vertex
-/// itself at a corner.
+/// Catmull and Clark's rule for a vertex (docs/METHOD.md#catmull-1978), that of a cubic spline curve along
+/// creases (docs/METHOD.md#derose-1998), or the vertex itself at a corner.
 /// \param stencil  to write to; its memory is used again
 void subdivisionStencil(const QuadMesh& mesh, VertexId vertex, const VertexRule& rule,
                         VertexStencil& stencil);
 
-/// The limit: the left eigenvector of one step around the vertex for the eigenvalue 1 (Halstead, Kass and
-/// DeRose 1993). At a dart it is not the smooth one, as is often assumed, because the crease is subdivided
-/// otherwise than other edges.
+/// The limit: the left eigenvector of one step around the vertex for the eigenvalue 1
+/// (docs/METHOD.md#halstead-1993). At a dart it is not the smooth one, as is often assumed, because the
+/// crease is subdivided otherwise than other edges.
 void limitStencil(const QuadMesh& mesh, VertexId vertex, const VertexRule& rule, VertexStencil& stencil);
 
 } // namespace qm

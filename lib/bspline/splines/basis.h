@@ -1,4 +1,5 @@
-/// \file The B-spline basis over any knots: clamped or not, with repeated knots or not.
+/// \file The B-spline basis over any knots: clamped or not, with repeated knots or not
+/// (docs/METHOD.md#de-boor-1978).
 #pragma once
 
 #include <array>

@@ -1,4 +1,5 @@
-/// \file All motorcycle graphs of a problem as one decision diagram (docs/METHOD.md#decision-diagrams): every
+/// \file All motorcycle graphs of a problem as one decision diagram (docs/METHOD.md#decision-diagrams, as in
+/// docs/METHOD.md#bryant-1986): every
 /// path from its root to its end is one graph, so that they can be counted, drawn, listed and ranked without
 /// being searched for again.
 #pragma once
@@ -37,7 +38,8 @@ constexpr std::size_t diagramNodes = 10'000'000;
 constexpr std::size_t smallDiagram = 1'000'000;
 
 /// Decides step by step (elimination_order.h); two paths after which the same remains to be decided meet in
-/// one node, as in frontier-based search (docs/METHOD.md#kawahara-2017). What remains can be told from the
+/// one node, as in frontier-based search (docs/METHOD.md#sekine-1995,
+/// docs/METHOD.md#knuth-2011, docs/METHOD.md#kawahara-2017). What remains can be told from the
 /// border between decided and undecided crossings alone, so that the number of nodes depends on the width of
 /// that border and not on the number of graphs.
 /// `maxNodes` bounds the memory: 100 bytes per node, roughly, while it is built.

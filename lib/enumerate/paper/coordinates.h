@@ -1,4 +1,5 @@
-/// \file The paper's three algorithms, on coordinates of particles (docs/METHOD.md#coordinate-search).
+/// \file The paper's three algorithms (docs/METHOD.md#gunpinar-2016), on coordinates of particles
+/// (docs/METHOD.md#coordinate-search).
 ///
 /// They visit a graph once for every set of particle positions that produces it and are kept for comparison;
 /// the searches on arcs visit each graph once.

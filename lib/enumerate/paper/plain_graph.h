@@ -1,5 +1,5 @@
-/// \file The plain motorcycle graph of Eppstein et al. 2008 (docs/METHOD.md#plain-graph), the baseline to
-/// compare with.
+/// \file The plain motorcycle graph of Eppstein et al. (docs/METHOD.md#eppstein-2008) as it is defined in
+/// docs/METHOD.md#plain-graph, the baseline to compare with.
 #pragma once
 
 #include "basecomplex/base_complex.h"
