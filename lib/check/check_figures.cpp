@@ -162,21 +162,21 @@ private:
     /// faces around it as well: surfaces may slide into other patches, and a patch may meet itself.
     [[nodiscard]] double distanceToSurfaces(std::size_t p, const Parameters& parameters, const Place& point,
                                             int face, double limit) const {
-        double least = distanceToPatch(part_.patches[p], parameters, point);
-        if (least <= limit) return least;
+        double nearest = distanceToPatch(part_.patches[p], parameters, point);
+        if (nearest <= limit) return nearest;
         for (const int vertex : mesh_.quads[at(face)])
             for (int k = 0; k < around_.valence(vertex); ++k) {
                 const int other = around_.leftFace(around_.firstStep(vertex) + k);
                 if (other < 0) continue;
                 const FacePlace& place = places_[at(other)];
                 for (const Parameters& start : {Parameters{0.5, 0.5}, {0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
-                    least = std::min(least,
-                                     distanceToPatch(part_.patches[place.patch],
-                                                     {place.column + start[0], place.row + start[1]}, point));
-                    if (least <= limit) return least;
+                    nearest = std::min(
+                        nearest, distanceToPatch(part_.patches[place.patch],
+                                                 {place.column + start[0], place.row + start[1]}, point));
+                    if (nearest <= limit) return nearest;
                 }
             }
-        return least;
+        return nearest;
     }
 
     [[nodiscard]] static double rounding(const Quad& quad) {

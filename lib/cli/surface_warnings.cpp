@@ -19,11 +19,11 @@ void warnOfGaps(const Tool& tool, const Surfaces& surfaces) {
 void warnOfFolds(const Tool& tool, const Surfaces& surfaces) {
     const std::size_t folds = surfaces.deviation.folds;
     if (folds == 0) return;
-    const auto most = std::ranges::max_element(surfaces.ofPatch, {}, &Deviation::folds);
+    const auto worst = std::ranges::max_element(surfaces.ofPatch, {}, &Deviation::folds);
     std::string where;
-    if (most != surfaces.ofPatch.end())
-        where = ", " + std::to_string(most->folds) + " of them in patch " +
-                std::to_string(most - surfaces.ofPatch.begin());
+    if (worst != surfaces.ofPatch.end())
+        where = ", " + std::to_string(worst->folds) + " of them in patch " +
+                std::to_string(worst - surfaces.ofPatch.begin());
     tool.warn(countText(folds, "piece") + " of patches may fold over" + where +
               ". Look at it with qm-view, and mend the mesh there or make it finer");
 }

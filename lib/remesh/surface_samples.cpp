@@ -15,8 +15,8 @@ double areaOf(const Point& a, const Point& b, const Point& c) {
 
 /// How many pieces a side is cut into so that the triangles of the pieces are small enough.
 int piecesOfSide(double area, double allowed) {
-    constexpr double most = 64;
-    return static_cast<int>(std::clamp(std::ceil(std::sqrt(area / allowed)), 1.0, most));
+    constexpr double maxPieces = 64;
+    return static_cast<int>(std::clamp(std::ceil(std::sqrt(area / allowed)), 1.0, maxPieces));
 }
 
 /// The middles of the n * n congruent triangles that a triangle is cut into.
@@ -33,7 +33,7 @@ template <class Function> void forEachPiece(const std::array<Point, 3>& corners,
 
 } // namespace
 
-std::vector<ScanSample> samplesOfScan(const Triangles& scan, double area, std::size_t most) {
+std::vector<ScanSample> samplesOfScan(const Triangles& scan, double area, std::size_t count) {
     std::vector<ScanSample> samples;
     for (const auto& face : scan.faces) {
         std::array<Point, 3> corners;
@@ -47,7 +47,7 @@ std::vector<ScanSample> samplesOfScan(const Triangles& scan, double area, std::s
             samples.push_back({position, *normal, whole / (n * n)});
         });
     }
-    const std::size_t stride = samples.size() / std::max<std::size_t>(most, 1) + 1;
+    const std::size_t stride = samples.size() / std::max<std::size_t>(count, 1) + 1;
     if (stride == 1) return samples;
     std::size_t kept = 0;
     for (std::size_t k = 0; k < samples.size(); k += stride) {

@@ -17,8 +17,8 @@ struct ScanSample {
 };
 
 /// Evenly over all triangles, large ones in pieces of at most `area`; of very many small ones only every
-/// second, third and so on, so that there are about `most` of them. Triangles without area have none.
-[[nodiscard]] std::vector<ScanSample> samplesOfScan(const Triangles& scan, double area, std::size_t most);
+/// second, third and so on, so that there are about `count` of them. Triangles without area have none.
+[[nodiscard]] std::vector<ScanSample> samplesOfScan(const Triangles& scan, double area, std::size_t count);
 
 /// A place on a quad mesh: a mean of vertices, so that it moves with them.
 struct QuadSample {

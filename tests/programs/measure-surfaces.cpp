@@ -276,18 +276,18 @@ private:
     /// From a point to its patch; to those beside it as well where that would be farther than any so far.
     [[nodiscard]] double fromSurfaces(std::size_t p, const std::array<double, 2>& parameters,
                                       const Place& point, int face, double farthest) const {
-        double least = distanceToPatch(part_.patches[p], parameters, point);
-        if (least <= farthest) return least;
+        double nearest = distanceToPatch(part_.patches[p], parameters, point);
+        if (nearest <= farthest) return nearest;
         for (const int vertex : mesh_.quads[index(face)])
             for (int k = 0; k < around_.valence(vertex); ++k) {
                 const int step = around_.firstStep(vertex) + k;
                 for (const BorderPlace& place : borders_[index(around_.edge(step))])
-                    least = std::min(least, distanceToPatch(part_.patches[place.patch],
-                                                            {0.5 * (place.begin[0] + place.end[0]),
-                                                             0.5 * (place.begin[1] + place.end[1])},
-                                                            point));
+                    nearest = std::min(nearest, distanceToPatch(part_.patches[place.patch],
+                                                                {0.5 * (place.begin[0] + place.end[0]),
+                                                                 0.5 * (place.begin[1] + place.end[1])},
+                                                                point));
             }
-        return least;
+        return nearest;
     }
 
     /// Corners of patches sharper than 15 degrees or flatter than 165 where those of the mesh are not.

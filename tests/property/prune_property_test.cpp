@@ -98,12 +98,12 @@ TEST_P(AllSetsOfArcs, HaveNoneThatIsBetterThanTheOptimum) {
         for (const double beta : {0.0, 0.1, 0.7, 10.0, 1e3}) {
             const PruneResult pruned = pruneToOptimum(drawn->mesh, drawn->complex, drawn->layout,
                                                       drawn->angles, drawn->costs, optimum(beta, false));
-            double least = std::numeric_limits<double>::infinity();
+            double lowest = std::numeric_limits<double>::infinity();
             for (const Layout& layout : all)
-                least = std::min(least, objective(layout, beta));
+                lowest = std::min(lowest, objective(layout, beta));
             EXPECT_TRUE(pruned.proven);
-            EXPECT_NEAR(objective(pruned.layout, beta), least, 1e-6) << "case " << number << ", " << beta;
-            EXPECT_NEAR(*pruned.objectiveBound, least, 1e-6) << "case " << number << ", " << beta;
+            EXPECT_NEAR(objective(pruned.layout, beta), lowest, 1e-6) << "case " << number << ", " << beta;
+            EXPECT_NEAR(*pruned.objectiveBound, lowest, 1e-6) << "case " << number << ", " << beta;
             if (pruned.layout.cost < drawn->layout.cost - 1e-6) ++cheaper;
             annuli += static_cast<std::size_t>(
                 std::ranges::count_if(pruned.layout.tracks, &LayoutTrack::transversal));
@@ -146,14 +146,14 @@ TEST_P(AllSetsOfArcs, HaveNoneWithRoomForCornersThatIsBetterThanTheOptimum) {
             options.minCorner = minCorner;
             const PruneResult pruned = pruneToOptimum(drawn->mesh, drawn->complex, drawn->layout,
                                                       drawn->angles, drawn->costs, options);
-            double least = std::numeric_limits<double>::infinity(), leastOfAll = least;
+            double lowest = std::numeric_limits<double>::infinity(), lowestOfAll = lowest;
             for (const Layout& layout : all) {
-                leastOfAll = std::min(leastOfAll, objective(layout, beta));
-                if (hasRoom(*drawn, layout, minCorner)) least = std::min(least, objective(layout, beta));
+                lowestOfAll = std::min(lowestOfAll, objective(layout, beta));
+                if (hasRoom(*drawn, layout, minCorner)) lowest = std::min(lowest, objective(layout, beta));
             }
             EXPECT_TRUE(hasRoom(*drawn, pruned.layout, minCorner)) << "case " << number;
-            EXPECT_NEAR(objective(pruned.layout, beta), least, 1e-6) << "case " << number;
-            if (least > leastOfAll + 1e-6) ++dearer;
+            EXPECT_NEAR(objective(pruned.layout, beta), lowest, 1e-6) << "case " << number;
+            if (lowest > lowestOfAll + 1e-6) ++dearer;
             options.eta = -1e9;
             const Layout greedy =
                 pruneLayout(drawn->mesh, drawn->layout, drawn->angles, drawn->costs, options).layout;

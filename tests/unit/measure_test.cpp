@@ -93,11 +93,11 @@ TEST(Measure, ComparesNormalsAcrossSmoothBordersOnly) {
     const QuadMesh mesh = test::makeMesh(roof);
     const Layout layout = test::makeLayout(roof, {{0, 0, 4, 4}, {4, 0, 8, 4}});
     const auto patches = interpolateSegments(mesh, layout, 1);
-    const Deviation kinked = measure(mesh, layout, patches).ofAll.deviation;
-    EXPECT_NEAR(kinked.largestNormalAngle, 90, 1e-6);
-    EXPECT_NEAR(kinked.rmsNormalAngle, 90, 1e-6);
-    EXPECT_NEAR(kinked.percentile95NormalAngle, 90, 1e-6);
-    EXPECT_LT(kinked.largestGap, 1e-12);
+    const Deviation bent = measure(mesh, layout, patches).ofAll.deviation;
+    EXPECT_NEAR(bent.largestNormalAngle, 90, 1e-6);
+    EXPECT_NEAR(bent.rmsNormalAngle, 90, 1e-6);
+    EXPECT_NEAR(bent.percentile95NormalAngle, 90, 1e-6);
+    EXPECT_LT(bent.largestGap, 1e-12);
     EXPECT_EQ(measure(mesh, layout, patches, false).ofAll.deviation.largestNormalAngle, 0);
 }
 

@@ -18,8 +18,8 @@ double missedBy(const PatchErrors& errors, double scale) {
 RoundScore scoreOf(const std::vector<double>& missed, bool keeps, const std::vector<Patch>& patches) {
     constexpr double share = 0.2; // many that miss something are worse than one
     const double all = std::accumulate(missed.begin(), missed.end(), 0.0);
-    const double most = missed.empty() ? 0 : std::ranges::max(missed);
-    return {keeps, most + share * all, controlPointCount(patches)};
+    const double largest = missed.empty() ? 0 : std::ranges::max(missed);
+    return {keeps, largest + share * all, controlPointCount(patches)};
 }
 
 bool isBetter(const RoundScore& one, const RoundScore& other, bool keepsFirst) {

@@ -139,9 +139,9 @@ private:
                 const LayoutPlace at = bound_.middle(quarter);
                 const auto way =
                     turned({at.at[0] - middle.at[0], at.at[1] - middle.at[1]}, quarter.foot.turns);
-                const auto most = surfaces_.extent(quarter.foot.place.patch);
+                const auto extent = surfaces_.extent(quarter.foot.place.patch);
                 for (std::size_t k = 0; k < 2; ++k)
-                    quarter.foot.place.at[k] = std::clamp(quarter.foot.place.at[k] + way[k], 0.0, most[k]);
+                    quarter.foot.place.at[k] = std::clamp(quarter.foot.place.at[k] + way[k], 0.0, extent[k]);
                 add(quarter);
             }
         return 4;

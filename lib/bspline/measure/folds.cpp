@@ -13,7 +13,7 @@ namespace {
 
 using Parameters = std::array<double, 2>;
 
-constexpr int mostHalvings = 5;
+constexpr int maxHalvings = 5;
 
 /// Looks at one patch.
 class FoldSearch {
@@ -26,7 +26,7 @@ public:
                                                  const Parameters& to, int halvings) const {
         const Parameters middle{0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])};
         if (isTowards(normalPiece(piece), middle)) return std::nullopt;
-        if (halvings == mostHalvings) return middle;
+        if (halvings == maxHalvings) return middle;
         BezierPiece quarter;
         for (const double u : {0.0, 0.5})
             for (const double v : {0.0, 0.5}) {

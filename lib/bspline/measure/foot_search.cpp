@@ -21,9 +21,9 @@ struct Step {
     int side = -1; ///< of the patch, if the step would lead beyond it
 };
 
-/// \param most  the patch's range in either direction begins at 0 and ends here
+/// \param extent  the patch's range in either direction begins at 0 and ends here
 Step gaussNewton(const PiecePoint& here, const Eigen::Vector3d& away, const Parameters& at,
-                 const Parameters& most) {
+                 const Parameters& extent) {
     const double uu = here.du.squaredNorm();
     const double uv = here.du.dot(here.dv);
     const double vv = here.dv.squaredNorm();
@@ -39,7 +39,7 @@ Step gaussNewton(const PiecePoint& here, const Eigen::Vector3d& away, const Para
     for (std::size_t k = 0; k < 2; ++k) {
         step[k] = std::clamp(step[k], -maxStep, maxStep);
         result.to[k] = at[k] + step[k];
-        const double beyond = std::max(-result.to[k], result.to[k] - most[k]);
+        const double beyond = std::max(-result.to[k], result.to[k] - extent[k]);
         if (beyond <= overshoot) continue;
         overshoot = beyond;
         result.side = k == 0 ? (result.to[k] < 0 ? 3 : 1) : (result.to[k] < 0 ? 0 : 2);
@@ -47,11 +47,11 @@ Step gaussNewton(const PiecePoint& here, const Eigen::Vector3d& away, const Para
     if (result.side < 0) return result;
     // On the border the other parameter alone is free.
     const std::size_t across = result.side % 2 == 1 ? 0 : 1;
-    result.to[across] = result.side == 0 || result.side == 3 ? 0 : most[across];
+    result.to[across] = result.side == 0 || result.side == 3 ? 0 : extent[across];
     const double moved = result.to[across] - at[across];
     const double along = across == 0 ? alone(rv - uv * moved, vv) : alone(ru - uv * moved, uu);
     const double free = at[1 - across] + std::clamp(along, -maxStep, maxStep);
-    result.to[1 - across] = std::clamp(free, 0.0, most[1 - across]);
+    result.to[1 - across] = std::clamp(free, 0.0, extent[1 - across]);
     return result;
 }
 
@@ -109,7 +109,7 @@ Foot FootSearch::walk(std::size_t surface, const LayoutPlace& start, const Eigen
     int turns = 0;
     int halvings = 0;
     std::optional<LayoutPlace> border; ///< of the patch that was left with the last step
-    Parameters most = surfaces_.extent(place.patch);
+    Parameters extent = surfaces_.extent(place.patch);
     for (int k = 0; k < maxIterations; ++k) {
         const PiecePoint here = evaluateAt(surface, place);
         const Eigen::Vector3d away = point - here.position;
@@ -121,7 +121,7 @@ Foot FootSearch::walk(std::size_t surface, const LayoutPlace& start, const Eigen
                 // What lies beyond is farther away: only the border remains.
                 place = *border;
                 turns = best.turns;
-                most = surfaces_.extent(place.patch);
+                extent = surfaces_.extent(place.patch);
                 border.reset();
                 crossings = 0;
                 continue;
@@ -137,7 +137,7 @@ Foot FootSearch::walk(std::size_t surface, const LayoutPlace& start, const Eigen
         if (hardly) break;
         halvings = 0;
         border.reset();
-        const Step step = gaussNewton(here, away, place.at, most);
+        const Step step = gaussNewton(here, away, place.at, extent);
         const double moved = std::hypot(step.to[0] - place.at[0], step.to[1] - place.at[1]);
         place.at = step.to;
         if (step.side >= 0 && crossings > 0) {
@@ -146,7 +146,7 @@ Foot FootSearch::walk(std::size_t surface, const LayoutPlace& start, const Eigen
                 border = place;
                 place = crossing->to;
                 turns = (turns + crossing->turns) % 4;
-                most = surfaces_.extent(place.patch);
+                extent = surfaces_.extent(place.patch);
                 continue;
             }
         }

@@ -25,15 +25,15 @@ double commonDistance(const std::vector<Nearest>& nearest, double share) {
 /// 1 if most of the scan's normals agree with the surface's, -1 if most are opposite, 0 if neither. Those
 /// that are near count alone: far ones may be another side of the part.
 double orientation(const LatticeNormals& lattice, const std::vector<Nearest>& nearest) {
-    constexpr std::size_t most = 3; // times as many as the others
+    constexpr std::size_t clearly = 3; // times as many as the others
     const double near = commonDistance(nearest, 0.25);
     std::size_t along = 0;
     std::size_t against = 0;
     for (std::size_t k = 0; k < nearest.size(); ++k)
         if (nearest[k].found() && !nearest[k].onBoundary && nearest[k].distance <= near)
             ++(vector(nearest[k].normal).dot(lattice.normals[k]) > 0 ? along : against);
-    if (along >= most * against) return 1;
-    return against >= most * along ? -1 : 0;
+    if (along >= clearly * against) return 1;
+    return against >= clearly * along ? -1 : 0;
 }
 
 /// How one point finds its place on the scan.
@@ -88,10 +88,10 @@ ScanProjection projectOntoScan(const LatticeNormals& lattice, const TriangleSurf
     };
     std::vector<Nearest> nearest(count);
     parallelForMany(count, jobs, [&](std::size_t k) {
-        if (hasNormal(k)) nearest[k] = scan.nearest(point(lattice.points[k]), reach.most);
+        if (hasNormal(k)) nearest[k] = scan.nearest(point(lattice.points[k]), reach.max);
     });
     ScanProjection result;
-    result.maxDistance = std::clamp(4 * commonDistance(nearest, 0.9), reach.least, reach.most);
+    result.maxDistance = std::clamp(4 * commonDistance(nearest, 0.9), reach.min, reach.max);
     const Projector projector(scan, result.maxDistance, minCosine, orientation(lattice, nearest));
     result.displacements.resize(count);
     parallelForMany(count, jobs, [&](std::size_t k) {

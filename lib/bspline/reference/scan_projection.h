@@ -18,8 +18,8 @@ struct ScanProjection {
 
 /// \param reach  how far to look at most, and how far at least where the distances themselves decide
 struct ScanReach {
-    double least = 0;
-    double most = 0;
+    double min = 0;
+    double max = 0;
 };
 
 /// \param minCosine  of the angle between the normals of surface and scan

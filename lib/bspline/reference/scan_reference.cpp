@@ -63,8 +63,8 @@ public:
 
     /// Sharp points go where their sides meet, unless that is farther from the scan than they are already,
     /// beyond what noise explains: then the sides bend, and the nearest point of the scan is better.
-    /// \param mostRounding  how far at most a scan's edge is from the sharp one
-    void carryOnToSharpEdges(const TriangleSurface& scan, double maxDistance, double mostRounding) {
+    /// \param maxRounding  how far at most a scan's edge is from the sharp one
+    void carryOnToSharpEdges(const TriangleSurface& scan, double maxDistance, double maxRounding) {
         struct Planes {
             Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
             Eigen::Vector3d right = Eigen::Vector3d::Zero();
@@ -90,8 +90,7 @@ public:
             Eigen::Vector3d moved = shortestSolution(all[k].matrix, all[k].right);
             const TriangleSurface::Nearest nearest = scan.nearest(point(from), maxDistance);
             if (!nearest.found()) continue;
-            if (!scan.nearest(point(from + moved),
-                              std::min(1.1 * nearest.distance, mostRounding) + 3 * noise_)
+            if (!scan.nearest(point(from + moved), std::min(1.1 * nearest.distance, maxRounding) + 3 * noise_)
                      .found()) {
                 if (nearest.onBoundary) continue;
                 moved = vector(nearest.position) - from;
@@ -225,11 +224,11 @@ private:
     /// What the offsets inside a grid are where it ends: the value there of the straight line through the
     /// next few.
     [[nodiscard]] std::optional<double> carriedOn(std::size_t g, int i, int j) const {
-        constexpr int most = 4;
+        constexpr int maxSteps = 4;
         const int right = i == 0 ? 1 : i == columns(g) ? -1 : 0;
         const int down = j == 0 ? 1 : j == rows(g) ? -1 : 0;
         double count = 0, places = 0, squares = 0, values = 0, moments = 0;
-        for (int k = 1; k <= most; ++k) {
+        for (int k = 1; k <= maxSteps; ++k) {
             const auto value = offset(g, i + k * right, j + k * down);
             if (!value) continue;
             count += 1, places += k, squares += k * k, values += *value, moments += k * *value;

@@ -35,14 +35,14 @@ class Picker {
     this.draw(layers, this.target, this.size, this.size);
     this.view.camera.clearViewOffset();
     this.renderer.readRenderTargetPixels(this.target, 0, 0, this.size, this.size, this.pixels);
-    let best = null, least = Infinity;
+    let best = null, min = Infinity;
     for (let pixel = 0; pixel < this.size * this.size; ++pixel) {
       const hit = layers.find(this.numberAt(this.pixels, pixel));
       if (!hit) continue;
       const away = Math.hypot(pixel % this.size - this.reach, Math.floor(pixel / this.size) - this.reach);
       const rank = { points: 0, lines: 100, faces: 200 }[hit.layer.type] + away;
       if (hit.layer.type === 'faces' ? away > 0 : hit.layer.name === 'edges' && away > 2) continue;
-      if (rank < least) [best, least] = [hit, rank];
+      if (rank < min) [best, min] = [hit, rank];
     }
     return best;
   }

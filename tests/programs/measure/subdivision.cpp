@@ -277,9 +277,9 @@ public:
         if (between < 2 || (closed && valence - between < 2)) return corner;
         const int a = around_.to(first + ranks[0]);
         const int b = around_.to(first + ranks[1]);
-        constexpr double most = 1.2; // radians
+        constexpr double maxTurn = 1.2; // radians
         const bool straight =
-            turn(mesh_.points[index(a)], mesh_.points[index(vertex)], mesh_.points[index(b)]) <= most;
+            turn(mesh_.points[index(a)], mesh_.points[index(vertex)], mesh_.points[index(b)]) <= maxTurn;
         return straight ? Rule{{a, b}, -1} : corner;
     }
 
