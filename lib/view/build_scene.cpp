@@ -46,7 +46,7 @@ void addFigures(Scene& scene, const Viewed& viewed) {
         if (viewed.tolerance > 0) add("tolerance, " + viewed.unit, viewed.tolerance);
         add("deviation, root mean square, " + viewed.unit, deviation.rms);
         add("largest gap, " + viewed.unit, deviation.largestGap);
-        add("largest normal jump across smooth borders, \u00b0", deviation.largestNormalAngle);
+        add("largest normal angle across smooth borders, \u00b0", deviation.largestNormalAngle);
     }
 }
 

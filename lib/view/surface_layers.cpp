@@ -89,12 +89,12 @@ LineLayer borderCurves(const std::vector<Segment>& segments, const Lattice& latt
 /// The smooth borders, each as long as a mesh edge.
 LineLayer smoothBorders(const Viewed& viewed, const Lattice& lattice, const BorderMarks& marks) {
     constexpr double limit = 1; // degree, as in qm-summary
-    LineLayer jumps = newLines("jumps", "normal jump across smooth borders", "piece of a smooth border", "");
+    LineLayer jumps = newLines("jumps", "normal angle across smooth borders", "piece of a smooth border", "");
     jumps.base = Base::surfaces;
     jumps.mapped = {Scale::rising,           {},       "angle between normals, degrees",
                     "angle between normals", "\u00b0", limit};
     const auto borders = borderEdges(viewed.mesh, *viewed.layout);
-    const auto angles = normalJumps(viewed.mesh, *viewed.layout, viewed.surfaces->patches, borders, marks);
+    const auto angles = normalAngles(viewed.mesh, *viewed.layout, viewed.surfaces->patches, borders, marks);
     for (std::size_t k = 0; k < borders.size(); ++k) {
         if (std::isnan(angles[k])) continue;
         const BorderPlace& place = borders[k].places.front();

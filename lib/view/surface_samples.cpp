@@ -62,19 +62,20 @@ std::vector<double> distancesFromReference(const QuadMesh& mesh, const Layout& l
     return distances;
 }
 
-std::vector<double> normalJumps(const QuadMesh& mesh, const Layout& layout, const std::vector<Patch>& patches,
-                                const std::vector<BorderEdge>& borders, const BorderMarks& marks) {
+std::vector<double> normalAngles(const QuadMesh& mesh, const Layout& layout,
+                                 const std::vector<Patch>& patches, const std::vector<BorderEdge>& borders,
+                                 const BorderMarks& marks) {
     constexpr int samples = 5; // an edge: both ends, and three between, as angles change smoothly
-    std::vector<double> jumps;
+    std::vector<double> largest;
     for (const BorderEdge& border : borders) {
         const auto edge = at(mesh.edge_handle(border.halfedge));
         const bool smooth = border.places.size() == 2 && !marks.isCrease[edge];
         const auto angles =
             smooth ? measureBorder(border, layout, patches, samples).angles : std::vector<double>{};
-        jumps.push_back(angles.empty() ? std::numeric_limits<double>::quiet_NaN()
-                                       : *std::max_element(angles.begin(), angles.end()));
+        largest.push_back(angles.empty() ? std::numeric_limits<double>::quiet_NaN()
+                                         : *std::max_element(angles.begin(), angles.end()));
     }
-    return jumps;
+    return largest;
 }
 
 } // namespace qm

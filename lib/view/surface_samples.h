@@ -25,9 +25,9 @@ namespace qm {
 
 /// Of every border edge the largest angle between the normals on both sides, in degrees; NaN for creases and
 /// the mesh's boundary.
-[[nodiscard]] std::vector<double> normalJumps(const QuadMesh& mesh, const Layout& layout,
-                                              const std::vector<Patch>& patches,
-                                              const std::vector<BorderEdge>& borders,
-                                              const BorderMarks& marks);
+[[nodiscard]] std::vector<double> normalAngles(const QuadMesh& mesh, const Layout& layout,
+                                               const std::vector<Patch>& patches,
+                                               const std::vector<BorderEdge>& borders,
+                                               const BorderMarks& marks);
 
 } // namespace qm

@@ -177,7 +177,7 @@ END
     for layer in shaded zebra mesh-zebra mean gauss deviation tolerance jumps net knots; do
         grep -qE "data-switched=\"([^\"]* )?$layer[ \"]" dom
     done
-    # The last layer of faces, which tells what is within the tolerance, and the normal jumps have a scale each.
+    # The last layer of faces, which tells what is within the tolerance, and the normal angles have a scale each.
     grep -q 'data-scales="2"' dom
     grep -q 'data-theme="dark"' dom
 }
