@@ -345,7 +345,7 @@ $(O)/peers/cinolib: scripts/peers/cinolib.cpp
 
 .PHONY: bench-cad
 bench-cad: ## what CAD systems and meshers do with our STEP files, as a table; only=REGEX to filter models
-	@scripts/install-dependencies build bench
+	@scripts/install-dependencies --verify build bench
 	@$(again) all $(programs)
 	@QM_BIN=$(abspath $(bin)) BILINEAR_STEP=$(abspath $(O)/tests/bilinear-step) scripts/bench-cad '$(only)'
 

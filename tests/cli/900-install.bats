@@ -124,6 +124,11 @@ completed() {
     assert_equal "$stderr" 'packages are missing. As root, run: apt-get install clang clang-format clang-tidy shellcheck'
 }
 
+@test "nothing installs packages but deps, check and demo" {
+    run awk '/^[a-z-]+:/ { target = $1 } /install-dependencies/ && !/--verify/ { print target }' "$ROOT/Makefile"
+    assert_output $'deps:\ncheck:\ndemo:'
+}
+
 @test "uninstalling leaves nothing" {
     make --no-print-directory -C "$ROOT" "config=$(config)" install prefix=/usr "DESTDIR=$PWD/root" >/dev/null
     assert [ -e root/usr/lib/pkgconfig/quadmesh.pc ]
