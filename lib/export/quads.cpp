@@ -3,24 +3,11 @@
 #include "base/at.h"
 #include "base/bytes.h"
 #include "base/number_text.h"
+#include "mesh/quad_geometry.h"
 
 #include <cstdint>
 
 namespace qm {
-namespace {
-
-std::array<VertexId, 4> corners(const QuadMesh& mesh, FaceId face) {
-    std::array<VertexId, 4> result;
-    HalfedgeId halfedge = mesh.halfedge_handle(face); // points to the face's first vertex
-    for (VertexId& vertex : result) {
-        vertex = mesh.to_vertex_handle(halfedge);
-        halfedge = mesh.next_halfedge_handle(halfedge);
-    }
-    return result;
-}
-
-} // namespace
-
 std::string quadsAsObj(const QuadMesh& mesh, const Layout& layout) {
     std::string text;
     for (const VertexId vertex : mesh.vertices()) {
@@ -36,7 +23,7 @@ std::string quadsAsObj(const QuadMesh& mesh, const Layout& layout) {
         text += '\n';
         for (const FaceId face : layout.segments[s].faces) {
             text += 'f';
-            for (const VertexId vertex : corners(mesh, face)) {
+            for (const VertexId vertex : cornersOf(mesh, face)) {
                 appendNumber(text += ' ', vertex.idx() + 1);
             }
             text += '\n';
@@ -63,7 +50,7 @@ std::string quadsAsPly(const QuadMesh& mesh, const Layout& layout, const std::ve
     for (const FaceId face : mesh.faces()) {
         const std::size_t segment = segmentOf[at(face)];
         appendBytes(bytes, std::uint8_t{4});
-        for (const VertexId vertex : corners(mesh, face))
+        for (const VertexId vertex : cornersOf(mesh, face))
             appendBytes(bytes, static_cast<std::int32_t>(vertex.idx()));
         for (const std::uint8_t part : colours[segment])
             appendBytes(bytes, part);

@@ -1,13 +1,12 @@
 #include "prune/removal.h"
 
 #include "base/at.h"
+#include "base/sparse_disjoint_sets.h"
 #include "mesh/topology.h"
 #include "prune/turn.h"
 #include "prune/vertex_room.h"
 
 #include <algorithm>
-#include <map>
-#include <utility>
 
 namespace qm {
 namespace {} // namespace
@@ -82,22 +81,11 @@ Removal::Pairs Removal::joinedPairs(const Track& track) {
 }
 
 bool Removal::joinsForest(const Track& track) {
-    std::map<int, int> joined; // segments that this removal would join, before it is certain
-    const auto representative = [&](int segment) {
-        int last = segment;
-        for (auto up = joined.find(last); up != joined.end(); up = joined.find(last))
-            last = up->second;
-        while (segment != last)
-            segment = std::exchange(joined[segment], last);
-        return last;
-    };
+    SparseDisjointSets joined; // segments that this removal would join, before it is certain
     const Pairs pairs = joinedPairs(track);
     if (pairs.empty()) return false; // a loop with annuli on both sides
-    return std::ranges::all_of(pairs, [&](const std::array<int, 2>& pair) {
-        const int left = representative(pair[0]), right = representative(pair[1]);
-        if (left != right) joined[left] = right;
-        return left != right;
-    });
+    return std::ranges::all_of(pairs,
+                               [&](const std::array<int, 2>& pair) { return joined.join(pair[0], pair[1]); });
 }
 
 bool Removal::keepsGrids(const Track& track) {

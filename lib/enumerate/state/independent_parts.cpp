@@ -1,11 +1,11 @@
 #include "enumerate/state/independent_parts.h"
 
+#include "base/sparse_disjoint_sets.h"
 #include "enumerate/state/junction_rule.h"
 
 #include <algorithm>
 #include <unordered_map>
 #include <unordered_set>
-#include <utility>
 
 namespace qm {
 namespace {
@@ -21,21 +21,9 @@ public:
         joinCrossings(state_.crossingsOf(variable));
     }
 
-    int find(int member) {
-        int root = member;
-        for (auto up = parent_.find(root); up != parent_.end(); up = parent_.find(root))
-            root = up->second;
-        while (member != root)
-            member = std::exchange(parent_[member], root);
-        return root;
-    }
+    int find(int member) { return sets_.find(member); }
 
 private:
-    void join(int a, int b) {
-        const int from = find(a), to = find(b);
-        if (from != to) parent_[from] = to;
-    }
-
     [[nodiscard]] bool isFree(VariableId variable) const {
         return !problem_.isConstant(variable) && state_.isFree(variable);
     }
@@ -52,7 +40,7 @@ private:
         if (node.valid()) joinCrossings(state_.cracks().crossingsOfNode(node));
         for (const VariableId v : chain.variables()) {
             if (!isFree(v)) continue;
-            if (last >= 0) join(last, v.value());
+            if (last >= 0) sets_.join(last, v.value());
             last = v.value();
         }
     }
@@ -70,7 +58,7 @@ private:
                               });
         int last = -1;
         const auto tie = [&](int next) {
-            if (last >= 0) join(last, next);
+            if (last >= 0) sets_.join(last, next);
             last = next;
         };
         for (const VariableId arc : arcs)
@@ -82,7 +70,7 @@ private:
 
     const SearchState& state_;
     const Problem& problem_;
-    std::unordered_map<int, int> parent_;
+    SparseDisjointSets sets_;
     std::unordered_set<CrossingId> crossings_;
     std::unordered_set<ChainId> chains_;
 };
