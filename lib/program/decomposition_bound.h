@@ -20,8 +20,8 @@ struct RelaxedProgram {
     double constant = 0;           ///< of the cost
     ColumnValues values;           ///< of every column
     IdVector<RowId, double> duals; ///< of every row: by how much the relaxed optimum grows with its bounds
-    /// Solutions of at least this cost do not matter.
-    double cutoff = std::numeric_limits<double>::infinity();
+    double cutoff =
+        std::numeric_limits<double>::infinity(); ///< solutions of at least this cost do not matter
 };
 
 struct DecompositionOptions {

@@ -4,6 +4,8 @@
 #include "view/scene.h"
 
 #include <array>
+#include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -20,15 +22,15 @@ inline constexpr std::array lineLayerNames{"edges",   "separatrices",  "features
 
 /// A plane that cuts the model open: what lies beyond it is left out.
 struct Section {
-    int axis = -1;      ///< 0 to 2 for x to z; -1: there is none
-    double share = 0.5; ///< of the extent along the axis
+    std::size_t axis = 0; ///< 0 to 2 for x to z
+    double share = 0.5;   ///< of the extent along the axis
 };
 
 struct PageOptions {
     std::vector<std::string> shown; ///< names of the layers that are on at first; empty: what suits the kind
     std::array<double, 3> from{1, -1.5, 0.9}; ///< where one looks from, seen from the centre
     std::array<double, 3> up{0, 0, 1};
-    Section section;
+    std::optional<Section> section;
     bool still = false; ///< for a picture: nothing to operate
 };
 

@@ -144,11 +144,13 @@ Json json(const Scene& scene) {
 } // namespace
 
 std::string sceneJson(std::span<const Scene> scenes, const PageOptions& options) {
+    // The page's script knows no section by an axis of -1.
+    const Json axis = options.section ? Json(options.section->axis) : Json(-1);
     const Json root = {{"scenes", list(scenes)},
                        {"shown", options.shown},
                        {"from", options.from},
                        {"up", options.up},
-                       {"section", {{"axis", options.section.axis}, {"share", options.section.share}}},
+                       {"section", {{"axis", axis}, {"share", options.section.value_or(Section{}).share}}},
                        {"still", options.still}};
     std::string text = root.dump(-1, ' ', false, Json::error_handler_t::replace);
     // Of what could end a script's element, or change how it is read, all begins so.

@@ -59,13 +59,13 @@ std::array<double, 3> parseDirection(const std::string& text) {
     return direction;
 }
 
-Section parseSection(const std::string& text) {
-    Section section;
-    if (text.empty()) return section;
+std::optional<Section> parseSection(const std::string& text) {
+    if (text.empty()) return std::nullopt;
     const auto parts = split(text, ':');
     const std::string axes = "xyz";
-    section.axis = parts[0].size() == 1 ? static_cast<int>(axes.find(parts[0])) : -1;
-    if (section.axis < 0 || parts.size() > 2 ||
+    Section section;
+    section.axis = axes.find(parts[0]);
+    if (parts[0].size() != 1 || section.axis >= axes.size() || parts.size() > 2 ||
         (parts.size() == 2 && !parseNumber(parts[1], section.share)) ||
         !(section.share >= 0 && section.share <= 1))
         throw Error("", "'" + text + "' is no section",

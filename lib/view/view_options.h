@@ -4,6 +4,7 @@
 #include "view/page.h"
 
 #include <array>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -25,7 +26,7 @@ namespace qm {
 
 /// "x", "y" or "z" with a share of the extent, such as "x:0.5"; empty: no section.
 /// \throw Error  if it is neither
-[[nodiscard]] Section parseSection(const std::string& text);
+[[nodiscard]] std::optional<Section> parseSection(const std::string& text);
 
 struct PictureSize {
     int width = 1200;

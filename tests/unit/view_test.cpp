@@ -212,9 +212,9 @@ TEST(View, NumbersAreFewBytes) {
 }
 
 TEST(View, OptionsAreRead) {
-    EXPECT_EQ(parseSection("").axis, -1);
-    EXPECT_EQ(parseSection("y").axis, 1);
-    EXPECT_EQ(parseSection("z:0.25").share, 0.25);
+    EXPECT_FALSE(parseSection(""));
+    EXPECT_EQ(parseSection("y")->axis, 1U);
+    EXPECT_EQ(parseSection("z:0.25")->share, 0.25);
     for (const char* bad : {"a", ":0.5", "x:2", "x:-1", "x:0.5:1", "xy", "x:nan", "x:"})
         EXPECT_THROW((void)parseSection(bad), Error) << bad;
     EXPECT_EQ(parseLayers("mesh,tracks,,net"), (std::vector<std::string>{"mesh", "tracks", "net"}));

@@ -26,8 +26,7 @@ void addPositionEquations(const Stretch& stretch, const BorderStrip& first, cons
                           std::vector<LinearForm>& equations);
 
 /// Adds the equations for one tangent plane along a run: the derivatives across the border, each into its own
-/// patch, sum up to the tangent ratio times the derivative along it: G1. That bicubic patches need double
-/// knots for it is shown in docs/METHOD.md#peters-2010.
+/// patch, sum up to the tangent ratio times the derivative along it: G1 (docs/METHOD.md#peters-2010).
 void addTangentEquations(const SmoothRun& run, const BorderStrip& first, const BorderStrip& second,
                          std::vector<LinearForm>& equations);
 

@@ -1,5 +1,4 @@
-/// \file The B-spline basis over any knots: clamped or not, with repeated knots or not
-/// (docs/METHOD.md#de-boor-1978).
+/// \file The B-spline basis over any knots, clamped or repeated or neither (docs/METHOD.md#de-boor-1978).
 #pragma once
 
 #include <array>
