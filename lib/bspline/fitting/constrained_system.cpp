@@ -38,9 +38,10 @@ struct ConstrainedSystem::Factors {
 
 namespace {
 
-/// Equations with weights such that each is of order one in the metric of the form's diagonal.
+/// Equations with weights such that each is of order one in the metric of the form's diagonal; their
+/// constants likewise.
 Eigen::SparseMatrix<double> equationMatrix(const std::vector<LinearForm>& equations,
-                                           const Eigen::VectorXd& diagonal) {
+                                           const Eigen::VectorXd& diagonal, Eigen::MatrixX3d& constants) {
     std::vector<Eigen::Triplet<double>> entries;
     for (std::size_t row = 0; row < equations.size(); ++row) {
         const LinearForm& form = equations[row];
@@ -51,6 +52,7 @@ Eigen::SparseMatrix<double> equationMatrix(const std::vector<LinearForm>& equati
         for (std::size_t k = 0; k < form.unknowns.size(); ++k)
             entries.emplace_back(static_cast<int>(row), static_cast<int>(form.unknowns[k]),
                                  form.weights[k] / std::sqrt(size));
+        constants.row(static_cast<Eigen::Index>(row)) /= std::sqrt(size);
     }
     Eigen::SparseMatrix<double> matrix(static_cast<Eigen::Index>(equations.size()), diagonal.size());
     matrix.setFromTriplets(entries.begin(), entries.end());
@@ -64,12 +66,14 @@ constexpr double relaxation = 1e-12;
 } // namespace
 
 ConstrainedSystem::ConstrainedSystem(std::size_t unknowns, const std::vector<Eigen::Triplet<double>>& entries,
-                                     const std::vector<LinearForm>& equations)
-    : factors_(std::make_unique<Factors>()) {
+                                     const std::vector<LinearForm>& equations,
+                                     const Eigen::MatrixX3d& constants)
+    : factors_(std::make_unique<Factors>()), constants_(constants) {
+    if (constants_.rows() == 0) constants_.setZero(static_cast<Eigen::Index>(equations.size()), 3);
     const auto size = static_cast<Eigen::Index>(unknowns);
     form_.resize(size, size);
     form_.setFromTriplets(entries.begin(), entries.end());
-    equations_ = equationMatrix(equations, form_.diagonal());
+    equations_ = equationMatrix(equations, form_.diagonal(), constants_);
 
     const auto whole = size + equations_.rows();
     std::vector<Eigen::Triplet<double>> all;
@@ -103,7 +107,7 @@ void ConstrainedSystem::improve(const Eigen::MatrixX3d& rightHandSide, Accuracy 
         const auto unknowns = solution.topRows(size);
         residual.topRows(size) = rightHandSide - form_.selfadjointView<Eigen::Lower>() * unknowns -
                                  equations_.transpose() * solution.bottomRows(equations_.rows());
-        residual.bottomRows(equations_.rows()) = -(equations_ * unknowns);
+        residual.bottomRows(equations_.rows()) = constants_ - equations_ * unknowns;
         const Eigen::MatrixX3d correction = factors_->solve(residual);
         // What does not become smaller is rounding.
         const double change = correction.topRows(size).norm();
@@ -112,6 +116,11 @@ void ConstrainedSystem::improve(const Eigen::MatrixX3d& rightHandSide, Accuracy 
         solution += correction;
         if (change <= negligible * solution.topRows(size).norm()) break;
     }
+}
+
+double ConstrainedSystem::violation(const Eigen::MatrixX3d& solution) const {
+    if (constants_.rows() == 0) return 0;
+    return (constants_ - equations_ * solution.topRows(form_.rows())).cwiseAbs().maxCoeff();
 }
 
 Eigen::MatrixX3d ConstrainedSystem::solve(const Eigen::MatrixX3d& rightHandSide) const {

@@ -24,14 +24,18 @@ enum class Accuracy {
 class ConstrainedSystem {
 public:
     /// \param entries    of the symmetric positive definite matrix, row >= column; equal places add up
-    /// \param equations  every form is to be zero; they may depend on one another
+    /// \param equations  every form is to be its constant; they may depend on one another
+    /// \param constants  a row for every equation; without any row they are zero
     ConstrainedSystem(std::size_t unknowns, const std::vector<Eigen::Triplet<double>>& entries,
-                      const std::vector<LinearForm>& equations);
+                      const std::vector<LinearForm>& equations, const Eigen::MatrixX3d& constants = {});
     ~ConstrainedSystem();
 
     /// Makes a solution that of the minimum of x'Hx / 2 - x'b under the equations, for each column of b.
     /// \param solution  where to begin, with the multipliers of the equations; empty to begin with nothing
     void improve(const Eigen::MatrixX3d& rightHandSide, Accuracy accuracy, Eigen::MatrixX3d& solution) const;
+
+    /// By how much a solution misses an equation, at most, in the metric of the form.
+    [[nodiscard]] double violation(const Eigen::MatrixX3d& solution) const;
 
     /// The same from the beginning, without the multipliers. The equations hold up to rounding.
     [[nodiscard]] Eigen::MatrixX3d solve(const Eigen::MatrixX3d& rightHandSide) const;
@@ -41,6 +45,7 @@ private:
     std::unique_ptr<Factors> factors_;
     Eigen::SparseMatrix<double> form_; ///< its lower half
     Eigen::SparseMatrix<double> equations_;
+    Eigen::MatrixX3d constants_; ///< of the equations
 };
 
 } // namespace qm

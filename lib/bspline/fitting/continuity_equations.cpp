@@ -7,7 +7,11 @@
 namespace qm {
 
 std::vector<LinearForm> continuityEquations(const Layout& layout, const SmoothNetwork& network,
-                                            const std::vector<PatchSpace>& spaces) {
+                                            const std::vector<PatchSpace>& spaces,
+                                            const std::vector<bool>& isFree) {
+    const auto counts = [&](const Stretch& stretch) {
+        return isFree[stretch.sides[0].patch] || isFree[stretch.sides[1].patch];
+    };
     const auto strips = [&](const Stretch& stretch) {
         const auto strip = [&](const StretchSide& place) {
             return BorderStrip(spaces[place.patch], layout.segments[place.patch].size, place);
@@ -16,10 +20,12 @@ std::vector<LinearForm> continuityEquations(const Layout& layout, const SmoothNe
     };
     std::vector<LinearForm> equations;
     for (const Stretch& stretch : network.stretches) {
+        if (!counts(stretch)) continue;
         const auto both = strips(stretch);
         addPositionEquations(stretch, both[0], both[1], equations);
     }
     for (const SmoothRun& run : network.runs) {
+        if (!counts(network.stretches[run.stretch])) continue;
         const auto both = strips(network.stretches[run.stretch]);
         addTangentEquations(run, both[0], both[1], equations);
     }

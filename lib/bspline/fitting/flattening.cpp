@@ -2,6 +2,7 @@
 
 #include "bspline/fitting/constrained_system.h"
 #include "bspline/fitting/continuity_equations.h"
+#include "bspline/fitting/free_unknowns.h"
 #include "bspline/splines/eigen_point.h"
 
 #include <Eigen/Geometry>
@@ -9,58 +10,28 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 
 namespace qm {
 namespace {
 
-/// The unknowns of plane patches and of those within two patches of them: the others stay.
-class MovingUnknowns {
-public:
-    MovingUnknowns(const SmoothNetwork& network, const std::vector<PatchSpace>& spaces,
-                   const std::vector<std::optional<Plane>>& planes)
-        : numbers_(unknownsOf(spaces), none) {
-        std::vector<bool> moves(planes.size());
-        for (std::size_t k = 0; k < planes.size(); ++k)
-            moves[k] = planes[k].has_value();
-        for (int ring = 0; ring < 2; ++ring) {
-            const std::vector<bool> before = moves;
-            for (const Stretch& stretch : network.stretches)
-                for (const std::size_t side : {0, 1})
-                    if (before[stretch.sides[side].patch]) moves[stretch.sides[1 - side].patch] = true;
-        }
-        for (std::size_t k = 0; k < planes.size(); ++k)
-            for (std::size_t i = 0; moves[k] && i < spaces[k].size(); ++i)
-                numbers_[spaces[k].firstUnknown + i] = count_++;
-    }
+/// Plane patches and those within two patches of them: the others stay.
+std::vector<bool> movingPatches(const SmoothNetwork& network,
+                                const std::vector<std::optional<Plane>>& planes) {
+    std::vector<bool> moves;
+    for (const auto& plane : planes)
+        moves.push_back(plane.has_value());
+    return withNeighbours(network, std::move(moves), 2);
+}
 
-    [[nodiscard]] std::size_t count() const { return count_; }
-    [[nodiscard]] bool moves(std::size_t unknown) const { return numbers_[unknown] != none; }
-    [[nodiscard]] Eigen::Index number(std::size_t unknown) const {
-        return static_cast<Eigen::Index>(numbers_[unknown]);
-    }
-
-    /// The equations for changes.
-    [[nodiscard]] std::vector<LinearForm> among(const std::vector<LinearForm>& equations) const {
-        std::vector<LinearForm> result;
-        for (const LinearForm& equation : equations) {
-            LinearForm form;
-            for (std::size_t k = 0; k < equation.unknowns.size(); ++k) {
-                if (!moves(equation.unknowns[k])) continue;
-                form.unknowns.push_back(numbers_[equation.unknowns[k]]);
-                form.weights.push_back(equation.weights[k]);
-            }
-            if (!form.unknowns.empty()) result.push_back(std::move(form));
-        }
-        return result;
-    }
-
-private:
-    static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
-    std::vector<std::size_t> numbers_;
-    std::size_t count_ = 0;
-};
+/// The equations for changes of what moves.
+std::vector<LinearForm> equationsAmong(const FreeUnknowns& moving, const std::vector<LinearForm>& equations) {
+    std::vector<LinearForm> result;
+    for (const LinearForm& equation : equations)
+        if (LinearForm form = moving.among(equation); !form.unknowns.empty())
+            result.push_back(std::move(form));
+    return result;
+}
 
 /// The least change of control points that puts some of them into planes, under equations that hold already:
 /// found by conjugate gradients for the distances from the planes, in the space of what the equations allow.
@@ -177,13 +148,16 @@ private:
 /// \return whether all planes can be had at once; where not, the worst are dropped, and the patches stay
 bool tryToFlatten(const Layout& layout, const SmoothNetwork& network, const std::vector<PatchSpace>& spaces,
                   std::vector<std::optional<Plane>>& planes, std::vector<Patch>& patches) {
-    const MovingUnknowns moving(network, spaces, planes);
-    Flattening flattening(moving.count(), moving.among(continuityEquations(layout, network, spaces)));
+    const std::vector<bool> moves = movingPatches(network, planes);
+    const FreeUnknowns moving(spaces, moves);
+    Flattening flattening(moving.count(),
+                          equationsAmong(moving, continuityEquations(layout, network, spaces, moves)));
     const auto forEachMoving = [&](const auto& f) {
         for (std::size_t patch = 0; patch < patches.size(); ++patch)
             for (std::size_t k = 0; k < patches[patch].controlPoints.size(); ++k)
-                if (const std::size_t unknown = spaces[patch].firstUnknown + k; moving.moves(unknown))
-                    f(patch, moving.number(unknown), patches[patch].controlPoints[k]);
+                if (const std::size_t unknown = spaces[patch].firstUnknown + k; moving.isFree(unknown))
+                    f(patch, static_cast<Eigen::Index>(moving.number(unknown)),
+                      patches[patch].controlPoints[k]);
     };
     Eigen::MatrixX3d points(static_cast<Eigen::Index>(moving.count()), 3);
     std::vector<std::size_t> demanding;

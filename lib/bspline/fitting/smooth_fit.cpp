@@ -1,9 +1,12 @@
 #include "bspline/fitting/smooth_fit.h"
 
 #include "base/parallel.h"
+#include "bspline/fitting/continuity_equations.h"
 #include "bspline/fitting/fit_lattice.h"
 #include "bspline/fitting/fit_round.h"
 #include "bspline/fitting/flattening.h"
+#include "bspline/fitting/free_unknowns.h"
+#include "bspline/fitting/given_up_cells.h"
 #include "bspline/fitting/initial_knots.h"
 #include "bspline/fitting/knot_insertion.h"
 #include "bspline/fitting/knot_removal.h"
@@ -48,11 +51,10 @@ struct Emphasis {
 constexpr int maxVerifications = 3;
 constexpr int roundsOfMending = 8;
 
-/// A cell in which nothing helps, and the error that it may have.
-struct GivenUp {
-    KnotCell cell;
-    double allowed = 1;
-};
+/// What a round changes is solved for together with so many patches around.
+constexpr int ringsAround = 2;
+/// Of all control points: if there are more to solve for, the rest is solved for as well.
+constexpr double worthAll = 0.6;
 
 class SmoothFit {
 public:
@@ -62,7 +64,7 @@ public:
           plan_(layout, network), planes_(planesOf(reference.grids, network, options.flatness)),
           sources_(latticeSources(mesh, layout, network, reference.grids, reference.weights)),
           lattices_(sources_.size()), errors_(sources_.size()), givenUp_(sources_.size()),
-          missed_(sources_.size()), scale_(sources_.size(), 1) {
+          reweighed_(sources_.size()), missed_(sources_.size()), scale_(sources_.size(), 1) {
         parallelFor(sources_.size(), jobs_,
                     [&](std::size_t k) { lattices_[k] = makeLattice(sources_[k], parametersOf(k, {})); });
         insertInitialKnots(layout, lattices_, map_, cubicsShare * options.tolerance, plan_);
@@ -70,6 +72,7 @@ public:
     }
 
     std::vector<Patch> run(const Verification& verify, const Control& control) {
+        solve(2 * options_.slides, true); // more while there are few knots
         search(options_.maxRounds, control);
         chooseBest(verify);
         flattenBest(verify);
@@ -77,15 +80,11 @@ public:
         std::vector<Patch> nearest;
         double distance = std::numeric_limits<double>::infinity();
         for (int k = 1;; ++k) {
-            const std::vector<double> found = verify(best_.patches);
-            const bool isNearer = std::ranges::max(found) < distance;
-            if (isNearer) distance = std::ranges::max(found);
-            if (isNearer) nearest = best_.patches;
-            if (k == maxVerifications || !tighten(found)) return nearest;
-            plan_ = *best_.plan;
-            lattices_ = best_.lattices;
-            best_ = {};
-            nearest_ = {};
+            const double found = std::ranges::max(verified(best_, verify));
+            if (found < distance) nearest = best_.patches;
+            distance = std::min(distance, found);
+            if (k == maxVerifications || !tighten(best_.distances)) return nearest;
+            takeUpBest();
             search(roundsOfMending, {});
             chooseBest(verify);
             flattenBest(verify);
@@ -93,7 +92,7 @@ public:
     }
 
 private:
-    /// Rounds of fitting and placing knots, until the tolerance is kept and nothing can be saved.
+    /// Rounds of placing knots and fitting, until the tolerance is kept and nothing can be saved.
     void search(int maxRounds, const Control& control) {
         int removals = 0;
         int lastKept = 0;
@@ -102,7 +101,7 @@ private:
         double countBefore = std::numeric_limits<double>::infinity();
         for (int round = 0; round < maxRounds; ++round) {
             control.progress(static_cast<double>(round) / maxRounds);
-            solve(round == 0 ? 2 * options_.slides : options_.slides); // more while there are few knots
+            if (round > 0) solve(options_.slides, false);
             idle = keepIfBest() ? 0 : idle + 1;
             if (idle == maxIdle) break;
             if (worst_ <= 1) {
@@ -124,25 +123,44 @@ private:
         }
     }
 
+    /// Goes on from the best round, with what its errors count now.
+    void takeUpBest() {
+        plan_ = *best_.plan;
+        spaces_ = plan_.spaces();
+        lattices_ = std::move(best_.lattices);
+        patches_ = std::move(best_.patches);
+        solvedRuns_ = plan_.network().runs;
+        best_ = {};
+        nearest_ = {};
+        assess(std::vector<bool>(sources_.size(), true));
+    }
+
+    static const std::vector<double>& verified(FitRound& round, const Verification& verify) {
+        if (round.distances.empty()) round.distances = verify(round.patches);
+        return round.distances;
+    }
+
     /// Planes that would spoil the tolerance are left out.
     void flattenBest(const Verification& verify) {
         if (std::ranges::none_of(planes_, [](const auto& plane) { return plane.has_value(); })) return;
         constexpr int attempts = 5;
         constexpr double worse = 1.01;
-        const std::vector<double> before = verify ? verify(best_.patches) : std::vector<double>();
+        const KnotPlan& plan = *best_.plan;
+        const std::vector<PatchSpace> spaces = plan.spaces();
         auto planes = planes_;
         for (int k = 0; k < attempts; ++k) {
             std::vector<Patch> flat = best_.patches;
-            flatten(layout_, best_.plan->network(), best_.plan->spaces(), planes, flat);
-            const std::vector<double> after = verify ? verify(flat) : std::vector<double>();
+            flatten(layout_, plan.network(), spaces, planes, flat);
+            std::vector<double> after = verify ? verify(flat) : std::vector<double>();
             const auto isSpoiled = [&](std::size_t patch) {
-                return after[patch] > std::max(1.0, worse * before[patch]);
+                return after[patch] > std::max(1.0, worse * verified(best_, verify)[patch]);
             };
             bool spoils = false;
             for (std::size_t patch = 0; patch < after.size(); ++patch)
                 spoils = spoils || isSpoiled(patch);
             if (!spoils) {
                 best_.patches = std::move(flat);
+                best_.distances = std::move(after);
                 return;
             }
             for (const Stretch& stretch : plan_.network().stretches)
@@ -174,31 +192,75 @@ private:
                 latticeParameters(size[1], options_.steps, knots[1])};
     }
 
-    void solve(int drafts) {
-        spaces_ = plan_.spaces();
-        parallelFor(sources_.size(), jobs_, [&](std::size_t k) {
+    /// What has changed since the last solution, and what still errs.
+    [[nodiscard]] std::vector<bool> changedPatches(const std::vector<PatchSpace>& before) const {
+        std::vector<bool> changed = reweighed_;
+        for (std::size_t k = 0; k < sources_.size(); ++k)
+            if (spaces_[k].knots != before[k].knots || errors_[k].max() > 1) changed[k] = true;
+        for (std::size_t k = 0; k < solvedRuns_.size(); ++k)
+            if (const SmoothRun& run = plan_.network().runs[k]; run.ratio != solvedRuns_[k].ratio)
+                for (const StretchSide& side : plan_.network().stretches[run.stretch].sides)
+                    changed[side.patch] = true;
+        return changed;
+    }
+
+    /// Solves for what has changed, with what lies around it, or for all.
+    void solve(int drafts, bool forAll) {
+        const std::vector<PatchSpace> before = std::exchange(spaces_, plan_.spaces());
+        std::vector<bool> isFree(sources_.size(), true);
+        if (!forAll) {
+            isFree = withNeighbours(plan_.network(), changedPatches(before), ringsAround);
+            std::size_t points = 0;
+            for (std::size_t k = 0; k < isFree.size(); ++k)
+                if (isFree[k]) points += spaces_[k].size();
+            if (static_cast<double>(points) > worthAll * static_cast<double>(unknownsOf(spaces_)))
+                isFree.assign(isFree.size(), true);
+        }
+        if (!solveFor(isFree, drafts)) {
+            isFree.assign(isFree.size(), true);
+            solveFor(isFree, drafts);
+        }
+        assess(isFree);
+        reweighed_.assign(sources_.size(), false);
+        solvedRuns_ = plan_.network().runs;
+    }
+
+    /// \return false if the patches do not meet those that stay
+    bool solveFor(const std::vector<bool>& isFree, int drafts) {
+        const auto forFree = [&](const auto& function) {
+            parallelFor(sources_.size(), jobs_, [&](std::size_t k) {
+                if (isFree[k]) function(k);
+            });
+        };
+        patches_.resize(sources_.size());
+        forFree([&](std::size_t k) {
             const auto parameters = parametersOf(k, spaces_[k].knots);
             if (parameters != lattices_[k].targets.parameters)
                 lattices_[k] = resample(sources_[k], lattices_[k], parameters);
             releaseHolds(lattices_[k]);
         });
-        SmoothSystem system(layout_, plan_.network(), spaces_, lattices_, options_.bending, jobs_);
+        SmoothSystem system(layout_, plan_.network(), spaces_, lattices_, options_.bending, isFree, patches_,
+                            jobs_);
         for (int k = 0; k < drafts; ++k) {
-            patches_ = system.solve(lattices_, Accuracy::draft);
-            parallelFor(sources_.size(), jobs_,
-                        [&](std::size_t i) { slideTargets(patches_[i], lattices_[i]); });
+            system.solve(lattices_, Accuracy::draft, patches_);
+            forFree([&](std::size_t i) { slideTargets(patches_[i], lattices_[i]); });
         }
-        patches_ = system.solve(lattices_, Accuracy::rounding);
-        worst_ = 0;
-        excess_ = 0;
+        system.solve(lattices_, Accuracy::rounding, patches_);
+        return system.holds();
+    }
+
+    /// Measures patches anew, at the points of their lattices.
+    void assess(const std::vector<bool>& isNew) {
         parallelFor(sources_.size(), jobs_, [&](std::size_t k) {
+            if (!isNew[k]) return;
             errors_[k] = latticeErrors(lattices_[k], patches_[k], options_.tolerance);
             for (double& error : errors_[k].distance)
                 error *= scale_[k];
             missed_[k] = missedBy(errors_[k], scale_[k]);
-            for (const GivenUp& place : givenUp_[k])
-                cap(place, k);
+            givenUp_[k].cap(lattices_[k], errors_[k]);
         });
+        worst_ = 0;
+        excess_ = 0;
         for (const PatchErrors& ofPatch : errors_) {
             worst_ = std::max(worst_, ofPatch.max());
             excess_ += std::max(0.0, ofPatch.max() - 1);
@@ -217,8 +279,10 @@ private:
                 emphasis *= Emphasis::growth;
                 ofPatch = true;
             }
-            if (ofPatch) weighTargets(sources_[k], lattices_[k]);
-            changed = changed || ofPatch;
+            if (!ofPatch) continue;
+            weighTargets(sources_[k], lattices_[k]);
+            reweighed_[k] = true;
+            changed = true;
         }
         return changed;
     }
@@ -228,21 +292,24 @@ private:
         const RoundScore score = scoreOf(missed_, worst_ <= 1, patches_);
         const bool isBest = best_.patches.empty() || isBetter(score, best_.score, true);
         const bool isNearest = nearest_.patches.empty() || isBetter(score, nearest_.score, false);
-        if (isBest) best_ = {score, patches_, plan_, lattices_, missed_};
-        if (isNearest) nearest_ = {score, patches_, plan_, lattices_, missed_};
+        if (isBest) best_ = {score, patches_, plan_, lattices_, missed_, {}};
+        if (isNearest) nearest_ = {score, patches_, plan_, lattices_, missed_, {}};
         return isBest || isNearest;
     }
 
     /// Takes the nearest instead where that is in truth nearer, which the lattices do not tell.
     void chooseBest(const Verification& verify) {
         if (!verify || nearest_.patches.empty()) return;
-        const double ofBest = std::ranges::max(verify(best_.patches));
-        if (ofBest > 1 && std::ranges::max(verify(nearest_.patches)) < ofBest) best_ = std::move(nearest_);
+        const double ofBest = std::ranges::max(verified(best_, verify));
+        if (ofBest > 1 && std::ranges::max(verified(nearest_, verify)) < ofBest) best_ = std::move(nearest_);
     }
 
     /// From now on errors count no more in the cells where nothing helps.
     void giveUp() {
-        forBadCells([&](const KnotCell& cell, std::size_t k) { giveUp(cell, k); });
+        forBadCells([&](const KnotCell& cell, std::size_t k) {
+            givenUp_[k].add(cell, sources_[k], lattices_[k], errors_[k]);
+            reweighed_[k] = true;
+        });
     }
 
     /// Where nothing else helps, sliding may have led astray.
@@ -250,9 +317,9 @@ private:
         constexpr double around = 2; // mesh edges
         bool changed = false;
         forBadCells([&](const KnotCell& cell, std::size_t k) {
-            changed = holdTargets({cell.begin[0] - around, cell.begin[1] - around},
-                                  {cell.end[0] + around, cell.end[1] + around}, lattices_[k]) ||
-                      changed;
+            const bool isNew = holdTargets({cell.begin[0] - around, cell.begin[1] - around},
+                                           {cell.end[0] + around, cell.end[1] + around}, lattices_[k]);
+            changed = changed || isNew;
         });
         return changed;
     }
@@ -261,28 +328,6 @@ private:
         for (std::size_t k = 0; k < lattices_.size(); ++k)
             for (const KnotCell& cell : cellsOf(spaces_[k]))
                 if (worstIn(cell, lattices_[k], errors_[k]).error > 1) function(cell, k);
-    }
-
-    void giveUp(const KnotCell& cell, std::size_t patch) {
-        constexpr double slack = 1.1;
-        FitLattice& lattice = lattices_[patch];
-        givenUp_[patch].push_back({cell, slack * worstIn(cell, lattice, errors_[patch]).error});
-        const LatticeRange range = rangeOf(cell, lattice);
-        for (std::size_t j = range.begin[1]; j < range.end[1]; ++j)
-            for (std::size_t i = range.begin[0]; i < range.end[0]; ++i)
-                lattice.emphasis[j * lattice.columns() + i] = 1;
-        weighTargets(sources_[patch], lattice);
-        cap(givenUp_[patch].back(), patch);
-    }
-
-    /// Errors where nothing helps are not missed, unless they grow.
-    void cap(const GivenUp& place, std::size_t patch) {
-        const LatticeRange range = rangeOf(place.cell, lattices_[patch]);
-        for (std::size_t j = range.begin[1]; j < range.end[1]; ++j)
-            for (std::size_t i = range.begin[0]; i < range.end[0]; ++i) {
-                double& error = errors_[patch].distance[j * lattices_[patch].columns() + i];
-                error = error <= place.allowed ? std::min(error, 1.0) : error / place.allowed;
-            }
     }
 
     const Layout& layout_;
@@ -296,7 +341,9 @@ private:
     std::vector<PatchSpace> spaces_;
     std::vector<Patch> patches_;
     std::vector<PatchErrors> errors_;
-    std::vector<std::vector<GivenUp>> givenUp_;
+    std::vector<GivenUpCells> givenUp_;
+    std::vector<bool> reweighed_;       ///< by patch: since the last solution
+    std::vector<SmoothRun> solvedRuns_; ///< of the last solution
     std::vector<double> missed_; ///< by patch: how much its largest error is above 1, whatever is given up
     double worst_ = 0;
     double excess_ = 0;

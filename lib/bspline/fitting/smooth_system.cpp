@@ -2,6 +2,7 @@
 
 #include "base/parallel.h"
 #include "bspline/fitting/continuity_equations.h"
+#include "bspline/fitting/free_unknowns.h"
 #include "bspline/splines/eigen_point.h"
 
 #include <cstddef>
@@ -21,32 +22,78 @@ Patch patchOf(const PatchSpace& space, std::size_t segment, const Eigen::MatrixX
     return patch;
 }
 
+/// Equations in free unknowns; what patches that stay contribute is constant.
+struct FreeEquations {
+    std::vector<LinearForm> forms;
+    Eigen::MatrixX3d constants;
+};
+
+FreeEquations freeEquations(const std::vector<LinearForm>& equations, const FreeUnknowns& unknowns,
+                            const std::vector<PatchSpace>& spaces, const std::vector<Patch>& patches) {
+    std::vector<const Point*> points; // by unknown
+    for (std::size_t patch = 0; patch < spaces.size(); ++patch)
+        for (std::size_t k = 0; k < spaces[patch].size(); ++k)
+            points.push_back(unknowns.isFree(points.size()) ? nullptr : &patches[patch].controlPoints[k]);
+    FreeEquations result;
+    std::vector<Eigen::RowVector3d> constants;
+    for (const LinearForm& equation : equations) {
+        LinearForm form = unknowns.among(equation);
+        if (form.unknowns.empty()) continue;
+        constants.emplace_back(Eigen::RowVector3d::Zero());
+        for (std::size_t k = 0; k < equation.unknowns.size(); ++k)
+            if (const Point* fixed = points[equation.unknowns[k]])
+                constants.back() -= equation.weights[k] * vector(*fixed).transpose();
+        result.forms.push_back(std::move(form));
+    }
+    result.constants.resize(static_cast<Eigen::Index>(constants.size()), 3);
+    for (std::size_t row = 0; row < constants.size(); ++row)
+        result.constants.row(static_cast<Eigen::Index>(row)) = constants[row];
+    return result;
+}
+
 } // namespace
 
-SmoothSystem::SmoothSystem(const Layout& layout, const SmoothNetwork& network, std::vector<PatchSpace> spaces,
-                           const std::vector<FitLattice>& lattices, double bending, unsigned jobs)
-    : spaces_(std::move(spaces)), jobs_(jobs) {
-    std::vector<std::vector<Eigen::Triplet<double>>> entries(spaces_.size());
-    parallelFor(spaces_.size(), jobs,
-                [&](std::size_t k) { addPatchForm(spaces_[k], lattices[k].targets, bending, entries[k]); });
+SmoothSystem::SmoothSystem(const Layout& layout, const SmoothNetwork& network,
+                           const std::vector<PatchSpace>& spaces, const std::vector<FitLattice>& lattices,
+                           double bending, const std::vector<bool>& isFree, const std::vector<Patch>& patches,
+                           unsigned jobs)
+    : spaces_(spaces), jobs_(jobs) {
+    const FreeUnknowns unknowns(spaces, isFree);
+    for (std::size_t k = 0; k < spaces.size(); ++k) {
+        if (!isFree[k]) continue;
+        spaces_[k].firstUnknown = unknowns.number(spaces[k].firstUnknown);
+        free_.push_back(k);
+    }
+    std::vector<std::vector<Eigen::Triplet<double>>> entries(free_.size());
+    parallelFor(free_.size(), jobs, [&](std::size_t k) {
+        addPatchForm(spaces_[free_[k]], lattices[free_[k]].targets, bending, entries[k]);
+    });
     std::vector<Eigen::Triplet<double>> all;
     for (auto& ofPatch : entries) {
         all.insert(all.end(), ofPatch.begin(), ofPatch.end());
         ofPatch = {};
     }
-    system_.emplace(unknownsOf(spaces_), all, continuityEquations(layout, network, spaces_));
+    const FreeEquations equations =
+        freeEquations(continuityEquations(layout, network, spaces, isFree), unknowns, spaces, patches);
+    unknowns_ = static_cast<Eigen::Index>(unknowns.count());
+    system_.emplace(unknowns.count(), all, equations.forms, equations.constants);
 }
 
-std::vector<Patch> SmoothSystem::solve(const std::vector<FitLattice>& lattices, Accuracy accuracy) {
-    Eigen::MatrixX3d rightHandSide =
-        Eigen::MatrixX3d::Zero(static_cast<Eigen::Index>(unknownsOf(spaces_)), 3);
-    parallelFor(spaces_.size(), jobs_,
-                [&](std::size_t k) { addPatchTargets(spaces_[k], lattices[k].targets, rightHandSide); });
+void SmoothSystem::solve(const std::vector<FitLattice>& lattices, Accuracy accuracy,
+                         std::vector<Patch>& patches) {
+    Eigen::MatrixX3d rightHandSide = Eigen::MatrixX3d::Zero(unknowns_, 3);
+    parallelFor(free_.size(), jobs_, [&](std::size_t k) {
+        addPatchTargets(spaces_[free_[k]], lattices[free_[k]].targets, rightHandSide);
+    });
     system_->improve(rightHandSide, accuracy, solution_);
-    std::vector<Patch> patches;
-    for (std::size_t k = 0; k < spaces_.size(); ++k)
-        patches.push_back(patchOf(spaces_[k], k, solution_));
-    return patches;
+    for (const std::size_t k : free_)
+        patches[k] = patchOf(spaces_[k], k, solution_);
+}
+
+bool SmoothSystem::holds() const {
+    constexpr double rounding = 1e-11;
+    return unknowns_ == 0 ||
+           system_->violation(solution_) <= rounding * solution_.topRows(unknowns_).cwiseAbs().maxCoeff();
 }
 
 } // namespace qm

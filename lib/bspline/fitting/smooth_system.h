@@ -1,7 +1,6 @@
-/// \file The one system of all patches, set up and solved.
+/// \file The one system of all patches, or of some while the others stay, set up and solved.
 #pragma once
 
-#include "base/control.h"
 #include "bspline/fitting/constrained_system.h"
 #include "bspline/fitting/fit_lattice.h"
 #include "bspline/network/smooth_network.h"
@@ -20,16 +19,22 @@ class SmoothSystem {
 public:
     /// \param lattices  their weights count, not where their targets are
     /// \param bending  weight of the thin-plate energy over the parameters, of every patch
-    SmoothSystem(const Layout& layout, const SmoothNetwork& network, std::vector<PatchSpace> spaces,
-                 const std::vector<FitLattice>& lattices, double bending, unsigned jobs);
+    /// \param isFree  by patch
+    /// \param patches  those that are not free stay as they are here, and have these spaces
+    SmoothSystem(const Layout& layout, const SmoothNetwork& network, const std::vector<PatchSpace>& spaces,
+                 const std::vector<FitLattice>& lattices, double bending, const std::vector<bool>& isFree,
+                 const std::vector<Patch>& patches, unsigned jobs);
 
-    /// \return the patches for the targets that the lattices have now
-    [[nodiscard]] std::vector<Patch> solve(const std::vector<FitLattice>& lattices, Accuracy accuracy);
+    /// Makes free patches those for the targets that the lattices have now.
+    void solve(const std::vector<FitLattice>& lattices, Accuracy accuracy, std::vector<Patch>& patches);
 
-    [[nodiscard]] const std::vector<PatchSpace>& spaces() const { return spaces_; }
+    /// Whether the patches of the last solution meet each other and those that stay but for rounding.
+    [[nodiscard]] bool holds() const;
 
 private:
-    std::vector<PatchSpace> spaces_;
+    std::vector<PatchSpace> spaces_; ///< of all patches, with the numbers of free unknowns
+    std::vector<std::size_t> free_;  ///< patches
+    Eigen::Index unknowns_ = 0;      ///< free ones
     unsigned jobs_;
     std::optional<ConstrainedSystem> system_;
     Eigen::MatrixX3d solution_; ///< the last one, where the next one begins

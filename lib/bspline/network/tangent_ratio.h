@@ -14,6 +14,7 @@ struct TangentRatio {
     bool isLinear = false;
     double length = 0;
 
+    bool operator==(const TangentRatio&) const = default;
     [[nodiscard]] bool isZero() const { return atEnd[0] == 0 && atEnd[1] == 0; }
 
     [[nodiscard]] double operator()(double x) const {
