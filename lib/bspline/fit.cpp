@@ -32,15 +32,15 @@ struct Effort {
     int stepsOfReference = 4; ///< a mesh edge
     int stepsOfFit = 4;
     int maxRounds = 30;
-    int slides = 6;
+    int slides = 4;
     bool verifies = true; ///< distances between the lattice's points while there is time to mend them
 };
 
 Effort effortFor(const QuadMesh& mesh) {
     constexpr std::size_t many = 30'000;
     constexpr std::size_t veryMany = 300'000;
-    if (mesh.n_faces() > veryMany) return {2, 1, 4, 2, false};
-    if (mesh.n_faces() > many) return {4, 2, 8, 3, false};
+    if (mesh.n_faces() > veryMany) return {2, 1, 4, 1, false};
+    if (mesh.n_faces() > many) return {4, 2, 8, 2, false};
     return {};
 }
 

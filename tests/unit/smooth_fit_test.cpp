@@ -3,9 +3,11 @@
 #include "bspline/fitting/constrained_system.h"
 #include "bspline/fitting/gram.h"
 #include "bspline/fitting/knot_plan.h"
+#include "bspline/fitting/smooth_system.h"
 #include "bspline/network/creases.h"
 #include "bspline/network/smooth_network.h"
 #include "bspline/network/vertex_fan.h"
+#include "bspline/reference/limit_surface.h"
 #include "bspline/splines/basis.h"
 #include "bspline/splines/interpolate.h"
 #include "enumerate/enumerate.h"
@@ -13,12 +15,15 @@
 #include "shape/shape.h"
 #include "support/fitted_model.h"
 #include "support/grid_layout.h"
+#include "support/quad_layout.h"
+#include "support/star_mesh.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 namespace qm {
 namespace {
@@ -81,6 +86,31 @@ TEST(Creases, ShortCurvesThatEndInNothingAreNoise) {
     EXPECT_GT(creasesOf(3.5, 6.5, 2), 0U) << "sharp beyond doubt";
     EXPECT_GT(creasesOf(2.5, 9.5, 0.4), 4U) << "a long one";
     EXPECT_EQ(creasesOf(-1, 13, 0.4), 12U) << "from boundary to boundary";
+}
+
+TEST(Creases, WhereTwoMeetAtACornerTheSharpestOtherBorderIsAThird) {
+    const auto creasesOf = [](int quads, const std::vector<double>& spokes) {
+        const QuadMesh mesh = testing::star(quads);
+        std::vector<double> angles(mesh.n_edges());
+        const auto spoke = [&](std::size_t k) {
+            return static_cast<std::size_t>(
+                mesh.edge_handle(mesh.find_halfedge(VertexId(0), VertexId(1 + static_cast<int>(k)))).idx());
+        };
+        for (std::size_t k = 0; k < spokes.size(); ++k)
+            angles[spoke(k)] = spokes[k];
+        const auto borders = borderEdges(mesh, testing::segmentPerQuad(mesh));
+        const BorderMarks marks = markBorders(mesh, borders, angles, 0.6);
+        std::string creases;
+        for (std::size_t k = 0; k < spokes.size(); ++k)
+            creases += marks.isCrease[spoke(k)] ? 'c' : '-';
+        return creases;
+    };
+    EXPECT_EQ(creasesOf(3, {1, 1, 0.4}), "ccc");
+    EXPECT_EQ(creasesOf(3, {1, 1, 0.2}), "cc-") << "too flat";
+    EXPECT_EQ(creasesOf(5, {1, 1, 0.1, 0.4, 0.5}), "cc--c") << "only the sharpest";
+    EXPECT_EQ(creasesOf(6, {1, 0.4, 0.4, 1, 0.4, 0.4}), "c--c--") << "one curve, straight on";
+    EXPECT_EQ(creasesOf(8, {1, 0.4, 1, 0.4, 0.4, 0.5, 0.4, 0.4}), "c-c--c--")
+        << "a curve that turns too much";
 }
 
 TEST(VertexFan, RatiosAtCornersAgreeWithTheMeshsDirections) {
@@ -168,6 +198,54 @@ TEST(ConstrainedSystem, KeepsEquationsThatSayTheSameTwice) {
     // With x0 = x1 = -x3 = t the form is (1 + 2 + 4) t^2 / 2 - (3 - 1 - 5) t.
     EXPECT_NEAR(x(0, 0), -3.0 / 7, 1e-12);
     EXPECT_NEAR(x(2, 0), 2.0 / 3, 1e-12);
+}
+
+TEST(ConstrainedSystem, KeepsEquationsWithConstants) {
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int k = 0; k < 3; ++k)
+        entries.emplace_back(k, k, 1);
+    LinearForm sum;
+    sum.add(0, 1);
+    sum.add(1, 1);
+    Eigen::MatrixX3d constants(1, 3);
+    constants << 2, 0, -4;
+    const ConstrainedSystem system(3, entries, {sum}, constants);
+    const Eigen::MatrixX3d x = system.solve(Eigen::MatrixX3d::Zero(3, 3));
+    EXPECT_NEAR(x(0, 0), 1, 1e-14);
+    EXPECT_NEAR(x(1, 2), -2, 1e-14);
+    EXPECT_NEAR(x(2, 0), 0, 1e-14);
+    EXPECT_LT(system.violation(x), 1e-14);
+    EXPECT_GT(system.violation(2 * x), 0.1);
+}
+
+TEST(SmoothSystem, FindsTheSamePatchWhileItsNeighboursStay) {
+    const QuadMesh mesh = test::makeMesh(test::sheet());
+    const Layout layout = test::makeLayout(test::sheet(), test::tJoint());
+    const SmoothNetwork network = networkOf(mesh, layout);
+    const auto grids = limitSurface(mesh, layout, network.marks.isCrease, 4, 1);
+    const auto sources = latticeSources(mesh, layout, network, grids, {});
+    const KnotPlan plan(layout, network);
+    const std::vector<PatchSpace> spaces = plan.spaces();
+    std::vector<FitLattice> lattices;
+    for (std::size_t k = 0; k < sources.size(); ++k)
+        lattices.push_back(makeLattice(sources[k], {latticeParameters(layout.segments[k].size[0], 4, {}),
+                                                    latticeParameters(layout.segments[k].size[1], 4, {})}));
+    const auto solve = [&](const std::vector<bool>& isFree, std::vector<Patch>& patches) {
+        SmoothSystem system(layout, plan.network(), spaces, lattices, 1e-4, isFree, patches, 1);
+        system.solve(lattices, Accuracy::rounding, patches);
+        return system.holds();
+    };
+    std::vector<Patch> all(sources.size());
+    EXPECT_TRUE(solve(std::vector<bool>(sources.size(), true), all));
+    for (std::size_t free = 0; free < sources.size(); ++free) {
+        std::vector<bool> isFree(sources.size());
+        isFree[free] = true;
+        std::vector<Patch> patches = all;
+        patches[free] = {};
+        EXPECT_TRUE(solve(isFree, patches));
+        for (std::size_t k = 0; k < all[free].controlPoints.size(); ++k)
+            EXPECT_LT((patches[free].controlPoints[k] - all[free].controlPoints[k]).norm(), 1e-9);
+    }
 }
 
 TEST(KnotPlan, ForcesDoubleKnotsWhereSmoothBordersTurnIntoCreases) {

@@ -1,32 +1,12 @@
 #include "prune/vertex_room.h"
-#include "support/random_graph.h"
+#include "support/star_mesh.h"
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <numbers>
 #include <vector>
 
 namespace qm::testing {
 namespace {
-
-/// Quads around vertex 0, in a plane.
-/// \param turn  degrees that they fill, 360 if they close
-QuadMesh star(int quads, double turn = 360) {
-    check::CheckedMesh mesh{{{0, 0, 0}}, {}};
-    const int spokes = turn < 360 ? quads + 1 : quads;
-    const auto place = [&](double k, double radius) {
-        const double angle = k * turn / quads * std::numbers::pi / 180;
-        mesh.points.push_back({radius * std::cos(angle), radius * std::sin(angle), 0});
-    };
-    for (int k = 0; k < spokes; ++k)
-        place(k, 1);
-    for (int k = 0; k < quads; ++k)
-        place(k + 0.5, 1.5);
-    for (int k = 0; k < quads; ++k)
-        mesh.quads.push_back({0, 1 + k, 1 + spokes + k, 1 + (k + 1) % spokes});
-    return quadMesh(mesh);
-}
 
 std::vector<RoomSector> roomOf(const QuadMesh& mesh, double minCorner,
                                const std::vector<HalfedgeId>& sharp = {}) {

@@ -72,7 +72,7 @@ public:
     }
 
     std::vector<Patch> run(const Verification& verify, const Control& control) {
-        solve(2 * options_.slides, true); // more while there are few knots
+        solve(3 * options_.slides, true); // more while there are few knots
         search(options_.maxRounds, control);
         chooseBest(verify);
         flattenBest(verify);
@@ -207,17 +207,18 @@ private:
     /// Solves for what has changed, with what lies around it, or for all.
     void solve(int drafts, bool forAll) {
         const std::vector<PatchSpace> before = std::exchange(spaces_, plan_.spaces());
-        std::vector<bool> isFree(sources_.size(), true);
+        const std::vector<bool> all(sources_.size(), true);
+        std::vector<bool> isFree = all;
         if (!forAll) {
             isFree = withNeighbours(plan_.network(), changedPatches(before), ringsAround);
             std::size_t points = 0;
             for (std::size_t k = 0; k < isFree.size(); ++k)
                 if (isFree[k]) points += spaces_[k].size();
             if (static_cast<double>(points) > worthAll * static_cast<double>(unknownsOf(spaces_)))
-                isFree.assign(isFree.size(), true);
+                isFree = all;
         }
-        if (!solveFor(isFree, drafts)) {
-            isFree.assign(isFree.size(), true);
+        if (!solveFor(isFree, drafts) && isFree != all) {
+            isFree = all;
             solveFor(isFree, drafts);
         }
         assess(isFree);

@@ -19,7 +19,7 @@ struct SmoothFitOptions {
     double flatness = 0;   ///< references no farther from a plane make plane patches
     int steps = 4;         ///< of the lattice of points that are fitted, a mesh edge; 1, 2 or 4
     int maxRounds = 30;    ///< systems that are factorised
-    int slides = 6;        ///< solutions of each, between which the targets slide
+    int slides = 4;        ///< solutions of each, between which the targets slide
 };
 
 /// The largest distance of every patch from the reference, certain also between the points that a fit looks

@@ -57,17 +57,27 @@ void addOppositeDerivatives(double begin, double end, const BorderStrip& first, 
     }
 }
 
-/// Elsewhere an equation is a polynomial of degree 4 between knots, and zero if it is zero at five places.
+/// Elsewhere the tangent ratio times the derivative along the border has to be a cubic between knots, as the
+/// derivatives across are. It is if the ratio is linear; where it is quadratic, the border has to be, too.
+/// Then an equation holds if it does at four places. To demand it at five would come to the same, but in
+/// short intervals the fifth hardly differs from the others, and rounding decides.
 void addCollocation(const SmoothRun& run, double begin, double end, const BorderStrip& first,
                     const BorderStrip& second, std::vector<LinearForm>& equations) {
-    constexpr int places = 5;
+    constexpr int places = 4;
     std::vector<double> ends{begin};
     for (const double knot : between(unionOf(first.knots(), second.knots()), begin, end))
         if (knot > ends.back()) ends.push_back(knot);
     ends.push_back(end);
-    for (std::size_t k = 0; k + 1 < ends.size(); ++k)
+    for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+        const double middle = (ends[k] + ends[k + 1]) / 2;
+        if (!run.ratio.isLinear) {
+            LinearForm third; // derivative, of cubics exactly
+            first.addDerivativeAlong(ends[k], middle, 1, third);
+            first.addDerivativeAlong(middle, middle, -2, third);
+            first.addDerivativeAlong(ends[k + 1], middle, 1, third);
+            equations.push_back(std::move(third));
+        }
         for (int place = 0; place < places; ++place) {
-            const double middle = (ends[k] + ends[k + 1]) / 2;
             const double at = ends[k] + (ends[k + 1] - ends[k]) * place / (places - 1);
             LinearForm form;
             first.addValue(Across::derivative, at, middle, 1, form);
@@ -75,6 +85,7 @@ void addCollocation(const SmoothRun& run, double begin, double end, const Border
             first.addDerivativeAlong(at, middle, -run.ratio(at - run.begin), form);
             equations.push_back(std::move(form));
         }
+    }
 }
 
 } // namespace

@@ -116,6 +116,10 @@ std::optional<std::vector<double>> balancedRatios(const QuadMesh& mesh, const Ve
     return ratios;
 }
 
+/// At corners edges have directions of their own, within a degree: a ratio of zero needs no double knots.
+constexpr double negligible = 0.02;
+constexpr double rounding = 1e-12;
+
 } // namespace
 
 VertexFan vertexFan(const QuadMesh& mesh, const BorderMarks& marks, VertexId vertex) {
@@ -175,7 +179,7 @@ std::vector<double> tangentRatios(const QuadMesh& mesh, const VertexFan& fan, co
             double ratio = angle      ? cosine(border) + cosine(before)
                            : balanced ? (*balanced)[k - sector.begin - 1]
                                       : measuredRatio(mesh, fan, border);
-            if (std::abs(ratio) < 1e-12) ratio = 0;
+            if (std::abs(ratio) < (isCorner ? negligible : rounding)) ratio = 0;
             ratios[border] = ratio;
         }
     }
