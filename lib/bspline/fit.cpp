@@ -32,15 +32,17 @@ struct Effort {
     int stepsOfReference = 4; ///< a mesh edge
     int stepsOfFit = 4;
     int maxRounds = 30;
-    int slides = 4;
+    int slides = 6;
     bool verifies = true; ///< distances between the lattice's points while there is time to mend them
+    /// Of the tolerance, at the lattice's points: the rest is for what lies between, more of it unverified.
+    [[nodiscard]] double share() const { return verifies ? 0.97 : 0.94; }
 };
 
 Effort effortFor(const QuadMesh& mesh) {
     constexpr std::size_t many = 30'000;
     constexpr std::size_t veryMany = 300'000;
-    if (mesh.n_faces() > veryMany) return {2, 1, 4, 1, false};
-    if (mesh.n_faces() > many) return {4, 2, 8, 2, false};
+    if (mesh.n_faces() > veryMany) return {2, 1, 4, 2, false};
+    if (mesh.n_faces() > many) return {4, 2, 8, 3, false};
     return {};
 }
 
@@ -85,7 +87,7 @@ Surfaces fitSurfaces(const QuadMesh& mesh, const Layout& layout, const std::vect
             return found;
         };
         surfaces.patches = fitSmooth(mesh, layout, network, target,
-                                     {.tolerance = (effort.verifies ? 0.97 : 0.94) * allowed,
+                                     {.tolerance = effort.share() * allowed,
                                       .flatness = std::min(planeShare * allowed, maxFlatness * diagonal),
                                       .steps = effort.stepsOfFit,
                                       .maxRounds = effort.maxRounds,

@@ -6,11 +6,11 @@
 
 namespace qm {
 
-double missedBy(const PatchErrors& errors, double scale) {
+double missedBy(const PatchErrors& errors) {
     constexpr double foldsAlone = 0.05;
     double farthest = 0;
     for (const double distance : errors.signedDistance)
-        farthest = std::max(farthest, scale * std::abs(distance));
+        farthest = std::max(farthest, std::abs(distance));
     if (farthest > 1) return farthest - 1;
     return errors.max() > 1 ? foldsAlone : 0;
 }

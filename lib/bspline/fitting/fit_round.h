@@ -29,8 +29,7 @@ struct FitRound {
 };
 
 /// How much a patch is farther away than allowed, in tolerances; folds alone count little.
-/// \param scale  of its errors
-[[nodiscard]] double missedBy(const PatchErrors& errors, double scale);
+[[nodiscard]] double missedBy(const PatchErrors& errors);
 
 /// \param missed  by patch
 [[nodiscard]] RoundScore scoreOf(const std::vector<double>& missed, bool keeps,

@@ -1,6 +1,7 @@
 #include "bspline/fitting/given_up_cells.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace qm {
@@ -19,8 +20,14 @@ void forPoints(const KnotCell& cell, const FitLattice& lattice, const Function& 
 void GivenUpCells::add(const KnotCell& cell, const LatticeSource& source, FitLattice& lattice,
                        PatchErrors& errors) {
     constexpr double slack = 1.1;
-    places_.push_back({cell, slack * worstIn(cell, lattice, errors).error});
-    forPoints(cell, lattice, [&](std::size_t k) { lattice.emphasis[k] = 1; });
+    Place place{cell, 1, false};
+    forPoints(cell, lattice, [&](std::size_t k) {
+        const double distance = std::abs(errors.signedDistance[k]);
+        if (distance > 1) place.allowed = std::max(place.allowed, slack * distance);
+        place.mayFold = place.mayFold || errors.error[k] > distance;
+        lattice.emphasis[k] = 1;
+    });
+    places_.push_back(place);
     weighTargets(source, lattice);
     cap(places_.back(), lattice, errors);
 }
@@ -32,8 +39,11 @@ void GivenUpCells::cap(const FitLattice& lattice, PatchErrors& errors) const {
 
 void GivenUpCells::cap(const Place& place, const FitLattice& lattice, PatchErrors& errors) {
     forPoints(place.cell, lattice, [&](std::size_t k) {
-        double& error = errors.distance[k];
-        error = error <= place.allowed ? std::min(error, 1.0) : error / place.allowed;
+        const double distance = std::abs(errors.signedDistance[k]);
+        const bool isFolded = errors.error[k] > distance;
+        if (isFolded && !place.mayFold) return;
+        const double rest = distance <= place.allowed ? std::min(distance, 1.0) : distance / place.allowed;
+        errors.error[k] = std::min(errors.error[k], rest);
     });
 }
 

@@ -107,8 +107,15 @@ bool KnotPlan::shorten(std::size_t run, std::size_t end) {
         ratio.reach.fill(half(ratio.length));
         return true;
     }
-    if (ratio.reach[end] / 2 < minInterval) return false;
+    if (ratio.reach[end] / 2 < minInterval_) return false;
     ratio.reach[end] = half(ratio.reach[end]);
+    return true;
+}
+
+bool KnotPlan::allowShorter() {
+    constexpr double shortest = 0.125;
+    if (minInterval_ == shortest) return false;
+    minInterval_ = shortest;
     return true;
 }
 

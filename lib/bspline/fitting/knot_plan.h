@@ -37,11 +37,14 @@ public:
     void endAtFirstKnots();
 
     /// Makes the tangent ratio at one end of a run reach half as far.
-    /// \return false if it reaches no farther than `minInterval`
+    /// \return false if it reaches no farther than `minInterval()`
     bool shorten(std::size_t run, std::size_t end);
 
-    /// The shortest interval between knots, in mesh edges.
-    static constexpr double minInterval = 0.25;
+    /// The shortest interval that knots are to have, in mesh edges.
+    [[nodiscard]] double minInterval() const { return minInterval_; }
+    /// Halves it.
+    /// \return false if that has been done
+    bool allowShorter();
 
 private:
     [[nodiscard]] KnotLists doubleKnots() const;
@@ -50,6 +53,7 @@ private:
     std::vector<std::array<int, 2>> sizes_;
     SmoothNetwork network_;
     KnotLists chosen_;
+    double minInterval_ = 0.25;
     KnotLists turns_; ///< where smooth borders turn into creases
 };
 

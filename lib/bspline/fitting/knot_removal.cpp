@@ -50,7 +50,7 @@ double errorWithout(const FitLattice& lattice, const Patch& patch, const PatchEr
         const double added =
             scale * distance(lattice, index(line, step(knots[knot])), after[line] - before[line]);
         for (std::size_t along = step(knots[knot - 1]); along <= step(knots[knot + 1]); ++along)
-            worst = std::max(worst, errors.distance[index(line, along)] + added);
+            worst = std::max(worst, errors.error[index(line, along)] + added);
     }
     return worst;
 }

@@ -33,7 +33,7 @@ WorstPoint worstIn(const KnotCell& cell, const FitLattice& lattice, const PatchE
     WorstPoint worst;
     for (std::size_t j = range.begin[1]; j < range.end[1]; ++j)
         for (std::size_t i = range.begin[0]; i < range.end[0]; ++i) {
-            const double error = errors.distance[j * lattice.columns() + i];
+            const double error = errors.error[j * lattice.columns() + i];
             if (error <= worst.error) continue;
             worst.error = error;
             worst.at = {lattice.targets.parameters[0][i], lattice.targets.parameters[1][j]};

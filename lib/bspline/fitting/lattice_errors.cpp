@@ -64,7 +64,7 @@ bool hold(const std::array<double, 2>& begin, const std::array<double, 2>& end, 
 } // namespace
 
 double PatchErrors::max() const {
-    return std::ranges::max(distance);
+    return std::ranges::max(error);
 }
 
 double distance(const FitLattice& lattice, std::size_t point, const Point& offset) {
@@ -98,16 +98,15 @@ double signedDistance(const FitLattice& lattice, std::size_t k, const SurfacePoi
 
 } // namespace
 
-PatchErrors latticeErrors(const FitLattice& lattice, const Patch& patch, double tolerance) {
+PatchErrors latticeErrors(const FitLattice& lattice, const Patch& patch, double tolerance, double scale) {
     constexpr double ofFolds = 2;
     const auto points = pointsOf(patch, lattice);
     PatchErrors errors;
     for (std::size_t k = 0; k < points.size(); ++k) {
         const Point offset = points[k].position - lattice.reference[k];
-        const double signedOne = signedDistance(lattice, k, points[k], offset);
-        errors.signedDistance.push_back(signedOne / tolerance);
-        const double size = std::abs(signedOne) / tolerance;
-        errors.distance.push_back(isFolded(lattice, k, points[k]) ? std::max(ofFolds, size) : size);
+        errors.signedDistance.push_back(scale * signedDistance(lattice, k, points[k], offset) / tolerance);
+        const double size = std::abs(errors.signedDistance.back());
+        errors.error.push_back(isFolded(lattice, k, points[k]) ? std::max(ofFolds, size) : size);
     }
     return errors;
 }

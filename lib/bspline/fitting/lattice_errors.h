@@ -12,15 +12,17 @@ namespace qm {
 
 /// By point of a patch's lattice, in tolerances.
 struct PatchErrors {
-    std::vector<double> distance; ///< 1 is just allowed; where the patch is folded, at least 2
-    std::vector<double> signedDistance;
+    std::vector<double> signedDistance; ///< 1 and -1 are just allowed
+    std::vector<double> error;          ///< its magnitude; where the patch is folded, at least 2
 
     [[nodiscard]] double max() const;
 };
 
 /// What a point of the patch is off the reference's point with the same parameters. What the patch may slide
 /// does not count.
-[[nodiscard]] PatchErrors latticeErrors(const FitLattice& lattice, const Patch& patch, double tolerance);
+/// \param scale  how much the distances count
+[[nodiscard]] PatchErrors latticeErrors(const FitLattice& lattice, const Patch& patch, double tolerance,
+                                        double scale = 1);
 
 /// The distance from the reference that an offset from one of its lattice points makes.
 [[nodiscard]] double distance(const FitLattice& lattice, std::size_t point, const Point& offset);

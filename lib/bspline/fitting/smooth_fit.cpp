@@ -48,7 +48,7 @@ struct Emphasis {
 };
 
 /// How often a fit is verified, and the rounds that it may take to mend what was found.
-constexpr int maxVerifications = 3;
+constexpr int maxVerifications = 5;
 constexpr int roundsOfMending = 8;
 
 /// What a round changes is solved for together with so many patches around.
@@ -72,8 +72,8 @@ public:
     }
 
     std::vector<Patch> run(const Verification& verify, const Control& control) {
-        solve(3 * options_.slides, true); // more while there are few knots
-        search(options_.maxRounds, control);
+        solve(2 * options_.slides, true); // more while there are few knots
+        search(options_.maxRounds, true, control);
         chooseBest(verify);
         flattenBest(verify);
         if (!verify) return std::move(best_.patches);
@@ -83,9 +83,11 @@ public:
             const double found = std::ranges::max(verified(best_, verify));
             if (found < distance) nearest = best_.patches;
             distance = std::min(distance, found);
-            if (k == maxVerifications || !tighten(best_.distances)) return nearest;
-            takeUpBest();
-            search(roundsOfMending, {});
+            if (k == maxVerifications) return nearest;
+            const FitRound before = takeUpBest();
+            if (!tighten(before.distances, before.missed)) return nearest;
+            assess(std::vector<bool>(sources_.size(), true));
+            search(roundsOfMending, false, {});
             chooseBest(verify);
             flattenBest(verify);
         }
@@ -93,7 +95,8 @@ public:
 
 private:
     /// Rounds of placing knots and fitting, until the tolerance is kept and nothing can be saved.
-    void search(int maxRounds, const Control& control) {
+    /// \param saves  goes on to do with fewer knots
+    void search(int maxRounds, bool saves, const Control& control) {
         int removals = 0;
         int lastKept = 0;
         int idle = 0;
@@ -106,7 +109,7 @@ private:
             if (idle == maxIdle) break;
             if (worst_ <= 1) {
                 const auto count = static_cast<double>(controlPointCount(best_.patches));
-                if (removals++ == maxRemovals || count > worthwhile * countBefore) break;
+                if (!saves || removals++ == maxRemovals || count > worthwhile * countBefore) break;
                 countBefore = count;
                 lastKept = round;
                 if (removeKnots(lattices_, patches_, errors_, options_.tolerance, removalLimit, plan_) == 0)
@@ -119,20 +122,20 @@ private:
             // What has no more knots to get may still gain by weights, while it does.
             const bool gains = excess_ < worthwhileGain * excessBefore;
             excessBefore = excess_;
-            if (!refined && !(weighed && gains) && !stopSliding()) giveUp();
+            if (!refined && !(weighed && gains) && !stopSliding() && !plan_.allowShorter()) giveUp();
         }
     }
 
-    /// Goes on from the best round, with what its errors count now.
-    void takeUpBest() {
+    /// Goes back to the best round, which is no longer the one to beat.
+    FitRound takeUpBest() {
         plan_ = *best_.plan;
         spaces_ = plan_.spaces();
-        lattices_ = std::move(best_.lattices);
-        patches_ = std::move(best_.patches);
+        lattices_ = best_.lattices;
+        patches_ = best_.patches;
         solvedRuns_ = plan_.network().runs;
-        best_ = {};
-        nearest_ = {};
         assess(std::vector<bool>(sources_.size(), true));
+        nearest_ = {};
+        return std::exchange(best_, {});
     }
 
     static const std::vector<double>& verified(FitRound& round, const Verification& verify) {
@@ -172,14 +175,17 @@ private:
         }
     }
 
-    /// Errors of patches that are farther away than their lattices tell count more from now on.
+    /// Errors of patches that are farther away than their lattices tell count so much more from now on that
+    /// the largest is what was found.
     /// \return false if there are none
-    bool tighten(const std::vector<double>& found) {
+    bool tighten(const std::vector<double>& found, const std::vector<double>& missed) {
         constexpr double reserve = 1.03;
+        constexpr double agreement = 1.02;
         bool changed = false;
         for (std::size_t k = 0; k < found.size(); ++k) {
-            if (found[k] <= 1 || best_.missed[k] > 0) continue;
-            scale_[k] *= reserve * found[k];
+            const double told = errors_[k].max();
+            if (found[k] <= 1 || found[k] <= agreement * (1 + missed[k]) || !(told > 0)) continue;
+            scale_[k] *= reserve * found[k] / std::min(told, 1.0);
             changed = true;
         }
         return changed;
@@ -254,10 +260,8 @@ private:
     void assess(const std::vector<bool>& isNew) {
         parallelFor(sources_.size(), jobs_, [&](std::size_t k) {
             if (!isNew[k]) return;
-            errors_[k] = latticeErrors(lattices_[k], patches_[k], options_.tolerance);
-            for (double& error : errors_[k].distance)
-                error *= scale_[k];
-            missed_[k] = missedBy(errors_[k], scale_[k]);
+            errors_[k] = latticeErrors(lattices_[k], patches_[k], options_.tolerance, scale_[k]);
+            missed_[k] = missedBy(errors_[k]);
             givenUp_[k].cap(lattices_[k], errors_[k]);
         });
         worst_ = 0;
@@ -274,9 +278,9 @@ private:
         bool changed = false;
         for (std::size_t k = 0; k < lattices_.size(); ++k) {
             bool ofPatch = false;
-            for (std::size_t i = 0; i < errors_[k].distance.size(); ++i) {
+            for (std::size_t i = 0; i < errors_[k].error.size(); ++i) {
                 double& emphasis = lattices_[k].emphasis[i];
-                if (errors_[k].distance[i] <= 1 || emphasis >= Emphasis::max) continue;
+                if (errors_[k].error[i] <= 1 || emphasis >= Emphasis::max) continue;
                 emphasis *= Emphasis::growth;
                 ofPatch = true;
             }
@@ -305,9 +309,11 @@ private:
         if (ofBest > 1 && std::ranges::max(verified(nearest_, verify)) < ofBest) best_ = std::move(nearest_);
     }
 
-    /// From now on errors count no more in the cells where nothing helps.
+    /// From now on errors count no more in the cells where nothing helps. The worst are given up first: what
+    /// is bad beside them may be due to them.
     void giveUp() {
-        forBadCells([&](const KnotCell& cell, std::size_t k) {
+        constexpr double share = 0.5;
+        forBadCells(1 + share * (worst_ - 1), [&](const KnotCell& cell, std::size_t k) {
             givenUp_[k].add(cell, sources_[k], lattices_[k], errors_[k]);
             reweighed_[k] = true;
         });
@@ -317,7 +323,7 @@ private:
     bool stopSliding() {
         constexpr double around = 2; // mesh edges
         bool changed = false;
-        forBadCells([&](const KnotCell& cell, std::size_t k) {
+        forBadCells(1, [&](const KnotCell& cell, std::size_t k) {
             const bool isNew = holdTargets({cell.begin[0] - around, cell.begin[1] - around},
                                            {cell.end[0] + around, cell.end[1] + around}, lattices_[k]);
             changed = changed || isNew;
@@ -325,10 +331,10 @@ private:
         return changed;
     }
 
-    template <class Function> void forBadCells(Function&& function) {
+    template <class Function> void forBadCells(double limit, Function&& function) {
         for (std::size_t k = 0; k < lattices_.size(); ++k)
             for (const KnotCell& cell : cellsOf(spaces_[k]))
-                if (worstIn(cell, lattices_[k], errors_[k]).error > 1) function(cell, k);
+                if (worstIn(cell, lattices_[k], errors_[k]).error > limit) function(cell, k);
     }
 
     const Layout& layout_;

@@ -19,7 +19,7 @@ struct SmoothFitOptions {
     double flatness = 0;   ///< references no farther from a plane make plane patches
     int steps = 4;         ///< of the lattice of points that are fitted, a mesh edge; 1, 2 or 4
     int maxRounds = 30;    ///< systems that are factorised
-    int slides = 4;        ///< solutions of each, between which the targets slide
+    int slides = 6;        ///< solutions of each, between which the targets slide
 };
 
 /// The largest distance of every patch from the reference, certain also between the points that a fit looks
@@ -27,7 +27,7 @@ struct SmoothFitOptions {
 using Verification = std::function<std::vector<double>(const std::vector<Patch>&)>;
 
 /// Patches with common borders, G1 across those that are no creases. Where the tolerance cannot be kept with
-/// knot intervals of a quarter of a mesh edge, or bicubics cannot follow the reference, it is missed.
+/// knot intervals of an eighth of a mesh edge, or bicubics cannot follow the reference, it is missed.
 /// \param verify  may be empty; patches that it finds too far away are fitted more closely
 /// \return one patch for every segment, in their order
 [[nodiscard]] std::vector<Patch> fitSmooth(const QuadMesh& mesh, const Layout& layout,
