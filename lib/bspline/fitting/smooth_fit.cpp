@@ -53,6 +53,8 @@ constexpr int roundsOfMending = 8;
 
 /// What a round changes is solved for together with so many patches around.
 constexpr int ringsAround = 2;
+/// With small patches there are more of them, until there are so many control points.
+constexpr double minPoints = 1000;
 /// Of all control points: if there are more to solve for, the rest is solved for as well.
 constexpr double worthAll = 0.6;
 
@@ -212,16 +214,18 @@ private:
 
     /// Solves for what has changed, with what lies around it, or for all.
     void solve(int drafts, bool forAll) {
-        const std::vector<PatchSpace> before = std::exchange(spaces_, plan_.spaces());
+        const std::vector<PatchSpace> spacesBefore = std::exchange(spaces_, plan_.spaces());
         const std::vector<bool> all(sources_.size(), true);
         std::vector<bool> isFree = all;
         if (!forAll) {
-            isFree = withNeighbours(plan_.network(), changedPatches(before), ringsAround);
-            std::size_t points = 0;
-            for (std::size_t k = 0; k < isFree.size(); ++k)
-                if (isFree[k]) points += spaces_[k].size();
-            if (static_cast<double>(points) > worthAll * static_cast<double>(unknownsOf(spaces_)))
-                isFree = all;
+            isFree = withNeighbours(plan_.network(), changedPatches(spacesBefore), ringsAround);
+            const auto points = [&] { return static_cast<double>(FreeUnknowns(spaces_, isFree).count()); };
+            const double limit = worthAll * static_cast<double>(unknownsOf(spaces_));
+            for (double before = -1; points() > before && points() < std::min(minPoints, limit);) {
+                before = points();
+                isFree = withNeighbours(plan_.network(), isFree, 1);
+            }
+            if (points() > limit) isFree = all;
         }
         if (!solveFor(isFree, drafts) && isFree != all) {
             isFree = all;
