@@ -63,8 +63,8 @@ public:
     }
 
     [[nodiscard]] Eigen::VectorXd solve() const {
-        constexpr double accuracy = 1e-4;
-        constexpr int maxIterations = 200;
+        constexpr double accuracy = 1e-3;
+        constexpr int maxIterations = 100;
         using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
         const auto rows = static_cast<Index>(right_.size());
         Matrix matrix(rows, 3 * static_cast<Index>(mesh_.n_vertices()));

@@ -24,6 +24,16 @@ std::string missedTolerance(const Summary& summary, const std::string& unit) {
            (fit.scan ? "make more quads of the scan" : "mend the mesh there");
 }
 
+/// Times what is allowed: a scan that is farther away somewhere shows what the surfaces do not. Noise and
+/// single outliers of a scan remain below.
+constexpr double farFromScan = 2;
+
+std::string partsFromScan(const FitSummary& fit, const std::string& unit) {
+    return "the scan is up to " + figureText(fit.scan->max) + unit + " away, where " +
+           figureText(fit.tolerance) + unit +
+           " are allowed: it shows something there that the quads do not. Make more quads of it, or mend it";
+}
+
 } // namespace
 
 Summary summarise(const QuadMesh& mesh, const Layout* layout, const Surfaces* surfaces,
@@ -63,7 +73,10 @@ std::vector<std::string> unmetLimits(const Summary& summary, const Limits& limit
                         std::to_string(*limits.maxPatches) + " are allowed. Allow more, or smooth the mesh");
     if (!summary.fit || !summary.fit->smooth) return unmet;
     const FitSummary& fit = *summary.fit;
-    if (fit.deviation.max > fit.tolerance) unmet.push_back(missedTolerance(summary, length));
+    if (fit.deviation.max > fit.tolerance)
+        unmet.push_back(missedTolerance(summary, length));
+    else if (fit.scan && fit.scan->max > farFromScan * fit.tolerance)
+        unmet.push_back(partsFromScan(fit, length));
     if (fit.deviation.largestNormalAngle > limits.maxNormalAngle)
         unmet.push_back("normals jump by " + figureText(fit.deviation.largestNormalAngle) +
                         " degrees across a smooth border where " + figureText(limits.maxNormalAngle) +

@@ -63,6 +63,18 @@ TEST(Summary, WhatIsClosedWithoutGapsIsASolid) {
     EXPECT_TRUE(unmetLimits(summary, {}, "mm").empty()) << "an open mesh makes no solid anyway";
 }
 
+TEST(Summary, WhatAScanShowsFarAwayIsTold) {
+    Summary summary = good();
+    ScanFigures& scan = summary.fit->scan.emplace();
+    scan.max = 0.15; // noise
+    EXPECT_TRUE(unmetLimits(summary, {}, "mm").empty());
+    scan.max = 0.25;
+    const auto unmet = unmetLimits(summary, {}, "mm");
+    ASSERT_EQ(unmet.size(), 1U);
+    EXPECT_EQ(unmet[0].substr(0, unmet[0].find(':')),
+              "the scan is up to 0.25 mm away, where 0.1 mm are allowed");
+}
+
 TEST(Summary, LimitsAreToldWithFiguresAndPlace) {
     Summary summary = good();
     summary.fit->deviation.max = 0.25;
