@@ -63,6 +63,11 @@ double boundOfColumns(const IntegerProgram& program) {
                            [](double sum, double cost) { return sum + std::min(cost, 0.0); });
 }
 
+double maxCost(const IntegerProgram& program) {
+    return std::accumulate(program.costs.begin(), program.costs.end(), 0.0,
+                           [](double sum, double cost) { return sum + std::max(cost, 0.0); });
+}
+
 /// CBC would not look at the clock before the relaxation is solved.
 /// \return whether it is
 bool relax(OsiClpSolverInterface& solver, double seconds) {
@@ -110,9 +115,14 @@ ProgramSolution solveProgram(const IntegerProgram& program, const ColumnValues& 
 }
 
 double boundProgram(const IntegerProgram& program, double seconds, const Control& control) {
+    constexpr double nothing = -std::numeric_limits<double>::infinity();
     if (program.costs.empty()) return 0;
+    const Deadline end(control, seconds);
     OsiClpSolverInterface solver;
     load(program, solver);
+    // The clock ends the first relaxation, but no later one: CBC takes a node whose relaxation was not
+    // finished for one without solutions, and would prove what is not so.
+    if (!relax(solver, seconds)) return nothing;
     // Not CbcMain1, which keeps its parameters in globals. Cuts and heuristics only cost time in programs
     // this small.
     CbcModel model(solver);
@@ -123,13 +133,12 @@ double boundProgram(const IntegerProgram& program, double seconds, const Control
     CbcCompareObjective minBoundFirst;
     model.setNodeComparison(minBoundFirst);
     model.setUseElapsedTime(true);
-    model.setMaximumSeconds(std::min(seconds, noLimit));
-    // The solver looks at no clock of ours.
-    dynamic_cast<OsiClpSolverInterface&>(*model.solver()).getModelPtr()->setMaximumWallSeconds(seconds);
+    model.setMaximumSeconds(std::min(end.secondsLeft(), noLimit));
     model.initialSolve();
-    if (!model.isInitialSolveProvenOptimal()) return -std::numeric_limits<double>::infinity();
+    if (!model.isInitialSolveProvenOptimal()) return nothing;
     model.branchAndBound();
-    return model.isProvenOptimal() ? model.getObjValue() : model.getBestPossibleObjValue();
+    const double bound = model.isProvenOptimal() ? model.getObjValue() : model.getBestPossibleObjValue();
+    return model.isProvenInfeasible() || bound > maxCost(program) ? nothing : bound;
 }
 
 } // namespace qm

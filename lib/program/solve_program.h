@@ -28,6 +28,7 @@ struct ProgramLimits {
 
 /// A lower bound of the cost, which is the minimum itself if there is time enough; minus infinity if there
 /// was none. May run on several threads.
+/// \pre the program has a solution
 [[nodiscard]] double boundProgram(const IntegerProgram& program, double seconds, const Control& control = {});
 
 } // namespace qm

@@ -91,5 +91,22 @@ TEST(HardSearchProperty, DecompositionBoundsLieBetweenTheRelaxationAndTheOptimum
     EXPECT_GT(raised, 3U);
 }
 
+TEST(HardSearchProperty, DecompositionBoundsAreTrueWhereverTheClockEndsThem) {
+    for (unsigned number = 0; number < cases; ++number) {
+        const Torus drawn = drawTorus(number);
+        OptimumOptions rootOnly;
+        rootOnly.nodes = 1;
+        rootOnly.keepOpenParts = true;
+        const OptimumResult root = findOptimum(drawn.problem, rootOnly);
+        for (const double seconds : {1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2}) {
+            double bound = root.lowerBound;
+            for (const OpenPart& part : root.openParts)
+                bound += std::max(0.0, decompositionBound(part.relaxed, {1'000'000, 1'000'000, seconds}) -
+                                           part.lowerBound);
+            EXPECT_LE(bound, drawn.minCost + 1e-6) << "case " << number << ", " << seconds << " s";
+        }
+    }
+}
+
 } // namespace
 } // namespace qm::testing

@@ -156,8 +156,8 @@ FitLattice resample(const LatticeSource& source, const FitLattice& before,
             Point slide(0, 0, 0);
             Point ahead(0, 0, 0);
             double emphasis = 1;
-            for (const std::size_t dj : {0, 1})
-                for (const std::size_t di : {0, 1}) {
+            for (const std::size_t dj : {0U, 1U})
+                for (const std::size_t di : {0U, 1U}) {
                     const double share =
                         (di == 0 ? 1 - us[i].share : us[i].share) * (dj == 0 ? 1 - vs[j].share : vs[j].share);
                     if (share == 0) continue;
