@@ -1,0 +1,217 @@
+#include "bspline/fitting/fit_state.h"
+
+#include "base/parallel.h"
+#include "bspline/fitting/continuity_equations.h"
+#include "bspline/fitting/free_unknowns.h"
+#include "bspline/fitting/initial_knots.h"
+#include "bspline/fitting/knot_insertion.h"
+#include "bspline/fitting/knot_removal.h"
+#include "bspline/fitting/lattice_cells.h"
+#include "bspline/fitting/smooth_fit.h"
+#include "bspline/fitting/smooth_system.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace qm {
+namespace {
+
+/// A spline is farther from a function than single cubics over its intervals, by this share.
+constexpr double cubicsShare = 0.2;
+
+/// Errors that removals may come to; what is near 1 comes back.
+constexpr double removalLimit = 0.9;
+
+/// A weight may grow by `growth` a round, up to `max`.
+struct Emphasis {
+    static constexpr double growth = 3;
+    static constexpr double max = 100;
+};
+
+/// What a round changes is solved for together with so many patches around.
+constexpr int ringsAround = 2;
+/// With small patches there are more of them, until there are so many control points.
+constexpr double minPoints = 1000;
+/// Of all control points: if there are more to solve for, the rest is solved for as well.
+constexpr double worthAll = 0.6;
+
+} // namespace
+
+FitState::FitState(const QuadMesh& mesh, const Layout& layout, const SmoothNetwork& network,
+                   const FitTarget& reference, const SmoothFitOptions& options, unsigned jobs)
+    : layout_(layout), options_(options), jobs_(jobs), map_(mesh, layout, network), plan_(layout, network),
+      sources_(latticeSources(mesh, layout, network, reference.grids, reference.weights)),
+      lattices_(sources_.size()), errors_(sources_.size()), givenUp_(sources_.size()),
+      reweighed_(sources_.size()), missed_(sources_.size()), scale_(sources_.size(), 1) {
+    parallelFor(sources_.size(), jobs_,
+                [&](std::size_t k) { lattices_[k] = makeLattice(sources_[k], parametersOf(k, {})); });
+    insertInitialKnots(layout, lattices_, map_, cubicsShare * options.tolerance, plan_);
+    plan_.endAtFirstKnots();
+}
+
+std::array<std::vector<double>, 2>
+FitState::parametersOf(std::size_t patch, const std::array<std::vector<double>, 2>& knots) const {
+    const auto& size = layout_.segments[patch].size;
+    return {latticeParameters(size[0], options_.steps, knots[0]),
+            latticeParameters(size[1], options_.steps, knots[1])};
+}
+
+/// What has changed since the last solution, and what still errs.
+std::vector<bool> FitState::changedPatches(const std::vector<PatchSpace>& before) const {
+    std::vector<bool> changed = reweighed_;
+    for (std::size_t k = 0; k < sources_.size(); ++k)
+        if (spaces_[k].knots != before[k].knots || errors_[k].max() > 1) changed[k] = true;
+    for (std::size_t k = 0; k < solvedRuns_.size(); ++k)
+        if (const SmoothRun& run = plan_.network().runs[k]; run.ratio != solvedRuns_[k].ratio)
+            for (const StretchSide& side : plan_.network().stretches[run.stretch].sides)
+                changed[side.patch] = true;
+    return changed;
+}
+
+std::vector<bool> FitState::patchesToSolveFor(const std::vector<PatchSpace>& before) const {
+    std::vector<bool> isFree = withNeighbours(plan_.network(), changedPatches(before), ringsAround);
+    const auto points = [&] { return static_cast<double>(FreeUnknowns(spaces_, isFree).count()); };
+    const double limit = worthAll * static_cast<double>(unknownsOf(spaces_));
+    for (double last = -1; points() > last && points() < std::min(minPoints, limit);) {
+        last = points();
+        isFree = withNeighbours(plan_.network(), isFree, 1);
+    }
+    return points() > limit ? everywhere() : isFree;
+}
+
+void FitState::solve(int slides, bool forAll) {
+    const std::vector<PatchSpace> before = std::exchange(spaces_, plan_.spaces());
+    std::vector<bool> isFree = forAll ? everywhere() : patchesToSolveFor(before);
+    if (!solveFor(isFree, slides) && isFree != everywhere()) {
+        isFree = everywhere();
+        solveFor(isFree, slides);
+    }
+    assess(isFree);
+    reweighed_.assign(sources_.size(), false);
+    solvedRuns_ = plan_.network().runs;
+}
+
+/// \return false if the patches do not meet those that stay
+bool FitState::solveFor(const std::vector<bool>& isFree, int slides) {
+    const auto forFree = [&](const auto& function) {
+        parallelFor(sources_.size(), jobs_, [&](std::size_t k) {
+            if (isFree[k]) function(k);
+        });
+    };
+    patches_.resize(sources_.size());
+    forFree([&](std::size_t k) {
+        const auto parameters = parametersOf(k, spaces_[k].knots);
+        if (parameters != lattices_[k].targets.parameters)
+            lattices_[k] = resample(sources_[k], lattices_[k], parameters);
+        releaseHolds(lattices_[k]);
+    });
+    SmoothSystem system(layout_, plan_.network(), spaces_, lattices_, options_.bending, isFree, patches_,
+                        jobs_);
+    for (int k = 0; k < slides; ++k) {
+        system.solve(lattices_, Accuracy::draft, patches_);
+        forFree([&](std::size_t i) { slideTargets(patches_[i], lattices_[i]); });
+    }
+    system.solve(lattices_, Accuracy::rounding, patches_);
+    return system.holds();
+}
+
+/// Measures patches anew, at the points of their lattices.
+void FitState::assess(const std::vector<bool>& isNew) {
+    parallelFor(sources_.size(), jobs_, [&](std::size_t k) {
+        if (!isNew[k]) return;
+        errors_[k] = latticeErrors(lattices_[k], patches_[k], options_.tolerance, scale_[k]);
+        missed_[k] = missedBy(errors_[k]);
+        givenUp_[k].cap(lattices_[k], errors_[k]);
+    });
+    worst_ = 0;
+    excess_ = 0;
+    for (const PatchErrors& ofPatch : errors_) {
+        worst_ = std::max(worst_, ofPatch.max());
+        excess_ += std::max(0.0, ofPatch.max() - 1);
+    }
+}
+
+RoundScore FitState::score() const {
+    return scoreOf(missed_, worst_ <= 1, patches_);
+}
+
+FitRound FitState::round() const {
+    return {score(), patches_, plan_, lattices_, missed_, {}};
+}
+
+void FitState::restore(const FitRound& round) {
+    plan_ = *round.plan;
+    spaces_ = plan_.spaces();
+    lattices_ = round.lattices;
+    patches_ = round.patches;
+    solvedRuns_ = plan_.network().runs;
+    assess(everywhere());
+}
+
+bool FitState::weighWhatIsMissed() {
+    bool changed = false;
+    for (std::size_t k = 0; k < lattices_.size(); ++k) {
+        bool ofPatch = false;
+        for (std::size_t i = 0; i < errors_[k].error.size(); ++i) {
+            double& emphasis = lattices_[k].emphasis[i];
+            if (errors_[k].error[i] <= 1 || emphasis >= Emphasis::max) continue;
+            emphasis *= Emphasis::growth;
+            ofPatch = true;
+        }
+        if (!ofPatch) continue;
+        weighTargets(sources_[k], lattices_[k]);
+        reweighed_[k] = true;
+        changed = true;
+    }
+    return changed;
+}
+
+bool FitState::refine() {
+    return qm::refine(layout_, lattices_, map_, spaces_, errors_, plan_);
+}
+
+std::size_t FitState::removeKnots() {
+    return qm::removeKnots(lattices_, patches_, errors_, options_.tolerance, removalLimit, plan_);
+}
+
+template <class Function> void FitState::forBadCells(double limit, Function&& function) {
+    for (std::size_t k = 0; k < lattices_.size(); ++k)
+        for (const KnotCell& cell : cellsOf(spaces_[k]))
+            if (worstIn(cell, lattices_[k], errors_[k]).error > limit) function(cell, k);
+}
+
+void FitState::giveUp() {
+    constexpr double share = 0.5;
+    forBadCells(1 + share * (worst_ - 1), [&](const KnotCell& cell, std::size_t k) {
+        givenUp_[k].add(cell, sources_[k], lattices_[k], errors_[k]);
+        reweighed_[k] = true;
+    });
+}
+
+bool FitState::stopSliding() {
+    constexpr double around = 2; // mesh edges
+    bool changed = false;
+    forBadCells(1, [&](const KnotCell& cell, std::size_t k) {
+        const bool isNew = holdTargets({cell.begin[0] - around, cell.begin[1] - around},
+                                       {cell.end[0] + around, cell.end[1] + around}, lattices_[k]);
+        changed = changed || isNew;
+    });
+    return changed;
+}
+
+bool FitState::tighten(const FitRound& round) {
+    constexpr double reserve = 1.03;
+    constexpr double agreement = 1.02;
+    bool changed = false;
+    for (std::size_t k = 0; k < sources_.size(); ++k) {
+        const double found = round.distances[k];
+        const double told = errors_[k].max();
+        if (found <= 1 || found <= agreement * (1 + missed_[k]) || !(told > 0)) continue;
+        scale_[k] *= reserve * found / std::min(told, 1.0);
+        changed = true;
+    }
+    if (changed) assess(everywhere());
+    return changed;
+}
+
+} // namespace qm
