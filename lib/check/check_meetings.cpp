@@ -10,6 +10,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <vector>
 
 namespace qm::check {
 
@@ -41,6 +42,12 @@ public:
         for (std::size_t p = 0; p < part_.patches.size(); ++p)
             innerLines(p);
         const auto places = patchBorders(around_, layout_);
+        isBorder_.resize(places.size());
+        for (std::size_t edge = 0; edge < places.size(); ++edge)
+            isBorder_[edge] = !places[edge].empty();
+        steps_.resize(places.size());
+        for (int step = 0; step < around_.steps(); ++step)
+            steps_[at(around_.edge(step))] = step;
         for (std::size_t edge = 0; edge < places.size(); ++edge)
             if (places[edge].size() == 2) meet(places[edge], edge);
     }
@@ -98,10 +105,33 @@ private:
         return largest;
     }
 
+    /// The border is flatter than rho, and no third crease of a corner: such a one is sharper than half of
+    /// rho and meets two borders that are.
+    [[nodiscard]] bool mustBeSmooth(std::size_t edge) const {
+        if (!part_.rho || angles_.angle[edge] + angles_.doubt[edge] > *part_.rho) return false;
+        const int step = steps_[edge];
+        return !mayBeSharp(edge) ||
+               (sharpBordersAt(around_.from(step)) < 3 && sharpBordersAt(around_.to(step)) < 3);
+    }
+
+    [[nodiscard]] bool mayBeSharp(std::size_t edge) const {
+        return angles_.angle[edge] + angles_.doubt[edge] > *part_.rho / 2;
+    }
+
+    [[nodiscard]] int sharpBordersAt(int vertex) const {
+        if (!around_.interior(vertex)) return 0;
+        int count = 0;
+        for (int k = 0; k < around_.valence(vertex); ++k) {
+            const std::size_t edge = at(around_.edge(around_.firstStep(vertex) + k));
+            if (isBorder_[edge] && mayBeSharp(edge)) ++count;
+        }
+        return count;
+    }
+
     /// Where two patches meet along an edge.
     void meet(const std::vector<BorderPlace>& place, std::size_t edge) {
         constexpr double nearEnd = 1.0 / 200;
-        const bool smooth = part_.rho && angles_.angle[edge] + angles_.doubt[edge] <= *part_.rho;
+        const bool smooth = mustBeSmooth(edge);
         const auto there = [&](std::size_t side, double along) {
             const BorderPlace& of = place[side];
             return evaluate(part_.patches[of.patch], std::lerp(of.begin[0], of.end[0], along),
@@ -131,6 +161,8 @@ private:
     const LayoutPart& layout_;
     const SurfacesPart& part_;
     Report& report_;
+    std::vector<bool> isBorder_; ///< by edge: of a patch
+    std::vector<int> steps_;     ///< by edge: one of its two
 };
 
 } // namespace
