@@ -133,6 +133,9 @@ private:
         }
     };
 
+    /// Of a distance: what two searches for the nearest point may differ by.
+    static constexpr double unsure = 1e-4;
+
     bool isTooFar(std::size_t p, const Quad& quad, const std::array<int, 2>& cell, int i, int j,
                   const SurfacePoint& on) {
         const Patch& patch = part_.patches[p];
@@ -142,7 +145,7 @@ private:
         const double plain = distance(of, on.point);
         const Parameters parameters{cell[0] + s, cell[1] + t};
         const std::string where = "at face " + std::to_string(quad.face);
-        const double slack = rounding(quad);
+        const double slack = rounding(quad) + unsure * patch.figures.maxFromVertices.value_or(0);
         if (patch.figures.maxFromFacets && plain > *patch.figures.maxFromFacets + slack) {
             const double limit = *patch.figures.maxFromFacets + slack;
             double error = distanceToFace(mesh_, quad.face, startIn(quad, s, t), on.point);
@@ -176,6 +179,26 @@ private:
                     if (nearest <= limit) return nearest;
                 }
             }
+        return distanceToAll(point, limit, nearest);
+    }
+
+    /// From all faces whose part of the surface may be nearer than what was found: a reference of another
+    /// shape draws surfaces away from their faces.
+    [[nodiscard]] double distanceToAll(const Place& point, double limit, double nearest) const {
+        for (const FacePlace& place : places_) {
+            const Patch& patch = part_.patches[place.patch];
+            const auto corner = [&](double s, double t) {
+                return evaluate(patch, place.column + s, place.row + t).point;
+            };
+            const Place middle = corner(0.5, 0.5);
+            double radius = 0;
+            for (const Parameters& end : {Parameters{0, 0}, {1, 0}, {1, 1}, {0, 1}})
+                radius = std::max(radius, distance(middle, corner(end[0], end[1])));
+            constexpr double bulge = 1.5;
+            if (distance(middle, point) - bulge * radius > nearest) continue;
+            nearest = std::min(nearest, distanceToPatch(patch, {place.column + 0.5, place.row + 0.5}, point));
+            if (nearest <= limit) break;
+        }
         return nearest;
     }
 
@@ -212,7 +235,8 @@ private:
             for (int i = step / 2; i < perEdge; i += step) {
                 const Place normal = normalOf(points[at(j) * width + at(column * perEdge + i)]);
                 const double cosine = dot(normal, outwards);
-                constexpr double away = -0.5; // surely more than a right angle
+                // A smooth surface through the corners may itself be turned against the quad by 60 degrees.
+                constexpr double away = -0.87;
                 if (cosine >= away * std::sqrt(dot(normal, normal) * dot(outwards, outwards))) continue;
                 report_.violate(below(below(below("/surfaces/patches", p), "deviation"), "folds"),
                                 "deviation", "the normal turns over at face " + std::to_string(quad.face));
