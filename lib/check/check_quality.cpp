@@ -45,18 +45,25 @@ std::vector<double> aspects(const LayoutPart& part) {
     return all;
 }
 
-/// The part of the sharp edges' angle that lies on tracks.
+/// The part of the sharp edges' angle that lies on tracks. An angle that rounding decides may be anything.
 void checkSharpness(const Angles& angles, std::span<const char> onTrack, const LayoutPart& part,
                     Report& report) {
-    double sharp = 0;
     double captured = 0;
+    double missed = 0;
+    double perhapsCaptured = 0;
+    double perhapsMissed = 0;
     for (std::size_t edge = 0; edge < onTrack.size(); ++edge) {
-        if (angles.angle[edge] <= *part.quality.rho) continue;
-        sharp += angles.angle[edge];
-        captured += onTrack[edge] ? angles.angle[edge] : 0;
+        if (angles.doubt[edge] > 0)
+            (onTrack[edge] ? perhapsCaptured : perhapsMissed) += angles.doubt[edge];
+        else if (angles.angle[edge] > *part.quality.rho)
+            (onTrack[edge] ? captured : missed) += angles.angle[edge];
     }
-    if (sharp > 0 && !between(captured / sharp, *part.quality.capturedSharpness, captured / sharp))
-        report.violate(below(place, "capturedSharpness"), "quality", "it is " + numberText(captured / sharp));
+    const double sharp = captured + missed;
+    if (!(sharp > 0)) return;
+    const double min = captured / (sharp + perhapsMissed);
+    const double max = (captured + perhapsCaptured) / (sharp + perhapsCaptured);
+    if (!between(min, *part.quality.capturedSharpness, max))
+        report.violate(below(place, "capturedSharpness"), "quality", "it is " + numberText(max));
 }
 
 } // namespace
