@@ -54,6 +54,7 @@ std::vector<RoomSector> roomAt(const QuadMesh& mesh, const std::vector<double>& 
             ends.push_back(k);
     }
     if (ends.size() < 2) return {{edges, maxMissing(count, 2 * std::numbers::pi, minCorner)}};
+    const auto edgeAt = [&](std::size_t k) { return edges[k < count ? k : k - count]; };
     std::vector<RoomSector> sectors;
     for (std::size_t s = 0; s < ends.size(); ++s) {
         const std::size_t end = s + 1 < ends.size() ? ends[s + 1] : ends.front() + count;
@@ -61,8 +62,8 @@ std::vector<RoomSector> roomAt(const QuadMesh& mesh, const std::vector<double>& 
         RoomSector sector;
         double total = 0;
         for (std::size_t k = ends[s]; k < end; ++k) {
-            if (k > ends[s]) sector.edges.push_back(edges[k % count]);
-            total += cornerAngle(mesh, edges[k % count], edges[(k + 1) % count]);
+            if (k > ends[s]) sector.edges.push_back(edgeAt(k));
+            total += cornerAngle(mesh, edgeAt(k), edgeAt(k + 1));
         }
         if (sector.edges.empty()) continue;
         sector.maxMissing = maxMissing(sector.edges.size() + 1, total, minCorner);
