@@ -78,8 +78,8 @@ public:
 private:
     void put(int vertex, std::size_t axis, double value) {
         if (value == 0) return;
-        entries_.emplace_back(static_cast<Index>(right_.size()), 3 * vertex + static_cast<Index>(axis),
-                              value);
+        entries_.emplace_back(static_cast<Index>(right_.size()),
+                              3 * static_cast<Index>(vertex) + static_cast<Index>(axis), value);
     }
 
     const QuadMesh& mesh_;
@@ -118,7 +118,7 @@ QuadMesh drawToScan(QuadMesh mesh, const Triangles& scan, const DrawOptions& opt
         const Weights weights = weightsOf(static_cast<double>(round) / options.rounds);
         const Eigen::VectorXd moved = movements(mesh, equations, weights, edge);
         for (const VertexId vertex : mesh.vertices()) {
-            const Index first = 3 * vertex.idx();
+            const Index first = 3 * static_cast<Index>(vertex.idx());
             mesh.point(vertex) += Point(moved[first], moved[first + 1], moved[first + 2]);
         }
     }

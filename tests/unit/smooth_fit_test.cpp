@@ -178,6 +178,7 @@ TEST(Gram, IntegratesProductsOfSplinesExactly) {
 
 TEST(ConstrainedSystem, KeepsEquationsThatSayTheSameTwice) {
     std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(4);
     for (int k = 0; k < 4; ++k)
         entries.emplace_back(k, k, k + 1.0);
     LinearForm first;
@@ -202,6 +203,7 @@ TEST(ConstrainedSystem, KeepsEquationsThatSayTheSameTwice) {
 
 TEST(ConstrainedSystem, KeepsEquationsWithConstants) {
     std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(3);
     for (int k = 0; k < 3; ++k)
         entries.emplace_back(k, k, 1);
     LinearForm sum;

@@ -187,7 +187,7 @@ void weighTargets(const LatticeSource& source, FitLattice& lattice) {
     auto& weights = lattice.targets.weights;
     weights.clear();
     const ReferenceGrid& grid = *source.grid;
-    const auto width = static_cast<std::size_t>(grid.size[0] * grid.steps + 1);
+    const auto width = static_cast<std::size_t>(grid.size[0]) * static_cast<std::size_t>(grid.steps) + 1;
     const auto nearest = [&](double parameter) {
         return static_cast<std::size_t>(std::lround(parameter * grid.steps));
     };

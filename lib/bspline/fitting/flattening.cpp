@@ -18,9 +18,9 @@ namespace {
 /// Plane patches and those within two patches of them: the others stay.
 std::vector<bool> movingPatches(const SmoothNetwork& network,
                                 const std::vector<std::optional<Plane>>& planes) {
-    std::vector<bool> moves;
-    for (const auto& plane : planes)
-        moves.push_back(plane.has_value());
+    std::vector<bool> moves(planes.size());
+    for (std::size_t k = 0; k < planes.size(); ++k)
+        moves[k] = planes[k].has_value();
     return withNeighbours(network, std::move(moves), 2);
 }
 
