@@ -47,7 +47,7 @@ void markSide(const LatticeSource& source, std::size_t side, const std::vector<S
     }
 }
 
-/// What the reference folds itself, no patch is asked to keep upright.
+/// Where the reference itself is folded, patches are not asked to be free of folds.
 void forgetFoldedNormals(FitLattice& lattice) {
     const std::vector<Point> all = lattice.normals;
     const std::size_t columns = lattice.columns();

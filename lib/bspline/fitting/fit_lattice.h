@@ -46,7 +46,7 @@ struct FitLattice {
     [[nodiscard]] std::size_t rows() const { return targets.parameters[1].size(); }
 };
 
-/// What folds so often may not slide any more at all.
+/// A point that was folded so often never slides again.
 constexpr int maxHolds = 2;
 
 /// Of every segment.
@@ -69,7 +69,7 @@ constexpr int maxHolds = 2;
 [[nodiscard]] FitLattice resample(const LatticeSource& source, const FitLattice& before,
                                   const std::array<std::vector<double>, 2>& parameters);
 
-/// Lets slide again what was not folded too often.
+/// Lets points slide again that were not folded too often.
 void releaseHolds(FitLattice& lattice);
 
 /// Sets the weights of the targets from the emphasis.

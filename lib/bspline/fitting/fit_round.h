@@ -28,7 +28,7 @@ struct FitRound {
     std::vector<double> distances; ///< by patch, in tolerances, where they have been verified
 };
 
-/// How much a patch is farther away than allowed, in tolerances; folds alone count little.
+/// By how much a patch is farther away than allowed, in tolerances; folds alone count little.
 [[nodiscard]] double missedBy(const PatchErrors& errors);
 
 /// \param missed  by patch

@@ -18,8 +18,8 @@ struct PatchErrors {
     [[nodiscard]] double max() const;
 };
 
-/// What a point of the patch is off the reference's point with the same parameters. What the patch may slide
-/// does not count.
+/// How far the points of a patch are from the reference's points with the same parameters, not counting what
+/// it may slide along the reference.
 /// \param scale  how much the distances count
 [[nodiscard]] PatchErrors latticeErrors(const FitLattice& lattice, const Patch& patch, double tolerance,
                                         double scale = 1);
@@ -28,8 +28,8 @@ struct PatchErrors {
 [[nodiscard]] double distance(const FitLattice& lattice, std::size_t point, const Point& offset);
 
 /// Moves the targets to where the patch is, but on the reference, and ahead in the direction in which they
-/// moved: the parameters of the reference are a choice, and a surface that need not heed them is smoother and
-/// has fewer knots. Where the patch is folded the targets go back to the reference's points: the
+/// moved: the parameters of the reference are a choice, and a surface that is not bound to them is smoother
+/// and has fewer knots. Where the patch is folded the targets go back to the reference's points: the
 /// second time for good.
 /// Tangent-distance minimisation (docs/METHOD.md#wang-2006), accelerated (docs/METHOD.md#nesterov-1983).
 void slideTargets(const Patch& patch, FitLattice& lattice);

@@ -35,8 +35,8 @@ class DistanceBound {
 public:
     explicit DistanceBound(const PairedSurfaces& surfaces) : surfaces_(surfaces), search_(surfaces) {}
 
-    /// Finds the foot, from that of `part` on, and lowers the upper bound where it can.
-    /// \param surprising  where the foot is farther away, it is searched from the same parameters as well
+    /// Finds the foot, starting at the one that `part` has, and lowers the upper bound where it can.
+    /// \param surprising  a foot farther away than this is searched again, from the same parameters
     void tighten(SurfacePart& part, double surprising);
 
     /// The parameters of a box's middle.

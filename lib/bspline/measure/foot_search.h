@@ -17,7 +17,7 @@ struct Foot {
     Eigen::Vector3d dv{0, 0, 0};
 };
 
-/// Gauss and Newton's iteration, over borders into neighbouring patches as well. Keeps the polynomial it used
+/// The Gauss-Newton iteration, over borders into neighbouring patches as well. Keeps the polynomial it used
 /// last, so one thread uses one.
 class FootSearch {
 public:

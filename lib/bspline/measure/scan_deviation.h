@@ -27,14 +27,15 @@ struct ScanDeviation {
 /// Branch and bound over the Bezier pieces of a patch: the distance from a triangle is convex, so that of a
 /// piece is at most that of its Bezier points. Places whose nearest point lies on the scan's boundary or
 /// beyond the cut-off are not covered.
-/// \param cutOff  distance from which a scan is no witness
+/// \param cutOff  distance beyond which the scan says nothing of the surface
 [[nodiscard]] ScanDeviation scanDeviation(const Patch& patch, std::size_t number,
                                           const NearestOnScan& nearest, double cutOff,
                                           const CertificationOptions& options);
 
 /// Of all patches from a scan.
 struct ScanDeviations {
-    /// The largest that was found: boxes over many small triangles are bounded too loosely for an upper bound.
+    /// The largest that was found: boxes over many small triangles are bounded too loosely for an upper
+    /// bound.
     double max = 0;
     double rms = 0;
     double percentile95 = 0;

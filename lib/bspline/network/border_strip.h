@@ -43,8 +43,9 @@ public:
     /// Inner knots along the border as parameters of the stretch, ascending, repeated as often as they are.
     [[nodiscard]] const std::vector<double>& knots() const { return inner_; }
 
-    /// Adds, times a factor, the polar form of the cubic that the strip is around `within`, at three
-    /// parameters of the stretch: between refined knots this is a control point of the refined curve.
+    /// Adds a polar form (a blossom), times a factor, at three parameters of the stretch: that of the cubic
+    /// which the strip is in the knot interval around `within`. At three successive knots of a refinement it
+    /// is a control point of the refined curve.
     void addBlossom(Across what, const std::array<double, 3>& at, double within, double factor,
                     LinearForm& form) const;
     /// Adds the value at a parameter of the stretch, of the cubic around `within`.

@@ -19,9 +19,9 @@ struct SmoothRun {
     TangentRatio ratio; ///< over 0 to end - begin
 };
 
-/// Adds the equations (each form is to be 0) for one curve on both sides of a stretch: C0. As many as the
-/// common refinement of both sides' splines has control points there; those at the ends may say again what
-/// other stretches say.
+/// Adds the equations (each form is to be 0) by which both sides of a stretch have the same border curve: C0.
+/// There are as many as the common refinement of both sides' splines has control points there; those at the
+/// ends may repeat what other stretches say.
 void addPositionEquations(const Stretch& stretch, const BorderStrip& first, const BorderStrip& second,
                           std::vector<LinearForm>& equations);
 

@@ -9,8 +9,8 @@
 
 namespace qm {
 
-/// Marks the borders, and as creases those of larger dihedral angle than rho and the ends of the surface. Two
-/// things are mended about that limit:
+/// Marks the borders, and which of them are creases: those with a dihedral angle above rho, and the mesh
+/// boundary. That limit is corrected in two ways:
 /// - a curve of creases that ends in nothing, after a few edges and nowhere sharp beyond doubt, is taken back
 ///   as far as where creases meet: a surface with such a cut is neither sharp nor smooth, and CAD systems
 ///   cannot offset it;

@@ -17,8 +17,8 @@ struct StretchSide {
     std::size_t patch = 0;
     int side = 0;
     int origin = 0;
-    int direction =
-        1; ///< 1 for the first side, -1 for the second, which sees the stretch the other way round
+    /// 1 for the first side, -1 for the second, which sees the stretch the other way round.
+    int direction = 1;
 };
 
 /// A maximal run of border edges shared by one side of each of two patches, which may be the same patch.

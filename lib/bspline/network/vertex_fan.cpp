@@ -66,7 +66,7 @@ Point inward(const QuadMesh& mesh, const VertexFan& fan, std::size_t patch, bool
     return along(mesh, nextAround(mesh, fan.borders[patch]));
 }
 
-/// What the mesh itself has.
+/// The ratio of the mesh itself.
 double measuredRatio(const QuadMesh& mesh, const VertexFan& fan, std::size_t border) {
     const std::size_t count = fan.borders.size();
     const Point on = along(mesh, fan.borders[border]);

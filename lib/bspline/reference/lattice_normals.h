@@ -14,8 +14,8 @@ namespace qm {
 
 struct LatticeNormals {
     std::vector<std::vector<std::size_t>> numbers; ///< by grid and point: the lattice point
-    std::vector<std::vector<Eigen::Vector3d>>
-        oneSided; ///< by grid and point: unit length, or 0 if there is none
+    /// By grid and point: unit length, or 0 if there is none.
+    std::vector<std::vector<Eigen::Vector3d>> oneSided;
     // By lattice point:
     std::vector<Eigen::Vector3d> points;
     std::vector<Eigen::Vector3d> normals; ///< means of the one-sided ones

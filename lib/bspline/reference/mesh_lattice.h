@@ -25,8 +25,8 @@ public:
         points_[static_cast<std::size_t>(vertex.idx())] = vector(to);
     }
 
-    /// One step of subdivision: a lattice with twice as many squares each way. Every edge and every face is
-    /// independent of the others, all that is extraordinary are the vertices.
+    /// One step of subdivision: a lattice with twice as many squares each way. Edges and faces are
+    /// independent of one another; only vertices can be extraordinary.
     /// \param sharp  by edge: is subdivided as a curve
     [[nodiscard]] MeshLattice subdivided(const std::vector<VertexRule>& rules, const std::vector<bool>& sharp,
                                          unsigned jobs) const;

@@ -8,7 +8,7 @@
 
 namespace qm {
 
-/// What a point of the surface is moved by to be on the scan.
+/// By what a point of the surface is moved to lie on the scan.
 using Displacement = std::optional<Eigen::Vector3d>;
 
 struct ScanProjection {
@@ -16,7 +16,7 @@ struct ScanProjection {
     double maxDistance = 0;                  ///< that was used
 };
 
-/// \param reach  how far to look at most, and how far at least where the distances themselves decide
+/// How far to look at most, and how far at least where the distances themselves decide.
 struct ScanReach {
     double min = 0;
     double max = 0;

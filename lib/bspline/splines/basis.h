@@ -10,7 +10,7 @@ namespace qm {
 
 constexpr int maxDegree = 9;
 
-/// Of clamped knots: one less than how often the first is there.
+/// The degree of a spline over clamped knots: one less than the multiplicity of the first.
 [[nodiscard]] int clampedDegree(std::span<const double> knots);
 
 /// The basis functions that do not vanish at a parameter: numbers first ... first + degree, with their

@@ -8,9 +8,9 @@
 namespace qm {
 
 /// Over each of several intervals a spline is one polynomial; its Bezier points are fixed combinations of the
-/// control points that have a say there.
+/// control points that influence it there.
 struct BezierExtraction {
-    int controls = 0;               ///< how many control points have a say in an interval
+    int controls = 0;               ///< how many control points influence an interval
     int degree = 0;                 ///< of the Bezier form
     std::vector<double> breaks;     ///< ends of the intervals, ascending; one more than intervals
     std::vector<std::size_t> first; ///< of every interval: its first control point

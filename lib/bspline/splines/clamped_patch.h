@@ -6,8 +6,9 @@
 
 namespace qm {
 
-/// The same surface over clamped knots: its control net's border is its border. A direction that is clamped
-/// stays as it is, as every one of a lower degree than three has to be; the number of control points stays.
+/// The same surface over clamped knots, so that the outermost control points are those of its border curves.
+/// A direction that is clamped already stays as it is; one of a degree below three must be. The number of
+/// control points does not change.
 [[nodiscard]] Patch clamped(const Patch& patch);
 
 /// The border of a clamped patch along one of its sides, in the side's direction, as a cubic.

@@ -1,4 +1,4 @@
-/// \file Points as Eigen knows them, whose arithmetic is the faster one.
+/// \file Points as vectors of Eigen, whose arithmetic is faster, and back.
 #pragma once
 
 #include "mesh/quad_mesh.h"

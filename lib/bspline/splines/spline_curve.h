@@ -8,8 +8,8 @@
 
 namespace qm {
 
-/// A cubic B-spline over [0, length]. Its first and last knot are there four times, so it begins and ends at
-/// its first and last control point. There are four more knots than points.
+/// A cubic B-spline over [0, length]. Its first and last knot are fourfold, so it begins and ends at its
+/// first and last control point. There are four more knots than points.
 struct SplineCurve {
     std::vector<double> knots;
     std::vector<Point> points;
@@ -32,12 +32,12 @@ struct SplineCurve {
 /// The curve walked the other way.
 [[nodiscard]] SplineCurve reversed(const SplineCurve& curve);
 
-/// The curve over [0, length] without inner knots that has two, three or four control points as a curve of
-/// degree one, two or three.
+/// The Bezier curve with two, three or four control points, so of degree one, two or three, over [0, length]
+/// and without inner knots.
 [[nodiscard]] SplineCurve bezier(std::span<const Point> points, double length);
 
-/// Control points of a curve without inner knots as a curve of a degree from 1 to 3 that is not below its
-/// own.
+/// The control points of a curve without inner knots when it is written as one of the given degree, 1 to 3
+/// and not below its own.
 [[nodiscard]] std::vector<Point> lowered(const SplineCurve& curve, int degree);
 
 /// Curves end to end; each begins where the one before ends. A triple knot marks every joint.

@@ -28,8 +28,8 @@ struct Patch {
 /// the mesh's unit, those called relative are fractions of the diagonal of its bounding box; angles in
 /// degrees.
 struct Deviation {
-    /// Distances from the reference, both ways: no point is farther away than `max`, and that is a few per
-    /// cent too large at most.
+    /// Distances from the reference, both ways: no point is farther away than `max`, which is at most a few
+    /// per cent too large.
     double max = 0;
     double rms = 0;
     double percentile95 = 0;
