@@ -145,20 +145,22 @@ private:
         const double plain = distance(of, on.point);
         const Parameters parameters{cell[0] + s, cell[1] + t};
         const std::string where = "at face " + std::to_string(quad.face);
-        const double slack = rounding(quad) + unsure * patch.figures.maxFromVertices.value_or(0);
-        if (patch.figures.maxFromFacets && plain > *patch.figures.maxFromFacets + slack) {
-            const double limit = *patch.figures.maxFromFacets + slack;
+        const auto slackOf = [&](double stated) { return rounding(quad) + unsure * stated; };
+        const auto& fromFacets = patch.figures.maxFromFacets;
+        if (fromFacets && plain > *fromFacets + slackOf(*fromFacets)) {
+            const double slack = slackOf(*fromFacets);
+            const double limit = *fromFacets + slack;
             double error = distanceToFace(mesh_, quad.face, startIn(quad, s, t), on.point);
             if (error > limit) error = distanceToMesh(mesh_, around_, quad.face, on.point);
             if (error <= limit) error = distanceToSurfaces(p, parameters, of, quad.face, limit);
-            if (compare(p, "maxFromFacets", patch.figures.maxFromFacets, error, slack, where)) return true;
+            if (compare(p, "maxFromFacets", fromFacets, error, slack, where)) return true;
         }
+        const auto& fromVertices = patch.figures.maxFromVertices;
         const bool atVertex = i % perEdge == 0 && j % perEdge == 0;
-        return atVertex && patch.figures.maxFromVertices && plain > *patch.figures.maxFromVertices + slack &&
-               compare(
-                   p, "maxFromVertices", patch.figures.maxFromVertices,
-                   distanceToSurfaces(p, parameters, of, quad.face, *patch.figures.maxFromVertices + slack),
-                   slack, where);
+        if (!atVertex || !fromVertices || plain <= *fromVertices + slackOf(*fromVertices)) return false;
+        const double slack = slackOf(*fromVertices);
+        const double error = distanceToSurfaces(p, parameters, of, quad.face, *fromVertices + slack);
+        return compare(p, "maxFromVertices", fromVertices, error, slack, where);
     }
 
     /// From a point of a face to its patch, and if that is farther than the limit, from more places of the

@@ -116,17 +116,10 @@ private:
     ArcId arcAt(HalfedgeId leaving) const { return arcOf_[at(mesh_.edge_handle(leaving).idx())]; }
     bool isBoundary(HalfedgeId halfedge) const { return mesh_.is_boundary(mesh_.edge_handle(halfedge)); }
 
-    /// Edges in clockwise order, from boundary to boundary or all around.
-    std::vector<HalfedgeId> edgesAround(VertexId vertex) const {
-        std::vector<HalfedgeId> edges;
-        for (const HalfedgeId halfedge : mesh_.voh_range(vertex))
-            edges.push_back(halfedge);
-        return edges;
-    }
-
     /// One of two neighbours is in; where both are, there is a corner.
     void addExtraordinary(VertexId vertex) {
-        const std::vector<HalfedgeId> edges = edgesAround(vertex);
+        const auto clockwise = mesh_.voh_range(vertex); // from boundary to boundary or all around
+        const std::vector<HalfedgeId> edges(clockwise.begin(), clockwise.end());
         for (std::size_t k = 0; k < edges.size(); ++k) {
             const HalfedgeId edge = edges[k], next = edges[(k + 1) % edges.size()],
                              afterNext = edges[(k + 2) % edges.size()];

@@ -9,8 +9,6 @@
 #include <algorithm>
 
 namespace qm {
-namespace {} // namespace
-
 Removal::Removal(const QuadMesh& mesh, const Layout& layout)
     : mesh_(mesh), border_(mesh.n_edges(), false), segmentOf_(mesh.n_faces(), -1),
       sets_(layout.segments.size()) {
@@ -107,26 +105,18 @@ double Removal::largestTurn(const Track& track) const {
 
 bool Removal::leavesRoom(const Track& track, const std::vector<double>& dihedralAngles,
                          double minCorner) const {
-    const auto isOnTrack = [&](HalfedgeId leaving) {
-        return std::ranges::any_of(track.halfedges, [&](HalfedgeId halfedge) {
-            return mesh_.edge_handle(halfedge) == mesh_.edge_handle(leaving);
-        });
+    const std::array ends{track.halfedges.front(), mesh_.opposite_halfedge_handle(track.halfedges.back())};
+    const auto isRemoved = [&](HalfedgeId leaving) { return leaving == ends[0] || leaving == ends[1]; };
+    const auto isMissing = [&](HalfedgeId leaving) { return isRemoved(leaving) || !isBorder(leaving); };
+    const auto hasRoom = [&](const RoomSector& sector) {
+        return std::ranges::none_of(sector.edges, isRemoved) ||
+               static_cast<std::size_t>(std::ranges::count_if(sector.edges, isMissing)) <= sector.maxMissing;
     };
-    const auto hasRoom = [&](VertexId vertex) {
-        if (isRegular(mesh_, vertex)) return true;
-        return std::ranges::all_of(
-            roomAt(mesh_, dihedralAngles, vertex, minCorner), [&](const RoomSector& sector) {
-                const auto removed = std::ranges::count_if(sector.edges, isOnTrack);
-                const auto missing = removed + std::ranges::count_if(sector.edges, [&](HalfedgeId leaving) {
-                                         return !isBorder(leaving);
-                                     });
-                return removed == 0 || static_cast<std::size_t>(missing) <= sector.maxMissing;
-            });
-    };
-    return hasRoom(mesh_.from_vertex_handle(track.halfedges.front())) &&
-           std::ranges::all_of(track.halfedges, [&](HalfedgeId halfedge) {
-               return hasRoom(mesh_.to_vertex_handle(halfedge));
-           });
+    return std::ranges::all_of(ends, [&](HalfedgeId end) {
+        const VertexId vertex = mesh_.from_vertex_handle(end);
+        return isRegular(mesh_, vertex) ||
+               std::ranges::all_of(roomAt(mesh_, dihedralAngles, vertex, minCorner), hasRoom);
+    });
 }
 
 std::vector<EdgeId> Removal::remove(const Track& track) {

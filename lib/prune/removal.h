@@ -31,8 +31,7 @@ public:
     /// \param track  with `keepsGrids`: at each end exactly one segment goes straight on
     [[nodiscard]] double largestTurn(const Track& track) const;
 
-    /// Whether every corner at its extraordinary vertices keeps so many degrees, see `roomAt`. Takes time
-    /// linear in the track's length.
+    /// Whether every corner at the extraordinary vertices where it ends keeps so many degrees, see `roomAt`.
     [[nodiscard]] bool leavesRoom(const Track& track, const std::vector<double>& dihedralAngles,
                                   double minCorner) const;
 

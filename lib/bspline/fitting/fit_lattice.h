@@ -33,7 +33,7 @@ struct FitLattice {
     PatchTargets targets;         ///< where the patch is drawn to
     std::vector<Point> reference; ///< the reference's points
     std::vector<Freedom> freedom;
-    std::vector<Point> normals;   ///< unit: the reference's; 0 where it has none
+    std::vector<Point> normals;   ///< unit: the reference's; 0 where it has none or folds
     std::vector<Point> axes;      ///< the normal; at a crease the direction of the curve, unit
     std::vector<double> jacobian; ///< length of the cross product of the reference's derivatives by u and v
     std::vector<double> edge;     ///< length of the shorter one of these derivatives

@@ -24,7 +24,6 @@ struct FitRound {
     std::vector<Patch> patches; ///< none: there was no round yet
     std::optional<KnotPlan> plan;
     std::vector<FitLattice> lattices;
-    std::vector<double> missed;    ///< by patch
     std::vector<double> distances; ///< by patch, in tolerances, where they have been verified
 };
 

@@ -70,7 +70,12 @@ std::vector<bool> FitState::changedPatches(const std::vector<PatchSpace>& before
 
 std::vector<bool> FitState::patchesToSolveFor(const std::vector<PatchSpace>& before) const {
     std::vector<bool> isFree = withNeighbours(plan_.network(), changedPatches(before), ringsAround);
-    const auto points = [&] { return static_cast<double>(FreeUnknowns(spaces_, isFree).count()); };
+    const auto points = [&] {
+        std::size_t count = 0;
+        for (std::size_t k = 0; k < spaces_.size(); ++k)
+            if (isFree[k]) count += spaces_[k].size();
+        return static_cast<double>(count);
+    };
     const double limit = worthAll * static_cast<double>(unknownsOf(spaces_));
     for (double last = -1; points() > last && points() < std::min(minPoints, limit);) {
         last = points();
@@ -136,7 +141,7 @@ RoundScore FitState::score() const {
 }
 
 FitRound FitState::round() const {
-    return {score(), patches_, plan_, lattices_, missed_, {}};
+    return {score(), patches_, plan_, lattices_, {}};
 }
 
 void FitState::restore(const FitRound& round) {

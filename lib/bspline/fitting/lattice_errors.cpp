@@ -10,13 +10,15 @@ namespace {
 
 /// Of the reference's Jacobian: what has less counts as folded.
 constexpr double minJacobian = 0.1;
+/// At creases and corners, where the sides of a patch may come nearer to one line.
+constexpr double minJacobianAtSides = 0.01;
 
 std::vector<SurfacePoint> pointsOf(const Patch& patch, const FitLattice& lattice) {
     return evaluateLattice(patch, lattice.targets.parameters[0], lattice.targets.parameters[1]);
 }
 
 bool isFolded(const FitLattice& lattice, std::size_t k, const SurfacePoint& point) {
-    const double min = lattice.freedom[k] == Freedom::surface ? minJacobian : minJacobian / 10;
+    const double min = lattice.freedom[k] == Freedom::surface ? minJacobian : minJacobianAtSides;
     return ((point.du % point.dv) | lattice.normals[k]) < min * lattice.jacobian[k];
 }
 

@@ -57,16 +57,17 @@ SmoothSystem::SmoothSystem(const Layout& layout, const SmoothNetwork& network,
                            const std::vector<PatchSpace>& spaces, const std::vector<FitLattice>& lattices,
                            double bending, const std::vector<bool>& isFree, const std::vector<Patch>& patches,
                            unsigned jobs)
-    : spaces_(spaces), jobs_(jobs) {
+    : jobs_(jobs) {
     const FreeUnknowns unknowns(spaces, isFree);
     for (std::size_t k = 0; k < spaces.size(); ++k) {
         if (!isFree[k]) continue;
-        spaces_[k].firstUnknown = unknowns.number(spaces[k].firstUnknown);
         free_.push_back(k);
+        spaces_.push_back(spaces[k]);
+        spaces_.back().firstUnknown = unknowns.number(spaces[k].firstUnknown);
     }
     std::vector<std::vector<Eigen::Triplet<double>>> entries(free_.size());
     parallelFor(free_.size(), jobs, [&](std::size_t k) {
-        addPatchForm(spaces_[free_[k]], lattices[free_[k]].targets, bending, entries[k]);
+        addPatchForm(spaces_[k], lattices[free_[k]].targets, bending, entries[k]);
     });
     std::vector<Eigen::Triplet<double>> all;
     for (auto& ofPatch : entries) {
@@ -83,11 +84,11 @@ void SmoothSystem::solve(const std::vector<FitLattice>& lattices, Accuracy accur
                          std::vector<Patch>& patches) {
     Eigen::MatrixX3d rightHandSide = Eigen::MatrixX3d::Zero(unknowns_, 3);
     parallelFor(free_.size(), jobs_, [&](std::size_t k) {
-        addPatchTargets(spaces_[free_[k]], lattices[free_[k]].targets, rightHandSide);
+        addPatchTargets(spaces_[k], lattices[free_[k]].targets, rightHandSide);
     });
     system_->improve(rightHandSide, accuracy, solution_);
-    for (const std::size_t k : free_)
-        patches[k] = patchOf(spaces_[k], k, solution_);
+    for (std::size_t k = 0; k < free_.size(); ++k)
+        patches[free_[k]] = patchOf(spaces_[k], free_[k], solution_);
 }
 
 bool SmoothSystem::holds() const {

@@ -32,8 +32,8 @@ public:
     [[nodiscard]] bool holds() const;
 
 private:
-    std::vector<PatchSpace> spaces_; ///< of all patches, with the numbers of free unknowns
     std::vector<std::size_t> free_;  ///< patches
+    std::vector<PatchSpace> spaces_; ///< theirs, with the numbers of free unknowns
     Eigen::Index unknowns_ = 0;      ///< free ones
     unsigned jobs_;
     std::optional<ConstrainedSystem> system_;
