@@ -3,6 +3,7 @@
 #include "bspline/fitting/constrained_system.h"
 #include "bspline/fitting/gram.h"
 #include "bspline/fitting/knot_plan.h"
+#include "bspline/fitting/normal_limits.h"
 #include "bspline/fitting/smooth_system.h"
 #include "bspline/network/creases.h"
 #include "bspline/network/smooth_network.h"
@@ -23,6 +24,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <string>
 
 namespace qm {
@@ -37,6 +39,13 @@ SmoothNetwork networkOf(const QuadMesh& mesh, const Layout& layout) {
 /// A sheet that bends by a right angle at i = 4.
 Grid folded() {
     return {8, 6, [](double i, double j) { return Point(std::min(i, 4.0), j, std::max(i - 4, 0.0)); }};
+}
+
+Layout cheapestLayout(const QuadMesh& mesh) {
+    const std::vector<double> angles = dihedralAngles(mesh);
+    const SubMeshes whole{std::vector<int>(mesh.n_vertices(), 0), 1};
+    const Enumeration found = enumerateGraphs(mesh, buildBaseComplex(mesh), angles, whole, {});
+    return buildLayout(mesh, found.subMeshes[0].graphs.at(0).tracks, angles, edgeCosts(angles, {}));
 }
 
 TEST(TangentRatio, FallsToZeroWithinItsReachAndIsSmoothThere) {
@@ -270,6 +279,33 @@ TEST(KnotPlan, ForcesDoubleKnotsWhereSmoothBordersTurnIntoCreases) {
     EXPECT_TRUE(plan.chosen(0, 1).empty());
 }
 
+TEST(NormalLimits, AreWideOnlyWhereTheNormalTurnsUnevenly) {
+    // An arc of 12 degrees a step along u; a point in its middle may be off.
+    const auto limitsWith = [](double off) {
+        ReferenceGrid grid{.size = {8, 2}, .steps = 1};
+        for (int j = 0; j <= 2; ++j)
+            for (int i = 0; i <= 8; ++i) {
+                const double angle = 12 * i * std::numbers::pi / 180;
+                const double radius = i == 6 ? 1 + off : 1;
+                grid.points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), j);
+            }
+        return NormalLimits(grid);
+    };
+    const double degree = std::numbers::pi / 180;
+    EXPECT_NEAR(limitsWith(0).at(1, {4, 1}) / degree, 0.1, 1e-12) << "straight";
+    EXPECT_NEAR(limitsWith(0).at(0, {3.4, 1}) / degree, 0.1, 1e-12) << "even";
+    EXPECT_NEAR(limitsWith(0.01).at(0, {2, 1}) / degree, 0.1, 1e-12) << "even there";
+    EXPECT_GT(limitsWith(0.01).at(0, {6, 1}) / degree, 2);
+}
+
+TEST(SmoothFit, FollowsNormalsThatTurnEvenly) {
+    const QuadMesh mesh = makeShape("torus", {.around = 30});
+    const Surfaces surfaces = fitSurfaces(mesh, cheapestLayout(mesh), dihedralAngles(mesh), {});
+    EXPECT_LT(surfaces.deviation.maxRelative, 1e-3);
+    EXPECT_LT(surfaces.deviation.largestNormalDeviation, 0.2) << "the tolerance alone lets it be 2 degrees";
+    EXPECT_LT(controlPointCount(surfaces.patches), 250U);
+}
+
 TEST(SmoothFit, IsSmoothAcrossTJointsAndWithinTheTolerance) {
     for (const double percent : {1.0, 0.1, 0.01}) {
         FitOptions options;
@@ -330,12 +366,8 @@ TEST(PlanePatches, ArePlaneToRoundingAndStillSmooth) {
         mesh.set_point(vertex, {0.6 * at[0] - 0.8 * at[1], 0.64 * at[0] + 0.48 * at[1] - 0.6 * at[2],
                                 0.48 * at[0] + 0.36 * at[1] + 0.8 * at[2]});
     }
-    const std::vector<double> angles = dihedralAngles(mesh);
-    const SubMeshes whole{std::vector<int>(mesh.n_vertices(), 0), 1};
-    const Enumeration found = enumerateGraphs(mesh, buildBaseComplex(mesh), angles, whole, {});
-    const Layout layout =
-        buildLayout(mesh, found.subMeshes[0].graphs.at(0).tracks, angles, edgeCosts(angles, {}));
-    const Surfaces surfaces = fitSurfaces(mesh, layout, angles, {});
+    const Layout layout = cheapestLayout(mesh);
+    const Surfaces surfaces = fitSurfaces(mesh, layout, dihedralAngles(mesh), {});
     EXPECT_LT(surfaces.deviation.largestGapRelative, 1e-12);
     EXPECT_LT(surfaces.deviation.largestNormalAngle, 1e-6);
     EXPECT_LE(surfaces.deviation.maxRelative, 0.001);

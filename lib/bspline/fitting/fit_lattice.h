@@ -44,6 +44,9 @@ struct FitLattice {
 
     [[nodiscard]] std::size_t columns() const { return targets.parameters[0].size(); }
     [[nodiscard]] std::size_t rows() const { return targets.parameters[1].size(); }
+    [[nodiscard]] std::array<double, 2> parametersAt(std::size_t point) const {
+        return {targets.parameters[0][point % columns()], targets.parameters[1][point / columns()]};
+    }
 };
 
 /// A point that was folded so often never slides again.

@@ -41,11 +41,12 @@ FitState::FitState(const QuadMesh& mesh, const Layout& layout, const SmoothNetwo
                    const FitTarget& reference, const SmoothFitOptions& options, unsigned jobs)
     : layout_(layout), options_(options), jobs_(jobs), map_(mesh, layout, network), plan_(layout, network),
       sources_(latticeSources(mesh, layout, network, reference.grids, reference.weights)),
-      lattices_(sources_.size()), errors_(sources_.size()), givenUp_(sources_.size()),
-      reweighed_(sources_.size()), missed_(sources_.size()), scale_(sources_.size(), 1) {
+      normalLimits_(reference.grids.begin(), reference.grids.end()), lattices_(sources_.size()),
+      errors_(sources_.size()), givenUp_(sources_.size()), reweighed_(sources_.size()),
+      missed_(sources_.size()), scale_(sources_.size(), 1) {
     parallelFor(sources_.size(), jobs_,
                 [&](std::size_t k) { lattices_[k] = makeLattice(sources_[k], parametersOf(k, {})); });
-    insertInitialKnots(layout, lattices_, map_, cubicsShare * options.tolerance, plan_);
+    insertInitialKnots(layout, lattices_, normalLimits_, map_, cubicsShare * options.tolerance, plan_);
     plan_.endAtFirstKnots();
 }
 
@@ -176,7 +177,8 @@ bool FitState::refine() {
 }
 
 std::size_t FitState::removeKnots() {
-    return qm::removeKnots(lattices_, patches_, errors_, options_.tolerance, removalLimit, plan_);
+    return qm::removeKnots(lattices_, normalLimits_, patches_, errors_, options_.tolerance, removalLimit,
+                           plan_);
 }
 
 template <class Function> void FitState::forBadCells(double limit, Function&& function) {

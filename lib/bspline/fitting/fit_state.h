@@ -6,6 +6,7 @@
 #include "bspline/fitting/given_up_cells.h"
 #include "bspline/fitting/knot_plan.h"
 #include "bspline/fitting/lattice_errors.h"
+#include "bspline/fitting/normal_limits.h"
 #include "bspline/network/stretch_map.h"
 #include "bspline/reference/fit_target.h"
 
@@ -78,6 +79,7 @@ private:
     StretchMap map_;
     KnotPlan plan_;
     std::vector<LatticeSource> sources_;
+    std::vector<NormalLimits> normalLimits_;
     std::vector<FitLattice> lattices_;
     std::vector<PatchSpace> spaces_;
     std::vector<Patch> patches_;

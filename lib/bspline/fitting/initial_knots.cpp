@@ -1,5 +1,6 @@
 #include "bspline/fitting/initial_knots.h"
 
+#include "base/at.h"
 #include "bspline/fitting/lattice_errors.h"
 #include "bspline/splines/eigen_point.h"
 
@@ -9,6 +10,7 @@
 
 namespace qm {
 namespace {
+
 /// How much an offset counts that only slides along the reference: the fit may let it, but not far.
 constexpr double ofSlides = 0.3;
 
@@ -30,8 +32,8 @@ Eigen::MatrixX4d orthonormalCubics(Eigen::Index places) {
 /// The lines of a patch's lattice along u or v.
 class Lines {
 public:
-    Lines(const FitLattice& lattice, std::size_t direction, double tolerance)
-        : lattice_(lattice), direction_(direction), tolerance_(tolerance) {}
+    Lines(const FitLattice& lattice, const NormalLimits& limits, std::size_t direction, double tolerance)
+        : lattice_(lattice), limits_(limits), direction_(direction), tolerance_(tolerance) {}
 
     [[nodiscard]] int length() const {
         return static_cast<int>(lattice_.targets.parameters[direction_].back());
@@ -51,7 +53,7 @@ public:
         if (isNew) found->second = orthonormalCubics(places);
         const std::size_t lines = lattice_.targets.parameters[1 - direction_].size();
         for (std::size_t line = 0; line < lines; ++line)
-            if (!isNear(line, static_cast<std::size_t>(begin * steps()), found->second)) return false;
+            if (!isNear(line, at(begin) * at(steps()), found->second)) return false;
         return true;
     }
 
@@ -60,6 +62,7 @@ private:
         return direction_ == 0 ? line * lattice_.columns() + along : along * lattice_.columns() + line;
     }
 
+    /// In distance, and in the direction of its normal.
     [[nodiscard]] bool isNear(std::size_t line, std::size_t begin, const Eigen::MatrixX4d& basis) const {
         Eigen::MatrixX3d points(basis.rows(), 3);
         for (Eigen::Index i = 0; i < basis.rows(); ++i)
@@ -69,11 +72,17 @@ private:
             const std::size_t at = index(line, begin + static_cast<std::size_t>(i));
             const double off = distance(lattice_, at, point(points.row(i)));
             if (std::max(off, ofSlides * points.row(i).norm()) > tolerance_) return false;
+            if (i == 0 || lattice_.freedom[at] != Freedom::surface) continue;
+            const Point before = lattice_.reference[index(line, begin + static_cast<std::size_t>(i) - 1)];
+            const double rise = distance(lattice_, at, point(points.row(i) - points.row(i - 1)));
+            const double run = (lattice_.reference[at] - before).norm();
+            if (rise > limits_.at(direction_, lattice_.parametersAt(at)) * run) return false;
         }
         return true;
     }
 
     const FitLattice& lattice_;
+    const NormalLimits& limits_;
     std::size_t direction_;
     double tolerance_;
     std::map<Eigen::Index, Eigen::MatrixX4d> bases_;
@@ -115,12 +124,13 @@ std::vector<double> knotsBeside(const Layout& layout, const StretchMap& map, con
     return knots;
 }
 
-void insertInitialKnots(const Layout& layout, const std::vector<FitLattice>& lattices, const StretchMap& map,
-                        double tolerance, KnotPlan& plan) {
+void insertInitialKnots(const Layout& layout, const std::vector<FitLattice>& lattices,
+                        const std::vector<NormalLimits>& limits, const StretchMap& map, double tolerance,
+                        KnotPlan& plan) {
     constexpr double notMuchNearer = 0.5;
     for (std::size_t patch = 0; patch < lattices.size(); ++patch)
         for (std::size_t direction = 0; direction < 2; ++direction) {
-            Lines lines(lattices[patch], direction, tolerance);
+            Lines lines(lattices[patch], limits[patch], direction, tolerance);
             const auto beside = knotsBeside(layout, map, plan, patch, direction);
             int begin = 0;
             while (begin < lines.length()) {

@@ -3,6 +3,7 @@
 
 #include "bspline/fitting/fit_lattice.h"
 #include "bspline/fitting/knot_plan.h"
+#include "bspline/fitting/normal_limits.h"
 #include "bspline/network/stretch_map.h"
 
 #include <vector>
@@ -10,11 +11,12 @@
 namespace qm {
 
 /// Into a plan without knots, for lattices of equal steps: inserts knots at grid lines, patch by patch, the
-/// farthest apart for which a cubic along every line of the lattice is within `tolerance` of it; where a
-/// neighbour has a knot that is not much nearer, that one is taken, for only knots of both sides serve their
-/// common border.
-void insertInitialKnots(const Layout& layout, const std::vector<FitLattice>& lattices, const StretchMap& map,
-                        double tolerance, KnotPlan& plan);
+/// farthest apart for which a cubic along every line of the lattice is within `tolerance` of it and its
+/// normals within their limits; where a neighbour has a knot that is not much nearer, that one is taken, for
+/// only knots of both sides serve their common border.
+void insertInitialKnots(const Layout& layout, const std::vector<FitLattice>& lattices,
+                        const std::vector<NormalLimits>& limits, const StretchMap& map, double tolerance,
+                        KnotPlan& plan);
 
 /// The knots that a patch's neighbours have across the sides along u (0) or v (1), as its own parameters,
 /// ascending.

@@ -27,17 +27,19 @@ std::vector<Point> thirdDerivatives(const Patch& patch, std::size_t direction, d
     return result;
 }
 
-/// What errors would be around a knot if it were not there.
-double errorWithout(const FitLattice& lattice, const Patch& patch, const PatchErrors& errors,
-                    double tolerance, std::size_t direction, std::size_t knot) {
-    // The deflection of a beam under a load in its middle, between clamped and free ends.
+/// What errors would be around a knot if it were not there: distances in tolerances, slopes in what is
+/// allowed.
+double errorWithout(const FitLattice& lattice, const NormalLimits& limits, const Patch& patch,
+                    const PatchErrors& errors, double tolerance, std::size_t direction, std::size_t knot) {
+    // The deflection of a beam under a load in its middle, between clamped and free ends, and its slope.
     constexpr double deflection = 1.0 / 150;
+    constexpr double slope = 4;
     const auto& knots = patch.knots[direction];
     const auto& lines = lattice.targets.parameters[1 - direction];
     const auto before = thirdDerivatives(patch, direction, knots[knot - 1], knots[knot], lines);
     const auto after = thirdDerivatives(patch, direction, knots[knot], knots[knot + 1], lines);
     const double length = knots[knot + 1] - knots[knot - 1];
-    const double scale = deflection * length * length * length / tolerance;
+    const double scale = deflection * length * length * length;
     const auto& parameters = lattice.targets.parameters[direction];
     const auto step = [&](double parameter) {
         return static_cast<std::size_t>(std::ranges::lower_bound(parameters, parameter) - parameters.begin());
@@ -47,19 +49,22 @@ double errorWithout(const FitLattice& lattice, const Patch& patch, const PatchEr
     };
     double worst = 0;
     for (std::size_t line = 0; line < lines.size(); ++line) {
-        const double added =
-            scale * distance(lattice, index(line, step(knots[knot])), after[line] - before[line]);
+        const std::size_t middle = index(line, step(knots[knot]));
+        const double added = scale * distance(lattice, middle, after[line] - before[line]);
+        if (lattice.freedom[middle] == Freedom::surface)
+            worst = std::max(worst, slope * added / (length * lattice.edge[middle]) /
+                                        limits.at(direction, lattice.parametersAt(middle)));
         for (std::size_t along = step(knots[knot - 1]); along <= step(knots[knot + 1]); ++along)
-            worst = std::max(worst, errors.error[index(line, along)] + added);
+            worst = std::max(worst, errors.error[index(line, along)] + added / tolerance);
     }
     return worst;
 }
 
 } // namespace
 
-std::size_t removeKnots(const std::vector<FitLattice>& lattices, const std::vector<Patch>& patches,
-                        const std::vector<PatchErrors>& errors, double tolerance, double limit,
-                        KnotPlan& plan) {
+std::size_t removeKnots(const std::vector<FitLattice>& lattices, const std::vector<NormalLimits>& limits,
+                        const std::vector<Patch>& patches, const std::vector<PatchErrors>& errors,
+                        double tolerance, double limit, KnotPlan& plan) {
     std::size_t removed = 0;
     for (std::size_t patch = 0; patch < patches.size(); ++patch)
         for (std::size_t direction = 0; direction < 2; ++direction) {
@@ -68,8 +73,8 @@ std::size_t removeKnots(const std::vector<FitLattice>& lattices, const std::vect
             for (const double chosen : plan.chosen(patch, direction)) {
                 if (std::ranges::count(knots, chosen) != 1) continue;
                 const auto knot = static_cast<std::size_t>(std::ranges::find(knots, chosen) - knots.begin());
-                const double error =
-                    errorWithout(lattices[patch], patches[patch], errors[patch], tolerance, direction, knot);
+                const double error = errorWithout(lattices[patch], limits[patch], patches[patch],
+                                                  errors[patch], tolerance, direction, knot);
                 if (error < limit) candidates.emplace_back(error, knot);
             }
             std::ranges::sort(candidates);

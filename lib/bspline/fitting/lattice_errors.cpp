@@ -127,8 +127,7 @@ void slideTargets(const Patch& patch, FitLattice& lattice) {
     const auto points = pointsOf(patch, lattice);
     for (std::size_t k = 0; k < points.size(); ++k)
         if (isFolded(lattice, k, points[k])) {
-            const double u = lattice.targets.parameters[0][k % lattice.columns()];
-            const double v = lattice.targets.parameters[1][k / lattice.columns()];
+            const auto [u, v] = lattice.parametersAt(k);
             hold({u - 1, v - 1}, {u + 1, v + 1}, false, lattice);
         }
     for (std::size_t k = 0; k < points.size(); ++k) {
