@@ -23,9 +23,11 @@ RoundScore scoreOf(const std::vector<double>& missed, bool keeps, const std::vec
 }
 
 bool isBetter(const RoundScore& one, const RoundScore& other, bool keepsFirst) {
-    constexpr double muchWorse = 1.05;
+    constexpr double factor = 1.05;
+    constexpr double negligible = 0.02; // what it takes away is worth no control points
+    const auto isWorse = [](double a, double b) { return a > factor * b + negligible; };
     if (keepsFirst && one.keeps != other.keeps) return one.keeps;
-    if (one.missed > muchWorse * other.missed || other.missed > muchWorse * one.missed)
+    if (isWorse(one.missed, other.missed) || isWorse(other.missed, one.missed))
         return one.missed < other.missed;
     if (one.keeps != other.keeps) return one.keeps;
     return one.controlPoints < other.controlPoints;
