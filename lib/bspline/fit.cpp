@@ -32,17 +32,19 @@ struct Effort {
     int stepsOfReference = 4; ///< a mesh edge
     int stepsOfFit = 4;
     int maxRounds = 30;
+    int roundsForFolds = 30;
     int slides = 6;
-    bool verifies = true; ///< distances between the lattice's points while there is time to mend them
+    int attempts = 3;      ///< with ever fewer slides, while the tolerance is missed
+    int verifications = 5; ///< of distances between the lattice's points, while there is time to mend them
     /// Of the tolerance, at the lattice's points: the rest is for what lies between, more of it unverified.
-    [[nodiscard]] double share() const { return verifies ? 0.97 : 0.94; }
+    [[nodiscard]] double share() const { return verifications > 0 ? 0.97 : 0.94; }
 };
 
 Effort effortFor(const QuadMesh& mesh) {
     constexpr std::size_t many = 30'000;
     constexpr std::size_t veryMany = 300'000;
-    if (mesh.n_faces() > veryMany) return {2, 1, 4, 2, false};
-    if (mesh.n_faces() > many) return {4, 2, 8, 3, false};
+    if (mesh.n_faces() > veryMany) return {2, 1, 4, 2, 2, 1, 0};
+    if (mesh.n_faces() > many) return {4, 2, 8, 4, 3, 1, 2};
     return {};
 }
 
@@ -91,8 +93,11 @@ Surfaces fitSurfaces(const QuadMesh& mesh, const Layout& layout, const std::vect
                                       .flatness = std::min(planeShare * allowed, maxFlatness * diagonal),
                                       .steps = effort.stepsOfFit,
                                       .maxRounds = effort.maxRounds,
-                                      .slides = effort.slides},
-                                     effort.verifies ? verify : Verification(), control);
+                                      .roundsForFolds = effort.roundsForFolds,
+                                      .slides = effort.slides,
+                                      .verifications = effort.verifications,
+                                      .attempts = effort.attempts},
+                                     effort.verifications > 0 ? verify : Verification(), control);
     } else {
         surfaces.patches = interpolateSegments(mesh, layout, control.jobs);
     }

@@ -17,6 +17,8 @@ struct RoundScore {
     bool keeps = false; ///< the tolerance, but where it is given up
     double missed = 0;  ///< of all patches, whatever is given up: the largest counts most
     std::size_t controlPoints = 0;
+
+    bool operator==(const RoundScore&) const = default;
 };
 
 struct FitRound {

@@ -187,11 +187,20 @@ template <class Function> void FitState::forBadCells(double limit, Function&& fu
             if (worstIn(cell, lattices_[k], errors_[k]).error > limit) function(cell, k);
 }
 
+void FitState::giveUp(const KnotCell& cell, std::size_t patch) {
+    givenUp_[patch].add(cell, sources_[patch], lattices_[patch], errors_[patch]);
+    reweighed_[patch] = true;
+}
+
 void FitState::giveUp() {
     constexpr double share = 0.5;
-    forBadCells(1 + share * (worst_ - 1), [&](const KnotCell& cell, std::size_t k) {
-        givenUp_[k].add(cell, sources_[k], lattices_[k], errors_[k]);
-        reweighed_[k] = true;
+    forBadCells(1 + share * (worst_ - 1),
+                [&](const KnotCell& cell, std::size_t patch) { giveUp(cell, patch); });
+}
+
+void FitState::giveUpFolds() {
+    forBadCells(1, [&](const KnotCell& cell, std::size_t patch) {
+        if (isNear(cell, lattices_[patch], errors_[patch])) giveUp(cell, patch);
     });
 }
 

@@ -53,6 +53,8 @@ public:
     /// From now on errors count no more in the cells where nothing helps. The worst are given up first: what
     /// is bad beside them may be due to them.
     void giveUp();
+    /// The same where patches are folded, but near enough.
+    void giveUpFolds();
     /// Removes knots that can be done without.
     /// \return how many
     std::size_t removeKnots();
@@ -72,6 +74,7 @@ private:
     bool solveFor(const std::vector<bool>& isFree, int slides);
     void assess(const std::vector<bool>& isNew);
     template <class Function> void forBadCells(double limit, Function&& function);
+    void giveUp(const KnotCell& cell, std::size_t patch);
 
     const Layout& layout_;
     const SmoothFitOptions& options_;

@@ -41,6 +41,14 @@ WorstPoint worstIn(const KnotCell& cell, const FitLattice& lattice, const PatchE
     return worst;
 }
 
+bool isNear(const KnotCell& cell, const FitLattice& lattice, const PatchErrors& errors) {
+    const LatticeRange range = rangeOf(cell, lattice);
+    for (std::size_t j = range.begin[1]; j < range.end[1]; ++j)
+        for (std::size_t i = range.begin[0]; i < range.end[0]; ++i)
+            if (std::abs(errors.signedDistance[j * lattice.columns() + i]) > 1) return false;
+    return true;
+}
+
 std::array<double, 2> variation(const KnotCell& cell, const FitLattice& lattice, const PatchErrors& errors) {
     const LatticeRange range = rangeOf(cell, lattice);
     const auto at = [&](std::size_t i, std::size_t j) {

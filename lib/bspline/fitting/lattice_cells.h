@@ -37,6 +37,9 @@ struct WorstPoint {
 
 [[nodiscard]] WorstPoint worstIn(const KnotCell& cell, const FitLattice& lattice, const PatchErrors& errors);
 
+/// Whether all distances there are within the tolerance.
+[[nodiscard]] bool isNear(const KnotCell& cell, const FitLattice& lattice, const PatchErrors& errors);
+
 /// How much the errors vary along each direction of a cell, in the mean over its lines: knots are missing in
 /// the direction in which they do.
 [[nodiscard]] std::array<double, 2> variation(const KnotCell& cell, const FitLattice& lattice,

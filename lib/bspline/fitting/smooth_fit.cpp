@@ -24,9 +24,13 @@ constexpr double worthwhileGain = 0.9;
 /// Removals go on while each leaves at most this share of the control points.
 constexpr double worthwhile = 0.985;
 
-/// How often a fit is verified, and the rounds that it may take to mend what was found.
-constexpr int maxVerifications = 5;
+/// Rounds that it may take to mend what a verification has found.
 constexpr int roundsOfMending = 8;
+
+struct Fitted {
+    std::vector<Patch> patches;
+    double distance = 0; ///< the largest, in tolerances, if it was verified
+};
 
 class SmoothFit {
 public:
@@ -35,19 +39,17 @@ public:
         : layout_(layout), options_(options), planes_(planesOf(reference.grids, network, options.flatness)),
           state_(mesh, layout, network, reference, options, jobs) {}
 
-    std::vector<Patch> run(const Verification& verify, const Control& control) {
+    Fitted run(const Verification& verify, const Control& control) {
         state_.solve(2 * options_.slides, true); // more while there are few knots
         search(options_.maxRounds, true, control);
         chooseBest(verify);
         flattenBest(verify);
-        if (!verify) return std::move(best_.patches);
-        std::vector<Patch> nearest;
-        double distance = std::numeric_limits<double>::infinity();
+        if (!verify) return {std::move(best_.patches)};
+        Fitted nearest{{}, std::numeric_limits<double>::infinity()};
         for (int k = 1;; ++k) {
             const double found = std::ranges::max(verified(best_, verify));
-            if (found < distance) nearest = best_.patches;
-            distance = std::min(distance, found);
-            if (k == maxVerifications) return nearest;
+            if (found < nearest.distance) nearest = {best_.patches, found};
+            if (k == options_.verifications) return nearest;
             state_.restore(best_);
             if (!state_.tighten(best_)) return nearest;
             best_ = {};
@@ -72,6 +74,7 @@ private:
             if (round > 0) state_.solve(options_.slides, false);
             idle = keepIfBest() ? 0 : idle + 1;
             if (idle == maxIdle) break;
+            if (++rounds_ > options_.roundsForFolds) state_.giveUpFolds();
             if (state_.worst() <= 1) {
                 const auto count = static_cast<double>(controlPointCount(best_.patches));
                 if (!saves || removals++ == maxRemovals || count > worthwhile * countBefore) break;
@@ -140,7 +143,7 @@ private:
 
     /// Takes the nearest instead where that is in truth nearer, which the lattices do not tell.
     void chooseBest(const Verification& verify) {
-        if (!verify || nearest_.patches.empty()) return;
+        if (!verify || nearest_.patches.empty() || nearest_.score == best_.score) return;
         const double ofBest = std::ranges::max(verified(best_, verify));
         if (ofBest > 1 && std::ranges::max(verified(nearest_, verify)) < ofBest) best_ = std::move(nearest_);
     }
@@ -149,6 +152,7 @@ private:
     const SmoothFitOptions& options_;
     std::vector<std::optional<Plane>> planes_;
     FitState state_;
+    int rounds_ = 0; ///< of all searches
     FitRound best_;
     FitRound nearest_; ///< the same, if what is given up counts as all else does
 };
@@ -158,8 +162,18 @@ private:
 std::vector<Patch> fitSmooth(const QuadMesh& mesh, const Layout& layout, const SmoothNetwork& network,
                              const FitTarget& reference, const SmoothFitOptions& options,
                              const Verification& verify, const Control& control) {
+    // What is verified may be off by this, and is not worth a new beginning.
+    constexpr double uncertain = 1.02;
     if (layout.segments.empty()) return {};
-    return SmoothFit(mesh, layout, network, reference, options, control.jobs).run(verify, control);
+    Fitted nearest;
+    SmoothFitOptions attempt = options;
+    for (int k = 1;; ++k) {
+        Fitted fitted =
+            SmoothFit(mesh, layout, network, reference, attempt, control.jobs).run(verify, control);
+        if (k == 1 || fitted.distance < nearest.distance) nearest = std::move(fitted);
+        if (k == options.attempts || !verify || nearest.distance <= uncertain) return nearest.patches;
+        attempt.slides /= 3; // which may have led astray
+    }
 }
 
 } // namespace qm

@@ -14,12 +14,15 @@
 namespace qm {
 
 struct SmoothFitOptions {
-    double tolerance = 0;  ///< largest distance from the reference, in its unit; positive
-    double bending = 1e-4; ///< weight of the thin-plate energy beside the mean squared distance of a quad
-    double flatness = 0;   ///< references no farther from a plane make plane patches
-    int steps = 4;         ///< of the lattice of points that are fitted, a mesh edge; 1, 2 or 4
-    int maxRounds = 30;    ///< systems that are factorised
-    int slides = 6;        ///< solutions of each, between which the targets slide
+    double tolerance = 0;    ///< largest distance from the reference, in its unit; positive
+    double bending = 1e-4;   ///< weight of the thin-plate energy beside the mean squared distance of a quad
+    double flatness = 0;     ///< references no farther from a plane make plane patches
+    int steps = 4;           ///< of the lattice of points that are fitted, a mesh edge; 1, 2 or 4
+    int maxRounds = 30;      ///< systems that are factorised
+    int roundsForFolds = 30; ///< from then on places that are near enough may fold
+    int slides = 6;          ///< solutions of each, between which the targets slide
+    int verifications = 5;   ///< how often it is verified at most, if it can be
+    int attempts = 3; ///< with a third of the slides each, while verification finds more than is allowed
 };
 
 /// The largest distance of every patch from the reference, certain also between the points that a fit looks
