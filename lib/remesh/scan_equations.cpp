@@ -55,7 +55,8 @@ public:
         if (!normal) return equation;
         const Point own = (at(sample.vertices[2]) - at(sample.vertices[0])) %
                           (at(sample.vertices[3]) - at(sample.vertices[1]));
-        if (!foot.onBoundary && !agree(own, *normal)) return equation;
+        // On a sharp edge the nearest triangle is that of either side: the mean of both normals decides too.
+        if (!foot.onBoundary && !agree(own, *normal) && !agree(own, foot.normal)) return equation;
         require(equation, foot.position - place, *normal, foot.onBoundary, sample.area);
         return equation;
     }
@@ -86,7 +87,9 @@ private:
 
     void require(ScanEquation& equation, const Point& gap, const Point& normal, bool straight,
                  double area) const {
+        constexpr double beside = 0.7; // beyond a sharp edge, in the plane of one of its sides
         const double length = gap.norm();
+        straight = straight || std::abs(gap | normal) < beside * length;
         equation.direction = straight && length > 0 ? gap / length : normal;
         equation.distance = gap | equation.direction;
         const double share = length / (edge_ / 3);

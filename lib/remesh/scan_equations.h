@@ -22,8 +22,8 @@ struct ScanEquation {
 
 /// One for every sample of the quads, towards the plane of the nearest triangle of the scan, and one for
 /// every sample of the scan, which draws the nearest place of the quads to its own plane; beyond a boundary
-/// straight towards one another. There are none where the other surface is more than `edge` away or shows its
-/// other side, and those of far places weigh little.
+/// or a sharp edge straight towards one another. There are none where the other surface is more than `edge`
+/// away or shows its other side, and those of far places weigh little.
 /// \param edge  about the length of the quads' sides
 [[nodiscard]] std::vector<ScanEquation> scanEquations(const QuadMesh& mesh, const TriangleSurface& scan,
                                                       const std::vector<ScanSample>& samples, double edge,

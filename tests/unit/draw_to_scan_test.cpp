@@ -1,13 +1,17 @@
 #include "mesh/dihedral.h"
 #include "mesh/quad_geometry.h"
 #include "remesh/draw_to_scan.h"
+#include "remesh/scan_equations.h"
 #include "shape/scan.h"
 #include "shape/shape.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 namespace qm {
 namespace {
@@ -83,6 +87,24 @@ TEST(DrawToScan, FoldedQuadsUnfold) {
     };
     EXPECT_GT(folded(mesh), 0);
     EXPECT_EQ(folded(drawToScan(mesh, makeScan("sphere", 20000), {}, 1)), 0);
+}
+
+TEST(DrawToScan, WhatHangsOverASharpEdgeIsPulledBack) {
+    // Beyond the upper edge of a cube, in the plane of its upper side.
+    QuadMesh mesh;
+    std::vector<VertexId> corners;
+    for (const auto& [x, y] : {std::pair(1.0, 0.4), {1.2, 0.4}, {1.2, 0.6}, {1.0, 0.6}})
+        corners.push_back(mesh.add_vertex({x, y, 1}));
+    mesh.add_face(corners);
+    const TriangleSurface cube(makeScan("cube", 2000));
+    std::size_t inside = 0;
+    for (const ScanEquation& equation : scanEquations(mesh, cube, {}, 0.5, 1)) {
+        if (equation.vertices[2] == equation.vertices[3]) continue; // of the quad's sides
+        ++inside;
+        EXPECT_NEAR(std::abs(equation.direction[0]), 1, 1e-6);
+        EXPECT_LT(equation.direction[0] * equation.distance, -0.03);
+    }
+    EXPECT_EQ(inside, 9U);
 }
 
 TEST(DrawToScan, BoundariesGoToTheScansOwn) {
