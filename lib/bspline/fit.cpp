@@ -25,11 +25,10 @@ void requireValid(const FitOptions& options) {
     if (!(options.rho >= 0)) throw Error("rho", "must not be negative", "Give an angle in radians");
 }
 
-/// How finely meshes of a size are sampled, and how long their fit is worked at: large ones have short edges,
-/// and are to be done in time linear in their size. The fit's lattice has four steps between any two knots in
-/// any case.
+/// How finely the fit of meshes of a size is sampled, and how long it is worked at: large ones have short
+/// edges, and are to be done in time linear in their size. The fit's lattice has four steps between any two
+/// knots in any case.
 struct Effort {
-    int stepsOfReference = 4; ///< a mesh edge
     int stepsOfFit = 4;
     int maxRounds = 30;
     int roundsForFolds = 30;
@@ -43,8 +42,8 @@ struct Effort {
 Effort effortFor(const QuadMesh& mesh) {
     constexpr std::size_t many = 30'000;
     constexpr std::size_t veryMany = 300'000;
-    if (mesh.n_faces() > veryMany) return {2, 1, 4, 2, 2, 1, 0};
-    if (mesh.n_faces() > many) return {4, 2, 8, 4, 3, 1, 2};
+    if (mesh.n_faces() > veryMany) return {1, 4, 2, 2, 1, 0};
+    if (mesh.n_faces() > many) return {2, 8, 4, 3, 1, 2};
     return {};
 }
 
@@ -65,7 +64,7 @@ ScanFigures scanFigures(const std::vector<Patch>& patches, const FitTarget& targ
     };
     const ScanDeviations found =
         deviationFromScan(patches, nearest, target.maxDistance, {.negligible = negligible}, jobs);
-    return {target.coverage, target.noise, found.max, found.rms, found.percentile95};
+    return {target.coverage, target.noise, found.max, found.rms, found.percentile95, found.farthest};
 }
 
 } // namespace
@@ -75,7 +74,7 @@ Surfaces fitSurfaces(const QuadMesh& mesh, const Layout& layout, const std::vect
     requireValid(options);
     const SmoothNetwork network = buildNetwork(mesh, layout, dihedralAngles, options.rho);
     const Effort effort = effortFor(mesh);
-    const FitTarget target = fitTarget(mesh, layout, network, effort.stepsOfReference, scan, control.jobs);
+    const FitTarget target = fitTarget(mesh, layout, network, scan, control.jobs);
     const double diagonal = boundingBoxDiagonal(mesh);
     Surfaces surfaces;
     if (options.fit == Fit::smooth) {

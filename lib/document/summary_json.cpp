@@ -6,22 +6,25 @@
 namespace qm {
 namespace {
 
+Json placeToJson(const LayoutPlace& place, const Point& point) {
+    return {{"patch", place.patch}, {"at", place.at}, {"point", {point[0], point[1], point[2]}}};
+}
+
 Json fitToJson(const FitSummary& fit) {
     const Deviation& deviation = fit.deviation;
-    const auto& point = fit.farthestPoint;
     Json json{{"fit", choiceName(fit.smooth ? Fit::smooth : Fit::interpolate)}};
     json["tolerance"] = fit.smooth ? Json(fit.tolerance) : Json();
     json["deviation"] = deviation.max;
     json["deviationRelative"] = deviation.maxRelative;
-    json["farthest"] = {
-        {"patch", fit.farthest.patch}, {"at", fit.farthest.at}, {"point", {point[0], point[1], point[2]}}};
+    json["farthest"] = placeToJson(fit.farthest, fit.farthestPoint);
     json["scan"] = Json();
     if (const auto& scan = fit.scan)
         json["scan"] = {{"coverage", scan->coverage},
                         {"noise", scan->noise},
                         {"max", scan->max},
                         {"rms", scan->rms},
-                        {"percentile95", scan->percentile95}};
+                        {"percentile95", scan->percentile95},
+                        {"farthest", placeToJson(scan->farthest, fit.farthestFromScan)}};
     json["gap"] = deviation.largestGap;
     json["largestNormalAngle"] = deviation.largestNormalAngle;
     json["percentile95NormalAngle"] = deviation.percentile95NormalAngle;

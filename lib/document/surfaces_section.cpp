@@ -51,9 +51,15 @@ template <class Figures, class Visitor> void visitScan(Figures& scan, Visitor&& 
     figure("percentile95", scan.percentile95);
 }
 
-Json scanToJson(const ScanFigures& scan, const ScanFile& file) {
+Json placeToJson(const std::vector<Patch>& patches, const LayoutPlace& place) {
+    const Point point = evaluate(patches[place.patch], place.at[0], place.at[1]).position;
+    return {{"patch", place.patch}, {"at", place.at}, {"point", {point[0], point[1], point[2]}}};
+}
+
+Json scanToJson(const Surfaces& surfaces, const ScanFile& file) {
     Json json = {{"path", file.path}, {"sha256", file.sha256}};
-    visitScan(scan, [&json](const char* key, double value) { json[key] = value; });
+    visitScan(*surfaces.scan, [&json](const char* key, double value) { json[key] = value; });
+    json["farthest"] = placeToJson(surfaces.patches, surfaces.scan->farthest);
     return json;
 }
 
@@ -83,13 +89,9 @@ Json surfacesToJson(const Surfaces& surfaces, const ScanFile& scan) {
         if (i < surfaces.ofPatch.size()) patches.back()["deviation"] = deviationToJson(surfaces.ofPatch[i]);
     }
     Json section{{"patches", std::move(patches)}, {"deviation", deviationToJson(surfaces.deviation)}};
-    if (surfaces.farthest.patch < surfaces.patches.size()) {
-        const LayoutPlace& place = surfaces.farthest;
-        const Point point = evaluate(surfaces.patches[place.patch], place.at[0], place.at[1]).position;
-        section["farthest"] = {
-            {"patch", place.patch}, {"at", place.at}, {"point", {point[0], point[1], point[2]}}};
-    }
-    if (surfaces.scan) section["scan"] = scanToJson(*surfaces.scan, scan);
+    if (surfaces.farthest.patch < surfaces.patches.size())
+        section["farthest"] = placeToJson(surfaces.patches, surfaces.farthest);
+    if (surfaces.scan) section["scan"] = scanToJson(surfaces, scan);
     return section;
 }
 
@@ -193,6 +195,8 @@ Surfaces readSurfaces(const std::vector<std::array<int, 2>>& sizes, const JsonPl
         visitScan(*surfaces.scan, [&](const char* key, double& value) {
             if (const auto figure = scan->find(key)) value = figure->number();
         });
+        if (const auto farthest = scan->find("farthest"))
+            surfaces.scan->farthest = readFarthest(sizes, *farthest);
     }
     return surfaces;
 }

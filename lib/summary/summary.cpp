@@ -16,11 +16,15 @@ int piecesOf(const QuadMesh& mesh) {
     return components(mesh).count - static_cast<int>(isolated);
 }
 
+std::string placeText(const LayoutPlace& place, const Point& point, double extent) {
+    return "in patch " + std::to_string(place.patch) + " at " + pointText(point, extent);
+}
+
 std::string missedTolerance(const Summary& summary, const std::string& unit) {
     const FitSummary& fit = *summary.fit;
     return "the tolerance is missed: " + figureText(fit.deviation.max) + unit + " where " +
-           figureText(fit.tolerance) + unit + " are allowed, in patch " + std::to_string(fit.farthest.patch) +
-           " at " + pointText(fit.farthestPoint, summary.diagonal) + ". Allow more, or " +
+           figureText(fit.tolerance) + unit + " are allowed, " +
+           placeText(fit.farthest, fit.farthestPoint, summary.diagonal) + ". Allow more, or " +
            (fit.scan ? "make more quads of the scan" : "mend the mesh there");
 }
 
@@ -28,10 +32,12 @@ std::string missedTolerance(const Summary& summary, const std::string& unit) {
 /// single outliers of a scan remain below.
 constexpr double farFromScan = 2;
 
-std::string partsFromScan(const FitSummary& fit, const std::string& unit) {
-    return "the scan is up to " + figureText(fit.scan->max) + unit + " away, where " +
-           figureText(fit.tolerance) + unit +
-           " are allowed: it shows something there that the quads do not. Make more quads of it, or mend it";
+std::string partsFromScan(const Summary& summary, const std::string& unit) {
+    const FitSummary& fit = *summary.fit;
+    return "the scan is up to " + figureText(fit.scan->max) + unit + " away where " +
+           figureText(fit.tolerance) + unit + " are allowed, " +
+           placeText(fit.scan->farthest, fit.farthestFromScan, summary.diagonal) +
+           ": it shows something there that the quads do not. Make more quads of it, or mend it";
 }
 
 } // namespace
@@ -55,9 +61,11 @@ Summary summarise(const QuadMesh& mesh, const Layout* layout, const Surfaces* su
     figures.deviation = surfaces->deviation;
     figures.scan = surfaces->scan;
     figures.farthest = surfaces->farthest;
-    figures.farthestPoint =
-        evaluate(surfaces->patches[figures.farthest.patch], figures.farthest.at[0], figures.farthest.at[1])
-            .position;
+    const auto pointAt = [&](const LayoutPlace& place) {
+        return evaluate(surfaces->patches[place.patch], place.at[0], place.at[1]).position;
+    };
+    figures.farthestPoint = pointAt(figures.farthest);
+    if (figures.scan) figures.farthestFromScan = pointAt(figures.scan->farthest);
     return summary;
 }
 
@@ -76,7 +84,7 @@ std::vector<std::string> unmetLimits(const Summary& summary, const Limits& limit
     if (fit.deviation.max > fit.tolerance)
         unmet.push_back(missedTolerance(summary, length));
     else if (fit.scan && fit.scan->max > farFromScan * fit.tolerance)
-        unmet.push_back(partsFromScan(fit, length));
+        unmet.push_back(partsFromScan(summary, length));
     if (fit.deviation.largestNormalAngle > limits.maxNormalAngle)
         unmet.push_back("normals jump by " + figureText(fit.deviation.largestNormalAngle) +
                         " degrees across a smooth border where " + figureText(limits.maxNormalAngle) +

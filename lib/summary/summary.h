@@ -22,6 +22,7 @@ struct FitSummary {
     std::optional<ScanFigures> scan; ///< that the surfaces were fitted to
     LayoutPlace farthest;            ///< where deviation.max was found
     Point farthestPoint{0, 0, 0};
+    Point farthestFromScan{0, 0, 0}; ///< the point at scan->farthest
 };
 
 /// Of a mesh and, as far as there are any, its layout and surfaces. Lengths are in the mesh's unit.

@@ -44,8 +44,8 @@ std::string deviationLines(const FitSummary& fit, double diagonal, const std::st
 /// How much of the mesh the scan shows is never rounded to all of it.
 std::string scanLines(const ScanFigures& scan, const std::string& unit) {
     const double shown = scan.coverage < 1 ? std::min(100 * scan.coverage, 99.9) : 100;
-    return line("scan", "shows " + figureText(shown) + "% of the mesh, noise " + figureText(scan.noise) + " " +
-                            unit) +
+    return line("scan", "shows " + figureText(shown) + "% of the mesh, noise " + figureText(scan.noise) +
+                            " " + unit) +
            line("  distance", "with its noise " + figureText(scan.rms) + " " + unit + " RMS, 95% " +
                                   figureText(scan.percentile95) + ", at most " + figureText(scan.max));
 }

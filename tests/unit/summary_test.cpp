@@ -69,10 +69,12 @@ TEST(Summary, WhatAScanShowsFarAwayIsTold) {
     scan.max = 0.15; // noise
     EXPECT_TRUE(unmetLimits(summary, {}, "mm").empty());
     scan.max = 0.25;
+    scan.farthest.patch = 3;
+    summary.fit->farthestFromScan = {1, 2, 3};
     const auto unmet = unmetLimits(summary, {}, "mm");
     ASSERT_EQ(unmet.size(), 1U);
     EXPECT_EQ(unmet[0].substr(0, unmet[0].find(':')),
-              "the scan is up to 0.25 mm away, where 0.1 mm are allowed");
+              "the scan is up to 0.25 mm away where 0.1 mm are allowed, in patch 3 at (1, 2, 3)");
 }
 
 TEST(Summary, LimitsAreToldWithFiguresAndPlace) {

@@ -170,7 +170,10 @@ ScanDeviations deviationFromScan(const std::vector<Patch>& patches, const Neares
     ScanDeviations result;
     std::vector<std::pair<double, double>> samples;
     for (const ScanDeviation& one : ofPatch) {
-        result.max = std::max(result.max, one.deviation.lower);
+        if (one.deviation.lower > result.max) {
+            result.max = one.deviation.lower;
+            result.farthest = one.deviation.place;
+        }
         result.covered += one.covered / static_cast<double>(ofPatch.size());
         samples.insert(samples.end(), one.deviation.samples.begin(), one.deviation.samples.end());
     }

@@ -40,6 +40,7 @@ struct ScanDeviations {
     double rms = 0;
     double percentile95 = 0;
     double covered = 0; ///< mean share of the patches' parameters
+    LayoutPlace farthest;
 };
 
 [[nodiscard]] ScanDeviations deviationFromScan(const std::vector<Patch>& patches,

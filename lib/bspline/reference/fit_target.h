@@ -20,11 +20,11 @@ struct FitTarget {
 };
 
 /// The smooth surface through the mesh's vertices; or, with a scan, where the scan is seen from it, without
-/// the scan's noise.
-/// \param steps  of the lattices, a mesh edge
+/// the scan's noise. The lattices have four steps a mesh edge; on very many faces, whose edges are short,
+/// two.
 /// \param scan  null if there is none
 /// \throw Error  if the scan is nowhere near the mesh
 [[nodiscard]] FitTarget fitTarget(const QuadMesh& mesh, const Layout& layout, const SmoothNetwork& network,
-                                  int steps, const TriangleSurface* scan, unsigned jobs);
+                                  const TriangleSurface* scan, unsigned jobs);
 
 } // namespace qm

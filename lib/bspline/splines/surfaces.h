@@ -53,6 +53,12 @@ struct Deviation {
     std::size_t folds = 0;
 };
 
+/// A place of the layout: parameters of one of its patches.
+struct LayoutPlace {
+    std::size_t patch = 0;
+    std::array<double, 2> at{};
+};
+
 /// How surfaces and the scan that they were fitted to belong together.
 struct ScanFigures {
     double coverage = 0; ///< share of the mesh that the scan shows
@@ -60,12 +66,7 @@ struct ScanFigures {
     double max = 0;      ///< distances from the surfaces to the scan's triangles, where it shows something
     double rms = 0;
     double percentile95 = 0;
-};
-
-/// A place of the layout: parameters of one of its patches.
-struct LayoutPlace {
-    std::size_t patch = 0;
-    std::array<double, 2> at{};
+    LayoutPlace farthest; ///< where `max` was found
 };
 
 struct Surfaces {
