@@ -5,7 +5,7 @@
 #include "view/view_options.h"
 
 int main(int argc, char** argv) {
-    std::string png, size = "1200x900", show, from = "1,-1.5,0.9", up = "0,0,1", section, compare;
+    std::string png, size = "1200x900", show, from = "1,-1.5,0.9", up = "0,0,1", section, compare, reference;
     qm::LengthUnit unit = qm::LengthUnit::mm;
     return qm::runTool(argc, argv, "qm-view", "Show a document as a page to look at.", [&](qm::Tool& tool) {
         auto stage = std::make_shared<qm::Stage>(tool, qm::Kind::basecomplex, qm::Kind::basecomplex);
@@ -16,12 +16,14 @@ int main(int argc, char** argv) {
             qm::joinedNames(qm::faceLayerNames) +
             ". Lines and points: " + qm::joinedNames(qm::lineLayerNames) +
             ". Zebra stripes are reflected ones, mean and gauss are curvatures, tolerance is pass or fail, "
-            "jumps "
-            "are those of normals across smooth borders.");
+            "scan is the distance from the scan's triangles, jumps are those of normals across smooth "
+            "borders.");
         tool.text("show", show, "LAYER,...", "layers that are on at first, such as segments,borders",
                   qm::allLayerNames());
         tool.text("compare", compare, "DOCUMENT",
                   "another one, to the left of the first, seen by one camera");
+        tool.text("reference", reference, "FILE",
+                  "the scan that the surfaces were fitted to, if it is not where the document says");
         tool.text("view", from, "X,Y,Z", "look from this direction");
         tool.text("up", up, "X,Y,Z", "what is up");
         tool.text("section", section, "AXIS:SHARE", "cut the model open there, such as x:0.5");
@@ -39,7 +41,7 @@ int main(int argc, char** argv) {
                 throw qm::UsageError("page and picture cannot go to the same place");
         });
         return [&, stage] {
-            const auto scenes = qm::viewedScenes(tool, *stage, compare, unit);
+            const auto scenes = qm::viewedScenes(tool, *stage, compare, reference, unit);
             qm::PageOptions options{qm::parseLayers(show), qm::parseDirection(from), qm::parseDirection(up),
                                     qm::parseSection(section)};
             if (png.empty() || tool.given("output")) tool.write(qm::printPage(scenes, options));

@@ -45,6 +45,10 @@ void addFigures(Scene& scene, const Viewed& viewed) {
         add("largest deviation, " + viewed.unit, deviation.max);
         if (viewed.tolerance > 0) add("tolerance, " + viewed.unit, viewed.tolerance);
         add("deviation, root mean square, " + viewed.unit, deviation.rms);
+        if (const auto& scan = viewed.surfaces->scan) {
+            add("farthest from the scan's triangles, " + viewed.unit, scan->max);
+            add("noise of the scan, " + viewed.unit, scan->noise);
+        }
         add("largest gap, " + viewed.unit, deviation.largestGap);
         add("largest normal angle across smooth borders, \u00b0", deviation.largestNormalAngle);
     }

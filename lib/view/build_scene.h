@@ -2,6 +2,7 @@
 #pragma once
 
 #include "basecomplex/base_complex.h"
+#include "bspline/reference/triangle_surface.h"
 #include "bspline/splines/surfaces.h"
 #include "cut/cut.h"
 #include "enumerate/enumeration.h"
@@ -26,7 +27,8 @@ struct Viewed {
     const Enumeration* enumeration = nullptr;
     const Layout* layout = nullptr;
     const Surfaces* surfaces = nullptr;
-    double tolerance = 0;    ///< that the surfaces were to keep to, a length; 0: none
+    const TriangleSurface* scan = nullptr; ///< that the surfaces were fitted to, if it can be read
+    double tolerance = 0;                  ///< that the surfaces were to keep to, a length; 0: none
     double rho = 0.45;       ///< radians; borders up to this dihedral angle were to become smooth
     std::string unit = "mm"; ///< of the mesh
 };

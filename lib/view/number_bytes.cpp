@@ -27,12 +27,18 @@ std::string differenceBytes(const std::vector<std::int64_t>& values) {
 }
 
 RoughNumbers roughNumbers(const std::vector<float>& values) {
-    constexpr double highest = 65535;
-    const double largest = values.empty() ? 0 : *std::max_element(values.begin(), values.end());
+    constexpr unsigned none = 65535;
+    constexpr double highest = none - 1;
+    float largest = 0;
+    for (const float value : values)
+        largest = std::max(largest, value); // not NaN: what is no larger than it stays
     RoughNumbers result;
     if (largest > 0) result.unit = largest / highest;
     for (const float value : values) {
-        const auto number = static_cast<unsigned>(std::lround(std::clamp(value / result.unit, 0.0, highest)));
+        const unsigned number =
+            std::isnan(value)
+                ? none
+                : static_cast<unsigned>(std::lround(std::clamp(value / result.unit, 0.0, highest)));
         result.bytes += static_cast<char>(number & 255U);
         result.bytes += static_cast<char>(number >> 8U);
     }

@@ -14,7 +14,7 @@ namespace qm {
 /// byte from the lowest on; all bytes of a number but its last have their highest bit set.
 [[nodiscard]] std::string differenceBytes(const std::vector<std::int64_t>& values);
 
-/// Two bytes each: multiples of `unit`, the largest of which is 65535.
+/// Two bytes each: multiples of `unit`, the largest of which is 65534; 65535 is NaN.
 struct RoughNumbers {
     std::string bytes;
     double unit = 1;

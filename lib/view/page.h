@@ -13,9 +13,9 @@
 namespace qm {
 
 /// The names of all layers that a scene may have: of faces, and of lines and points.
-inline constexpr std::array faceLayerNames{"mesh",      "submeshes", "segments",  "surfaces",
-                                           "shaded",    "zebra",     "mean",      "gauss",
-                                           "deviation", "tolerance", "mesh-zebra"};
+inline constexpr std::array faceLayerNames{"mesh",      "submeshes", "segments", "surfaces",
+                                           "shaded",    "zebra",     "mean",     "gauss",
+                                           "deviation", "tolerance", "scan",     "mesh-zebra"};
 inline constexpr std::array lineLayerNames{"edges",   "separatrices",  "features", "cuts",     "graphs",
                                            "borders", "tracks",        "curves",   "jumps",    "net",
                                            "knots",   "extraordinary", "seeds",    "terminals"};

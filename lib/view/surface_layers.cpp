@@ -1,10 +1,12 @@
 #include "base/at.h"
 #include "bspline/network/smooth_network.h"
+#include "bspline/reference/fit_target.h"
 #include "view/layers.h"
 #include "view/surface_samples.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace qm {
 namespace {
@@ -139,6 +141,37 @@ FaceLayer patchLayer(const Scene& scene, const Viewed& viewed) {
     return layer;
 }
 
+/// How far the surfaces are from what the tolerance is about.
+/// \param target  null if it is a scan that is not at hand: then what the document says of every patch
+Mapped deviationOf(const Viewed& viewed, const FitTarget* target, std::size_t steps, unsigned jobs) {
+    Mapped mapped{Scale::rising, {}, {}, {}, viewed.unit, viewed.tolerance};
+    std::vector<double> distances;
+    if (target != nullptr) {
+        mapped.quantity = viewed.scan != nullptr ? "distance from the scan without its noise"
+                                                 : "distance from the mesh's smooth surface";
+        distances = distancesFromReference(viewed.mesh, *viewed.layout, viewed.surfaces->patches,
+                                           target->grids, steps, jobs);
+    } else {
+        mapped.quantity = "largest distance of the patch from the scan without its noise";
+        for (const Deviation& deviation : viewed.surfaces->ofPatch)
+            distances.push_back(deviation.max);
+        distances.resize(viewed.surfaces->patches.size(), viewed.surfaces->deviation.max);
+        distances = onLattice(distances, *viewed.layout, steps);
+    }
+    mapped.values.assign(distances.begin(), distances.end());
+    return mapped;
+}
+
+/// The scan's noise counts here, so the tolerance is no limit.
+Mapped distanceFromScan(const Viewed& viewed, double cutOff, std::size_t steps, unsigned jobs) {
+    const auto distances = distancesFromScan(viewed.surfaces->patches, *viewed.scan, cutOff, steps, jobs);
+    return {Scale::rising,
+            {distances.begin(), distances.end()},
+            {},
+            "distance from the scan's triangles",
+            viewed.unit};
+}
+
 /// Nets and knots are drawn of the patches themselves.
 LineLayer derivedLines(const char* name, const char* title, Base base, const char* noun) {
     LineLayer lines;
@@ -155,12 +188,8 @@ void addSurfaces(Scene& scene, const Viewed& viewed, const Point& centre, unsign
     const std::vector<Segment>& segments = viewed.layout->segments;
     scene.patches = fittedPatches(viewed, centre);
     const Lattice lattice(segments, scene.patches.steps);
-    const BorderMarks marks =
-        buildNetwork(viewed.mesh, *viewed.layout, viewed.dihedralAngles, viewed.rho).marks;
-    const auto distances = distancesFromReference(viewed.mesh, *viewed.layout, viewed.surfaces->patches,
-                                                  marks, scene.patches.steps, jobs);
-
-    const std::string distance = "distance from the mesh's smooth surface";
+    const SmoothNetwork network =
+        buildNetwork(viewed.mesh, *viewed.layout, viewed.dihedralAngles, viewed.rho);
     const auto add = [&scene](FaceLayer layer) { scene.faces.push_back(std::move(layer)); };
     add(patchLayer(scene, viewed));
     add(surfaceLayer("shaded", "shaded", Paint::plain));
@@ -170,15 +199,20 @@ void addSurfaces(Scene& scene, const Viewed& viewed, const Point& centre, unsign
     add(surfaceLayer(
         "gauss", "Gauss curvature", Paint::mapped,
         {Scale::centred, {}, "Gauss curvature", "Gauss curvature", "1/" + viewed.unit + "\u00b2"}));
-    Mapped deviation{Scale::rising,   {distances.begin(), distances.end()}, "", distance, viewed.unit,
-                     viewed.tolerance};
+    std::optional<FitTarget> target;
+    if (!viewed.surfaces->scan || viewed.scan != nullptr)
+        target = fitTarget(viewed.mesh, *viewed.layout, network, viewed.scan, jobs);
+    Mapped deviation = deviationOf(viewed, target ? &*target : nullptr, scene.patches.steps, jobs);
+    Mapped verdict{Scale::verdict, {}, "deviation", deviation.quantity, viewed.unit, viewed.tolerance};
     add(surfaceLayer("deviation", "deviation", Paint::mapped, std::move(deviation)));
     if (viewed.tolerance > 0)
-        add(surfaceLayer("tolerance", "within the tolerance or not", Paint::mapped,
-                         {Scale::verdict, {}, "deviation", distance, viewed.unit, viewed.tolerance}));
+        add(surfaceLayer("tolerance", "within the tolerance or not", Paint::mapped, std::move(verdict)));
+    if (viewed.scan != nullptr)
+        add(surfaceLayer("scan", "distance from the scan itself", Paint::mapped,
+                         distanceFromScan(viewed, target->maxDistance, scene.patches.steps, jobs)));
 
     scene.lines.push_back(borderCurves(segments, lattice));
-    scene.lines.push_back(smoothBorders(viewed, lattice, marks));
+    scene.lines.push_back(smoothBorders(viewed, lattice, network.marks));
     scene.lines.push_back(derivedLines("net", "control nets", Base::net, "control net"));
     scene.lines.push_back(derivedLines("knots", "knot lines", Base::knots, "knot line"));
 }

@@ -4,7 +4,6 @@
 #include "base/parallel.h"
 #include "bspline/measure/border_measures.h"
 #include "bspline/measure/foot_search.h"
-#include "bspline/reference/limit_surface.h"
 #include "bspline/splines/eigen_point.h"
 #include "bspline/splines/evaluate.h"
 
@@ -15,13 +14,34 @@
 namespace qm {
 namespace {
 
-std::vector<BasisValues> basisOnLattice(const Patch& patch, std::size_t direction, std::size_t steps) {
-    const auto [begin, end] = domain(patch.knots[direction], patch.degree[direction]);
-    const auto count = static_cast<std::size_t>(std::lround(end - begin)) * steps;
-    std::vector<double> parameters(count + 1);
-    for (std::size_t k = 0; k <= count; ++k)
-        parameters[k] = static_cast<double>(k) / static_cast<double>(steps);
-    return basisTable(patch.knots[direction], patch.degree[direction], parameters);
+/// The points of a patch on the lattice, row by row.
+struct PatchLattice {
+    std::size_t columns = 0; ///< points along u
+    std::vector<Point> points;
+};
+
+PatchLattice latticeOf(const Patch& patch, std::size_t steps) {
+    const auto basis = [&](std::size_t direction) {
+        const auto [begin, end] = domain(patch.knots[direction], patch.degree[direction]);
+        const auto count = static_cast<std::size_t>(std::lround(end - begin)) * steps;
+        std::vector<double> parameters(count + 1);
+        for (std::size_t k = 0; k <= count; ++k)
+            parameters[k] = static_cast<double>(k) / static_cast<double>(steps);
+        return basisTable(patch.knots[direction], patch.degree[direction], parameters);
+    };
+    const auto us = basis(0);
+    return {us.size(), positionLattice(patch, us, basis(1))};
+}
+
+/// One list of what a function says of every patch.
+template <class Function>
+std::vector<double> ofAllPatches(std::size_t count, unsigned jobs, const Function& ofPatch) {
+    std::vector<std::vector<double>> parts(count);
+    parallelFor(count, jobs, [&](std::size_t k) { parts[k] = ofPatch(k); });
+    std::vector<double> all;
+    for (const auto& part : parts)
+        all.insert(all.end(), part.begin(), part.end());
+    return all;
 }
 
 } // namespace
@@ -34,32 +54,49 @@ std::size_t latticeSteps(std::size_t faces) {
 }
 
 std::vector<double> distancesFromReference(const QuadMesh& mesh, const Layout& layout,
-                                           const std::vector<Patch>& patches, const BorderMarks& marks,
-                                           std::size_t steps, unsigned jobs) {
-    constexpr int referenceSteps = 4; // an edge, as those of the fit
-    constexpr std::size_t reference = 1;
-    const auto grids = limitSurface(mesh, layout, marks.isCrease, referenceSteps, jobs);
+                                           const std::vector<Patch>& patches,
+                                           const std::vector<ReferenceGrid>& reference, std::size_t steps,
+                                           unsigned jobs) {
+    constexpr std::size_t referenceSide = 1;
     const auto borders = borderEdges(mesh, layout);
-    const PairedSurfaces surfaces(layout, patches, grids, borders);
-    std::vector<std::vector<double>> ofPatch(patches.size());
-    parallelFor(patches.size(), jobs, [&](std::size_t k) {
+    const PairedSurfaces surfaces(layout, patches, reference, borders);
+    return ofAllPatches(patches.size(), jobs, [&](std::size_t k) {
         FootSearch search(surfaces);
-        const auto us = basisOnLattice(patches[k], 0, steps);
-        const auto vs = basisOnLattice(patches[k], 1, steps);
-        const auto points = positionLattice(patches[k], us, vs);
-        ofPatch[k].reserve(points.size());
+        const auto [columns, points] = latticeOf(patches[k], steps);
+        const auto at = [&](std::size_t number) {
+            return static_cast<double>(number) / static_cast<double>(steps);
+        };
+        std::vector<double> distances;
         for (std::size_t i = 0; i < points.size(); ++i) {
-            const auto at = [&](std::size_t number) {
-                return static_cast<double>(number) / static_cast<double>(steps);
-            };
-            const LayoutPlace place{k, {at(i % us.size()), at(i / us.size())}};
-            ofPatch[k].push_back(search(reference, place, vector(points[i])).distance);
+            const LayoutPlace place{k, {at(i % columns), at(i / columns)}};
+            distances.push_back(search(referenceSide, place, vector(points[i])).distance);
         }
+        return distances;
     });
-    std::vector<double> distances;
-    for (const auto& some : ofPatch)
-        distances.insert(distances.end(), some.begin(), some.end());
-    return distances;
+}
+
+std::vector<double> distancesFromScan(const std::vector<Patch>& patches, const TriangleSurface& scan,
+                                      double cutOff, std::size_t steps, unsigned jobs) {
+    return ofAllPatches(patches.size(), jobs, [&](std::size_t k) {
+        std::vector<double> distances;
+        for (const Point& point : latticeOf(patches[k], steps).points) {
+            const auto foot = scan.nearest(point, cutOff);
+            const bool shown = foot.found() && !foot.onBoundary;
+            distances.push_back(shown ? foot.distance : std::numeric_limits<double>::quiet_NaN());
+        }
+        return distances;
+    });
+}
+
+std::vector<double> onLattice(const std::vector<double>& figures, const Layout& layout, std::size_t steps) {
+    std::vector<double> values;
+    for (std::size_t k = 0; k < figures.size(); ++k) {
+        const auto& [columns, rows] = layout.segments[k].size;
+        const auto points =
+            (static_cast<std::size_t>(columns) * steps + 1) * (static_cast<std::size_t>(rows) * steps + 1);
+        values.insert(values.end(), points, figures[k]);
+    }
+    return values;
 }
 
 std::vector<double> normalAngles(const QuadMesh& mesh, const Layout& layout,

@@ -3,6 +3,8 @@
 
 #include "bspline/network/borders.h"
 #include "bspline/network/smooth_network.h"
+#include "bspline/reference/reference_grid.h"
+#include "bspline/reference/triangle_surface.h"
 #include "bspline/splines/surfaces.h"
 #include "layout/layout.h"
 
@@ -15,13 +17,23 @@ namespace qm {
 [[nodiscard]] std::size_t latticeSteps(std::size_t faces);
 
 /// Distances of the lattice's points, patch by patch and row by row, from the reference that surfaces are
-/// fitted to: the smooth surface through the mesh's vertices.
+/// fitted to.
 /// \param steps  lattice points for every mesh edge
 /// \param jobs  threads; the result does not depend on them
 [[nodiscard]] std::vector<double> distancesFromReference(const QuadMesh& mesh, const Layout& layout,
                                                          const std::vector<Patch>& patches,
-                                                         const BorderMarks& marks, std::size_t steps,
-                                                         unsigned jobs);
+                                                         const std::vector<ReferenceGrid>& reference,
+                                                         std::size_t steps, unsigned jobs);
+
+/// The same from the triangles of a scan, noise and all; NaN where the scan shows nothing.
+/// \param cutOff  distance from which a scan is no witness
+[[nodiscard]] std::vector<double> distancesFromScan(const std::vector<Patch>& patches,
+                                                    const TriangleSurface& scan, double cutOff,
+                                                    std::size_t steps, unsigned jobs);
+
+/// A figure of every patch at all points of its lattice, in the same order.
+[[nodiscard]] std::vector<double> onLattice(const std::vector<double>& figures, const Layout& layout,
+                                            std::size_t steps);
 
 /// Of every border edge the largest angle between the normals on both sides, in degrees; NaN for creases and
 /// the mesh's boundary.

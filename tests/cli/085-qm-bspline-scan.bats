@@ -60,3 +60,40 @@ fit() {
         assert_output --partial "--fit smooth"
     done
 }
+
+@test "where the surfaces are farthest from the scan is told, as patch, parameters and point" {
+    fit --reference clean.stl --tolerance 0.5%
+    run -0 jq -c '.surfaces.scan.farthest | [(.patch >= 0), (.at | length), (.point | length)]' out.json
+    assert_output '[true,2,3]'
+    run qm-summary --json out.json
+    assert_equal "$(jq -c .surfaces.scan.farthest <<<"$output")" "$(jq -c .surfaces.scan.farthest out.json)"
+}
+
+# quantity: what the page says that its deviation is; it fails where the page has no such layer.
+quantity() { grep -oP '"quantity":"\K[^"]*(?=","unit":"mm","limit":0.0[^"]*"values")' "$1" | head -1; }
+
+@test "a page compares the surfaces with the scan that they were fitted to" {
+    fit --reference clean.stl --tolerance 0.5%
+    run -0 --separate-stderr qm-view out.json -o page.html
+    assert_equal "$stderr" ''
+    assert_equal "$(quantity page.html)" 'distance from the scan without its noise'
+    grep -q '"name":"scan","title":"distance from the scan itself"' page.html
+}
+
+@test "without the scan, which is told, a page shows what the document says of every patch" {
+    mkdir -p away
+    cp clean.stl away/scan.stl
+    fit --reference away/scan.stl --tolerance 0.5%
+    mv away/scan.stl away/other.stl
+    run -0 --separate-stderr qm-view out.json -o page.html
+    assert_equal "${#stderr_lines[@]}" 1
+    assert_equal "$stderr" 'qm-view: away/scan.stl: the scan that out.json refers to is not there. Name the scan with --reference FILE. Until then every patch has the colour of its largest deviation'
+    assert_equal "$(quantity page.html)" 'largest distance of the patch from the scan without its noise'
+    run -0 --separate-stderr qm-view --reference away/other.stl out.json -o named.html
+    assert_equal "$stderr" ''
+    assert_equal "$(quantity named.html)" 'distance from the scan without its noise'
+    run -1 qm-view --reference noisy.ply out.json -o page.html
+    assert_output --partial 'noisy.ply: the scan has changed since out.json was made'
+    run -1 qm-view --reference clean.stl part.json -o page.html
+    assert_output --partial 'has no surfaces that were fitted to a scan'
+}

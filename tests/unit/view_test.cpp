@@ -3,6 +3,7 @@
 #include "basecomplex/base_complex.h"
 #include "bspline/fit.h"
 #include "mesh/dihedral.h"
+#include "mesh/quad_geometry.h"
 #include "support/grid_layout.h"
 #include "view/base64.h"
 #include "view/build_scene.h"
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace qm {
 namespace {
@@ -30,6 +32,7 @@ struct Sheet {
     Features features;
     Surfaces surfaces = fitSurfaces(mesh, layout, angles, {});
     double rho = 0.45;
+    std::optional<TriangleSurface> scan; ///< that the page is made with
 
     [[nodiscard]] Scene scene(unsigned jobs = 1) const {
         return buildScene({.title = "sheet",
@@ -40,6 +43,7 @@ struct Sheet {
                            .features = features,
                            .layout = &layout,
                            .surfaces = &surfaces,
+                           .scan = scan ? &*scan : nullptr,
                            .tolerance = 0.02,
                            .rho = rho,
                            .unit = "cm"},
@@ -88,6 +92,55 @@ TEST(View, DeviationIsThatWhichTheToleranceIsAbout) {
     const FaceLayer& tolerance = named(scene.faces, "tolerance");
     EXPECT_EQ(tolerance.mapped.source, "deviation");
     EXPECT_EQ(tolerance.mapped.limit, 0.02);
+}
+
+/// Both halves of every quad, moved up, but for the quads of a corner.
+TriangleSurface scanOf(const QuadMesh& mesh, double above) {
+    Triangles triangles;
+    for (const VertexId vertex : mesh.vertices())
+        triangles.points.push_back(mesh.point(vertex) + Point(0, 0, above));
+    for (const FaceId face : mesh.faces()) {
+        const auto corners = cornersOf(mesh, face);
+        if (face.idx() == 0) continue;
+        for (const std::size_t k : {1U, 2U})
+            triangles.faces.push_back({corners[0].idx(), corners[k].idx(), corners[k + 1].idx()});
+    }
+    return TriangleSurface(triangles);
+}
+
+TEST(View, SurfacesThatWereFittedToAScanAreComparedWithIt) {
+    constexpr double above = 0.05;
+    Sheet sample;
+    const TriangleSurface scan = scanOf(sample.mesh, above);
+    const double fromMesh = named(sample.scene().faces, "deviation").mapped.values.at(40);
+    sample.surfaces = fitSurfaces(sample.mesh, sample.layout, sample.angles, {}, &scan);
+    sample.scan = scanOf(sample.mesh, above);
+    const Scene scene = sample.scene();
+    const Mapped& deviation = named(scene.faces, "deviation").mapped;
+    EXPECT_LE(*std::ranges::max_element(deviation.values), sample.surfaces.deviation.max * 1.000001);
+    EXPECT_NEAR(deviation.values.at(40), fromMesh, 0.5 * above);
+    EXPECT_NE(deviation.quantity.find("from the scan"), std::string::npos);
+    const auto& fromScan = named(scene.faces, "scan").mapped.values;
+    EXPECT_EQ(fromScan.size(), deviation.values.size());
+    float max = 0;
+    for (const float distance : fromScan)
+        max = std::max(max, distance);
+    EXPECT_NEAR(max, sample.surfaces.scan->max, 0.2 * sample.surfaces.scan->max);
+    EXPECT_GT(std::ranges::count_if(fromScan, [](float value) { return std::isnan(value); }), 0)
+        << "the scan has a hole";
+}
+
+TEST(View, WithoutTheScanPatchesHaveTheirLargestDeviation) {
+    Sheet sample;
+    const TriangleSurface scan = scanOf(sample.mesh, 0.05);
+    sample.surfaces = fitSurfaces(sample.mesh, sample.layout, sample.angles, {}, &scan);
+    const Scene scene = sample.scene();
+    const auto& values = named(scene.faces, "deviation").mapped.values;
+    EXPECT_FLOAT_EQ(values.front(), static_cast<float>(sample.surfaces.ofPatch.front().max));
+    EXPECT_FLOAT_EQ(values.back(), static_cast<float>(sample.surfaces.ofPatch.back().max));
+    sample.scan = scanOf(sample.mesh, 0.05);
+    EXPECT_EQ(values.size(), named(sample.scene().faces, "deviation").mapped.values.size());
+    EXPECT_TRUE(std::ranges::none_of(scene.faces, [](const auto& layer) { return layer.name == "scan"; }));
 }
 
 TEST(View, NormalsAreComparedAcrossSmoothBordersOnly) {
@@ -205,8 +258,9 @@ TEST(View, NumbersAreFewBytes) {
     EXPECT_EQ(differenceBytes({0, -1, 0, 63, 127, 255}), std::string("\x00\x01\x02\x7e\x80\x01\x80\x02", 8));
     EXPECT_EQ(differenceBytes({0xffffffff}), "\xfe\xff\xff\xff\x1f");
     const RoughNumbers rough = roughNumbers({0, 1, 2});
-    EXPECT_EQ(rough.bytes, std::string("\x00\x00\x00\x80\xff\xff", 6));
-    EXPECT_DOUBLE_EQ(rough.unit * 65535, 2);
+    EXPECT_EQ(rough.bytes, std::string("\x00\x00\xff\x7f\xfe\xff", 6));
+    EXPECT_DOUBLE_EQ(rough.unit * 65534, 2);
+    EXPECT_EQ(roughNumbers({std::nanf(""), 1}).bytes, "\xff\xff\xfe\xff");
     EXPECT_EQ(roughNumbers({0, 0}).bytes, std::string(4, '\0'));
     EXPECT_EQ(floatBytes({1}), std::string("\x00\x00\x80\x3f", 4));
 }

@@ -42,7 +42,7 @@ function describe(model, layer, element, nearest) {
     rows.push(['face', String(face)]);
     if (layer.mapped) {
       const mean = points.reduce((sum, point) => sum + layer.mapped.values[point], 0) / 4;
-      rows.unshift([`${layer.mapped.quantity} here`, withUnit(numberText(mean), layer.mapped.unit)]);
+      rows.unshift([`${layer.mapped.quantity} here`, Number.isNaN(mean) ? 'not known' : withUnit(numberText(mean), layer.mapped.unit)]);
     }
     if (layer.base === onMesh && nearest) {
       rows.push(['nearest vertex', vertexText(model, points[nearest[0]])]);

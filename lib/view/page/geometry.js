@@ -12,6 +12,9 @@ function instanced(values, size, normalized) { return new THREE.InstancedBufferA
 
 const cornersOfTriangles = [0, 1, 2, 0, 2, 3];
 
+// Where there is no figure; other figures are smaller.
+const noValue = 1e30;
+
 // The unit normal of every quad.
 function quadNormals(shell) {
   const { positions, quads } = shell, count = quads.length / 4;
@@ -101,8 +104,11 @@ function faceGeometry(layer, shell) {
   geometry.setAttribute('colour', attribute(colours, 4, true));
   if (layer.mapped) {
     const values = new Float32Array(count * 6);
-    for (let quad = 0, at = 0; quad < count; ++quad)
-      for (const corner of cornersOfTriangles) values[at++] = layer.mapped.values[shell.quads[4 * quad + corner]];
+    for (let quad = 0, at = 0; quad < count; ++quad) {
+      const corners = shell.quads.subarray(4 * quad, 4 * quad + 4);
+      const known = corners.every((corner) => !Number.isNaN(layer.mapped.values[corner]));
+      for (const corner of cornersOfTriangles) values[at++] = known ? layer.mapped.values[corners[corner]] : noValue;
+    }
     geometry.setAttribute('value', attribute(values, 1));
   }
   return geometry;

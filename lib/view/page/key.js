@@ -78,6 +78,8 @@ function beyondText(mapped, top) {
   return mapped.scale === 'verdict' ? `fails: ${percentText(beyond / all)} of the samples are beyond` : `${percentText(beyond / all)} beyond the scale`;
 }
 
+function unknownText(mapped) { return mapped.values.some(Number.isNaN) ? 'nothing to measure from' : ''; }
+
 // The scale of a layer, with its histogram.
 function scaleFigure(layer, top, model, side) {
   const { mapped } = layer;
@@ -96,11 +98,11 @@ function scaleFigure(layer, top, model, side) {
   }
   const note = element('p', { className: 'note' });
   for (const text of notesOf(mapped, model)) note.append(element('span', { textContent: text }));
-  const beyond = beyondText(mapped, top);
-  if (beyond) {
+  for (const [text, colour] of [[beyondText(mapped, top), beyondColours[mapped.scale]], [unknownText(mapped), unknownColour]]) {
+    if (!text) continue;
     const swatch = element('span', { className: 'swatch' });
-    swatch.style.background = beyondColours[mapped.scale];
-    note.append(element('span', {}, swatch, beyond));
+    swatch.style.background = colour;
+    note.append(element('span', {}, swatch, text));
   }
   const caption = element('figcaption', { textContent: [side + mapped.quantity, mapped.unit].filter(Boolean).join(', ') });
   return element('figure', { className: 'scale' }, caption, bars(histogram(mapped, top).counts), ramp, ticks, note);

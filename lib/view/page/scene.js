@@ -32,7 +32,7 @@ function revive(value) {
   if (typeof value.float32 === 'string') return new Float32Array(bytesOf(value.float32).buffer);
   if (typeof value.uint32 === 'string') return fromDifferences(bytesOf(value.uint32), Uint32Array);
   if (typeof value.int32 === 'string') return fromDifferences(bytesOf(value.int32), Int32Array);
-  if (typeof value.uint16 === 'string') return Float32Array.from(new Uint16Array(bytesOf(value.uint16).buffer), (number) => number * value.unit);
+  if (typeof value.uint16 === 'string') return Float32Array.from(new Uint16Array(bytesOf(value.uint16).buffer), (number) => (number === 65535 ? NaN : number * value.unit));
   for (const key of Object.keys(value)) value[key] = revive(value[key]);
   return value;
 }

@@ -34,8 +34,9 @@ const commonFragment = `
 const rampFragment = `
   uniform float scaleTop, scaleKind;
   uniform vec3 ramp[9];
-  uniform vec3 beyond;
+  uniform vec3 beyond, unknown;
   vec3 rampColour(float value) {
+    if (value > 1e29) return unknown;
     float share = value / scaleTop;
     if (scaleKind < 1.5 && abs(share) > 1.0005) return beyond;
     if (scaleKind > 1.5) return share * 1.25 > 1.0 ? beyond : share * 1.25 > 0.5 ? ramp[4] : ramp[0];
@@ -168,6 +169,6 @@ function scaleUniforms(mapped) {
   const scale = mapped ? mapped.scale : 'rising';
   return {
     scaleTop: { value: 1 }, scaleKind: { value: mapped ? scaleKind(mapped) : 0 },
-    ramp: { value: ramps[scale].map((text) => new THREE.Color(text)) }, beyond: colourUniform(beyondColours[scale]),
+    ramp: { value: ramps[scale].map((text) => new THREE.Color(text)) }, beyond: colourUniform(beyondColours[scale]), unknown: colourUniform(unknownColour),
   };
 }

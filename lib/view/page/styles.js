@@ -37,6 +37,7 @@ function pointColour(layer, item) {
 const faceColours = ['#92bbe4', '#f2e4a0', '#f2a58b', '#6fcab0', '#ffbfcc', '#b0e3ff', '#cbd860', '#cdbfe8'];
 const plainFace = '#d9dee3';
 const betweenItems = '#c3c9cf';
+const unknownColour = '#8d979f';
 const backColour = '#8c6d7f';
 const highlightColour = '#d6006e';
 
