@@ -32,7 +32,9 @@ ifeq ($(origin CXX),default)
 CXX := $(if $(filter fuzz,$(config)),clang++,g++)
 endif
 
-optimise.release  := -O2 -DNDEBUG
+# The loops over the three coordinates of OpenMesh's vectors unrolled: a third of the time of a fit. Clang does so anyway.
+unrolled          := $(if $(findstring clang,$(CXX)),,-fpeel-loops)
+optimise.release  := -O2 $(unrolled) -DNDEBUG
 optimise.debug    := -O0 -g -D_GLIBCXX_ASSERTIONS
 optimise.sanitize := -O1 -g -D_GLIBCXX_ASSERTIONS -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
 optimise.tsan     := -O1 -g -D_GLIBCXX_ASSERTIONS -fno-omit-frame-pointer -fsanitize=thread
@@ -251,7 +253,7 @@ $(O)/tests/%_test: $(O)/tests/property/%_test.o $(support) $(library)
 .PHONY: lint
 lint: ## clang-format and clang-tidy
 	@scripts/install-dependencies --verify build check lint
-	@scripts/lint $(O) -- $(filter-out -Werror,$(compile))
+	@scripts/lint $(O) -- $(filter-out -Werror $(unrolled),$(compile))
 
 .PHONY: check-packages
 check-packages: ## compare what is used with the packages that `make deps` installs
@@ -359,7 +361,7 @@ pictures: ## make the pictures of README.md anew
 compile-commands: compile_commands.json ## compile_commands.json, how every source is compiled, for editors and clang's tools
 compile_commands.json: FORCE
 	@scripts/compile-commands $(sort $(sources) $(wildcard tools/*.cpp tests/*/*.cpp tests/*/*/*.cpp)) > $@
-compile_commands.json: export command = $(filter-out ccache,$(compile))
+compile_commands.json: export command = $(filter-out ccache $(unrolled),$(compile))
 
 # --------------------------------------------------------------------------------------------- install
 
