@@ -8,6 +8,7 @@
 #include <mutex>
 #include <system_error>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace qm {
@@ -23,6 +24,36 @@ template <class Function> std::vector<std::jthread> startThreads(std::size_t wan
     }
     return threads;
 }
+
+/// One piece of work that is done while the caller does something else, if it may use two threads; otherwise
+/// at once.
+class Ahead {
+public:
+    template <class Function> Ahead(unsigned jobs, const Function& work) {
+        const auto guarded = [this, work] {
+            try {
+                work();
+            } catch (...) {
+                failure_ = std::current_exception();
+            }
+        };
+        if (jobs > 1) threads_ = startThreads(1, guarded);
+        if (threads_.empty()) guarded();
+    }
+
+    Ahead(const Ahead&) = delete;
+    Ahead& operator=(const Ahead&) = delete;
+
+    /// Until it is done; passes on what it throws.
+    void wait() {
+        threads_.clear();
+        if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
+    }
+
+private:
+    std::exception_ptr failure_;
+    std::vector<std::jthread> threads_;
+};
 
 /// Calls f(0) ... f(count - 1), each once, on at most `jobs` threads, the caller's among them. The order is
 /// open, so f must write only to what belongs to its index; then the result does not depend on `jobs`. If

@@ -1,25 +1,39 @@
 #include "merge/improve.h"
 
 #include "base/deadline.h"
+#include "base/parallel.h"
 #include "enumerate/optimum/optimum.h"
 #include "layout/tracks.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
+#include <cmath>
+#include <functional>
 #include <limits>
+#include <stdexcept>
+#include <string>
 
 namespace qm {
 namespace {
 
 struct Tuning {
-    /// Of the time, for the search of the whole: it gives bound and graph, so it gets the most.
+    /// Of the time, for the search of the whole: it gives bound and graph, so it gets the most. Where parts
+    /// are too large for it, their relaxation may take all, as no bound is known before.
     static constexpr double shareOfTree = 0.55;
-    /// Of the time; from here on the bound is improved, not the graph, which gains little by then.
+    /// Of the time, for windows that a single thread searches before it begins with the whole.
+    static constexpr double shareOfFirst = 0.2;
+    /// Of the time; where one thread does everything, from here on the bound is improved, not the graph,
+    /// which gains little by then.
     static constexpr double shareOfGraph = 0.65;
+    /// Variables of a part that is too large for the search: its first relaxation would take half a minute.
+    static constexpr std::size_t large = 15000;
     /// Variables of the largest windows that the search of the whole waits for: at least `fastWindow`, and
-    /// one in `fastShare` of all. Such windows take a small part of what the search itself takes.
+    /// one in `fastShare` of all. Such windows take a small part of what the search itself takes, and about
+    /// as much as the relaxation of large parts.
     static constexpr std::size_t fastWindow = 500;
     static constexpr std::size_t fastShare = 8;
+    static constexpr std::size_t fastShareIfLarge = 4;
     /// Variables of a window as hard as a sub-mesh, by the sub-mesh's quasi-complexity: log2 of the stops of
     /// a line that is as long as they usually are.
     static constexpr double variablesPerBit = 6;
@@ -65,19 +79,26 @@ public:
         : space_(space), input_(wholeInput(space)), problem_(makeProblem(input_)),
           present_(std::move(present)), counters_(counters), known_(known) {}
 
+    [[nodiscard]] bool isLarge() const { return problem_.arcs.size() >= Tuning::large; }
+
+    /// Searches the whole, and windows of the graph at hand at the same time.
+    /// \param first  of these windows
     /// \return with the bound
-    OptimumResult searchTree(const Control& control) {
+    OptimumResult searchTree(const Control& control, const Control& first) {
         OptimumOptions options;
         options.start = assignmentOf(problem_, present_);
+        options.large = Tuning::large;
         options.keepOpenParts = true;
+        Ahead windows(control.jobs, [&] { searchWindows({}, fastWindows(), first); });
         options.polish = [&](const Assignment& graph, const IdVector<VariableId, double>& relaxed) {
-            apply(problem_, graph, present_);
-            known_.cost(costOf(space_, present_));
+            windows.wait();
+            take(graph);
             searchWindows(relaxed, fastWindows(), control);
             return assignmentOf(problem_, present_);
         };
         OptimumResult found = findOptimum(problem_, options, control);
-        if (!found.graphs.empty()) apply(problem_, found.graphs.front(), present_);
+        windows.wait();
+        if (!found.graphs.empty()) take(found.graphs.front());
         return found;
     }
 
@@ -95,10 +116,18 @@ public:
     [[nodiscard]] const std::vector<bool>& present() const { return present_; }
 
 private:
+    /// Goes on with a graph if it is cheaper.
+    void take(const Assignment& graph) {
+        if (costOf(problem_, graph) >= costOf(problem_, assignmentOf(problem_, present_))) return;
+        apply(problem_, graph, present_);
+        known_.cost(costOf(space_, present_));
+    }
+
     /// Windows that are small enough for the tree to wait for them.
     [[nodiscard]] WindowOptions fastWindows() const {
         WindowOptions options;
-        options.maxVariables = std::max(Tuning::fastWindow, problem_.arcs.size() / Tuning::fastShare);
+        const std::size_t share = isLarge() ? Tuning::fastShareIfLarge : Tuning::fastShare;
+        options.maxVariables = std::max(Tuning::fastWindow, problem_.arcs.size() / share);
         return options;
     }
 
@@ -119,6 +148,19 @@ private:
     Known& known_;
 };
 
+/// What the decomposition adds to the bounds of the parts.
+double boundGain(const std::vector<OpenPart>& parts, const Deadline& end, const Control& control,
+                 const std::function<void(double)>& tell) {
+    double gain = 0;
+    for (const OpenPart& part : parts) {
+        DecompositionOptions options;
+        options.seconds = end.secondsLeft();
+        gain += std::max(0.0, decompositionBound(part.relaxed, options, control) - part.lowerBound);
+        tell(gain);
+    }
+    return gain;
+}
+
 } // namespace
 
 Improvement improveGraph(const QuadMesh& mesh, const BaseComplex& complex,
@@ -129,33 +171,51 @@ Improvement improveGraph(const QuadMesh& mesh, const BaseComplex& complex,
     const SearchSpace space = makeSearchSpace(mesh, complex, edgeCosts, whole, constraints, cornerCost);
     Known known(control, tell, graph.cost);
     const Control telling = known.control();
-    const Deadline tree(telling, Tuning::shareOfTree * seconds),
-        windows(telling, Tuning::shareOfGraph * seconds), end(telling, seconds);
     Improvement result;
     Improver improver(space, presentArcs(mesh, complex, space.graph, graph.tracks), result, known);
+    const double shareOfTree = improver.isLarge() ? 1 : Tuning::shareOfTree;
+    const bool together = telling.jobs > 1; // windows and bounds, to the end
+    const Deadline end(telling, seconds), tree(telling, shareOfTree * seconds),
+        first(telling, (together ? shareOfTree : Tuning::shareOfFirst) * seconds),
+        windows(telling, together ? seconds : Tuning::shareOfGraph * seconds);
 
-    const OptimumResult found = improver.searchTree(tree.control());
+    Control ofFirst = first.control();
+    ofFirst.jobs = std::max(1U, telling.jobs - 1);
+    const OptimumResult found = improver.searchTree(tree.control(), ofFirst);
     result.lowerBound = found.lowerBound;
     known.bound(result.lowerBound);
     control.progress(Tuning::shareOfTree);
     if (!found.complete) {
-        WindowOptions allSizes;
-        allSizes.patient = true;
-        const Deadline& last = found.openParts.empty() ? end : windows; // nothing else may be left to do
-        improver.searchWindows(found.relaxed, allSizes, last.control());
+        const std::array<std::function<void()>, 2> work{
+            [&] {
+                WindowOptions allSizes;
+                allSizes.patient = true;
+                // Nothing else may be left to do.
+                Control ofWindows = (found.openParts.empty() ? end : windows).control();
+                if (together) ofWindows.jobs -= telling.jobs / 2;
+                improver.searchWindows(found.relaxed, allSizes, ofWindows);
+            },
+            [&] {
+                Control ofBounds = telling;
+                if (together) ofBounds.jobs = telling.jobs / 2;
+                result.lowerBound += boundGain(found.openParts, end, ofBounds,
+                                               [&](double gain) { known.bound(found.lowerBound + gain); });
+            }};
+        parallelFor(work.size(), together ? 2 : 1, [&](std::size_t k) { work[k](); });
     }
     result.graph = graphOf(mesh, complex, space.graph, improver.present(), edgeCosts);
-    for (const OpenPart& part : found.openParts) {
-        DecompositionOptions options;
-        options.seconds = end.secondsLeft();
-        const double bound = decompositionBound(part.relaxed, options, telling);
-        result.lowerBound += std::max(0.0, bound - part.lowerBound);
-        known.bound(result.lowerBound);
-    }
     control.progress(1);
-    // The bound sums what the search summed, in another order than the tracks' costs.
-    result.lowerBound = std::min(result.lowerBound, result.graph.cost);
+    result.lowerBound = boundBelow(result.lowerBound, result.graph.cost);
     return result;
+}
+
+double boundBelow(double lowerBound, double cost) {
+    // The bound sums what the search summed, in another order than the tracks' costs.
+    const double rounding = 1e-6 * (1 + std::abs(cost));
+    if (lowerBound > cost + rounding)
+        throw std::logic_error("a lower bound of " + std::to_string(lowerBound) +
+                               " was computed, but there is a graph of cost " + std::to_string(cost));
+    return std::min(lowerBound, cost);
 }
 
 WindowResult moveCuts(const SearchSpace& space, const std::vector<bool>& present, double complexity,

@@ -32,6 +32,10 @@ struct Improvement {
                                        double seconds, const Control& control = {},
                                        const KnownCost& tell = {});
 
+/// A lower bound of a graph's cost, freed of rounding.
+/// \throw std::logic_error  if it is clearly above the cost, which is a fault of what computed it
+[[nodiscard]] double boundBelow(double lowerBound, double cost);
+
 /// Searches windows that are no harder than a sub-mesh, wherever the cut runs; of very many, the first.
 /// \param present     the arcs of a valid graph of the whole mesh
 /// \param complexity  chi, of the sub-meshes

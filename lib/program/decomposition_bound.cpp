@@ -2,6 +2,7 @@
 
 #include "base/deadline.h"
 #include "base/parallel.h"
+#include "program/gradient_relaxation.h"
 #include "program/solve_program.h"
 
 #include <algorithm>
@@ -103,11 +104,13 @@ public:
           costs_(relaxed.program.costs), constant_(relaxed.constant), rowsOf_(size()) {
         for (const RowId row : relaxed.program.rows.ids())
             placeRow(row);
+        for (std::size_t k = 0; k < size(); ++k)
+            relaxedBounds_.push_back(relaxedBoundOf(k));
     }
 
     [[nodiscard]] std::size_t size() const { return clusters_.members.size(); }
 
-    /// \return how much the integer optima of the clusters exceed the relaxed ones
+    /// \return how much the integer optima of the clusters exceed the relaxed bounds
     double gain(double seconds, const Control& control) const {
         const Deadline end(control, seconds);
         const Control limited = end.control();
@@ -121,10 +124,7 @@ public:
     }
 
     [[nodiscard]] double relaxedBound() const {
-        double bound = constant_;
-        for (std::size_t k = 0; k < size(); ++k)
-            bound += relaxedCost(k);
-        return bound;
+        return std::accumulate(relaxedBounds_.begin(), relaxedBounds_.end(), constant_);
     }
 
 private:
@@ -143,11 +143,24 @@ private:
             costs_[row.columns[k]] -= dual * row.weights[k];
     }
 
-    [[nodiscard]] double relaxedCost(std::size_t cluster) const {
-        double cost = 0;
+    /// What the duals of the rows inside prove; the relaxed optimum itself if they are optimal.
+    [[nodiscard]] double relaxedBoundOf(std::size_t cluster) const {
+        IdVector<RowId, double> duals;
+        for (const RowId row : rowsOf_[cluster])
+            duals.push_back(relaxed_.duals[row]);
+        return dualBound(programOf(cluster), duals);
+    }
+
+    [[nodiscard]] IntegerProgram programOf(std::size_t cluster) const {
+        IntegerProgram program;
         for (const ColumnId column : clusters_.members[cluster])
-            cost += costs_[column] * relaxed_.values[column];
-        return cost;
+            program.costs.push_back(costs_[column]);
+        for (const RowId row : rowsOf_[cluster]) {
+            program.rows.push_back(relaxed_.program.rows[row]);
+            for (ColumnId& column : program.rows.back().columns)
+                column = clusters_.indexOf[column];
+        }
+        return program;
     }
 
     [[nodiscard]] double gainOf(std::size_t cluster, double seconds, const Control& control) const {
@@ -155,15 +168,7 @@ private:
         if (control.stopRequested() ||
             std::ranges::none_of(members, [&](ColumnId c) { return isFractional(relaxed_.values[c]); }))
             return 0;
-        IntegerProgram program;
-        for (const ColumnId column : members)
-            program.costs.push_back(costs_[column]);
-        for (const RowId row : rowsOf_[cluster]) {
-            program.rows.push_back(relaxed_.program.rows[row]);
-            for (ColumnId& column : program.rows.back().columns)
-                column = clusters_.indexOf[column];
-        }
-        return std::max(0.0, boundProgram(program, seconds, control) - relaxedCost(cluster));
+        return std::max(0.0, boundProgram(programOf(cluster), seconds, control) - relaxedBounds_[cluster]);
     }
 
     const RelaxedProgram& relaxed_;
@@ -171,6 +176,7 @@ private:
     ColumnValues costs_;
     double constant_;
     std::vector<std::vector<RowId>> rowsOf_; ///< of every cluster, those inside
+    std::vector<double> relaxedBounds_;      ///< of every cluster
 };
 
 } // namespace

@@ -2,7 +2,7 @@
 ///
 /// Lagrangian relaxation (docs/METHOD.md#decomposition-bound; Geoffrion 1974, docs/METHOD.md#geoffrion-1974).
 /// Rows between clusters are paid for by their duals instead of being obeyed; what remains falls apart, and
-/// every cluster's optimum is at least its share of the relaxed cost. The gain is what fractional values
+/// every cluster's optimum is at least what the duals prove of it. The gain is what fractional values
 /// inside of clusters had saved.
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace qm {
 
-/// An integer program with an optimum of its linear relaxation.
+/// An integer program with an optimum of its linear relaxation, or what is near one.
 struct RelaxedProgram {
     IntegerProgram program;
     double constant = 0;           ///< of the cost

@@ -91,6 +91,30 @@ TEST(HardSearchProperty, DecompositionBoundsLieBetweenTheRelaxationAndTheOptimum
     EXPECT_GT(raised, 3U);
 }
 
+TEST(HardSearchProperty, LargePartsAreBoundedWithoutASearch) {
+    double ofRoots = 0, ofGradients = 0;
+    for (unsigned number = 0; number < cases; ++number) {
+        const Torus drawn = drawTorus(number);
+        OptimumOptions rootOnly;
+        rootOnly.nodes = 1;
+        ofRoots += findOptimum(drawn.problem, rootOnly).lowerBound;
+        OptimumOptions options;
+        options.start = drawn.plain;
+        options.large = 1;
+        options.keepOpenParts = true;
+        const OptimumResult found = findOptimum(drawn.problem, options);
+        EXPECT_EQ(found.complete, found.openParts.empty()) << "case " << number;
+        EXPECT_EQ(found.graphs.front(), drawn.plain) << "case " << number;
+        EXPECT_LE(found.lowerBound, drawn.minCost + 1e-6) << "case " << number;
+        ofGradients += found.lowerBound;
+        double whole = found.lowerBound;
+        for (const OpenPart& part : found.openParts)
+            whole += decompositionBound(part.relaxed, {1'000'000, 1'000'000, longTime}) - part.lowerBound;
+        EXPECT_NEAR(whole, drawn.minCost, 1e-6) << "case " << number;
+    }
+    EXPECT_GT(ofGradients, 0.99 * ofRoots);
+}
+
 TEST(HardSearchProperty, DecompositionBoundsAreTrueWhereverTheClockEndsThem) {
     for (unsigned number = 0; number < cases; ++number) {
         const Torus drawn = drawTorus(number);

@@ -33,5 +33,22 @@ TEST(ParallelFor, PassesExceptionsOn) {
     }
 }
 
+TEST(Ahead, IsDoneWhenItHasBeenWaitedFor) {
+    for (const unsigned jobs : {1U, 2U}) {
+        int done = 0;
+        Ahead work(jobs, [&] { ++done; });
+        work.wait();
+        work.wait();
+        EXPECT_EQ(done, 1) << jobs << " jobs";
+    }
+}
+
+TEST(Ahead, PassesAnExceptionOn) {
+    for (const unsigned jobs : {1U, 2U}) {
+        Ahead work(jobs, [] { throw std::runtime_error("fault"); });
+        EXPECT_THROW(work.wait(), std::runtime_error);
+    }
+}
+
 } // namespace
 } // namespace qm

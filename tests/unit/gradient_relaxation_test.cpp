@@ -1,0 +1,83 @@
+#include "program/decomposition_bound.h"
+#include "program/gradient_relaxation.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace qm {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// A ring of this many columns, of two neighbours of which at least one is 1: relaxed, all are a half.
+IntegerProgram ring(std::size_t columns) {
+    IntegerProgram program;
+    program.costs.assign(columns, 1);
+    for (std::size_t k = 0; k < columns; ++k)
+        program.rows.push_back({{ColumnId(k), ColumnId((k + 1) % columns)}, {1, 1}, 1, infinity});
+    return program;
+}
+
+TEST(GradientRelaxation, IsNearTheRelaxedOptimum) {
+    const IntegerProgram program = ring(101);
+    const NearOptimum found = relaxByGradients(program, {100000, 1e-6});
+    EXPECT_NEAR(found.lowerBound, 50.5, 1e-3);
+    EXPECT_LE(found.lowerBound, 50.5 + 1e-9);
+    EXPECT_NEAR(dualBound(program, found.duals), found.lowerBound, 1e-9);
+    for (const double value : found.values)
+        EXPECT_NEAR(value, 0.5, 1e-3);
+}
+
+TEST(GradientRelaxation, KnowsEquationsAndUpperSides) {
+    IntegerProgram program;
+    program.costs = ColumnValues(std::vector<double>{-3, -2, 1});
+    program.rows.push_back({{ColumnId(0), ColumnId(1)}, {1, 1}, -infinity, 1.5});
+    program.rows.push_back({{ColumnId(1), ColumnId(2)}, {1, -1}, 0, 0});
+    // (1, 0.5, 0.5) is cheapest.
+    const NearOptimum found = relaxByGradients(program, {100000, 1e-6});
+    EXPECT_NEAR(found.lowerBound, -3.5, 1e-3);
+    EXPECT_NEAR(program.cost(found.values), -3.5, 1e-2);
+}
+
+TEST(GradientRelaxation, IsTrueWheneverItIsStopped) {
+    const IntegerProgram program = ring(101);
+    double last = -infinity;
+    for (const std::size_t iterations : {0U, 1U, 100U, 1000U, 10000U}) {
+        const NearOptimum found = relaxByGradients(program, {iterations, 0});
+        EXPECT_EQ(found.values.size(), 101U);
+        EXPECT_LE(found.lowerBound, 50.5 + 1e-9) << iterations << " iterations";
+        EXPECT_GE(found.lowerBound, last) << iterations << " iterations";
+        last = found.lowerBound;
+    }
+    EXPECT_GT(last, 50);
+    Control stopped;
+    stopped.stopRequested = [] { return true; };
+    EXPECT_LE(relaxByGradients(program, {}, stopped).lowerBound, 50.5);
+}
+
+TEST(GradientRelaxation, ADualOfAnInfiniteSideProvesNothing) {
+    const IntegerProgram program = ring(3);
+    EXPECT_EQ(dualBound(program, IdVector<RowId, double>(std::vector<double>{-1, 0, 0})), 0);
+    EXPECT_EQ(dualBound(program, IdVector<RowId, double>(std::vector<double>{1, 0, 0})), 1);
+}
+
+TEST(DecompositionBound, IsTrueWithAnyDuals) {
+    RelaxedProgram relaxed;
+    relaxed.program = ring(101); // 51 columns at least
+    relaxed.values.assign(101, 0.5);
+    for (const double dual : {0.0, 0.1, 0.5, 0.7, 3.0}) {
+        relaxed.duals.assign(101, dual);
+        for (const std::size_t columns : {1U, 2U, 3U, 10U, 1000U}) {
+            const double bound = decompositionBound(relaxed, {columns, columns, 1e9});
+            EXPECT_LE(bound, 51 + 1e-6) << dual << ", " << columns;
+            EXPECT_GE(bound, dualBound(relaxed.program, relaxed.duals) - 1e-6) << dual << ", " << columns;
+            if (columns == 1000) {
+                EXPECT_NEAR(bound, 51, 1e-6);
+            }
+        }
+    }
+}
+
+} // namespace
+} // namespace qm
