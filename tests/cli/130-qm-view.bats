@@ -16,7 +16,7 @@ needs_browser() { command -v chromium >/dev/null || skip 'there is no Chromium';
 seen() {
     local root=()
     ((EUID != 0)) || root=(--no-sandbox)
-    timeout 120 chromium --headless "${root[@]}" --use-angle=swiftshader --enable-unsafe-swiftshader --window-size=1000,700 \
+    timeout 120 chromium --headless "${root[@]}" --use-angle=swiftshader --enable-unsafe-swiftshader --window-size="${window_size:-1000,700}" \
         --user-data-dir="$PWD/profile" --virtual-time-budget=5000 --enable-logging=stderr --v=0 \
         --dump-dom "file://$PWD/$1#census" >dom 2>log
     # What the graphics driver says about reading pixels back is no fault of the page.
@@ -127,6 +127,18 @@ EOF
     assert [ -s mesh.html ]
     run cmp -s block.png mesh.png
     assert_failure
+}
+
+@test "a small picture has room for the whole key" {
+    needs_browser
+    local window_size
+    qm-view --show tolerance,jumps,curves "$(stage surfaces block)" >page.html
+    echo "<script>document.body.classList.add('still'); const key = document.getElementById('key');
+        document.body.dataset.key = [key.scrollHeight > key.clientHeight, key.getBoundingClientRect().bottom > innerHeight];</script>" >>page.html
+    for window_size in 400,300 390,844 1200,900; do
+        seen page.html >census
+        assert_equal "$window_size: $(grep -oP 'data-key="\K[^"]*' dom)" "$window_size: false,false"
+    done
 }
 
 @test "without a browser --png says what to install, and writes nothing" {
