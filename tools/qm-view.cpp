@@ -41,14 +41,15 @@ int main(int argc, char** argv) {
                 throw qm::UsageError("page and picture cannot go to the same place");
         });
         return [&, stage] {
-            const auto scenes = qm::viewedScenes(tool, *stage, compare, reference, unit);
+            const qm::ViewedDocuments documents(tool, *stage, compare, reference, unit);
             qm::PageOptions options{qm::parseLayers(show), qm::parseDirection(from), qm::parseDirection(up),
                                     qm::parseSection(section)};
-            if (png.empty() || tool.given("output")) tool.write(qm::printPage(scenes, options));
+            if (png.empty() || tool.given("output")) tool.write(qm::printPage(documents.forPage(), options));
             if (png.empty()) return qm::exitDone;
             options.still = true;
             const auto [width, height] = qm::parseSize(size);
-            qm::writeFile(png, qm::photographPage(qm::printPage(scenes, options), width, height));
+            const std::string page = qm::printPage(documents.forPicture(width, height), options);
+            qm::writeFile(png, qm::photographPage(page, width, height));
             return qm::exitDone;
         };
     });

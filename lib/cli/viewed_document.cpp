@@ -6,6 +6,7 @@
 #include "document/summary_json.h"
 #include "view/build_scene.h"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace qm {
@@ -15,46 +16,62 @@ template <class Part> const Part* orNull(const std::optional<Part>& part) {
     return part ? &*part : nullptr;
 }
 
-Scene sceneOf(const Tool& tool, const Document& document, const Model& model, const std::string& reference,
-              LengthUnit unit) {
+Viewed viewedOf(const Document& document, const Model& model, LengthUnit unit) {
     const FitOptions fit = recordedFit(JsonPlace(document.root)["history"]);
     const bool limited = model.surfaces && fit.fit == Fit::smooth;
-    const auto scan = readRecordedScan(tool, document, reference);
-    const Viewed viewed{
-        .title = std::filesystem::path(model.meshPath).filename().string(),
-        .kind = document.root["kind"].get<std::string>(),
-        .mesh = model.mesh,
-        .dihedralAngles = model.dihedralAngles,
-        .baseComplex = model.baseComplex,
-        .features = model.features,
-        .cut = orNull(model.cut),
-        .enumeration = orNull(model.enumeration),
-        .layout = orNull(model.layout),
-        .surfaces = orNull(model.surfaces),
-        .scan = orNull(scan),
-        .tolerance = limited ? allowedDistance(*model.surfaces, fit, boundingBoxDiagonal(model.mesh)) : 0,
-        .rho = fit.rho,
-        .unit = std::string(choiceName(unit))};
-    return buildScene(viewed, tool.jobs());
+    return {.title = std::filesystem::path(model.meshPath).filename().string(),
+            .kind = document.root["kind"].get<std::string>(),
+            .mesh = model.mesh,
+            .dihedralAngles = model.dihedralAngles,
+            .baseComplex = model.baseComplex,
+            .features = model.features,
+            .cut = orNull(model.cut),
+            .enumeration = orNull(model.enumeration),
+            .layout = orNull(model.layout),
+            .surfaces = orNull(model.surfaces),
+            .tolerance = limited ? allowedDistance(*model.surfaces, fit, boundingBoxDiagonal(model.mesh)) : 0,
+            .rho = fit.rho,
+            .unit = std::string(choiceName(unit))};
 }
 
 } // namespace
 
-std::vector<Scene> viewedScenes(const Tool& tool, Stage& stage, const std::string& other,
-                                const std::string& reference, LengthUnit unit) {
-    std::vector<Scene> scenes;
+ViewedDocuments::ViewedDocuments(const Tool& tool, Stage& stage, const std::string& other,
+                                 const std::string& reference, LengthUnit unit)
+    : tool_(tool), unit_(unit) {
     if (!other.empty()) {
-        Document document = parseDocument(readFile(other), other);
-        const Model model = readWholeModel(document);
+        other_ = parseDocument(readFile(other), other);
+        otherModel_ = readWholeModel(other_);
         tool.protect(other);
-        tool.protect(model.meshPath);
-        for (const std::string& note : model.notes)
+        tool.protect(otherModel_.meshPath);
+        for (const std::string& note : otherModel_.notes)
             tool.warn(other + ": " + note);
-        scenes.push_back(sceneOf(tool, document, model, "", unit));
+        parts_.push_back({&other_, &otherModel_, readRecordedScan(tool, other_, "")});
     }
     const Model& model = stage.readWhole();
-    scenes.push_back(sceneOf(tool, stage.document(), model, reference, unit));
+    parts_.push_back({&stage.document(), &model, readRecordedScan(tool, stage.document(), reference)});
+}
+
+std::vector<Scene> ViewedDocuments::scenes(std::optional<std::size_t> maxPoints) const {
+    std::vector<Scene> scenes;
+    for (const Part& part : parts_) {
+        Viewed viewed = viewedOf(*part.document, *part.model, unit_);
+        viewed.scan = orNull(part.scan);
+        viewed.maxPoints = maxPoints.value_or(viewed.maxPoints);
+        scenes.push_back(buildScene(viewed, tool_.jobs()));
+    }
     return scenes;
+}
+
+std::vector<Scene> ViewedDocuments::forPage() const {
+    return scenes({});
+}
+
+std::vector<Scene> ViewedDocuments::forPicture(int width, int height) const {
+    constexpr std::size_t fewest = 10'000;
+    constexpr std::size_t pixels = 36; // for every point: what lies between is shaded smoothly
+    const std::size_t all = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    return scenes(std::clamp(all / pixels, fewest, Viewed::usualPoints));
 }
 
 } // namespace qm

@@ -1,20 +1,48 @@
 /// \file From documents to the scenes that qm-view shows.
 #pragma once
 
+#include "bspline/reference/triangle_surface.h"
 #include "cli/export_choices.h"
 #include "cli/stage.h"
 #include "view/scene.h"
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace qm {
 
-/// The scene of the tool's document and, to the left of it, that of another one.
-/// \param other  its file; empty: there is none
-/// \param reference  the scan of the tool's document, if not where that says; may be empty
-/// \param unit  of the meshes
-[[nodiscard]] std::vector<Scene> viewedScenes(const Tool& tool, Stage& stage, const std::string& other,
-                                              const std::string& reference, LengthUnit unit);
+/// The tool's document and, to the left of it, perhaps another one.
+class ViewedDocuments {
+public:
+    /// Reads them.
+    /// \param other  the file of the other one; empty: there is none
+    /// \param reference  the scan of the tool's document, if not where that says; may be empty
+    /// \param unit  of the meshes
+    ViewedDocuments(const Tool& tool, Stage& stage, const std::string& other, const std::string& reference,
+                    LengthUnit unit);
+    ViewedDocuments(const ViewedDocuments&) = delete;
+    ViewedDocuments& operator=(const ViewedDocuments&) = delete;
+
+    /// A scene for each.
+    [[nodiscard]] std::vector<Scene> forPage() const;
+    /// The same with no more points than a picture of so many pixels shows.
+    [[nodiscard]] std::vector<Scene> forPicture(int width, int height) const;
+
+private:
+    struct Part {
+        const Document* document;
+        const Model* model;
+        std::optional<TriangleSurface> scan;
+    };
+    [[nodiscard]] std::vector<Scene> scenes(std::optional<std::size_t> maxPoints) const;
+
+    const Tool& tool_;
+    LengthUnit unit_;
+    Document other_;
+    Model otherModel_;
+    std::vector<Part> parts_; ///< from left to right
+};
 
 } // namespace qm

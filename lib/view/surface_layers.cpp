@@ -25,7 +25,7 @@ void addDeviationFigures(Items& items, const Deviation& deviation, const std::st
 
 FittedPatches fittedPatches(const Viewed& viewed, const Point& centre) {
     FittedPatches fitted;
-    fitted.steps = latticeSteps(viewed.mesh.n_faces());
+    fitted.steps = latticeSteps(viewed.mesh.n_faces(), viewed.maxPoints);
     for (const Patch& patch : viewed.surfaces->patches) {
         fitted.degrees.push_back(patch.degree);
         fitted.counts.push_back(patch.count);

@@ -46,11 +46,10 @@ std::vector<double> ofAllPatches(std::size_t count, unsigned jobs, const Functio
 
 } // namespace
 
-std::size_t latticeSteps(std::size_t faces) {
-    constexpr double maxPoints = 120'000; // what is drawn at ease without a graphics card
-    constexpr double finest = 8;          // an edge: more is seen on no screen
-    return static_cast<std::size_t>(std::clamp(
-        std::floor(std::sqrt(maxPoints / std::max(1.0, static_cast<double>(faces)))), 1.0, finest));
+std::size_t latticeSteps(std::size_t faces, std::size_t maxPoints) {
+    constexpr double finest = 8; // an edge: more is seen on no screen
+    const double ofFace = static_cast<double>(maxPoints) / std::max(1.0, static_cast<double>(faces));
+    return static_cast<std::size_t>(std::clamp(std::floor(std::sqrt(ofFace)), 1.0, finest));
 }
 
 std::vector<double> distancesFromReference(const QuadMesh& mesh, const Layout& layout,

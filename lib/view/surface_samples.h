@@ -13,8 +13,9 @@
 
 namespace qm {
 
-/// Points on the lattice of `FittedPatches` for every mesh edge: the fewer the more faces the mesh has.
-[[nodiscard]] std::size_t latticeSteps(std::size_t faces);
+/// Points on the lattice of `FittedPatches` for every mesh edge.
+/// \param maxPoints  in all; there is one for every edge in any case
+[[nodiscard]] std::size_t latticeSteps(std::size_t faces, std::size_t maxPoints);
 
 /// Distances of the lattice's points, patch by patch and row by row, from the reference that surfaces are
 /// fitted to.
