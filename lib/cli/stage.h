@@ -34,7 +34,7 @@ public:
 
     /// Puts the section into the document, and the document out. Reading must have come before, and ends
     /// here.
-    template <class Options> void write(const Options& options, Json section) {
+    template <class Options> void write(const Options& options, Json&& section) {
         writeSection(optionsToJson(options), std::move(section));
     }
 

@@ -50,7 +50,7 @@ std::string explanation(const OptionRecord& option) {
         if (!fact.empty()) facts.append(facts.empty() ? "" : "; ").append(fact);
     };
     for (const auto& [name, help] : option.choices)
-        add(help.empty() ? name : name + ": " + help);
+        add(help.empty() ? name : std::string(name).append(": ").append(help));
     add(rangeText(option.range));
     if (!option.defaultText.empty()) add("default " + option.defaultText);
     return facts.empty() ? text : text + " (" + facts + ")";

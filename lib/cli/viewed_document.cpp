@@ -45,7 +45,7 @@ ViewedDocuments::ViewedDocuments(const Tool& tool, Stage& stage, const std::stri
         tool.protect(other);
         tool.protect(otherModel_.meshPath);
         for (const std::string& note : otherModel_.notes)
-            tool.warn(other + ": " + note);
+            tool.warn(std::string(other).append(": ").append(note));
         parts_.push_back({&other_, &otherModel_, readRecordedScan(tool, other_, "")});
     }
     const Model& model = stage.readWhole();

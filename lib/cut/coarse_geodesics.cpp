@@ -116,6 +116,7 @@ double CoarseGeodesics::length(VertexId vertex, int cell) const {
 std::vector<double> CoarseGeodesics::between(VertexId source, const std::vector<VertexId>& targets) {
     const std::vector<int>& near = around_[at(cellOf(source))];
     std::vector<Geodesics::Start> starts;
+    starts.reserve(near.size());
     for (const int cell : near)
         starts.push_back({cell, length(source, cell)});
     const std::vector<double>& toCentres = front_->from(starts);

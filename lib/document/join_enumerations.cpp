@@ -16,7 +16,7 @@ Json& sectionOfPart(Document& document) {
 }
 
 /// What is left of a document when what its own search found is taken out.
-struct Found {
+struct Found { // NOLINT(bugprone-exception-escape): Json's constructors throw, but not these
     std::string path;
     std::int64_t number = 0;
     Json count;

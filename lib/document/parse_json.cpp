@@ -2,7 +2,9 @@
 #include "document/json.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <string_view>
 #include <unordered_set>
 
 namespace qm {
@@ -103,7 +105,9 @@ bool Builder::key(string_t& key) {
 /// The library's message without exception number, position, and whatever would make it long.
 std::string reason(std::string message) {
     constexpr std::size_t longest = 200;
-    for (const std::string mark : {"] ", "parse error at ", ": ", "syntax error while parsing "}) {
+    constexpr std::array<std::string_view, 4> marks{"] ", "parse error at ", ": ",
+                                                    "syntax error while parsing "};
+    for (const std::string_view mark : marks) {
         const std::size_t found = message.find(mark);
         if (found != std::string::npos && found < 100) message.erase(0, found + mark.size());
     }

@@ -136,7 +136,7 @@ private:
         if (!one || !other) return nullptr;
         const std::array ends{place(shared_.vertexPoint[at(edge.start)]),
                               place(shared_.vertexPoint[at(edge.end)])};
-        const auto curve = commonCurve(border, ends, {*one, *other}, resolution_);
+        auto curve = commonCurve(border, ends, {*one, *other}, resolution_);
         for (int k = curve->FirstUKnotIndex(); k <= curve->LastUKnotIndex(); ++k)
             if (!(curve->Value(curve->Knot(k)).Distance(border->Value(curve->Knot(k))) <= reach_))
                 return nullptr;

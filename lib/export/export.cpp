@@ -52,7 +52,7 @@ CheckedShape checkedShape(const QuadMesh& mesh, const FacePatches& faces, double
 }
 
 /// The same with one face for every plane, unless OpenCASCADE takes the one and not the other.
-CheckedShape withPlanesMerged(CheckedShape shape) {
+CheckedShape withPlanesMerged(const CheckedShape& shape) {
     CheckedShape merged{shape.boundary, shape.origins, {}, false};
     mergePlanes(merged.boundary, merged.origins);
     merged.shape = buildShape(merged.boundary);

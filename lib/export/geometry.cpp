@@ -40,7 +40,7 @@ std::vector<double> fullKnots(const TColStd_Array1OfReal& values,
 }
 
 bool hasRepeatedInnerKnot(const std::vector<double>& knots, int degree) {
-    const auto surplus = static_cast<std::ptrdiff_t>(degree + 1);
+    const std::ptrdiff_t surplus = std::ptrdiff_t{degree} + 1;
     return std::adjacent_find(knots.begin() + surplus, knots.end() - surplus) != knots.end() - surplus;
 }
 

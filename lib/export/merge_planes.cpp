@@ -58,6 +58,7 @@ public:
         addOpen(outline_, uses);
         addOpen(uses, outline_);
         std::vector<std::size_t> starts;
+        starts.reserve(outline.size());
         for (const EdgeUse& use : outline)
             starts.push_back(startOf(boundary_, use));
         std::ranges::sort(starts);

@@ -30,7 +30,7 @@ Eigen::Vector3d SimpleShape::radial(const Eigen::Vector3d& point) const {
 }
 
 Eigen::Vector3d SimpleShape::normal(const Eigen::Vector3d& point) const {
-    const Eigen::Vector3d out = radial(point).normalized();
+    Eigen::Vector3d out = radial(point).normalized();
     switch (kind) {
     case SimpleKind::plane:
         return axis;

@@ -139,6 +139,7 @@ private:
         std::vector<StepId> bounds;
         for (const auto& outline : face.loops) {
             std::vector<StepId> uses;
+            uses.reserve(outline.size());
             for (const EdgeUse& use : outline)
                 uses.push_back(file_.add(StepText("ORIENTED_EDGE('',*,*,")
                                              .id(edges_[use.edge])

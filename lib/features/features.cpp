@@ -81,7 +81,8 @@ private:
         const auto lengthUpTo = [&](int position) {
             const auto k = static_cast<std::size_t>(position);
             const std::size_t count = line.halfedges.size();
-            return static_cast<double>(k / count) * lengthUpTo_[count] + lengthUpTo_[k % count];
+            const std::size_t turns = k / count;
+            return static_cast<double>(turns) * lengthUpTo_[count] + lengthUpTo_[k % count];
         };
         return lengthUpTo(end) - lengthUpTo(begin);
     }

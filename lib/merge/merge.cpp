@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <atomic>
 #include <optional>
+#include <ranges>
 #include <set>
 #include <unordered_set>
 
@@ -103,8 +104,8 @@ private:
     /// Whether the arcs are as they were before one of the rounds.
     [[nodiscard]] bool repeats() const {
         std::unordered_set<ArcId> differing;
-        for (auto changes = rounds_.rbegin(); changes != rounds_.rend(); ++changes) {
-            for (const ArcId arc : *changes)
+        for (const std::vector<ArcId>& changes : std::views::reverse(rounds_)) {
+            for (const ArcId arc : changes)
                 if (!differing.insert(arc).second) differing.erase(arc);
             if (differing.empty()) return true;
         }

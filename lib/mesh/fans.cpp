@@ -23,7 +23,7 @@ std::size_t copyPoint(Soup& soup, std::size_t point) {
             soup.pointNumbers.push_back(static_cast<std::uint32_t>(soup.pointNumber(k)));
     soup.pointNumbers.push_back(static_cast<std::uint32_t>(number));
     if (!soup.pointLines.empty()) soup.pointLines.push_back(soup.pointLines[point]);
-    soup.points.push_back(Point(soup.points[point]));
+    soup.points.emplace_back(Point(soup.points[point]));
     return soup.points.size() - 1;
 }
 

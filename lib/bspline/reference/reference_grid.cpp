@@ -66,6 +66,7 @@ SurfacePoint ReferenceGrid::evaluate(double u, double v) const {
 std::vector<SurfacePoint> ReferenceGrid::evaluateLattice(const std::vector<double>& us,
                                                          const std::vector<double>& vs) const {
     std::vector<Weights> columns;
+    columns.reserve(us.size());
     for (const double u : us)
         columns.push_back(lagrange(size[0], steps, u));
     std::vector<SurfacePoint> result;

@@ -1,5 +1,6 @@
 #include "bspline/reference/scan_gaps.h"
 
+#include "base/at.h"
 #include "bspline/splines/eigen_point.h"
 
 #include <Eigen/IterativeLinearSolvers>
@@ -54,7 +55,7 @@ private:
     /// Pairs of neighbours on the lattice lines; those on common borders come twice, once from either side.
     template <class Function> void forEachPair(const Function& f) const {
         for (std::size_t g = 0; g < lattice_.numbers.size(); ++g) {
-            const auto columns = static_cast<std::size_t>(surface_[g].size[0] * surface_[g].steps + 1);
+            const auto columns = at(surface_[g].size[0]) * at(surface_[g].steps) + 1;
             for (std::size_t k = 0; k < lattice_.numbers[g].size(); ++k) {
                 if (k % columns + 1 < columns) f(g, k, k + 1);
                 if (k + columns < lattice_.numbers[g].size()) f(g, k, k + columns);

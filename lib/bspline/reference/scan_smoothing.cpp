@@ -93,7 +93,7 @@ std::vector<Point> smoothLine(const std::vector<LinePoint>& line, int steps, dou
     for (std::ptrdiff_t k = 0; k < std::ssize(line); ++k) {
         const auto& [first, last] = parts[static_cast<std::size_t>(k)];
         Smoothed best{line[static_cast<std::size_t>(k)].position, 1};
-        for (std::ptrdiff_t half = steps; half <= 4 * steps; half *= 2) {
+        for (std::ptrdiff_t half = steps; half <= std::ptrdiff_t{4} * steps; half *= 2) {
             const std::ptrdiff_t begin = std::max(k - half, first);
             const std::ptrdiff_t end = std::min(k + half + 1, last);
             constexpr std::ptrdiff_t enough = 6;
