@@ -42,8 +42,20 @@ struct Effort {
 Effort effortFor(const QuadMesh& mesh) {
     constexpr std::size_t many = 30'000;
     constexpr std::size_t veryMany = 300'000;
-    if (mesh.n_faces() > veryMany) return {1, 4, 2, 2, 1, 0};
-    if (mesh.n_faces() > many) return {2, 8, 4, 3, 1, 2};
+    if (mesh.n_faces() > veryMany)
+        return {.stepsOfFit = 1,
+                .maxRounds = 4,
+                .roundsForFolds = 2,
+                .slides = 2,
+                .attempts = 1,
+                .verifications = 0};
+    if (mesh.n_faces() > many)
+        return {.stepsOfFit = 2,
+                .maxRounds = 8,
+                .roundsForFolds = 2,
+                .slides = 3,
+                .attempts = 1,
+                .verifications = 2};
     return {};
 }
 

@@ -77,7 +77,8 @@ private:
             if (++rounds_ > options_.roundsForFolds) state_.giveUpFolds();
             if (state_.worst() <= 1) {
                 const auto count = static_cast<double>(controlPointCount(best_.patches));
-                if (!saves || removals++ == maxRemovals || count > worthwhile * countBefore) break;
+                if (!saves || round + maxRepairs > maxRounds) break; // too late
+                if (removals++ == maxRemovals || count > worthwhile * countBefore) break;
                 countBefore = count;
                 lastKept = round;
                 if (state_.removeKnots() == 0) break;
