@@ -1,6 +1,7 @@
 #include "basecomplex/base_complex.h"
 #include "bspline/fit.h"
 #include "bspline/fitting/constrained_system.h"
+#include "bspline/fitting/folded_quads.h"
 #include "bspline/fitting/gram.h"
 #include "bspline/fitting/knot_plan.h"
 #include "bspline/fitting/normal_limits.h"
@@ -277,6 +278,28 @@ TEST(KnotPlan, ForcesDoubleKnotsWhereSmoothBordersTurnIntoCreases) {
     EXPECT_FALSE(plan.insert(0, 1, 3)) << "its end";
     plan.erase(0, 1, 1);
     EXPECT_TRUE(plan.chosen(0, 1).empty());
+}
+
+TEST(SoundFaces, AreFlatAndConvexAndHaveNoFoldBesideThem) {
+    const auto soundWith = [](const Point& moved) { // the vertex (3, 1) of a flat sheet
+        const QuadMesh mesh = test::makeMesh(
+            Grid{6, 2, [&](double i, double j) { return i == 3 && j == 1 ? moved : Point(i, j, 0); }});
+        return soundFaces(mesh);
+    };
+    EXPECT_EQ(std::ranges::count(soundWith({3, 1, 0}), true), 12);
+    EXPECT_EQ(std::ranges::count(soundWith({3, 1, 0.2}), true), 8) << "the four around it are not flat";
+    EXPECT_EQ(std::ranges::count(soundWith({4.5, 1, 0}), true), 4)
+        << "all with a folded one at a vertex are not";
+}
+
+TEST(BilinearQuad, HasItsCornersAndTheirNormals) {
+    const BilinearQuad quad({Point(0, 0, 0), Point(2, 0, 0), Point(2, 1, 1), Point(0, 1, 0)});
+    EXPECT_EQ(quad.evaluate(1, 1).position, Point(2, 1, 1));
+    EXPECT_EQ(quad.evaluate(0.5, 0.5).position, Point(1, 0.5, 0.25));
+    EXPECT_EQ(quad.evaluate(1, 0).dv, Point(0, 1, 1));
+    EXPECT_LT(quad.minCosine(), 0.95);
+    EXPECT_DOUBLE_EQ(
+        BilinearQuad({Point(0, 0, 0), Point(1, 0, 0), Point(3, 2, 0), Point(0, 1, 0)}).minCosine(), 1);
 }
 
 TEST(NormalLimits, AreWideOnlyWhereTheNormalTurnsUnevenly) {

@@ -1,5 +1,7 @@
 #include "bspline/fitting/fit_lattice.h"
 
+#include "base/at.h"
+#include "bspline/fitting/folded_quads.h"
 #include "bspline/splines/evaluate.h"
 
 #include <algorithm>
@@ -8,6 +10,11 @@
 
 namespace qm {
 namespace {
+
+/// Between the normal of a sound quad and the reference's over it, if this is not folded: of 80 degrees.
+constexpr double minCosine = 0.17;
+/// Of a point's weight, where the reference folds over a sound quad.
+constexpr double ofGuesses = 0.05;
 
 /// The share of a direction that stands for each of its parameters.
 std::vector<double> widths(const std::vector<double>& parameters) {
@@ -44,6 +51,40 @@ void markSide(const LatticeSource& source, std::size_t side, const std::vector<S
         if (!onCurve || lattice.freedom[point] == Freedom::corner) continue;
         lattice.freedom[point] = Freedom::crease;
         lattice.axes[point] = unit(along == 0 ? points[point].du : points[point].dv);
+    }
+}
+
+/// Where the reference folds over a sound quad, patches are kept upright as the quad is.
+void unfoldQuads(const LatticeSource& source, FitLattice& lattice) {
+    const auto& [us, vs] = lattice.targets.parameters;
+    const auto first = [](const std::vector<double>& list, int at) {
+        return static_cast<std::size_t>(std::ranges::lower_bound(list, at) - list.begin());
+    };
+    const auto& [columns, rows] = source.grid->size;
+    for (int quad = 0; quad < columns * rows; ++quad) {
+        if (!source.isSound[at(quad)]) continue;
+        const int u = quad % columns;
+        const int v = quad / columns;
+        const auto forPoints = [&](const auto& function) {
+            for (std::size_t j = first(vs, v); j <= first(vs, v + 1); ++j)
+                for (std::size_t i = first(us, u); i <= first(us, u + 1); ++i)
+                    function(j * us.size() + i);
+        };
+        const auto corner = [&](int i, int j) {
+            return lattice.reference[first(vs, v + j) * us.size() + first(us, u + i)];
+        };
+        const BilinearQuad flat({corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)});
+        bool isFolded = false;
+        forPoints(
+            [&](std::size_t k) { isFolded = isFolded || (lattice.normals[k] | flat.normal()) < minCosine; });
+        if (!isFolded) continue;
+        forPoints([&](std::size_t k) {
+            const auto parameters = lattice.parametersAt(k);
+            const SurfacePoint point = flat.evaluate(parameters[0] - u, parameters[1] - v);
+            lattice.normals[k] = lattice.axes[k] = unitNormal(point.du, point.dv);
+            lattice.jacobian[k] = (point.du % point.dv).norm();
+            lattice.isGuess[k] = true;
+        });
     }
 }
 
@@ -85,10 +126,13 @@ std::vector<LatticeSource> latticeSources(const QuadMesh& mesh, const Layout& la
                                           const std::vector<ReferenceGrid>& reference,
                                           const std::vector<std::vector<double>>& weights) {
     std::vector<LatticeSource> sources(reference.size());
+    const std::vector<bool> isSound = soundFaces(mesh);
     for (std::size_t k = 0; k < reference.size(); ++k) {
         const Segment& segment = layout.segments[k];
         sources[k].grid = &reference[k];
         if (!weights.empty()) sources[k].weights = &weights[k];
+        for (const FaceId face : segment.faces)
+            sources[k].isSound.push_back(isSound[at(face)]);
         for (std::size_t side = 0; side < 4; ++side) {
             const auto& vertices = segment.sides[side];
             for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
@@ -132,6 +176,8 @@ FitLattice makeLattice(const LatticeSource& source, const std::array<std::vector
         lattice.edge.push_back(std::sqrt(std::min(point.du.sqrnorm(), point.dv.sqrnorm())));
     }
     lattice.axes = lattice.normals;
+    lattice.isGuess.assign(points.size(), false);
+    unfoldQuads(source, lattice);
     forgetFoldedNormals(lattice);
     lattice.targets.points = lattice.reference;
     lattice.freedom.assign(points.size(), Freedom::surface);
@@ -194,6 +240,7 @@ void weighTargets(const LatticeSource& source, FitLattice& lattice) {
     for (std::size_t j = 0; j < vs.size(); ++j)
         for (std::size_t i = 0; i < us.size(); ++i) {
             double weight = us[i] * vs[j] * lattice.emphasis[weights.size()];
+            if (lattice.isGuess[weights.size()]) weight *= ofGuesses;
             if (source.weights != nullptr)
                 weight *= (*source.weights)[nearest(lattice.targets.parameters[1][j]) * width +
                                             nearest(lattice.targets.parameters[0][i])];

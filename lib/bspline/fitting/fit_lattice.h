@@ -25,6 +25,7 @@ struct LatticeSource {
     const std::vector<double>* weights = nullptr; ///< of the grid's points; all 1 if there are none
     std::array<std::vector<bool>, 4> isCrease{};  ///< by side, edge by edge counter-clockwise
     std::array<VertexRule::Kind, 4> corners{};    ///< what the reference does at the segment's
+    std::vector<bool> isSound;                    ///< by quad: see `soundFaces`
 };
 
 /// A lattice of parameters over one segment. All lists but the parameters have one entry a point: (us[i],
@@ -37,6 +38,7 @@ struct FitLattice {
     std::vector<Point> axes;      ///< the normal; at a crease the direction of the curve, unit
     std::vector<double> jacobian; ///< length of the cross product of the reference's derivatives by u and v
     std::vector<double> edge;     ///< length of the shorter one of these derivatives
+    std::vector<bool> isGuess;    ///< the reference folds over a sound quad
     std::vector<double> emphasis; ///< factor of the weight, from 1 on
     std::vector<Point> slides;    ///< from the reference to where the patch was found to be
     std::vector<bool> isHeld;     ///< may not slide, because the patch was folded there

@@ -173,7 +173,7 @@ std::vector<Patch> fitSmooth(const QuadMesh& mesh, const Layout& layout, const S
             SmoothFit(mesh, layout, network, reference, attempt, control.jobs).run(verify, control);
         if (k == 1 || fitted.distance < nearest.distance) nearest = std::move(fitted);
         if (k == options.attempts || !verify || nearest.distance <= uncertain) return nearest.patches;
-        attempt.slides /= 3; // which may have led astray
+        attempt.slides /= 2; // which may have led astray
     }
 }
 

@@ -22,7 +22,7 @@ struct SmoothFitOptions {
     int roundsForFolds = 30; ///< from then on places that are near enough may fold
     int slides = 6;          ///< solutions of each, between which the targets slide
     int verifications = 5;   ///< how often it is verified at most, if it can be
-    int attempts = 3; ///< with a third of the slides each, while verification finds more than is allowed
+    int attempts = 3;        ///< with half the slides each, while verification finds more than is allowed
 };
 
 /// The largest distance of every patch from the reference, certain also between the points that a fit looks
