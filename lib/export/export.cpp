@@ -88,7 +88,7 @@ Exported exportShape(const QuadMesh& mesh, const Layout& layout, const Surfaces&
         faces = separated(mesh, std::move(faces), knotTolerance * diagonal);
         CheckedShape made =
             checkedShape(mesh, faces, options.analytic ? options.analyticTolerance / 100 * diagonal : 0);
-        if (options.join) made = withPlanesMerged(std::move(made));
+        if (options.join) made = withPlanesMerged(made);
         Exported result{options.format == ExportFormat::step
                             ? boundaryAsStep(made.boundary, made.origins, options)
                             : shapeAsIges(made.shape, made.origins, options),

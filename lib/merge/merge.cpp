@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <atomic>
 #include <optional>
-#include <ranges>
 #include <set>
 #include <unordered_set>
 
@@ -104,8 +103,8 @@ private:
     /// Whether the arcs are as they were before one of the rounds.
     [[nodiscard]] bool repeats() const {
         std::unordered_set<ArcId> differing;
-        for (const std::vector<ArcId>& changes : std::views::reverse(rounds_)) {
-            for (const ArcId arc : changes)
+        for (std::size_t round = rounds_.size(); round-- > 0;) {
+            for (const ArcId arc : rounds_[round])
                 if (!differing.insert(arc).second) differing.erase(arc);
             if (differing.empty()) return true;
         }
