@@ -113,29 +113,35 @@ private:
         return parts;
     }
 
-    /// Numbers the connected components of a piece, in `component_`.
+    /// Numbers the connected components of a piece, in `component_`, by their lowest vertices. Vertices are
+    /// visited in order, which is faster on large meshes than to follow edges.
     /// \return how many there are
     int numberComponents(const Piece& piece) {
-        int count = 0;
+        // At first the number of a vertex of the same component that is no higher.
         for (const VertexId vertex : piece.vertices)
-            component_[at(vertex)] = -1;
-        std::vector<VertexId> pending;
-        for (const VertexId start : piece.vertices) {
-            if (component_[at(start)] >= 0) continue;
-            component_[at(start)] = count;
-            pending.assign(1, start);
-            while (!pending.empty()) {
-                const VertexId vertex = pending.back();
-                pending.pop_back();
-                for (const VertexId next : mesh_.vv_range(vertex)) {
-                    if (labels_[at(next)] != labels_[at(vertex)] || component_[at(next)] >= 0) continue;
-                    component_[at(next)] = count;
-                    pending.push_back(next);
-                }
+            component_[at(vertex)] = vertex.idx();
+        for (const VertexId vertex : piece.vertices)
+            for (const VertexId next : mesh_.vv_range(vertex)) {
+                if (next.idx() > vertex.idx() || labels_[at(next)] != labels_[at(vertex)]) continue;
+                const int a = lowestKnown(vertex.idx()), b = lowestKnown(next.idx());
+                component_[at(std::max(a, b))] = std::min(a, b);
             }
-            ++count;
+        int count = 0;
+        for (const VertexId vertex : piece.vertices) {
+            const int lower = component_[at(vertex)];
+            component_[at(vertex)] = lower == vertex.idx() ? count++ : component_[at(lower)];
         }
         return count;
+    }
+
+    /// Follows the vertices in `component_` to the lowest, and halves the way for the next time.
+    int lowestKnown(int vertex) {
+        while (component_[at(vertex)] != vertex) {
+            int& lower = component_[at(vertex)];
+            lower = component_[at(lower)];
+            vertex = lower;
+        }
+        return vertex;
     }
 
     /// Divides a piece into its components: each in which particles start is a part, and all the others
