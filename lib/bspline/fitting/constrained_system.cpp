@@ -101,13 +101,17 @@ void ConstrainedSystem::improve(const Eigen::MatrixX3d& rightHandSide, Accuracy 
     const int maxSteps = accuracy == Accuracy::draft ? 1 : 20;
     double before = std::numeric_limits<double>::infinity();
     const Eigen::Index size = form_.rows();
-    if (solution.rows() == 0) solution = Eigen::MatrixX3d::Zero(size + equations_.rows(), 3);
+    const bool beginsWithNothing = solution.rows() == 0;
+    if (beginsWithNothing) solution = Eigen::MatrixX3d::Zero(size + equations_.rows(), 3);
     for (int k = 0; k < maxSteps; ++k) {
         Eigen::MatrixX3d residual(solution.rows(), 3);
-        const auto unknowns = solution.topRows(size);
-        residual.topRows(size) = rightHandSide - form_.selfadjointView<Eigen::Lower>() * unknowns -
-                                 equations_.transpose() * solution.bottomRows(equations_.rows());
-        residual.bottomRows(equations_.rows()) = constants_ - equations_ * unknowns;
+        residual << rightHandSide, constants_;
+        if (k > 0 || !beginsWithNothing) {
+            const auto unknowns = solution.topRows(size);
+            residual.topRows(size) -= form_.selfadjointView<Eigen::Lower>() * unknowns;
+            residual.topRows(size) -= equations_.transpose() * solution.bottomRows(equations_.rows());
+            residual.bottomRows(equations_.rows()) -= equations_ * unknowns;
+        }
         const Eigen::MatrixX3d correction = factors_->solve(residual);
         // What does not become smaller is rounding.
         const double change = correction.topRows(size).norm();
