@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace qm::check {
 
@@ -133,8 +134,8 @@ private:
         }
     };
 
-    /// Of a distance: what two searches for the nearest point may differ by.
-    static constexpr double unsure = 1e-4;
+    /// Of a distance: what two searches for the nearest point may differ by, where surfaces are folded.
+    static constexpr double unsure = 0.005;
 
     bool isTooFar(std::size_t p, const Quad& quad, const std::array<int, 2>& cell, int i, int j,
                   const SurfacePoint& on) {
@@ -163,6 +164,12 @@ private:
         return compare(p, "maxFromVertices", fromVertices, error, slack, where);
     }
 
+    struct FacePlace {
+        std::size_t patch = 0;
+        int column = 0;
+        int row = 0;
+    };
+
     /// From a point of a face to its patch, and if that is farther than the limit, from more places of the
     /// faces around it as well: surfaces may slide into other patches, and a patch may meet itself.
     [[nodiscard]] double distanceToSurfaces(std::size_t p, const Parameters& parameters, const Place& point,
@@ -173,15 +180,20 @@ private:
             for (int k = 0; k < around_.valence(vertex); ++k) {
                 const int other = around_.leftFace(around_.firstStep(vertex) + k);
                 if (other < 0) continue;
-                const FacePlace& place = places_[at(other)];
-                for (const Parameters& start : {Parameters{0.5, 0.5}, {0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
-                    nearest = std::min(
-                        nearest, distanceToPatch(part_.patches[place.patch],
-                                                 {place.column + start[0], place.row + start[1]}, point));
-                    if (nearest <= limit) return nearest;
-                }
+                nearest = std::min(nearest, distanceToPart(places_[at(other)], point));
+                if (nearest <= limit) return nearest;
             }
         return distanceToAll(point, limit, nearest);
+    }
+
+    /// To the surface over a face, or where the search leads to from there.
+    [[nodiscard]] double distanceToPart(const FacePlace& place, const Place& point) const {
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const Parameters& start : {Parameters{0.5, 0.5}, {0, 0}, {1, 0}, {1, 1}, {0, 1}})
+            nearest =
+                std::min(nearest, distanceToPatch(part_.patches[place.patch],
+                                                  {place.column + start[0], place.row + start[1]}, point));
+        return nearest;
     }
 
     /// From all faces whose part of the surface may be nearer than what was found: a reference of another
@@ -198,7 +210,7 @@ private:
                 radius = std::max(radius, distance(middle, corner(end[0], end[1])));
             constexpr double bulge = 1.5;
             if (distance(middle, point) - bulge * radius > nearest) continue;
-            nearest = std::min(nearest, distanceToPatch(patch, {place.column + 0.5, place.row + 0.5}, point));
+            nearest = std::min(nearest, distanceToPart(place, point));
             if (nearest <= limit) break;
         }
         return nearest;
@@ -226,25 +238,30 @@ private:
         return {s, t};
     }
 
-    /// Somewhere the normal looks away from the quad.
+    /// In the middle the normal looks away from the quad, or it turns over from one point to the next.
     bool isFolded(std::size_t p, const Quad& quad, const std::vector<SurfacePoint>& points, std::size_t width,
                   int column) {
         if (part_.patches[p].figures.folds.value_or(1) > 0) return false;
         if (!quad.isConvex()) return false;
-        const Place outwards = quad.normal();
-        constexpr int step = perEdge / 4;
-        for (int j = step / 2; j < perEdge; j += step)
-            for (int i = step / 2; i < perEdge; i += step) {
-                const Place normal = normalOf(points[at(j) * width + at(column * perEdge + i)]);
-                const double cosine = dot(normal, outwards);
-                // A smooth surface through the corners may itself be turned against the quad by 60 degrees.
-                constexpr double away = -0.87;
-                if (cosine >= away * std::sqrt(dot(normal, normal) * dot(outwards, outwards))) continue;
-                report_.violate(below(below(below("/surfaces/patches", p), "deviation"), "folds"),
-                                "deviation", "the normal turns over at face " + std::to_string(quad.face));
-                return true;
-            }
-        return false;
+        const auto normal = [&](int i, int j) {
+            return normalOf(points[at(j) * width + at(column * perEdge + i)]);
+        };
+        // A smooth surface through the corners may itself be turned against the quad by 60 degrees.
+        constexpr double away = -0.87;
+        bool found = isTurned(normal(perEdge / 2, perEdge / 2), quad.normal(), away);
+        constexpr double over = -0.5;
+        for (int j = 0; j < perEdge; ++j)
+            for (int i = 0; i < perEdge; ++i)
+                found = found || isTurned(normal(i, j), normal(i + 1, j), over) ||
+                        isTurned(normal(i, j), normal(i, j + 1), over);
+        if (!found) return false;
+        report_.violate(below(below(below("/surfaces/patches", p), "deviation"), "folds"), "deviation",
+                        "the normal turns over at face " + std::to_string(quad.face));
+        return true;
+    }
+
+    static bool isTurned(const Place& a, const Place& b, double cosine) {
+        return dot(a, b) < cosine * std::sqrt(dot(a, a) * dot(b, b));
     }
 
     /// The figures of all patches are not less than those of one.
@@ -272,11 +289,6 @@ private:
     const SurfacesPart& part_;
     Report& report_;
 
-    struct FacePlace {
-        std::size_t patch = 0;
-        int column = 0;
-        int row = 0;
-    };
     std::vector<FacePlace> places_; ///< by face
 };
 

@@ -18,7 +18,7 @@ struct TriangleSide {
     int low = 0;
     int high = 0;
     bool ascends = false;
-    auto operator<=>(const TriangleSide&) const = default;
+    auto operator<=>(const TriangleSide&) const = default; // NOLINT(modernize-use-nullptr): the 0 is the compiler's
     [[nodiscard]] bool sameEdge(const TriangleSide& other) const {
         return low == other.low && high == other.high;
     }
