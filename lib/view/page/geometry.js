@@ -8,7 +8,6 @@ function writeNumber(bytes, at, number) {
 }
 
 function attribute(values, size, normalized) { return new THREE.BufferAttribute(values, size, normalized); }
-function instanced(values, size, normalized) { return new THREE.InstancedBufferAttribute(values, size, normalized); }
 
 const cornersOfTriangles = [0, 1, 2, 0, 2, 3];
 
@@ -114,29 +113,35 @@ function faceGeometry(layer, shell) {
   return geometry;
 }
 
+// A rectangle on the screen for every piece, whose corners say at which end and on which side of the line they are. No
+// instances: without a graphics card each costs as much as hundreds of vertices.
+const cornersOfPieces = [[0, -1, 0], [1, -1, 0], [1, 1, 0], [0, 1, 0]];
+
 function lineGeometry(layer, shell) {
-  const geometry = new THREE.InstancedBufferGeometry();
-  geometry.setAttribute('position', attribute(new Float32Array([0, -1, 0, 1, -1, 0, 1, 1, 0, 0, -1, 0, 1, 1, 0, 0, 1, 0]), 3));
-  const count = layer.pieces.length / 2;
-  const starts = new Float32Array(3 * count), ends = new Float32Array(3 * count);
-  const groups = new Float32Array(count), values = new Float32Array(count);
-  const elements = new Uint8Array(4 * count);
+  const geometry = new THREE.BufferGeometry(), count = layer.pieces.length / 2;
+  const corners = new Float32Array(12 * count), starts = new Float32Array(12 * count), ends = new Float32Array(12 * count);
+  const groups = new Float32Array(4 * count), values = new Float32Array(4 * count);
+  const elements = new Uint8Array(16 * count), index = new Uint32Array(6 * count);
   for (let piece = 0; piece < count; ++piece) {
-    const k = layer.pieces[2 * piece];
-    for (let d = 0; d < 3; ++d) {
-      starts[3 * piece + d] = shell.positions[3 * layer.points[k] + d];
-      ends[3 * piece + d] = shell.positions[3 * layer.points[k + 1] + d];
+    const k = layer.pieces[2 * piece], item = layer.pieces[2 * piece + 1];
+    const [start, end] = [k, k + 1].map((at) => shell.positions.subarray(3 * layer.points[at], 3 * layer.points[at] + 3));
+    for (let at = 4 * piece; at < 4 * piece + 4; ++at) {
+      corners.set(cornersOfPieces[at - 4 * piece], 3 * at);
+      starts.set(start, 3 * at);
+      ends.set(end, 3 * at);
+      groups[at] = item;
+      if (layer.mapped) values[at] = layer.mapped.values[item];
+      writeNumber(elements, 4 * at, layer.firstElement + piece);
     }
-    groups[piece] = layer.pieces[2 * piece + 1];
-    if (layer.mapped) values[piece] = layer.mapped.values[groups[piece]];
-    writeNumber(elements, 4 * piece, layer.firstElement + piece);
+    for (let corner = 0; corner < 6; ++corner) index[6 * piece + corner] = 4 * piece + cornersOfTriangles[corner];
   }
-  geometry.setAttribute('start', instanced(starts, 3));
-  geometry.setAttribute('end', instanced(ends, 3));
-  geometry.setAttribute('group', instanced(groups, 1));
-  geometry.setAttribute('value', instanced(values, 1));
-  geometry.setAttribute('element', instanced(elements, 4, true));
-  geometry.maxInstancedCount = count;
+  geometry.setIndex(attribute(index, 1));
+  geometry.setAttribute('position', attribute(corners, 3));
+  geometry.setAttribute('start', attribute(starts, 3));
+  geometry.setAttribute('end', attribute(ends, 3));
+  geometry.setAttribute('group', attribute(groups, 1));
+  geometry.setAttribute('value', attribute(values, 1));
+  geometry.setAttribute('element', attribute(elements, 4, true));
   return geometry;
 }
 
