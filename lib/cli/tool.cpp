@@ -1,36 +1,23 @@
 #include "cli/tool.h"
 
 #include "cli/command_line.h"
+#include "cli/general_options.h"
 #include "cli/known_results.h"
 #include "cli/messages.h"
 #include "cli/output_file.h"
 #include "cli/progress.h"
+#include "cli/run_statistics.h"
 #include "cli/signals.h"
 #include "cli/usage.h"
 #include "document/files.h"
-#include "document/json.h"
 #include "document/schema.h"
 
 #include <algorithm>
 #include <chrono>
 #include <set>
-#include <sys/resource.h>
-#include <thread>
 #include <unistd.h>
 
 namespace qm {
-
-namespace {
-
-constexpr unsigned maxJobs = 1024;
-
-double peakMegabytes() {
-    struct rusage usage {};
-    getrusage(RUSAGE_SELF, &usage);
-    return static_cast<double>(usage.ru_maxrss) / 1024; // Linux counts in KiB
-}
-
-} // namespace
 
 /// Options, what they need to have an effect, and whether it is there.
 struct Condition {
@@ -51,20 +38,10 @@ struct Tool::State {
     std::function<void()> verify;
 
     std::string input = "-";
-    std::string output = "-";
-    unsigned jobs = std::max(1U, std::thread::hardware_concurrency());
-    bool quiet = false;
-    bool verbose = false;
-    bool stats = false;
-    bool help = false;
-    bool version = false;
-    bool printSchema = false;
-    bool printUsage = false;
+    GeneralOptions general;
     std::set<std::string> given;
 
-    std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
-    std::chrono::duration<double> reading{0}; ///< in a pipe, mostly waiting for the tool before
-    Json counters = Json::object();
+    RunStatistics statistics;
     std::shared_ptr<Progress> progress;
 
     void say(const std::string& message) const {
@@ -146,31 +123,9 @@ void Tool::add(OptionRecord record) {
 void Tool::addGeneralOptions() {
     State& s = *state_;
     s.group = generalOptions;
-    const auto addShort = [&](OptionRecord record, const std::string& shortName) {
-        record.shortName = shortName;
+    for (OptionRecord& record : describeGeneral(s.general, s.hasOutput, !s.usage.schema.empty()))
         add(std::move(record));
-    };
-    if (s.hasOutput) {
-        addShort(makeTextOption("output", s.output, "FILE", "write to this file instead of standard output"),
-                 "o");
-        s.usage.options.back().defaultText.clear();
-    }
-    addShort(
-        makeOption("jobs", s.jobs, Range{1, maxJobs},
-                   "threads to use; results do not depend on it, but for those that a limit of time ends"),
-        "j");
-    s.usage.options.back().defaultText = "as many as processors";
-    addShort(makeOption("quiet", s.quiet, {}, "errors only: no warnings, no progress bar"), "q");
-    addShort(makeOption("verbose", s.verbose, {}, "say which settings are in effect, and more"), "v");
-    option("stats", s.stats,
-           "time, its own and that of reading the input, memory and counters as one line of JSON on standard "
-           "error");
-    if (!s.usage.schema.empty())
-        option("schema", s.printSchema, "print the JSON schema of the document that is written");
-    option("json-usage", s.printUsage, "print this help as JSON");
-    addShort(makeOption("help", s.help, {}, "print this help"), "h");
-    option("version", s.version, "print the version");
-    needs({"verbose"}, "messages, which --quiet turns off", [&s] { return !s.quiet; });
+    needs({"verbose"}, "messages, which --quiet turns off", [&s] { return !s.general.quiet; });
     std::stable_partition(s.usage.options.begin(), s.usage.options.end(),
                           [](const OptionRecord& record) { return record.group != generalOptions; });
 }
@@ -181,7 +136,7 @@ void Tool::parse(int argc, char** argv) {
     State& s = *state_;
     CommandLine line = readCommandLine(argc, argv, s.usage.options);
     s.given = std::move(line.given);
-    if (s.help || s.version || s.printSchema || s.printUsage) return;
+    if (s.general.asksAboutTheTool()) return;
     if (!line.problem.empty()) throw UsageError(line.problem);
     assignOperands(line.operands);
 }
@@ -230,13 +185,13 @@ const std::string& Tool::inputPath() const {
     return state_->input;
 }
 const std::string& Tool::outputPath() const {
-    return state_->output;
+    return state_->general.output;
 }
 bool Tool::given(const std::string& optionName) const {
     return state_->given.contains(optionName);
 }
 unsigned Tool::jobs() const {
-    return state_->jobs;
+    return state_->general.jobs;
 }
 bool Tool::interrupted() const {
     return wasInterrupted();
@@ -245,40 +200,40 @@ bool Tool::interrupted() const {
 std::string Tool::readInput() const {
     const auto begin = std::chrono::steady_clock::now();
     std::string bytes = readFile(state_->input);
-    state_->reading += std::chrono::steady_clock::now() - begin;
+    state_->statistics.addReading(std::chrono::steady_clock::now() - begin);
     return bytes;
 }
 
 void Tool::protect(const std::string& path) const {
     protectFromOutput(path);
-    if (state_->hasOutput) verifyWritable(state_->output);
+    if (state_->hasOutput) verifyWritable(state_->general.output);
 }
 
 void Tool::write(std::string_view bytes) const {
     if (state_->progress) state_->progress->hide();
-    writeFile(state_->output, bytes);
+    writeFile(state_->general.output, bytes);
 }
 
 void Tool::warn(const std::string& message) const {
-    if (!state_->quiet) state_->say(message);
+    if (!state_->general.quiet) state_->say(message);
 }
 
 void Tool::note(const std::string& message) const {
-    if (state_->verbose && !state_->quiet) state_->say(message);
+    if (state_->general.verbose && !state_->general.quiet) state_->say(message);
 }
 
 void Tool::count(const std::string& counter, double value) const {
-    state_->counters[counter] = value;
+    state_->statistics.count(counter, value);
 }
 
 Control Tool::control(const std::string& label) const {
     Control control;
-    control.jobs = state_->jobs;
+    control.jobs = state_->general.jobs;
     if (state_->graceful) {
         deferInterrupt();
         control.stopRequested = [] { return wasInterrupted(); };
     }
-    if (!state_->quiet && isatty(STDERR_FILENO) != 0) {
+    if (!state_->general.quiet && isatty(STDERR_FILENO) != 0) {
         state_->progress = std::make_shared<Progress>(state_->usage.tool + ": " + label);
         control.progress = [bar = state_->progress](double fraction) { bar->show(fraction); };
     }
@@ -286,7 +241,7 @@ Control Tool::control(const std::string& label) const {
 }
 
 KnownCost Tool::sayingKnown() const {
-    if (state_->quiet) return {};
+    if (state_->general.quiet) return {};
     return [this, last = std::make_shared<LastReport>()](double cost, double lowerBound) {
         if (last->isDue()) state_->say(knownText(cost, lowerBound));
     };
@@ -306,27 +261,19 @@ void Tool::noteSettings() const {
 
 void Tool::printStats() const {
     const State& s = *state_;
-    if (!s.stats) return;
-    Json stats{{"tool", s.usage.tool}};
-    const std::chrono::duration<double> all = std::chrono::steady_clock::now() - s.start;
-    stats["seconds"] = (all - s.reading).count();
-    stats["inputSeconds"] = s.reading.count();
-    stats["peakMegabytes"] = peakMegabytes();
-    stats["counters"] = s.counters;
+    if (!s.general.stats) return;
     if (s.progress) s.progress->hide();
-    std::string line = printJsonLine(stats);
-    line.pop_back(); // its end of line
-    printMessage(line);
+    printMessage(s.statistics.line(s.usage.tool));
 }
 
 int Tool::answer(const ToolBody& body) {
     const State& s = *state_;
-    if (s.help) return writeFile("-", helpText(s.usage)), exitDone;
-    if (s.version) return writeFile("-", versionText(s.usage.tool)), exitDone;
-    if (s.printSchema) return writeFile("-", standaloneSchema(s.usage.schema)), exitDone;
-    if (s.printUsage) return writeFile("-", jsonUsage(s.usage)), exitDone;
+    if (s.general.help) return writeFile("-", helpText(s.usage)), exitDone;
+    if (s.general.version) return writeFile("-", versionText(s.usage.tool)), exitDone;
+    if (s.general.schema) return writeFile("-", standaloneSchema(s.usage.schema)), exitDone;
+    if (s.general.usage) return writeFile("-", jsonUsage(s.usage)), exitDone;
     noteSettings();
-    if (s.hasOutput) verifyWritable(s.output);
+    if (s.hasOutput) verifyWritable(s.general.output);
     int status = body();
     if (wasInterrupted() && status == exitDone) {
         warn("interrupted: what is written is the best that was found until then");
