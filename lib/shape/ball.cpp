@@ -1,5 +1,4 @@
-#include "shape/ball.h"
-
+#include "shape/sample_meshes.h"
 #include "shape/voxels.h"
 
 #include <cmath>
@@ -9,15 +8,6 @@ namespace qm {
 
 QuadList cubeShape(int n) {
     return refined(voxelSurface(voxelBox(1, 1, 1)), n);
-}
-
-TrueSurface cubeSurface() {
-    const std::vector<FlatFace> faces = boxFaces({1, 1, 1});
-    return TrueSurface({faces.begin(), faces.end()});
-}
-
-TrueSurface sphereSurface() {
-    return TrueSurface({Revolved{.radius = 1, .angles = {-std::numbers::pi / 2, std::numbers::pi / 2}}});
 }
 
 QuadList sphereShape(int around) {

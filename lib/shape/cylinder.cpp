@@ -1,4 +1,4 @@
-#include "shape/cylinder.h"
+#include "shape/sample_meshes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -92,11 +92,6 @@ private:
 
 QuadList cylinderShape(int around) {
     return Cylinder(around).run();
-}
-
-TrueSurface cylinderSurface() {
-    return TrueSurface({Revolved{.from = {0, 0}, .to = {1, 0}}, Revolved{.from = {1, 0}, .to = {1, height}},
-                        Revolved{.from = {1, height}, .to = {0, height}}});
 }
 
 } // namespace qm

@@ -1,7 +1,6 @@
-#include "shape/machine_parts.h"
-
 #include "base/at.h"
 #include "shape/round_hole.h"
+#include "shape/sample_meshes.h"
 #include "shape/voxels.h"
 
 #include <algorithm>
@@ -80,21 +79,6 @@ Point bracketPoint(Point point) {
     return point;
 }
 
-/// Puts vertical holes into the faces at the top and the bottom, and adds their walls.
-std::vector<std::variant<Revolved, FlatFace>> withHoles(const std::vector<FlatFace>& faces,
-                                                        const std::vector<std::array<double, 2>>& centres,
-                                                        double radius, const std::vector<Revolved>& walls) {
-    std::vector<std::variant<Revolved, FlatFace>> pieces(walls.begin(), walls.end());
-    for (FlatFace face : faces) {
-        if (face.axis == 2) {
-            face.holes = centres;
-            face.radius = radius;
-        }
-        pieces.emplace_back(face);
-    }
-    return pieces;
-}
-
 template <class Move> QuadList moved(QuadList list, const Move& move) {
     for (Point& point : list.points)
         point = move(point);
@@ -109,24 +93,6 @@ QuadList blockShape(int n) {
         voxels.erase({1, 1, level});
     return moved(refined(voxelSurface(voxels), n),
                  [](const Point& point) { return blockPoint(point, 1.5, 2); });
-}
-
-TrueSurface blockSurface() {
-    constexpr double height = 2, rim = blockHole.radius + blockFillet;
-    constexpr std::array<double, 2> middle{1.5, 1.5};
-    constexpr double quarter = std::numbers::pi / 2;
-    return TrueSurface(withHoles(boxFaces({3, 3, height}), {middle}, rim,
-                                 {Revolved{.axis = middle,
-                                           .from = {blockHole.radius, height - blockFillet},
-                                           .to = {blockHole.radius, blockFillet}},
-                                  Revolved{.axis = middle,
-                                           .from = {rim, height - blockFillet},
-                                           .radius = blockFillet,
-                                           .angles = {quarter, 2 * quarter}},
-                                  Revolved{.axis = middle,
-                                           .from = {rim, blockFillet},
-                                           .radius = blockFillet,
-                                           .angles = {2 * quarter, 3 * quarter}}}));
 }
 
 QuadList bracketShape(int n) {
@@ -162,10 +128,6 @@ QuadList plateShape(int n) {
     });
 }
 
-TrueSurface plateSurface() {
-    return TrueSurface({FlatFace{.high = {5, 3}, .holes = {{2.5, 1.5}}, .radius = plateHole.radius}});
-}
-
 QuadList drilledShape(int n, int holes) {
     constexpr RoundHole hole = drilledHole;
     Voxels voxels = voxelBox(3 * holes, 3, 1);
@@ -177,17 +139,6 @@ QuadList drilledShape(int n, int holes) {
         const Place round = hole.moved({point[0] - x, point[1] - y});
         return Point(round.x + x, round.y + y, point[2]);
     });
-}
-
-TrueSurface drilledSurface(int holes) {
-    std::vector<std::array<double, 2>> centres;
-    std::vector<Revolved> walls;
-    for (int k = 0; k < holes; ++k) {
-        centres.push_back({3 * k + 1.5, 1.5});
-        walls.push_back(
-            {.axis = centres.back(), .from = {drilledHole.radius, 1}, .to = {drilledHole.radius, 0}});
-    }
-    return TrueSurface(withHoles(boxFaces({3.0 * holes, 3, 1}), centres, drilledHole.radius, walls));
 }
 
 } // namespace qm

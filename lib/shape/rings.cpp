@@ -1,6 +1,5 @@
-#include "shape/rings.h"
-
 #include "base/at.h"
+#include "shape/sample_meshes.h"
 
 #include <cmath>
 #include <map>
@@ -85,19 +84,9 @@ QuadList tubeShape(int around) {
     return list;
 }
 
-TrueSurface tubeSurface() {
-    return TrueSurface({Revolved{.from = {1, 0}, .to = {1, 6}}});
-}
-
 QuadList torusShape(int around) {
     const GridTopology grid{.columns = around, .rows = 3 * around, .columnsClosed = true, .rowsClosed = true};
     return surfaceOf({.grid = grid});
-}
-
-TrueSurface torusSurface() {
-    constexpr Ring ring{};
-    return TrueSurface(
-        {Revolved{.from = {ring.radius, 0}, .radius = ring.thickness, .angles = {0, fullTurn}}});
 }
 
 QuadList helixShape(int n) {

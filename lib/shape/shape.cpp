@@ -2,12 +2,8 @@
 
 #include "base/error.h"
 #include "mesh/build_mesh.h"
-#include "shape/ball.h"
-#include "shape/cylinder.h"
-#include "shape/machine_parts.h"
-#include "shape/rings.h"
+#include "shape/sample_meshes.h"
 #include "shape/scan.h"
-#include "shape/soft_solids.h"
 
 #include <algorithm>
 #include <array>
@@ -19,9 +15,8 @@ namespace {
 struct Recipe {
     ShapeKind kind;
     QuadList (*make)(int resolution, const ShapeOptions& options);
-    TrueSurface (*surface)() = nullptr; ///< where the vertices lie, if there is a formula
-    bool round = false;                 ///< heeds ShapeOptions::around
-    int aroundStep = 1;                 ///< what that must be a multiple of
+    bool round = false; ///< heeds ShapeOptions::around
+    int aroundStep = 1; ///< what that must be a multiple of
 };
 
 int around(int resolution, const ShapeOptions& options) {
@@ -30,26 +25,22 @@ int around(int resolution, const ShapeOptions& options) {
 
 constexpr std::array recipes{
     Recipe{{"block", "a block with a filleted through hole, sharp outside", 8},
-           [](int n, const ShapeOptions&) { return blockShape(n); },
-           blockSurface},
+           [](int n, const ShapeOptions&) { return blockShape(n); }},
     Recipe{{"bracket", "two plates at a right angle with a fillet and holes", 6},
            [](int n, const ShapeOptions&) { return bracketShape(n); }},
-    Recipe{{"cube", "a cube", 8}, [](int n, const ShapeOptions&) { return cubeShape(n); }, cubeSurface},
+    Recipe{{"cube", "a cube", 8}, [](int n, const ShapeOptions&) { return cubeShape(n); }},
     Recipe{{"cylinder", "a cylinder with both its caps, sharp at their rims", 8},
            [](int n, const ShapeOptions& options) { return cylinderShape(around(n, options)); },
-           cylinderSurface,
            true,
            2},
     Recipe{{"genus2", "a pretzel with two holes, soft all over", 6},
            [](int n, const ShapeOptions&) { return pretzelShape(n, 2); }},
     Recipe{{"genus3", "a thick plate with three drilled holes", 6},
-           [](int n, const ShapeOptions&) { return drilledShape(n, 3); },
-           [] { return drilledSurface(3); }},
+           [](int n, const ShapeOptions&) { return drilledShape(n, 3); }},
     Recipe{{"helix", "a twisted ring with a boss: separatrices wind around it many times", 4},
            [](int n, const ShapeOptions&) { return helixShape(n); }},
     Recipe{{"plate", "a flat sheet with a round hole: a boundary", 8},
-           [](int n, const ShapeOptions&) { return plateShape(n); },
-           plateSurface},
+           [](int n, const ShapeOptions&) { return plateShape(n); }},
     Recipe{{"random", "a random solid made of cubes, softened; see --seed", 4, true},
            [](int n, const ShapeOptions& options) { return randomShape(n, options.voxels, options.seed); }},
     Recipe{
@@ -57,16 +48,13 @@ constexpr std::array recipes{
         [](int n, const ShapeOptions& options) { return randomOpenShape(n, options.voxels, options.seed); }},
     Recipe{{"sphere", "a cube drawn onto a sphere", 8},
            [](int n, const ShapeOptions& options) { return sphereShape(around(n, options)); },
-           sphereSurface,
            true,
            2},
     Recipe{{"torus", "a ring: no extraordinary vertex", 6},
            [](int n, const ShapeOptions& options) { return torusShape(around(n, options)); },
-           torusSurface,
            true},
     Recipe{{"tube", "an open tube: an annulus, no extraordinary vertex", 6},
            [](int n, const ShapeOptions& options) { return tubeShape(around(n, options)); },
-           tubeSurface,
            true},
 };
 
@@ -141,12 +129,6 @@ Triangles makeScan(const std::string& name, double triangles, ShapeOptions optio
     if (std::abs(share - 1) > 0.1 && options.resolution > 1)
         list = make(options.resolution / std::sqrt(share));
     return trianglesOf(list);
-}
-
-std::optional<TrueSurface> trueSurface(const std::string& name) {
-    const Recipe& recipe = recipeNamed(name);
-    if (recipe.surface == nullptr) return std::nullopt;
-    return recipe.surface();
 }
 
 } // namespace qm

@@ -3,10 +3,8 @@
 
 #include "mesh/quad_mesh.h"
 #include "mesh/triangles.h"
-#include "shape/true_surface.h"
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
 
@@ -46,9 +44,5 @@ struct ShapeKind {
 /// \param triangles  about so many; they take the place of resolution and number around
 /// \throw Error  as above, and if the number is out of range
 [[nodiscard]] Triangles makeScan(const std::string& name, double triangles, ShapeOptions options = {});
-
-/// What the vertices lie on. Nothing for shapes without a formula.
-/// \throw Error  if there is no such shape
-[[nodiscard]] std::optional<TrueSurface> trueSurface(const std::string& name);
 
 } // namespace qm

@@ -1,6 +1,5 @@
-#include "shape/soft_solids.h"
-
 #include "base/at.h"
+#include "shape/sample_meshes.h"
 #include "shape/voxels.h"
 
 #include <algorithm>

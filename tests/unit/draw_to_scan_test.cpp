@@ -4,6 +4,7 @@
 #include "remesh/scan_equations.h"
 #include "shape/scan.h"
 #include "shape/shape.h"
+#include "support/true_surface.h"
 
 #include <gtest/gtest.h>
 
@@ -30,7 +31,7 @@ QuadMesh withCutOffCorners(QuadMesh mesh) {
 }
 
 double maxDistance(const QuadMesh& mesh, const std::string& part) {
-    const auto surface = trueSurface(part);
+    const auto surface = testing::trueSurface(part);
     double max = 0;
     for (const VertexId vertex : mesh.vertices())
         max = std::max(max, surface->nearest(mesh.point(vertex)).distance);
@@ -116,7 +117,8 @@ TEST(DrawToScan, BoundariesGoToTheScansOwn) {
     const auto off = [&](const QuadMesh& of) {
         double sum = 0;
         for (const VertexId vertex : of.vertices())
-            if (of.is_boundary(vertex)) sum += trueSurface("plate")->nearest(of.point(vertex)).distance;
+            if (of.is_boundary(vertex))
+                sum += testing::trueSurface("plate")->nearest(of.point(vertex)).distance;
         return sum;
     };
     EXPECT_LT(off(drawn), 0.3 * off(mesh));

@@ -6,6 +6,7 @@
 #include "mesh/dihedral.h"
 #include "shape/scan.h"
 #include "shape/shape.h"
+#include "support/true_surface.h"
 
 #include <gtest/gtest.h>
 
@@ -20,11 +21,11 @@ Layout wholeLayout(const QuadMesh& mesh, const std::vector<double>& angles) {
     return buildLayout(mesh, found.subMeshes[0].graphs.at(0).tracks, angles, edgeCosts(angles, {}));
 }
 
-class NoisyScan : public testing::TestWithParam<const char*> {};
+class NoisyScan : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(NoisyScan, IsFartherFromTheTruthThanTheSurfacesFittedToIt) {
     const std::string name = GetParam();
-    const auto truth = trueSurface(name);
+    const auto truth = testing::trueSurface(name);
     ASSERT_TRUE(truth);
     const QuadMesh mesh = makeShape(name);
     const std::vector<double> angles = dihedralAngles(mesh);
@@ -55,7 +56,7 @@ TEST_P(NoisyScan, IsFartherFromTheTruthThanTheSurfacesFittedToIt) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Parts, NoisyScan,
-                         testing::Values("sphere", "torus", "block", "plate", "genus3", "tube"));
+                         ::testing::Values("sphere", "torus", "block", "plate", "genus3", "tube"));
 
 std::size_t controlPointsFor(const QuadMesh& mesh, const Triangles& scan) {
     const std::vector<double> angles = dihedralAngles(mesh);

@@ -5,6 +5,7 @@
 #include "shape/scan.h"
 #include "shape/shape.h"
 #include "support/quad_layout.h"
+#include "support/true_surface.h"
 
 #include <gtest/gtest.h>
 
@@ -36,7 +37,7 @@ struct Part {
         return scanReference(mesh, layout, limit, TriangleSurface(scan), options, jobs);
     }
     [[nodiscard]] double distance(const Point& point) const {
-        return trueSurface(name)->nearest(point).distance;
+        return testing::trueSurface(name)->nearest(point).distance;
     }
 
     /// Root mean square of the distances of weighted targets from the true surface.

@@ -1,11 +1,11 @@
-#include "shape/true_surface.h"
+#include "support/true_surface.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-namespace qm {
+namespace qm::testing {
 namespace {
 
 using Place = Revolved::Place;
@@ -87,15 +87,4 @@ TrueSurface::Nearest TrueSurface::nearest(const Point& point) const {
     return best;
 }
 
-std::vector<FlatFace> boxFaces(const Point& corner) {
-    std::vector<FlatFace> faces;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        for (const bool far : {false, true}) {
-            FlatFace face{.axis = axis, .level = far ? corner[axis] : 0, .outward = far ? 1.0 : -1.0};
-            face.high = {corner[(axis + 1) % 3], corner[(axis + 2) % 3]};
-            faces.push_back(face);
-        }
-    return faces;
-}
-
-} // namespace qm
+} // namespace qm::testing

@@ -4,10 +4,12 @@
 #include "mesh/quad_mesh.h"
 
 #include <array>
+#include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
-namespace qm {
+namespace qm::testing {
 
 /// A curve in the half-plane x >= 0 that turns around a vertical axis: a straight line, or an arc that bulges
 /// outwards. Outside is on the right of a line's direction.
@@ -50,7 +52,7 @@ private:
     std::vector<std::variant<Revolved, FlatFace>> pieces_;
 };
 
-/// The six faces of the box from the origin to a corner, without holes.
-[[nodiscard]] std::vector<FlatFace> boxFaces(const Point& corner);
+/// Of a sample part (see shape/shape.h), by its name; nothing for those without a formula.
+[[nodiscard]] std::optional<TrueSurface> trueSurface(const std::string& part);
 
-} // namespace qm
+} // namespace qm::testing
