@@ -144,15 +144,15 @@ $(O)/%.o: %.cpp $(O)/flags
 
 $(O)/gen/schemas.cpp: $(schemas) scripts/embed
 	@mkdir -p $(@D)
-	$(call quietly,embed,$@) scripts/embed document/schema.h EmbeddedSchema embeddedSchemas $(schemas) > $@
+	$(call quietly,embed,$@) scripts/embed embeddedSchemas $(schemas) > $@
 
 $(O)/gen/page_parts.cpp: $(page_parts) scripts/embed
 	@mkdir -p $(@D)
-	$(call quietly,embed,$@) scripts/embed view/page_parts.h PagePart embeddedPageParts $(page_parts) > $@
+	$(call quietly,embed,$@) scripts/embed embeddedPageParts $(page_parts) > $@
 
 $(O)/gen/blender_scripts.cpp: $(scripts) scripts/embed
 	@mkdir -p $(@D)
-	$(call quietly,embed,$@) scripts/embed cli/blender_script.h BlenderScript embeddedBlenderScripts $(scripts) > $@
+	$(call quietly,embed,$@) scripts/embed embeddedBlenderScripts $(scripts) > $@
 
 # clang warns of the length of texts.
 $(O)/gen/%.o: $(O)/gen/%.cpp $(O)/flags

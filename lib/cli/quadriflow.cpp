@@ -1,7 +1,7 @@
 #include "cli/quadriflow.h"
 
+#include "base/embedded_text.h"
 #include "base/error.h"
-#include "cli/blender_script.h"
 #include "cli/child_process.h"
 #include "cli/output_file.h"
 #include "document/files.h"
@@ -104,7 +104,7 @@ Remeshed remeshWithBlender(const Triangles& scan, const RemeshOptions& options, 
     std::ranges::transform(scan.points, scaled.points.begin(),
                            [&](const Point& point) { return box.to(point); });
     writeFile(folder.file("scan.obj"), writeSoup(soupOf(scaled), MeshFormat::obj));
-    for (const BlenderScript& script : embeddedBlenderScripts())
+    for (const EmbeddedText& script : embeddedBlenderScripts())
         writeFile(folder.file(std::string(script.name).c_str()), script.text);
 
     std::optional<Remeshed> best;

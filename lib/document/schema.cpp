@@ -1,5 +1,8 @@
 #include "document/schema.h"
 
+#include "base/embedded_text.h"
+#include "document/json.h"
+
 #include <stdexcept>
 
 namespace qm {
@@ -7,7 +10,7 @@ namespace qm {
 namespace {
 
 Json embedded(const std::string& file) {
-    for (const EmbeddedSchema& schema : embeddedSchemas())
+    for (const EmbeddedText& schema : embeddedSchemas())
         if (schema.name == file) return Json::parse(schema.text);
     throw std::logic_error("there is no schema " + file);
 }

@@ -1,6 +1,5 @@
-#include "document/schema_parse.h"
-
 #include "document/schema_view.h"
+#include "document/schema_violation.h"
 
 #include <valijson/schema.hpp>
 #include <valijson/schema_parser.hpp>

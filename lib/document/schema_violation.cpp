@@ -1,6 +1,5 @@
 #include "document/schema_violation.h"
 
-#include "document/schema_parse.h"
 #include "document/schema_view.h"
 
 #include <valijson/schema.hpp>

@@ -1,4 +1,5 @@
-/// \file The first thing in a value that breaks a schema, as Valijson tells it.
+/// \file The first thing in a value that breaks a schema, as Valijson tells it. Reading a schema stands in a
+/// source of its own, `schema_parse.cpp`, because both take long to compile.
 #pragma once
 
 #include "document/json.h"
@@ -7,7 +8,14 @@
 #include <string>
 #include <vector>
 
+namespace valijson {
+class Schema;
+}
+
 namespace qm {
+
+/// \param compiled  new; what the schema says is put into it
+void parseSchema(const Json& schema, valijson::Schema& compiled);
 
 struct SchemaViolation {
     /// The way from the root to the place: "[key]" or "[position among the shown elements]" for every step

@@ -1,4 +1,4 @@
-#include "view/base64.h"
+#include "view/number_bytes.h"
 
 #include <openssl/evp.h>
 

@@ -1,8 +1,9 @@
-/// \file Numbers as few bytes, little-endian, for pages.
+/// \file Numbers as few bytes, little-endian, and bytes as text, for pages.
 #pragma once
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace qm {
@@ -21,5 +22,8 @@ struct RoughNumbers {
 };
 /// \param values  not negative
 [[nodiscard]] RoughNumbers roughNumbers(const std::vector<float>& values);
+
+/// Bytes in base64.
+[[nodiscard]] std::string base64(std::string_view bytes);
 
 } // namespace qm

@@ -1,7 +1,7 @@
 #include "view/page.h"
 
+#include "base/embedded_text.h"
 #include "base/error.h"
-#include "view/page_parts.h"
 #include "view/scene_json.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace qm {
 namespace {
 
 std::string_view part(std::string_view name) {
-    for (const PagePart& candidate : embeddedPageParts())
+    for (const EmbeddedText& candidate : embeddedPageParts())
         if (candidate.name == name) return candidate.text;
     throw std::logic_error("the page lacks " + std::string(name));
 }

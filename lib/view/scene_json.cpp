@@ -1,6 +1,5 @@
 #include "view/scene_json.h"
 
-#include "view/base64.h"
 #include "view/number_bytes.h"
 
 #include <nlohmann/json.hpp>

@@ -1,5 +1,6 @@
 /// \file The schemas are valid, and documents of every kind keep to them.
 #include "base/error.h"
+#include "base/embedded_text.h"
 #include "document/json_place.h"
 #include "document/schema.h"
 #include "document/schema_check.h"
@@ -51,7 +52,7 @@ const char* const metaSchema = R"({
 TEST(Schemas, AreValidAndUseOnlyWhatTheValidatorTreatsRight) {
     const Json meta = parseJson(metaSchema);
     EXPECT_EQ(qm::embeddedSchemas().size(), kinds.size() + 1);
-    for (const qm::EmbeddedSchema& schema : qm::embeddedSchemas())
+    for (const qm::EmbeddedText& schema : qm::embeddedSchemas())
         EXPECT_NO_THROW(qm::validate(parseJson(schema.text), meta)) << schema.name;
     EXPECT_THROW(qm::validate(parseJson(R"({"type": "text"})"), meta), qm::Error);
     EXPECT_THROW(qm::validate(parseJson(R"({"properties": {"a": {"uniqueItems": true}}})"), meta), qm::Error);
@@ -59,7 +60,7 @@ TEST(Schemas, AreValidAndUseOnlyWhatTheValidatorTreatsRight) {
 
 TEST(Schemas, DefinitionsHaveDifferentNames) {
     std::set<std::string> names;
-    for (const qm::EmbeddedSchema& schema : qm::embeddedSchemas()) {
+    for (const qm::EmbeddedText& schema : qm::embeddedSchemas()) {
         const Json root = parseJson(schema.text);
         EXPECT_EQ(root.at("$id"), schema.name);
         for (const auto& [name, definition] : root.at("definitions").items())

@@ -5,7 +5,6 @@
 #include "mesh/dihedral.h"
 #include "mesh/quad_geometry.h"
 #include "support/grid_layout.h"
-#include "view/base64.h"
 #include "view/build_scene.h"
 #include "view/number_bytes.h"
 #include "view/page.h"
