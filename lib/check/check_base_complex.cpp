@@ -1,6 +1,5 @@
-#include "check/check_base_complex.h"
-
 #include "base/at.h"
+#include "check/check_sections.h"
 #include "check/paths.h"
 
 #include <utility>

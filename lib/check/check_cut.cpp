@@ -1,7 +1,6 @@
-#include "check/check_cut.h"
-
 #include "base/at.h"
 #include "base/number_text.h"
+#include "check/check_sections.h"
 #include "check/paths.h"
 
 #include <algorithm>

@@ -1,14 +1,8 @@
 #include "check/check_document.h"
 
 #include "check/angles.h"
-#include "check/check_base_complex.h"
 #include "check/check_constraints.h"
-#include "check/check_cut.h"
-#include "check/check_enumeration.h"
-#include "check/check_features.h"
-#include "check/check_figures.h"
-#include "check/check_layout.h"
-#include "check/check_surfaces.h"
+#include "check/check_sections.h"
 #include "check/lines.h"
 
 namespace qm::check {

@@ -1,9 +1,8 @@
-#include "check/check_enumeration.h"
-
 #include "base/at.h"
 #include "base/number_text.h"
 #include "check/check_constraints.h"
 #include "check/check_graph.h"
+#include "check/check_sections.h"
 
 #include <boost/multiprecision/cpp_int.hpp>
 

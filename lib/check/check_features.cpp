@@ -1,5 +1,4 @@
-#include "check/check_features.h"
-
+#include "check/check_sections.h"
 #include "check/paths.h"
 
 #include <algorithm>

@@ -1,8 +1,6 @@
-#include "check/check_figures.h"
-
 #include "base/at.h"
 #include "base/number_text.h"
-#include "check/check_meetings.h"
+#include "check/check_sections.h"
 #include "check/check_segments.h"
 #include "check/distance.h"
 #include "check/spline.h"

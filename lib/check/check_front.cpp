@@ -1,6 +1,5 @@
-#include "check/check_front.h"
-
 #include "base/number_text.h"
+#include "check/check_sections.h"
 
 #include <algorithm>
 #include <cmath>

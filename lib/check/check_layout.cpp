@@ -1,11 +1,8 @@
-#include "check/check_layout.h"
-
 #include "base/at.h"
 #include "base/number_text.h"
 #include "check/check_constraints.h"
-#include "check/check_front.h"
 #include "check/check_graph.h"
-#include "check/check_quality.h"
+#include "check/check_sections.h"
 #include "check/check_segments.h"
 #include "check/paths.h"
 

@@ -1,7 +1,6 @@
-#include "check/check_meetings.h"
-
 #include "base/at.h"
 #include "base/number_text.h"
+#include "check/check_sections.h"
 #include "check/distance.h"
 #include "check/patch_borders.h"
 #include "check/spline.h"

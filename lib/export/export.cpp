@@ -2,13 +2,12 @@
 
 #include "base/error.h"
 #include "bspline/splines/bounding_box.h"
+#include "export/boundary_files.h"
 #include "export/colours.h"
-#include "export/iges.h"
 #include "export/join.h"
 #include "export/merge_planes.h"
 #include "export/quads.h"
 #include "export/separate.h"
-#include "export/step.h"
 
 #include <BRepCheck_Analyzer.hxx>
 #include <Standard_Failure.hxx>

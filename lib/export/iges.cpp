@@ -1,6 +1,5 @@
-#include "export/iges.h"
-
 #include "base/error.h"
+#include "export/boundary_files.h"
 
 #include <IGESControl_Controller.hxx>
 #include <IGESControl_Writer.hxx>

@@ -1,4 +1,4 @@
-#include "export/min_eigenvector.h"
+#include "export/small_matrices.h"
 
 #include <Eigen/Eigenvalues>
 

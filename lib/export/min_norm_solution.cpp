@@ -1,4 +1,4 @@
-#include "export/min_norm_solution.h"
+#include "export/small_matrices.h"
 
 #include <Eigen/QR>
 

@@ -1,6 +1,6 @@
 #include "export/simple_shape_fit.h"
 
-#include "export/min_norm_solution.h"
+#include "export/small_matrices.h"
 
 #include <Eigen/Geometry>
 
@@ -31,8 +31,8 @@ double squares(const SimpleShape& shape, const OrientedPoints& cloud) {
     return sum;
 }
 
-/// Gauss and Newton's method with numerical derivatives; what does not count for the kind does not move, as
-/// of all solutions the smallest is taken.
+/// The Gauss-Newton method with numerical derivatives. Numbers that mean nothing for the kind stay as they
+/// are, because of all solutions the smallest is taken.
 SimpleShape refined(SimpleShape shape, const OrientedPoints& cloud) {
     constexpr int rounds = 12;        // it ends before, where no round gets nearer
     constexpr double step = 1e-6;     // of points of about unit size: the cube root of what doubles resolve

@@ -1,7 +1,6 @@
 #include "export/simple_shape_guess.h"
 
-#include "export/min_eigenvector.h"
-#include "export/min_norm_solution.h"
+#include "export/small_matrices.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>

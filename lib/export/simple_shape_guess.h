@@ -1,4 +1,4 @@
-/// \file Planes, cylinders, cones, spheres and tori near points with normals, off equations that are linear.
+/// \file Planes, cylinders, cones, spheres and tori near points with normals, by linear equations.
 #pragma once
 
 #include "export/simple_shape.h"
@@ -15,8 +15,8 @@ struct OrientedPoints {
     std::vector<Eigen::Vector3d> normals;
 };
 
-/// The surface of a kind that is nearest in the sense of an equation that its points and normals obey. Of a
-/// plane, the nearest; of other kinds a place to begin at, whose numbers may be unsound.
+/// A surface of a kind near the points, from linear equations that points and normals of such surfaces obey.
+/// A plane is the nearest one; other kinds are a start for iteration, and their numbers may be unsound.
 /// \param cloud  at least ten points
 [[nodiscard]] SimpleShape guessShape(SimpleKind kind, const OrientedPoints& cloud);
 

@@ -1,5 +1,4 @@
-#include "export/step.h"
-
+#include "export/boundary_files.h"
 #include "export/step_geometry.h"
 
 #include <array>

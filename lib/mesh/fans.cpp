@@ -1,6 +1,5 @@
-#include "mesh/fans.h"
-
 #include "base/at.h"
+#include "mesh/soup_repairs.h"
 
 namespace qm {
 namespace {

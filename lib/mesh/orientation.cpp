@@ -1,4 +1,4 @@
-#include "mesh/orientation.h"
+#include "mesh/soup_repairs.h"
 
 #include <algorithm>
 

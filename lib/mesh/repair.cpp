@@ -1,11 +1,8 @@
 #include "mesh/repair.h"
 
 #include "base/error.h"
-#include "mesh/fans.h"
-#include "mesh/orientation.h"
-#include "mesh/soup_edit.h"
+#include "mesh/soup_repairs.h"
 #include "mesh/validate.h"
-#include "mesh/weld.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,5 @@
-#include "mesh/soup_edit.h"
-
 #include "base/at.h"
+#include "mesh/soup_repairs.h"
 
 #include <algorithm>
 

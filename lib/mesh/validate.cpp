@@ -1,8 +1,7 @@
 #include "mesh/validate.h"
 
 #include "base/error.h"
-#include "mesh/fans.h"
-#include "mesh/orientation.h"
+#include "mesh/soup_repairs.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,5 @@
-#include "mesh/weld.h"
-
 #include "mesh/soup_edges.h"
+#include "mesh/soup_repairs.h"
 
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point.hpp>

@@ -1,8 +1,8 @@
-/// \file Boundary representations as STEP.
+/// \file Boundary representations as files: step.cpp and iges.cpp.
 #pragma once
 
-#include "export/boundary.h"
 #include "export/export.h"
+#include "export/shape.h"
 
 #include <cstddef>
 #include <string>
@@ -17,5 +17,12 @@ namespace qm {
 [[nodiscard]] std::string boundaryAsStep(const Boundary& boundary,
                                          const std::vector<std::vector<std::size_t>>& origins,
                                          const ExportOptions& options);
+
+/// IGES 5.3.
+/// \param origins  of every face, the segments that it is made of: the first is its label
+/// \throw Error  if OpenCASCADE cannot translate the shape
+[[nodiscard]] std::string shapeAsIges(const BoundaryShape& shape,
+                                      const std::vector<std::vector<std::size_t>>& origins,
+                                      const ExportOptions& options);
 
 } // namespace qm
