@@ -18,7 +18,8 @@ struct TriangleSide {
     int low = 0;
     int high = 0;
     bool ascends = false;
-    auto operator<=>(const TriangleSide&) const = default; // NOLINT(modernize-use-nullptr): the 0 is the compiler's
+    // NOLINTNEXTLINE(modernize-use-nullptr): the 0 is the compiler's
+    auto operator<=>(const TriangleSide&) const = default;
     [[nodiscard]] bool sameEdge(const TriangleSide& other) const {
         return low == other.low && high == other.high;
     }

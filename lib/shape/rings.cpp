@@ -53,7 +53,7 @@ void raiseBoss(QuadList& list, const Ring& ring, int firstColumn, int firstRow, 
     for (int j = 0; j < size; ++j)
         for (int i = 0; i < size; ++i) {
             const int column = firstColumn + i, row = firstRow + j;
-            const auto quad = static_cast<std::size_t>(row * ring.grid.columns + column);
+            const auto quad = at(row) * at(ring.grid.columns) + at(column);
             list.quads[quad] = {vertex(column, row, levels), vertex(column + 1, row, levels),
                                 vertex(column + 1, row + 1, levels), vertex(column, row + 1, levels)};
         }

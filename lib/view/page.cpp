@@ -66,7 +66,9 @@ void requireLayers(std::span<const Scene> scenes, const std::vector<std::string>
             return has(scene.lines, name) || has(scene.points, name);
         });
         if (colours && !faces.empty())
-            throw Error("", "layers " + faces + " and " + name + " both colour the faces",
+            throw Error("",
+                        std::string("layers ").append(faces).append(" and ").append(name).append(
+                            " both colour the faces"),
                         "Show one of them");
         if (colours) faces = name;
         if (!colours && !draws)

@@ -66,13 +66,13 @@ private:
     /// The sum is at least `lower`; columns may occur more than once.
     void addRow(const Terms& terms, double lower) {
         std::vector<std::pair<int, double>> sums;
-        for (const auto& [column, weight] : terms) {
-            const auto same =
-                std::find_if(sums.begin(), sums.end(), [&](const auto& sum) { return sum.first == column; });
+        for (const auto& term : terms) {
+            const auto same = std::find_if(sums.begin(), sums.end(),
+                                           [&](const auto& sum) { return sum.first == term.first; });
             if (same == sums.end())
-                sums.emplace_back(column, weight);
+                sums.push_back(term);
             else
-                same->second += weight;
+                same->second += term.second;
         }
         for (const auto& [column, weight] : sums) {
             rowOf_.push_back(static_cast<int>(lower_.size()));

@@ -33,8 +33,8 @@ private:
     struct Arrival {
         int vertex;
         std::size_t particle;
-        auto
-        operator<=>(const Arrival&) const = default; // NOLINT(modernize-use-nullptr): the 0 is the compiler's
+        // NOLINTNEXTLINE(modernize-use-nullptr): the 0 is the compiler's
+        auto operator<=>(const Arrival&) const = default;
     };
 
     /// Moves every particle over its next edge, unless its opposite is there already.
