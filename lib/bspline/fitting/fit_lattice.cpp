@@ -11,8 +11,6 @@
 namespace qm {
 namespace {
 
-/// Between the normal of a sound quad and the reference's over it, if this is not folded: of 80 degrees.
-constexpr double minCosine = 0.17;
 /// Of a point's weight, where the reference folds over a sound quad.
 constexpr double ofGuesses = 0.05;
 
@@ -51,40 +49,6 @@ void markSide(const LatticeSource& source, std::size_t side, const std::vector<S
         if (!onCurve || lattice.freedom[point] == Freedom::corner) continue;
         lattice.freedom[point] = Freedom::crease;
         lattice.axes[point] = unit(along == 0 ? points[point].du : points[point].dv);
-    }
-}
-
-/// Where the reference folds over a sound quad, patches are kept upright as the quad is.
-void unfoldQuads(const LatticeSource& source, FitLattice& lattice) {
-    const auto& [us, vs] = lattice.targets.parameters;
-    const auto first = [](const std::vector<double>& list, int at) {
-        return static_cast<std::size_t>(std::ranges::lower_bound(list, at) - list.begin());
-    };
-    const auto& [columns, rows] = source.grid->size;
-    for (int quad = 0; quad < columns * rows; ++quad) {
-        if (!source.isSound[at(quad)]) continue;
-        const int u = quad % columns;
-        const int v = quad / columns;
-        const auto forPoints = [&](const auto& function) {
-            for (std::size_t j = first(vs, v); j <= first(vs, v + 1); ++j)
-                for (std::size_t i = first(us, u); i <= first(us, u + 1); ++i)
-                    function(j * us.size() + i);
-        };
-        const auto corner = [&](int i, int j) {
-            return lattice.reference[first(vs, v + j) * us.size() + first(us, u + i)];
-        };
-        const BilinearQuad flat({corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)});
-        bool isFolded = false;
-        forPoints(
-            [&](std::size_t k) { isFolded = isFolded || (lattice.normals[k] | flat.normal()) < minCosine; });
-        if (!isFolded) continue;
-        forPoints([&](std::size_t k) {
-            const auto parameters = lattice.parametersAt(k);
-            const SurfacePoint point = flat.evaluate(parameters[0] - u, parameters[1] - v);
-            lattice.normals[k] = lattice.axes[k] = unitNormal(point.du, point.dv);
-            lattice.jacobian[k] = (point.du % point.dv).norm();
-            lattice.isGuess[k] = true;
-        });
     }
 }
 

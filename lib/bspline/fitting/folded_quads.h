@@ -1,7 +1,7 @@
 /// \file Quads over which the reference folds although the mesh does not (docs/METHOD.md#smooth-fit).
 #pragma once
 
-#include "bspline/reference/reference_grid.h"
+#include "bspline/fitting/fit_lattice.h"
 #include "mesh/quad_mesh.h"
 
 #include <array>
@@ -29,5 +29,10 @@ private:
     std::array<Point, 4> corners_;
     Point normal_; ///< unit, in the middle
 };
+
+/// Where the reference folds over a sound quad its normals become those of the quad, to keep patches upright,
+/// and its points are marked as guesses.
+/// \param lattice  has the reference's points, normals and Jacobians, and room for marks
+void unfoldQuads(const LatticeSource& source, FitLattice& lattice);
 
 } // namespace qm

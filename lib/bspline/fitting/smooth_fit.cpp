@@ -169,8 +169,8 @@ std::vector<Patch> fitSmooth(const QuadMesh& mesh, const Layout& layout, const S
     Fitted nearest;
     SmoothFitOptions attempt = options;
     for (int k = 1;; ++k) {
-        Fitted fitted =
-            SmoothFit(mesh, layout, network, reference, attempt, control.jobs).run(verify, control);
+        Fitted fitted = SmoothFit(mesh, layout, network, reference, attempt, control.jobs)
+                            .run(verify, k == 1 ? control : Control());
         if (k == 1 || fitted.distance < nearest.distance) nearest = std::move(fitted);
         if (k == options.attempts || !verify || nearest.distance <= uncertain) return nearest.patches;
         attempt.slides /= 2; // which may have led astray
