@@ -66,7 +66,8 @@ std::vector<bool> soundFaces(const QuadMesh& mesh) {
 }
 
 void unfoldQuads(const LatticeSource& source, FitLattice& lattice) {
-    const auto& [us, vs] = lattice.targets.parameters;
+    const std::vector<double>& us = lattice.targets.parameters[0];
+    const std::vector<double>& vs = lattice.targets.parameters[1];
     const auto first = [](const std::vector<double>& list, int at) {
         return static_cast<std::size_t>(std::ranges::lower_bound(list, at) - list.begin());
     };
