@@ -282,7 +282,8 @@ TEST(LimitSurface, TakesQuadsWithoutArea) {
     const Grid flat{4, 4, [](double i, double) { return Point(std::floor(i / 2), 0, 0); }};
     const QuadMesh mesh = test::makeMesh(flat);
     const Layout layout = test::makeLayout(flat, {{0, 0, 4, 4, 0}});
-    for (const Point& point : limitSurface(mesh, layout, noCreases(mesh), 4, 1).front().points)
+    const auto grids = limitSurface(mesh, layout, noCreases(mesh), 4, 1);
+    for (const Point& point : grids.front().points)
         EXPECT_TRUE(std::isfinite(point.sqrnorm()));
 }
 
