@@ -26,6 +26,9 @@ public:
         parent_[high] = low;
     }
 
+    /// Puts a number into a set of its own again, as all others of its set must be before any is asked for.
+    void isolate(std::size_t k) { parent_[k] = k; }
+
 private:
     std::vector<std::size_t> parent_;
 };

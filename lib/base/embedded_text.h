@@ -1,4 +1,5 @@
-/// \file The text files that are compiled into the library. Sources with these functions are made by scripts/embed.
+/// \file The text files that are compiled into the library. Sources with these functions are made by
+/// scripts/embed.
 #pragma once
 
 #include <span>

@@ -28,36 +28,23 @@ void requireValid(const FitOptions& options) {
 /// How finely the fit of meshes of a size is sampled, and how long it is worked at: large ones have short
 /// edges, and are to be done in time linear in their size. The fit's lattice has four steps between any two
 /// knots in any case.
-struct Effort {
-    int stepsOfFit = 4;
-    int maxRounds = 30;
-    int roundsForFolds = 30;
-    int slides = 6;
-    int attempts = 3;      ///< with ever fewer slides, while the tolerance is missed
-    int verifications = 5; ///< of distances between the lattice's points, while there is time to mend them
-    /// Of the tolerance, at the lattice's points: the rest is for what lies between, more of it unverified.
-    [[nodiscard]] double share() const { return verifications > 0 ? 0.97 : 0.94; }
-};
-
-Effort effortFor(const QuadMesh& mesh) {
+SmoothFitOptions effortFor(const QuadMesh& mesh) {
     constexpr std::size_t many = 30'000;
-    constexpr std::size_t veryMany = 300'000;
-    if (mesh.n_faces() > veryMany)
-        return {.stepsOfFit = 1,
-                .maxRounds = 4,
-                .roundsForFolds = 2,
-                .slides = 2,
-                .attempts = 1,
-                .verifications = 0};
-    if (mesh.n_faces() > many)
-        return {.stepsOfFit = 2,
-                .maxRounds = 8,
-                .roundsForFolds = 2,
-                .slides = 3,
-                .attempts = 1,
-                .verifications = 2};
-    return {};
+    SmoothFitOptions options;
+    if (mesh.n_faces() <= many) return options;
+    const bool areVeryMany = mesh.n_faces() > veryManyFaces;
+    options.steps = areVeryMany ? 1 : 2;
+    options.maxRounds = areVeryMany ? 4 : 8;
+    options.roundsForFolds = 2;
+    options.slides = areVeryMany ? 2 : 3;
+    options.verifications = areVeryMany ? 0 : 2;
+    options.attempts = 1;
+    return options;
 }
+
+/// Of the tolerance, at the lattice's points: the rest is for what lies between, more of it unverified.
+constexpr double shareVerified = 0.97;
+constexpr double shareUnverified = 0.94;
 
 /// How far a reference may be from a plane that it is taken for: a share of what is allowed, and of the
 /// diagonal, as much as the coordinates of mesh files are rounded.
@@ -85,7 +72,6 @@ Surfaces fitSurfaces(const QuadMesh& mesh, const Layout& layout, const std::vect
                      const FitOptions& options, const TriangleSurface* scan, const Control& control) {
     requireValid(options);
     const SmoothNetwork network = buildNetwork(mesh, layout, dihedralAngles, options.rho);
-    const Effort effort = effortFor(mesh);
     const FitTarget target = fitTarget(mesh, layout, network, scan, control.jobs);
     const double diagonal = boundingBoxDiagonal(mesh);
     Surfaces surfaces;
@@ -99,16 +85,12 @@ Surfaces fitSurfaces(const QuadMesh& mesh, const Layout& layout, const std::vect
                 distance /= limit;
             return found;
         };
-        surfaces.patches = fitSmooth(mesh, layout, network, target,
-                                     {.tolerance = effort.share() * allowed,
-                                      .flatness = std::min(planeShare * allowed, maxFlatness * diagonal),
-                                      .steps = effort.stepsOfFit,
-                                      .maxRounds = effort.maxRounds,
-                                      .roundsForFolds = effort.roundsForFolds,
-                                      .slides = effort.slides,
-                                      .verifications = effort.verifications,
-                                      .attempts = effort.attempts},
-                                     effort.verifications > 0 ? verify : Verification(), control);
+        SmoothFitOptions effort = effortFor(mesh);
+        const bool verifies = effort.verifications > 0;
+        effort.tolerance = (verifies ? shareVerified : shareUnverified) * allowed;
+        effort.flatness = std::min(planeShare * allowed, maxFlatness * diagonal);
+        surfaces.patches =
+            fitSmooth(mesh, layout, network, target, effort, verifies ? verify : Verification(), control);
     } else {
         surfaces.patches = interpolateSegments(mesh, layout, control.jobs);
     }

@@ -35,7 +35,7 @@ class FigureCheck {
 public:
     FigureCheck(const Context& context, const LayoutPart& layout, const SurfacesPart& part, Report& report)
         : mesh_(context.mesh), around_(context.around), layout_(layout), part_(part), report_(report),
-          places_(context.mesh.quads.size()) {
+          diagonal_(boundingBoxDiagonal(context.mesh)), places_(context.mesh.quads.size()) {
         for (std::size_t p = 0; p < layout.segments.size(); ++p) {
             const auto& segment = layout.segments[p];
             for (std::size_t f = 0; f < segment.faces.size(); ++f)
@@ -132,8 +132,10 @@ private:
         }
     };
 
-    /// Of a distance: what two searches for the nearest point may differ by, where surfaces are folded.
-    static constexpr double unsure = 0.005;
+    /// What two searches for the nearest point may differ by: of a distance, and of the diagonal where
+    /// surfaces are folded and have many points that are nearer than all around them.
+    static constexpr double unsure = 1e-4;
+    static constexpr double unsureInFolds = 1e-7;
 
     bool isTooFar(std::size_t p, const Quad& quad, const std::array<int, 2>& cell, int i, int j,
                   const SurfacePoint& on) {
@@ -144,7 +146,9 @@ private:
         const double plain = distance(of, on.point);
         const Parameters parameters{cell[0] + s, cell[1] + t};
         const std::string where = "at face " + std::to_string(quad.face);
-        const auto slackOf = [&](double stated) { return rounding(quad) + unsure * stated; };
+        const auto slackOf = [&](double stated) {
+            return rounding(quad) + unsure * stated + unsureInFolds * diagonal_;
+        };
         const auto& fromFacets = patch.figures.maxFromFacets;
         if (fromFacets && plain > *fromFacets + slackOf(*fromFacets)) {
             const double slack = slackOf(*fromFacets);
@@ -286,6 +290,7 @@ private:
     const LayoutPart& layout_;
     const SurfacesPart& part_;
     Report& report_;
+    double diagonal_;
 
     std::vector<FacePlace> places_; ///< by face
 };

@@ -9,7 +9,7 @@ namespace qm::check {
 
 namespace {
 
-constexpr int iterations = 24;
+constexpr int iterations = 200;
 
 double dot(const Place& a, const Place& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -58,7 +58,7 @@ Parameters nearestOnTangents(const SurfacePoint& here, const Place& away, const 
 /// seen.
 template <class Surface>
 double nearest(const Surface& surface, Parameters at, const Parameters& max, const Place& point) {
-    constexpr int maxHalvings = 5;
+    constexpr int maxHalvings = 20; // where the surface bends much, steps are far too long
     int halvings = 0;
     double min = HUGE_VAL;
     Parameters before = at;
@@ -92,6 +92,18 @@ double distanceToFace(const CheckedMesh& mesh, int face, const Place& point) {
 double distance(const Place& a, const Place& b) {
     const Place away = minus(a, b);
     return std::sqrt(dot(away, away));
+}
+
+double boundingBoxDiagonal(const CheckedMesh& mesh) {
+    Place low{HUGE_VAL, HUGE_VAL, HUGE_VAL};
+    Place high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+    for (const auto& quad : mesh.quads)
+        for (const int vertex : quad)
+            for (std::size_t k = 0; k < 3; ++k) {
+                low[k] = std::min(low[k], mesh.points[at(vertex)][k]);
+                high[k] = std::max(high[k], mesh.points[at(vertex)][k]);
+            }
+    return mesh.quads.empty() ? 0 : distance(low, high);
 }
 
 Place pointOf(const CheckedMesh& mesh, int face, double s, double t) {

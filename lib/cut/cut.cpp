@@ -1,6 +1,7 @@
 #include "cut/cut.h"
 
 #include "base/at.h"
+#include "base/disjoint_sets.h"
 #include "cut/coarse_geodesics.h"
 #include "cut/energy.h"
 #include "cut/measure.h"
@@ -31,7 +32,7 @@ public:
            const CutOptions& options, const Control& control)
         : mesh_(mesh), options_(options), control_(control), measure_(mesh, complex),
           labels_(mesh.n_vertices(), 0), energy_(mesh, angles, options, labels_),
-          component_(mesh.n_vertices(), -1) {
+          connected_(mesh.n_vertices()), component_(mesh.n_vertices(), -1) {
         Piece whole;
         for (const VertexId vertex : mesh.vertices())
             if (!mesh.is_isolated(vertex)) whole.vertices.push_back(vertex);
@@ -117,31 +118,18 @@ private:
     /// visited in order, which is faster on large meshes than to follow edges.
     /// \return how many there are
     int numberComponents(const Piece& piece) {
-        // At first the number of a vertex of the same component that is no higher.
         for (const VertexId vertex : piece.vertices)
-            component_[at(vertex)] = vertex.idx();
+            connected_.isolate(at(vertex));
         for (const VertexId vertex : piece.vertices)
-            for (const VertexId next : mesh_.vv_range(vertex)) {
-                if (next.idx() > vertex.idx() || labels_[at(next)] != labels_[at(vertex)]) continue;
-                const int a = lowestKnown(vertex.idx()), b = lowestKnown(next.idx());
-                component_[at(std::max(a, b))] = std::min(a, b);
-            }
+            for (const VertexId next : mesh_.vv_range(vertex))
+                if (next.idx() < vertex.idx() && labels_[at(next)] == labels_[at(vertex)])
+                    connected_.join(at(vertex), at(next));
         int count = 0;
         for (const VertexId vertex : piece.vertices) {
-            const int lower = component_[at(vertex)];
-            component_[at(vertex)] = lower == vertex.idx() ? count++ : component_[at(lower)];
+            const std::size_t lowest = connected_.find(at(vertex));
+            component_[at(vertex)] = lowest == at(vertex) ? count++ : component_[lowest];
         }
         return count;
-    }
-
-    /// Follows the vertices in `component_` to the lowest, and halves the way for the next time.
-    int lowestKnown(int vertex) {
-        while (component_[at(vertex)] != vertex) {
-            int& lower = component_[at(vertex)];
-            lower = component_[at(lower)];
-            vertex = lower;
-        }
-        return vertex;
     }
 
     /// Divides a piece into its components: each in which particles start is a part, and all the others
@@ -235,6 +223,7 @@ private:
     std::optional<Geodesics> geodesics_; ///< made when needed
     std::optional<CoarseGeodesics> coarseGeodesics_;
     Energy energy_;
+    DisjointSets connected_;     ///< vertices, in the piece at hand
     std::vector<int> component_; ///< of a vertex in the piece at hand
     Pieces pending_;
     Pieces done_;

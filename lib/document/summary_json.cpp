@@ -2,13 +2,10 @@
 
 #include "document/length_text.h"
 #include "document/options.h"
+#include "document/surfaces_section.h"
 
 namespace qm {
 namespace {
-
-Json placeToJson(const LayoutPlace& place, const Point& point) {
-    return {{"patch", place.patch}, {"at", place.at}, {"point", {point[0], point[1], point[2]}}};
-}
 
 Json fitToJson(const FitSummary& fit) {
     const Deviation& deviation = fit.deviation;

@@ -52,8 +52,7 @@ template <class Figures, class Visitor> void visitScan(Figures& scan, Visitor&& 
 }
 
 Json placeToJson(const std::vector<Patch>& patches, const LayoutPlace& place) {
-    const Point point = evaluate(patches[place.patch], place.at[0], place.at[1]).position;
-    return {{"patch", place.patch}, {"at", place.at}, {"point", {point[0], point[1], point[2]}}};
+    return placeToJson(place, evaluate(patches[place.patch], place.at[0], place.at[1]).position);
 }
 
 Json scanToJson(const Surfaces& surfaces, const ScanFile& file) {
@@ -77,6 +76,10 @@ Json pointsToJson(const Patch& patch) {
 }
 
 } // namespace
+
+Json placeToJson(const LayoutPlace& place, const Point& point) {
+    return {{"patch", place.patch}, {"at", place.at}, {"point", {point[0], point[1], point[2]}}};
+}
 
 Json surfacesToJson(const Surfaces& surfaces, const ScanFile& scan) {
     Json::array_t patches;

@@ -14,6 +14,9 @@ struct ScanFile {
     std::string sha256;
 };
 
+/// Patch and parameters of a place, and the point there.
+[[nodiscard]] Json placeToJson(const LayoutPlace& place, const Point& point);
+
 /// \param scan  of surfaces that were fitted to one
 [[nodiscard]] Json surfacesToJson(const Surfaces& surfaces, const ScanFile& scan = {});
 

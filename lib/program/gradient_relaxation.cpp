@@ -13,7 +13,8 @@ struct Tuning {
     /// Iterations between two looks at the bounds, which cost as much as two iterations.
     static constexpr std::size_t look = 100;
     /// A restart when the distance from the optimum has fallen by the first factor since the last one, or by
-    /// the second and is growing again, or after this share of all iterations (Applegate et al. 2021).
+    /// the second and is growing again, or after this share of all iterations
+    /// (docs/METHOD.md#applegate-2021).
     static constexpr double sufficient = 0.2;
     static constexpr double necessary = 0.8;
     static constexpr double longShare = 0.36;
@@ -40,7 +41,7 @@ struct Lines {
             sum += weights[k] * values[indices[k]];
         return sum;
     }
-    /// Steps so long that the iteration still converges (Pock and Chambolle 2011).
+    /// Steps so long that the iteration still converges (docs/METHOD.md#pock-2011).
     [[nodiscard]] std::vector<double> steps() const {
         std::vector<double> steps(size(), 1);
         for (std::size_t line = 0; line < size(); ++line) {
@@ -78,7 +79,7 @@ Lines transposed(const Lines& rows, std::size_t columns) {
 }
 
 /// Values of columns and duals of rows.
-struct Point {
+struct Iterate {
     std::vector<double> values, duals;
 };
 
@@ -109,7 +110,7 @@ public:
         for (std::size_t done = 1; done <= options.iterations && !control.stopRequested(); ++done) {
             step();
             if (done % Tuning::look != 0) continue;
-            const Point mean = this->mean();
+            const Iterate mean = this->mean();
             const double distance = this->distance(now_), distanceOfMean = this->distance(mean);
             const double nearer = std::min(distance, distanceOfMean);
             const bool grows = nearer <= Tuning::necessary * distanceAtStart_ && nearer > lastDistance_;
@@ -141,8 +142,8 @@ private:
         ++steps_;
     }
 
-    [[nodiscard]] Point mean() const {
-        Point mean = sums_;
+    [[nodiscard]] Iterate mean() const {
+        Iterate mean = sums_;
         for (double& value : mean.values)
             value /= static_cast<double>(steps_);
         for (double& dual : mean.duals)
@@ -150,7 +151,7 @@ private:
         return mean;
     }
 
-    void restart(Point from, double distance) {
+    void restart(Iterate from, double distance) {
         now_ = std::move(from);
         const double ofValues = squaredDistance(now_.values, start_.values, columnSteps_);
         const double ofDuals = squaredDistance(now_.duals, start_.duals, rowSteps_);
@@ -165,30 +166,30 @@ private:
         lastDistance_ = std::numeric_limits<double>::infinity();
     }
 
-    /// How far the point is from an optimum: the gap between what its values cost and what its duals prove,
+    /// How far it is from an optimum: the gap between what its values cost and what its duals prove,
     /// and by how much they break rows. Remembers the best bound.
-    double distance(const Point& point) {
+    double distance(const Iterate& iterate) {
         double bound = 0, cost = 0, broken = 0;
         for (std::size_t row = 0; row < lower_.size(); ++row) {
-            const double dual = point.duals[row], sum = rows_.product(row, point.values);
+            const double dual = iterate.duals[row], sum = rows_.product(row, iterate.values);
             if (dual != 0) bound += dual * (dual > 0 ? lower_[row] : upper_[row]);
             broken += std::max({0.0, lower_[row] - sum, sum - upper_[row]});
         }
         for (std::size_t column = 0; column < costs_.size(); ++column) {
-            bound += std::min(0.0, costs_[column] - columns_.product(column, point.duals));
-            cost += costs_[column] * point.values[column];
+            bound += std::min(0.0, costs_[column] - columns_.product(column, iterate.duals));
+            cost += costs_[column] * iterate.values[column];
         }
         if (best_.values.empty() || bound > best_.lowerBound)
-            best_ = {ColumnValues(point.values.begin(), point.values.end()),
-                     IdVector<RowId, double>(point.duals.begin(), point.duals.end()), bound};
+            best_ = {ColumnValues(iterate.values.begin(), iterate.values.end()),
+                     IdVector<RowId, double>(iterate.duals.begin(), iterate.duals.end()), bound};
         return std::abs(cost - bound) + broken;
     }
 
     std::vector<double> costs_, lower_, upper_;
     const Lines rows_, columns_;
     const std::vector<double> columnSteps_, rowSteps_;
-    Point now_, start_; ///< at the last restart
-    Point sums_;        ///< since then
+    Iterate now_, start_; ///< at the last restart
+    Iterate sums_;        ///< since then
     std::vector<double> ahead_;
     double balance_ = 1; ///< of the steps of both sides
     std::size_t steps_ = 0;

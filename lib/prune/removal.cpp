@@ -9,6 +9,7 @@
 #include <algorithm>
 
 namespace qm {
+
 Removal::Removal(const QuadMesh& mesh, const Layout& layout)
     : mesh_(mesh), border_(mesh.n_edges(), false), segmentOf_(mesh.n_faces(), -1),
       sets_(layout.segments.size()) {

@@ -105,7 +105,8 @@ void ConstrainedSystem::improve(const Eigen::MatrixX3d& rightHandSide, Accuracy 
     if (beginsWithNothing) solution = Eigen::MatrixX3d::Zero(size + equations_.rows(), 3);
     for (int k = 0; k < maxSteps; ++k) {
         Eigen::MatrixX3d residual(solution.rows(), 3);
-        residual << rightHandSide, constants_;
+        residual.topRows(size) = rightHandSide;
+        residual.bottomRows(equations_.rows()) = constants_;
         if (k > 0 || !beginsWithNothing) {
             const auto unknowns = solution.topRows(size);
             residual.topRows(size) -= form_.selfadjointView<Eigen::Lower>() * unknowns;

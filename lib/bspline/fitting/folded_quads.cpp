@@ -10,7 +10,7 @@ namespace qm {
 namespace {
 
 /// Between the normal of a sound quad and the reference's over it, if this is not folded: of 80 degrees.
-constexpr double minCosine = 0.17;
+constexpr double upright = 0.17;
 
 BilinearQuad quadOf(const QuadMesh& mesh, FaceId face) {
     std::array<Point, 4> corners;
@@ -87,7 +87,7 @@ void unfoldQuads(const LatticeSource& source, FitLattice& lattice) {
         const BilinearQuad flat({corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)});
         bool isFolded = false;
         forPoints(
-            [&](std::size_t k) { isFolded = isFolded || (lattice.normals[k] | flat.normal()) < minCosine; });
+            [&](std::size_t k) { isFolded = isFolded || (lattice.normals[k] | flat.normal()) < upright; });
         if (!isFolded) continue;
         forPoints([&](std::size_t k) {
             const auto parameters = lattice.parametersAt(k);

@@ -5,7 +5,6 @@
 #include "mesh/quad_mesh.h"
 
 #include <array>
-#include <optional>
 #include <vector>
 
 namespace qm {

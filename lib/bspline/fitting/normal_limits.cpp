@@ -11,7 +11,7 @@ namespace qm {
 namespace {
 
 /// Radians. Eyes see waves in reflections from about this on.
-constexpr double min = 0.1 / 180 * std::numbers::pi;
+constexpr double minLimit = 0.1 / 180 * std::numbers::pi;
 /// Times the unevenness of the normal's turns: knots that follow less would follow noise.
 constexpr double share = 2;
 
@@ -35,7 +35,7 @@ NormalLimits::NormalLimits(const ReferenceGrid& grid) : columns_(static_cast<std
         normals.push_back(unitNormal(point.du, point.dv));
     const std::array<std::size_t, 2> stride{1, columns_};
     for (std::size_t d = 0; d < 2; ++d) {
-        limits_[d].assign(normals.size(), min);
+        limits_[d].assign(normals.size(), minLimit);
         const auto last = static_cast<std::size_t>(grid.size[d]);
         for (std::size_t line = 0; line < normals.size() / (last + 1); ++line)
             for (std::size_t k = 1; k < last; ++k) {

@@ -4,15 +4,13 @@
 #include "bspline/reference/limit_surface.h"
 #include "bspline/reference/scan_reference.h"
 
-#include <cstddef>
 #include <utility>
 
 namespace qm {
 
 FitTarget fitTarget(const QuadMesh& mesh, const Layout& layout, const SmoothNetwork& network,
                     const TriangleSurface* scan, unsigned jobs) {
-    constexpr std::size_t veryMany = 300'000;
-    const int steps = mesh.n_faces() > veryMany ? 2 : 4;
+    const int steps = mesh.n_faces() > veryManyFaces ? 2 : 4;
     FitTarget target;
     target.grids = limitSurface(mesh, layout, network.marks.isCrease, steps, jobs);
     if (scan == nullptr) return target;

@@ -7,9 +7,13 @@
 #include "layout/layout.h"
 #include "mesh/quad_mesh.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace qm {
+
+/// Faces from which on a mesh is sampled less finely, as its edges are short.
+constexpr std::size_t veryManyFaces = 300'000;
 
 struct FitTarget {
     std::vector<ReferenceGrid> grids;         ///< of every segment, in their order
@@ -20,8 +24,7 @@ struct FitTarget {
 };
 
 /// The smooth surface through the mesh's vertices; or, with a scan, where the scan is seen from it, without
-/// the scan's noise. The lattices have four steps a mesh edge; on very many faces, whose edges are short,
-/// two.
+/// the scan's noise. The lattices have four steps a mesh edge; with very many faces, two.
 /// \param scan  null if there is none
 /// \throw Error  if the scan is nowhere near the mesh
 [[nodiscard]] FitTarget fitTarget(const QuadMesh& mesh, const Layout& layout, const SmoothNetwork& network,
