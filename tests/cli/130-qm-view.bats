@@ -17,7 +17,7 @@ seen() {
     local root=()
     ((EUID != 0)) || root=(--no-sandbox)
     timeout 120 chromium --headless "${root[@]}" --use-angle=swiftshader --enable-unsafe-swiftshader --window-size="${window_size:-1000,700}" \
-        --user-data-dir="$PWD/profile" --virtual-time-budget=5000 --enable-logging=stderr --v=0 \
+        --user-data-dir="$PWD/profile" --virtual-time-budget="${virtual_time:-5000}" --enable-logging=stderr --v=0 \
         --dump-dom "file://$PWD/$1#census" >dom 2>log
     # What the graphics driver says about reading pixels back is no fault of the page.
     ! grep CONSOLE log | grep -v 'GL Driver Message' || return 1
@@ -206,6 +206,58 @@ END
         END { R = (widest + narrowest) / 2; r = (widest - narrowest) / 2; print (R + 2 * r) / (2 * r * (R + r)) }' torus.obj)
     largest=$(grep -oP 'data-note="largest \K[0-9.]+' dom)
     assert_equal "$(jq -n "$largest / $expected | . > 0.95 and . < 1.2")" true
+}
+
+# drags MICROSECONDS: as JSON, what a drag by the mouse draws with a graphics card, simulated, that takes so long for a
+# vertex: of every picture its vertices and its width as a share of the page's.
+drags() {
+    cat >simulation <<END
+<script>
+let clock = 0, vertices = 0;
+performance.now = () => clock;
+for (const { prototype } of [WebGLRenderingContext, WebGL2RenderingContext])
+  for (const [name, place] of [['drawElements', 1], ['drawArrays', 2]]) {
+    const draw = prototype[name];
+    prototype[name] = function (...of) { vertices += of[place]; clock += of[place] * $1 / 1000; return draw.apply(this, of); };
+  }
+</script>
+END
+    qm-view "$(stage surfaces block)" | sed '/^<body>/r simulation' >page.html
+    cat >>page.html <<'END'
+<script>
+const canvas = document.getElementById('canvas'), seen = [];
+const mouse = (type, where, x) => where.dispatchEvent(new MouseEvent(type, { clientX: x, clientY: 200, button: 0, bubbles: true }));
+const look = (what) => { if (vertices) seen.push([what, vertices, canvas.width / canvas.clientWidth]); vertices = 0; };
+look('first');
+mouse('mousedown', canvas, 200);
+let x = 200;
+const drag = () => {
+  look('turning');
+  if (seen.length > 12) return mouse('mouseup', document, x), rest();
+  mouse('mousemove', document, x += 5);
+  requestAnimationFrame(drag);
+};
+drag();
+function rest() {
+  if (vertices === 0) return setTimeout(rest, 100);
+  look('rest');
+  document.body.dataset.seen = JSON.stringify(seen);
+}
+</script>
+END
+    virtual_time=60000 seen page.html >census
+    grep -oP 'data-seen="\K[^"]*' dom | sed 's/&quot;/"/g'
+}
+
+@test "while it turns, the model is drawn as coarsely as the machine needs, and fully at rest" {
+    needs_browser
+    # A million vertices take a second, or a millisecond.
+    drags 1 >slow
+    jq -e 'last as $rest | [.[] | select(.[0] == "turning")] as $turning | ($turning | length) > 10 and
+        ($turning | all(.[1] < $rest[1] / 4 and .[2] < 0.51)) and $rest[0] == "rest" and $rest[2] == 1' slow
+    drags 0.001 >quick
+    jq -e 'last as $rest | [.[] | select(.[0] == "turning")] as $turning | ($turning | length) > 10 and
+        ($turning | all(.[1] >= $rest[1] and .[2] == 1)) and $rest[0] == "rest" and $rest[2] == 1' quick
 }
 
 @test "a section opens the model" {

@@ -1,17 +1,17 @@
 // Where one looks from, by pointer and by keys.
 
 class View {
-  constructor(page, models, canvas, changed) {
+  constructor(page, models, canvas, moved) {
     this.from = page.from;
     this.models = models;
     this.radius = Math.max(...models.map((model) => model.radius));
-    this.changed = changed;
+    this.moved = moved;
     this.camera = new THREE.PerspectiveCamera(24, 1, 0.1, 10);
     this.camera.up.fromArray(page.up).normalize();
     this.controls = new THREE.OrbitControls(this.camera, canvas);
     this.controls.enableKeys = false;
     this.controls.screenSpacePanning = true;
-    this.controls.addEventListener('change', changed);
+    this.controls.addEventListener('change', moved);
     this.controls.addEventListener('start', () => { this.untouched = false; });
     canvas.addEventListener('keydown', (event) => this.key(event));
   }
@@ -40,7 +40,7 @@ class View {
     }
     this.camera.position.copy(this.controls.target).addScaledVector(back, Math.max(distance, 1e-3 * this.radius));
     this.controls.update();
-    this.changed();
+    this.moved();
   }
 
   // How far back the eye must be for the mesh to fit on either side of the target, less and more along an axis.
@@ -69,7 +69,7 @@ class View {
     this.controls.target.add(step);
     this.camera.position.add(step);
     this.controls.update();
-    this.changed();
+    this.moved();
   }
 
   turn(right, upwards) {
@@ -80,7 +80,7 @@ class View {
     offset.applyAxisAngle(this.camera.up, right);
     this.camera.position.copy(this.controls.target).add(offset);
     this.controls.update();
-    this.changed();
+    this.moved();
   }
 
   move(right, upwards) {
@@ -94,7 +94,7 @@ class View {
     const offset = this.camera.position.clone().sub(this.controls.target).multiplyScalar(factor);
     this.camera.position.copy(this.controls.target).add(offset);
     this.controls.update();
-    this.changed();
+    this.moved();
   }
 
   key(event) {

@@ -59,8 +59,21 @@ class Layers {
     layer.firstElement = layer.type === 'faces' ? 1 : this.numbersFor(layer.elementCount);
     layer.object = builders[layer.type](layer, this.model.shell(layer.base));
     layer.object.frustumCulled = false;
+    layer.geometries = [layer.object.geometry];
     this.root.add(layer.object);
     this.setTransparent(Boolean(this.transparent));
+  }
+
+  // Draws what is on coarsely, or with all that there is if `cells` is not given.
+  setCells(cells) {
+    for (const layer of this.all) if (layer.on && layer.object) layer.object.geometry = this.geometryOf(layer, cells);
+  }
+
+  geometryOf(layer, cells) {
+    const all = layer.geometries[0];
+    if (!cells || all.attributes.position.count < 12 * cells) return all; // about twice as many as would be left
+    const shell = this.model.shell(layer.base);
+    return layer.geometries[cells] = layer.geometries[cells] || coarseGeometry(layer, shell, all, this.model.firstInCell(layer.base, cells));
   }
 
   numbersFor(count) {

@@ -1,5 +1,7 @@
 // Puts everything together. The element #status says "ready" when the first picture stands, or what failed.
 
+const restDelay = 300; // milliseconds without a change after which a model is at rest
+
 class Page {
   constructor() {
     const page = this.page = readPage();
@@ -14,22 +16,25 @@ class Page {
       return { model, layers: new Layers(model) };
     });
     for (const { model, layers } of this.panes) for (const name of page.shown.length ? page.shown : model.shown) layers.set(name, true);
-    const changed = () => this.request();
-    this.view = new View(page, this.panes.map((pane) => pane.model), this.canvas, changed);
+    this.pace = new Pace();
+    this.view = new View(page, this.panes.map((pane) => pane.model), this.canvas, () => this.move());
+    this.pictures = new Pictures(this.renderer, this.panes, this.view);
     this.picker = new Picker(this.renderer, this.view);
-    this.panel = new Panel(page, this.panes, changed);
+    this.panel = new Panel(page, this.panes, () => this.change(), () => this.move());
     this.resize();
     this.listen();
-    if (!page.still) this.draw();
+    if (page.still) return;
+    this.drawAtRest();
+    this.wanted = '';
   }
 
   listen() {
     window.addEventListener('resize', () => this.resize());
-    this.canvas.addEventListener('pointermove', (event) => { this.pointer = event; this.request(); });
-    this.canvas.addEventListener('pointerleave', () => { this.pointer = null; this.request(); });
+    this.canvas.addEventListener('pointermove', (event) => { this.pointer = event; this.want('pointed'); });
+    this.canvas.addEventListener('pointerleave', () => { this.pointer = null; this.want('pointed'); });
     this.canvas.addEventListener('pointerdown', (event) => { this.pressed = [event.clientX, event.clientY]; });
     this.canvas.addEventListener('pointerup', (event) => {
-      if (this.pressed && Math.hypot(event.clientX - this.pressed[0], event.clientY - this.pressed[1]) < 4) this.keep();
+      if (this.pressed && Math.hypot(event.clientX - this.pressed[0], event.clientY - this.pressed[1]) < 4) this.keep(event);
     });
     this.canvas.addEventListener('keydown', (event) => { if (event.key.toLowerCase() === 't') byId('transparent').click(); });
     for (const button of document.querySelectorAll('[data-view]'))
@@ -37,40 +42,66 @@ class Page {
     byId('find').addEventListener('submit', (event) => { event.preventDefault(); this.find(byId('wanted').value); });
   }
 
-  // Of every pane, side by side.
-  get paneWidth() { return Math.max(1, Math.floor(this.width / this.panes.length)); }
+  get paneWidth() { return this.pictures.paneWidth; }
 
   resize() {
     const stage = this.canvas.getBoundingClientRect();
     const width = Math.max(1, Math.round(stage.width)), height = Math.max(1, Math.round(stage.height));
     if (width === this.width && height === this.height) return;
     Object.assign(this, { width, height });
-    this.renderer.setSize(this.width, this.height, false);
-    this.view.resize(this.paneWidth, this.height);
-    if (this.page.still) this.draw();
-    else this.request();
+    this.pictures.resize(width, height);
+    this.view.resize(this.paneWidth, height);
+    if (this.page.still) this.pictures.draw();
+    else this.move();
   }
 
-  // At most one picture per frame, and none if nothing has changed.
-  request() {
-    if (this.requested || this.page.still) return;
-    this.requested = true;
-    requestAnimationFrame(() => { this.requested = false; this.hover(); this.draw(); });
+  // What is to be done for the next frame of the browser, at most: a picture of what moves, or of what rests, or to see
+  // what the pointer is at.
+  want(what) {
+    if (this.page.still) return;
+    const order = ['', 'pointed', 'rest', 'move'];
+    if (!this.wanted) requestAnimationFrame(() => this.step());
+    if (order.indexOf(what) > order.indexOf(this.wanted || '')) this.wanted = what;
   }
 
-  draw() {
-    const ratio = shared.pixelRatio.value = this.renderer.getPixelRatio();
-    shared.resolution.value.set(this.paneWidth * ratio, this.height * ratio);
-    this.view.prepare();
-    this.renderer.setScissorTest(true);
-    this.panes.forEach(({ layers }, k) => {
-      const part = [k * this.paneWidth, 0, this.paneWidth, this.height];
-      this.renderer.setViewport(...part);
-      this.renderer.setScissor(...part);
-      this.renderer.setClearColor(0, 0);
-      this.renderer.clear();
-      this.renderer.render(layers.root, this.view.camera);
-    });
+  // Something else is to be seen.
+  change() {
+    this.picker.forget();
+    this.want('rest');
+  }
+
+  // It is seen from elsewhere, and likely soon from elsewhere again.
+  move() {
+    this.picker.forget();
+    this.want('move');
+  }
+
+  restLater() {
+    clearTimeout(this.restTimer);
+    this.restTimer = setTimeout(() => this.want('rest'), restDelay);
+  }
+
+  step() {
+    const wanted = this.wanted;
+    this.wanted = '';
+    if (wanted === 'move') {
+      if (!this.isMoving) this.pace.begin();
+      this.isMoving = true;
+      byId('tip').hidden = true;
+      this.pictures.prepare(this.pace.detail);
+      this.pace.tell(this.pictures.timed(() => this.pictures.drawMoving(this.pace.detail)));
+      this.restLater();
+    } else if (wanted === 'rest' || !this.isMoving) {
+      const marksElse = this.hover();
+      if (wanted === 'rest' || marksElse && this.pace.isQuick) this.drawAtRest();
+      else if (marksElse) this.restLater();
+    }
+  }
+
+  drawAtRest() {
+    clearTimeout(this.restTimer);
+    this.isMoving = false;
+    this.pace.tellAtRest(this.pictures.timed(() => this.pictures.draw()));
   }
 
   // The pane below the pointer, and where in it.
@@ -79,18 +110,23 @@ class Page {
     return { pane: this.panes[number], x: event.offsetX - number * this.paneWidth, y: event.offsetY };
   }
 
+  // Whether something else is marked now.
   hover() {
-    const tip = byId('tip');
-    const event = this.pointer;
+    const tip = byId('tip'), event = this.pointer, before = this.hit;
+    if (event && event.buttons !== 0) return false;
     this.hit = null;
-    if (event && event.buttons === 0) {
+    if (event) {
       const { pane, x, y } = this.paneAt(event);
       const hit = this.picker.at(pane.layers, x, y, this.paneWidth, this.height);
       if (hit) this.hit = Object.assign(hit, { pane, nearest: this.nearestCorners(pane.model, hit, x, y) });
     }
     tip.hidden = !this.hit;
     if (!this.kept) this.mark(this.hit);
-    if (!this.hit) return;
+    if (this.hit) this.tell(tip, event);
+    return !this.kept && !isSameItem(before, this.hit);
+  }
+
+  tell(tip, event) {
     this.description = describe(this.hit.pane.model, this.hit.layer, this.hit.element, this.hit.nearest);
     show(tip, this.description);
     const box = tip.getBoundingClientRect();
@@ -117,11 +153,13 @@ class Page {
   }
 
   // A click keeps what is under the pointer; a click beside the model lets it go.
-  keep() {
+  keep(event) {
+    this.pointer = event; // a finger has not been seen before
+    this.hover();
     this.kept = this.hit;
     if (this.hit) show(byId('info'), this.description);
     this.mark(this.hit);
-    this.request();
+    this.want('rest');
   }
 
   // "separatrix 12": shows its layer, marks it, and goes there.
@@ -160,6 +198,11 @@ class Page {
     }
     return null;
   }
+}
+
+function isSameItem(hit, other) {
+  if (!hit || !other) return hit === other;
+  return hit.layer === other.layer && hit.pane.model.itemOf(hit.layer, hit.element) === hit.pane.model.itemOf(other.layer, other.element);
 }
 
 try {

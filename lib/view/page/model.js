@@ -5,6 +5,7 @@ class Model {
     Object.assign(this, scene);
     this.fitted = new FittedPatches(scene.patches);
     this.shells = [];
+    this.merged = [];
     this.layers = ['faces', 'lines', 'points'].flatMap((type) => scene[type].map((layer) => Object.assign(layer, { type, on: false })));
     for (const layer of this.layers) if (layer.itemsOf) layer.items = this.named(layer.itemsOf).items;
     for (const layer of this.layers) if (layer.base === onNet) layer.items.count = this.fitted.all.length;
@@ -17,6 +18,12 @@ class Model {
     if (this.shells[base]) return this.shells[base];
     const make = [() => this.mesh, () => this.fitted.shell(), () => this.fitted.net(), () => this.fitted.knotLines()];
     return this.shells[base] = make[base]();
+  }
+
+  // Of a shell's points those that become one when about so many are left of the mesh.
+  firstInCell(base, cells) {
+    const known = this.merged[base] = this.merged[base] || [];
+    return known[cells] = known[cells] || firstInCell(this.shell(base).positions, cellSide(this.mesh, cells) || this.radius);
   }
 
   // Fills in what is not in the page but computed.

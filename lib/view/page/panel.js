@@ -4,8 +4,9 @@ const byId = (id) => document.getElementById(id);
 
 class Panel {
   // \param panes  a model and its layers each
-  constructor(page, panes, changed) {
-    Object.assign(this, { page, panes, changed });
+  // \param changed  called when something else is to be seen; moved, when likely something else again soon
+  constructor(page, panes, changed, moved) {
+    Object.assign(this, { page, panes, changed, moved });
     const models = panes.map((pane) => pane.model);
     document.title = models.map((model) => `${model.title} – ${model.kind}`).join(' | ');
     byId('title').textContent = [...new Set(models.map((model) => model.title))].join(' | ');
@@ -58,7 +59,7 @@ class Panel {
     const update = () => {
       byId('section-share').disabled = byId('section-axis').value === '';
       this.cut('xyz'.indexOf(byId('section-axis').value || '?'), Number(byId('section-share').value));
-      this.changed();
+      this.moved();
     };
     byId('section-axis').addEventListener('change', update);
     byId('section-share').addEventListener('input', update);
