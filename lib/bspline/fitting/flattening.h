@@ -13,10 +13,11 @@
 namespace qm {
 
 /// Puts all control points of such patches into their planes, and changes what is near as little as the
-/// continuity equations demand (docs/METHOD.md#plane-patches). Planes that cannot all be had with the others
-/// are left out.
+/// continuity equations demand (docs/METHOD.md#plane-patches). Planes that cannot all be had with those
+/// around are left out.
 /// \param spaces  of the patches
+/// \param jobs  threads; the result does not depend on them
 void flatten(const Layout& layout, const SmoothNetwork& network, const std::vector<PatchSpace>& spaces,
-             std::vector<std::optional<Plane>> planes, std::vector<Patch>& patches);
+             std::vector<std::optional<Plane>> planes, std::vector<Patch>& patches, unsigned jobs);
 
 } // namespace qm

@@ -36,7 +36,8 @@ class SmoothFit {
 public:
     SmoothFit(const QuadMesh& mesh, const Layout& layout, const SmoothNetwork& network,
               const FitTarget& reference, const SmoothFitOptions& options, unsigned jobs)
-        : layout_(layout), options_(options), planes_(planesOf(reference.grids, network, options.flatness)),
+        : layout_(layout), options_(options), jobs_(jobs),
+          planes_(planesOf(reference.grids, network, options.flatness)),
           state_(mesh, layout, network, reference, options, jobs) {}
 
     Fitted run(const Verification& verify, const Control& control) {
@@ -110,7 +111,7 @@ private:
         auto planes = planes_;
         for (int k = 0; k < attempts; ++k) {
             std::vector<Patch> flat = best_.patches;
-            flatten(layout_, plan.network(), spaces, planes, flat);
+            flatten(layout_, plan.network(), spaces, planes, flat, jobs_);
             std::vector<double> after = verify ? verify(flat) : std::vector<double>();
             const auto isSpoiled = [&](std::size_t patch) {
                 return after[patch] > std::max(1.0, worse * verified(best_, verify)[patch]);
@@ -151,6 +152,7 @@ private:
 
     const Layout& layout_;
     const SmoothFitOptions& options_;
+    unsigned jobs_;
     std::vector<std::optional<Plane>> planes_;
     FitState state_;
     int rounds_ = 0; ///< of all searches

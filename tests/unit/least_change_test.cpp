@@ -1,0 +1,57 @@
+/// \file Control points are put into planes with as little change as equations allow.
+#include "bspline/fitting/least_change.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace {
+
+using qm::LeastChange;
+using qm::PlaneDemand;
+
+const qm::Plane floorPlane{{0, 0, 1}, 0};
+const qm::Plane shelf{{0, 0, 1}, 1};
+
+Eigen::MatrixX3d threePoints() {
+    Eigen::MatrixX3d points(3, 3);
+    points << 1, 0, 0.5, //
+        2, 0, 0.25,      //
+        3, 0, 0;
+    return points;
+}
+
+/// The middle one of three points stays in the middle.
+std::vector<qm::LinearForm> straight() {
+    return {{{0, 1, 2}, {1, -2, 1}}};
+}
+
+TEST(LeastChange, MovesWhatIsDemandedAndWhatEquationsTakeAlong) {
+    const LeastChange change(3, straight());
+    const std::vector<PlaneDemand> demands{{0, floorPlane}};
+    const Eigen::MatrixX3d before = threePoints();
+    const Eigen::MatrixX3d after = change.run(demands, before);
+    EXPECT_NEAR(after(0, 2), 0, 1e-14);
+    EXPECT_LT(change.violation(after - before), 1e-14);
+    // Of all ways to move the others by a and b with -0.5 - 2 a + b = 0, the one with the smallest squares.
+    EXPECT_NEAR(after(1, 2) - before(1, 2), -0.2, 1e-14);
+    EXPECT_NEAR(after(2, 2) - before(2, 2), 0.1, 1e-14);
+    EXPECT_EQ(after.leftCols(2), before.leftCols(2)) << "nothing moves along the plane";
+}
+
+TEST(LeastChange, LeavesWhatIsInItsPlaneAlready) {
+    const LeastChange change(3, straight());
+    EXPECT_EQ(change.run({{2, floorPlane}}, threePoints()), threePoints());
+}
+
+TEST(LeastChange, TellsWhatCannotBeHad) {
+    const LeastChange change(2, {{{0, 1}, {1, -1}}});
+    const std::vector<PlaneDemand> demands{{0, floorPlane}, {1, shelf}};
+    const Eigen::MatrixX3d before = Eigen::MatrixX3d::Zero(2, 3);
+    const Eigen::MatrixX3d after = change.run(demands, before);
+    const double missing = qm::missing(demands, after).cwiseAbs().maxCoeff();
+    EXPECT_GT(std::max(missing, change.violation(after - before)), 0.49)
+        << "either a plane is missed or the equation does not hold";
+}
+
+} // namespace
