@@ -36,7 +36,7 @@ PRUNED_OPTIONS      ?=
 SURFACES_OPTIONS    ?=
 STEP_OPTIONS        ?=
 HTML_OPTIONS        ?=
-PNG_OPTIONS         ?= --show surfaces,borders
+PNG_OPTIONS         ?= --show surfaces,borders --no-key
 SUMMARY_OPTIONS     ?=
 # In how many parts the sub-meshes of a model are searched, so that -j spreads one large model too.
 PARTS               ?= 1
@@ -91,9 +91,13 @@ $(OUT)/.stages/%.$(1).json: $(OUT)/%.cut.json $(OUT)/.stages/%.enumeration.json.
 	$(here)run-stage qm-enum --part $(subst -,/,$(1:enumeration.%=%)) $$(strip $$(COMMON_OPTIONS) $$(call options,ENUMERATION,$$*) $$< -o $$@)
 endef
 
+# Make takes the words of a target for several files.
+require_one_word = $(if $(word 2,$*),$(error $*: targets have no blanks. Write underscores: $(subst $(empty) $(empty),_,$*)))
+
 # $(call stamp,ending,STAGE): the options of the last run; touched when they change.
 define stamp
 $(OUT)/.stages/%.$(1).options: FORCE
+	$$(require_one_word)
 	@mkdir -p $$(@D) $$(dir $(OUT)/$$*)
 	@echo "$$$$stamp" | cmp -s - $$@ || echo "$$$$stamp" > $$@
 $(OUT)/.stages/%.$(1).options: export stamp = $$(call options,$(2),$$*)

@@ -7,6 +7,7 @@
 int main(int argc, char** argv) {
     std::string png, size = "1200x900", show, from = "1,-1.5,0.9", up = "0,0,1", section, compare, reference;
     qm::LengthUnit unit = qm::LengthUnit::mm;
+    bool key = true;
     return qm::runTool(argc, argv, "qm-view", "Show a document as a page to look at.", [&](qm::Tool& tool) {
         auto stage = std::make_shared<qm::Stage>(tool, qm::Kind::basecomplex, qm::Kind::basecomplex);
         tool.writes("one HTML page that needs no other file and no network");
@@ -30,10 +31,11 @@ int main(int argc, char** argv) {
         tool.option("unit", unit, "the mesh's unit");
         tool.text("png", png, "FILE", "write a picture, taken by Chromium; the page only if -o is given too");
         tool.text("size", size, "WxH", "of the picture, in pixels");
+        tool.option("key", key, {}, "a picture of the model alone, without what its colours stand for");
         tool.example("qm-view part.layout.json -o part.html");
         tool.example("qm-view --show cuts,submeshes,separatrices part.cut.json > part.html");
         tool.example("qm-view --compare part.layout.json part.surfaces.json --show zebra > both.html");
-        tool.needs({"size"}, "--png", [&] { return !png.empty(); });
+        tool.needs({"size", "no-key"}, "--png", [&] { return !png.empty(); });
         tool.verify([&] {
             (void)qm::parseSize(size), (void)qm::parseDirection(from), (void)qm::parseDirection(up);
             (void)qm::parseSection(section), (void)qm::parseLayers(show);
@@ -47,6 +49,7 @@ int main(int argc, char** argv) {
             if (png.empty() || tool.given("output")) tool.write(qm::printPage(documents.forPage(), options));
             if (png.empty()) return qm::exitDone;
             options.still = true;
+            options.key = key;
             const auto [width, height] = qm::parseSize(size);
             const std::string page = qm::printPage(documents.forPicture(width, height), options);
             qm::writeFile(png, qm::photographPage(page, width, height));

@@ -32,6 +32,7 @@ struct PageOptions {
     std::array<double, 3> up{0, 0, 1};
     std::optional<Section> section;
     bool still = false; ///< for a picture: nothing to operate
+    bool key = true;    ///< a picture's: what colours and lines stand for
 };
 
 /// Needs no network and no other file. The same scenes and options give the same bytes.

@@ -150,7 +150,8 @@ std::string sceneJson(std::span<const Scene> scenes, const PageOptions& options)
                        {"from", options.from},
                        {"up", options.up},
                        {"section", {{"axis", axis}, {"share", options.section.value_or(Section{}).share}}},
-                       {"still", options.still}};
+                       {"still", options.still},
+                       {"key", options.key}};
     std::string text = root.dump(-1, ' ', false, Json::error_handler_t::replace);
     // Of what could end a script's element, or change how it is read, all begins so.
     for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at))

@@ -127,6 +127,12 @@ EOF
     assert [ -s mesh.html ]
     run cmp -s block.png mesh.png
     assert_failure
+    # The key is left out of a picture, never of a page.
+    quietly qm-view "$(stage layout block)" --png keyless.png --size 320x240 --no-key -o keyless.html
+    run cmp -s block.png keyless.png
+    assert_failure
+    qm-view "$(stage layout block)" >page.html
+    assert_same_bytes keyless.html page.html
 }
 
 @test "a small picture has room for the whole key" {
@@ -153,6 +159,7 @@ EOF
     misused qm-view --png block.png --size 10 "$(stage layout block)"
     misused qm-view --png block.png --size 5x5 "$(stage layout block)"
     misused qm-view --size 300x300 "$(stage layout block)"
+    misused qm-view --no-key "$(stage layout block)"
     misused qm-view --view 0,0,0 "$(stage layout block)"
     misused qm-view --show no-such-layer "$(stage layout block)"
     misused qm-view --up 1,2 "$(stage layout block)"

@@ -229,6 +229,14 @@ END
     quietly layout_mk -s MESH_PATH='my parts'
     assert_equal "$(cd out && echo *.surfaces.json)" 'second.surfaces.json the_first_part.surfaces.json'
     quietly qm-check out/the_first_part.surfaces.json
+    # A target with blanks is told, in one line.
+    cp part.obj 'the part.obj'
+    run --separate-stderr layout_mk -s 'out/the part.step'
+    assert_failure
+    assert_equal "$output" ''
+    assert_equal "${#stderr_lines[@]}" 1
+    assert_regex "$stderr" 'the part: targets have no blanks. Write underscores: the_part'
+    rm 'the part.obj'
     # One that cannot be made stands alone.
     cp part.obj 'my parts/the_first part.obj'
     echo '# another' >>'my parts/the_first part.obj'

@@ -7,6 +7,7 @@ class Page {
     const page = this.page = readPage();
     this.canvas = byId('canvas');
     document.body.classList.toggle('still', page.still);
+    document.body.classList.toggle('keyless', !page.key);
     document.body.classList.toggle('pair', page.scenes.length > 1);
     this.renderer = new THREE.WebGLRenderer({ canvas: this.canvas, antialias: !page.still, alpha: true, preserveDrawingBuffer: page.still });
     this.renderer.autoClear = false;
