@@ -50,12 +50,16 @@ std::string scanLines(const ScanFigures& scan, const std::string& unit) {
                                   figureText(scan.percentile95) + ", at most " + figureText(scan.max));
 }
 
+std::string normalsText(const Deviation& deviation) {
+    if (deviation.largestNormalAngle == 0) return "jump across no smooth border";
+    return "jump by " + figureText(deviation.largestNormalAngle) + " degrees at most, 95% by less than " +
+           figureText(deviation.percentile95NormalAngle);
+}
+
 std::string fitLines(const FitSummary& fit, double diagonal, const std::string& unit) {
     std::string text = (fit.scan ? scanLines(*fit.scan, unit) : "") + deviationLines(fit, diagonal, unit) +
                        line("gap", figureText(fit.deviation.largestGap) + " " + unit) +
-                       line("normals", "jump by " + figureText(fit.deviation.largestNormalAngle) +
-                                           " degrees at most, 95% by less than " +
-                                           figureText(fit.deviation.percentile95NormalAngle));
+                       line("normals", normalsText(fit.deviation));
     if (fit.deviation.folds > 0)
         text += line("folds", countText(fit.deviation.folds, "piece") + " of patches may fold over");
     return text;

@@ -58,7 +58,7 @@ fails_with() {
 
 @test "pictures need Chromium" {
     command -v chromium >/dev/null || skip 'there is no Chromium'
-    quietly quadmesh part.obj -o part.png --view.size 320x240
+    quietly quadmesh part.obj -o part.png -o part.html --view.size 320x240
     assert_equal "$(head -c 4 part.png | tail -c 3)" PNG
 }
 
@@ -177,6 +177,7 @@ fails_with() {
     refused part.obj -o part.step -o ./part.step
     refused part.obj --view.show no-such-layer -o part.html
     refused part.obj --view.size 3 -o part.png
+    refused part.obj --view.no-key -o part.html
     refused part.obj --remesh.seed x --quads 500
     refused -- part.obj other.obj
     refused -
@@ -241,6 +242,11 @@ fails_with() {
     run --separate-stderr quadmesh --repair twice.obj -o result/twice.json
     assert_success
     assert_regex "$stderr" 'duplicate faces removed'
+    # Nobody is sent to a mesh that is gone, but told of one that is kept.
+    refute_regex "$stderr" 'mesh is now'
+    run --separate-stderr quadmesh --repair twice.obj --keep kept
+    assert_regex "$stderr" 'mesh is now kept/twice.repaired.obj'
+    assert [ -s kept/twice.repaired.obj ]
     cd result && quietly qm-check twice.json
 }
 
