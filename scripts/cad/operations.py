@@ -157,13 +157,33 @@ def thickness(shape):
     return any_join(make)
 
 
+def passes_through(start, end, triangle):
+    """Whether a stretch passes through a triangle."""
+    a, b, c = triangle
+    normal = (b - a).cross(c - a)
+    before, after = normal.dot(start - a), normal.dot(end - a)
+    if before * after >= 0:
+        return False
+    point = start + (end - start) * (before / (before - after))
+    return all((q - p).cross(point - p).dot(normal) >= 0 for p, q in ((a, b), (b, c), (c, a)))
+
+
+def really_cross(*triangles):
+    """FreeCAD takes triangles for crossing, too, that only come near each other."""
+    corners = [[Vector(*point) for point in triangle.Points] for triangle in triangles]
+    return any(passes_through(one[k - 1], one[k], other)
+               for one, other in (corners, reversed(corners)) for k in range(3))
+
+
 def tessellation(shape):
     import MeshPart
     mesh = MeshPart.meshFromShape(Shape=shape, LinearDeflection=DEFLECTION * shapes.diagonal(shape),
                                   AngularDeflection=ANGLE, Relative=False)
     if not mesh.isSolid():
         return verdict(False, "not closed")
-    crossings = len(mesh.getSelfIntersections()) if mesh.hasSelfIntersections() else 0
+    facets = mesh.Facets
+    suspects = mesh.getSelfIntersections() if mesh.hasSelfIntersections() else []
+    crossings = sum(really_cross(facets[one], facets[other]) for one, other, *_ in filter(None, suspects))
     return verdict(crossings == 0, f"{crossings} of {mesh.CountFacets} triangles cross")
 
 

@@ -98,6 +98,32 @@ TEST(Creases, ShortCurvesThatEndInNothingAreNoise) {
     EXPECT_EQ(creasesOf(-1, 13, 0.4), 12U) << "from boundary to boundary";
 }
 
+TEST(Creases, GoOnWhereTheyAreAlmostSharpAsFarAsTheNextOnes) {
+    // Angles along the border of two patches, from one side of a sheet to the other; rho is 0.6.
+    const auto creasesOf = [](const std::vector<double>& along) {
+        const Grid grid{static_cast<int>(along.size()), 2, [](double i, double j) { return Point(i, j, 0); }};
+        const QuadMesh mesh = test::makeMesh(grid);
+        const Layout layout = test::makeLayout(grid, {{0, 0, grid.columns, 1}, {0, 1, grid.columns, 2}});
+        std::vector<double> angles(mesh.n_edges());
+        const auto edge = [&](std::size_t k) {
+            const int vertex = grid.columns + 1 + static_cast<int>(k);
+            return static_cast<std::size_t>(
+                mesh.edge_handle(mesh.find_halfedge(VertexId(vertex), VertexId(vertex + 1))).idx());
+        };
+        for (std::size_t k = 0; k < along.size(); ++k)
+            angles[edge(k)] = along[k];
+        const BorderMarks marks = markBorders(mesh, borderEdges(mesh, layout), angles, 0.6);
+        std::string creases;
+        for (std::size_t k = 0; k < along.size(); ++k)
+            creases += marks.isCrease[edge(k)] ? 'c' : '-';
+        return creases;
+    };
+    EXPECT_EQ(creasesOf({0.7, 0.4, 0.5, 0.7, 0.7, 0.4}), "cccccc") << "gaps, and the boundary behind";
+    EXPECT_EQ(creasesOf({0.4, 0.4, 0.5, 0.4, 0.4, 0.5}), "------") << "nothing to go on from";
+    EXPECT_EQ(creasesOf({2, 0.4, 0.2, 0.4, 0.4, 2}), "c----c") << "too flat on the way";
+    EXPECT_EQ(creasesOf({0.1, 0.4, 2, 0.5, 0.2, 2}), "--c--c") << "on neither side as far as another";
+}
+
 TEST(Creases, WhereTwoMeetAtACornerTheSharpestOtherBorderIsAThird) {
     const auto creasesOf = [](int quads, const std::vector<double>& spokes) {
         const QuadMesh mesh = testing::star(quads);
@@ -117,10 +143,29 @@ TEST(Creases, WhereTwoMeetAtACornerTheSharpestOtherBorderIsAThird) {
     };
     EXPECT_EQ(creasesOf(3, {1, 1, 0.4}), "ccc");
     EXPECT_EQ(creasesOf(3, {1, 1, 0.2}), "cc-") << "too flat";
-    EXPECT_EQ(creasesOf(5, {1, 1, 0.1, 0.4, 0.5}), "cc--c") << "only the sharpest";
+    EXPECT_EQ(creasesOf(5, {1, 1, 0.1, 0.4, 0.5}), "cc-cc") << "all that lead to the boundary";
     EXPECT_EQ(creasesOf(6, {1, 0.4, 0.4, 1, 0.4, 0.4}), "c--c--") << "one curve, straight on";
-    EXPECT_EQ(creasesOf(8, {1, 0.4, 1, 0.4, 0.4, 0.5, 0.4, 0.4}), "c-c--c--")
+    EXPECT_EQ(creasesOf(8, {1, 0.2, 1, 0.4, 0.2, 0.5, 0.2, 0.4}), "c-cc-c-c")
         << "a curve that turns too much";
+}
+
+TEST(Creases, OfACornerThatLeadNowhereOnlyTheSharpestCounts) {
+    const Grid grid{8, 8, [](double i, double j) { return Point(i, j, 0); }};
+    const QuadMesh mesh = test::makeMesh(grid);
+    const Layout layout = test::makeLayout(grid, {{0, 0, 4, 4}, {4, 0, 8, 4}, {0, 4, 4, 8}, {4, 4, 8, 8}});
+    std::vector<double> angles(mesh.n_edges());
+    const auto edge = [&](int vertex, int step) {
+        return static_cast<std::size_t>(
+            mesh.edge_handle(mesh.find_halfedge(VertexId(vertex), VertexId(vertex + step))).idx());
+    };
+    const int center = 4 * 9 + 4;
+    for (int k = 0; k < 4; ++k)
+        angles[edge(center - k - 1, 1)] = angles[edge(center - 9 * (k + 1), 9)] = 1;
+    angles[edge(center, 1)] = 0.4;
+    angles[edge(center, 9)] = 0.5;
+    const BorderMarks marks = markBorders(mesh, borderEdges(mesh, layout), angles, 0.6);
+    EXPECT_FALSE(marks.isCrease[edge(center, 1)]);
+    EXPECT_TRUE(marks.isCrease[edge(center, 9)]);
 }
 
 TEST(VertexFan, RatiosAtCornersAgreeWithTheMeshsDirections) {

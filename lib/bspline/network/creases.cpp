@@ -1,7 +1,9 @@
 #include "bspline/network/creases.h"
 
 #include "bspline/network/vertex_rules.h"
+#include "mesh/topology.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -15,13 +17,28 @@ constexpr double certain = 1.0;
 /// Longer curves may end anywhere, too.
 constexpr std::size_t maxEdges = 4;
 
-/// Of rho: what is sharper may be the third crease of a corner.
-constexpr double shareOfThird = 0.5;
+/// Of rho: what is sharper may be a crease because of those that it meets.
+constexpr double shareBetween = 0.5;
 
 class Creases {
 public:
     Creases(const QuadMesh& mesh, const std::vector<double>& dihedralAngles, BorderMarks marks)
         : mesh_(mesh), angles_(dihedralAngles), marks_(std::move(marks)) {}
+
+    void closeGaps(double minAngle) {
+        std::vector<VertexId> waiting(mesh_.vertices_begin(), mesh_.vertices_end());
+        while (!waiting.empty()) {
+            const VertexId vertex = waiting.back();
+            waiting.pop_back();
+            for (const HalfedgeId next : wantedAt(vertex)) {
+                if (isCrease(next)) continue; // since another one was closed
+                const std::vector<HalfedgeId> gap = gapFrom(next, minAngle);
+                for (const HalfedgeId halfedge : gap)
+                    marks_.isCrease[index(halfedge)] = true;
+                if (!gap.empty()) waiting.push_back(mesh_.to_vertex_handle(gap.back()));
+            }
+        }
+    }
 
     void takeBackLooseEnds() {
         std::vector<VertexId> waiting(mesh_.vertices_begin(), mesh_.vertices_end());
@@ -53,6 +70,43 @@ private:
         return static_cast<std::size_t>(mesh_.edge_handle(halfedge).idx());
     }
     [[nodiscard]] bool isCrease(HalfedgeId halfedge) const { return marks_.isCrease[index(halfedge)]; }
+
+    [[nodiscard]] bool hasCrease(VertexId vertex) const {
+        return std::ranges::any_of(mesh_.voh_range(vertex),
+                                   [&](HalfedgeId border) { return isCrease(border); });
+    }
+
+    /// Borders at a vertex that would complete the creases there: what goes straight on from a loose end, and
+    /// all of a corner's, whose creases do not lie in one tangent plane.
+    [[nodiscard]] std::vector<HalfedgeId> wantedAt(VertexId vertex) const {
+        std::size_t count = 0;
+        HalfedgeId last;
+        std::vector<HalfedgeId> others;
+        for (const HalfedgeId halfedge : mesh_.voh_range(vertex)) {
+            if (isCrease(halfedge)) {
+                ++count;
+                last = halfedge;
+            } else if (marks_.isBorder[index(halfedge)]) {
+                others.push_back(halfedge);
+            }
+        }
+        if (count > 2 || isCornerOfTwo(vertex)) return others;
+        if (count == 1 && continuesStraight(mesh_, vertex))
+            return {straightOn(mesh_, mesh_.opposite_halfedge_handle(last))};
+        return {};
+    }
+
+    /// Straight on over borders above an angle as far as creases; nothing if there are none.
+    [[nodiscard]] std::vector<HalfedgeId> gapFrom(HalfedgeId first, double minAngle) const {
+        std::vector<HalfedgeId> gap;
+        for (HalfedgeId next = first;; next = straightOn(mesh_, next)) {
+            if (!marks_.isBorder[index(next)] || angles_[index(next)] <= minAngle) return {};
+            gap.push_back(next);
+            const VertexId end = mesh_.to_vertex_handle(next);
+            if (hasCrease(end)) return gap;
+            if (!continuesStraight(mesh_, end)) return {};
+        }
+    }
 
     /// The only crease that leaves a vertex beside one that arrives, if there is one and no more.
     [[nodiscard]] HalfedgeId onlyCrease(VertexId vertex, HalfedgeId arriving) const {
@@ -132,8 +186,9 @@ BorderMarks markBorders(const QuadMesh& mesh, const std::vector<BorderEdge>& bor
         marks.isCrease[edge] = border.places.size() != 2 || dihedralAngles[edge] > rho;
     }
     Creases creases(mesh, dihedralAngles, std::move(marks));
+    creases.closeGaps(shareBetween * rho);
     creases.takeBackLooseEnds();
-    creases.giveCornersThirdCreases(shareOfThird * rho);
+    creases.giveCornersThirdCreases(shareBetween * rho);
     return std::move(creases).marks();
 }
 
