@@ -19,21 +19,22 @@ namespace {
 
 struct Tuning {
     /// Of the time, for the search of the whole: it gives bound and graph, so it gets the most. Where parts
-    /// are too large for it, their relaxation may take all, as no bound is known before.
+    /// are large, their root may take all, as no bound is known before.
     static constexpr double shareOfTree = 0.55;
     /// Of the time, for windows that a single thread searches before it begins with the whole.
     static constexpr double shareOfFirst = 0.2;
     /// Of the time; where one thread does everything, from here on the bound is improved, not the graph,
     /// which gains little by then.
     static constexpr double shareOfGraph = 0.65;
-    /// Variables of a part that is too large for the search: its first relaxation would take half a minute.
+    /// Variables of a part of which only the root is searched: the simplex method alone would take half a
+    /// minute.
     static constexpr std::size_t large = 15000;
     /// Variables of the largest windows that the search of the whole waits for: at least `fastWindow`, and
-    /// one in `fastShare` of all. Such windows take a small part of what the search itself takes, and about
-    /// as much as the relaxation of large parts.
+    /// one in `fastShare` of all, or in large parts, once they have been relaxed, in `relaxedShare`. Such
+    /// windows take a small part of what the search itself takes.
     static constexpr std::size_t fastWindow = 500;
     static constexpr std::size_t fastShare = 8;
-    static constexpr std::size_t fastShareIfLarge = 4;
+    static constexpr std::size_t relaxedShare = 2;
     /// Variables of a window as hard as a sub-mesh, by the sub-mesh's quasi-complexity: log2 of the stops of
     /// a line that is as long as they usually are.
     static constexpr double variablesPerBit = 6;
@@ -89,11 +90,12 @@ public:
         options.start = assignmentOf(problem_, present_);
         options.large = Tuning::large;
         options.keepOpenParts = true;
-        Ahead windows(control.jobs, [&] { searchWindows({}, fastWindows(), first); });
+        Ahead windows(control.jobs, [&] { searchWindows({}, fastWindows(Tuning::fastShare), first); });
         options.polish = [&](const Assignment& graph, const IdVector<VariableId, double>& relaxed) {
             windows.wait();
             take(graph);
-            searchWindows(relaxed, fastWindows(), control);
+            searchWindows(relaxed, fastWindows(isLarge() ? Tuning::relaxedShare : Tuning::fastShare),
+                          control);
             return assignmentOf(problem_, present_);
         };
         OptimumResult found = findOptimum(problem_, options, control);
@@ -124,9 +126,8 @@ private:
     }
 
     /// Windows that are small enough for the tree to wait for them.
-    [[nodiscard]] WindowOptions fastWindows() const {
+    [[nodiscard]] WindowOptions fastWindows(std::size_t share) const {
         WindowOptions options;
-        const std::size_t share = isLarge() ? Tuning::fastShareIfLarge : Tuning::fastShare;
         options.maxVariables = std::max(Tuning::fastWindow, problem_.arcs.size() / share);
         return options;
     }

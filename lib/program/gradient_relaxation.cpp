@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -10,35 +11,39 @@ namespace qm {
 namespace {
 
 struct Tuning {
-    /// Iterations between two looks at the bounds, which cost as much as two iterations.
-    static constexpr std::size_t look = 100;
-    /// A restart when the distance from the optimum has fallen by the first factor since the last one, or by
-    /// the second and is growing again, or after this share of all iterations
-    /// (docs/METHOD.md#applegate-2021).
+    /// Iterations between two looks at how far a step moves, which cost as much as one iteration.
+    static constexpr std::size_t look = 40;
+    /// Iterations between two looks at the bound.
+    static constexpr std::size_t lookAtBound = 200;
+    /// A restart when steps have become shorter by the first factor since the last one, or by the second and
+    /// are growing again, or after this share of all iterations (docs/METHOD.md#applegate-2021).
     static constexpr double sufficient = 0.2;
     static constexpr double necessary = 0.8;
     static constexpr double longShare = 0.36;
     /// How far the balance between both sides moves towards what the last steps suggest, in logarithms.
     static constexpr double smoothing = 0.5;
     static constexpr double minDistance = 1e-12;
+    /// The balance between both sides at first, over the mean cost of a column.
+    static constexpr double firstBalance = 100;
 };
 
-/// A sparse matrix, row by row or column by column.
+/// A sparse matrix, row by row or column by column. Its size is what an iteration takes, so numbers are
+/// short.
 struct Lines {
-    std::vector<std::size_t> starts{0};
-    std::vector<std::size_t> indices;
-    std::vector<double> weights;
+    std::vector<std::uint32_t> starts{0};
+    std::vector<std::uint32_t> indices;
+    std::vector<float> weights;
 
     void add(std::size_t index, double weight) {
-        indices.push_back(index);
-        weights.push_back(weight);
+        indices.push_back(static_cast<std::uint32_t>(index));
+        weights.push_back(static_cast<float>(weight));
     }
-    void end() { starts.push_back(indices.size()); }
+    void end() { starts.push_back(static_cast<std::uint32_t>(indices.size())); }
     [[nodiscard]] std::size_t size() const { return starts.size() - 1; }
     [[nodiscard]] double product(std::size_t line, const std::vector<double>& values) const {
         double sum = 0;
-        for (std::size_t k = starts[line]; k < starts[line + 1]; ++k)
-            sum += weights[k] * values[indices[k]];
+        for (std::uint32_t k = starts[line]; k < starts[line + 1]; ++k)
+            sum += static_cast<double>(weights[k]) * values[indices[k]];
         return sum;
     }
     /// Steps so long that the iteration still converges (docs/METHOD.md#pock-2011).
@@ -46,8 +51,8 @@ struct Lines {
         std::vector<double> steps(size(), 1);
         for (std::size_t line = 0; line < size(); ++line) {
             double sum = 0;
-            for (std::size_t k = starts[line]; k < starts[line + 1]; ++k)
-                sum += std::abs(weights[k]);
+            for (std::uint32_t k = starts[line]; k < starts[line + 1]; ++k)
+                sum += std::abs(static_cast<double>(weights[k]));
             if (sum > 0) steps[line] = 1 / sum;
         }
         return steps;
@@ -65,9 +70,9 @@ Lines rowsOf(const IntegerProgram& program) {
 }
 
 Lines transposed(const Lines& rows, std::size_t columns) {
-    std::vector<std::vector<std::pair<std::size_t, double>>> entries(columns);
+    std::vector<std::vector<std::pair<std::size_t, float>>> entries(columns);
     for (std::size_t row = 0; row < rows.size(); ++row)
-        for (std::size_t k = rows.starts[row]; k < rows.starts[row + 1]; ++k)
+        for (std::uint32_t k = rows.starts[row]; k < rows.starts[row + 1]; ++k)
             entries[rows.indices[k]].emplace_back(row, rows.weights[k]);
     Lines lines;
     for (const auto& column : entries) {
@@ -94,107 +99,137 @@ double squaredDistance(const std::vector<double>& a, const std::vector<double>& 
 class GradientRelaxation {
 public:
     explicit GradientRelaxation(const IntegerProgram& program)
-        : costs_(program.costs.begin(), program.costs.end()), rows_(rowsOf(program)),
+        : program_(program), costs_(program.costs.begin(), program.costs.end()), rows_(rowsOf(program)),
           columns_(transposed(rows_, costs_.size())), columnSteps_(columns_.steps()),
           rowSteps_(rows_.steps()) {
         for (const IntegerProgram::Row& row : program.rows) {
             lower_.push_back(row.lower);
             upper_.push_back(row.upper);
         }
-        now_ = {std::vector<double>(costs_.size(), 0), std::vector<double>(lower_.size(), 0)};
-        start_ = sums_ = now_;
+        double costs = 0;
+        for (const double cost : costs_)
+            costs += std::abs(cost);
+        if (costs > 0) balance_ = Tuning::firstBalance * costs / static_cast<double>(costs_.size());
+        now_ = {std::vector<double>(columns_.size(), 0), std::vector<double>(rows_.size(), 0)};
+        start_ = next_ = now_;
         ahead_ = now_.values;
     }
 
     NearOptimum run(const GradientOptions& options, const Control& control) {
+        best_.lowerBound = -std::numeric_limits<double>::infinity();
+        distance(now_);
         for (std::size_t done = 1; done <= options.iterations && !control.stopRequested(); ++done) {
             step();
-            if (done % Tuning::look != 0) continue;
-            const Iterate mean = this->mean();
-            const double distance = this->distance(now_), distanceOfMean = this->distance(mean);
-            const double nearer = std::min(distance, distanceOfMean);
-            const bool grows = nearer <= Tuning::necessary * distanceAtStart_ && nearer > lastDistance_;
-            const bool isLong = static_cast<double>(steps_) > Tuning::longShare * static_cast<double>(done);
-            lastDistance_ = nearer;
-            if (nearer <= options.tolerance * (1 + std::abs(best_.lowerBound))) break;
-            if (nearer <= Tuning::sufficient * distanceAtStart_ || grows || isLong)
-                restart(distanceOfMean < distance ? mean : now_, nearer);
+            const bool restarts = restartsAfter(done);
+            if (done % Tuning::lookAtBound == 0 &&
+                distance(next_) <= options.tolerance * (1 + std::abs(best_.lowerBound)))
+                break;
+            if (restarts)
+                restart();
+            else
+                reflect();
         }
-        if (best_.values.empty()) distance(now_);
+        distance(next_);
+        best_.values.assign(next_.values.begin(), next_.values.end());
+        best_.lowerBound = dualBound(program_, best_.duals);
         return std::move(best_);
     }
 
 private:
+    /// The next point by a step of both sides.
     void step() {
-        for (std::size_t column = 0; column < costs_.size(); ++column) {
+        for (std::size_t column = 0; column < columns_.size(); ++column) {
             const double before = now_.values[column];
             const double reduced = costs_[column] - columns_.product(column, now_.duals);
-            now_.values[column] = std::clamp(before - columnSteps_[column] / balance_ * reduced, 0.0, 1.0);
-            ahead_[column] = 2 * now_.values[column] - before;
-            sums_.values[column] += now_.values[column];
+            const double next = std::clamp(before - columnSteps_[column] / balance_ * reduced, 0.0, 1.0);
+            next_.values[column] = next;
+            ahead_[column] = 2 * next - before;
         }
-        for (std::size_t row = 0; row < lower_.size(); ++row) {
+        for (std::size_t row = 0; row < rows_.size(); ++row) {
             const double length = rowSteps_[row] * balance_;
             const double wanted = rows_.product(row, ahead_) - now_.duals[row] / length;
-            now_.duals[row] = length * (std::clamp(wanted, lower_[row], upper_[row]) - wanted);
-            sums_.duals[row] += now_.duals[row];
+            next_.duals[row] = length * (std::clamp(wanted, lower_[row], upper_[row]) - wanted);
         }
         ++steps_;
     }
 
-    [[nodiscard]] Iterate mean() const {
-        Iterate mean = sums_;
-        for (double& value : mean.values)
-            value /= static_cast<double>(steps_);
-        for (double& dual : mean.duals)
-            dual /= static_cast<double>(steps_);
-        return mean;
+    /// Goes twice as far as the step, and then back towards where the last restart was, ever less.
+    void reflect() {
+        const double share = 1 / static_cast<double>(steps_ + 1);
+        const auto move = [share](std::vector<double>& now, const std::vector<double>& next,
+                                  const std::vector<double>& start) {
+            for (std::size_t k = 0; k < now.size(); ++k)
+                now[k] = (1 - share) * (2 * next[k] - now[k]) + share * start[k];
+        };
+        move(now_.values, next_.values, start_.values);
+        move(now_.duals, next_.duals, start_.duals);
     }
 
-    void restart(Iterate from, double distance) {
-        now_ = std::move(from);
-        const double ofValues = squaredDistance(now_.values, start_.values, columnSteps_);
-        const double ofDuals = squaredDistance(now_.duals, start_.duals, rowSteps_);
+    bool restartsAfter(std::size_t done) {
+        if (steps_ == 1) {
+            firstLength_ = lengthOfStep();
+            lastLength_ = std::numeric_limits<double>::infinity();
+        }
+        if (done % Tuning::look != 0 || steps_ == 1) return false;
+        const double length = lengthOfStep();
+        const bool grows = length <= Tuning::necessary * firstLength_ && length > lastLength_;
+        lastLength_ = length;
+        return length <= Tuning::sufficient * firstLength_ || grows ||
+               static_cast<double>(steps_) > Tuning::longShare * static_cast<double>(done);
+    }
+
+    /// How far the step moves, in the norm in which no step is longer than the one before.
+    [[nodiscard]] double lengthOfStep() const {
+        double mixed = 0;
+        for (std::size_t row = 0; row < rows_.size(); ++row)
+            if (const double change = next_.duals[row] - now_.duals[row]; change != 0)
+                mixed += change * (rows_.product(row, next_.values) - rows_.product(row, now_.values));
+        return std::sqrt(std::max(0.0, balance_ * squaredDistance(next_.values, now_.values, columnSteps_) +
+                                           squaredDistance(next_.duals, now_.duals, rowSteps_) / balance_ -
+                                           2 * mixed));
+    }
+
+    void restart() {
+        const double ofValues = squaredDistance(next_.values, start_.values, columnSteps_);
+        const double ofDuals = squaredDistance(next_.duals, start_.duals, rowSteps_);
         if (ofValues > Tuning::minDistance && ofDuals > Tuning::minDistance)
             balance_ = std::pow(std::sqrt(ofDuals / ofValues), Tuning::smoothing) *
                        std::pow(balance_, 1 - Tuning::smoothing);
-        start_ = now_;
-        std::ranges::fill(sums_.values, 0);
-        std::ranges::fill(sums_.duals, 0);
+        now_ = start_ = next_;
         steps_ = 0;
-        distanceAtStart_ = distance;
-        lastDistance_ = std::numeric_limits<double>::infinity();
     }
 
     /// How far it is from an optimum: the gap between what its values cost and what its duals prove,
-    /// and by how much they break rows. Remembers the best bound.
+    /// and by how much they break rows. Remembers the duals of the best bound.
     double distance(const Iterate& iterate) {
         double bound = 0, cost = 0, broken = 0;
-        for (std::size_t row = 0; row < lower_.size(); ++row) {
+        for (std::size_t row = 0; row < rows_.size(); ++row) {
             const double dual = iterate.duals[row], sum = rows_.product(row, iterate.values);
             if (dual != 0) bound += dual * (dual > 0 ? lower_[row] : upper_[row]);
             broken += std::max({0.0, lower_[row] - sum, sum - upper_[row]});
         }
-        for (std::size_t column = 0; column < costs_.size(); ++column) {
+        for (std::size_t column = 0; column < columns_.size(); ++column) {
             bound += std::min(0.0, costs_[column] - columns_.product(column, iterate.duals));
             cost += costs_[column] * iterate.values[column];
         }
-        if (best_.values.empty() || bound > best_.lowerBound)
-            best_ = {ColumnValues(iterate.values.begin(), iterate.values.end()),
-                     IdVector<RowId, double>(iterate.duals.begin(), iterate.duals.end()), bound};
+        if (bound > best_.lowerBound) {
+            best_.duals.assign(iterate.duals.begin(), iterate.duals.end());
+            best_.lowerBound = bound;
+        }
         return std::abs(cost - bound) + broken;
     }
 
-    std::vector<double> costs_, lower_, upper_;
+    const IntegerProgram& program_;
+    const std::vector<double> costs_;
+    std::vector<double> lower_, upper_;
     const Lines rows_, columns_;
     const std::vector<double> columnSteps_, rowSteps_;
-    Iterate now_, start_; ///< at the last restart
-    Iterate sums_;        ///< since then
+    Iterate now_, next_;
+    Iterate start_; ///< at the last restart
     std::vector<double> ahead_;
     double balance_ = 1; ///< of the steps of both sides
     std::size_t steps_ = 0;
-    double distanceAtStart_ = std::numeric_limits<double>::infinity();
-    double lastDistance_ = std::numeric_limits<double>::infinity();
+    double firstLength_ = 0, lastLength_ = 0; ///< of steps since the last restart
     NearOptimum best_;
 };
 

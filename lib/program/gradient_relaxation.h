@@ -1,7 +1,8 @@
 /// \file A linear relaxation solved nearly, by a first-order method, where the simplex method would take too
 /// long: what it takes is linear in the program (docs/METHOD.md#large-relaxations).
 ///
-/// Primal-dual hybrid gradients with restarts (docs/METHOD.md#applegate-2021, docs/METHOD.md#pock-2011).
+/// Primal-dual hybrid gradients with restarts, reflected and drawn back to the last of them
+/// (docs/METHOD.md#applegate-2021, docs/METHOD.md#pock-2011, docs/METHOD.md#lu-2024).
 #pragma once
 
 #include "base/control.h"
@@ -15,8 +16,8 @@ struct GradientOptions {
 };
 
 struct NearOptimum {
-    ColumnValues values;           ///< 0 to 1; rows may be broken a little
-    IdVector<RowId, double> duals; ///< of every row, with the right sign
+    ColumnValues values;           ///< the last ones, 0 to 1; rows may be broken a little
+    IdVector<RowId, double> duals; ///< of every row, with the right sign; those of the best bound
     double lowerBound = 0;         ///< that the duals prove: no solution of the relaxation costs less
 };
 

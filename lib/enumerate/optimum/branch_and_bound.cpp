@@ -3,6 +3,7 @@
 #include "enumerate/optimum/diving.h"
 #include "enumerate/optimum/rounding.h"
 #include "enumerate/optimum/tuning.h"
+#include "program/gradient_relaxation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,11 +29,27 @@ void BranchAndBound::offer(const Assignment& assignment) {
 
 void BranchAndBound::run() {
     if (part_.columns.consistent()) {
-        queue_.push({part_.cost.lowerBound(part_.state), addNode({}, {})});
+        double bound = part_.cost.lowerBound(part_.state);
+        if (part_.variables.size() >= part_.options.large) bound = std::max(bound, startByGradients());
+        queue_.push({bound, addNode({}, {})});
         guessGraphs(part_);
         search();
     }
     summarise();
+}
+
+/// Solves the root's relaxation nearly, as the simplex method takes too long from afar.
+/// \return a bound
+double BranchAndBound::startByGradients() {
+    near_ = part_.relaxation.program(part_.columns);
+    GradientOptions options;
+    options.tolerance = Tuning::nearlySolved;
+    NearOptimum found = relaxByGradients(near_->program, options, part_.control);
+    near_->values = std::move(found.values);
+    near_->duals = std::move(found.duals);
+    part_.relaxation.startNear(*near_, part_.columns, part_.control);
+    rememberPresence();
+    return near_->constant + found.lowerBound;
 }
 
 void BranchAndBound::resume(std::size_t nodes) {
@@ -204,12 +221,17 @@ void BranchAndBound::polish() {
 void BranchAndBound::rememberRoot(double bound) {
     rootBound_ = bound;
     rootValues_ = part_.relaxation.values();
-    for (const VariableId variable : part_.variables)
-        rootPresence_.push_back(part_.present(variable));
+    rememberPresence();
     rootReducedCosts_ = part_.relaxation.reducedCosts();
     rootBasis_ = part_.relaxation.basis();
     rootCutoff_ = part_.incumbents.cutoff();
     root_ = part_.columns.mark();
+}
+
+void BranchAndBound::rememberPresence() {
+    rootPresence_.clear();
+    for (const VariableId variable : part_.variables)
+        rootPresence_.push_back(part_.present(variable));
 }
 
 /// A better graph lets more be fixed at the root, for good.
@@ -228,8 +250,11 @@ bool BranchAndBound::tightenRoot() {
 }
 
 std::optional<RelaxedProgram> BranchAndBound::relaxedRoot() {
-    if (rootValues_.empty()) return {};
     const double best = part_.incumbents.empty() ? part_.options.maxCost : part_.incumbents.bestCost();
+    if (rootValues_.empty()) {
+        if (near_) near_->cutoff = best;
+        return std::move(near_);
+    }
     Relaxation::Result result{Relaxation::Result::Kind::tooExpensive};
     if (tightenRoot()) {
         part_.columns.undo(root_);

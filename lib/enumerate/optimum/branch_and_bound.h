@@ -34,8 +34,8 @@ public:
     [[nodiscard]] double lowerBound() const { return lowerBound_; }
     [[nodiscard]] bool complete() const { return complete_; }
     [[nodiscard]] std::size_t nodes() const { return nodes_; }
-    /// After a search that is not complete: what is left to decide at the root, relaxed. The bound may grow,
-    /// and the search be complete after all.
+    /// After a search that is not complete: what is left to decide at the root, relaxed, or what is known of
+    /// that by gradients. The bound may grow, and the search be complete after all.
     [[nodiscard]] std::optional<RelaxedProgram> relaxedRoot();
     /// Of the part's variables, in the relaxed solution of the root; empty if there was none.
     [[nodiscard]] const std::vector<double>& rootPresence() const { return rootPresence_; }
@@ -59,8 +59,10 @@ private:
 
     void search();
     void summarise();
+    [[nodiscard]] double startByGradients();
     bool tightenRoot();
     void rememberRoot(double bound);
+    void rememberPresence();
     bool replay(TreeNodeId node);
     void plunge(TreeNodeId node, double bound);
     RelaxedNode relax(double& bound);
@@ -78,7 +80,8 @@ private:
     IdVector<TreeNodeId, Node> tree_;
     std::priority_queue<OpenNode> queue_;
     ColumnState::Mark root_;
-    double rootBound_ = 0; ///< with values and reduced costs of the root's relaxation
+    std::optional<RelaxedProgram> near_; ///< what gradients say of the root
+    double rootBound_ = 0;               ///< with values and reduced costs of the root's relaxation
     ColumnValues rootValues_;
     std::vector<double> rootPresence_;
     ColumnValues rootReducedCosts_;

@@ -2,7 +2,6 @@
 
 #include "enumerate/diagram/ranked_graphs.h"
 #include "enumerate/optimum/branch_and_bound.h"
-#include "enumerate/optimum/large_part.h"
 #include "enumerate/state/independent_parts.h"
 
 #include <algorithm>
@@ -54,20 +53,6 @@ private:
     std::optional<Assignment> best_;
 };
 
-/// What is known of a part that is too large to be searched; the graph stays as it is.
-void relaxOnly(const SearchState& state, const std::vector<VariableId>& variables,
-               const OptimumOptions& options, const Control& control, Assignment& graph,
-               OptimumResult& result) {
-    LargePart part = relaxLargePart(state, variables, control);
-    result.lowerBound += part.lowerBound;
-    result.complete = false;
-    for (std::size_t k = 0; k < variables.size(); ++k) {
-        graph[variables[k]] = (*options.start)[variables[k]];
-        result.relaxed[variables[k]] = part.present[k];
-    }
-    if (options.keepOpenParts) result.openParts.push_back({std::move(part.relaxed), part.lowerBound});
-}
-
 /// One graph: every part on its own, the best of each put together.
 void searchParts(SearchState& state, const OptimumOptions& options, const Control& control,
                  OptimumResult& result) {
@@ -80,13 +65,11 @@ void searchParts(SearchState& state, const OptimumOptions& options, const Contro
     double done = 0;
     bool found = true;
     for (const auto& part : parts) {
-        if (options.start && part.size() >= options.large) {
-            relaxOnly(state, part, options, control, graph, result);
-            continue;
-        }
         const bool small = part.size() < options.hard && options.nodes > options.nodesBeforeDiagram;
         PartOptions partOptions{1, infinity, options.gap / static_cast<double>(parts.size()),
                                 small ? options.nodesBeforeDiagram : options.nodes, options.hard};
+        if (options.start) partOptions.large = options.large;
+        if (part.size() >= partOptions.large) partOptions.nodes = 1;
         if (options.start && options.polish)
             partOptions.polish = [&](const Assignment& best, const std::vector<double>& relaxed) {
                 return polishPart(part, best, relaxed, options, result.relaxed);

@@ -27,8 +27,8 @@ struct OptimumOptions {
     /// Of the tree of a part that is not hard; then a decision diagram is tried. Almost all of these trees
     /// are smaller, and where the relaxation says nothing they may grow without end.
     std::size_t nodesBeforeDiagram = 1000;
-    /// A part of at least this many variables is not searched, only relaxed, and nearly so, as the simplex
-    /// method would take too long; its graph is that of `start`.
+    /// Of a part of at least this many variables, only the root is searched, and its relaxation is begun by
+    /// gradients, as the simplex method alone would take too long. Needs a start.
     std::size_t large = std::numeric_limits<std::size_t>::max();
     bool keepOpenParts = false; ///< return what is not proven, see OptimumResult
 };

@@ -2,10 +2,13 @@
 
 #include "base/at.h"
 
+#include <coin/ClpEventHandler.hpp>
 #include <coin/ClpSimplex.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace qm {
 namespace {
@@ -15,6 +18,27 @@ double bounded(double value) {
 }
 
 constexpr double broken = 1e-6; ///< a row is violated by more than this
+
+struct NearTuning {
+    /// Rows with smaller duals are left out at first: the solver is slow with many, and few of them bind.
+    static constexpr double minDual = 1e-3;
+    /// A value that is farther from 0 and 1 is that of a basic column.
+    static constexpr double fractional = 0.02;
+    /// Clp's for "none": perturbed costs lead away from a solution that is nearly optimal.
+    static constexpr int noPerturbation = 100;
+};
+
+/// Stops the solver when the caller asks for it.
+class StopOnRequest : public ClpEventHandler {
+public:
+    explicit StopOnRequest(const Control& control) : control_(&control) {}
+    int event(Event /*event*/) override { return control_->stopRequested() ? stop : goOn; }
+    [[nodiscard]] ClpEventHandler* clone() const override { return new StopOnRequest(*this); }
+
+private:
+    static constexpr int stop = 5, goOn = -1; ///< as Clp wants it
+    const Control* control_;
+};
 
 } // namespace
 
@@ -207,6 +231,55 @@ RelaxedProgram Relaxation::program(const ColumnState& state) const {
         relaxed.duals.push_back(duals[id]);
     }
     return relaxed;
+}
+
+void Relaxation::startNear(const RelaxedProgram& near, const ColumnState& state, const Control& control) {
+    std::vector<const OpenRow*> tight;
+    for (std::size_t id = 0; id < rows_.size(); ++id)
+        if (!isInSolver_[id] && std::abs(near.duals[RowId(id)]) > NearTuning::minDual)
+            tight.push_back(&rows_[id]);
+    if (!tight.empty()) add(tight, state);
+    solver_->createStatus();
+    std::size_t basics = 0;
+    read(state);
+    for (const ColumnId column : near.values.ids()) {
+        const double value = near.values[column];
+        const bool basic = value > NearTuning::fractional && value < 1 - NearTuning::fractional;
+        const int k = static_cast<int>(column.idx());
+        solver_->setColumnStatus(k, basic         ? ClpSimplex::basic
+                                    : value < 0.5 ? ClpSimplex::atLowerBound
+                                                  : ClpSimplex::atUpperBound);
+        solver_->primalColumnSolution()[k] = value;
+        values_[columns_[column.idx()]] = value;
+        if (basic) ++basics;
+    }
+    setTightRows(near.duals, basics);
+    const int perturbation = solver_->perturbation();
+    solver_->setPerturbation(NearTuning::noPerturbation);
+    StopOnRequest handler(control);
+    solver_->passInEventHandler(&handler);
+    solver_->setMaximumIterations(std::numeric_limits<int>::max());
+    solver_->primal();
+    ClpEventHandler none;
+    solver_->passInEventHandler(&none);
+    solver_->setPerturbation(perturbation);
+}
+
+/// Takes as many rows for tight as there are basic columns, those with the largest duals; all others are
+/// basic.
+void Relaxation::setTightRows(const IdVector<RowId, double>& duals, std::size_t count) {
+    std::vector<std::pair<double, int>> order;
+    for (std::size_t k = 0; k < solverRows_.size(); ++k) {
+        const double dual = duals[RowId(solverRows_[k])];
+        if (dual != 0) order.emplace_back(-std::abs(dual), static_cast<int>(k));
+        solver_->setRowStatus(static_cast<int>(k), ClpSimplex::basic);
+    }
+    std::ranges::sort(order);
+    order.resize(std::min(order.size(), count));
+    for (const auto& [negative, k] : order) {
+        const bool below = duals[RowId(solverRows_[static_cast<std::size_t>(k)])] > 0;
+        solver_->setRowStatus(k, below ? ClpSimplex::atLowerBound : ClpSimplex::atUpperBound);
+    }
 }
 
 double Relaxation::fixedShare(const ColumnState& state) const {

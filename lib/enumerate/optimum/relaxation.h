@@ -5,6 +5,7 @@
 /// them: most never do.
 #pragma once
 
+#include "base/control.h"
 #include "enumerate/optimum/column_state.h"
 #include "program/decomposition_bound.h"
 
@@ -38,6 +39,11 @@ public:
     /// `cutoff`. Unfinished: the iterations were used up or the solver failed.
     Result solve(const ColumnState& state, double cutoff, int iterations);
 
+    /// Begins at a solution that is nearly optimal, from which the simplex method is soon done; at any rate
+    /// until `control.stopRequested`.
+    /// \param near  the program of a relaxation that has not been solved yet, see `program`
+    void startNear(const RelaxedProgram& near, const ColumnState& state, const Control& control);
+
     /// The share of the solver's columns that the state has fixed, 0 to 1.
     [[nodiscard]] double fixedShare(const ColumnState& state) const;
 
@@ -47,7 +53,7 @@ public:
     void setBasis(const Basis& basis);
 
     /// The integer program of what the state leaves open, with the last solution, which was of the same
-    /// state.
+    /// state. All values and duals are 0 before the first one.
     [[nodiscard]] RelaxedProgram program(const ColumnState& state) const;
 
     /// The value of every column in the last solution; 0 or 1 where it was fixed.
@@ -71,6 +77,7 @@ private:
     void add(const std::vector<const OpenRow*>& rows, const ColumnState& state);
     bool addBroken(const ColumnState& state);
     void read(const ColumnState& state);
+    void setTightRows(const IdVector<RowId, double>& duals, std::size_t count);
 
     const Formulation* formulation_;
     std::vector<ColumnId> columns_;       ///< of the formulation, for every column of the solver

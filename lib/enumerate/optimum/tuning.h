@@ -29,6 +29,9 @@ struct TreeTuning {
     static constexpr int maxSlices = 10000;
     /// The same when the root is solved again, which was optimal but for what has been fixed since.
     static constexpr int maxSlicesAgain = 20;
+    /// Of the gradients that the simplex method begins from: their last digits take longer than the rest of
+    /// its way.
+    static constexpr double nearlySolved = 2e-2;
     /// The relaxation is set up anew without its fixed columns once they are this share of all: setting up
     /// costs as much as many solves, and a smaller program has to repay it.
     static constexpr double fixedShareToRebuild = 0.3;
