@@ -190,15 +190,24 @@ document.body.dataset.switched = inputs.map((input) => input.value).join(' ');
 document.body.dataset.scales = document.querySelectorAll('.scale').length;
 document.getElementById('theme').click();
 document.body.dataset.theme = document.documentElement.dataset.theme;
+// The key has grown: the picture has the pixels of what is left for it.
+const canvas = document.getElementById('canvas');
+let frames = 200; // a busy machine takes some
+const untilItFits = () => {
+  document.body.dataset.fits = canvas.width === canvas.clientWidth && canvas.height === canvas.clientHeight;
+  if (document.body.dataset.fits === 'false' && --frames > 0) requestAnimationFrame(untilItFits);
+};
+untilItFits();
 </script>
 END
-    seen page.html >census
+    virtual_time=60000 seen page.html >census
     for layer in shaded zebra mesh-zebra mean gauss deviation tolerance jumps net knots; do
         grep -qE "data-switched=\"([^\"]* )?$layer[ \"]" dom
     done
     # The last layer of faces, which tells what is within the tolerance, and the normal angles have a scale each.
     grep -q 'data-scales="2"' dom
     grep -q 'data-theme="dark"' dom
+    grep -q 'data-fits="true"' dom
 }
 
 @test "the page evaluates surfaces and curvatures truly" {
@@ -265,6 +274,21 @@ END
     drags 0.001 >quick
     jq -e 'last as $rest | [.[] | select(.[0] == "turning")] as $turning | ($turning | length) > 10 and
         ($turning | all(.[1] >= $rest[1] and .[2] == 1)) and $rest[0] == "rest" and $rest[2] == 1' quick
+}
+
+@test "a scale of curvatures is for the usual bends, not for planes, and not for one outlier" {
+    needs_browser
+    {
+        echo '<!doctype html><output id="status">ready</output><script>'
+        cat "$ROOT/lib/view/page/scale.js"
+        cat <<'END'
+const values = Float32Array.from({ length: 10000 }, (_, k) => (k === 5 ? 2.5e5 : k < 1000 ? 0.5 : 1e-9));
+const tops = [values, values.map(() => 1e-9)].map((some) => scaleTops({ scale: 'centred', source: 'mean curvature', values: some }, 2));
+document.body.dataset.census = JSON.stringify(tops.map((top) => [top.usual, top.maximum]));
+</script>
+END
+    } >page.html
+    assert_equal "$(seen page.html | jq -c '.[0], .[1][0]' | xargs)" '[0.5,250000] 0.0005'
 }
 
 @test "a section opens the model" {

@@ -30,7 +30,8 @@ class Page {
   }
 
   listen() {
-    window.addEventListener('resize', () => this.resize());
+    // The key takes more room or less as layers are switched, too.
+    new ResizeObserver(() => this.resize()).observe(this.canvas);
     this.canvas.addEventListener('pointermove', (event) => { this.pointer = event; this.want('pointed'); });
     this.canvas.addEventListener('pointerleave', () => { this.pointer = null; this.want('pointed'); });
     this.canvas.addEventListener('pointerdown', (event) => { this.pressed = [event.clientX, event.clientY]; });

@@ -123,7 +123,7 @@ class Panel {
     byId('scale-choice').hidden = ![...mapped.values()].some(([{ layer }]) => layer.mapped.scale !== 'verdict');
     const choice = byId('scale-top').value;
     for (const shown of mapped.values()) {
-      const tops = shown.map(({ layer }) => scaleTops(layer.mapped));
+      const tops = shown.map(({ layer, model }) => scaleTops(layer.mapped, model.radius));
       const top = Math.max(...tops.map((some) => some[choice] || some.usual || some.limit));
       shown.forEach(({ layer, layers }) => layers.setScale(layer, top));
       const group = element('div', { className: 'pair' });

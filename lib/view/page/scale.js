@@ -20,13 +20,17 @@ function roundUp(value) {
   return power * ([1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8].find((digit) => digit * power >= value * (1 - 1e-9)) || 10);
 }
 
+// All but the largest of the sizes are below.
+function quantile(sizes, share) { return sizes.length ? sizes[Math.floor(share * (sizes.length - 1))] : 0; }
+
 // Ends of the scale that can be chosen. One outlier moves only the last.
-function scaleTops(mapped) {
+// \param radius  of the model
+function scaleTops(mapped, radius) {
   const { scale, values, limit } = mapped;
   if (scale === 'verdict') return { limit: 1.25 * limit };
   const sizes = sortedSizes(values), largest = largestSize(values);
-  const share = scale === 'centred' ? 0.95 : 0.99;
-  const usual = sizes.length ? sizes[Math.floor(share * (sizes.length - 1))] : 0;
+  if (scale === 'centred') return { usual: usualCurvature(mapped, sizes, radius), maximum: largest || 1 };
+  const usual = quantile(sizes, 0.99);
   const tops = { usual: roundUp(usual > 1e-3 * largest ? usual : largest), maximum: largest || 1 };
   if (limit > 0) {
     tops.limit = limit;
@@ -35,6 +39,12 @@ function scaleTops(mapped) {
     if (largest < 1e-3 * limit || usual <= limit && limit < 20 * usual) tops.usual = limit;
   }
   return tops;
+}
+
+// Planes take no part in what is usual, or a few bends among many would be off the scale.
+function usualCurvature({ source }, sizes, radius) {
+  const plane = 1e-3 / radius ** (source === 'Gauss curvature' ? 2 : 1);
+  return roundUp(Math.max(plane, quantile(sizes.filter((size) => size > plane), 0.95)));
 }
 
 const bins = 48;
