@@ -32,7 +32,7 @@ struct Viewed {
     double tolerance = 0;                  ///< that the surfaces were to keep to, a length; 0: none
     double rho = 0.45;       ///< radians; borders up to this dihedral angle were to become smooth
     std::string unit = "mm"; ///< of the mesh
-    /// So many points stand for the surfaces that they are drawn at ease without a graphics card.
+    /// Points that stand for all surfaces: few enough to be drawn without a graphics card.
     static constexpr std::size_t usualPoints = 120'000;
     std::size_t maxPoints = usualPoints;
 };

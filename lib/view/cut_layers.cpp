@@ -3,7 +3,6 @@
 #include "view/layers.h"
 #include "view/palette.h"
 
-#include <limits>
 #include <optional>
 
 namespace qm {
@@ -26,7 +25,6 @@ void addTerminal(PointLayer& layer, const std::optional<VertexId>& vertex, std::
                  bool isSource) {
     if (!vertex) return;
     addPoint(layer, *vertex);
-    constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
     addFigure(layer.items, "sub-mesh", static_cast<double>(subMesh));
     addFigure(layer.items, "source", isSource ? 1 : nothing);
     addFigure(layer.items, "sink", isSource ? nothing : 1);

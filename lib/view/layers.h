@@ -5,6 +5,8 @@
 #include "view/build_scene.h"
 #include "view/scene.h"
 
+#include <limits>
+
 namespace qm {
 
 /// The mesh's points, quads and edges.
@@ -22,6 +24,9 @@ void addSurfaces(Scene& scene, const Viewed& viewed, const Point& centre, unsign
 
 /// A point's coordinates about a centre, at the end of a list.
 void appendPosition(std::vector<float>& positions, const Point& point, const Point& centre);
+
+/// Stands where an item has no such figure.
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 /// Adds a figure of the next item to the column of that name, which is made when it is first used.
 void addFigure(Items& items, const std::string& name, double value);

@@ -3,12 +3,8 @@
 #include "view/layers.h"
 #include "view/palette.h"
 
-#include <limits>
-
 namespace qm {
 namespace {
-
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 /// Pairs of segments on both sides of an edge.
 std::vector<std::pair<std::uint32_t, std::uint32_t>>

@@ -3,13 +3,10 @@
 #include "view/layers.h"
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace qm {
 namespace {
-
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 void addEdges(Scene& scene, const QuadMesh& mesh, const std::vector<double>& dihedralAngles) {
     LineLayer edges = newLines("edges", "mesh edges", "edge", "");

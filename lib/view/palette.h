@@ -10,8 +10,8 @@ namespace qm {
 /// As many as the page has colours for items side by side.
 constexpr std::uint32_t colourCount = 8;
 
-/// A number below `colourCount` for every item: one that few neighbours have, and of those one that few items
-/// have.
+/// A number below `colourCount` for every item: the one that fewest neighbours have, and of several such the
+/// one that fewest items have.
 /// \param neighbours  pairs of items, in any order and number
 [[nodiscard]] std::vector<std::uint32_t>
 colourNumbers(std::size_t items, const std::vector<std::pair<std::uint32_t, std::uint32_t>>& neighbours);

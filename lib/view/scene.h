@@ -24,8 +24,8 @@ struct Shell {
     std::vector<std::uint32_t> quads; ///< four points each, in the order of the faces
 };
 
-/// The fitted surfaces, which whoever shows them evaluates: all but `Base::mesh` is made of them. The points
-/// of `Base::surfaces` are, patch by patch and row by row along u, those at all multiples of 1 / steps.
+/// The fitted surfaces. The page evaluates them: all bases but `Base::mesh` come from them. The points of
+/// `Base::surfaces` are those at all multiples of 1 / steps, patch by patch and row by row along u.
 struct FittedPatches {
     std::vector<std::array<int, 2>> degrees;
     std::vector<std::array<int, 2>> counts; ///< control points along u and v
@@ -56,7 +56,7 @@ struct Items {
 /// How a layer's figures become colours.
 enum class Scale {
     none,
-    rising,  ///< from 0 to what all but the largest figures keep to
+    rising,  ///< from 0 to where all but a few figures lie below
     centred, ///< the same on both sides of 0
     verdict  ///< within half of the limit, within the limit, or beyond it
 };
@@ -66,8 +66,8 @@ struct Mapped {
     Scale scale = Scale::none;
     /// A figure at every point; if empty, what `source` names.
     std::vector<float> values;
-    /// A layer whose values these are too; a column of the items; or "mean curvature" or "Gauss curvature" of
-    /// the surfaces.
+    /// Names a layer that has the same values, a column of the items, or "mean curvature" or "Gauss
+    /// curvature" of the surfaces.
     std::string source;
     std::string quantity; ///< "distance from the reference"
     std::string unit;     ///< "mm"
@@ -86,11 +86,10 @@ struct FaceLayer {
     std::string title; ///< as people read it
     Base base = Base::mesh;
     Paint paint = Paint::plain;
-    std::vector<std::uint32_t>
-        groups; ///< item of every face of the mesh, or `noItem`; of patches it is known
+    std::vector<std::uint32_t> groups;  ///< item of every face of the mesh, or `noItem`; not for patches
     std::vector<std::uint32_t> colours; ///< of every item, a number below `colourCount`
     Mapped mapped;
-    std::string itemsOf; ///< a layer whose items these are too; else empty
+    std::string itemsOf; ///< the name of a layer that has the same items; else empty
     Items items;
 };
 

@@ -141,7 +141,7 @@ FaceLayer patchLayer(const Scene& scene, const Viewed& viewed) {
     return layer;
 }
 
-/// How far the surfaces are from what the tolerance is about.
+/// How far the surfaces are from what the tolerance refers to.
 /// \param target  null if it is a scan that is not at hand: then what the document says of every patch
 Mapped deviationOf(const Viewed& viewed, const FitTarget* target, std::size_t steps, unsigned jobs) {
     Mapped mapped{Scale::rising, {}, {}, {}, viewed.unit, viewed.tolerance};

@@ -14,7 +14,7 @@
 namespace qm {
 
 /// Points on the lattice of `FittedPatches` for every mesh edge.
-/// \param maxPoints  in all; there is one for every edge in any case
+/// \param maxPoints  in all, but every edge has at least one
 [[nodiscard]] std::size_t latticeSteps(std::size_t faces, std::size_t maxPoints);
 
 /// Distances of the lattice's points, patch by patch and row by row, from the reference that surfaces are
@@ -27,7 +27,7 @@ namespace qm {
                                                          std::size_t steps, unsigned jobs);
 
 /// The same from the triangles of a scan, noise and all; NaN where the scan shows nothing.
-/// \param cutOff  distance from which a scan is no witness
+/// \param cutOff  distance beyond which the scan says nothing of the surfaces
 [[nodiscard]] std::vector<double> distancesFromScan(const std::vector<Patch>& patches,
                                                     const TriangleSurface& scan, double cutOff,
                                                     std::size_t steps, unsigned jobs);

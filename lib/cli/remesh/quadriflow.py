@@ -32,7 +32,7 @@ done = bpy.ops.object.quadriflow_remesh(
     use_preserve_boundary=bool(int(boundary)),
     use_mesh_symmetry=False,
 )
-# What it can do nothing with it leaves as it is.
+# It leaves alone what it can do nothing with.
 if done != {"FINISHED"} or any(len(face.vertices) != 4 for face in thing.data.polygons):
     sys.exit("QuadriFlow gave up")
 

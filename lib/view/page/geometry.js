@@ -28,7 +28,7 @@ function quadNormals(shell) {
   return normals;
 }
 
-// At every corner of every quad: the mean of the normals of the quads around, as far as no sharp edge is between.
+// At every corner of every quad: the mean of the normals of the quads around, but not across sharp edges.
 function cornerNormals(shell) {
   if (shell.cornerNormals) return shell.cornerNormals;
   const { quads } = shell, normals = quadNormals(shell), minCosine = Math.cos(0.45);
