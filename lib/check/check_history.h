@@ -11,7 +11,7 @@ namespace qm::check {
 [[nodiscard]] bool wasPruned(const nlohmann::ordered_json& root);
 
 /// Reports a history that cannot have led to this document: tools of the pipeline out of order, or another
-/// than the one that makes its kind at the end. Tools of other names may have had their hands in it.
+/// than the one that makes its kind at the end. Tools of other names may have worked on it, too.
 void checkHistory(const nlohmann::ordered_json& root, Report& report);
 
 } // namespace qm::check

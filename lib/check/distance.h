@@ -16,7 +16,7 @@ using Place = std::array<double, 3>;
 /// The point of a bilinear quad at s along its first side and t along its last, both 0 to 1.
 [[nodiscard]] Place pointOf(const CheckedMesh& mesh, int face, double s, double t);
 
-/// From a point to a bilinear quad, by Gauss and Newton's iteration from s and t. Never less than the true
+/// From a point to a bilinear quad, by the Gauss-Newton iteration from s and t. Never less than the true
 /// distance.
 [[nodiscard]] double distanceToFace(const CheckedMesh& mesh, int face, std::array<double, 2> start,
                                     const Place& point);
@@ -26,7 +26,7 @@ using Place = std::array<double, 3>;
 [[nodiscard]] double distanceToMesh(const CheckedMesh& mesh, const Neighbourhoods& around, int face,
                                     const Place& point);
 
-/// From a point to a patch, by Gauss and Newton's iteration from the parameters. Never less than the true
+/// From a point to a patch, by the Gauss-Newton iteration from the parameters. Never less than the true
 /// distance.
 [[nodiscard]] double distanceToPatch(const SurfacesPart::Patch& patch, std::array<double, 2> parameters,
                                      const Place& point);

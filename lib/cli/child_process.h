@@ -40,7 +40,8 @@ private:
     std::string path_;
 };
 
-/// Runs a program that PATH finds, without input, until it ends, a signal comes or patience does.
+/// Runs a program, which is looked for in PATH, without input, until it ends, a signal comes, or patience is
+/// over.
 /// \param words  the program and its arguments
 /// \param output  the file that takes what it prints
 /// \param patience  none: for as long as it takes

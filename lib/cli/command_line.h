@@ -19,8 +19,8 @@ public:
 struct CommandLine {
     std::set<std::string> given;       ///< names of options
     std::vector<std::string> operands; ///< all words that are no options and no values
-    /// With the first value that its option does not take, or an option that there is not; empty if all is
-    /// well. No exception, for it does not matter to who asks for help.
+    /// The first thing that is wrong: a value that its option does not take, or an option that does not
+    /// exist; empty if there is none. No exception, because --help is to work all the same.
     std::string problem;
 };
 

@@ -1,6 +1,7 @@
 #include "cli/option_record.h"
 
 #include "base/number_text.h"
+#include "document/cost_text.h"
 #include "document/length_text.h"
 
 #include <cmath>

@@ -1,16 +1,18 @@
 /// \file An option bound to a variable, in the form that parser, --help and --json-usage share.
 #pragma once
 
-#include "bspline/fit.h"
-#include "document/cost_text.h"
+#include "base/length.h"
 #include "document/option.h"
 
 #include <functional>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace qm {
+
+struct CostTerms;
 
 struct OptionRecord {
     enum class Type { flag, integer, number, choice, text };

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cli/tool.h"
+#include "document/document.h"
 #include "document/model.h"
 #include "document/options_json.h"
 
@@ -32,8 +33,8 @@ public:
     [[nodiscard]] const Model& readWhole();
     [[nodiscard]] const Document& document() const { return document_; }
 
-    /// Puts the section into the document, and the document out. Reading must have come before, and ends
-    /// here.
+    /// Puts the section into the document and writes that. The document must have been read before, and
+    /// cannot be read again.
     template <class Options> void write(const Options& options, Json&& section) {
         writeSection(optionsToJson(options), std::move(section));
     }

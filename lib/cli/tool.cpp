@@ -193,9 +193,6 @@ bool Tool::given(const std::string& optionName) const {
 unsigned Tool::jobs() const {
     return state_->general.jobs;
 }
-bool Tool::interrupted() const {
-    return wasInterrupted();
-}
 
 std::string Tool::readInput() const {
     const auto begin = std::chrono::steady_clock::now();
@@ -259,13 +256,6 @@ void Tool::noteSettings() const {
     note("settings: " + (text.empty() ? "none" : text));
 }
 
-void Tool::printStats() const {
-    const State& s = *state_;
-    if (!s.general.stats) return;
-    if (s.progress) s.progress->hide();
-    printMessage(s.statistics.line(s.usage.tool));
-}
-
 int Tool::answer(const ToolBody& body) {
     const State& s = *state_;
     if (s.general.help) return writeFile("-", helpText(s.usage)), exitDone;
@@ -279,7 +269,10 @@ int Tool::answer(const ToolBody& body) {
         warn("interrupted: what is written is the best that was found until then");
         status = exitUnmet;
     }
-    printStats();
+    if (s.general.stats) {
+        if (s.progress) s.progress->hide();
+        printMessage(s.statistics.line(s.usage.tool));
+    }
     return status;
 }
 

@@ -136,8 +136,6 @@ public:
     [[nodiscard]] Control control(const std::string& label) const;
     /// Says every few seconds what a search tells it; not with --quiet.
     [[nodiscard]] KnownCost sayingKnown() const;
-    /// True once the user has interrupted a tool that `stopsGracefully`.
-    [[nodiscard]] bool interrupted() const;
 
 private:
     friend int runTool(int argc, char** argv, const std::string& name, const std::string& summary,
@@ -150,7 +148,6 @@ private:
     void requireEffects() const;
     void assignOperands(const std::vector<std::string>& operands);
     void noteSettings() const;
-    void printStats() const;
     int answer(const ToolBody& body);
     int run(int argc, char** argv, const std::function<ToolBody(Tool&)>& declare);
 

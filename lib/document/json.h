@@ -1,6 +1,8 @@
 /// \file JSON as the documents use it: reading strictly, writing for people.
 #pragma once
 
+#include "document/json_fwd.h"
+
 #include <nlohmann/json.hpp>
 
 #include <string>
@@ -8,8 +10,6 @@
 
 namespace qm {
 
-/// Keeps the order of keys.
-using Json = nlohmann::ordered_json;
 using JsonPointer = Json::json_pointer;
 
 /// Time linear in the text, also for objects with many keys.

@@ -1,5 +1,6 @@
 #include "document/misspelt_keys.h"
 
+#include "document/json.h"
 #include "document/schema.h"
 
 #include <algorithm>

@@ -3,6 +3,8 @@
 #include "document/base_complex_section.h"
 #include "document/constraints_section.h"
 #include "document/cut_section.h"
+#include "document/document.h"
+#include "document/enumeration_section.h"
 #include "document/features_section.h"
 #include "document/files.h"
 #include "document/layout_section.h"

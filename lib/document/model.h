@@ -4,10 +4,11 @@
 #include "basecomplex/base_complex.h"
 #include "bspline/splines/surfaces.h"
 #include "cut/cut.h"
-#include "document/document.h"
-#include "document/enumeration_section.h"
+#include "document/kind.h"
 #include "enumerate/enumerate.h"
 #include "features/features.h"
+#include "layout/constraints.h"
+#include "layout/cost.h"
 #include "layout/layout.h"
 
 #include <optional>
@@ -15,6 +16,8 @@
 #include <vector>
 
 namespace qm {
+
+struct Document;
 
 /// Members beyond what was asked for, or whose section the document does not have, are empty.
 struct Model {

@@ -1,7 +1,7 @@
 /// \file The schemas of the documents.
 #pragma once
 
-#include "document/json.h"
+#include "document/json_fwd.h"
 
 #include <string>
 #include <string_view>

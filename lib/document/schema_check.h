@@ -1,7 +1,7 @@
 /// \file Whether a document keeps to a schema, and what is wrong otherwise, in words.
 #pragma once
 
-#include "document/json.h"
+#include "document/json_fwd.h"
 
 #include <string>
 

@@ -2,7 +2,7 @@
 /// source of its own, `schema_parse.cpp`, because both take long to compile.
 #pragma once
 
-#include "document/json.h"
+#include "document/json_fwd.h"
 
 #include <optional>
 #include <string>

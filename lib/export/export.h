@@ -32,9 +32,8 @@ struct ExportOptions {
     ExportFormat format = ExportFormat::step;
     LengthUnit unit = LengthUnit::mm;
     ColourBy colour = ColourBy::segment; ///< PLY and glTF
-    bool join = false; ///< STEP and IGES: neighbours that are one surface, or one plane, become one face
-    bool analytic =
-        false; ///< STEP and IGES: patches become cylinders, cones, spheres and tori where they can
+    bool join = false;     ///< STEP and IGES: neighbours that are one surface, or one plane, become one face
+    bool analytic = false; ///< STEP and IGES: patches become cylinders, cones and so on where they can
     /// How far a patch may be from what takes its place: as much as fits may be from their reference,
     /// per cent of the diagonal.
     double analyticTolerance = 0.1;
@@ -47,8 +46,8 @@ struct ShapeReport {
     std::size_t faces = 0;
     std::size_t edges = 0;
     std::size_t openEdges = 0; ///< with a face on one side only
-    std::size_t smoothEdges =
-        0; ///< whose faces' normals differ by less than 0.01 radians: readers take them for smooth
+    /// Whose faces' normals differ by less than 0.01 radians: readers take them for smooth.
+    std::size_t smoothEdges = 0;
     std::size_t simpleFaces = 0; ///< planes, cylinders, cones, spheres and tori
     std::size_t solids = 0;      ///< closed components
     std::size_t shells = 0;      ///< open components

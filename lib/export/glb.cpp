@@ -66,8 +66,8 @@ private:
             for (std::size_t i = 0; i < width; ++i) {
                 const Point alongU = point(std::min(i + 1, width - 1), j) - point(i > 0 ? i - 1 : 0, j);
                 const Point alongV = point(i, std::min(j + 1, height - 1)) - point(i, j > 0 ? j - 1 : 0);
-                Point normal = unitNormal(alongU, alongV);
-                if (normal.sqrnorm() == 0) normal = {0, 0, 1}; // glTF asks for unit vectors
+                // glTF asks for unit vectors.
+                const Point normal = unitNormal(alongU, alongV).value_or(Point(0, 0, 1));
                 for (unsigned k = 0; k < 3; ++k) {
                     const float coordinate = single(point(i, j)[k]);
                     low_[k] = std::min(low_[k], coordinate);

@@ -19,7 +19,7 @@ struct SimpleShape {
     [[nodiscard]] double distance(const Eigen::Vector3d& point) const;
     /// Unit, outwards.
     [[nodiscard]] Eigen::Vector3d normal(const Eigen::Vector3d& point) const;
-    /// From the axis, or a sphere's centre, to the point; of no certain length.
+    /// From the axis, or a sphere's centre, towards the point; of any length.
     [[nodiscard]] Eigen::Vector3d radial(const Eigen::Vector3d& point) const;
 };
 

@@ -1,5 +1,6 @@
 #include "export/simple_surface.h"
 
+#include "bspline/splines/eigen_point.h"
 #include "bspline/splines/evaluate.h"
 #include "export/simple_shape_fit.h"
 
@@ -42,10 +43,6 @@ struct Tuning {
     static constexpr int samplesPerInterval = 4;
 };
 
-Vector3d vector(const Point& point) {
-    return {point[0], point[1], point[2]};
-}
-
 /// Points and normals of a patch, moved and scaled to unit size about the origin.
 struct Cloud {
     Vector3d centre{0, 0, 0};
@@ -85,10 +82,10 @@ Cloud cloudOf(const Patch& patch, std::size_t max) {
     for (const SurfacePoint& at :
          evaluateLattice(patch, thinned(parameters(patch.knots[0], Tuning::samplesPerInterval), max),
                          thinned(parameters(patch.knots[1], Tuning::samplesPerInterval), max))) {
-        const Point normal = unitNormal(at.du, at.dv);
-        if (normal.sqrnorm() == 0) continue;
+        const auto normal = unitNormal(at.du, at.dv);
+        if (!normal) continue;
         cloud.samples.points.emplace_back((vector(at.position) - cloud.centre) / cloud.size);
-        cloud.samples.normals.push_back(vector(normal));
+        cloud.samples.normals.push_back(vector(*normal));
     }
     return cloud;
 }

@@ -24,7 +24,7 @@ struct SimpleSurface {
 
 /// For every patch the first of plane, cylinder, cone, sphere and torus that lies within the tolerance of it,
 /// and whose normals are within three degrees of the patch's. Its poles, apex and seam keep away from the
-/// patch. Radii are at most ten times the patch's size: what is flatter is no cylinder to anybody. Neighbours
+/// patch. Radii are at most ten times the patch's size: the axes of flatter ones would be chance. Neighbours
 /// have the same surface, but for its seam, where one is enough for both.
 /// \param tolerances  of every patch; 0: it stays as it is
 /// \param smoothNeighbours  pairs of patches

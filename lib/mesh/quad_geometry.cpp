@@ -64,4 +64,11 @@ std::optional<Point> quadNormal(const QuadMesh& mesh, FaceId face) {
     return unit(sum);
 }
 
+double meanEdgeLength(const QuadMesh& mesh) {
+    double sum = 0;
+    for (const EdgeId edge : mesh.edges())
+        sum += mesh.calc_edge_length(edge);
+    return mesh.n_edges() > 0 ? sum / static_cast<double>(mesh.n_edges()) : 0;
+}
+
 } // namespace qm

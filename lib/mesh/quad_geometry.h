@@ -1,4 +1,4 @@
-/// \file Normals and areas of quads.
+/// \file Normals and areas of quads, and lengths of edges.
 #pragma once
 
 #include "mesh/quad_mesh.h"
@@ -22,5 +22,8 @@ namespace qm {
 
 /// The mean of those of its triangles, of unit length; none if both have no area (docs/METHOD.md#cost).
 [[nodiscard]] std::optional<Point> quadNormal(const QuadMesh& mesh, FaceId face);
+
+/// Of all edges; 0 if there are none.
+[[nodiscard]] double meanEdgeLength(const QuadMesh& mesh);
 
 } // namespace qm

@@ -41,17 +41,6 @@ std::vector<VertexId> verticesAlong(const QuadMesh& mesh, const std::vector<Half
     return vertices;
 }
 
-std::optional<std::vector<HalfedgeId>> halfedgesAlong(const QuadMesh& mesh,
-                                                      const std::vector<VertexId>& vertices) {
-    std::vector<HalfedgeId> halfedges;
-    for (std::size_t k = 1; k < vertices.size(); ++k) {
-        const HalfedgeId halfedge = mesh.find_halfedge(vertices[k - 1], vertices[k]);
-        if (!halfedge.is_valid()) return std::nullopt;
-        halfedges.push_back(halfedge);
-    }
-    return halfedges;
-}
-
 Components components(const QuadMesh& mesh) {
     DisjointSets sets(mesh.n_vertices());
     for (const EdgeId edge : mesh.edges())

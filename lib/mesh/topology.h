@@ -3,7 +3,6 @@
 
 #include "mesh/quad_mesh.h"
 
-#include <optional>
 #include <vector>
 
 namespace qm {
@@ -29,10 +28,6 @@ namespace qm {
 /// The vertices along consecutive halfedges: one more than halfedges; empty for none.
 [[nodiscard]] std::vector<VertexId> verticesAlong(const QuadMesh& mesh,
                                                   const std::vector<HalfedgeId>& halfedges);
-
-/// The halfedges along consecutive vertices, or nothing if two of them are not joined by an edge.
-[[nodiscard]] std::optional<std::vector<HalfedgeId>> halfedgesAlong(const QuadMesh& mesh,
-                                                                    const std::vector<VertexId>& vertices);
 
 /// The connected component of every vertex, numbered from 0 in the order of the lowest vertex. Isolated
 /// vertices are components of their own.

@@ -1,6 +1,7 @@
 #include "remesh/draw_to_scan.h"
 
 #include "bspline/reference/triangle_surface.h"
+#include "mesh/quad_geometry.h"
 #include "remesh/scan_equations.h"
 #include "remesh/surface_samples.h"
 
@@ -16,13 +17,6 @@ namespace qm {
 namespace {
 
 using Index = Eigen::Index;
-
-double meanEdge(const QuadMesh& mesh) {
-    double sum = 0;
-    for (const EdgeId edge : mesh.edges())
-        sum += mesh.calc_edge_length(edge);
-    return sum / static_cast<double>(mesh.n_edges());
-}
 
 /// Weights beside distances over a quad's area, from round to round.
 struct Weights {
@@ -110,7 +104,7 @@ Eigen::VectorXd movements(const QuadMesh& mesh, const std::vector<ScanEquation>&
 QuadMesh drawToScan(QuadMesh mesh, const Triangles& scan, const DrawOptions& options, unsigned jobs) {
     constexpr std::size_t samplesOfQuad = 40; // of very fine scans
     constexpr double shareOfQuad = 1.0 / 6;   // the area of a sample, of coarse ones
-    const double edge = meanEdge(mesh);
+    const double edge = meanEdgeLength(mesh);
     const TriangleSurface surface(scan);
     const auto samples = samplesOfScan(scan, shareOfQuad * edge * edge, samplesOfQuad * mesh.n_faces());
     for (int round = 1; round <= options.rounds; ++round) {

@@ -3,6 +3,8 @@
 #include "base/error.h"
 #include "check/check_document.h"
 #include "check/read_document.h"
+#include "document/document.h"
+#include "document/enumeration_section.h"
 #include "document/features_section.h"
 #include "document/model.h"
 #include "merge/merge.h"

@@ -2,6 +2,7 @@
 
 #include "base/at.h"
 #include "base/error.h"
+#include "enumerate/state/search_state.h"
 #include "mesh/build_mesh.h"
 #include "mesh/topology.h"
 #include "support/polycube.h"
@@ -121,6 +122,23 @@ std::vector<Track> randomGraph(const QuadMesh& mesh, const BaseComplex& complex,
     }
     std::erase_if(tracks, [](const Track& track) { return track.halfedges.empty(); });
     return tracks;
+}
+
+bool isMotorcycleGraph(const ArcGraph& graph, const std::vector<bool>& present) {
+    const std::vector<double> costs(graph.arcs.size(), 0);
+    const Problem problem = makeProblem({graph, costs, {}, {}, {}, {}});
+    SearchState state(problem);
+    if (!state.consistent()) return false;
+    for (const VariableId v : problem.variables()) {
+        const ArcRun& run = problem.arcs[v];
+        const bool in = present[run.first.idx()];
+        for (int k = 1; k < run.count; ++k)
+            if (present[(run.first + k).idx()] != in) return false;
+        if (state.isFree(v) ? !state.assign(v, in ? ArcState::in : ArcState::out)
+                            : state.value(v) != (in ? ArcState::in : ArcState::out))
+            return false;
+    }
+    return true;
 }
 
 } // namespace qm::testing

@@ -1,6 +1,7 @@
 /// \file Random meshes with random seeds and random motorcycle graphs: what layouts are tried on.
 #pragma once
 
+#include "basecomplex/arc_graph.h"
 #include "basecomplex/base_complex.h"
 #include "check/neighbourhoods.h"
 #include "layout/motorcycle_graph.h"
@@ -25,5 +26,8 @@ namespace qm::testing {
 /// motorcycle graph can come out, not only the plain one.
 [[nodiscard]] std::vector<Track> randomGraph(const QuadMesh& mesh, const BaseComplex& complex,
                                              const std::vector<double>& edgeCosts, std::mt19937& random);
+
+/// Whether the arcs are a motorcycle graph of the whole mesh, by rules 1 to 4.
+[[nodiscard]] bool isMotorcycleGraph(const ArcGraph& graph, const std::vector<bool>& present);
 
 } // namespace qm::testing

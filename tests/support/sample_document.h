@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "document/document.h"
+#include "document/enumeration_section.h"
 #include "document/model.h"
 
 #include <string>

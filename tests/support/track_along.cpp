@@ -4,13 +4,18 @@
 #include "mesh/topology.h"
 #include "support/grid_layout.h"
 
+#include <algorithm>
+#include <stdexcept>
+
 namespace qm::testing {
 
 Track trackAlong(const QuadMesh& mesh, const Path& path, double cost) {
-    std::vector<VertexId> vertices;
-    for (const int vertex : path)
-        vertices.emplace_back(vertex);
-    return {halfedgesAlong(mesh, vertices).value(), cost};
+    Track track{{}, cost};
+    for (std::size_t k = 1; k < path.size(); ++k)
+        track.halfedges.push_back(mesh.find_halfedge(VertexId(path[k - 1]), VertexId(path[k])));
+    if (!std::ranges::all_of(track.halfedges, &HalfedgeId::is_valid))
+        throw std::invalid_argument("no edge joins two vertices of the path");
+    return track;
 }
 
 PerEdge& PerEdge::along(const Path& path, double value) {

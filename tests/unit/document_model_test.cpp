@@ -3,6 +3,7 @@
 #include "base/at.h"
 #include "base/error.h"
 #include "document/document.h"
+#include "document/enumeration_section.h"
 #include "document/features_section.h"
 #include "document/json_place.h"
 #include "document/model.h"

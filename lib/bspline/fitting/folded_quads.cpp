@@ -92,7 +92,7 @@ void unfoldQuads(const LatticeSource& source, FitLattice& lattice) {
         forPoints([&](std::size_t k) {
             const auto parameters = lattice.parametersAt(k);
             const SurfacePoint point = flat.evaluate(parameters[0] - u, parameters[1] - v);
-            lattice.normals[k] = lattice.axes[k] = unitNormal(point.du, point.dv);
+            lattice.normals[k] = lattice.axes[k] = unitNormal(point.du, point.dv).value_or(Point(0, 0, 0));
             lattice.jacobian[k] = (point.du % point.dv).norm();
             lattice.isGuess[k] = true;
         });

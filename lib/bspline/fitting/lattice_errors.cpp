@@ -25,7 +25,7 @@ bool isFolded(const FitLattice& lattice, std::size_t k, const SurfacePoint& poin
 /// Where a surface has slid along a bend, the mean of both normals tells how far it is: the chord between two
 /// points of a parabola is perpendicular to it. Zero where the normals have nothing to do with one another.
 Point meanNormal(const FitLattice& lattice, std::size_t k, const SurfacePoint& point) {
-    const Point sum = lattice.axes[k] + unitNormal(point.du, point.dv);
+    const Point sum = lattice.axes[k] + unitNormal(point.du, point.dv).value_or(Point(0, 0, 0));
     const double length = sum.norm();
     return length > 1 ? sum / length : Point(0, 0, 0);
 }

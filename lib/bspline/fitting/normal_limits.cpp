@@ -32,7 +32,7 @@ double unevenness(const Point& before, const Point& here, const Point& after) {
 NormalLimits::NormalLimits(const ReferenceGrid& grid) : columns_(static_cast<std::size_t>(grid.size[0]) + 1) {
     std::vector<Point> normals;
     for (const SurfacePoint& point : grid.evaluateLattice(integersTo(grid.size[0]), integersTo(grid.size[1])))
-        normals.push_back(unitNormal(point.du, point.dv));
+        normals.push_back(unitNormal(point.du, point.dv).value_or(Point(0, 0, 0)));
     const std::array<std::size_t, 2> stride{1, columns_};
     for (std::size_t d = 0; d < 2; ++d) {
         limits_[d].assign(normals.size(), minLimit);

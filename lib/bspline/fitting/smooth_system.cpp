@@ -92,7 +92,7 @@ void SmoothSystem::solve(const std::vector<FitLattice>& lattices, Accuracy accur
 }
 
 bool SmoothSystem::holds() const {
-    constexpr double rounding = 1e-11;
+    constexpr double rounding = 1e-11; // of the largest coordinate
     return unknowns_ == 0 ||
            system_->violation(solution_) <= rounding * solution_.topRows(unknowns_).cwiseAbs().maxCoeff();
 }

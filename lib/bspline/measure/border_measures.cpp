@@ -11,11 +11,12 @@
 namespace qm {
 namespace {
 
-constexpr double nearEnd = 1.0 / 200;
+constexpr double nearEnd = 1.0 / 200; ///< of an edge: far enough from where a patch may have no normal
 
 void add(const SurfacePoint& a, const SurfacePoint& b, MeetingMeasures& measures) {
     measures.gap = std::max(measures.gap, (a.position - b.position).norm());
-    measures.angles.push_back(angleInDegrees(unitNormal(a.du, a.dv), unitNormal(b.du, b.dv)));
+    const auto normal = unitNormal(a.du, a.dv), other = unitNormal(b.du, b.dv);
+    measures.angles.push_back(normal && other ? angleInDegrees(*normal, *other) : 0);
 }
 
 } // namespace

@@ -11,9 +11,6 @@
 namespace qm {
 namespace {
 
-/// Gauss's nodes in [0, 1].
-constexpr std::array<double, 2> nodes = {0.21132486540518712, 0.78867513459481288};
-
 bool lower(const SurfacePart& a, const SurfacePart& b) {
     return a.upper < b.upper;
 }
@@ -54,8 +51,8 @@ private:
         const auto [u0, u1] = surfaces_.range(cell, 0);
         const auto [v0, v1] = surfaces_.range(cell, 1);
         const double area = (u1 - u0) * (v1 - v0) / 4;
-        for (const double v : nodes)
-            for (const double u : nodes) {
+        for (const double v : gaussNodes)
+            for (const double u : gaussNodes) {
                 const double distance =
                     distanceAt({patch_, {std::lerp(u0, u1, u), std::lerp(v0, v1, v)}}, u, v);
                 result_.samples.emplace_back(distance, area);
@@ -74,7 +71,7 @@ private:
         const double square = away.position.squaredNorm();
         const double area = normal.squaredNorm();
         const double height = away.position.dot(normal);
-        constexpr double little = 0.1;
+        constexpr double little = 0.1; // of a mesh edge
         const double slide = square - height * height / area;
         if (slide <= little * little * std::min(on.du.squaredNorm(), on.dv.squaredNorm()))
             return std::abs(height) / std::sqrt(area);

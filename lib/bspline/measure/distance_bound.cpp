@@ -17,7 +17,7 @@ double speedRatio(const Eigen::Vector3d& own, const Eigen::Vector3d& other) {
 /// Where to divide a box, from -1/2 to 1/2.
 /// \param low, high  ends of the other's cell, the box being from -1 to 1
 double division(double low, double high) {
-    constexpr double thin = 0.9;
+    constexpr double thin = 0.9; // a part beyond it would be a sliver
     const double nearer = std::abs(low) < std::abs(high) ? low : high;
     return std::abs(nearer) < thin ? nearer / 2 : 0;
 }
@@ -52,7 +52,7 @@ void DistanceBound::subtractOther(int turns) {
 double DistanceBound::tangentVariation(std::size_t surface, const Foot& foot, const Box& touched) {
     const Cell first = surfaces_.cellAt({foot.place.patch, {touched[0][0], touched[1][0]}});
     const Cell last = surfaces_.cellAt({foot.place.patch, {touched[0][1], touched[1][1]}});
-    constexpr std::size_t many = 9;
+    constexpr std::size_t many = 9; // a box over more cells is still too large for a bound that helps
     if ((last.interval[0] - first.interval[0] + 1) * (last.interval[1] - first.interval[1] + 1) > many)
         return HUGE_VAL;
     Parameters variation{}; // squared

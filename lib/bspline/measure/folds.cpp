@@ -13,7 +13,7 @@ namespace {
 
 using Parameters = std::array<double, 2>;
 
-constexpr int maxHalvings = 5;
+constexpr int maxHalvings = 5; ///< to 1/32 of a piece
 
 /// Looks at one patch.
 class FoldSearch {
@@ -53,7 +53,7 @@ private:
             highest = std::max(highest, point.dot(direction));
             lowest = std::min(lowest, point.dot(direction));
         }
-        constexpr double rounding = 1e-10;
+        constexpr double rounding = 1e-10; // of products of degree 11
         return lowest > rounding * highest;
     }
 

@@ -7,11 +7,11 @@
 namespace qm {
 namespace {
 
-constexpr int maxIterations = 24;
+constexpr int maxIterations = 24; ///< a limit for what does not converge
 constexpr int maxHalvings = 4;
-constexpr int maxCrossings = 6;
-constexpr double maxStep = 1; // quads
-constexpr double minStep = 1e-6;
+constexpr int maxCrossings = 6;  ///< enough to go around a vertex, and an end to going round and round
+constexpr double maxStep = 1;    // quads
+constexpr double minStep = 1e-6; ///< of a quad; distances then differ by its square
 
 using Parameters = std::array<double, 2>;
 

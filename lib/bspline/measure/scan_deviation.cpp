@@ -12,9 +12,6 @@
 namespace qm {
 namespace {
 
-/// Gauss's nodes in [0, 1].
-constexpr std::array<double, 2> nodes = {0.21132486540518712, 0.78867513459481288};
-
 /// A box of the patch, and its polynomial.
 struct Box {
     BezierPiece piece;
@@ -81,8 +78,8 @@ private:
         const double area = (box.to[0] - box.from[0]) * (box.to[1] - box.from[1]) / 4;
         box.upper = HUGE_VAL;
         bool isCovered = false;
-        for (const double v : nodes)
-            for (const double u : nodes) {
+        for (const double v : gaussNodes)
+            for (const double u : gaussNodes) {
                 const Eigen::Vector3d place = evaluate(box.piece, u, v).position;
                 const ScanPoint foot = nearest_(point(place));
                 area_ += area;

@@ -8,9 +8,6 @@
 namespace qm {
 namespace {
 
-/// Gauss's nodes in [0, 1].
-constexpr std::array<double, 2> nodes = {0.21132486540518712, 0.78867513459481288};
-
 /// What a surface is like at a point.
 struct LocalShape {
     Eigen::Vector3d normal; ///< of unit length
@@ -63,7 +60,7 @@ double ShapeMeasures::rmsNormalDeviation() const {
 }
 
 double ShapeMeasures::bendingRatio() const {
-    constexpr double plane = 1e-6;
+    constexpr double plane = 1e-6; // bending of a surface that is plane but for rounding
     return (bending[0] + plane) / (bending[1] + plane);
 }
 
@@ -81,8 +78,8 @@ ShapeMeasures measureShape(const PairedSurfaces& surfaces, std::size_t patch) {
             const auto [u0, u1] = surfaces.range(cell, 0);
             const auto [v0, v1] = surfaces.range(cell, 1);
             const double area = (u1 - u0) * (v1 - v0) / 4;
-            for (const double v : nodes)
-                for (const double u : nodes) {
+            for (const double v : gaussNodes)
+                for (const double u : gaussNodes) {
                     const auto own = surface.at(u, v);
                     const auto other = reference.at(u, v);
                     if (!own || !other) continue;

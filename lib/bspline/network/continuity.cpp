@@ -63,7 +63,7 @@ void addOppositeDerivatives(double begin, double end, const BorderStrip& first, 
 /// short intervals the fifth hardly differs from the others, and rounding decides.
 void addCollocation(const SmoothRun& run, double begin, double end, const BorderStrip& first,
                     const BorderStrip& second, std::vector<LinearForm>& equations) {
-    constexpr int places = 4;
+    constexpr int places = 4; // as many as a cubic has coefficients
     std::vector<double> ends{begin};
     for (const double knot : between(unionOf(first.knots(), second.knots()), begin, end))
         if (knot > ends.back()) ends.push_back(knot);

@@ -52,7 +52,7 @@ std::optional<double> angleOfCorners(const VertexFan& fan, const Sector& sector,
         else
             total -= std::numbers::pi;
     }
-    constexpr double minAngle = 0.1;
+    constexpr double minAngle = 0.1; // radians; a narrower corner is none
     if (corners == 0) return total > -minAngle ? std::optional(0.0) : std::nullopt;
     const double angle = total / corners;
     return angle > minAngle ? std::optional(angle) : std::nullopt;
@@ -72,7 +72,7 @@ double measuredRatio(const QuadMesh& mesh, const VertexFan& fan, std::size_t bor
     const Point on = along(mesh, fan.borders[border]);
     const Point sum =
         inward(mesh, fan, border, false) + inward(mesh, fan, (border + count - 1) % count, true);
-    constexpr double max = 1.8;
+    constexpr double max = 1.8; // below 2, which no regular spread of edges reaches
     const double length = on.sqrnorm();
     return length > 0 ? std::clamp((sum | on) / length, -max, max) : 0;
 }
@@ -84,8 +84,8 @@ double measuredRatio(const QuadMesh& mesh, const VertexFan& fan, std::size_t bor
 /// mesh's. Nothing where sides of patches pass straight through, or angles are too near to 0 or half a turn.
 std::optional<std::vector<double>> balancedRatios(const QuadMesh& mesh, const VertexFan& fan,
                                                   const Sector& sector) {
-    constexpr double minSine = 0.5;
-    constexpr double max = 3;
+    constexpr double minSine = 0.5; // of angles from 30 to 150 degrees
+    constexpr double max = 3;       // a border that has to be tied more tightly is tied as the mesh has it
     const std::size_t count = fan.borders.size();
     const auto edge = [&](std::size_t k) { return along(mesh, fan.borders[(sector.begin + k) % count]); };
     std::vector<double> angles;
@@ -118,7 +118,7 @@ std::optional<std::vector<double>> balancedRatios(const QuadMesh& mesh, const Ve
 
 /// At corners edges have directions of their own, within a degree: a ratio of zero needs no double knots.
 constexpr double negligible = 0.02;
-constexpr double rounding = 1e-12;
+constexpr double rounding = 1e-12; ///< elsewhere: what computing with angles leaves of zero
 
 } // namespace
 

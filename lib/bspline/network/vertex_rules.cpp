@@ -1,5 +1,6 @@
 #include "bspline/network/vertex_rules.h"
 
+#include "base/at.h"
 #include "bspline/network/borders.h"
 #include "mesh/topology.h"
 
@@ -9,10 +10,6 @@
 
 namespace qm {
 namespace {
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
 
 using Pair = std::array<HalfedgeId, 2>;
 

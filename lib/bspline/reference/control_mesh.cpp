@@ -1,5 +1,6 @@
 #include "bspline/reference/control_mesh.h"
 
+#include "base/at.h"
 #include "bspline/reference/vertex_stencil.h"
 #include "bspline/splines/bounding_box.h"
 #include "bspline/splines/eigen_point.h"
@@ -11,10 +12,6 @@
 
 namespace qm {
 namespace {
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
 
 /// The limit at every vertex, as rows of a sparse matrix, in the unknown displacements of the control points
 /// from the mesh's vertices: they stay small, wherever the mesh lies.
@@ -45,7 +42,7 @@ public:
     /// \param accuracy  a length
     /// \return  by vertex: is its component solved?
     std::vector<bool> solve(double accuracy) {
-        constexpr int maxSweeps = 300;
+        constexpr int maxSweeps = 300; // ten times what real meshes take: more means a singular system
         std::vector<std::size_t> active(own_.size());
         for (std::size_t row = 0; row < active.size(); ++row)
             active[row] = row;
@@ -88,7 +85,7 @@ private:
     /// In a regular mesh no control point is moved by more than nine times the largest distance of a vertex
     /// from the limit of the mesh itself. One that moves far more is in a nearly singular place.
     void rejectFarAway(std::vector<bool>& solved) const {
-        constexpr double far = 30;
+        constexpr double far = 30; // more than three times those nine
         std::vector<double> missing(solved.size());
         std::vector<double> moved(solved.size());
         for (std::size_t row = 0; row < own_.size(); ++row) {

@@ -15,7 +15,7 @@ FitTarget fitTarget(const QuadMesh& mesh, const Layout& layout, const SmoothNetw
     target.grids = limitSurface(mesh, layout, network.marks.isCrease, steps, jobs);
     if (scan == nullptr) return target;
     ScanReference found = scanReference(mesh, layout, target.grids, *scan, {}, jobs);
-    constexpr double minCoverage = 0.1;
+    constexpr double minCoverage = 0.1; // with less it is another part, or lies elsewhere
     if (found.coverage < minCoverage)
         throw Error("reference",
                     "only " + std::to_string(static_cast<int>(100 * found.coverage)) +

@@ -1,5 +1,6 @@
 #include "bspline/reference/limit_surface.h"
 
+#include "base/at.h"
 #include "base/parallel.h"
 #include "bspline/network/vertex_rules.h"
 #include "bspline/reference/control_mesh.h"
@@ -9,10 +10,6 @@
 
 namespace qm {
 namespace {
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
 
 MeshLattice limitLattice(const QuadMesh& mesh, const Layout& layout, const std::vector<bool>& isCrease,
                          int steps, unsigned jobs) {

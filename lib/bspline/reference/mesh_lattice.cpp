@@ -1,19 +1,12 @@
 #include "bspline/reference/mesh_lattice.h"
 
+#include "base/at.h"
 #include "base/parallel.h"
 #include "bspline/reference/vertex_stencil.h"
 
 #include <span>
 
 namespace qm {
-namespace {
-
-std::size_t size(int number) {
-    return static_cast<std::size_t>(number);
-}
-
-} // namespace
-
 /// Away from the mesh's own vertices all is tensor product: cubic splines are subdivided, or evaluated at
 /// their knots, one direction after the other.
 struct MeshLattice::Step {
@@ -30,7 +23,7 @@ struct MeshLattice::Step {
     template <class Write>
     void line(int squares, std::span<const Eigen::Vector3d> points, std::size_t stride,
               const Write& write) const {
-        const auto point = [&](int k) -> const Eigen::Vector3d& { return points[size(k) * stride]; };
+        const auto point = [&](int k) -> const Eigen::Vector3d& { return points[at(k) * stride]; };
         const int factor = subdivides ? 2 : 1;
         for (int k = 1; k < squares; ++k)
             write(factor * k, smooth(point(k - 1), point(k), point(k + 1)));
@@ -76,10 +69,10 @@ void MeshLattice::filterVertex(const Step& step, VertexId vertex, const VertexRu
                                MeshLattice& to) const {
     thread_local VertexStencil stencil;
     step.vertexStencil(numbers_.mesh(), vertex, rule, stencil);
-    Eigen::Vector3d sum = stencil.own * points_[size(vertex.idx())];
+    Eigen::Vector3d sum = stencil.own * points_[at(vertex)];
     for (const VertexStencil::Term& term : stencil.around)
         sum += term.weight * points_[numbers_(term.halfedge, 1, term.diagonal ? 1 : 0)];
-    to.points_[size(vertex.idx())] = sum;
+    to.points_[at(vertex)] = sum;
 }
 
 void MeshLattice::filterEdge(const Step& step, EdgeId edge, bool sharp, MeshLattice& to) const {
@@ -101,8 +94,8 @@ void MeshLattice::filterFace(const Step& step, FaceId face, MeshLattice& to) con
     const HalfedgeId first = numbers_.mesh().halfedge_handle(face);
     thread_local std::vector<Eigen::Vector3d> rows;
     thread_local std::vector<Eigen::Vector3d> half; // filtered along the rows, not yet across
-    const std::size_t width = size(squares()) + 1;
-    const std::size_t newWidth = size(to.squares()) + 1;
+    const std::size_t width = at(squares()) + 1;
+    const std::size_t newWidth = at(to.squares()) + 1;
     rows.clear();
     for (int j = 0; j <= squares(); ++j)
         for (int i = 0; i <= squares(); ++i)
@@ -110,9 +103,9 @@ void MeshLattice::filterFace(const Step& step, FaceId face, MeshLattice& to) con
     half.assign(width * newWidth, Eigen::Vector3d::Zero());
     for (std::size_t j = 0; j < width; ++j)
         step.line(squares(), std::span(rows).subspan(j * width), 1,
-                  [&](int i, const Eigen::Vector3d& point) { half[j * newWidth + size(i)] = point; });
+                  [&](int i, const Eigen::Vector3d& point) { half[j * newWidth + at(i)] = point; });
     for (int i = 1; i < to.squares(); ++i)
-        step.line(squares(), std::span(half).subspan(size(i)), newWidth,
+        step.line(squares(), std::span(half).subspan(at(i)), newWidth,
                   [&](int j, const Eigen::Vector3d& point) { to.points_[to.numbers_(first, i, j)] = point; });
 }
 

@@ -4,6 +4,7 @@
 #include "bspline/reference/scan_gaps.h"
 #include "bspline/reference/scan_projection.h"
 #include "bspline/reference/scan_smoothing.h"
+#include "mesh/quad_geometry.h"
 
 #include <Eigen/Dense>
 
@@ -14,13 +15,6 @@
 
 namespace qm {
 namespace {
-
-double meanEdge(const QuadMesh& mesh) {
-    double sum = 0;
-    for (const EdgeId edge : mesh.edges())
-        sum += mesh.calc_edge_length(edge);
-    return mesh.n_edges() > 0 ? sum / static_cast<double>(mesh.n_edges()) : 0;
-}
 
 double median(std::vector<double>& values) {
     if (values.empty()) return 0;
@@ -265,7 +259,7 @@ ScanReference scanReference(const QuadMesh& mesh, const Layout& layout,
                             const ScanOptions& options, unsigned jobs) {
     if (surface.empty()) return {};
     const LatticeNormals lattice = latticeNormals(mesh, layout, surface, jobs);
-    const double edge = meanEdge(mesh);
+    const double edge = meanEdgeLength(mesh);
     const double step = edge / surface.front().steps;
     const ScanReach reach = options.maxDistance > 0 ? ScanReach{options.maxDistance, options.maxDistance}
                                                     : ScanReach{step, 2 * edge};

@@ -41,8 +41,8 @@ void curveStencil(const std::array<HalfedgeId, 2>& along, double weight, VertexS
 /// By sweeps over the eigenvector's equations, with the vertex's own weight at 1 till the end; their errors
 /// at least halve each time.
 void dartLimit(const QuadMesh& mesh, HalfedgeId crease, VertexStencil& stencil) {
-    constexpr int maxSweeps = 200;
-    std::vector<HalfedgeId> ring; // counter-clockwise; the face of each lies between it and the next
+    constexpr int maxSweeps = 200; // halving any error 60 times leaves rounding
+    std::vector<HalfedgeId> ring;  // counter-clockwise; the face of each lies between it and the next
     HalfedgeId halfedge = crease;
     do {
         ring.push_back(halfedge);

@@ -101,11 +101,11 @@ Point unit(const Point& vector) {
     return length > 0 ? vector / length : Point(0, 0, 0);
 }
 
-Point unitNormal(const Point& du, const Point& dv) {
+std::optional<Point> unitNormal(const Point& du, const Point& dv) {
     const Point normal = du % dv;
     const double length = normal.norm();
     constexpr double rounding = 1e-12; // of a sine: parallel derivatives leave nothing else
-    if (!(length > rounding * du.norm() * dv.norm())) return {0, 0, 0};
+    if (!(length > rounding * du.norm() * dv.norm())) return std::nullopt;
     return normal / length;
 }
 

@@ -5,6 +5,7 @@
 #include "bspline/splines/surfaces.h"
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -36,10 +37,10 @@ struct SurfacePoint {
 /// Of length one; zero stays.
 [[nodiscard]] Point unit(const Point& vector);
 
-/// Unit length, on the side from which u turns to v counter-clockwise; zero where the patch is degenerate.
-[[nodiscard]] Point unitNormal(const Point& du, const Point& dv);
+/// Unit length, on the side from which u turns to v counter-clockwise; none where the patch is degenerate.
+[[nodiscard]] std::optional<Point> unitNormal(const Point& du, const Point& dv);
 
-/// Angle between two unit vectors, in degrees; 0 if one of them is zero.
+/// Angle between two unit vectors, in degrees.
 [[nodiscard]] double angleInDegrees(const Point& a, const Point& b);
 
 } // namespace qm

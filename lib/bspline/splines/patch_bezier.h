@@ -42,6 +42,9 @@ struct BezierPieces {
 [[nodiscard]] BezierPieces bezierPieces(const Patch& patch, const std::array<std::vector<double>, 2>& breaks,
                                         int raisedTo);
 
+/// Where to look at a piece twice in a direction, so that sums integrate cubics exactly: Gauss's nodes.
+constexpr std::array<double, 2> gaussNodes = {0.21132486540518712, 0.78867513459481288};
+
 /// The piece over a box within (0, 0) to (1, 1).
 /// \param result  another piece; keeps its memory
 void restrict(const BezierPiece& piece, const std::array<double, 2>& from, const std::array<double, 2>& to,

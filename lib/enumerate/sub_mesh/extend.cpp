@@ -1,6 +1,5 @@
 #include "enumerate/sub_mesh/extend.h"
 
-#include "enumerate/state/search_state.h"
 #include "enumerate/sub_mesh/line_walk.h"
 
 namespace qm {
@@ -49,24 +48,6 @@ std::vector<Particle> freeParticles(const ArcGraph& graph, const std::vector<boo
     for (const Particle particle : particlesOf(graph))
         if (isFree(graph, particle, present)) result.push_back(particle);
     return result;
-}
-
-bool isMotorcycleGraph(const ArcGraph& graph, const std::vector<bool>& present, bool gaps) {
-    const std::vector<double> costs(graph.arcs.size(), 0);
-    Problem problem = makeProblem({graph, costs, {}, {}, {}, {}});
-    problem.gaps = gaps;
-    SearchState state(problem);
-    if (!state.consistent()) return false;
-    for (const VariableId v : problem.variables()) {
-        const ArcRun& run = problem.arcs[v];
-        const bool in = present[run.first.idx()];
-        for (int k = 1; k < run.count; ++k)
-            if (present[(run.first + k).idx()] != in) return false;
-        if (state.isFree(v) ? !state.assign(v, in ? ArcState::in : ArcState::out)
-                            : state.value(v) != (in ? ArcState::in : ArcState::out))
-            return false;
-    }
-    return true;
 }
 
 } // namespace qm

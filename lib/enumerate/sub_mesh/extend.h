@@ -45,8 +45,4 @@ std::size_t extendCheapestFirst(const ArcGraph& graph, const std::vector<double>
 [[nodiscard]] JunctionId crashJunction(const ArcGraph& graph, Particle particle,
                                        const std::vector<bool>& present);
 
-/// Whether the arcs are a motorcycle graph of the whole mesh: rules 1 to 4, or without `gaps` rules 1 and 2.
-[[nodiscard]] bool isMotorcycleGraph(const ArcGraph& graph, const std::vector<bool>& present,
-                                     bool gaps = true);
-
 } // namespace qm
