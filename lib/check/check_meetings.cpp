@@ -45,6 +45,7 @@ public:
         for (std::size_t edge = 0; edge < places.size(); ++edge)
             isBorder_[edge] = !places[edge].empty();
         steps_.resize(places.size());
+        leads_.resize(at(around_.steps()));
         for (int step = 0; step < around_.steps(); ++step)
             steps_[at(around_.edge(step))] = step;
         for (std::size_t edge = 0; edge < places.size(); ++edge)
@@ -104,13 +105,19 @@ private:
         return largest;
     }
 
-    /// The border is flatter than rho, and no third crease of a corner: such a one is sharper than half of
-    /// rho and meets two borders that are.
-    [[nodiscard]] bool mustBeSmooth(std::size_t edge) const {
-        if (!part_.rho || angles_.angle[edge] + angles_.doubt[edge] > *part_.rho) return false;
+    /// The border is flatter than rho, and is not sharp because of others, as those above half of rho may be:
+    /// a third crease of a corner meets two more borders that are, and one between creases leads straight to
+    /// such borders on both sides.
+    [[nodiscard]] bool mustBeSmooth(std::size_t edge) {
+        if (!part_.rho || isSharp(edge)) return false;
+        if (!mayBeSharp(edge)) return true;
         const int step = steps_[edge];
-        return !mayBeSharp(edge) ||
-               (sharpBordersAt(around_.from(step)) < 3 && sharpBordersAt(around_.to(step)) < 3);
+        return sharpBordersAt(around_.from(step)) < 3 && sharpBordersAt(around_.to(step)) < 3 &&
+               !(leadsToSharp(step) && leadsToSharp(around_.back(step)));
+    }
+
+    [[nodiscard]] bool isSharp(std::size_t edge) const {
+        return angles_.angle[edge] + angles_.doubt[edge] > *part_.rho;
     }
 
     [[nodiscard]] bool mayBeSharp(std::size_t edge) const {
@@ -125,6 +132,38 @@ private:
             if (isBorder_[edge] && mayBeSharp(edge)) ++count;
         }
         return count;
+    }
+
+    /// Whether straight on over borders that may be sharp there is the mesh boundary, one that is sharp, or
+    /// another that may be.
+    [[nodiscard]] bool leadsToSharp(int step) {
+        std::vector<int> passed;
+        auto found = Leads::unknown;
+        for (; found == Leads::unknown; step = around_.straightOn(step)) {
+            passed.push_back(step);
+            leads_[at(step)] = Leads::nowhere; // as long as a closed line has not led anywhere
+            found = leadsAcross(around_.to(step), step);
+        }
+        for (const int each : passed)
+            leads_[at(each)] = found;
+        return found == Leads::somewhere;
+    }
+
+    enum class Leads : char { unknown, nowhere, somewhere };
+
+    /// What the vertex that a step leads to, and what is known of the step after it, say.
+    [[nodiscard]] Leads leadsAcross(int vertex, int step) const {
+        if (!around_.interior(vertex)) return Leads::somewhere;
+        const int next = around_.passable(vertex) ? around_.straightOn(step) : -1;
+        for (int k = 0; k < around_.valence(vertex); ++k) {
+            const int other = around_.firstStep(vertex) + k;
+            const std::size_t edge = at(around_.edge(other));
+            if (other == around_.back(step) || !isBorder_[edge]) continue;
+            if (isSharp(edge) || (other != next && mayBeSharp(edge))) return Leads::somewhere;
+        }
+        if (next < 0) return Leads::nowhere;
+        const std::size_t edge = at(around_.edge(next));
+        return isBorder_[edge] && mayBeSharp(edge) ? leads_[at(next)] : Leads::nowhere;
     }
 
     /// Where two patches meet along an edge.
@@ -162,6 +201,7 @@ private:
     Report& report_;
     std::vector<bool> isBorder_; ///< by edge: of a patch
     std::vector<int> steps_;     ///< by edge: one of its two
+    std::vector<Leads> leads_;   ///< by step, what is known of it
 };
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "cli/stage.h"
 
+#include "document/files.h"
 #include "document/misspelt_keys.h"
 
 namespace qm {
@@ -25,28 +26,37 @@ void Stage::declareInput() {
     tool_.group(Tool::ownOptions);
 }
 
-void Stage::parse(Kind earliest) {
-    document_ = parseDocument(tool_.readInput(), tool_.inputPath());
+void Stage::parse(std::string_view bytes, const std::string& path, const std::string& name, Kind earliest) {
+    document_ = parseDocument(bytes, path);
     const Kind kind = requireKind(document_, earliest);
     for (const std::string& sentence : misspeltKeys(document_.root, kindName(kind)))
-        tool_.warn(tool_.inputName() + ": " + sentence);
+        tool_.warn(name + ": " + sentence);
 }
 
 const Model& Stage::read(Kind earliest, Kind reads) {
-    parse(earliest);
-    return take(readModel(document_, reads, meshPath_));
+    parse(tool_.readInput(), tool_.inputPath(), tool_.inputName(), earliest);
+    return take(readModel(document_, reads, meshPath_), tool_.inputName());
 }
 
 const Model& Stage::readWhole() {
-    parse(earliest_);
-    return take(readWholeModel(document_, meshPath_));
+    parse(tool_.readInput(), tool_.inputPath(), tool_.inputName(), earliest_);
+    return take(readWholeModel(document_, meshPath_), tool_.inputName());
 }
 
-const Model& Stage::take(Model model) {
+const Model& Stage::readAnother(const std::string& path, const Document& before) {
+    parse(readFile(path), path, path, earliest_);
+    const auto meshOf = [](const Document& document) { return JsonPlace(document.root)["mesh"]["sha256"]; };
+    if (meshOf(document_).text() != meshOf(before).text())
+        meshOf(document_).fail("is of another mesh than " + before.path,
+                               "Give documents that were made from one mesh");
+    return take(readModel(document_, reads_, meshPath_), path);
+}
+
+const Model& Stage::take(Model model, const std::string& name) {
     model_ = std::move(model);
     tool_.protect(model_.meshPath);
     for (const std::string& note : model_.notes)
-        tool_.warn(tool_.inputName() + ": " + note);
+        tool_.warn(name + ": " + note);
     tool_.count("vertices", static_cast<double>(model_.mesh.n_vertices()));
     tool_.count("faces", static_cast<double>(model_.mesh.n_faces()));
     return model_;

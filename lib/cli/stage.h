@@ -8,6 +8,8 @@
 #include "document/options_json.h"
 
 #include <string>
+#include <string_view>
+#include <utility>
 
 namespace qm {
 
@@ -31,7 +33,14 @@ public:
     [[nodiscard]] const Model& read(Kind needed) { return read(needed, needed); }
     /// The same with all sections that the document has, whatever its kind.
     [[nodiscard]] const Model& readWhole();
+    /// Reads another document instead, of the same mesh as one that was read before.
+    /// \throw FileError  if its mesh has other bytes
+    [[nodiscard]] const Model& readAnother(const std::string& path, const Document& before);
     [[nodiscard]] const Document& document() const { return document_; }
+
+    /// The document, to come back to it when others have been read.
+    [[nodiscard]] Document release() { return std::move(document_); }
+    void resume(Document document) { document_ = std::move(document); }
 
     /// Puts the section into the document and writes that. The document must have been read before, and
     /// cannot be read again.
@@ -42,8 +51,8 @@ public:
 private:
     void declareInput();
     const Model& read(Kind earliest, Kind reads);
-    void parse(Kind earliest);
-    const Model& take(Model model);
+    void parse(std::string_view bytes, const std::string& path, const std::string& name, Kind earliest);
+    const Model& take(Model model, const std::string& name);
     void writeSection(Json options, Json section);
 
     Tool& tool_;

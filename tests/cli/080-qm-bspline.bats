@@ -95,3 +95,32 @@ is() { assert_equal "$(field "$1" out.json)" true; }
         misused qm-bspline $options "$(stage pruned block)"
     done
 }
+
+@test "--rank writes the layout whose surfaces take the fewest control points" {
+    control_points() { field '[.surfaces.patches[].controlPoints | length * (.[0] | length)] | add' "$1"; }
+    for beta in 0.5 4; do
+        quietly qm-prune --quiet --method optimum --beta $beta "$(stage layout bracket)" -o beta.$beta.json
+        quietly qm-bspline --quiet beta.$beta.json -o alone.$beta.json
+    done
+    quietly qm-bspline --quiet --rank beta.0.5.json beta.4.json -o out.json
+    is '[.surfaces.ranking[].path] | sort == ["beta.0.5.json", "beta.4.json"]'
+    is '.surfaces.ranking | all(.keepsTolerance) and .[0].controlPoints <= .[1].controlPoints'
+    is '.surfaces.ranking[0].segments == (.surfaces.patches | length)'
+    is ".surfaces.ranking[0].controlPoints == $(control_points out.json)"
+    best=$(field '.surfaces.ranking[0].path' out.json)
+    # The same surfaces as of that layout alone.
+    field .surfaces.patches "alone.${best#beta.}" >expected
+    field .surfaces.patches out.json >actual
+    quietly cmp expected actual
+    quietly qm-check out.json -o verdict
+}
+
+@test "--rank compares layouts of one mesh, and nothing but --rank takes several" {
+    complains qm-bspline --rank "$(stage pruned block)" "$(stage pruned torus)" -o out.json
+    assert_regex "$stderr" 'is of another mesh than'
+    misused qm-bspline "$(stage pruned block)" "$(stage pruned block)" -o out.json
+    assert_regex "$stderr" 'several layouts are for --rank to choose from'
+    misused qm-bspline --fit interpolate --rank "$(stage pruned block)" -o out.json
+    assert_regex "$stderr" 'rank has no effect without --fit smooth'
+    assert [ ! -e out.json ]
+}

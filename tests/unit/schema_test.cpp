@@ -1,6 +1,6 @@
 /// \file The schemas are valid, and documents of every kind keep to them.
-#include "base/error.h"
 #include "base/embedded_text.h"
+#include "base/error.h"
 #include "document/json_place.h"
 #include "document/schema.h"
 #include "document/schema_check.h"

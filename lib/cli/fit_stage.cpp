@@ -1,0 +1,104 @@
+#include "cli/fit_stage.h"
+
+#include "bspline/ranking.h"
+#include "cli/scan_input.h"
+#include "cli/surface_warnings.h"
+#include "document/surfaces_section.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace qm {
+namespace {
+
+/// One of the layouts to choose from.
+struct Candidate {
+    RankedLayout layout;
+    std::string path;
+    Document document; ///< of the best one alone
+    Surfaces surfaces; ///< likewise
+};
+
+/// \param model  what the stage has read
+Candidate fitted(const Tool& tool, Stage& stage, const Model& model, const FitOptions& options,
+                 const ScanInput& scan) {
+    Candidate candidate;
+    candidate.surfaces = fitSurfaces(model.mesh, *model.layout, model.dihedralAngles, options,
+                                     scan.surface ? &*scan.surface : nullptr, tool.control("fitting"));
+    candidate.layout =
+        rankedLayout(*model.layout, candidate.surfaces, missedTolerance(candidate.surfaces, options).empty());
+    candidate.path = stage.document().path;
+    candidate.document = stage.release();
+    return candidate;
+}
+
+/// The best first; the others keep their figures alone.
+std::vector<Candidate> ranked(const Tool& tool, Stage& stage, const Model& first, const FitOptions& options,
+                              const std::vector<std::string>& furtherFiles, const ScanInput& scan) {
+    std::vector<Candidate> candidates;
+    candidates.push_back(fitted(tool, stage, first, options, scan));
+    for (const std::string& file : furtherFiles) {
+        const Model& model = stage.readAnother(file, candidates.front().document);
+        candidates.push_back(fitted(tool, stage, model, options, scan));
+        if (ranksBefore(candidates.back().layout, candidates.front().layout))
+            std::swap(candidates.front(), candidates.back());
+        candidates.back().document = {};
+        candidates.back().surfaces = {};
+    }
+    std::stable_sort(candidates.begin() + 1, candidates.end(),
+                     [](const Candidate& a, const Candidate& b) { return ranksBefore(a.layout, b.layout); });
+    return candidates;
+}
+
+Json rankingToJson(const std::vector<Candidate>& candidates) {
+    Json::array_t ranking;
+    for (const Candidate& candidate : candidates)
+        ranking.push_back({{"path", candidate.path},
+                           {"segments", candidate.layout.segments},
+                           {"cost", candidate.layout.cost},
+                           {"controlPoints", candidate.layout.controlPoints},
+                           {"maxRelative", candidate.layout.maxRelative},
+                           {"keepsTolerance", candidate.layout.keeps}});
+    return ranking;
+}
+
+} // namespace
+
+void declareRequests(Tool& tool, FitRequests& requests, const FitOptions& options) {
+    tool.text("reference", requests.reference, "FILE",
+              "with --fit smooth: a scan to fit to, triangles as STL, PLY, OBJ or OFF, instead of the "
+              "smooth surface through the mesh's vertices");
+    tool.option("rank", requests.rank,
+                "fit every DOCUMENT, layouts of the same mesh, and write the one that keeps the tolerance "
+                "with the fewest control points");
+    tool.readsMore(requests.furtherFiles);
+    tool.needs({"reference", "rank"}, "--fit smooth", [&options] { return options.fit == Fit::smooth; });
+    tool.verify([&requests] {
+        if (!requests.rank && !requests.furtherFiles.empty())
+            throw UsageError("unexpected operand " + requests.furtherFiles.front() +
+                             ": several layouts are for --rank to choose from");
+    });
+}
+
+int fitAndWrite(const Tool& tool, Stage& stage, const FitOptions& options, const FitRequests& requests) {
+    const Model& first = stage.read();
+    const ScanInput scan = readScanInput(tool, requests.reference);
+    std::vector<Candidate> candidates = ranked(tool, stage, first, options, requests.furtherFiles, scan);
+    Candidate& best = candidates.front();
+    const Surfaces& surfaces = best.surfaces;
+    tool.count("patches", static_cast<double>(surfaces.patches.size()));
+    tool.count("controlPoints", static_cast<double>(best.layout.controlPoints));
+    tool.count("maxDeviation", surfaces.deviation.max);
+    Json section = surfacesToJson(surfaces, scan.file);
+    if (requests.rank) section["ranking"] = rankingToJson(candidates);
+    stage.resume(std::move(best.document));
+    stage.write(options, std::move(section));
+    warnOfGaps(tool, surfaces);
+    warnOfFolds(tool, surfaces);
+    const std::string missed = missedTolerance(surfaces, options);
+    if (missed.empty()) return exitDone;
+    tool.warn(missed);
+    return exitUnmet;
+}
+
+} // namespace qm
