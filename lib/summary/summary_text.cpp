@@ -28,7 +28,8 @@ std::string loopsText(const Summary& summary, const std::string& unit) {
 
 std::string shapeText(const Summary& summary, const std::string& unit) {
     if (!summary.loops.empty()) return (summary.fit ? "shell, " : "") + loopsText(summary, unit);
-    if (isSolid(summary)) return summary.pieces == 1 ? "solid" : countText(summary.pieces, "solid");
+    if (isSolid(summary))
+        return summary.pieces == 1 ? "solid" : countText(static_cast<std::size_t>(summary.pieces), "solid");
     return summary.fit ? "closed, but patches are apart" : "closed";
 }
 
