@@ -150,6 +150,22 @@ TEST(LimitSurface, IsTheBicubicSplineOfItsControlMeshWhereThatIsRegular) {
     }
 }
 
+TEST(LimitSurface, DoesNotFoldOverFlatQuadsOfUnevenWidth) {
+    // A plane sheet in which narrow columns follow wide ones: a spline through all of them turns back.
+    const std::vector<double> columns{0, 1, 2, 2.02, 2.04, 3, 4};
+    const Grid grid{6, 4,
+                    [&](double i, double j) { return Point(columns[static_cast<std::size_t>(i)], j, 0); }};
+    const QuadMesh mesh = test::makeMesh(grid);
+    const Layout layout = test::makeLayout(grid, {{0, 0, 6, 4}});
+    const ReferenceGrid reference = limitSurface(mesh, layout, noCreases(mesh), 4, 1).front();
+    const std::size_t width = 6 * 4 + 1;
+    // Next to the boundary the sides are curves of their own, which stay.
+    for (std::size_t row = 4; row <= 12; ++row)
+        for (std::size_t k = 1; k < width; ++k)
+            EXPECT_GT(reference.points[row * width + k][0], reference.points[row * width + k - 1][0])
+                << "point " << k << " of row " << row;
+}
+
 TEST(LimitSurface, KeepsThePlanesAndEdgesOfACube) {
     const QuadMesh mesh = makeShape("cube", {5});
     const auto grids = limitSurface(mesh, segmentPerQuad(mesh), sharperThan(mesh, 0.5), 4, 1);

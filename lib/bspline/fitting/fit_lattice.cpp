@@ -2,6 +2,7 @@
 
 #include "base/at.h"
 #include "bspline/fitting/folded_quads.h"
+#include "bspline/reference/sound_faces.h"
 #include "bspline/splines/evaluate.h"
 
 #include <algorithm>

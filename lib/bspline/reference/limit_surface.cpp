@@ -5,6 +5,7 @@
 #include "bspline/network/vertex_rules.h"
 #include "bspline/reference/control_mesh.h"
 #include "bspline/reference/mesh_lattice.h"
+#include "bspline/reference/unfolded_lattice.h"
 
 #include <cstddef>
 
@@ -22,6 +23,7 @@ MeshLattice limitLattice(const QuadMesh& mesh, const Layout& layout, const std::
     lattice = lattice.limit(rules, sharp, jobs);
     for (const VertexId vertex : mesh.vertices())
         if (control.interpolates[at(vertex.idx())]) lattice.move(vertex, mesh.point(vertex));
+    unfold(lattice, sharp, jobs);
     return lattice;
 }
 

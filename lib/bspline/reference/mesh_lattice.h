@@ -21,9 +21,8 @@ public:
     [[nodiscard]] int squares() const { return numbers_.squares(); }
     [[nodiscard]] const LatticeNumbers& numbers() const { return numbers_; }
     [[nodiscard]] Point point(std::size_t number) const { return qm::point(points_[number]); }
-    void move(VertexId vertex, const Point& to) {
-        points_[static_cast<std::size_t>(vertex.idx())] = vector(to);
-    }
+    void move(std::size_t number, const Point& to) { points_[number] = vector(to); }
+    void move(VertexId vertex, const Point& to) { move(static_cast<std::size_t>(vertex.idx()), to); }
 
     /// One step of subdivision: a lattice with twice as many squares each way. Edges and faces are
     /// independent of one another; only vertices can be extraordinary.
