@@ -27,8 +27,8 @@ Candidate fitted(const Tool& tool, Stage& stage, const Model& model, const FitOp
                                      scan.surface ? &*scan.surface : nullptr, tool.control("fitting"));
     candidate.layout =
         rankedLayout(*model.layout, candidate.surfaces, missedTolerance(candidate.surfaces, options).empty());
-    candidate.path = stage.document().path;
     candidate.document = stage.release();
+    candidate.path = candidate.document.path;
     return candidate;
 }
 
