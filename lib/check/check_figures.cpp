@@ -35,7 +35,7 @@ class FigureCheck {
 public:
     FigureCheck(const Context& context, const LayoutPart& layout, const SurfacesPart& part, Report& report)
         : mesh_(context.mesh), around_(context.around), layout_(layout), part_(part), report_(report),
-          diagonal_(boundingBoxDiagonal(context.mesh)), places_(context.mesh.quads.size()) {
+          places_(context.mesh.quads.size()) {
         for (std::size_t p = 0; p < layout.segments.size(); ++p) {
             const auto& segment = layout.segments[p];
             for (std::size_t f = 0; f < segment.faces.size(); ++f)
@@ -132,10 +132,8 @@ private:
         }
     };
 
-    /// What two searches for the nearest point may differ by: of a distance, and of the diagonal where
-    /// surfaces are folded and have many points that are nearer than all around them.
+    /// Of a distance: what two searches for the nearest point may differ by.
     static constexpr double unsure = 1e-4;
-    static constexpr double unsureInFolds = 1e-7;
 
     bool isTooFar(std::size_t p, const Quad& quad, const std::array<int, 2>& cell, int i, int j,
                   const SurfacePoint& on) {
@@ -146,9 +144,7 @@ private:
         const double plain = distance(of, on.point);
         const Parameters parameters{cell[0] + s, cell[1] + t};
         const std::string where = "at face " + std::to_string(quad.face);
-        const auto slackOf = [&](double stated) {
-            return rounding(quad) + unsure * stated + unsureInFolds * diagonal_;
-        };
+        const auto slackOf = [&](double stated) { return rounding(quad) + unsure * stated; };
         const auto& fromFacets = patch.figures.maxFromFacets;
         if (fromFacets && plain > *fromFacets + slackOf(*fromFacets)) {
             const double slack = slackOf(*fromFacets);
@@ -182,19 +178,22 @@ private:
             for (int k = 0; k < around_.valence(vertex); ++k) {
                 const int other = around_.leftFace(around_.firstStep(vertex) + k);
                 if (other < 0) continue;
-                nearest = std::min(nearest, distanceToPart(places_[at(other)], point));
+                nearest = std::min(nearest, distanceToPart(places_[at(other)], point, 2));
                 if (nearest <= limit) return nearest;
             }
         return distanceToAll(point, limit, nearest);
     }
 
-    /// To the surface over a face, or where the search leads to from there.
-    [[nodiscard]] double distanceToPart(const FacePlace& place, const Place& point) const {
+    /// To the surface over a face, or where the search leads to from a lattice of places there: where it is
+    /// folded, many points are nearer than all around them.
+    [[nodiscard]] double distanceToPart(const FacePlace& place, const Place& point, int steps) const {
         double nearest = std::numeric_limits<double>::infinity();
-        for (const Parameters& start : {Parameters{0.5, 0.5}, {0, 0}, {1, 0}, {1, 1}, {0, 1}})
-            nearest =
-                std::min(nearest, distanceToPatch(part_.patches[place.patch],
-                                                  {place.column + start[0], place.row + start[1]}, point));
+        for (int i = 0; i <= steps; ++i)
+            for (int j = 0; j <= steps; ++j)
+                nearest = std::min(nearest, distanceToPatch(part_.patches[place.patch],
+                                                            {place.column + static_cast<double>(i) / steps,
+                                                             place.row + static_cast<double>(j) / steps},
+                                                            point));
         return nearest;
     }
 
@@ -212,7 +211,7 @@ private:
                 radius = std::max(radius, distance(middle, corner(end[0], end[1])));
             constexpr double bulge = 1.5;
             if (distance(middle, point) - bulge * radius > nearest) continue;
-            nearest = std::min(nearest, distanceToPart(place, point));
+            nearest = std::min(nearest, distanceToPart(place, point, 4));
             if (nearest <= limit) break;
         }
         return nearest;
@@ -290,7 +289,6 @@ private:
     const LayoutPart& layout_;
     const SurfacesPart& part_;
     Report& report_;
-    double diagonal_;
 
     std::vector<FacePlace> places_; ///< by face
 };

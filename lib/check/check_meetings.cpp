@@ -53,6 +53,9 @@ public:
     }
 
 private:
+    /// Where a line of borders goes on to.
+    enum class Leads : char { unknown, nowhere, somewhere };
+
     bool compare(std::size_t p, const char* figure, const std::optional<double>& stated, double found,
                  double slack, const std::string& where) {
         return checkFigure(p, figure, stated, found, slack, where, report_);
@@ -148,8 +151,6 @@ private:
             leads_[at(each)] = found;
         return found == Leads::somewhere;
     }
-
-    enum class Leads : char { unknown, nowhere, somewhere };
 
     /// What the vertex that a step leads to, and what is known of the step after it, say.
     [[nodiscard]] Leads leadsAcross(int vertex, int step) const {

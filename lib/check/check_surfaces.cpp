@@ -15,6 +15,18 @@ namespace {
 
 using Patch = SurfacesPart::Patch;
 
+double boundingBoxDiagonal(const CheckedMesh& mesh) {
+    Place low{HUGE_VAL, HUGE_VAL, HUGE_VAL};
+    Place high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+    for (const auto& quad : mesh.quads)
+        for (const int vertex : quad)
+            for (std::size_t k = 0; k < 3; ++k) {
+                low[k] = std::min(low[k], mesh.points[at(vertex)][k]);
+                high[k] = std::max(high[k], mesh.points[at(vertex)][k]);
+            }
+    return mesh.quads.empty() ? 0 : distance(low, high);
+}
+
 class SurfaceCheck {
 public:
     SurfaceCheck(const CheckedMesh& mesh, const Neighbourhoods& around, const LayoutPart& layout,

@@ -94,18 +94,6 @@ double distance(const Place& a, const Place& b) {
     return std::sqrt(dot(away, away));
 }
 
-double boundingBoxDiagonal(const CheckedMesh& mesh) {
-    Place low{HUGE_VAL, HUGE_VAL, HUGE_VAL};
-    Place high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-    for (const auto& quad : mesh.quads)
-        for (const int vertex : quad)
-            for (std::size_t k = 0; k < 3; ++k) {
-                low[k] = std::min(low[k], mesh.points[at(vertex)][k]);
-                high[k] = std::max(high[k], mesh.points[at(vertex)][k]);
-            }
-    return mesh.quads.empty() ? 0 : distance(low, high);
-}
-
 Place pointOf(const CheckedMesh& mesh, int face, double s, double t) {
     const auto& quad = mesh.quads[at(face)];
     const std::array<double, 4> weight{(1 - s) * (1 - t), s * (1 - t), s * t, (1 - s) * t};

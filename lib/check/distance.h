@@ -10,9 +10,6 @@ using Place = std::array<double, 3>;
 
 [[nodiscard]] double distance(const Place& a, const Place& b);
 
-/// Of the box around all vertices of faces; 0 for a mesh without faces.
-[[nodiscard]] double boundingBoxDiagonal(const CheckedMesh& mesh);
-
 /// The point of a bilinear quad at s along its first side and t along its last, both 0 to 1.
 [[nodiscard]] Place pointOf(const CheckedMesh& mesh, int face, double s, double t);
 

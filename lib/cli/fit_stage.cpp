@@ -45,8 +45,7 @@ std::vector<Candidate> ranked(const Tool& tool, Stage& stage, const Model& first
         candidates.back().document = {};
         candidates.back().surfaces = {};
     }
-    std::stable_sort(candidates.begin() + 1, candidates.end(),
-                     [](const Candidate& a, const Candidate& b) { return ranksBefore(a.layout, b.layout); });
+    std::ranges::stable_sort(candidates, ranksBefore, &Candidate::layout);
     return candidates;
 }
 

@@ -49,7 +49,7 @@ TEST(LeastChange, TellsWhatCannotBeHad) {
     const std::vector<PlaneDemand> demands{{0, floorPlane}, {1, shelf}};
     const Eigen::MatrixX3d before = Eigen::MatrixX3d::Zero(2, 3);
     const Eigen::MatrixX3d after = change.run(demands, before);
-    const double missing = qm::missing(demands, after).cwiseAbs().maxCoeff();
+    const double missing = qm::missingHeights(demands, after).cwiseAbs().maxCoeff();
     EXPECT_GT(std::max(missing, change.violation(after - before)), 0.49)
         << "either a plane is missed or the equation does not hold";
 }

@@ -31,53 +31,54 @@ struct Group {
     std::vector<LinearForm> equations; ///< in the unknowns of its patches, one patch after the other
 };
 
+/// The group of every patch that moves; others have none. Groups have their patches and unknowns, and no
+/// equations yet.
+std::vector<std::size_t> groupPatches(const SmoothNetwork& network, const std::vector<PatchSpace>& spaces,
+                                      const std::vector<bool>& moves, std::vector<Group>& groups) {
+    DisjointSets joined(spaces.size());
+    for (const Stretch& stretch : network.stretches)
+        if (moves[stretch.sides[0].patch] && moves[stretch.sides[1].patch])
+            joined.join(stretch.sides[0].patch, stretch.sides[1].patch);
+    std::vector<std::size_t> groupOf(spaces.size());
+    for (std::size_t patch = 0; patch < spaces.size(); ++patch) {
+        if (!moves[patch]) continue;
+        const std::size_t first = joined.find(patch);
+        if (first == patch) {
+            groupOf[patch] = groups.size();
+            groups.emplace_back();
+        }
+        Group& group = groups[groupOf[patch] = groupOf[first]];
+        group.patches.push_back(patch);
+        group.unknowns += spaces[patch].size();
+    }
+    return groupOf;
+}
+
 /// Divides what moves into groups.
-class Grouping {
-public:
-    Grouping(const Layout& layout, const SmoothNetwork& network, const std::vector<PatchSpace>& spaces,
-             const std::vector<bool>& moves)
-        : moving_(spaces, moves) {
-        number(network, spaces, moves);
-        for (const LinearForm& equation : continuityEquations(layout, network, spaces, moves)) {
-            LinearForm form = moving_.among(equation);
-            if (form.unknowns.empty()) continue;
-            Group& group = groups_[groupOf_[form.unknowns.front()]];
-            for (std::size_t& unknown : form.unknowns)
-                unknown = ofGroup_[unknown];
-            group.equations.push_back(std::move(form));
+std::vector<Group> divided(const Layout& layout, const SmoothNetwork& network,
+                           const std::vector<PatchSpace>& spaces, const std::vector<bool>& moves) {
+    std::vector<Group> groups;
+    const std::vector<std::size_t> groupOfPatch = groupPatches(network, spaces, moves, groups);
+    // By moving unknown: its group, and its number in there.
+    std::vector<std::size_t> groupOf;
+    std::vector<std::size_t> ofGroup;
+    std::vector<std::size_t> next(groups.size());
+    for (std::size_t patch = 0; patch < spaces.size(); ++patch)
+        for (std::size_t k = 0; moves[patch] && k < spaces[patch].size(); ++k) {
+            groupOf.push_back(groupOfPatch[patch]);
+            ofGroup.push_back(next[groupOfPatch[patch]]++);
         }
+    const FreeUnknowns moving(spaces, moves);
+    for (const LinearForm& equation : continuityEquations(layout, network, spaces, moves)) {
+        LinearForm form = moving.among(equation);
+        if (form.unknowns.empty()) continue;
+        Group& group = groups[groupOf[form.unknowns.front()]];
+        for (std::size_t& unknown : form.unknowns)
+            unknown = ofGroup[unknown];
+        group.equations.push_back(std::move(form));
     }
-
-    [[nodiscard]] const std::vector<Group>& groups() const { return groups_; }
-
-private:
-    void number(const SmoothNetwork& network, const std::vector<PatchSpace>& spaces,
-                const std::vector<bool>& moves) {
-        DisjointSets joined(spaces.size());
-        for (const Stretch& stretch : network.stretches)
-            if (moves[stretch.sides[0].patch] && moves[stretch.sides[1].patch])
-                joined.join(stretch.sides[0].patch, stretch.sides[1].patch);
-        std::vector<std::size_t> groupOfPatch(spaces.size());
-        for (std::size_t patch = 0; patch < spaces.size(); ++patch) {
-            if (!moves[patch]) continue;
-            const std::size_t first = joined.find(patch);
-            if (first == patch) {
-                groupOfPatch[patch] = groups_.size();
-                groups_.emplace_back();
-            }
-            const std::size_t number = groupOfPatch[patch] = groupOfPatch[first];
-            groups_[number].patches.push_back(patch);
-            for (std::size_t k = 0; k < spaces[patch].size(); ++k) {
-                groupOf_.push_back(number);
-                ofGroup_.push_back(groups_[number].unknowns++);
-            }
-        }
-    }
-
-    FreeUnknowns moving_;
-    std::vector<std::size_t> groupOf_, ofGroup_; ///< by moving unknown: its group, and its number in there
-    std::vector<Group> groups_;
-};
+    return groups;
+}
 
 /// Puts the plane patches of one group into their planes.
 class GroupFlattening {
@@ -124,10 +125,10 @@ private:
             0.8; // of the farthest: one that cannot be had keeps its neighbours away, too
         // Times what was missing: planes that can hardly be had push all around away.
         constexpr double tooMuch = 5;
-        const double size = sizeOf(points_);
-        const Eigen::VectorXd left = missing(demands, flat).cwiseAbs();
+        const double size = largestDistance(points_);
+        const Eigen::VectorXd left = missingHeights(demands, flat).cwiseAbs();
         const Eigen::VectorXd moved = (flat - points_).rowwise().norm();
-        const double before = missing(demands, points_).lpNorm<Eigen::Infinity>();
+        const double before = missingHeights(demands, points_).lpNorm<Eigen::Infinity>();
         const bool misses = left.maxCoeff() > tooFar * size;
         if (misses || moved.maxCoeff() > tooMuch * before + tooFar * size ||
             change_.violation(flat - points_) > rounding * size) {
@@ -155,8 +156,7 @@ private:
 
 void flatten(const Layout& layout, const SmoothNetwork& network, const std::vector<PatchSpace>& spaces,
              Planes planes, std::vector<Patch>& patches, unsigned jobs) {
-    const Grouping grouping(layout, network, spaces, movingPatches(network, planes));
-    const std::vector<Group>& groups = grouping.groups();
+    const std::vector<Group> groups = divided(layout, network, spaces, movingPatches(network, planes));
     parallelFor(groups.size(), jobs,
                 [&](std::size_t k) { GroupFlattening(groups[k], planes, patches).run(); });
 }

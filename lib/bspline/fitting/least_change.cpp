@@ -48,8 +48,9 @@ LeastChange::LeastChange(std::size_t unknowns, std::vector<LinearForm> equations
 Eigen::MatrixX3d LeastChange::run(const std::vector<PlaneDemand>& demands, Eigen::MatrixX3d points) const {
     constexpr int passes = 4; // the later ones mend the rounding of those before
     constexpr double enough = 1e-14;
-    for (int k = 0;
-         k < passes && missing(demands, points).lpNorm<Eigen::Infinity>() > enough * sizeOf(points); ++k)
+    for (int k = 0; k < passes && missingHeights(demands, points).lpNorm<Eigen::Infinity>() >
+                                      enough * largestDistance(points);
+         ++k)
         points += change(demands, points);
     return points;
 }
@@ -69,8 +70,8 @@ Eigen::MatrixX3d LeastChange::change(const std::vector<PlaneDemand>& demands,
                                      const Eigen::MatrixX3d& points) const {
     constexpr int maxIterations = 60;
     constexpr double enough = 1e-15; // of the size of the points
-    const double size = sizeOf(points);
-    Eigen::VectorXd residual = missing(demands, points);
+    const double size = largestDistance(points);
+    Eigen::VectorXd residual = missingHeights(demands, points);
     Eigen::VectorXd pressure = Eigen::VectorXd::Zero(residual.size());
     Eigen::VectorXd direction = residual;
     double square = residual.squaredNorm();
@@ -96,14 +97,14 @@ Eigen::MatrixX3d LeastChange::allowed(const Eigen::MatrixX3d& change, Accuracy a
     return solution.topRows(unknowns_);
 }
 
-Eigen::VectorXd missing(const std::vector<PlaneDemand>& demands, const Eigen::MatrixX3d& points) {
+Eigen::VectorXd missingHeights(const std::vector<PlaneDemand>& demands, const Eigen::MatrixX3d& points) {
     Eigen::VectorXd result = -heights(demands, points);
     for (std::size_t k = 0; k < demands.size(); ++k)
         result[static_cast<Eigen::Index>(k)] += demands[k].plane.offset;
     return result;
 }
 
-double sizeOf(const Eigen::MatrixX3d& points) {
+double largestDistance(const Eigen::MatrixX3d& points) {
     return points.rowwise().norm().maxCoeff();
 }
 

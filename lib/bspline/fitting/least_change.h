@@ -43,10 +43,10 @@ private:
 };
 
 /// By demand, how far the point is below its plane.
-[[nodiscard]] Eigen::VectorXd missing(const std::vector<PlaneDemand>& demands,
-                                      const Eigen::MatrixX3d& points);
+[[nodiscard]] Eigen::VectorXd missingHeights(const std::vector<PlaneDemand>& demands,
+                                             const Eigen::MatrixX3d& points);
 
 /// The largest distance of a point from the origin: what rounding is measured by.
-[[nodiscard]] double sizeOf(const Eigen::MatrixX3d& points);
+[[nodiscard]] double largestDistance(const Eigen::MatrixX3d& points);
 
 } // namespace qm

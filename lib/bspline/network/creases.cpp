@@ -26,10 +26,7 @@ public:
         : mesh_(mesh), angles_(dihedralAngles), marks_(std::move(marks)) {}
 
     void closeGaps(double minAngle) {
-        std::vector<VertexId> waiting(mesh_.vertices_begin(), mesh_.vertices_end());
-        while (!waiting.empty()) {
-            const VertexId vertex = waiting.back();
-            waiting.pop_back();
+        spread([&](VertexId vertex, std::vector<VertexId>& waiting) {
             for (const HalfedgeId next : wantedAt(vertex)) {
                 if (isCrease(next)) continue; // since another one was closed
                 const std::vector<HalfedgeId> gap = gapFrom(next, minAngle);
@@ -37,35 +34,39 @@ public:
                     marks_.isCrease[index(halfedge)] = true;
                 if (!gap.empty()) waiting.push_back(mesh_.to_vertex_handle(gap.back()));
             }
-        }
+        });
     }
 
     void takeBackLooseEnds() {
-        std::vector<VertexId> waiting(mesh_.vertices_begin(), mesh_.vertices_end());
-        while (!waiting.empty()) {
-            const VertexId vertex = waiting.back();
-            waiting.pop_back();
+        spread([&](VertexId vertex, std::vector<VertexId>& waiting) {
             // What remains at the curve's other end may be a loose end now.
             if (const auto end = takeBackFrom(vertex)) waiting.push_back(*end);
-        }
+        });
     }
 
     void giveCornersThirdCreases(double minAngle) {
-        std::vector<VertexId> waiting(mesh_.vertices_begin(), mesh_.vertices_end());
-        while (!waiting.empty()) {
-            const VertexId vertex = waiting.back();
-            waiting.pop_back();
-            if (!isCornerOfTwo(vertex)) continue;
+        spread([&](VertexId vertex, std::vector<VertexId>& waiting) {
+            if (!isCornerOfTwo(vertex)) return;
             const HalfedgeId third = sharpestOther(vertex);
-            if (!third.is_valid() || angles_[index(third)] <= minAngle) continue;
+            if (!third.is_valid() || angles_[index(third)] <= minAngle) return;
             marks_.isCrease[index(third)] = true;
             waiting.push_back(mesh_.to_vertex_handle(third)); // which may have become such a corner
-        }
+        });
     }
 
     BorderMarks marks() && { return std::move(marks_); }
 
 private:
+    /// Visits all vertices, and again those that a visit adds to what is waiting.
+    template <class Visit> void spread(const Visit& visit) {
+        std::vector<VertexId> waiting(mesh_.vertices_begin(), mesh_.vertices_end());
+        while (!waiting.empty()) {
+            const VertexId vertex = waiting.back();
+            waiting.pop_back();
+            visit(vertex, waiting);
+        }
+    }
+
     [[nodiscard]] std::size_t index(HalfedgeId halfedge) const {
         return static_cast<std::size_t>(mesh_.edge_handle(halfedge).idx());
     }
