@@ -202,7 +202,7 @@ untilItFits();
 END
     virtual_time=60000 seen page.html >census
     for layer in shaded zebra mesh-zebra mean gauss deviation tolerance jumps net knots; do
-        grep -qE "data-switched=\"([^\"]* )?$layer[ \"]" dom
+        grep -qE "data-switched=\"([^\"]* )?${layer}[ \"]" dom
     done
     # The last layer of faces, which tells what is within the tolerance, and the normal angles have a scale each.
     grep -q 'data-scales="2"' dom

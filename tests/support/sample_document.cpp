@@ -14,10 +14,10 @@
 #include "mesh/write_soup.h"
 #include "support/polycube.h"
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
-#include <stdlib.h>
 
 namespace qm::testing {
 
