@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cctype>
 
 namespace qm {
@@ -60,8 +61,11 @@ CommandLine readCommandLine(int argc, char** argv, const std::vector<OptionRecor
     for (std::size_t i = 0; i < options.size(); ++i) {
         if (bound[i]->count() == 0) continue;
         line.given.insert(options[i].name);
-        if (options[i].type == OptionRecord::Type::flag && !bound[i]->as<bool>()) continue;
-        const std::string problem = options[i].assign(texts[i]);
+        const bool hasValue =
+            std::ranges::any_of(bound[i]->results(), [](const auto& text) { return text != "true"; });
+        const std::string problem = options[i].type == OptionRecord::Type::flag && hasValue
+                                        ? "takes no value"
+                                        : options[i].assign(texts[i]);
         if (!problem.empty() && line.problem.empty()) line.problem = "--" + options[i].name + ": " + problem;
     }
     takeOperands(app.remaining(), line);

@@ -40,6 +40,15 @@ refuses_unknown_options() {
 }
 @test "an unknown option is a usage error that names it" { for_every_tool refuses_unknown_options; }
 
+refuses_values_of_flags() {
+    local value
+    for value in 1 no false x; do
+        misused "$1" "--verbose=$value"
+        assert_regex "$stderr" '--verbose: takes no value'
+    done
+}
+@test "a flag with a value is a usage error" { for_every_tool refuses_values_of_flags; }
+
 refuses_extra_operands() { misused "$1" a b c d e; }
 @test "too many operands are a usage error" { for_every_tool refuses_extra_operands; }
 

@@ -102,6 +102,18 @@ is() { assert_equal "$(field "$1" out.json)" true; }
     done
 }
 
+@test "a cost whose sums are no numbers is refused, wherever it comes from" {
+    input=$(stage basecomplex random)
+    for sum in '1e308*length+1e308*length' 1e308*segments -1e308*segments; do
+        complains qm-enum --cost="$sum" "$input"
+        assert_regex "$stderr" 'cost is too much'
+    done
+    complains qm-enum --alpha=-1e308 "$input"
+    path=$(jq -c '.baseComplex.separatrices[0].vertices' "$input")
+    jq --argjson path "$path" '.constraints = {"weights": [{"vertices": $path, "weight": 1e308}]}' "$input" >weighed.json
+    complains qm-enum weighed.json
+}
+
 @test "weights of edges under constraints" {
     input=$(stage basecomplex random)
     path=$(jq -c '.baseComplex.separatrices[0].vertices' "$input")
