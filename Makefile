@@ -17,6 +17,7 @@ prefix  ?= /usr/local#  where `make install` puts things, below DESTDIR
 DESTDIR ?=
 only    ?=#             regular expression: run only the tests whose name matches
 killed  ?= 200#         how often `make check-faults` kills, and does anything else to, some tool
+tried   ?= 2000#        how many command lines `make check-options` tries
 seed    ?= 1#           where, when and which
 seconds ?= 60#          how long `make fuzz` runs each fuzzer
 CINOLIB ?=#             a copy of cinolib, for `make bench-peers`
@@ -235,6 +236,10 @@ check-slurm: $(tools) ## forty models on a Slurm cluster of this host, whose sec
 .PHONY: check-faults
 check-faults: $(tools) ## what the tools leave when killed=200 times, without disk or memory, with damaged input; seed=1
 	@QM_BIN=$(abspath $(bin)) tests/faults/run $(abspath $(O))/check-faults $(killed) $(seed)
+
+.PHONY: check-options
+check-options: $(tools) $(bin)/quadmesh ## tried=2000 command lines made at random; seed=1 chooses them
+	@QM_BIN=$(abspath $(bin)) JOBS=$(jobs) tests/faults/options $(abspath $(O))/check-options $(tried) $(seed)
 
 .PHONY: check-pairs
 check-pairs: $(tools) ## every option of every tool together with every other one

@@ -47,6 +47,11 @@ survives() {
     done
 }
 
+@test "command lines made at random give a result or a clear error, and nothing but what was asked for" {
+    JOBS=1 QM_BIN=$QM_BIN run "$ROOT/tests/faults/options" "$PWD/lines" 150 1
+    assert_success
+}
+
 @test "a document whose mesh is a device, a pipe or a folder is refused" {
     mkfifo pipe
     for mesh in /dev/zero pipe .; do
