@@ -245,7 +245,7 @@ TEST(ConstrainedSystem, KeepsEquationsThatSayTheSameTwice) {
     LinearForm third;
     third.add(1, 1);
     third.add(3, 1);
-    const ConstrainedSystem system(4, entries, {first, second, third});
+    const ConstrainedSystem system(4, entries, {first, second, third}, {}, 1);
     Eigen::MatrixX3d right = Eigen::MatrixX3d::Zero(4, 3);
     right.col(0) << 3, -1, 2, 5;
     const Eigen::MatrixX3d x = system.solve(right);
@@ -266,7 +266,7 @@ TEST(ConstrainedSystem, KeepsEquationsWithConstants) {
     sum.add(1, 1);
     Eigen::MatrixX3d constants(1, 3);
     constants << 2, 0, -4;
-    const ConstrainedSystem system(3, entries, {sum}, constants);
+    const ConstrainedSystem system(3, entries, {sum}, constants, 1);
     const Eigen::MatrixX3d x = system.solve(Eigen::MatrixX3d::Zero(3, 3));
     EXPECT_NEAR(x(0, 0), 1, 1e-14);
     EXPECT_NEAR(x(1, 2), -2, 1e-14);

@@ -1,137 +1,116 @@
 #include "bspline/fitting/constrained_system.h"
 
-#include <Eigen/SparseCholesky>
+#include "base/parallel.h"
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace qm {
-
-struct ConstrainedSystem::Factors {
-    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::AMDOrdering<int>> ldlt;
-
-    /// The factors are read once for all three columns, which Eigen reads once for each: that takes most of
-    /// the time.
-    [[nodiscard]] Eigen::MatrixX3d solve(const Eigen::MatrixX3d& rightHandSide) const {
-        using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
-        Rows x = ldlt.permutationP() * rightHandSide;
-        const auto& lower = ldlt.matrixL().nestedExpression();
-        const int* starts = lower.outerIndexPtr();
-        const int* rows = lower.innerIndexPtr();
-        const double* values = lower.valuePtr();
-        const int size = static_cast<int>(x.rows());
-        for (int column = 0; column < size; ++column) {
-            const Eigen::RowVector3d known = x.row(column);
-            for (int k = starts[column]; k < starts[column + 1]; ++k)
-                if (rows[k] > column) x.row(rows[k]) -= values[k] * known;
-        }
-        x.array().colwise() /= ldlt.vectorD().array();
-        for (int column = size - 1; column >= 0; --column) {
-            Eigen::RowVector3d sum = x.row(column);
-            for (int k = starts[column]; k < starts[column + 1]; ++k)
-                if (rows[k] > column) sum -= values[k] * x.row(rows[k]);
-            x.row(column) = sum;
-        }
-        return ldlt.permutationPinv() * Eigen::MatrixX3d(x);
-    }
-};
-
 namespace {
 
-/// Equations with weights such that each is of order one in the metric of the form's diagonal; their
-/// constants likewise.
-Eigen::SparseMatrix<double> equationMatrix(const std::vector<LinearForm>& equations,
-                                           const Eigen::VectorXd& diagonal, Eigen::MatrixX3d& constants) {
-    std::vector<Eigen::Triplet<double>> entries;
+using Entries = std::vector<Eigen::Triplet<double>>;
+
+Eigen::VectorXd diagonalOf(Eigen::Index size, const Entries& entries) {
+    Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(size);
+    for (const auto& entry : entries)
+        if (entry.row() == entry.col()) diagonal[entry.row()] += entry.value();
+    return diagonal;
+}
+
+/// Rows of equations below those of the form, with weights such that each is of order one in the metric of
+/// the form's diagonal; their constants likewise.
+void appendEquations(const std::vector<LinearForm>& equations, const Eigen::VectorXd& diagonal,
+                     Entries& entries, Eigen::MatrixX3d& constants) {
     for (std::size_t row = 0; row < equations.size(); ++row) {
         const LinearForm& form = equations[row];
+        const auto index = static_cast<Eigen::Index>(row);
+        const int place = static_cast<int>(diagonal.size() + index);
+        entries.emplace_back(place, place, 0.0);
         double size = 0;
         for (std::size_t k = 0; k < form.unknowns.size(); ++k)
             size += form.weights[k] * form.weights[k] / diagonal[static_cast<Eigen::Index>(form.unknowns[k])];
         if (!(size > 0)) continue;
         for (std::size_t k = 0; k < form.unknowns.size(); ++k)
-            entries.emplace_back(static_cast<int>(row), static_cast<int>(form.unknowns[k]),
+            entries.emplace_back(place, static_cast<int>(form.unknowns[k]),
                                  form.weights[k] / std::sqrt(size));
-        constants.row(static_cast<Eigen::Index>(row)) /= std::sqrt(size);
+        constants.row(index) /= std::sqrt(size);
     }
-    Eigen::SparseMatrix<double> matrix(static_cast<Eigen::Index>(equations.size()), diagonal.size());
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    return matrix;
 }
 
 /// Makes the whole matrix quasi-definite, so that every order of elimination works and equations may depend
 /// on one another; what it changes is mended by refinement.
 constexpr double relaxation = 1e-12;
 
+/// Smaller systems are solved before other threads have begun.
+constexpr Eigen::Index worthThreads = 10000;
+
 } // namespace
 
-ConstrainedSystem::ConstrainedSystem(std::size_t unknowns, const std::vector<Eigen::Triplet<double>>& entries,
+ConstrainedSystem::ConstrainedSystem(std::size_t unknowns, Entries entries,
                                      const std::vector<LinearForm>& equations,
-                                     const Eigen::MatrixX3d& constants)
-    : factors_(std::make_unique<Factors>()), constants_(constants) {
-    if (constants_.rows() == 0) constants_.setZero(static_cast<Eigen::Index>(equations.size()), 3);
-    const auto size = static_cast<Eigen::Index>(unknowns);
-    form_.resize(size, size);
-    form_.setFromTriplets(entries.begin(), entries.end());
-    equations_ = equationMatrix(equations, form_.diagonal(), constants_);
-
-    const auto whole = size + equations_.rows();
-    std::vector<Eigen::Triplet<double>> all;
-    all.reserve(static_cast<std::size_t>(form_.nonZeros() + equations_.nonZeros() + equations_.rows()));
-    const auto append = [&all](const Eigen::SparseMatrix<double>& matrix, Eigen::Index rowOffset) {
-        for (Eigen::Index column = 0; column < matrix.outerSize(); ++column)
-            for (Eigen::SparseMatrix<double>::InnerIterator it(matrix, column); it; ++it)
-                all.emplace_back(static_cast<int>(it.row() + rowOffset), static_cast<int>(it.col()),
-                                 it.value());
-    };
-    append(form_, 0);
-    append(equations_, size);
-    for (Eigen::Index k = size; k < whole; ++k)
-        all.emplace_back(static_cast<int>(k), static_cast<int>(k), -relaxation);
-    Eigen::SparseMatrix<double> matrix(whole, whole);
-    matrix.setFromTriplets(all.begin(), all.end());
-    factors_->ldlt.compute(matrix);
+                                     const Eigen::MatrixX3d& constants, unsigned jobs)
+    : unknowns_(static_cast<Eigen::Index>(unknowns)), constants_(constants) {
+    const auto count = static_cast<Eigen::Index>(equations.size());
+    if (constants_.rows() == 0) constants_.setZero(count, 3);
+    appendEquations(equations, diagonalOf(unknowns_, entries), entries, constants_);
+    const Eigen::Index whole = unknowns_ + count;
+    jobs_ = whole < worthThreads ? 1 : jobs;
+    Eigen::SparseMatrix<double> lower(whole, whole);
+    lower.setFromTriplets(entries.begin(), entries.end());
+    entries = {};
+    matrix_ = lower.selfadjointView<Eigen::Lower>();
+    for (Eigen::Index k = unknowns_; k < whole; ++k)
+        lower.coeffRef(k, k) = -relaxation;
+    factors_.emplace(lower, jobs_);
 }
 
-ConstrainedSystem::~ConstrainedSystem() = default;
+/// What a solution leaves of the right-hand side and of the equations' constants; all, if there is none yet.
+Eigen::MatrixX3d ConstrainedSystem::residual(const Eigen::MatrixX3d& rightHandSide,
+                                             const Eigen::MatrixX3d& solution) const {
+    Eigen::MatrixX3d result(matrix_.rows(), 3);
+    parallelForMany(static_cast<std::size_t>(matrix_.rows()), jobs_, [&](std::size_t k) {
+        const auto row = static_cast<Eigen::Index>(k);
+        Eigen::RowVector3d left = row < unknowns_ ? rightHandSide.row(row) : constants_.row(row - unknowns_);
+        if (solution.rows() > 0)
+            for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator it(matrix_, row); it; ++it)
+                left -= it.value() * solution.row(it.col());
+        result.row(row) = left;
+    });
+    return result;
+}
 
 void ConstrainedSystem::improve(const Eigen::MatrixX3d& rightHandSide, Accuracy accuracy,
                                 Eigen::MatrixX3d& solution) const {
     constexpr double negligible = 1e-15;
     const int maxSteps = accuracy == Accuracy::draft ? 1 : 20;
     double before = std::numeric_limits<double>::infinity();
-    const Eigen::Index size = form_.rows();
-    const bool beginsWithNothing = solution.rows() == 0;
-    if (beginsWithNothing) solution = Eigen::MatrixX3d::Zero(size + equations_.rows(), 3);
     for (int k = 0; k < maxSteps; ++k) {
-        Eigen::MatrixX3d residual(solution.rows(), 3);
-        residual.topRows(size) = rightHandSide;
-        residual.bottomRows(equations_.rows()) = constants_;
-        if (k > 0 || !beginsWithNothing) {
-            const auto unknowns = solution.topRows(size);
-            residual.topRows(size) -= form_.selfadjointView<Eigen::Lower>() * unknowns;
-            residual.topRows(size) -= equations_.transpose() * solution.bottomRows(equations_.rows());
-            residual.bottomRows(equations_.rows()) -= equations_ * unknowns;
-        }
-        const Eigen::MatrixX3d correction = factors_->solve(residual);
+        Eigen::MatrixX3d correction = factors_->solve(residual(rightHandSide, solution));
         // What does not become smaller is rounding.
-        const double change = correction.topRows(size).norm();
+        const double change = correction.topRows(unknowns_).norm();
         if (change > 0.9 * before) break;
+        if (solution.rows() == 0)
+            solution = std::move(correction);
+        else
+            solution += correction;
+        // Each step reduces the error by about the same factor: is the next one worth taking?
+        const double next = k == 0 ? change : change * (change / before);
         before = change;
-        solution += correction;
-        if (change <= negligible * solution.topRows(size).norm()) break;
+        if (next <= negligible * solution.topRows(unknowns_).norm()) break;
     }
 }
 
 double ConstrainedSystem::violation(const Eigen::MatrixX3d& solution) const {
     if (constants_.rows() == 0) return 0;
-    return (constants_ - equations_ * solution.topRows(form_.rows())).cwiseAbs().maxCoeff();
+    const Eigen::MatrixX3d nothing = Eigen::MatrixX3d::Zero(unknowns_, 3);
+    return residual(nothing, solution).bottomRows(constants_.rows()).cwiseAbs().maxCoeff();
 }
 
 Eigen::MatrixX3d ConstrainedSystem::solve(const Eigen::MatrixX3d& rightHandSide) const {
     Eigen::MatrixX3d solution;
     improve(rightHandSide, Accuracy::rounding, solution);
-    return solution.topRows(form_.rows());
+    return solution.topRows(unknowns_);
 }
 
 } // namespace qm

@@ -3,13 +3,14 @@
 /// (docs/METHOD.md#amestoy-2004).
 #pragma once
 
+#include "bspline/fitting/sparse_factors.h"
 #include "bspline/network/border_strip.h"
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
 #include <cstddef>
-#include <memory>
+#include <optional>
 #include <vector>
 
 namespace qm {
@@ -26,9 +27,9 @@ public:
     /// \param entries    of the symmetric positive definite matrix, row >= column; equal places add up
     /// \param equations  every form is to be its constant; they may depend on one another
     /// \param constants  a row for every equation; without any row they are zero
-    ConstrainedSystem(std::size_t unknowns, const std::vector<Eigen::Triplet<double>>& entries,
-                      const std::vector<LinearForm>& equations, const Eigen::MatrixX3d& constants = {});
-    ~ConstrainedSystem();
+    ConstrainedSystem(std::size_t unknowns, std::vector<Eigen::Triplet<double>> entries,
+                      const std::vector<LinearForm>& equations, const Eigen::MatrixX3d& constants,
+                      unsigned jobs);
 
     /// Makes a solution that of the minimum of x'Hx / 2 - x'b under the equations, for each column of b.
     /// \param solution  where to begin, with the multipliers of the equations; empty to begin with nothing
@@ -41,11 +42,14 @@ public:
     [[nodiscard]] Eigen::MatrixX3d solve(const Eigen::MatrixX3d& rightHandSide) const;
 
 private:
-    struct Factors;
-    std::unique_ptr<Factors> factors_;
-    Eigen::SparseMatrix<double> form_; ///< its lower half
-    Eigen::SparseMatrix<double> equations_;
-    Eigen::MatrixX3d constants_; ///< of the equations
+    [[nodiscard]] Eigen::MatrixX3d residual(const Eigen::MatrixX3d& rightHandSide,
+                                            const Eigen::MatrixX3d& solution) const;
+
+    Eigen::Index unknowns_;
+    unsigned jobs_ = 1;
+    Eigen::MatrixX3d constants_;                          ///< of the equations
+    Eigen::SparseMatrix<double, Eigen::RowMajor> matrix_; ///< of unknowns and multipliers, both halves
+    std::optional<SparseFactors> factors_;
 };
 
 } // namespace qm

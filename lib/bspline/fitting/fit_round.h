@@ -7,6 +7,7 @@
 #include "bspline/splines/surfaces.h"
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -25,7 +26,7 @@ struct FitRound {
     RoundScore score;
     std::vector<Patch> patches; ///< none: there was no round yet
     std::optional<KnotPlan> plan;
-    std::vector<FitLattice> lattices;
+    std::shared_ptr<const std::vector<FitLattice>> lattices; ///< shared by copies: they are large
     std::vector<double> distances; ///< by patch, in tolerances, where they have been verified
 };
 

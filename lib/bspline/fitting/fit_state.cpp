@@ -11,6 +11,7 @@
 #include "bspline/fitting/smooth_system.h"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 namespace qm {
@@ -28,12 +29,9 @@ struct Emphasis {
     static constexpr double max = 100;
 };
 
-/// What a round changes is solved for together with so many patches around.
-constexpr int ringsAround = 2;
-/// With small patches there are more of them, until there are so many control points.
+/// What a round changes is solved for together with patches around; with small ones there are more of them,
+/// until there are so many control points.
 constexpr double minPoints = 1000;
-/// Of all control points: if there are more to solve for, the rest is solved for as well.
-constexpr double worthAll = 0.6;
 
 } // namespace
 
@@ -70,14 +68,14 @@ std::vector<bool> FitState::changedPatches(const std::vector<PatchSpace>& before
 }
 
 std::vector<bool> FitState::patchesToSolveFor(const std::vector<PatchSpace>& before) const {
-    std::vector<bool> isFree = withNeighbours(plan_.network(), changedPatches(before), ringsAround);
+    std::vector<bool> isFree = withNeighbours(plan_.network(), changedPatches(before), options_.ringsAround);
     const auto points = [&] {
         std::size_t count = 0;
         for (std::size_t k = 0; k < spaces_.size(); ++k)
             if (isFree[k]) count += spaces_[k].size();
         return static_cast<double>(count);
     };
-    const double limit = worthAll * static_cast<double>(unknownsOf(spaces_));
+    const double limit = options_.worthAll * static_cast<double>(unknownsOf(spaces_));
     for (double last = -1; points() > last && points() < std::min(minPoints, limit);) {
         last = points();
         isFree = withNeighbours(plan_.network(), isFree, 1);
@@ -142,13 +140,13 @@ RoundScore FitState::score() const {
 }
 
 FitRound FitState::round() const {
-    return {score(), patches_, plan_, lattices_, {}};
+    return {score(), patches_, plan_, std::make_shared<const std::vector<FitLattice>>(lattices_), {}};
 }
 
 void FitState::restore(const FitRound& round) {
     plan_ = *round.plan;
     spaces_ = plan_.spaces();
-    lattices_ = round.lattices;
+    lattices_ = *round.lattices;
     patches_ = round.patches;
     solvedRuns_ = plan_.network().runs;
     assess(everywhere());

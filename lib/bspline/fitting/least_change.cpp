@@ -43,7 +43,7 @@ Eigen::VectorXd heights(const std::vector<PlaneDemand>& demands, const Eigen::Ma
 
 LeastChange::LeastChange(std::size_t unknowns, std::vector<LinearForm> equations)
     : unknowns_(static_cast<Eigen::Index>(unknowns)), equations_(std::move(equations)),
-      allowed_(unknowns, identity(unknowns_), equations_) {}
+      allowed_(unknowns, identity(unknowns_), equations_, {}, 1) {}
 
 Eigen::MatrixX3d LeastChange::run(const std::vector<PlaneDemand>& demands, Eigen::MatrixX3d points) const {
     constexpr int passes = 4; // the later ones mend the rounding of those before

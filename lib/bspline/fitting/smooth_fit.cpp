@@ -42,7 +42,7 @@ public:
 
     Fitted run(const Verification& verify, const Control& control) {
         state_.solve(2 * options_.slides, true); // more while there are few knots
-        search(options_.maxRounds, true, control);
+        search(options_.maxRounds, options_.removesKnots, control);
         chooseBest(verify);
         flattenBest(verify);
         if (!verify) return {std::move(best_.patches)};
@@ -138,9 +138,11 @@ private:
         const RoundScore score = state_.score();
         const bool isBest = best_.patches.empty() || isBetter(score, best_.score, true);
         const bool isNearest = nearest_.patches.empty() || isBetter(score, nearest_.score, false);
-        if (isBest) best_ = state_.round();
-        if (isNearest) nearest_ = state_.round();
-        return isBest || isNearest;
+        if (!isBest && !isNearest) return false;
+        const FitRound round = state_.round();
+        if (isBest) best_ = round;
+        if (isNearest) nearest_ = round;
+        return true;
     }
 
     /// Takes the nearest instead where that is in truth nearer, which the lattices do not tell.

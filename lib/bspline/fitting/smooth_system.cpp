@@ -77,7 +77,7 @@ SmoothSystem::SmoothSystem(const Layout& layout, const SmoothNetwork& network,
     const FreeEquations equations =
         freeEquations(continuityEquations(layout, network, spaces, isFree), unknowns, spaces, patches);
     unknowns_ = static_cast<Eigen::Index>(unknowns.count());
-    system_.emplace(unknowns.count(), all, equations.forms, equations.constants);
+    system_.emplace(unknowns.count(), std::move(all), equations.forms, equations.constants, jobs);
 }
 
 void SmoothSystem::solve(const std::vector<FitLattice>& lattices, Accuracy accuracy,
