@@ -8,14 +8,15 @@
 namespace qm {
 namespace {
 
-/// Searches add costs of edges and of segments, of which there are no more than edges, in any order.
-void requireFiniteSums(const std::vector<double>& costs, double costOfSegment) {
-    constexpr double largest = 1e300;
-    double sum = std::abs(costOfSegment) * static_cast<double>(costs.size());
+/// Searches tell costs apart whose sums differ by a small number, and solvers of linear programs bear no huge
+/// ones.
+void requireExactSums(const std::vector<double>& costs, double costOfSegment) {
+    constexpr double largest = 1e15; // beyond it doubles have less than one decimal
+    double sum = std::abs(costOfSegment) * static_cast<double>(costs.size()); // there are fewer segments
     for (const double cost : costs)
         sum += std::abs(cost);
-    if (!(sum < largest))
-        throw Error("", "what edges and segments cost is too much to be added up",
+    if (!(sum <= largest))
+        throw Error("", "what edges and segments cost adds up to more than 1e15, too much to tell sums apart",
                     "Take smaller numbers for --alpha, --cost and weights under /constraints");
 }
 
@@ -33,7 +34,7 @@ std::vector<double> edgeCosts(const QuadMesh& mesh, const std::vector<double>& d
                 costs[at(edge.idx())] += cost.terms.length * mesh.calc_edge_length(edge);
     for (const auto& [edge, weight] : constraints.weights)
         costs[at(edge.idx())] += cost.terms.custom * weight;
-    requireFiniteSums(costs, cost.terms.segments);
+    requireExactSums(costs, cost.terms.segments);
     return costs;
 }
 
