@@ -11,10 +11,11 @@
 #include "prune/prune_optimum.h"
 #include "support/sample_document.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
-#include <vector>
+#include <memory>
 
 namespace {
 
@@ -139,26 +140,39 @@ void workOn(const qm::Document& document, const qm::Model& model) {
                         qm::sharpAngle(document.root));
 }
 
-const Json& sample(std::size_t kind) {
-    static const qm::testing::TemporaryFolder folder;
-    static const std::vector<Json> roots = [] {
-        std::vector<Json> result;
+/// A document and what qm-check knows of its mesh.
+struct Sample {
+    explicit Sample(qm::Kind kind) {
+        // The checker measures surfaces over every quad, which takes most of a run.
+        const qm::QuadMesh quads = qm::testing::dividedSlab(kind == qm::Kind::surfaces ? 1 : 3);
+        root = qm::testing::sampleDocument(folder, kind, quads).root;
+        mesh = checkedMesh(quads);
+    }
+
+    qm::testing::TemporaryFolder folder;
+    Json root;
+    qm::check::CheckedMesh mesh;
+};
+
+const Sample& sample(std::size_t kind) {
+    static const std::array<std::unique_ptr<const Sample>, kinds> samples = [] {
+        std::array<std::unique_ptr<const Sample>, kinds> result;
         for (std::size_t k = 0; k < kinds; ++k)
-            result.push_back(qm::testing::sampleDocument(folder, static_cast<qm::Kind>(k)).root);
+            result[k] = std::make_unique<Sample>(static_cast<qm::Kind>(k));
         return result;
     }();
-    return roots[kind];
+    return *samples[kind];
 }
 
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    static const qm::check::CheckedMesh mesh = checkedMesh(qm::testing::sampleMesh());
     Choices choices(data, size);
-    Json root = sample(choices.below(kinds));
+    const Sample& start = sample(choices.below(kinds));
+    Json root = start.root;
     while (choices.left())
         edit(root, choices);
-    (void)qm::check::checkDocument(mesh, qm::check::readDocument(root));
+    (void)qm::check::checkDocument(start.mesh, qm::check::readDocument(root));
     try {
         qm::Document document = qm::parseDocument(qm::printJson(root), "document.json");
         const qm::Model model = qm::readWholeModel(document);

@@ -52,14 +52,16 @@ void put(Document& document, Kind kind, const std::string& tool, Json options, J
 
 } // namespace
 
+QuadMesh dividedSlab(int n) {
+    const check::CheckedMesh cubes = polycube(bump(), n);
+    std::vector<Point> points;
+    for (const auto& point : cubes.points)
+        points.emplace_back(point[0], point[1], point[2]);
+    return buildMesh(points, cubes.quads);
+}
+
 const QuadMesh& sampleMesh() {
-    static const QuadMesh mesh = [] {
-        const check::CheckedMesh cubes = polycube(bump(), 3);
-        std::vector<Point> points;
-        for (const auto& point : cubes.points)
-            points.emplace_back(point[0], point[1], point[2]);
-        return buildMesh(points, cubes.quads);
-    }();
+    static const QuadMesh mesh = dividedSlab(3);
     return mesh;
 }
 
@@ -78,8 +80,8 @@ std::string TemporaryFolder::write(const std::string& name, const std::string& b
     return path(name);
 }
 
-Document sampleDocument(const TemporaryFolder& folder, Kind kind) {
-    const std::string bytes = writeObj(sampleMesh());
+Document sampleDocument(const TemporaryFolder& folder, Kind kind, const QuadMesh& given) {
+    const std::string bytes = writeObj(given);
     const QuadMesh mesh = readMesh(bytes, "mesh.obj").mesh;
     const std::vector<double> angles = dihedralAngles(mesh);
     const BaseComplex baseComplex = buildBaseComplex(mesh);

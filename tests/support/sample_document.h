@@ -11,8 +11,10 @@
 
 namespace qm::testing {
 
-/// A slab of cubes with one more on top, its squares divided: 12 extraordinary vertices, some ordinary
-/// junctions.
+/// A slab of cubes with one more on top, its squares divided into n x n: 12 extraordinary vertices, some
+/// ordinary junctions.
+[[nodiscard]] QuadMesh dividedSlab(int n);
+/// With n = 3.
 [[nodiscard]] const QuadMesh& sampleMesh();
 
 /// A folder that vanishes with the object.
@@ -33,7 +35,8 @@ private:
 
 /// All sections up to the kind; features with one curve, the mesh cut in two halves. The mesh file is
 /// `mesh.obj` in the folder, and the document knows it by its whole path.
-[[nodiscard]] Document sampleDocument(const TemporaryFolder& folder, Kind kind);
+[[nodiscard]] Document sampleDocument(const TemporaryFolder& folder, Kind kind,
+                                      const QuadMesh& mesh = sampleMesh());
 
 /// The message of the qm::Error that f throws; fails the test if it throws none.
 template <class Function> [[nodiscard]] std::string messageOf(Function&& f) {
