@@ -128,8 +128,9 @@ TEST(Torus, ATwistedOneIsCutWhereItsLinesEnd) {
     // A strip of 6 x 2 squares whose upper side is glued to the lower one two squares further on: the lines
     // across do not close after one turn.
     check::CheckedMesh listed;
-    for (int k = 0; k < 18; ++k)
-        listed.points.push_back({static_cast<double>(k % 6), static_cast<double>(k / 6), 0.1 * k});
+    for (int j = 0; j < 3; ++j)
+        for (int i = 0; i < 6; ++i)
+            listed.points.push_back({static_cast<double>(i), static_cast<double>(j), 0.1 * (6 * j + i)});
     const auto number = [](int i, int j) { return j < 3 ? j * 6 + i % 6 : (i + 2) % 6; };
     for (int j = 0; j < 3; ++j)
         for (int i = 0; i < 6; ++i)

@@ -54,7 +54,7 @@ TEST(TriangleEdges, BoundaryLoopsAreCounted) {
 
 TEST(TriangleEdges, AThirdTriangleIsNamedByItsPlace) {
     Triangles fin = square();
-    fin.points.push_back({0, 0, 1});
+    fin.points.emplace_back(0, 0, 1);
     fin.faces.push_back({0, 2, 4});
     EXPECT_NE(
         refusal(fin).find("at (0.5, 0.5, 0): 3 triangles meet at an edge, and more than two at 1 in all"),

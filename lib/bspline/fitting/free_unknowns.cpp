@@ -6,7 +6,7 @@ std::vector<bool> withNeighbours(const SmoothNetwork& network, std::vector<bool>
     for (int ring = 0; ring < rings; ++ring) {
         const std::vector<bool> before = patches;
         for (const Stretch& stretch : network.stretches)
-            for (std::size_t side = 0; side < 2; ++side)
+            for (const std::size_t side : {0U, 1U})
                 if (before[stretch.sides[side].patch]) patches[stretch.sides[1 - side].patch] = true;
     }
     return patches;

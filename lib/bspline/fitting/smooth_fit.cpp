@@ -125,7 +125,7 @@ private:
                 return;
             }
             for (const Stretch& stretch : plan.network().stretches)
-                for (const std::size_t side : {0, 1})
+                for (const std::size_t side : {0U, 1U})
                     if (isSpoiled(stretch.sides[side].patch)) {
                         planes[stretch.sides[0].patch].reset();
                         planes[stretch.sides[1].patch].reset();

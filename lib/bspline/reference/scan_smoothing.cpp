@@ -119,13 +119,13 @@ public:
                                 static_cast<std::size_t>(grid.size[1] * grid.steps + 1)} {}
 
     void inside() {
-        for (const std::size_t direction : {1, 0})
+        for (const std::size_t direction : {1U, 0U})
             for (std::size_t line = 1; line + 1 < count_[1 - direction]; ++line)
                 smooth(direction, line);
     }
 
     void borders() {
-        for (const std::size_t direction : {0, 1}) {
+        for (const std::size_t direction : {0U, 1U}) {
             smooth(direction, 0);
             smooth(direction, count_[1 - direction] - 1);
         }
