@@ -16,6 +16,8 @@
 #include <cstdint>
 #include <iterator>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -49,9 +51,21 @@ Json& within(Json& value, Choices& choices) {
 
 /// Kind, version and history have few values that mean anything.
 Json& place(Json& root, Choices& choices) {
-    const auto kind = static_cast<qm::Kind>(choices.below(kinds));
-    return root.contains(qm::sectionOf(kind)) ? within(root[qm::sectionOf(kind)], choices)
-                                              : within(root["mesh"], choices);
+    std::vector<std::string> sections{"mesh", "constraints"};
+    for (std::size_t kind = 0; kind < kinds; ++kind)
+        sections.emplace_back(qm::sectionOf(static_cast<qm::Kind>(kind)));
+    std::erase_if(sections, [&root](const std::string& section) { return !root.contains(section); });
+    return within(root[sections[choices.below(sections.size())]], choices);
+}
+
+/// What a person may demand before the search.
+void demand(Json& root) {
+    const Json& separatrices = root["baseComplex"]["separatrices"];
+    const Json first = {{"vertices", separatrices[0]["vertices"]}};
+    Json weight = {{"vertices", separatrices[1]["vertices"]}};
+    weight["weight"] = 0.5;
+    root["constraints"] = {{"required", Json::array({first})}, {"forbidden", Json::array()}};
+    root["constraints"]["weights"] = Json::array({weight});
 }
 
 /// JSON for Modern C++ with diagnostics loses track of parents when it erases a key.
@@ -146,6 +160,7 @@ struct Sample {
         // The checker measures surfaces over every quad, which takes most of a run.
         const qm::QuadMesh quads = qm::testing::dividedSlab(kind == qm::Kind::surfaces ? 1 : 3);
         root = qm::testing::sampleDocument(folder, kind, quads).root;
+        if (kind < qm::Kind::enumeration) demand(root);
         mesh = checkedMesh(quads);
     }
 
