@@ -4,6 +4,7 @@
 #include "bspline/splines/bounding_box.h"
 #include "export/boundary_files.h"
 #include "export/colours.h"
+#include "export/face_order.h"
 #include "export/join.h"
 #include "export/merge_planes.h"
 #include "export/quads.h"
@@ -88,6 +89,7 @@ Exported exportShape(const QuadMesh& mesh, const Layout& layout, const Surfaces&
         CheckedShape made =
             checkedShape(mesh, faces, options.analytic ? options.analyticTolerance / 100 * diagonal : 0);
         if (options.join) made = withPlanesMerged(made);
+        orderFaces(made.boundary);
         Exported result{options.format == ExportFormat::step
                             ? boundaryAsStep(made.boundary, made.origins, options)
                             : shapeAsIges(made.shape, made.origins, options),
