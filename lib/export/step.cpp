@@ -8,12 +8,19 @@
 namespace qm {
 namespace {
 
-/// "segment 4", or "segments 4 7" of a face that was joined.
+/// Of solids and faces, in bytes: Netgen copies a name into fifty bytes, however long it is, and crashes.
+constexpr std::size_t maxName = 49;
+
+/// "segment 4", or "segments 4 7" of a face that was joined, or "segments 4 7 and 58 more" of very many.
 std::string faceName(const std::vector<std::size_t>& segments) {
     std::string name = segments.size() == 1 ? "segment" : "segments";
-    for (const std::size_t segment : segments)
-        name += " " + std::to_string(segment);
-    return name;
+    std::string shortName;
+    for (std::size_t k = 0; k < segments.size(); ++k) {
+        const std::string more = " and " + std::to_string(segments.size() - k) + " more";
+        if (name.size() + more.size() <= maxName) shortName = name + more;
+        name += " " + std::to_string(segments[k]);
+    }
+    return name.size() <= maxName ? name : shortName;
 }
 
 StepId addLengthUnit(StepFile& file, LengthUnit unit) {
@@ -90,8 +97,7 @@ public:
             surfaces_.push_back(addSurface(file_, face.surface));
         addEdges();
         for (std::size_t k = 0; k < boundary_.parts.size(); ++k)
-            addPart(boundary_.parts[k], stepText(options_.name) +
-                                            (boundary_.parts.size() == 1 ? "" : " " + std::to_string(k + 1)));
+            addPart(boundary_.parts[k], boundary_.parts.size() == 1 ? "" : " " + std::to_string(k + 1));
         return file_.text({stepText(options_.name), options_.date},
                           "AUTOMOTIVE_DESIGN { 1 0 10303 214 1 1 1 1 }");
     }
@@ -161,7 +167,9 @@ private:
                              .raw(")"));
     }
 
-    void addPart(const BoundaryPart& part, const std::string& name) {
+    /// \param number  the end of its name
+    void addPart(const BoundaryPart& part, const std::string& number) {
+        const std::string name = stepText(options_.name, maxName - number.size()) + number;
         std::vector<StepId> faces;
         for (const std::size_t face : part.faces)
             faces.push_back(addFace(face, part.inward));
@@ -177,7 +185,7 @@ private:
                                            .raw(",")
                                            .id(context_)
                                            .raw(")"));
-        addProduct(name, shape);
+        addProduct(stepText(options_.name) + number, shape);
     }
 
     void addProduct(const std::string& name, StepId shape) {

@@ -37,11 +37,12 @@ void appendBroken(std::string& text, std::string_view line) {
 
 } // namespace
 
-std::string stepText(std::string_view utf8) {
+std::string stepText(std::string_view utf8, std::size_t limit) {
     std::string result;
     for (std::size_t at = 0; at < utf8.size();) {
         const auto lead = static_cast<unsigned char>(utf8[at]);
         const std::size_t length = lead < 0xc0 ? 1 : lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : 4;
+        const std::size_t before = result.size();
         if (lead >= ' ' && lead <= '~' && lead != ',') {
             result += utf8[at];
             if (lead == '\'' || lead == '\\') result += utf8[at]; // these two are doubled
@@ -54,6 +55,10 @@ std::string stepText(std::string_view utf8) {
             for (unsigned shift = isShort ? 16 : 32; shift > 0; shift -= 4)
                 result += "0123456789ABCDEF"[letter >> (shift - 4) & 15U];
             result += "\\X0\\";
+        }
+        if (result.size() > limit) {
+            result.resize(before);
+            break;
         }
         at += length;
     }

@@ -1,6 +1,7 @@
 /// \file Entities of a STEP file (ISO 10303-21), one after the other, as text.
 #pragma once
 
+#include <cstddef>
 #include <initializer_list>
 #include <span>
 #include <string>
@@ -16,7 +17,8 @@ struct StepId {
 /// What stands between the quotation marks of a string. A comma is written by its number, as lines are broken
 /// after commas.
 /// \param utf8  valid
-[[nodiscard]] std::string stepText(std::string_view utf8);
+/// \param limit  of bytes; letters at the end are left out that are beyond it
+[[nodiscard]] std::string stepText(std::string_view utf8, std::size_t limit = std::string_view::npos);
 
 /// Text of an entity in the making: `StepText("DIRECTION('',").reals(xyz).end()`.
 class StepText {

@@ -193,15 +193,16 @@ TEST(Planes, AreExportedAsPlanes) {
     EXPECT_EQ(countSurfaces<Geom_Plane>(readBack(wavy)), 0);
 }
 
-/// A flat sheet of 3 x 3 squares, a patch each, of which some have a peak in the middle.
-FittedModel peaks(const std::vector<std::array<int, 2>>& places) {
+/// A flat sheet of N x N squares, a patch each, of which some have a peak in the middle.
+FittedModel peaks(const std::vector<std::array<int, 2>>& places, int squaresAlong = 3) {
+    const int size = 2 * squaresAlong;
     const auto isPeak = [=](double i, double j) {
         return std::ranges::any_of(places, [=](auto at) { return i == 2 * at[0] + 1 && j == 2 * at[1] + 1; });
     };
-    const Grid grid{6, 6, [=](double i, double j) { return Point(i, j, isPeak(i, j) ? 2 : 0); }};
+    const Grid grid{size, size, [=](double i, double j) { return Point(i, j, isPeak(i, j) ? 2 : 0); }};
     std::vector<test::Rectangle> squares;
-    for (int j = 0; j < 6; j += 2)
-        for (int i = 0; i < 6; i += 2)
+    for (int j = 0; j < size; j += 2)
+        for (int i = 0; i < size; i += 2)
             squares.push_back({i, j, i + 2, j + 2});
     return fitted(grid, squares, FitOptions());
 }
@@ -230,6 +231,16 @@ TEST(MergePlanes, MakesOneFaceWithAHole) {
     EXPECT_EQ(report.faces, 2U);
     EXPECT_EQ(report.simpleFaces, 1U);
     EXPECT_EQ(report.openEdges + 4, report.edges);
+}
+
+TEST(MergePlanes, NamesAsManySegmentsAsFitIntoFiftyBytes) { // where Netgen keeps names
+    for (const auto& [along, name] : {std::pair{4, "segments 0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15"},
+                                      std::pair{5, "segments 0 1 2 3 4 5 6 7 8 9 10 11 12 and 12 more"}}) {
+        const FittedModel model = peaks({}, along);
+        const std::string step = exportModel(model.mesh, model.layout, &model.surfaces, joining()).bytes;
+        EXPECT_NE(step.find("ADVANCED_FACE('" + std::string(name) + "'"), std::string::npos) << along;
+        EXPECT_LT(std::string(name).size(), 50U);
+    }
 }
 
 TEST(MergePlanes, LeavesNoVertexOnAnOutlineTwice) {

@@ -250,6 +250,22 @@ TEST(Step, NamesFacesAndDeclaresTheUnitWithoutConverting) {
     EXPECT_EQ(controlPoint(millimetres), controlPoint(inches)) << "the corner of the sheet";
 }
 
+/// The first name of an entity of this type.
+std::string nameOf(const std::string& step, const std::string& entity) {
+    std::smatch match;
+    EXPECT_TRUE(std::regex_search(step, match, std::regex(entity + "\\('([^']*)'"))) << entity;
+    return match[1];
+}
+
+TEST(Step, HasNamesThatFitIntoFiftyBytes) { // where Netgen keeps them
+    const Model model = torus({{0, 0, 16, 12}});
+    ExportOptions options;
+    options.name = std::string(48, 'x') + "\u00e9" + std::string(48, 'y');
+    const std::string step = exportModel(model.mesh, model.layout, &model.surfaces, options).bytes;
+    EXPECT_EQ(nameOf(step, "MANIFOLD_SOLID_BREP"), std::string(48, 'x'));
+    EXPECT_EQ(nameOf(step, "[^_]PRODUCT"), std::string(48, 'x') + "\\X2\\00E9\\X0\\" + std::string(48, 'y'));
+}
+
 TEST(Step, IsTheSameEveryTime) {
     const Model model = fitted(sheet(), tJoint(), FitOptions());
     EXPECT_EQ(exported(model, ExportFormat::step), exported(model, ExportFormat::step));
