@@ -58,11 +58,11 @@ ConstrainedSystem::ConstrainedSystem(std::size_t unknowns, Entries entries,
     jobs_ = whole < worthThreads ? 1 : jobs;
     Eigen::SparseMatrix<double> lower(whole, whole);
     lower.setFromTriplets(entries.begin(), entries.end());
-    entries = {};
+    entries = Entries(); // gives the memory back
     matrix_ = lower.selfadjointView<Eigen::Lower>();
     for (Eigen::Index k = unknowns_; k < whole; ++k)
         lower.coeffRef(k, k) = -relaxation;
-    factors_.emplace(lower, jobs_);
+    factors_.emplace(std::move(lower), jobs_);
 }
 
 /// What a solution leaves of the right-hand side and of the equations' constants; all, if there is none yet.

@@ -139,8 +139,10 @@ RoundScore FitState::score() const {
     return scoreOf(missed_, worst_ <= 1, patches_);
 }
 
-FitRound FitState::round() const {
-    return {score(), patches_, plan_, std::make_shared<const std::vector<FitLattice>>(lattices_), {}};
+FitRound FitState::round(bool isKept) const {
+    FitRound round{score(), patches_, plan_, {}, {}};
+    if (isKept) round.lattices = std::make_shared<const std::vector<FitLattice>>(lattices_);
+    return round;
 }
 
 void FitState::restore(const FitRound& round) {

@@ -35,7 +35,8 @@ public:
 
     /// What this has come to.
     [[nodiscard]] RoundScore score() const;
-    [[nodiscard]] FitRound round() const;
+    /// \param isKept  for restoring it; else without the lattices, which are large
+    [[nodiscard]] FitRound round(bool isKept) const;
     /// Goes back to an earlier round.
     void restore(const FitRound& round);
 

@@ -139,7 +139,7 @@ private:
         const bool isBest = best_.patches.empty() || isBetter(score, best_.score, true);
         const bool isNearest = nearest_.patches.empty() || isBetter(score, nearest_.score, false);
         if (!isBest && !isNearest) return false;
-        const FitRound round = state_.round();
+        const FitRound round = state_.round(options_.verifications > 0);
         if (isBest) best_ = round;
         if (isNearest) nearest_ = round;
         return true;

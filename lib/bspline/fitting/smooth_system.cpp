@@ -65,14 +65,15 @@ SmoothSystem::SmoothSystem(const Layout& layout, const SmoothNetwork& network,
         spaces_.push_back(spaces[k]);
         spaces_.back().firstUnknown = unknowns.number(spaces[k].firstUnknown);
     }
-    std::vector<std::vector<Eigen::Triplet<double>>> entries(free_.size());
+    using Entries = std::vector<Eigen::Triplet<double>>;
+    std::vector<Entries> entries(free_.size());
     parallelFor(free_.size(), jobs, [&](std::size_t k) {
         addPatchForm(spaces_[k], lattices[free_[k]].targets, bending, entries[k]);
     });
-    std::vector<Eigen::Triplet<double>> all;
+    Entries all;
     for (auto& ofPatch : entries) {
         all.insert(all.end(), ofPatch.begin(), ofPatch.end());
-        ofPatch = {};
+        ofPatch = Entries(); // gives the memory back
     }
     const FreeEquations equations =
         freeEquations(continuityEquations(layout, network, spaces, isFree), unknowns, spaces, patches);

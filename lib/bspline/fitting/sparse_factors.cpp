@@ -150,14 +150,14 @@ private:
     std::vector<std::size_t> end_; ///< by column: of the entries that it has
 };
 
-SparseFactors::SparseFactors(const Eigen::SparseMatrix<double>& lower, unsigned jobs) : jobs_(jobs) {
+SparseFactors::SparseFactors(Eigen::SparseMatrix<double> lower, unsigned jobs) : jobs_(jobs) {
     // Eigen's orderings give the inverse.
     Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> inverse;
     Eigen::AMDOrdering<int>()(lower.selfadjointView<Eigen::Lower>(), inverse);
     order_ = inverse.inverse();
     Eigen::SparseMatrix<double> upper(lower.rows(), lower.cols());
     upper.selfadjointView<Eigen::Upper>() = lower.selfadjointView<Eigen::Lower>().twistedBy(order_);
-
+    lower = Eigen::SparseMatrix<double>(); // gives the memory back
     plan_ = planElimination(upper);
     diagonal_.resize(plan_.part.size());
     inside_.resize(plan_.part.size());

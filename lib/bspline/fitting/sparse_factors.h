@@ -17,7 +17,7 @@ class SparseFactors {
 public:
     /// \param lower  the lower half of the matrix, row >= column; every principal minor is regular, as in
     ///               quasi-definite matrices
-    SparseFactors(const Eigen::SparseMatrix<double>& lower, unsigned jobs);
+    SparseFactors(Eigen::SparseMatrix<double> lower, unsigned jobs);
 
     [[nodiscard]] Eigen::MatrixX3d solve(const Eigen::MatrixX3d& rightHandSide) const;
 
