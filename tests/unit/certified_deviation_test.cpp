@@ -148,6 +148,20 @@ TEST(Folds, AreFoundWhereTheNormalTurnsOver) {
     }
 }
 
+TEST(Folds, AreNotSeenWhereOnlyTheReferenceTurnsOver) {
+    const auto plane = [](double i, double j) { return Point(i, j, 0.1 * i * j); };
+    Pair pair{{6, 6, plane}, {{0, 0, 6, 6}}, plane};
+    ReferenceGrid& reference = pair.references[0];
+    for (int j = 9; j < 12; ++j) // within a quad: the reference goes forward, back and forward again
+        for (const int i : {9, 11})
+            reference.points[at(j * 25 + i)] += Point(i == 9 ? 0.7 : -0.7, 0, 0);
+    const SurfacePoint there = reference.evaluate(2.5, 2.5);
+    ASSERT_LT((there.du % there.dv)[2], 0);
+    EXPECT_TRUE(findFolds(pair.patches[0], reference).empty());
+    pair.patches[0].controlPoints[4 * 9 + 4] += Point(4, 0, 0);
+    EXPECT_FALSE(findFolds(pair.patches[0], reference).empty());
+}
+
 TEST(Folds, AreNotSeenInStronglyBentPatches) {
     const auto roll = [](double i, double j) { return Point(std::cos(0.3 * i), j, std::sin(0.3 * i)); };
     const Pair pair{{20, 3, roll}, {{0, 0, 20, 3}}, roll};

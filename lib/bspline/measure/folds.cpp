@@ -1,5 +1,6 @@
 #include "bspline/measure/folds.h"
 
+#include "bspline/reference/sound_faces.h"
 #include "bspline/splines/eigen_point.h"
 #include "bspline/splines/patch_bezier.h"
 
@@ -47,6 +48,10 @@ private:
         if (!(direction.squaredNorm() > 1e-12 * there.du.sqrnorm() * there.dv.sqrnorm()))
             direction = std::accumulate(normal.points.begin(), normal.points.end(),
                                         Eigen::Vector3d(Eigen::Vector3d::Zero()));
+        // Over a quad that does not fold itself, a reference that is turned over has overshot.
+        const BilinearQuad quad = quadAt(middle);
+        if (quad.minCosine() > 0 && direction.dot(vector(quad.normal())) < 0)
+            direction = vector(quad.normal());
         double highest = 0;
         double lowest = HUGE_VAL;
         for (const Eigen::Vector3d& point : normal.points) {
@@ -55,6 +60,15 @@ private:
         }
         constexpr double rounding = 1e-10; // of products of degree 11
         return lowest > rounding * highest;
+    }
+
+    /// The mesh's quad, of which the reference interpolates the corners.
+    [[nodiscard]] BilinearQuad quadAt(const Parameters& place) const {
+        std::array<double, 2> lower{};
+        for (std::size_t way = 0; way < 2; ++way)
+            lower[way] = std::clamp(std::floor(place[way]), 0.0, reference_.size[way] - 1.0);
+        const auto corner = [&](double i, double j) { return reference_.at(lower[0] + i, lower[1] + j); };
+        return BilinearQuad({corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)});
     }
 
     const ReferenceGrid& reference_;
