@@ -107,8 +107,11 @@ Surfaces fitSurfaces(const QuadMesh& mesh, const Layout& layout, const std::vect
             scanFigures(surfaces.patches, target, *scan, measuring.negligible * diagonal, control.jobs);
     surfaces.deviation = measurement.ofAll.deviation;
     surfaces.farthest = measurement.ofAll.farthest;
-    for (const PatchMeasurement& ofPatch : measurement.ofPatch)
-        surfaces.ofPatch.push_back(ofPatch.deviation);
+    for (std::size_t patch = 0; patch < measurement.ofPatch.size(); ++patch) {
+        surfaces.ofPatch.push_back(measurement.ofPatch[patch].deviation);
+        for (const auto& place : measurement.ofPatch[patch].folds)
+            surfaces.folds.push_back({patch, place});
+    }
     control.progress(1);
     return surfaces;
 }

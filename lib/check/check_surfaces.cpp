@@ -47,7 +47,14 @@ public:
             sound = sound && thisOne;
         }
         if (sound && part_.watertight) gaps();
-        if (sound && part_.farthest) farthest(*part_.farthest);
+        if (sound && part_.farthest) place(*part_.farthest, "/surfaces/farthest", "farthest place");
+        for (std::size_t k = 0; sound && k < part_.folds.size(); ++k)
+            place(part_.folds[k], below("/surfaces/foldPlaces", k), "place of a fold");
+        if (const double told = part_.figures.folds.value_or(0);
+            !part_.folds.empty() && told != static_cast<double>(part_.folds.size()))
+            report_.violate("/surfaces/foldPlaces", "place of a fold",
+                            "there are " + std::to_string(part_.folds.size()) + " places for " +
+                                numberText(told) + " folds");
     }
 
 private:
@@ -144,19 +151,19 @@ private:
         }
     }
 
-    void farthest(const SurfacesPart::Farthest& place) {
+    /// A point that is said to be on a patch is there.
+    void place(const SurfacesPart::Claim& place, const std::string& pointer, const char* rule) {
         const bool there = place.patch >= 0 && at(place.patch) < part_.patches.size();
         const auto inside = [&](std::size_t k) {
             return place.at[k] >= 0 && place.at[k] <= layout_.segments[at(place.patch)].size[k];
         };
         if (!there || !inside(0) || !inside(1)) {
-            report_.violate("/surfaces/farthest", "farthest place", "it lies on no patch");
+            report_.violate(pointer, rule, "it lies on no patch");
             return;
         }
         const Place point = evaluate(part_.patches[at(place.patch)], place.at[0], place.at[1]).point;
         if (!(distance(point, place.point) <= 1e-9 * diagonal_))
-            report_.violate("/surfaces/farthest/point", "farthest place",
-                            "the patch is elsewhere at these parameters");
+            report_.violate(below(pointer, "point"), rule, "the patch is elsewhere at these parameters");
     }
 
     [[nodiscard]] Place pointAt(const BorderPlace& place, double along) const {

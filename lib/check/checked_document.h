@@ -144,13 +144,14 @@ struct SurfacesPart {
     bool watertight = false;
     std::optional<double> rho; ///< a border edge is smooth up to this dihedral angle
     Figures figures = {};      ///< of all patches
-    /// Where the document says that the surfaces are farthest from the reference.
-    struct Farthest {
+    /// Where the document says that something is.
+    struct Claim {
         int patch = -1;
         std::array<double, 2> at{};
         std::array<double, 3> point{};
     };
-    std::optional<Farthest> farthest = {};
+    std::optional<Claim> farthest = {}; ///< from the reference
+    std::vector<Claim> folds = {};
     std::vector<Patch> patches;
 };
 

@@ -159,14 +159,13 @@ const Json& optionsOf(const Json& root, const char* tool) {
     return last == history.rend() ? none : member(*last, "options");
 }
 
-std::optional<SurfacesPart::Farthest> readFarthest(const Json& place) {
-    if (!place.is_object()) return {};
-    SurfacesPart::Farthest farthest{whole(member(place, "patch")), {}, {}};
+SurfacesPart::Claim readClaim(const Json& place) {
+    SurfacesPart::Claim claim{whole(member(place, "patch")), {}, {}};
     for (std::size_t k = 0; k < 2; ++k)
-        farthest.at[k] = numberOrNan(element(member(place, "at"), k));
+        claim.at[k] = numberOrNan(element(member(place, "at"), k));
     for (std::size_t k = 0; k < 3; ++k)
-        farthest.point[k] = numberOrNan(element(member(place, "point"), k));
-    return farthest;
+        claim.point[k] = numberOrNan(element(member(place, "point"), k));
+    return claim;
 }
 
 /// A number is a length, a text such as "0.1%" a share of the diagonal.
@@ -174,7 +173,9 @@ SurfacesPart readSurfaces(const Json& section, const Json& options) {
     SurfacesPart part;
     part.patches = all<SurfacesPart::Patch>(member(section, "patches"), readPatch);
     part.figures = readFigures(member(section, "deviation"));
-    part.farthest = readFarthest(member(section, "farthest"));
+    if (const Json& farthest = member(section, "farthest"); farthest.is_object())
+        part.farthest = readClaim(farthest);
+    part.folds = all<SurfacesPart::Claim>(member(section, "foldPlaces"), readClaim);
     part.rho = number(member(options, "rho"));
     part.interpolates = text(member(options, "fit")) == "interpolate";
     part.watertight = text(member(options, "fit")) == "smooth";

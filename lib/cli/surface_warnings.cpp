@@ -1,5 +1,6 @@
 #include "cli/surface_warnings.h"
 
+#include "bspline/splines/evaluate.h"
 #include "cli/tool.h"
 #include "summary/figure_text.h"
 #include "summary/summary.h"
@@ -8,6 +9,17 @@
 #include <string>
 
 namespace qm {
+
+namespace {
+
+double extentOf(const Surfaces& surfaces) {
+    double extent = 0;
+    for (const Patch& patch : surfaces.patches)
+        extent = std::max(extent, (patch.controlPoints.back() - patch.controlPoints.front()).norm());
+    return extent;
+}
+
+} // namespace
 
 void warnOfGaps(const Tool& tool, const Surfaces& surfaces) {
     const double gap = surfaces.deviation.largestGap;
@@ -21,9 +33,15 @@ void warnOfFolds(const Tool& tool, const Surfaces& surfaces) {
     if (folds == 0) return;
     const auto worst = std::ranges::max_element(surfaces.ofPatch, {}, &Deviation::folds);
     std::string where;
-    if (worst != surfaces.ofPatch.end())
-        where = ", " + std::to_string(worst->folds) + " of them in patch " +
-                std::to_string(worst - surfaces.ofPatch.begin());
+    if (worst != surfaces.ofPatch.end()) {
+        const auto patch = static_cast<std::size_t>(worst - surfaces.ofPatch.begin());
+        where = ", " + std::to_string(worst->folds) + " of them in patch " + std::to_string(patch);
+        const auto place = std::ranges::find(surfaces.folds, patch, &LayoutPlace::patch);
+        if (place != surfaces.folds.end())
+            where +=
+                " at " + pointText(evaluate(surfaces.patches[patch], place->at[0], place->at[1]).position,
+                                   extentOf(surfaces));
+    }
     tool.warn(countText(folds, "piece") + " of patches may fold over" + where +
               ". Look at it with qm-view, and mend the mesh there or make it finer");
 }

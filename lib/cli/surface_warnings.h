@@ -10,7 +10,7 @@ class Tool;
 /// Patches are farther apart than what STEP takes for one point.
 void warnOfGaps(const Tool& tool, const Surfaces& surfaces);
 
-/// Pieces of patches may fold over: how many, and in which patch there are more than in any other.
+/// Pieces of patches may fold over: how many, and where in the patch that has more than any other.
 void warnOfFolds(const Tool& tool, const Surfaces& surfaces);
 
 } // namespace qm

@@ -26,6 +26,7 @@ Json fitToJson(const FitSummary& fit) {
     json["largestNormalAngle"] = deviation.largestNormalAngle;
     json["percentile95NormalAngle"] = deviation.percentile95NormalAngle;
     json["folds"] = deviation.folds;
+    json["fold"] = fit.fold ? placeToJson(*fit.fold, fit.foldPoint) : Json();
     return json;
 }
 

@@ -94,6 +94,8 @@ Json surfacesToJson(const Surfaces& surfaces, const ScanFile& scan) {
     Json section{{"patches", std::move(patches)}, {"deviation", deviationToJson(surfaces.deviation)}};
     if (surfaces.farthest.patch < surfaces.patches.size())
         section["farthest"] = placeToJson(surfaces.patches, surfaces.farthest);
+    for (const LayoutPlace& place : surfaces.folds)
+        section["foldPlaces"].push_back(placeToJson(surfaces.patches, place));
     if (surfaces.scan) section["scan"] = scanToJson(surfaces, scan);
     return section;
 }
@@ -166,7 +168,7 @@ Patch readPatch(const JsonPlace& place, std::size_t index, const std::array<int,
     return patch;
 }
 
-LayoutPlace readFarthest(const std::vector<std::array<int, 2>>& sizes, const JsonPlace& place) {
+LayoutPlace readPlace(const std::vector<std::array<int, 2>>& sizes, const JsonPlace& place) {
     const auto last = static_cast<std::int64_t>(sizes.size()) - 1;
     LayoutPlace result{static_cast<std::size_t>(place["patch"].whole(0, last)), {}};
     for (std::size_t k = 0; k < 2; ++k) {
@@ -192,14 +194,17 @@ Surfaces readSurfaces(const std::vector<std::array<int, 2>>& sizes, const JsonPl
     }
     if (surfaces.ofPatch.size() != surfaces.patches.size()) surfaces.ofPatch.clear();
     surfaces.deviation = readDeviation(section["deviation"]);
-    if (const auto farthest = section.find("farthest")) surfaces.farthest = readFarthest(sizes, *farthest);
+    if (const auto farthest = section.find("farthest")) surfaces.farthest = readPlace(sizes, *farthest);
+    if (const auto places = section.find("foldPlaces"))
+        for (std::size_t k = 0; k < places->size(); ++k)
+            surfaces.folds.push_back(readPlace(sizes, (*places)[k]));
     if (const auto scan = section.find("scan")) {
         surfaces.scan.emplace();
         visitScan(*surfaces.scan, [&](const char* key, double& value) {
             if (const auto figure = scan->find(key)) value = figure->number();
         });
         if (const auto farthest = scan->find("farthest"))
-            surfaces.scan->farthest = readFarthest(sizes, *farthest);
+            surfaces.scan->farthest = readPlace(sizes, *farthest);
     }
     return surfaces;
 }

@@ -34,6 +34,10 @@ std::string pointText(const Point& point, double extent) {
     return text + ")";
 }
 
+std::string placeText(const LayoutPlace& place, const Point& point, double extent) {
+    return "in patch " + std::to_string(place.patch) + " at " + pointText(point, extent);
+}
+
 std::string countText(std::size_t count, const std::string& noun) {
     return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }

@@ -1,6 +1,7 @@
 /// \file Figures as a person reads them: three digits, and no exponents where they can be done without.
 #pragma once
 
+#include "bspline/splines/surfaces.h"
 #include "mesh/quad_mesh.h"
 
 #include <string>
@@ -13,6 +14,9 @@ namespace qm {
 /// "(0.12, 3.4, 5)".
 /// \param extent  of what the point lies on: far from the origin, a place is told to three digits of it
 [[nodiscard]] std::string pointText(const Point& point, double extent);
+
+/// "in patch 3 at (0.12, 3.4, 5)".
+[[nodiscard]] std::string placeText(const LayoutPlace& place, const Point& point, double extent);
 
 /// "1 hole", "2 holes".
 [[nodiscard]] std::string countText(std::size_t count, const std::string& noun);

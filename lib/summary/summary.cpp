@@ -16,10 +16,6 @@ int piecesOf(const QuadMesh& mesh) {
     return components(mesh).count - static_cast<int>(isolated);
 }
 
-std::string placeText(const LayoutPlace& place, const Point& point, double extent) {
-    return "in patch " + std::to_string(place.patch) + " at " + pointText(point, extent);
-}
-
 std::string missedTolerance(const Summary& summary, const std::string& unit) {
     const FitSummary& fit = *summary.fit;
     return "the tolerance is missed: " + figureText(fit.deviation.max) + unit + " where " +
@@ -66,6 +62,10 @@ Summary summarise(const QuadMesh& mesh, const Layout* layout, const Surfaces* su
     };
     figures.farthestPoint = pointAt(figures.farthest);
     if (figures.scan) figures.farthestFromScan = pointAt(figures.scan->farthest);
+    if (!surfaces->folds.empty()) {
+        figures.fold = surfaces->folds.front();
+        figures.foldPoint = pointAt(*figures.fold);
+    }
     return summary;
 }
 

@@ -23,6 +23,8 @@ struct FitSummary {
     LayoutPlace farthest;            ///< where deviation.max was found
     Point farthestPoint{0, 0, 0};
     Point farthestFromScan{0, 0, 0}; ///< the point at scan->farthest
+    std::optional<LayoutPlace> fold; ///< the first place that may fold
+    Point foldPoint{0, 0, 0};
 };
 
 /// Of a mesh and, as far as there are any, its layout and surfaces. Lengths are in the mesh's unit.

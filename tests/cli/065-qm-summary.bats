@@ -72,3 +72,26 @@ figures() { run --separate-stderr qm-summary --json "$@"; }
     assert_equal "$status" 1
     assert_regex "$stderr" '/surfaces/farthest/point'
 }
+
+@test "places that may fold are told, and are where they are said to be" {
+    jq '.surfaces |= (.foldPlaces = [.farthest] | .deviation.folds = 1 | .patches[.farthest.patch].deviation.folds = 1)' \
+        "$(stage surfaces block)" >folded.json
+    patch=$(field .surfaces.farthest.patch folded.json)
+    run --separate-stderr qm-summary --mesh "$(sample block)" folded.json
+    assert_line --regexp '^folds +1 piece of patches may fold over$'
+    assert_line --regexp "^  first +in patch $patch at \("
+    figures --mesh "$(sample block)" folded.json
+    assert_equal "$(jq -c .surfaces.fold <<<"$output")" "$(jq -c .surfaces.farthest folded.json)"
+    run --separate-stderr qm-export --mesh "$(sample block)" folded.json -o folded.step
+    assert_regex "$stderr" "1 piece of patches may fold over, 1 of them in patch $patch at \([-0-9e., ]+\)\."
+    run --separate-stderr qm-check --mesh "$(sample block)" folded.json
+    refute_regex "$stderr" foldPlaces
+    jq '.surfaces.foldPlaces[0].point[2] += 0.1 | .surfaces.foldPlaces += [{patch: 99, at: [0, 0], point: [0, 0, 0]}]' folded.json >wrong.json
+    run --separate-stderr qm-check --mesh "$(sample block)" wrong.json
+    assert_equal "$status" 1
+    assert_regex "$stderr" '/surfaces/foldPlaces/0/point'
+    assert_regex "$stderr" '/surfaces/foldPlaces/1: .* no patch'
+    assert_regex "$stderr" 'there are 2 places for 1 folds'
+    complains qm-summary --mesh "$(sample block)" wrong.json
+    assert_regex "$stderr" '/surfaces/foldPlaces/1/patch'
+}

@@ -79,7 +79,8 @@ is() { assert_equal "$(field "$1" out.json)" true; }
 @test "patches that may fold are told, with how often and where" {
     run -0 --separate-stderr qm-bspline --tolerance 0.5% "$(stage pruned bracket)" -o out.json
     folds=$(field .surfaces.deviation.folds out.json)
-    [[ $folds == 0 ]] || assert_regex "$stderr" "^qm-bspline: $folds pieces? of patches may fold over, [0-9]+ of them in patch [0-9]+\\. "
+    [[ $folds == 0 ]] || assert_regex "$stderr" "^qm-bspline: $folds pieces? of patches may fold over, [0-9]+ of them in patch [0-9]+ at \\([-0-9e., ]+\\)\\. "
+    is "(.surfaces.foldPlaces // [] | length) == $folds"
     quietly qm-bspline --tolerance 0.5% "$(stage pruned block)" -o out.json
     is '.surfaces.deviation.folds == 0'
 }

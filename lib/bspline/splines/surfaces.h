@@ -74,6 +74,7 @@ struct Surfaces {
     Deviation deviation;
     std::vector<Deviation> ofPatch;  ///< in the order of the patches; borders count for both neighbours
     LayoutPlace farthest;            ///< where the largest distance from the reference was found
+    std::vector<LayoutPlace> folds;  ///< a place in every piece that may fold, by patch
     std::optional<ScanFigures> scan; ///< if the reference is one
 };
 
