@@ -1,0 +1,116 @@
+/// \file Any words, read as a command line of a tool, are refused with one sentence or set its options to
+/// values in their ranges; and what is shown of an option sets it to the same again. The first byte chooses
+/// the options, lines are words.
+#include "base/error.h"
+#include "cli/command_line.h"
+#include "cli/export_choices.h"
+#include "cli/general_options.h"
+#include "document/options_json.h"
+#include "view/view_options.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+namespace {
+
+using Type = qm::OptionRecord::Type;
+
+void require(bool condition) {
+    if (!condition) std::abort();
+}
+
+std::vector<std::string> linesOf(std::string_view text) {
+    std::vector<std::string> lines;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        lines.emplace_back(text.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return lines;
+}
+
+/// A refusal is a sentence, and everything else has left the options as they can be.
+void exercise(std::vector<std::string> words, const std::vector<qm::OptionRecord>& options) {
+    words.insert(words.begin(), "tool");
+    std::vector<char*> pointers;
+    for (std::string& word : words)
+        pointers.push_back(word.data());
+    pointers.push_back(nullptr);
+    qm::CommandLine line;
+    try {
+        line = qm::readCommandLine(static_cast<int>(words.size()), pointers.data(), options);
+    } catch (const qm::UsageError& error) {
+        require(!std::string_view(error.what()).empty());
+        return;
+    }
+    for (const qm::OptionRecord& option : options) {
+        const std::string shown = option.show();
+        if (option.type == Type::flag || shown.empty()) continue;
+        if (!line.given.contains(option.name)) continue;
+        require(option.assign(shown).empty());
+        require(option.show() == shown);
+    }
+}
+
+template <class Options> void exerciseTable(const std::vector<std::string>& words) {
+    Options values;
+    qm::GeneralOptions general;
+    std::vector<qm::OptionRecord> options = qm::describeGeneral(general, true, true);
+    qm::describe(values, [&](const char* name, auto& value, const qm::Range& range, const char* help) {
+        options.push_back(qm::makeOption(name, value, range, help));
+    });
+    exercise(words, options);
+    // What a document remembers can be written and read.
+    const qm::Json json = qm::optionsToJson(values);
+    require(qm::Json::parse(qm::printJson(json)) == json);
+}
+
+/// Texts that tools take apart themselves.
+void exerciseTexts(const std::vector<std::string>& words) {
+    const auto refusable = [](const auto& read) {
+        try {
+            (void)read();
+        } catch (const qm::Error&) {
+            // Refused, as most words should be.
+        }
+    };
+    for (const std::string& word : words) {
+        refusable([&] { return qm::parseLayers(word); });
+        refusable([&] { return qm::parseDirection(word); });
+        refusable([&] { return qm::parseSection(word); });
+        refusable([&] { return qm::parseSize(word); });
+        if (word != "mesh") refusable([&] { return qm::exportDate(word, ""); });
+    }
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    if (size == 0) return 0;
+    const auto words = linesOf({reinterpret_cast<const char*>(data) + 1, size - 1});
+    switch (data[0] % 7) {
+    case 0:
+        exerciseTable<qm::FeatureOptions>(words);
+        break;
+    case 1:
+        exerciseTable<qm::CutOptions>(words);
+        break;
+    case 2:
+        exerciseTable<qm::EnumerationOptions>(words);
+        break;
+    case 3:
+        exerciseTable<qm::MergeOptions>(words);
+        break;
+    case 4:
+        exerciseTable<qm::PruneOptions>(words);
+        break;
+    case 5:
+        exerciseTable<qm::FitOptions>(words);
+        break;
+    default:
+        exerciseTexts(words);
+    }
+    return 0;
+}
