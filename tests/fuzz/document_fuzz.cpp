@@ -157,8 +157,10 @@ void workOn(const qm::Document& document, const qm::Model& model) {
 /// A document and what qm-check knows of its mesh.
 struct Sample {
     explicit Sample(qm::Kind kind) {
-        // The checker measures surfaces over every quad, which takes most of a run.
-        const qm::QuadMesh quads = qm::testing::dividedSlab(kind == qm::Kind::surfaces ? 1 : 3);
+        // The checker measures surfaces all over, which takes most of a run unless they are few and small.
+        const bool small = kind == qm::Kind::surfaces;
+        const qm::QuadMesh quads =
+            qm::testing::dividedCubes(small ? qm::testing::box(2, 1, 1) : qm::testing::bump(), small ? 1 : 3);
         root = qm::testing::sampleDocument(folder, kind, quads).root;
         if (kind < qm::Kind::enumeration) demand(root);
         mesh = checkedMesh(quads);

@@ -12,7 +12,6 @@
 #include "mesh/read_mesh.h"
 #include "mesh/topology.h"
 #include "mesh/write_soup.h"
-#include "support/polycube.h"
 
 #include <cstdlib>
 #include <filesystem>
@@ -52,8 +51,8 @@ void put(Document& document, Kind kind, const std::string& tool, Json options, J
 
 } // namespace
 
-QuadMesh dividedSlab(int n) {
-    const check::CheckedMesh cubes = polycube(bump(), n);
+QuadMesh dividedCubes(const Cells& cells, int n) {
+    const check::CheckedMesh cubes = polycube(cells, n);
     std::vector<Point> points;
     for (const auto& point : cubes.points)
         points.emplace_back(point[0], point[1], point[2]);
@@ -61,7 +60,7 @@ QuadMesh dividedSlab(int n) {
 }
 
 const QuadMesh& sampleMesh() {
-    static const QuadMesh mesh = dividedSlab(3);
+    static const QuadMesh mesh = dividedCubes(bump(), 3);
     return mesh;
 }
 

@@ -6,15 +6,16 @@
 #include "document/document.h"
 #include "document/enumeration_section.h"
 #include "document/model.h"
+#include "support/polycube.h"
 
 #include <string>
 
 namespace qm::testing {
 
-/// A slab of cubes with one more on top, its squares divided into n x n: 12 extraordinary vertices, some
-/// ordinary junctions.
-[[nodiscard]] QuadMesh dividedSlab(int n);
-/// With n = 3.
+/// The surface of cubes, each of its squares divided into n x n quads.
+[[nodiscard]] QuadMesh dividedCubes(const Cells& cells, int n);
+/// A slab of cubes with one more on top, its squares divided: 12 extraordinary vertices, some ordinary
+/// junctions.
 [[nodiscard]] const QuadMesh& sampleMesh();
 
 /// A folder that vanishes with the object.
