@@ -36,10 +36,10 @@ void PrintTo(const Graphs& known, std::ostream* out) {
 template <class Known> class OfMesh : public ::testing::TestWithParam<Known> {
 protected:
     void SetUp() override {
-        mesh_ = sharedMesh(std::string("dev/") + this->GetParam().name);
-        if (!mesh_) GTEST_SKIP() << "the mesh is not here";
+        mesh = sharedMesh(std::string("dev/") + this->GetParam().name);
+        if (!mesh) GTEST_SKIP() << "the mesh is not here";
     }
-    std::optional<CheckedMesh> mesh_;
+    std::optional<CheckedMesh> mesh;
 };
 
 std::string testName(std::string name) {
@@ -50,7 +50,7 @@ std::string testName(std::string name) {
 class KnownComplex : public OfMesh<Complex> {};
 
 TEST_P(KnownComplex, IsFound) {
-    const Neighbourhoods around(*mesh_);
+    const Neighbourhoods around(*mesh);
     const LineNetwork network = traceLines(around, {}).front();
     int extraordinary = 0;
     for (int v = 0; v < around.vertices(); ++v)
@@ -76,8 +76,8 @@ INSTANTIATE_TEST_SUITE_P(
 class KnownGraphs : public OfMesh<Graphs> {};
 
 TEST_P(KnownGraphs, AreAllFound) {
-    const Neighbourhoods around(*mesh_);
-    const EdgeCosts costs = edgeCosts(dihedralAngles(*mesh_, around), 0.4, 0.2);
+    const Neighbourhoods around(*mesh);
+    const EdgeCosts costs = edgeCosts(dihedralAngles(*mesh, around), 0.4, 0.2);
     const BruteForce all = bruteForce(around, traceLines(around, {}).front(), costs);
     EXPECT_EQ(all.graphs.size(), GetParam().graphs);
     EXPECT_EQ(all.vectors, GetParam().vectors);

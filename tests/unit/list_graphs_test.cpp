@@ -21,9 +21,9 @@ protected:
         if (stop) control.stopRequested = std::move(stop);
         if (!listing.append)
             listing.append = [this](int subMesh, const MotorcycleGraph& graph, std::string& text) {
-                appendGraphLine(mesh_, separatrices_, subMesh, graph, text);
+                appendGraphLine(mesh, separatrices, subMesh, graph, text);
             };
-        return listGraphs(mesh_, complex_, angles_, {}, options_, ranked, listing, control);
+        return listGraphs(mesh, complex, angles, {}, options, ranked, listing, control);
     }
 
     std::string listed(unsigned jobs, bool ranked) {
@@ -38,15 +38,15 @@ protected:
         return all;
     }
 
-    QuadMesh mesh_ = quadMesh(polycube(bump(), 2));
-    BaseComplex complex_ = buildBaseComplex(mesh_);
-    SeparatrixIndex separatrices_{mesh_, complex_};
-    std::vector<double> angles_ = dihedralAngles(mesh_);
-    EnumerationOptions options_;
+    QuadMesh mesh = quadMesh(polycube(bump(), 2));
+    BaseComplex complex = buildBaseComplex(mesh);
+    SeparatrixIndex separatrices{mesh, complex};
+    std::vector<double> angles = dihedralAngles(mesh);
+    EnumerationOptions options;
 };
 
 TEST_F(ListGraphs, TheOrderDoesNotDependOnThreads) {
-    options_.best = 500;
+    options.best = 500;
     for (const bool ranked : {false, true}) {
         const std::string one = listed(1, ranked);
         EXPECT_GT(std::ranges::count(one, '\n'), 300); // several batches
@@ -56,15 +56,15 @@ TEST_F(ListGraphs, TheOrderDoesNotDependOnThreads) {
 }
 
 TEST_F(ListGraphs, LinesAreThoseOfDocuments) {
-    options_.best = 3;
-    const Enumeration found = enumerateGraphs(mesh_, complex_, angles_, {}, options_);
+    options.best = 3;
+    const Enumeration found = enumerateGraphs(mesh, complex, angles, {}, options);
     const BaseComplex none; // without it, every track begins at a source of its own
-    for (const SeparatrixIndex& separatrices : {separatrices_, SeparatrixIndex(mesh_, none)})
+    for (const SeparatrixIndex& index : {separatrices, SeparatrixIndex(mesh, none)})
         for (const MotorcycleGraph& graph : found.subMeshes.front().graphs) {
             Json line{{"subMesh", 7}};
-            line.update(graphToJson(mesh_, separatrices, graph));
+            line.update(graphToJson(mesh, index, graph));
             std::string text = "before ";
-            appendGraphLine(mesh_, separatrices, 7, graph, text);
+            appendGraphLine(mesh, index, 7, graph, text);
             EXPECT_EQ(text, "before " + printJsonLine(line));
         }
 }
