@@ -4,10 +4,10 @@
 #include <GeomAdaptor_Surface.hxx>
 #include <algorithm>
 #include <array>
-#include <compare>
 #include <cstddef>
 #include <map>
 #include <set>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -84,7 +84,9 @@ struct Rank {
     int apart = 0;    ///< fans in which others have come, but no neighbour
     int unbeside = 0; ///< less the fans in which a neighbour has come
     std::size_t face = 0;
-    auto operator<=>(const Rank&) const = default;
+    friend bool operator<(const Rank& a, const Rank& b) {
+        return std::tie(a.kind, a.apart, a.unbeside, a.face) < std::tie(b.kind, b.apart, b.unbeside, b.face);
+    }
 };
 
 /// Which faces have come, and which is the next.
