@@ -48,8 +48,9 @@ TEST_P(InterpolateSizes, SolvesTheSystemOfTheMethod) {
     const auto [m, n] = GetParam();
     const auto grid = wavyGrid(m, n);
     const Patch patch = interpolate(grid, {m, n});
-    const auto control = [&](int i, int j) { return patch.controlPoints[at(j * (m + 3) + i)]; };
-    for (int i = 0; i < m + 3; ++i) {
+    const int width = m + 3;
+    const auto control = [&](int i, int j) { return patch.controlPoints[at(j * width + i)]; };
+    for (int i = 0; i < width; ++i) {
         EXPECT_EQ(control(i, 0), control(i, 1));
         EXPECT_EQ(control(i, n + 1), control(i, n + 2));
     }
