@@ -3,6 +3,7 @@
 #include "base/at.h"
 #include "base/error.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace qm {
@@ -20,6 +21,21 @@ void requireExactSums(const std::vector<double>& costs, double costOfSegment) {
                     "Take smaller numbers for --alpha, --cost and weights under /constraints");
 }
 
+/// What lengths add to the costs of edges.
+void addLengths(const QuadMesh& mesh, double factor, std::vector<double>& costs) {
+    constexpr double least = 1e-5; // a hundred times what searches tell apart
+    double longest = 0;
+    for (const EdgeId edge : mesh.edges()) {
+        if (mesh.is_boundary(edge)) continue;
+        const double length = mesh.calc_edge_length(edge);
+        costs[at(edge)] += factor * length;
+        longest = std::max(longest, length);
+    }
+    if (longest > 0 && std::abs(factor) * longest < least)
+        throw Error("", "what edges cost by their lengths is below 1e-5, too little to tell layouts apart",
+                    "Take a larger number before length in --cost");
+}
+
 } // namespace
 
 std::vector<double> edgeCosts(const QuadMesh& mesh, const std::vector<double>& dihedralAngles,
@@ -28,10 +44,7 @@ std::vector<double> edgeCosts(const QuadMesh& mesh, const std::vector<double>& d
     if (cost.terms.dihedral != 1)
         for (double& each : costs)
             each *= cost.terms.dihedral;
-    if (cost.terms.length != 0)
-        for (const EdgeId edge : mesh.edges())
-            if (!mesh.is_boundary(edge))
-                costs[at(edge.idx())] += cost.terms.length * mesh.calc_edge_length(edge);
+    if (cost.terms.length != 0) addLengths(mesh, cost.terms.length, costs);
     for (const auto& [edge, weight] : constraints.weights)
         costs[at(edge.idx())] += cost.terms.custom * weight;
     requireExactSums(costs, cost.terms.segments);

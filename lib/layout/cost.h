@@ -23,7 +23,7 @@ struct GraphCost : CostOptions {
 };
 
 /// What every edge costs by all terms but that of the segments. Edges of the mesh boundary have no length.
-/// \throw Error  if costs are so large that their sums are not exact
+/// \throw Error  if costs are so large that their sums are not exact, or lengths count too little
 [[nodiscard]] std::vector<double> edgeCosts(const QuadMesh& mesh, const std::vector<double>& dihedralAngles,
                                             const GraphCost& cost, const Constraints& constraints);
 

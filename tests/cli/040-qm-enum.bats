@@ -102,12 +102,14 @@ is() { assert_equal "$(field "$1" out.json)" true; }
     done
 }
 
-@test "a cost too large for exact sums is refused, wherever it comes from" {
+@test "a cost too large or too small for exact sums is refused, wherever it comes from" {
     input=$(stage basecomplex random)
     for sum in '1e308*length+1e308*length' 1e308*segments -1e308*segments 1e16*length; do
         complains qm-enum --cost="$sum" "$input"
         assert_regex "$stderr" 'more than 1e15'
     done
+    complains qm-enum --cost='dihedral+1e-8*length' "$input"
+    assert_regex "$stderr" 'by their lengths is below 1e-5'
     complains qm-enum --alpha=-1e308 "$input"
     path=$(jq -c '.baseComplex.separatrices[0].vertices' "$input")
     jq --argjson path "$path" '.constraints = {"weights": [{"vertices": $path, "weight": 1e308}]}' "$input" >weighed.json
