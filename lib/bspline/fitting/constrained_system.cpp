@@ -2,6 +2,7 @@
 
 #include "base/parallel.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -102,9 +103,14 @@ void ConstrainedSystem::improve(const Eigen::MatrixX3d& rightHandSide, Accuracy 
 }
 
 double ConstrainedSystem::violation(const Eigen::MatrixX3d& solution) const {
-    if (constants_.rows() == 0) return 0;
-    const Eigen::MatrixX3d nothing = Eigen::MatrixX3d::Zero(unknowns_, 3);
-    return residual(nothing, solution).bottomRows(constants_.rows()).cwiseAbs().maxCoeff();
+    double largest = 0;
+    for (Eigen::Index k = 0; k < constants_.rows(); ++k) {
+        Eigen::RowVector3d left = constants_.row(k);
+        for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator it(matrix_, unknowns_ + k); it; ++it)
+            if (it.col() < unknowns_) left -= it.value() * solution.row(it.col());
+        largest = std::max(largest, left.cwiseAbs().maxCoeff());
+    }
+    return largest;
 }
 
 Eigen::MatrixX3d ConstrainedSystem::solve(const Eigen::MatrixX3d& rightHandSide) const {

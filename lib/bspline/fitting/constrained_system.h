@@ -35,7 +35,8 @@ public:
     /// \param solution  where to begin, with the multipliers of the equations; empty to begin with nothing
     void improve(const Eigen::MatrixX3d& rightHandSide, Accuracy accuracy, Eigen::MatrixX3d& solution) const;
 
-    /// By how much a solution misses an equation, at most, in the metric of the form.
+    /// By how much a solution, with or without multipliers, misses an equation, at most, in the metric of the
+    /// form.
     [[nodiscard]] double violation(const Eigen::MatrixX3d& solution) const;
 
     /// The same from the beginning, without the multipliers. The equations hold up to rounding.
