@@ -38,7 +38,7 @@ std::vector<std::vector<std::size_t>> facesOfEdges(const Boundary& boundary) {
 void addFans(const std::vector<Meeting>& meetings, std::vector<Fan>& fans) {
     std::map<std::size_t, std::vector<std::size_t>> neighbours;
     for (const Meeting& meeting : meetings)
-        for (const std::size_t k : {0, 1})
+        for (const std::size_t k : {0U, 1U})
             neighbours[meeting.faces.at(k)].push_back(meeting.faces.at(1 - k));
     std::set<std::size_t> isDone;
     for (const auto& [first, beside] : neighbours) {

@@ -8,6 +8,7 @@
 #include "document/options_json.h"
 #include "view/view_options.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -90,27 +91,13 @@ void exerciseTexts(const std::vector<std::string>& words) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (size == 0) return 0;
     const auto words = linesOf({reinterpret_cast<const char*>(data) + 1, size - 1});
-    switch (data[0] % 7) {
-    case 0:
-        exerciseTable<qm::FeatureOptions>(words);
-        break;
-    case 1:
-        exerciseTable<qm::CutOptions>(words);
-        break;
-    case 2:
-        exerciseTable<qm::EnumerationOptions>(words);
-        break;
-    case 3:
-        exerciseTable<qm::MergeOptions>(words);
-        break;
-    case 4:
-        exerciseTable<qm::PruneOptions>(words);
-        break;
-    case 5:
-        exerciseTable<qm::FitOptions>(words);
-        break;
-    default:
-        exerciseTexts(words);
-    }
+    static constexpr std::array exercises = {exerciseTable<qm::FeatureOptions>,
+                                             exerciseTable<qm::CutOptions>,
+                                             exerciseTable<qm::EnumerationOptions>,
+                                             exerciseTable<qm::MergeOptions>,
+                                             exerciseTable<qm::PruneOptions>,
+                                             exerciseTable<qm::FitOptions>,
+                                             exerciseTexts};
+    exercises.at(data[0] % exercises.size())(words);
     return 0;
 }

@@ -1,5 +1,6 @@
 #include "bspline/measure/folds.h"
 
+#include "base/at.h"
 #include "bspline/reference/sound_faces.h"
 #include "bspline/splines/eigen_point.h"
 #include "bspline/splines/patch_bezier.h"
@@ -64,10 +65,14 @@ private:
 
     /// The mesh's quad, of which the reference interpolates the corners.
     [[nodiscard]] BilinearQuad quadAt(const Parameters& place) const {
-        std::array<double, 2> lower{};
+        std::array<int, 2> quad{};
         for (std::size_t way = 0; way < 2; ++way)
-            lower[way] = std::clamp(std::floor(place[way]), 0.0, reference_.size[way] - 1.0);
-        const auto corner = [&](double i, double j) { return reference_.at(lower[0] + i, lower[1] + j); };
+            quad[way] = std::clamp(static_cast<int>(place[way]), 0, reference_.size[way] - 1);
+        const int width = reference_.size[0] * reference_.steps + 1;
+        const auto corner = [&](int i, int j) {
+            return reference_
+                .points[at((quad[1] + j) * reference_.steps * width + (quad[0] + i) * reference_.steps)];
+        };
         return BilinearQuad({corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)});
     }
 
