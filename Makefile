@@ -258,7 +258,7 @@ $(O)/tests/%_test: $(O)/tests/property/%_test.o $(support) $(library)
 .PHONY: lint
 lint: ## clang-format and clang-tidy
 	@scripts/install-dependencies --verify build check lint
-	@scripts/lint $(O) -- $(filter-out -Werror $(unrolled),$(compile))
+	@JOBS=$(jobs) scripts/lint $(O) -- $(filter-out -Werror $(unrolled),$(compile))
 
 .PHONY: check-packages
 check-packages: ## compare what is used with the packages that `make deps` installs
