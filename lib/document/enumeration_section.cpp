@@ -24,8 +24,8 @@ namespace {
 Json optional(const std::optional<double>& number) {
     return number ? Json(*number) : Json();
 }
-Json optional(const std::optional<BigCount>& count) {
-    return count ? Json(count->str()) : Json();
+Json optional(const std::optional<std::string>& count) {
+    return count ? Json(*count) : Json();
 }
 
 } // namespace
@@ -82,14 +82,14 @@ Json enumerationToJson(const QuadMesh& mesh, const SeparatrixIndex& baseComplex,
 
 namespace {
 
-std::optional<BigCount> readCount(const JsonPlace& place) {
-    constexpr std::size_t maxDigits = 100000; // converting takes quadratic time
+std::optional<std::string> readCount(const JsonPlace& place) {
+    constexpr std::size_t maxDigits = 100000; // others convert it, which takes quadratic time
     if (place.isNull()) return {};
     const std::string& text = place.text();
     const bool digits = std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
     if (!digits || text.empty() || (text.size() > 1 && text.front() == '0') || text.size() > maxDigits)
         place.fail("is no whole number in decimal digits without leading zeros");
-    return BigCount(text);
+    return text;
 }
 
 class Reader {

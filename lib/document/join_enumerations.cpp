@@ -1,6 +1,6 @@
 #include "document/join_enumerations.h"
 
-#include "base/big_count.h"
+#include "base/decimal.h"
 #include "document/files.h"
 
 #include <algorithm>
@@ -82,12 +82,12 @@ private:
     }
 
     [[nodiscard]] Json product() const {
-        BigCount product = 1;
+        std::vector<std::string> counts;
         for (const Found& part : found_) {
             if (part.count.is_null()) return {};
-            product *= BigCount(part.count.get<std::string>());
+            counts.push_back(part.count.get<std::string>());
         }
-        return product.str();
+        return decimalProduct(counts);
     }
 
     /// Dealt out again one after the other.

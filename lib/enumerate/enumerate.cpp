@@ -1,7 +1,7 @@
 #include "enumerate/enumerate.h"
 
-#include "base/at.h"
 #include "base/deadline.h"
+#include "base/decimal.h"
 #include "base/error.h"
 #include "base/parallel.h"
 #include "enumerate/paper/plain_graph.h"
@@ -30,6 +30,18 @@ private:
     std::size_t done_ = 0;
     std::mutex mutex_;
 };
+
+/// None if that of some sub-mesh is not known.
+std::optional<std::string> countOfAll(const Enumeration& enumeration) {
+    std::vector<std::string> counts;
+    for (std::size_t i = 0; i < enumeration.subMeshes.size(); ++i) {
+        if (!enumeration.part.holds(static_cast<int>(i))) continue;
+        const auto& count = enumeration.subMeshes[i].count;
+        if (!count) return {};
+        counts.push_back(*count);
+    }
+    return decimalProduct(counts);
+}
 
 /// The plain motorcycle graph is one process on the whole mesh.
 Enumeration enumeratePlain(const QuadMesh& mesh, const BaseComplex& complex,
@@ -88,15 +100,7 @@ Enumeration enumerateGraphs(const QuadMesh& mesh, const BaseComplex& complex,
     result.graphClass = options.graphClass;
     result.method = options.method;
     result.part = options.part;
-    result.count = BigCount(1);
-    for (int i = 0; i < subMeshes.count; ++i) {
-        if (!options.part.holds(i)) continue;
-        const auto& count = result.subMeshes[at(i)].count;
-        if (result.count && count)
-            *result.count *= *count;
-        else
-            result.count.reset();
-    }
+    result.count = countOfAll(result);
     return result;
 }
 

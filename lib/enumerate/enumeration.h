@@ -1,11 +1,11 @@
 /// \file The graphs of every sub-mesh: the result of a search (docs/METHOD.md#sub-meshes).
 #pragma once
 
-#include "base/big_count.h"
 #include "layout/cost.h"
 #include "layout/motorcycle_graph.h"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace qm {
@@ -28,7 +28,7 @@ enum class GraphClass {
 struct SubMeshGraphs {
     std::optional<double> cost;       ///< of the best graph; none if no graph was found
     std::optional<double> lowerBound; ///< no graph is cheaper; equals cost when proven
-    std::optional<BigCount> count;    ///< number of motorcycle graphs, where it was asked for
+    std::optional<std::string> count; ///< decimal number of motorcycle graphs, where it was asked for
     std::vector<MotorcycleGraph> graphs;
     std::vector<MotorcycleGraph> samples; ///< drawn uniformly, where that was asked for
 };
@@ -46,9 +46,9 @@ struct Enumeration {
     GraphCost cost;
     GraphClass graphClass = GraphClass::motorcycle;
     Method method = Method::optimum;
-    std::optional<BigCount> count; ///< product over the sub-meshes
-    bool complete = true;          ///< no limit ended a search early
-    Part part;                     ///< what was searched; nothing is known of the other sub-meshes
+    std::optional<std::string> count; ///< product over the sub-meshes
+    bool complete = true;             ///< no limit ended a search early
+    Part part;                        ///< what was searched; nothing is known of the other sub-meshes
     std::vector<SubMeshGraphs> subMeshes;
 };
 

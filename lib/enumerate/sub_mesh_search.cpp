@@ -20,6 +20,10 @@
 namespace qm {
 namespace {
 
+std::optional<std::string> decimal(const std::optional<BigCount>& count) {
+    return count ? std::optional(count->str()) : std::nullopt;
+}
+
 CoordinateMethod coordinateMethod(Method method) {
     switch (method) {
     case Method::naive:
@@ -156,11 +160,12 @@ SubMeshGraphs SubMeshSearch::searchOptimum(const Task& task, const Control& cont
 void SubMeshSearch::countAndDraw(const Task& task, SubMeshGraphs& result, const Control& control,
                                  std::atomic<bool>& complete) const {
     const bool limited = std::isfinite(options_.maxCost);
-    if (options_.count && !limited) result.count = countGraphs(task.problem, control);
+    if (options_.count && !limited) result.count = decimal(countGraphs(task.problem, control));
     if (options_.sample > 0 || (options_.count && limited)) {
         const auto diagram = buildDiagram(task.problem, diagramNodes, control);
         if (diagram && options_.count && limited)
-            result.count = countUpTo(*diagram, maxCost(task.subMesh) + Incumbents::tolerance, control);
+            result.count =
+                decimal(countUpTo(*diagram, maxCost(task.subMesh) + Incumbents::tolerance, control));
         if (diagram)
             for (const Assignment& drawn : drawGraphs(*diagram, options_.sample, options_.seed))
                 result.samples.push_back(graph(task, drawn));
@@ -185,7 +190,7 @@ SubMeshGraphs SubMeshSearch::searchCoordinates(const Task& task, const Control& 
     for (const auto& [cost, assignment] : incumbents.graphs())
         result.graphs.push_back(graph(task, assignment));
     if (finished && !incumbents.empty()) result.lowerBound = result.graphs.front().cost;
-    if (finished) result.count = BigCount(seen.size());
+    if (finished) result.count = std::to_string(seen.size());
     return result;
 }
 
