@@ -60,6 +60,7 @@ requires std::is_enum_v<Enum>
 [[nodiscard]] OptionRecord makeOption(const std::string& name, Enum& value, const Range&,
                                       const std::string& help) {
     std::vector<std::pair<std::string, std::string>> choices;
+    choices.reserve(std::size(Choices<Enum>::all));
     for (const Choice<Enum>& choice : Choices<Enum>::all)
         choices.emplace_back(choice.name, choice.help);
     return makeChoiceOption(

@@ -107,9 +107,9 @@ std::string reason(std::string message) {
     constexpr std::size_t longest = 200;
     constexpr std::array<std::string_view, 4> marks{"] ", "parse error at ", ": ",
                                                     "syntax error while parsing "};
-    for (const std::string_view mark : marks) { // NOLINT(misc-redundant-expression): the loop's own
+    for (const std::string_view mark : marks) {
         const std::size_t found = message.find(mark);
-        if (found != std::string::npos && found < 100) message.erase(0, found + mark.size());
+        if (found < 100) message.erase(0, found + mark.size());
     }
     return message.size() <= longest ? message : message.substr(0, longest) + " ...";
 }

@@ -1,6 +1,7 @@
 #include "bspline/splines/basis.h"
 #include "bspline/splines/evaluate.h"
 #include "bspline/splines/spline_curve.h"
+#include "support/steps.h"
 
 #include <gtest/gtest.h>
 
@@ -13,27 +14,33 @@
 namespace qm {
 namespace {
 
-const std::vector<double> uniform = {-3, -2, -1, 0, 1, 2, 3, 4, 5, 6};
-const std::vector<double> clamped = {0, 0, 0, 0, 1, 2, 2, 2, 3.5, 5, 5, 5, 5};
-const std::vector<double> halfClamped = {0, 0, 0, 0, 1, 3, 4, 5, 6};
+std::vector<double> uniform() {
+    return {-3, -2, -1, 0, 1, 2, 3, 4, 5, 6};
+}
+std::vector<double> clamped() {
+    return {0, 0, 0, 0, 1, 2, 2, 2, 3.5, 5, 5, 5, 5};
+}
+std::vector<double> halfClamped() {
+    return {0, 0, 0, 0, 1, 3, 4, 5, 6};
+}
 
 TEST(Basis, FindsTheSpan) {
-    EXPECT_EQ(knotSpan(uniform, 3, 0), 3U);
-    EXPECT_EQ(knotSpan(uniform, 3, 0.99), 3U);
-    EXPECT_EQ(knotSpan(uniform, 3, 1), 4U);
-    EXPECT_EQ(knotSpan(uniform, 3, 3), 5U) << "the end belongs to the last interval";
-    EXPECT_EQ(knotSpan(uniform, 3, -7), 3U);
-    EXPECT_EQ(knotSpan(uniform, 3, 7), 5U);
-    EXPECT_EQ(knotSpan(clamped, 3, 0), 3U);
-    EXPECT_EQ(knotSpan(clamped, 3, 2), 7U) << "behind all three equal knots";
-    EXPECT_EQ(knotSpan(clamped, 3, 5), 8U);
+    EXPECT_EQ(knotSpan(uniform(), 3, 0), 3U);
+    EXPECT_EQ(knotSpan(uniform(), 3, 0.99), 3U);
+    EXPECT_EQ(knotSpan(uniform(), 3, 1), 4U);
+    EXPECT_EQ(knotSpan(uniform(), 3, 3), 5U) << "the end belongs to the last interval";
+    EXPECT_EQ(knotSpan(uniform(), 3, -7), 3U);
+    EXPECT_EQ(knotSpan(uniform(), 3, 7), 5U);
+    EXPECT_EQ(knotSpan(clamped(), 3, 0), 3U);
+    EXPECT_EQ(knotSpan(clamped(), 3, 2), 7U) << "behind all three equal knots";
+    EXPECT_EQ(knotSpan(clamped(), 3, 5), 8U);
 }
 
 TEST(Basis, SumsToOneAndItsDerivativeToZero) {
-    for (const auto* knots : {&uniform, &clamped, &halfClamped}) {
-        const auto [low, high] = domain(*knots, 3);
-        for (double t = low; t <= high; t += (high - low) / 97) {
-            const BasisValues b = basisValues(*knots, 3, t);
+    for (const auto& knots : {uniform(), clamped(), halfClamped()}) {
+        const auto [low, high] = domain(knots, 3);
+        for (const double t : test::steps(low, high, (high - low) / 97)) {
+            const BasisValues b = basisValues(knots, 3, t);
             EXPECT_NEAR(std::accumulate(b.value.begin(), b.value.end(), 0.0), 1, 1e-14);
             EXPECT_NEAR(std::accumulate(b.derivative.begin(), b.derivative.end(), 0.0), 0, 1e-13);
         }
@@ -42,10 +49,9 @@ TEST(Basis, SumsToOneAndItsDerivativeToZero) {
 
 TEST(Basis, ReproducesCubicsThroughTheirBlossom) {
     // The control point of basis function k is the blossom at the knots k + 1, k + 2, k + 3.
-    for (const auto* knots : {&uniform, &clamped, &halfClamped}) {
-        const auto& t = *knots;
+    for (const auto& t : {uniform(), clamped(), halfClamped()}) {
         const auto [low, high] = domain(t, 3);
-        for (double x = low; x <= high; x += (high - low) / 41) {
+        for (const double x : test::steps(low, high, (high - low) / 41)) {
             const BasisValues b = basisValues(t, 3, x);
             double value = 0;
             double derivative = 0;
@@ -74,7 +80,7 @@ TEST(Basis, KnowsOtherDegrees) {
 Patch samplePatch() {
     Patch patch;
     patch.degree = {3, 2};
-    patch.knots = {halfClamped, {0, 0, 0, 0.5, 2, 2, 2}};
+    patch.knots = {halfClamped(), {0, 0, 0, 0.5, 2, 2, 2}};
     patch.count = {5, 4};
     for (int j = 0; j < 4; ++j)
         for (int i = 0; i < 5; ++i)
@@ -136,7 +142,7 @@ TEST(SplineCurve, IsTheSameAfterRestrictionReversalAndRefinement) {
     const SplineCurve back = reversed(part);
     const SplineCurve fine = withKnots(part, {0, 0, 0, 0, 0.5, 1, 1, 1, 1.25, 2, 2, 3, 3, 3, 3});
     EXPECT_EQ(fine.points.size(), 11U);
-    for (double t = 0; t <= 3; t += 0.0625) {
+    for (const double t : test::steps(0, 3, 0.0625)) {
         const Point expected = evaluate(curve, 1 + t);
         EXPECT_LT((evaluate(part, t) - expected).norm(), 1e-13) << t;
         EXPECT_LT((evaluate(back, 3 - t) - expected).norm(), 1e-13) << t;
@@ -168,7 +174,7 @@ TEST(SplineCurve, JoinsWithACorner) {
     const SplineCurve whole = joined(parts);
     EXPECT_EQ(whole.knots.size(), whole.points.size() + 4);
     EXPECT_EQ(std::count(whole.knots.begin(), whole.knots.end(), 2.0), 3);
-    for (double t = 0; t <= 5; t += 0.125)
+    for (const double t : test::steps(0, 5, 0.125))
         EXPECT_LT((evaluate(whole, t) - (t < 2 ? evaluate(first, t) : evaluate(second, t - 2))).norm(),
                   1e-14);
 }

@@ -311,6 +311,7 @@ TEST(CheckRules, AgreeOnPlanesWithHoles) {
         for (int hole = 0; hole < 1 + i % 3; ++hole)
             rows[1 + random() % 3][1 + random() % 4] = '.';
         std::vector<const char*> text;
+        text.reserve(rows.size());
         for (const auto& row : rows)
             text.push_back(row.c_str());
         try {

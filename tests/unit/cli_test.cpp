@@ -140,6 +140,7 @@ TEST(Usage, HelpAndJsonSayTheSame) {
 /// \return its status
 int runWith(std::vector<std::string> words, const std::function<qm::ToolBody(qm::Tool&)>& declare) {
     std::vector<char*> argv;
+    argv.reserve(words.size() + 1);
     for (std::string& word : words)
         argv.push_back(word.data());
     argv.push_back(nullptr);

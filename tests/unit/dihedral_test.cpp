@@ -5,6 +5,7 @@
 #include "mesh/read_mesh.h"
 #include "shape/shape.h"
 #include "support/shared_files.h"
+#include "support/steps.h"
 
 #include <gtest/gtest.h>
 
@@ -30,7 +31,7 @@ double angleOfHinge(const QuadMesh& mesh) {
 }
 
 TEST(Dihedral, IsTheAngleBetweenTheFacesWhicheverWayTheyTurn) {
-    for (double angle = 0; angle < 3.1; angle += 0.1) {
+    for (const double angle : test::steps(0, 3.1, 0.1)) {
         EXPECT_NEAR(angleOfHinge(hinge(angle)), angle, 1e-12);
         EXPECT_NEAR(angleOfHinge(hinge(-angle)), angle, 1e-12);
     }

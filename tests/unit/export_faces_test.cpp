@@ -7,6 +7,7 @@
 #include "export/shape.h"
 #include "export/shared_edges.h"
 #include "support/fitted_model.h"
+#include "support/steps.h"
 
 #include <gtest/gtest.h>
 
@@ -78,8 +79,8 @@ double volume(const TopoDS_Shape& shape) {
 
 double distance(const Patch& one, const Patch& other) {
     double largest = 0;
-    for (double u = 0; u <= one.knots[0].back(); u += 0.37)
-        for (double v = 0; v <= one.knots[1].back(); v += 0.37)
+    for (const double u : test::steps(0, one.knots[0].back(), 0.37))
+        for (const double v : test::steps(0, one.knots[1].back(), 0.37))
             largest =
                 std::max(largest, (evaluate(one, u, v).position - evaluate(other, u, v).position).norm());
     return largest;

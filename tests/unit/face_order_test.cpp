@@ -13,8 +13,12 @@ namespace {
 
 using Faces = std::vector<std::size_t>;
 
-const Handle(Geom_Surface) aPlane = new Geom_Plane(gp::XOY());
-const Handle(Geom_Surface) aCylinder = new Geom_CylindricalSurface(gp_Ax3(gp::XOY()), 1);
+Handle(Geom_Surface) aPlane() {
+    return new Geom_Plane(gp::XOY());
+}
+Handle(Geom_Surface) aCylinder() {
+    return new Geom_CylindricalSurface(gp_Ax3(gp::XOY()), 1);
+}
 
 /// Faces side by side between two vertices, as slices of an apple's half: faces 0, 1, 2 ... of `numbers` with
 /// smooth edges between them, in one part in the order of their numbers.
@@ -28,7 +32,7 @@ Boundary slices(const Faces& numbers) {
     }
     boundary.faces.resize(numbers.size());
     for (std::size_t k = 0; k < numbers.size(); ++k)
-        boundary.faces[numbers[k]] = {aPlane, false, true, {{{k, true}, {k + 1, false}}}};
+        boundary.faces[numbers[k]] = {aPlane(), false, true, {{{k, true}, {k + 1, false}}}};
     boundary.parts.resize(1);
     for (std::size_t f = 0; f < numbers.size(); ++f)
         boundary.parts[0].faces.push_back(f);
@@ -79,8 +83,8 @@ TEST(FaceOrder, IsNoMatterWhereSmoothFacesCloseAroundAVertex) {
 
 TEST(FaceOrder, HasPlanesBeforeCylinders) {
     Boundary boundary = slices({1, 0, 3, 2});
-    boundary.faces[0].surface = aCylinder;
-    boundary.faces[2].surface = aCylinder;
+    boundary.faces[0].surface = aCylinder();
+    boundary.faces[2].surface = aCylinder();
     orderFaces(boundary);
     EXPECT_EQ(boundary.parts[0].faces, (Faces{1, 3, 0, 2})); // 0 comes between two, which cannot be helped
 }

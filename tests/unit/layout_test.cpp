@@ -17,6 +17,7 @@ namespace {
 
 Layout layoutAlong(const QuadMesh& mesh, const std::vector<Path>& paths) {
     std::vector<Track> tracks;
+    tracks.reserve(paths.size());
     for (const Path& path : paths)
         tracks.push_back(trackAlong(mesh, path));
     const std::vector<double> flat(mesh.n_edges(), 0);

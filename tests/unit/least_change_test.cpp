@@ -10,8 +10,10 @@ namespace {
 using qm::LeastChange;
 using qm::PlaneDemand;
 
-const qm::Plane floorPlane{{0, 0, 1}, 0};
-const qm::Plane shelf{{0, 0, 1}, 1};
+/// Across the third axis.
+qm::Plane level(double height) {
+    return {{0, 0, 1}, height};
+}
 
 Eigen::MatrixX3d threePoints() {
     Eigen::MatrixX3d points(3, 3);
@@ -28,7 +30,7 @@ std::vector<qm::LinearForm> straight() {
 
 TEST(LeastChange, MovesWhatIsDemandedAndWhatEquationsTakeAlong) {
     const LeastChange change(3, straight());
-    const std::vector<PlaneDemand> demands{{0, floorPlane}};
+    const std::vector<PlaneDemand> demands{{0, level(0)}};
     const Eigen::MatrixX3d before = threePoints();
     const Eigen::MatrixX3d after = change.run(demands, before);
     EXPECT_NEAR(after(0, 2), 0, 1e-14);
@@ -41,12 +43,12 @@ TEST(LeastChange, MovesWhatIsDemandedAndWhatEquationsTakeAlong) {
 
 TEST(LeastChange, LeavesWhatIsInItsPlaneAlready) {
     const LeastChange change(3, straight());
-    EXPECT_EQ(change.run({{2, floorPlane}}, threePoints()), threePoints());
+    EXPECT_EQ(change.run({{2, level(0)}}, threePoints()), threePoints());
 }
 
 TEST(LeastChange, TellsWhatCannotBeHad) {
     const LeastChange change(2, {{{0, 1}, {1, -1}}});
-    const std::vector<PlaneDemand> demands{{0, floorPlane}, {1, shelf}};
+    const std::vector<PlaneDemand> demands{{0, level(0)}, {1, level(1)}};
     const Eigen::MatrixX3d before = Eigen::MatrixX3d::Zero(2, 3);
     const Eigen::MatrixX3d after = change.run(demands, before);
     const double missing = qm::missingHeights(demands, after).cwiseAbs().maxCoeff();

@@ -11,6 +11,7 @@
 #include "support/polycube.h"
 #include "support/quad_layout.h"
 #include "support/random_graph.h"
+#include "support/steps.h"
 
 #include <gtest/gtest.h>
 
@@ -252,8 +253,8 @@ TEST(LimitSurface, SegmentsMayBeTurnedInAnyWay) {
     for (int turned = 1; turned < 4; ++turned) {
         const Layout layout = test::makeLayout(sheet, {{0, 0, 6, 4, turned}});
         const ReferenceGrid other = limitSurface(mesh, layout, noCreases(mesh), 2, 1).front();
-        for (double v = 0; v <= 4; v += 0.5)
-            for (double u = 0; u <= 6; u += 0.5) {
+        for (const double v : test::steps(0, 4, 0.5))
+            for (const double u : test::steps(0, 6, 0.5)) {
                 const auto place = std::array{std::array{v, 6 - u}, std::array{6 - u, 4 - v},
                                               std::array{4 - v, u}}[at(turned - 1)];
                 EXPECT_LT((other.at(place[0], place[1]) - grid.at(u, v)).norm(), 1e-12) << turned;
@@ -423,8 +424,8 @@ TEST(ReferenceGrid, IsAPolynomialInEveryQuad) {
             for (int i = 0; i <= 3 * steps; ++i)
                 grid.points.push_back(
                     surface(static_cast<double>(i) / steps, static_cast<double>(j) / steps));
-        for (double v = -0.3; v < 2.4; v += 0.17)
-            for (double u = -0.3; u < 3.4; u += 0.19) {
+        for (const double v : test::steps(-0.3, 2.4, 0.17))
+            for (const double u : test::steps(-0.3, 3.4, 0.19)) {
                 const SurfacePoint point = grid.evaluate(u, v);
                 EXPECT_LT((point.position - surface(u, v)).norm(), 1e-11);
                 EXPECT_LT((grid.at(u, v) - surface(u, v)).norm(), 1e-11);

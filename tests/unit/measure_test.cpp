@@ -23,9 +23,13 @@ Measurement measure(const QuadMesh& mesh, const Layout& layout, const std::vecto
                            std::vector<bool>(mesh.n_edges(), smooth), {}, control);
 }
 
-const Grid plane{8, 6, [](double i, double j) { return Point(i, j, 0); }};
-// Three rectangles that meet at a T-joint, each turned in another way.
-const std::vector<test::Rectangle> tJoint = {{0, 0, 8, 3, 2}, {0, 3, 5, 6, 1}, {5, 3, 8, 6, 3}};
+Grid plane() {
+    return {8, 6, [](double i, double j) { return Point(i, j, 0); }};
+}
+/// Three rectangles that meet at a T-joint, each turned in another way.
+std::vector<test::Rectangle> tJoint() {
+    return {{0, 0, 8, 3, 2}, {0, 3, 5, 6, 1}, {5, 3, 8, 6, 3}};
+}
 
 /// A bilinear patch over one quad.
 Patch bilinearPatch(const std::array<Point, 4>& corners) {
@@ -38,8 +42,8 @@ Patch bilinearPatch(const std::array<Point, 4>& corners) {
 }
 
 TEST(Measure, FindsADisplacementTwoSidedAndRelative) {
-    const QuadMesh mesh = test::makeMesh(plane);
-    const Layout layout = test::makeLayout(plane, tJoint);
+    const QuadMesh mesh = test::makeMesh(plane());
+    const Layout layout = test::makeLayout(plane(), tJoint());
     auto patches = interpolateSegments(mesh, layout, 1);
     for (Point& point : patches[1].controlPoints)
         point += Point(0, 0, 0.5);
@@ -66,7 +70,7 @@ TEST(Measure, FindsADisplacementTwoSidedAndRelative) {
 TEST(Measure, SeesWhatHappensBetweenSamplesAtHalfEdges) {
     // A patch with a knot at every eighth of an edge, one control point of which is off.
     const QuadMesh mesh = test::makeMesh({1, 1, [](double i, double j) { return Point(i, j, 0); }});
-    const Layout layout = test::makeLayout({1, 1, plane.place}, {{0, 0, 1, 1}});
+    const Layout layout = test::makeLayout({1, 1, plane().place}, {{0, 0, 1, 1}});
     Patch patch;
     for (auto& knots : patch.knots) {
         knots = {0, 0, 0, 0};
@@ -120,8 +124,8 @@ TEST(Measure, FindsAnglesWithinPatches) {
 }
 
 TEST(Measure, CountsFolds) {
-    const QuadMesh mesh = test::makeMesh(plane);
-    const Layout layout = test::makeLayout(plane, {{0, 0, 8, 6}});
+    const QuadMesh mesh = test::makeMesh(plane());
+    const Layout layout = test::makeLayout(plane(), {{0, 0, 8, 6}});
     auto patches = interpolateSegments(mesh, layout, 1);
     EXPECT_EQ(measure(mesh, layout, patches).ofAll.deviation.folds, 0U);
     patches[0].controlPoints[5 * 11 + 5] += Point(4, 0, 0);
@@ -147,8 +151,8 @@ NearestOnScan sheetAt(double height, double until) {
 }
 
 TEST(Measure, MeasuresFromAScan) {
-    const QuadMesh mesh = test::makeMesh(plane);
-    const Layout layout = test::makeLayout(plane, tJoint);
+    const QuadMesh mesh = test::makeMesh(plane());
+    const Layout layout = test::makeLayout(plane(), tJoint());
     const auto patches = interpolateSegments(mesh, layout, 1);
     const auto from = [&](const NearestOnScan& scan, double cutOff = HUGE_VAL) {
         return deviationFromScan(patches, scan, cutOff, {}, 1);
@@ -176,8 +180,8 @@ ScanPoint ofManyTriangles(const Point& point) {
 }
 
 TEST(Measure, ManySmallTrianglesAreNotFartherAwayThanTheyAre) {
-    const QuadMesh mesh = test::makeMesh(plane);
-    const Layout layout = test::makeLayout(plane, tJoint);
+    const QuadMesh mesh = test::makeMesh(plane());
+    const Layout layout = test::makeLayout(plane(), tJoint());
     auto patches = interpolateSegments(mesh, layout, 1);
     for (Patch& patch : patches)
         for (Point& point : patch.controlPoints)

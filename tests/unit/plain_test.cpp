@@ -18,6 +18,7 @@ protected:
     /// \param seeds  each from one vertex to the next in the direction of its first particle
     std::vector<Path> race(const std::vector<std::array<int, 2>>& seeds) {
         std::vector<Seed> given;
+        given.reserve(seeds.size());
         for (const auto& [from, to] : seeds)
             given.push_back({mesh.find_halfedge(VertexId(vertex(from)), VertexId(vertex(to)))});
         const std::vector<double> costs(mesh.n_edges(), 0.5);

@@ -97,8 +97,8 @@ std::string objOf(const std::string& vertices, const std::string& faces) {
 }
 
 /// Vertices 1 to 12 of a 4 x 3 grid.
-const std::string gridPoints = "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\nv 3 1 0\n"
-                               "v 0 2 0\nv 1 2 0\nv 2 2 0\nv 3 2 0\n";
+constexpr const char* gridPoints = "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\nv 3 1 0\n"
+                                   "v 0 2 0\nv 1 2 0\nv 2 2 0\nv 3 2 0\n";
 
 TEST(Refusal, OfAnEmptyFile) {
     for (const std::string name : {"a.obj", "a.off", "a.ply", ""})
@@ -156,7 +156,8 @@ TEST(Refusal, OfADuplicateFace) {
 
 TEST(Refusal, OfACrowdedEdge) {
     EXPECT_TRUE(says(
-        refusal(objOf(gridPoints + "v 1 0 1\nv 1 1 1\n", "f 1 2 6 5\nf 2 3 7 6\nf 2 6 14 13\n"), "a.obj"),
+        refusal(objOf(std::string(gridPoints) + "v 1 0 1\nv 1 1 1\n", "f 1 2 6 5\nf 2 3 7 6\nf 2 6 14 13\n"),
+                "a.obj"),
         "^edge between vertices 1 and 5: 3 faces meet there: face 0 (line 15), face 1 (line 16), "
         "face 2 (line 17). "));
 }

@@ -11,12 +11,14 @@
 namespace qm {
 namespace {
 
-const std::string facet = "  facet normal 0 0 1\n    outer loop\n      vertex 0 0 0\n      vertex 1 0 0\n"
-                          "      vertex 1 1 0\n    endloop\n  endfacet\n";
-const std::string otherFacet =
+constexpr const char* facet = "  facet normal 0 0 1\n    outer loop\n      vertex 0 0 0\n      vertex 1 0 0\n"
+                              "      vertex 1 1 0\n    endloop\n  endfacet\n";
+constexpr const char* otherFacet =
     "FACET NORMAL 0 0 1 OUTER LOOP VERTEX 0 0 -0 VERTEX 1 1 0 VERTEX 0 1 0 ENDLOOP "
     "ENDFACET\n";
-const std::string textStl = "solid two of them\n" + facet + otherFacet + "endsolid two of them\n";
+std::string textStl() {
+    return std::string("solid two of them\n") + facet + otherFacet + "endsolid two of them\n";
+}
 
 std::string refusal(const std::string& bytes, const std::string& name) {
     try {
@@ -46,9 +48,10 @@ void expectSquare(const std::string& bytes, const std::string& name) {
 }
 
 TEST(ReadTriangles, TextStlInSmallAndCapitalLettersIsWeldedIntoOneSurface) {
-    expectSquare(textStl, "a.stl");
-    expectSquare(textStl, "no-ending");
-    expectSquare("solid one\n" + facet + "endsolid\nsolid\n" + otherFacet + "endsolid\n", "a.stl");
+    expectSquare(textStl(), "a.stl");
+    expectSquare(textStl(), "no-ending");
+    expectSquare(std::string("solid one\n") + facet + "endsolid\nsolid\n" + otherFacet + "endsolid\n",
+                 "a.stl");
 }
 
 TEST(ReadTriangles, EveryFormatThatIsWrittenIsRead) {
@@ -86,9 +89,9 @@ TEST(ReadTriangles, WhatIsNotWholeOrNoSurfaceIsRefused) {
     expectRefused(binary.substr(0, binary.size() - 1), "a.stl", "2 facets that its header announces");
     expectRefused(binary + "x", "a.stl", "Get the file whole");
     expectRefused(binary.substr(0, 60), "a.stl", "within its header");
-    expectRefused(textStl.substr(0, 100), "a.stl",
+    expectRefused(textStl().substr(0, 100), "a.stl",
                   "line 6: expected vertex or endloop, found \"ve\". The file seems to be cut off");
-    expectRefused("solid\n" + facet, "a.stl", "endsolid, but the file ends");
+    expectRefused(std::string("solid\n") + facet, "a.stl", "endsolid, but the file ends");
     expectRefused("solid\nfacet normal 0 0 1\nouter loop\nvertex 1 x 2\n", "a.stl", "found \"x\"");
     expectRefused("solid\nendsolid\n", "a.stl", "no faces");
     expectRefused("solid\nfacet normal 0 0 1\nouter loop\nvertex 1 0 2\nendloop\nendfacet\nendsolid", "a.stl",
@@ -104,7 +107,7 @@ TEST(ReadTriangles, WhatIsNotWholeOrNoSurfaceIsRefused) {
 TEST(ReadTriangles, AnyBytesAreReadOrRefused) {
     std::mt19937 random(5);
     const std::vector<std::pair<std::string, std::string>> files{
-        {textStl, "a.stl"},
+        {textStl(), "a.stl"},
         {writeSoup(soupOf(square()), MeshFormat::stl), "a.stl"},
         {writeSoup(soupOf(square()), MeshFormat::ply), "a.ply"},
         {writeSoup(soupOf(square()), MeshFormat::obj), "a.obj"}};

@@ -260,8 +260,7 @@ TEST(Repair, OrientsAsMostFacesAre) {
         const QuadMesh mesh = makeShape(kind.name, {.resolution = 3});
         if (components(mesh).count > 1) continue;
         std::vector<bool> which(mesh.n_faces());
-        for (std::size_t k = 0; k < which.size(); ++k)
-            which[k] = engine() % 5 == 0;
+        std::generate(which.begin(), which.end(), [&] { return engine() % 5 == 0; });
         const ReadResult result = repaired(flipped(mesh, which));
         expectReport(result.repair, 0, 0, 0, static_cast<std::size_t>(std::ranges::count(which, true)));
         EXPECT_EQ(facesOf(result.mesh), facesOf(mesh));
@@ -324,7 +323,7 @@ TEST(Repair, OfSharedMeshes) {
     auto cyclic = [](const QuadMesh& mesh) {
         auto faces = facesOf(mesh);
         for (auto& face : faces)
-            std::ranges::rotate(face, std::ranges::min_element(face));
+            std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
         return faces;
     };
     EXPECT_EQ(cyclic(turned.mesh), cyclic(expected));
