@@ -32,6 +32,7 @@ check::CheckedMesh randomPlane(std::mt19937& random) {
         for (char& square : row)
             if (draw(random, 0, 5) == 0) square = '.';
     std::vector<const char*> texts;
+    texts.reserve(rows.size());
     for (const std::string& row : rows)
         texts.push_back(row.c_str());
     return plane(texts);

@@ -25,15 +25,26 @@ std::string refusal(const std::string& text, const std::string& name) {
     return {};
 }
 
-const std::string twoObj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\n"
-                           "f 1 2 3 4\nf 2 5 6 3\n";
-const std::string twoOff = "OFF\n6 2 7\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 0 0\n2 1 0\n"
-                           "4 0 1 2 3\n4 1 4 5 2\n";
-const std::string twoPlyHeader = "ply\nformat ascii 1.0\ncomment two squares\nelement vertex 6\n"
-                                 "property float x\nproperty float y\nproperty float z\nelement face 2\n"
-                                 "property list uchar int vertex_indices\nend_header\n";
-const std::string twoPly = twoPlyHeader + "0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 0 0\n2 1 0\n"
-                                          "4 0 1 2 3\n4 1 4 5 2\n";
+std::string twoObj() {
+    return "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\n"
+           "f 1 2 3 4\nf 2 5 6 3\n";
+}
+
+std::string twoOff() {
+    return "OFF\n6 2 7\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 0 0\n2 1 0\n"
+           "4 0 1 2 3\n4 1 4 5 2\n";
+}
+
+std::string twoPlyHeader() {
+    return "ply\nformat ascii 1.0\ncomment two squares\nelement vertex 6\n"
+           "property float x\nproperty float y\nproperty float z\nelement face 2\n"
+           "property list uchar int vertex_indices\nend_header\n";
+}
+
+std::string twoPly() {
+    return twoPlyHeader() + "0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 0 0\n2 1 0\n"
+                            "4 0 1 2 3\n4 1 4 5 2\n";
+}
 
 std::string binaryPly(bool little, const std::string& coordinate, const std::string& index, bool extras) {
     BinaryText out(little);
@@ -74,7 +85,7 @@ std::string binaryPly(bool little, const std::string& coordinate, const std::str
 void expectTwoSquares(const std::string& text, const std::string& name) {
     SCOPED_TRACE(text.substr(0, 400));
     const QuadMesh mesh = read(text, name);
-    EXPECT_EQ(pointsOf(mesh), pointsOf(read(twoObj, "a.obj")));
+    EXPECT_EQ(pointsOf(mesh), pointsOf(read(twoObj(), "a.obj")));
     EXPECT_EQ(facesOf(mesh), (std::vector<FaceIndices>{{0, 1, 2, 3}, {1, 4, 5, 2}}));
 }
 

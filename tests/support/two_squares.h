@@ -28,10 +28,10 @@ template <class... Parts>
 }
 
 /// Two squares side by side.
-extern const std::string twoObj;
-extern const std::string twoOff;
-extern const std::string twoPlyHeader;
-extern const std::string twoPly;
+[[nodiscard]] std::string twoObj();
+[[nodiscard]] std::string twoOff();
+[[nodiscard]] std::string twoPlyHeader();
+[[nodiscard]] std::string twoPly();
 /// In binary PLY, with whatever else a file may hold.
 /// \param coordinate, index  types, as PLY names them
 [[nodiscard]] std::string binaryPly(bool little, const std::string& coordinate, const std::string& index,

@@ -24,20 +24,20 @@ using namespace testing;
 // ------------------------------------------------------------------------------------------ what is read
 
 TEST(ReadMesh, KeepsNumbersAndFirstVertices) {
-    expectTwoSquares(twoObj, "a.obj");
-    expectTwoSquares(twoOff, "a.off");
-    expectTwoSquares(twoPly, "a.ply");
+    expectTwoSquares(twoObj(), "a.obj");
+    expectTwoSquares(twoOff(), "a.off");
+    expectTwoSquares(twoPly(), "a.ply");
 }
 
 TEST(ReadMesh, KnowsFormatsByExtensionOrFirstWord) {
-    expectTwoSquares(twoObj, "A.OBJ");
+    expectTwoSquares(twoObj(), "A.OBJ");
     for (const std::string name : {"", "mesh", "-", "folder.off/mesh", "mesh.txt"}) {
-        expectTwoSquares(twoObj, name);
-        expectTwoSquares("# a comment\n\n" + twoObj, name);
-        expectTwoSquares("mtllib a.mtl\n" + twoObj, name);
-        expectTwoSquares(twoOff, name);
-        expectTwoSquares("# a comment\n" + twoOff, name);
-        expectTwoSquares(twoPly, name);
+        expectTwoSquares(twoObj(), name);
+        expectTwoSquares("# a comment\n\n" + twoObj(), name);
+        expectTwoSquares("mtllib a.mtl\n" + twoObj(), name);
+        expectTwoSquares(twoOff(), name);
+        expectTwoSquares("# a comment\n" + twoOff(), name);
+        expectTwoSquares(twoPly(), name);
     }
     EXPECT_TRUE(says(refusal("solid cube\n", "a.stl"), "line 1", "but the file ends"));
     EXPECT_TRUE(says(refusal(std::string("\0\1\2", 3), ""), "format is not known"));
@@ -46,27 +46,27 @@ TEST(ReadMesh, KnowsFormatsByExtensionOrFirstWord) {
 
 TEST(ReadMesh, UnderstandsAnyLineEnd) {
     for (const std::string end : {"\r\n", "\r", " \t \n", "\n\n"}) {
-        expectTwoSquares(replaced(twoObj, "\n", end), "a.obj");
-        expectTwoSquares(replaced(twoOff, "\n", end), "a.off");
-        if (end != "\n\n") expectTwoSquares(replaced(twoPly, "\n", end), "a.ply");
+        expectTwoSquares(replaced(twoObj(), "\n", end), "a.obj");
+        expectTwoSquares(replaced(twoOff(), "\n", end), "a.off");
+        if (end != "\n\n") expectTwoSquares(replaced(twoPly(), "\n", end), "a.ply");
     }
 }
 
 TEST(ReadMesh, NeedsNoFinalLineEnd) {
-    expectTwoSquares(twoObj.substr(0, twoObj.size() - 1), "a.obj");
-    expectTwoSquares(twoOff.substr(0, twoOff.size() - 1), "a.off");
-    expectTwoSquares(twoPly.substr(0, twoPly.size() - 1), "a.ply");
+    expectTwoSquares(twoObj().substr(0, twoObj().size() - 1), "a.obj");
+    expectTwoSquares(twoOff().substr(0, twoOff().size() - 1), "a.off");
+    expectTwoSquares(twoPly().substr(0, twoPly().size() - 1), "a.ply");
 }
 
 TEST(ReadMesh, SkipsTheByteOrderMark) {
-    expectTwoSquares("\xEF\xBB\xBF" + twoObj, "a.obj");
-    expectTwoSquares("\xEF\xBB\xBF" + twoOff, "a.off");
-    expectTwoSquares("\xEF\xBB\xBF" + twoPly, "a.ply");
+    expectTwoSquares("\xEF\xBB\xBF" + twoObj(), "a.obj");
+    expectTwoSquares("\xEF\xBB\xBF" + twoOff(), "a.off");
+    expectTwoSquares("\xEF\xBB\xBF" + twoPly(), "a.ply");
 }
 
 TEST(ReadMesh, AllowsTabsAndIndents) {
-    expectTwoSquares(replaced(replaced(twoObj, " ", "\t \v"), "\n", "\n  "), "a.obj");
-    expectTwoSquares(replaced(replaced(twoOff, " ", "\t\f"), "\n", "\n\t"), "a.off");
+    expectTwoSquares(replaced(replaced(twoObj(), " ", "\t \v"), "\n", "\n  "), "a.obj");
+    expectTwoSquares(replaced(replaced(twoOff(), " ", "\t\f"), "\n", "\n\t"), "a.off");
 }
 
 TEST(ReadMesh, ReadsNumbersToTheLastBit) {
@@ -80,13 +80,14 @@ TEST(ReadMesh, ReadsNumbersToTheLastBit) {
 }
 
 TEST(ReadMesh, KeepsIsolatedVertices) {
-    const QuadMesh mesh = read("v 9 9 9\n" + replaced(twoObj, "f 1 2 3 4\nf 2 5 6 3", "f 2 3 4 5"), "a.obj");
+    const QuadMesh mesh =
+        read("v 9 9 9\n" + replaced(twoObj(), "f 1 2 3 4\nf 2 5 6 3", "f 2 3 4 5"), "a.obj");
     EXPECT_EQ(mesh.n_vertices(), 7U);
     EXPECT_TRUE(mesh.is_isolated(VertexId(0)));
 }
 
 TEST(ReadMesh, AcceptsTwoQuadsBackToBack) {
-    const QuadMesh mesh = read(replaced(twoObj, "f 2 5 6 3", "f 4 3 2 1"), "a.obj");
+    const QuadMesh mesh = read(replaced(twoObj(), "f 2 5 6 3", "f 4 3 2 1"), "a.obj");
     EXPECT_EQ(mesh.n_edges(), 4U);
 }
 
@@ -127,15 +128,15 @@ TEST(Refusal, OfIndicesOutOfRange) {
 
 TEST(Refusal, OfPlacesThatAreNone) {
     for (const std::string word : {"nan", "NaN", "-nan", "nan(ind)"})
-        EXPECT_TRUE(says(refusal(replaced(twoObj, "v 2 1 0", "v 2 " + word + " 0"), "a.obj"),
+        EXPECT_TRUE(says(refusal(replaced(twoObj(), "v 2 1 0", "v 2 " + word + " 0"), "a.obj"),
                          "^vertex 5 (line 6): a coordinate is not a number"));
     for (const std::string word : {"inf", "-inf", "Infinity", "1e999", "-1e400", "1e99999999999"})
-        EXPECT_TRUE(says(refusal(replaced(twoObj, "v 2 1 0", "v 2 " + word + " 0"), "a.obj"),
+        EXPECT_TRUE(says(refusal(replaced(twoObj(), "v 2 1 0", "v 2 " + word + " 0"), "a.obj"),
                          "^vertex 5 (line 6): a coordinate is infinite"));
-    EXPECT_TRUE(says(refusal(replaced(twoObj, "v 2 1 0", "v 2 1e200 0"), "a.obj"), "larger than 1e150"));
-    EXPECT_TRUE(says(refusal(replaced(twoPly, "2 1 0\n", "2 nan 0\n"), "a.ply"),
+    EXPECT_TRUE(says(refusal(replaced(twoObj(), "v 2 1 0", "v 2 1e200 0"), "a.obj"), "larger than 1e150"));
+    EXPECT_TRUE(says(refusal(replaced(twoPly(), "2 1 0\n", "2 nan 0\n"), "a.ply"),
                      "^vertex 5 (line 16): a coordinate is not"));
-    EXPECT_TRUE(says(refusal(replaced(twoOff, "2 1 0\n", "2 inf 0\n"), "a.off"),
+    EXPECT_TRUE(says(refusal(replaced(twoOff(), "2 1 0\n", "2 inf 0\n"), "a.off"),
                      "^vertex 5 (line 8): a coordinate is inf"));
 }
 
@@ -217,12 +218,12 @@ std::string onlyOne(const std::vector<std::string>& warnings) {
 
 TEST(Warnings, AreSilentAboutAGoodMesh) {
     EXPECT_EQ(warningsOf(writeObj(makeShape("block"))), std::vector<std::string>());
-    EXPECT_EQ(warningsOf(twoObj), std::vector<std::string>());
+    EXPECT_EQ(warningsOf(twoObj()), std::vector<std::string>());
 }
 
 TEST(Warnings, AboutCoincidentVertices) {
-    EXPECT_TRUE(
-        says(onlyOne(warningsOf(twoObj + "v 2 1 0\nv -0 0 0\n")), "2 of 8 vertices lie where another does"));
+    EXPECT_TRUE(says(onlyOne(warningsOf(twoObj() + "v 2 1 0\nv -0 0 0\n")),
+                     "2 of 8 vertices lie where another does"));
 }
 
 TEST(Warnings, AboutQuadsWithoutArea) {
@@ -235,7 +236,7 @@ TEST(Warnings, AboutManyComponents) {
     for (int k = 0; k < 11; ++k)
         text += replaced("v X 0 0\nv X 1 0\nv X 1 1\nv X 0 1\nf -4 -3 -2 -1\n", "X", std::to_string(k));
     EXPECT_TRUE(says(onlyOne(warningsOf(text)), "the mesh has 11 components"));
-    std::string lonely = twoObj;
+    std::string lonely = twoObj();
     for (int k = 0; k < 20; ++k)
         lonely += "v 9 9 " + std::to_string(k) + "\n";
     EXPECT_EQ(warningsOf(lonely), std::vector<std::string>()) << "vertices without faces are no components";
@@ -368,7 +369,7 @@ TEST(MutatedFiles, AreRefusedOrValid) {
     std::mt19937_64 engine(7);
     const std::string cube = writeObj(makeShape("cube", {.resolution = 2}));
     std::vector<std::pair<std::string, std::string>> originals{
-        {twoObj, "a.obj"}, {cube, "a.obj"}, {twoOff, "a.off"}, {twoPly, "a.ply"}};
+        {twoObj(), "a.obj"}, {cube, "a.obj"}, {twoOff(), "a.off"}, {twoPly(), "a.ply"}};
     for (const bool little : {true, false})
         originals.emplace_back(binaryPly(little, "float", "int", little), "a.ply");
     std::size_t valid = 0, refused = 0;

@@ -30,13 +30,13 @@ TEST(ReadPly, ReadsBinaryAfterOtherLineEnds) {
 }
 
 TEST(ReadPly, PassesOverOtherPropertiesInText) {
-    std::string text = replaced(twoPly, "property float z\n", "property float z\nproperty uchar red\n");
+    std::string text = replaced(twoPly(), "property float z\n", "property float z\nproperty uchar red\n");
     text = replaced(text, " 0\n", " 0 255\n");
     expectTwoSquares(text, "a.ply");
 }
 
 TEST(ReadPly, TakesPropertiesByName) {
-    std::string text = replaced(twoPlyHeader, "property float x\nproperty float y\nproperty float z\n",
+    std::string text = replaced(twoPlyHeader(), "property float x\nproperty float y\nproperty float z\n",
                                 "property float z\nproperty float y\nproperty float x\n");
     text += "0 0 0\n0 0 1\n0 1 1\n0 1 0\n0 0 2\n0 1 2\n4 0 1 2 3\n4 1 4 5 2\n";
     expectTwoSquares(text, "a.ply");
@@ -51,50 +51,51 @@ TEST(ReadPly, RefusesBadHeaders) {
         {"end_header\n", "has no end"},
     };
     for (const auto& [line, reason] : faults)
-        EXPECT_TRUE(says(refusal(replaced(twoPlyHeader, line, ""), "a.ply"), reason)) << line;
-    EXPECT_TRUE(says(refusal(replaced(twoPly, "float y", "real y"), "a.ply"), "line 6: \"real\" is no type"));
+        EXPECT_TRUE(says(refusal(replaced(twoPlyHeader(), line, ""), "a.ply"), reason)) << line;
     EXPECT_TRUE(
-        says(refusal(replaced(twoPly, "ascii", "utf8"), "a.ply"), "format \"utf8\" is not understood"));
-    EXPECT_TRUE(says(refusal(replaced(twoPly, "vertex 6", "vertex six"), "a.ply"), "has no count"));
-    EXPECT_TRUE(says(refusal(replaced(twoPly, "vertex 6", "vertex -6"), "a.ply"), "has no count"));
-    EXPECT_TRUE(says(refusal(replaced(twoPly, "list uchar", "list float"), "a.ply"), "length of a list"));
-    EXPECT_TRUE(says(refusal(replaced(twoPly, "float z\n", "float z\nproperty float x\n"), "a.ply"),
+        says(refusal(replaced(twoPly(), "float y", "real y"), "a.ply"), "line 6: \"real\" is no type"));
+    EXPECT_TRUE(
+        says(refusal(replaced(twoPly(), "ascii", "utf8"), "a.ply"), "format \"utf8\" is not understood"));
+    EXPECT_TRUE(says(refusal(replaced(twoPly(), "vertex 6", "vertex six"), "a.ply"), "has no count"));
+    EXPECT_TRUE(says(refusal(replaced(twoPly(), "vertex 6", "vertex -6"), "a.ply"), "has no count"));
+    EXPECT_TRUE(says(refusal(replaced(twoPly(), "list uchar", "list float"), "a.ply"), "length of a list"));
+    EXPECT_TRUE(says(refusal(replaced(twoPly(), "float z\n", "float z\nproperty float x\n"), "a.ply"),
                      "one x, y and z"));
-    EXPECT_TRUE(says(refusal(replaced(twoPly, "element face", "element vertex"), "a.ply"), "occurs twice"));
+    EXPECT_TRUE(says(refusal(replaced(twoPly(), "element face", "element vertex"), "a.ply"), "occurs twice"));
     EXPECT_TRUE(says(refusal("OFF\n", "a.ply"), "does not begin with ply"));
 }
 
 TEST(ReadPly, RefusesWhatWasCutOff) {
     for (const std::string& whole :
-         {twoPly.substr(0, twoPly.size() - 1), binaryPly(true, "float", "int", false),
+         {twoPly().substr(0, twoPly().size() - 1), binaryPly(true, "float", "int", false),
           binaryPly(false, "double", "ushort", true)})
         for (std::size_t size = 1; size < whole.size(); ++size)
             EXPECT_FALSE(refusal(whole.substr(0, size), "a.ply").empty()) << size;
-    EXPECT_TRUE(says(refusal(twoPly.substr(0, twoPly.size() - 4), "a.ply"),
+    EXPECT_TRUE(says(refusal(twoPly().substr(0, twoPly().size() - 4), "a.ply"),
                      "face 1 (line 18): the file ends there, its header announces 2"));
 }
 
 TEST(ReadPly, RefusesMoreThanItsHeaderSays) {
-    EXPECT_TRUE(says(refusal(replaced(twoPly, "face 2", "face 1"), "a.ply"), "^line 18: the file goes on"));
+    EXPECT_TRUE(says(refusal(replaced(twoPly(), "face 2", "face 1"), "a.ply"), "^line 18: the file goes on"));
     EXPECT_TRUE(says(refusal(binaryPly(true, "float", "int", false) + "x", "a.ply"), "the file goes on"));
     expectTwoSquares(binaryPly(true, "float", "int", false) + "\n", "a.ply");
 }
 
 TEST(ReadPly, RefusesBadIndicesAndLengths) {
-    EXPECT_TRUE(says(refusal(replaced(twoPly, "4 1 4 5 2", "4 1 4 5 2.5"), "a.ply"),
+    EXPECT_TRUE(says(refusal(replaced(twoPly(), "4 1 4 5 2", "4 1 4 5 2.5"), "a.ply"),
                      "face 1 (line 18): a vertex index is no whole number"));
-    EXPECT_TRUE(says(refusal(replaced(twoPly, "4 1 4 5 2", "4 1 4 5 nan"), "a.ply"), "no whole number"));
-    EXPECT_TRUE(says(refusal(replaced(twoPly, "4 1 4 5 2", "4 1 4 5 1e300"), "a.ply"), "out of range"));
+    EXPECT_TRUE(says(refusal(replaced(twoPly(), "4 1 4 5 2", "4 1 4 5 nan"), "a.ply"), "no whole number"));
+    EXPECT_TRUE(says(refusal(replaced(twoPly(), "4 1 4 5 2", "4 1 4 5 1e300"), "a.ply"), "out of range"));
     EXPECT_TRUE(
-        says(refusal(replaced(twoPly, "4 1 4 5 2", "4 1 4 5 -1"), "a.ply"), "index -1 is out of range"));
-    EXPECT_TRUE(says(refusal(replaced(twoPly, "4 1 4 5 2", "-4 1 4 5 2"), "a.ply"), "impossible length"));
-    EXPECT_TRUE(says(refusal(replaced(twoPly, "4 1 4 5 2", "1e18 1 4 5 2"), "a.ply"), "impossible length"));
-    EXPECT_TRUE(says(refusal(replaced(twoPly, "4 1 4 5 2", "4 1 four 5 2"), "a.ply"),
+        says(refusal(replaced(twoPly(), "4 1 4 5 2", "4 1 4 5 -1"), "a.ply"), "index -1 is out of range"));
+    EXPECT_TRUE(says(refusal(replaced(twoPly(), "4 1 4 5 2", "-4 1 4 5 2"), "a.ply"), "impossible length"));
+    EXPECT_TRUE(says(refusal(replaced(twoPly(), "4 1 4 5 2", "1e18 1 4 5 2"), "a.ply"), "impossible length"));
+    EXPECT_TRUE(says(refusal(replaced(twoPly(), "4 1 4 5 2", "4 1 four 5 2"), "a.ply"),
                      "line 18: \"four\" is no number"));
 }
 
 TEST(ReadPly, AllocatesNothingForAHostileHeader) {
-    EXPECT_TRUE(says(refusal(replaced(twoPly, "vertex 6", "vertex 9000000000000000000"), "a.ply"),
+    EXPECT_TRUE(says(refusal(replaced(twoPly(), "vertex 6", "vertex 9000000000000000000"), "a.ply"),
                      "header announces"));
     EXPECT_TRUE(
         says(refusal(replaced(binaryPly(true, "float", "int", false), "face 2", "face 9000000000000000000"),

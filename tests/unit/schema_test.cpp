@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <chrono>
 #include <set>
 
@@ -20,7 +21,8 @@ using qm::parseJson;
 using qm::testing::messageOf;
 using qm::testing::sampleDocument;
 
-const std::vector<std::string> kinds{"basecomplex", "features", "cut", "enumeration", "layout", "surfaces"};
+constexpr std::array<const char*, 6> kinds{"basecomplex", "features", "cut",
+                                           "enumeration", "layout",   "surfaces"};
 
 /// What draft-07 allows, as far as our schemas use it; and no more, because validation looks at three numbers
 /// of a long list only, which is right for these keywords and not for all.
@@ -69,12 +71,12 @@ TEST(Schemas, DefinitionsHaveDifferentNames) {
 }
 
 TEST(Schemas, OfAKindStandAlone) {
-    for (const std::string& kind : kinds) {
+    for (const std::string kind : kinds) {
         const Json schema = parseJson(qm::standaloneSchema(kind));
         EXPECT_EQ(schema.at("properties").at("kind").at("const"), kind);
         const std::string text = schema.dump();
-        for (std::size_t at = text.find("\"$ref\":\""); at != std::string::npos;
-             at = text.find("\"$ref\":\"", at + 1)) {
+        constexpr const char* mark = R"("$ref":")";
+        for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + 1)) {
             const std::string reference = text.substr(at + 8, text.find('"', at + 8) - at - 8);
             ASSERT_EQ(reference.substr(0, 14), "#/definitions/");
             EXPECT_TRUE(schema.at("definitions").contains(reference.substr(14))) << reference;
@@ -86,7 +88,7 @@ TEST(Schemas, OfAKindStandAlone) {
 TEST(Schemas, DescribeTheDocumentsThatTheToolsWrite) {
     const qm::testing::TemporaryFolder folder;
     const Json whole = sampleDocument(folder, Kind::surfaces).root;
-    for (const std::string& kind : kinds) {
+    for (const std::string kind : kinds) {
         const Json root = sampleDocument(folder, *qm::kindOfName(kind)).root;
         EXPECT_NO_THROW(qm::validateAgainstSchema(root, kind)) << kind;
         EXPECT_EQ(root.at("kind"), kind);

@@ -11,6 +11,7 @@
 #include "shape/shape.h"
 #include "shape/voxels.h"
 #include "support/mesh_text.h"
+#include "support/steps.h"
 #include "support/true_surface.h"
 
 #include <gtest/gtest.h>
@@ -50,14 +51,15 @@ struct Expected {
     bool closed;
     std::size_t extraordinary;
 };
-const std::map<std::string, Expected> expected{
-    {"block", {0, true, 16}},   {"bracket", {-2, true, 28}}, {"cube", {2, true, 8}},
-    {"cylinder", {2, true, 8}}, {"genus2", {-2, true, 24}},  {"genus3", {-4, true, 32}},
-    {"helix", {0, true, 8}},    {"plate", {0, false, 4}},    {"sphere", {2, true, 8}},
-    {"torus", {0, true, 0}},    {"tube", {0, false, 0}}};
+std::map<std::string, Expected> expectedShapes() {
+    return {{"block", {0, true, 16}},   {"bracket", {-2, true, 28}}, {"cube", {2, true, 8}},
+            {"cylinder", {2, true, 8}}, {"genus2", {-2, true, 24}},  {"genus3", {-4, true, 32}},
+            {"helix", {0, true, 8}},    {"plate", {0, false, 4}},    {"sphere", {2, true, 8}},
+            {"torus", {0, true, 0}},    {"tube", {0, false, 0}}};
+}
 
 TEST(Shapes, HaveTheTopologyTheyClaim) {
-    for (const auto& [name, shape] : expected)
+    for (const auto& [name, shape] : expectedShapes())
         for (const int resolution : {1, 2, 3, 5, 8}) {
             SCOPED_TRACE(name + " " + std::to_string(resolution));
             const QuadMesh mesh = makeShape(name, {.resolution = resolution});
@@ -75,7 +77,7 @@ TEST(Shapes, AreAllListedOnceInOrder) {
         names.emplace_back(kind.name);
     EXPECT_TRUE(std::ranges::is_sorted(names));
     EXPECT_EQ(std::set(names.begin(), names.end()).size(), names.size());
-    EXPECT_EQ(names.size(), expected.size() + 2); // and two random ones
+    EXPECT_EQ(names.size(), expectedShapes().size() + 2); // and two random ones
 }
 
 TEST(Shapes, RaiseNoSuspicion) {
@@ -174,7 +176,7 @@ TEST(Shapes, HaveAsManyQuadsAroundAsAskedFor) {
             SCOPED_TRACE(name + std::to_string(around));
             const QuadMesh mesh = makeShape(name, {.around = around});
             testing::expectConsistent(mesh);
-            EXPECT_EQ(extraordinaryVertices(mesh).size(), expected.at(name).extraordinary);
+            EXPECT_EQ(extraordinaryVertices(mesh).size(), expectedShapes().at(name).extraordinary);
             const auto surface = testing::trueSurface(name);
             int onCircle = 0; // where the part is cut by a plane that all of them have vertices in
             for (const VertexId vertex : mesh.vertices()) {
@@ -365,7 +367,7 @@ TEST(GridTopologies, CloseAsTheySay) {
 
 TEST(RoundHoles, MapSquaresToCirclesAndLeaveTheOutside) {
     const RoundHole hole{.hole = 0.5, .frame = 1.5, .radius = 0.7};
-    for (double t = -1; t <= 1; t += 0.125) {
+    for (const double t : test::steps(-1, 1, 0.125)) {
         const auto rim = hole.moved({0.5, 0.5 * t});
         EXPECT_NEAR(std::hypot(rim.x, rim.y), 0.7, 1e-12);
         EXPECT_NEAR(std::atan2(rim.y, rim.x), t * std::numbers::pi / 4, 1e-12);

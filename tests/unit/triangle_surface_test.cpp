@@ -13,7 +13,9 @@ namespace {
 using Nearest = TriangleSurface::Nearest;
 
 /// Two triangles that make a unit square.
-const Triangles square{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+Triangles square() {
+    return {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+}
 
 Triangles soup(std::mt19937& random, int triangles) {
     std::uniform_real_distribution<double> place(0, 1);
@@ -59,7 +61,7 @@ TEST(TriangleSurface, FindsTheNearestPointOfAnyTriangles) {
 }
 
 TEST(TriangleSurface, SaysWhereItEnds) {
-    const TriangleSurface surface(square);
+    const TriangleSurface surface(square());
     EXPECT_TRUE(surface.nearest({0.5, -1, 0}).onBoundary);
     EXPECT_TRUE(surface.nearest({2, 2, 1}).onBoundary);
     EXPECT_TRUE(surface.nearest({1, 0, 1}).onBoundary) << "above a corner";
@@ -91,7 +93,7 @@ TEST(TriangleSurface, ALineMeetsTheNearestFaceThatLooksTheRightWay) {
     EXPECT_NEAR(cube.alongLine(inside, {0, 0, -1}, 2, 0.5).position[2], 0, 1e-12);
     EXPECT_FALSE(cube.alongLine(inside, {0, 0, -1}, 0.8, 0.5).found()) << "that face is 0.9 away";
     EXPECT_FALSE(cube.alongLine({2, 2, 2}, {0, 0, 1}, 9).found());
-    EXPECT_FALSE(TriangleSurface(square).alongLine({-1, 0.2, 0}, {1, 0, 0}, 9).found()) << "seen edge on";
+    EXPECT_FALSE(TriangleSurface(square()).alongLine({-1, 0.2, 0}, {1, 0, 0}, 9).found()) << "seen edge on";
 }
 
 TEST(TriangleSurface, FlatAndFarTrianglesDoNoHarm) {

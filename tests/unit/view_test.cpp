@@ -20,12 +20,14 @@
 namespace qm {
 namespace {
 
-const test::Grid sheet{10, 8, [](double i, double j) { return Point(i + 100, j, std::sin(0.5 * i)); }};
+test::Grid sheet() {
+    return {10, 8, [](double i, double j) { return Point(i + 100, j, std::sin(0.5 * i)); }};
+}
 
 /// A sheet of three segments with a T-joint, with its surfaces.
 struct Sheet {
-    QuadMesh mesh = test::makeMesh(sheet);
-    Layout layout = test::makeLayout(sheet, {{0, 0, 10, 3, 2}, {0, 3, 6, 8, 1}, {6, 3, 10, 8, 3}});
+    QuadMesh mesh = test::makeMesh(sheet());
+    Layout layout = test::makeLayout(sheet(), {{0, 0, 10, 3, 2}, {0, 3, 6, 8, 1}, {6, 3, 10, 8, 3}});
     std::vector<double> angles = dihedralAngles(mesh);
     BaseComplex complex = buildBaseComplex(mesh);
     Features features;
