@@ -27,37 +27,15 @@ void straight(const Neighbourhoods& around, std::span<const ReadTrack> tracks, c
                            "it does not go straight on to this vertex");
 }
 
-} // namespace
+/// The tracks as coordinates.
+struct Coordinates {
+    std::vector<int> x;       ///< arcs walked on every way of the network; 0 without a track
+    std::vector<int> trackOf; ///< rank of every way's track; -1 without
+    bool sound = true;        ///< every track ends at a stop of its own way
+};
 
-std::vector<ReadTrack> readTracks(const Neighbourhoods& around, const std::vector<TrackPart>& tracks,
-                                  const std::string& pointer, Report& report) {
-    std::vector<ReadTrack> read;
-    read.reserve(tracks.size());
-    for (std::size_t i = 0; i < tracks.size(); ++i)
-        if (auto steps = readPath(around, tracks[i].vertices, below(below(pointer, i), "vertices"), report))
-            read.push_back({i, std::move(*steps)});
-    return read;
-}
-
-std::vector<int> edgesOf(const Neighbourhoods& around, std::span<const ReadTrack> tracks,
-                         const std::string& pointer, Report& report) {
-    std::vector<std::pair<int, std::size_t>> edges;
-    for (const ReadTrack& track : tracks)
-        for (const int step : track.steps)
-            edges.emplace_back(around.edge(step), track.rank);
-    std::sort(edges.begin(), edges.end());
-    std::vector<int> result;
-    result.reserve(edges.size());
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-        if (i > 0 && edges[i].first == edges[i - 1].first)
-            report.violate(below(pointer, edges[i].second), "edge twice",
-                           "an edge of it lies also on track " + std::to_string(edges[i - 1].second));
-        else
-            result.push_back(edges[i].first);
-    }
-    return result;
-}
-
+/// Reports every track that is no beginning of a separatrix, or shares its separatrix with another, or
+/// ends where no line crosses.
 Coordinates coordinatesOf(const Neighbourhoods& around, const LineNetwork& network,
                           std::span<const ReadTrack> tracks, const std::string& pointer, Report& report) {
     Coordinates found{std::vector<int>(network.ways.size(), 0), std::vector<int>(network.ways.size(), -1),
@@ -96,6 +74,37 @@ Coordinates coordinatesOf(const Neighbourhoods& around, const LineNetwork& netwo
         found.x[at(start->second)] = x;
     }
     return found;
+}
+
+} // namespace
+
+std::vector<ReadTrack> readTracks(const Neighbourhoods& around, const std::vector<TrackPart>& tracks,
+                                  const std::string& pointer, Report& report) {
+    std::vector<ReadTrack> read;
+    read.reserve(tracks.size());
+    for (std::size_t i = 0; i < tracks.size(); ++i)
+        if (auto steps = readPath(around, tracks[i].vertices, below(below(pointer, i), "vertices"), report))
+            read.push_back({i, std::move(*steps)});
+    return read;
+}
+
+std::vector<int> edgesOf(const Neighbourhoods& around, std::span<const ReadTrack> tracks,
+                         const std::string& pointer, Report& report) {
+    std::vector<std::pair<int, std::size_t>> edges;
+    for (const ReadTrack& track : tracks)
+        for (const int step : track.steps)
+            edges.emplace_back(around.edge(step), track.rank);
+    std::sort(edges.begin(), edges.end());
+    std::vector<int> result;
+    result.reserve(edges.size());
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        if (i > 0 && edges[i].first == edges[i - 1].first)
+            report.violate(below(pointer, edges[i].second), "edge twice",
+                           "an edge of it lies also on track " + std::to_string(edges[i - 1].second));
+        else
+            result.push_back(edges[i].first);
+    }
+    return result;
 }
 
 void checkGraph(const Neighbourhoods& around, const LineNetwork& network, std::span<const ReadTrack> tracks,

@@ -27,19 +27,6 @@ struct ReadTrack {
 [[nodiscard]] std::vector<int> edgesOf(const Neighbourhoods& around, std::span<const ReadTrack> tracks,
                                        const std::string& pointer, Report& report);
 
-/// The tracks as coordinates.
-struct Coordinates {
-    std::vector<int> x;       ///< arcs walked on every way of the network; 0 without a track
-    std::vector<int> trackOf; ///< rank of every way's track; -1 without
-    bool sound = true;        ///< every track ends at a stop of its own way
-};
-
-/// Reports every track that is no beginning of a separatrix, or shares its separatrix with another, or
-/// ends where no line crosses.
-[[nodiscard]] Coordinates coordinatesOf(const Neighbourhoods& around, const LineNetwork& network,
-                                        std::span<const ReadTrack> tracks, const std::string& pointer,
-                                        Report& report);
-
 /// Tests the tracks by rules A1 to A4 and, apart from that, the set of their edges by the rules on arcs.
 /// \param present  by edge: whether it lies on a track
 /// \param count    how many edges do

@@ -26,6 +26,14 @@ std::string text(VertexId vertex) {
     return std::to_string(vertex.idx());
 }
 
+std::vector<VertexId> verticesAt(const QuadMesh& mesh, const JsonPlace& place) {
+    std::vector<VertexId> vertices;
+    vertices.reserve(place.size());
+    for (const int vertex : place.indices(mesh.n_vertices(), "vertex"))
+        vertices.emplace_back(vertex);
+    return vertices;
+}
+
 } // namespace
 
 VertexId vertexAt(const QuadMesh& mesh, const JsonPlace& place) {
@@ -39,14 +47,6 @@ VertexId vertexAt(const QuadMesh& mesh, const JsonPlace& place) {
 std::optional<VertexId> vertexOrNullAt(const QuadMesh& mesh, const JsonPlace& place) {
     if (place.isNull()) return {};
     return vertexAt(mesh, place);
-}
-
-std::vector<VertexId> verticesAt(const QuadMesh& mesh, const JsonPlace& place) {
-    std::vector<VertexId> vertices;
-    vertices.reserve(place.size());
-    for (const int vertex : place.indices(mesh.n_vertices(), "vertex"))
-        vertices.emplace_back(vertex);
-    return vertices;
 }
 
 std::vector<HalfedgeId> pathAt(const QuadMesh& mesh, const JsonPlace& place) {

@@ -13,7 +13,6 @@ namespace qm {
 [[nodiscard]] VertexId vertexAt(const QuadMesh& mesh, const JsonPlace& place);
 /// A vertex or null.
 [[nodiscard]] std::optional<VertexId> vertexOrNullAt(const QuadMesh& mesh, const JsonPlace& place);
-[[nodiscard]] std::vector<VertexId> verticesAt(const QuadMesh& mesh, const JsonPlace& place);
 
 /// The halfedges along a list of at least two vertices.
 /// \throw Error  with the pointer of the first vertex that no edge joins to the one before it

@@ -124,8 +124,16 @@ Track trackOf(const QuadMesh& mesh, std::span<const HalfedgeId> path, const std:
     return track;
 }
 
-} // namespace
+/// How far the two particles of a line have walked. On a line with a gap they do not meet.
+struct Coverage {
+    int fromBegin = 0; ///< arcs that the particle from the line's beginning has walked
+    int fromEnd = 0;   ///< arcs that the particle from its end has walked
+};
 
+/// The coverage of every line. A line that is covered throughout is walked by the particle from its
+/// beginning, unless a crossing needs a head-on meeting on it (rule 4): then both meet there.
+/// \param present  of every arc; every line's present arcs are a run from each of its sources
+/// \param walkers  which particles take part
 std::vector<Coverage> coverLines(const ArcGraph& graph, const std::vector<bool>& present,
                                  const Walkers& walkers) {
     const std::vector<ArcId> meetings = Meetings(graph, present, walkers).assign();
@@ -146,6 +154,8 @@ std::vector<Coverage> coverLines(const ArcGraph& graph, const std::vector<bool>&
     }
     return result;
 }
+
+} // namespace
 
 MotorcycleGraph graphOf(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
                         const std::vector<bool>& present, const std::vector<double>& edgeCosts,

@@ -9,19 +9,6 @@
 
 namespace qm {
 
-/// How far the two particles of a line have walked. On a line with a gap they do not meet.
-struct Coverage {
-    int fromBegin = 0; ///< arcs that the particle from the line's beginning has walked
-    int fromEnd = 0;   ///< arcs that the particle from its end has walked
-};
-
-/// The coverage of every line. A line that is covered throughout is walked by the particle from its
-/// beginning, unless a crossing needs a head-on meeting on it (rule 4): then both meet there.
-/// \param present  of every arc; every line's present arcs are a run from each of its sources
-/// \param walkers  which particles take part
-[[nodiscard]] std::vector<Coverage> coverLines(const ArcGraph& graph, const std::vector<bool>& present,
-                                               const Walkers& walkers = {});
-
 /// The tracks of a graph, by line, with their costs; particles that do not move have none.
 [[nodiscard]] MotorcycleGraph graphOf(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
                                       const std::vector<bool>& present, const std::vector<double>& edgeCosts,

@@ -49,14 +49,4 @@ template <class Visit> bool walkDiagramUpTo(const Diagram& diagram, double maxCo
     return walk(walk, diagram.root, maxCost - diagram.fixedCost);
 }
 
-/// A node and the values that lead to it.
-struct DiagramPart {
-    Diagram::NodeId node = Diagram::none;
-    Assignment before;
-};
-
-/// At least `minParts` parts, if there are as many graphs, that together hold every graph once, in the order
-/// of the walk: what several threads can walk at the same time.
-[[nodiscard]] std::vector<DiagramPart> splitDiagram(const Diagram& diagram, std::size_t minParts);
-
 } // namespace qm

@@ -12,8 +12,8 @@ struct Branch {
     SearchState::Mark mark;
 };
 
-} // namespace
-
+/// An order in which neighbouring decisions follow each other, so that contradictions show early: breadth
+/// first over the crossings, starting at the first variable of every connected part.
 std::vector<VariableId> branchingOrder(const Problem& problem) {
     IdVector<VariableId, std::vector<CrossingId>> crossingsOf(problem.arcs.size());
     for (const CrossingId crossing : problem.crossings.ids())
@@ -36,6 +36,8 @@ std::vector<VariableId> branchingOrder(const Problem& problem) {
     }
     return order;
 }
+
+} // namespace
 
 bool forEachAssignment(const Problem& problem, const std::function<double()>& costLimit,
                        const std::function<bool(const SearchState&)>& visit, const Control& control) {

@@ -14,8 +14,4 @@ namespace qm {
 bool forEachAssignment(const Problem& problem, const std::function<double()>& costLimit,
                        const std::function<bool(const SearchState&)>& visit, const Control& control = {});
 
-/// An order in which neighbouring decisions follow each other, so that contradictions show early: breadth
-/// first over the crossings, starting at the first variable of every connected part.
-[[nodiscard]] std::vector<VariableId> branchingOrder(const Problem& problem);
-
 } // namespace qm

@@ -22,15 +22,6 @@ int extendParticle(const ArcGraph& graph, Particle particle, std::vector<bool>& 
     return added;
 }
 
-std::vector<Particle> particlesOf(const ArcGraph& graph) {
-    std::vector<Particle> particles;
-    for (std::size_t line = 0; line < graph.lines.size(); ++line) {
-        particles.push_back({LineId(line), false});
-        if (graph.lines[line].backward) particles.push_back({LineId(line), true});
-    }
-    return particles;
-}
-
 JunctionId crashJunction(const ArcGraph& graph, Particle particle, const std::vector<bool>& present) {
     const LineWalk walk(graph, particle);
     const int covered = walk.covered(present);
@@ -45,8 +36,13 @@ bool isFree(const ArcGraph& graph, Particle particle, const std::vector<bool>& p
 
 std::vector<Particle> freeParticles(const ArcGraph& graph, const std::vector<bool>& present) {
     std::vector<Particle> result;
-    for (const Particle particle : particlesOf(graph))
+    const auto addIfFree = [&](Particle particle) {
         if (isFree(graph, particle, present)) result.push_back(particle);
+    };
+    for (std::size_t line = 0; line < graph.lines.size(); ++line) {
+        addIfFree({LineId(line), false});
+        if (graph.lines[line].backward) addIfFree({LineId(line), true});
+    }
     return result;
 }
 

@@ -32,9 +32,6 @@ int extendParticle(const ArcGraph& graph, Particle particle, std::vector<bool>& 
 std::size_t extendCheapestFirst(const ArcGraph& graph, const std::vector<double>& arcCosts,
                                 std::vector<bool>& present);
 
-/// Both particles of every line, in the lines' order.
-[[nodiscard]] std::vector<Particle> particlesOf(const ArcGraph& graph);
-
 /// Whether the particle's track ends unfinished: at a junction that is not passed by the other line (rule 2).
 [[nodiscard]] bool isFree(const ArcGraph& graph, Particle particle, const std::vector<bool>& present);
 
