@@ -210,25 +210,28 @@ TEST(SmoothNetwork, CreasesAreNoRuns) {
 
 TEST(Gram, IntegratesProductsOfSplinesExactly) {
     const std::vector<double> knots = {0, 0, 0, 0, 1, 2.5, 2.5, 4, 4, 4, 4};
-    const auto matrices = gramMatrices(knots);
-    // The splines sum up to one, so all entries of the first matrix sum up to the length of the domain.
-    double sum = 0;
-    for (const auto& row : matrices[0])
-        sum += row[0] + 2 * (row[1] + row[2] + row[3]);
-    EXPECT_NEAR(sum, 4, 1e-13);
+    const auto pieces = gramPieces(knots);
+    std::vector<std::size_t> quads;
+    for (const GramPiece& piece : pieces)
+        quads.push_back(piece.quad);
+    EXPECT_EQ(quads, (std::vector<std::size_t>{0, 1, 2, 2, 3}));
     // Control points at the knots' means are the identity, whose slope is one and whose bend is none.
     std::vector<double> identity;
     for (std::size_t k = 0; k + 4 < knots.size(); ++k)
         identity.push_back((knots[k + 1] + knots[k + 2] + knots[k + 3]) / 3);
-    const auto energy = [&](const BandMatrix& matrix) {
+    const std::vector<double> ones(identity.size(), 1);
+    const auto energy = [&](Matrix4 GramPiece::*matrix, const std::vector<double>& controls) {
         double result = 0;
-        for (std::size_t i = 0; i < matrix.size(); ++i)
-            for (std::size_t d = 0; d < 4 && i + d < matrix.size(); ++d)
-                result += (d == 0 ? 1 : 2) * matrix[i][d] * identity[i] * identity[i + d];
+        for (const GramPiece& piece : pieces)
+            for (std::size_t i = 0; i < 4; ++i)
+                for (std::size_t k = 0; k < 4; ++k)
+                    result += (piece.*matrix)[i][k] * controls[piece.first + i] * controls[piece.first + k];
         return result;
     };
-    EXPECT_NEAR(energy(matrices[1]), 4, 1e-12);
-    EXPECT_NEAR(energy(matrices[2]), 0, 1e-9);
+    EXPECT_NEAR(energy(&GramPiece::values, ones), 4, 1e-13);
+    EXPECT_NEAR(energy(&GramPiece::values, identity), 64. / 3, 1e-12);
+    EXPECT_NEAR(energy(&GramPiece::slopes, identity), 4, 1e-12);
+    EXPECT_NEAR(energy(&GramPiece::bends, identity), 0, 1e-9);
 }
 
 TEST(ConstrainedSystem, KeepsEquationsThatSayTheSameTwice) {

@@ -36,7 +36,8 @@ constexpr double minPoints = 1000;
 } // namespace
 
 FitState::FitState(const QuadMesh& mesh, const Layout& layout, const SmoothNetwork& network,
-                   const FitTarget& reference, const SmoothFitOptions& options, unsigned jobs)
+                   const FitTarget& reference, const SmoothFitOptions& options,
+                   const std::vector<bool>& isSoft, unsigned jobs)
     : layout_(layout), options_(options), jobs_(jobs), map_(mesh, layout, network), plan_(layout, network),
       sources_(latticeSources(mesh, layout, network, reference.grids, reference.weights)),
       normalLimits_(reference.grids.begin(), reference.grids.end()), lattices_(sources_.size()),
@@ -44,6 +45,10 @@ FitState::FitState(const QuadMesh& mesh, const Layout& layout, const SmoothNetwo
       missed_(sources_.size()), scale_(sources_.size(), 1) {
     parallelFor(sources_.size(), jobs_,
                 [&](std::size_t k) { lattices_[k] = makeLattice(sources_[k], parametersOf(k, {})); });
+    for (std::size_t k = 0; k < sources_.size(); ++k) {
+        const ReferenceGrid& grid = *sources_[k].grid;
+        plates_.push_back(isSoft[k] ? softPlates(grid.size) : thinPlates(grid, options.tolerance));
+    }
     insertInitialKnots(layout, lattices_, normalLimits_, map_, cubicsShare * options.tolerance, plan_);
     plan_.endAtFirstKnots();
 }
@@ -109,8 +114,7 @@ bool FitState::solveFor(const std::vector<bool>& isFree, int slides) {
             lattices_[k] = resample(sources_[k], lattices_[k], parameters);
         releaseHolds(lattices_[k]);
     });
-    SmoothSystem system(layout_, plan_.network(), spaces_, lattices_, options_.bending, isFree, patches_,
-                        jobs_);
+    SmoothSystem system(layout_, plan_.network(), spaces_, lattices_, plates_, isFree, patches_, jobs_);
     for (int k = 0; k < slides; ++k) {
         system.solve(lattices_, Accuracy::draft, patches_);
         forFree([&](std::size_t i) { slideTargets(patches_[i], lattices_[i]); });

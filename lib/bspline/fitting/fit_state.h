@@ -7,6 +7,7 @@
 #include "bspline/fitting/knot_plan.h"
 #include "bspline/fitting/lattice_errors.h"
 #include "bspline/fitting/normal_limits.h"
+#include "bspline/fitting/thin_plate.h"
 #include "bspline/network/stretch_map.h"
 #include "bspline/reference/fit_target.h"
 
@@ -23,8 +24,10 @@ class FitState {
 public:
     /// Begins with the fewest knots that are likely to do, and without patches. What is passed must outlive
     /// it.
+    /// \param isSoft  patches that are to follow the reference rather than be fair
     FitState(const QuadMesh& mesh, const Layout& layout, const SmoothNetwork& network,
-             const FitTarget& reference, const SmoothFitOptions& options, unsigned jobs);
+             const FitTarget& reference, const SmoothFitOptions& options, const std::vector<bool>& isSoft,
+             unsigned jobs);
 
     /// Solves for what has changed, with what lies around it, or for all.
     /// \param slides  how often the targets move in between
@@ -84,6 +87,7 @@ private:
     KnotPlan plan_;
     std::vector<LatticeSource> sources_;
     std::vector<NormalLimits> normalLimits_;
+    std::vector<std::vector<ThinPlate>> plates_; ///< by patch and quad
     std::vector<FitLattice> lattices_;
     std::vector<PatchSpace> spaces_;
     std::vector<Patch> patches_;

@@ -2,6 +2,8 @@
 
 #include "bspline/splines/basis.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace qm {
@@ -32,26 +34,31 @@ std::array<std::array<double, 4>, 3> jets(std::span<const double> knots, double 
     return result;
 }
 
+void add(double weight, const std::array<double, 4>& values, Matrix4& matrix) {
+    for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t k = 0; k < 4; ++k)
+            matrix[i][k] += weight * values[i] * values[k];
+}
+
 } // namespace
 
-std::array<BandMatrix, 3> gramMatrices(std::span<const double> knots) {
-    const std::size_t count = knots.size() - 4;
-    std::array<BandMatrix, 3> result;
-    result.fill(BandMatrix(count));
-    for (std::size_t span = 3; span < count; ++span) {
-        const double half = (knots[span + 1] - knots[span]) / 2;
-        if (half <= 0) continue;
-        for (const GaussPoint& point : gauss) {
-            const double at = knots[span] + half * (1 + point.at);
-            const auto jet = jets(knots, at, half / 16);
-            for (std::size_t order = 0; order < 3; ++order)
-                for (std::size_t i = 0; i < 4; ++i)
-                    for (std::size_t k = i; k < 4; ++k)
-                        result[order][span - 3 + i][k - i] +=
-                            half * point.weight * jet[order][i] * jet[order][k];
+std::vector<GramPiece> gramPieces(std::span<const double> knots) {
+    std::vector<GramPiece> pieces;
+    for (std::size_t span = 3; span + 4 < knots.size(); ++span)
+        for (double begin = knots[span]; begin < knots[span + 1];) {
+            const double end = std::min(std::floor(begin) + 1, knots[span + 1]);
+            const double half = (end - begin) / 2;
+            GramPiece piece{span - 3, static_cast<std::size_t>(begin)};
+            for (const GaussPoint& point : gauss) {
+                const auto jet = jets(knots, begin + half * (1 + point.at), half / 16);
+                add(half * point.weight, jet[0], piece.values);
+                add(half * point.weight, jet[1], piece.slopes);
+                add(half * point.weight, jet[2], piece.bends);
+            }
+            pieces.push_back(piece);
+            begin = end;
         }
-    }
-    return result;
+    return pieces;
 }
 
 } // namespace qm

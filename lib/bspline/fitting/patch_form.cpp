@@ -41,18 +41,22 @@ private:
     std::vector<double> entries_;
 };
 
-/// Adds the product of a symmetric matrix along u and one along v.
-void addProduct(const BandMatrix& u, const BandMatrix& v, double factor, LocalForm& form) {
-    for (std::size_t j = 0; j < v.size(); ++j)
-        for (std::size_t dj = 0; dj < 4 && j + dj < v.size(); ++dj)
-            for (std::size_t i = 0; i < u.size(); ++i)
-                for (std::size_t d = 0; d < 4 && i + d < u.size(); ++d) {
-                    const double value = factor * u[i][d] * v[j][dj];
-                    const auto di = static_cast<std::ptrdiff_t>(d);
-                    form.at(i, j, di, dj) += value;
-                    if (d > 0 && dj > 0) form.at(i + d, j, -di, dj) += value;
+/// Adds the thin-plate energy over one piece of each direction.
+void addBending(const GramPiece& u, const GramPiece& v, const ThinPlate& plate, LocalForm& form) {
+    for (std::size_t j = 0; j < 4; ++j)
+        for (std::size_t dj = 0; j + dj < 4; ++dj)
+            for (std::size_t i = 0; i < 4; ++i)
+                for (std::size_t k = dj == 0 ? i : 0; k < 4; ++k) {
+                    const double energy = plate.uu * u.bends[i][k] * v.values[j][j + dj] +
+                                          plate.uv * u.slopes[i][k] * v.slopes[j][j + dj] +
+                                          plate.vv * u.values[i][k] * v.bends[j][j + dj];
+                    form.at(u.first + i, v.first + j,
+                            static_cast<std::ptrdiff_t>(k) - static_cast<std::ptrdiff_t>(i), dj) += energy;
                 }
 }
+
+/// A symmetric matrix with three diagonals beside its own: entry (i, i + d) at [i][d].
+using BandMatrix = std::vector<std::array<double, 4>>;
 
 /// The weighted products of the B-splines along u, summed over one row of the lattice.
 BandMatrix rowProducts(const std::vector<BasisValues>& basis, const double* weights, std::size_t count) {
@@ -81,7 +85,7 @@ void addRow(const BandMatrix& sums, const BasisValues& v, LocalForm& form) {
 
 } // namespace
 
-void addPatchForm(const PatchSpace& space, const PatchTargets& targets, double bending,
+void addPatchForm(const PatchSpace& space, const PatchTargets& targets, const std::vector<ThinPlate>& plates,
                   std::vector<Eigen::Triplet<double>>& entries) {
     LocalForm form(space.count(0), space.count(1));
     const auto basisU = basisTable(space.knots[0], 3, targets.parameters[0]);
@@ -89,11 +93,12 @@ void addPatchForm(const PatchSpace& space, const PatchTargets& targets, double b
     for (std::size_t j = 0; j < basisV.size(); ++j)
         addRow(rowProducts(basisU, targets.weights.data() + j * basisU.size(), space.count(0)), basisV[j],
                form);
-    const auto u = gramMatrices(space.knots[0]);
-    const auto v = gramMatrices(space.knots[1]);
-    addProduct(u[2], v[0], bending, form);
-    addProduct(u[1], v[1], 2 * bending, form);
-    addProduct(u[0], v[2], bending, form);
+    const auto us = gramPieces(space.knots[0]);
+    const auto vs = gramPieces(space.knots[1]);
+    const std::size_t columns = us.back().quad + 1;
+    for (const GramPiece& v : vs)
+        for (const GramPiece& u : us)
+            addBending(u, v, plates[v.quad * columns + u.quad], form);
     form.addTo(space.firstUnknown, entries);
 }
 

@@ -1,6 +1,7 @@
 /// \file What a patch is to minimise: weighted squared distances from points, and bending.
 #pragma once
 
+#include "bspline/fitting/thin_plate.h"
 #include "bspline/network/border_strip.h"
 #include "bspline/splines/basis.h"
 #include "mesh/quad_mesh.h"
@@ -21,8 +22,8 @@ struct PatchTargets {
 };
 
 /// The matrix of the quadratic form, one half of it: adds (row, column, value) with row >= column.
-/// \param bending  weight of the thin-plate energy over the parameters
-void addPatchForm(const PatchSpace& space, const PatchTargets& targets, double bending,
+/// \param plates  by quad, row by row
+void addPatchForm(const PatchSpace& space, const PatchTargets& targets, const std::vector<ThinPlate>& plates,
                   std::vector<Eigen::Triplet<double>>& entries);
 
 /// The right-hand side that belongs to it: adds to the rows of the patch's unknowns.

@@ -3,6 +3,7 @@
 #include "bspline/fitting/fit_round.h"
 #include "bspline/fitting/fit_state.h"
 #include "bspline/fitting/flattening.h"
+#include "bspline/fitting/free_unknowns.h"
 #include "bspline/fitting/plane_patches.h"
 
 #include <algorithm>
@@ -29,27 +30,31 @@ constexpr int roundsOfMending = 8;
 
 struct Fitted {
     std::vector<Patch> patches;
-    double distance = 0; ///< the largest, in tolerances, if it was verified
+    std::vector<double> distances; ///< by patch, in tolerances, if they were verified
+
+    /// 0 without patches.
+    [[nodiscard]] double farthest() const { return distances.empty() ? 0 : std::ranges::max(distances); }
 };
 
 class SmoothFit {
 public:
     SmoothFit(const QuadMesh& mesh, const Layout& layout, const SmoothNetwork& network,
-              const FitTarget& reference, const SmoothFitOptions& options, unsigned jobs)
+              const FitTarget& reference, const SmoothFitOptions& options, const std::vector<bool>& isSoft,
+              unsigned jobs)
         : layout_(layout), options_(options), jobs_(jobs),
           planes_(planesOf(reference.grids, network, options.flatness)),
-          state_(mesh, layout, network, reference, options, jobs) {}
+          state_(mesh, layout, network, reference, options, isSoft, jobs) {}
 
     Fitted run(const Verification& verify, const Control& control) {
         state_.solve(2 * options_.slides, true); // more while there are few knots
         search(options_.maxRounds, options_.removesKnots, control);
         chooseBest(verify);
         flattenBest(verify);
-        if (!verify) return {std::move(best_.patches)};
-        Fitted nearest{{}, std::numeric_limits<double>::infinity()};
+        if (!verify) return {std::move(best_.patches), {}};
+        Fitted nearest;
         for (int k = 1;; ++k) {
-            const double found = std::ranges::max(verified(best_, verify));
-            if (found < nearest.distance) nearest = {best_.patches, found};
+            Fitted found{best_.patches, verified(best_, verify)};
+            if (k == 1 || found.farthest() < nearest.farthest()) nearest = std::move(found);
             if (k == options_.verifications) return nearest;
             state_.restore(best_);
             if (!state_.tighten(best_)) return nearest;
@@ -162,6 +167,25 @@ private:
     FitRound nearest_; ///< the same, if what is given up counts as all else does
 };
 
+/// Stiff patches are fair, but where quads fold or are much narrower than their neighbours they may keep all
+/// around from following the reference; and sliding may lead astray.
+struct Attempt {
+    std::vector<bool> isSoft; ///< by patch
+    int slides = 0;
+};
+
+/// At first all patches are stiff; then those are soft, and slide less, that miss the tolerance, with those
+/// around them; then all are.
+Attempt attempt(int number, const Fitted& before, const SmoothNetwork& network, std::size_t patches,
+                int slides) {
+    if (number == 1) return {std::vector<bool>(patches, false), slides};
+    if (number > 2) return {std::vector<bool>(patches, true), number == 3 ? slides : slides / 2};
+    std::vector<bool> isMissed;
+    for (const double distance : before.distances)
+        isMissed.push_back(distance > 1);
+    return {withNeighbours(network, std::move(isMissed), 1), slides / 2};
+}
+
 } // namespace
 
 std::vector<Patch> fitSmooth(const QuadMesh& mesh, const Layout& layout, const SmoothNetwork& network,
@@ -169,15 +193,17 @@ std::vector<Patch> fitSmooth(const QuadMesh& mesh, const Layout& layout, const S
                              const Verification& verify, const Control& control) {
     // What is verified may be off by this, and is not worth a new beginning.
     constexpr double uncertain = 1.02;
-    if (layout.segments.empty()) return {};
+    const std::size_t patches = layout.segments.size();
+    if (patches == 0) return {};
     Fitted nearest;
-    SmoothFitOptions attempt = options;
     for (int k = 1;; ++k) {
-        Fitted fitted = SmoothFit(mesh, layout, network, reference, attempt, control.jobs)
+        const Attempt present = attempt(k, nearest, network, patches, options.slides);
+        SmoothFitOptions ofAttempt = options;
+        ofAttempt.slides = present.slides;
+        Fitted fitted = SmoothFit(mesh, layout, network, reference, ofAttempt, present.isSoft, control.jobs)
                             .run(verify, k == 1 ? control : Control());
-        if (k == 1 || fitted.distance < nearest.distance) nearest = std::move(fitted);
-        if (k == options.attempts || !verify || nearest.distance <= uncertain) return nearest.patches;
-        attempt.slides /= 2; // which may have led astray
+        if (k == 1 || fitted.farthest() < nearest.farthest()) nearest = std::move(fitted);
+        if (k == options.attempts || !verify || nearest.farthest() <= uncertain) return nearest.patches;
     }
 }
 

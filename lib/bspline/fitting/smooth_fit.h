@@ -15,7 +15,6 @@ namespace qm {
 
 struct SmoothFitOptions {
     double tolerance = 0;     ///< largest distance from the reference, in its unit; positive
-    double bending = 1e-4;    ///< weight of the thin-plate energy beside the mean squared distance of a quad
     double flatness = 0;      ///< references no farther from a plane make plane patches
     int steps = 4;            ///< of the lattice of points that are fitted, a mesh edge; 1, 2 or 4
     int maxRounds = 30;       ///< systems that are factorised
@@ -25,7 +24,7 @@ struct SmoothFitOptions {
     double worthAll = 0.6;    ///< of all control points: if there are more to solve for, all are solved for
     bool removesKnots = true; ///< tries to do with fewer, once the tolerance is kept
     int verifications = 5;    ///< how often it is verified at most, if it can be
-    int attempts = 3;         ///< with half the slides each, while verification finds more than is allowed
+    int attempts = 4;         ///< while verification finds more than is allowed; see `smooth_fit.cpp`
 };
 
 /// The largest distance of every patch from the reference, certain also between the points that a fit looks

@@ -55,8 +55,8 @@ FreeEquations freeEquations(const std::vector<LinearForm>& equations, const Free
 
 SmoothSystem::SmoothSystem(const Layout& layout, const SmoothNetwork& network,
                            const std::vector<PatchSpace>& spaces, const std::vector<FitLattice>& lattices,
-                           double bending, const std::vector<bool>& isFree, const std::vector<Patch>& patches,
-                           unsigned jobs)
+                           const std::vector<std::vector<ThinPlate>>& plates, const std::vector<bool>& isFree,
+                           const std::vector<Patch>& patches, unsigned jobs)
     : jobs_(jobs) {
     const FreeUnknowns unknowns(spaces, isFree);
     for (std::size_t k = 0; k < spaces.size(); ++k) {
@@ -68,7 +68,7 @@ SmoothSystem::SmoothSystem(const Layout& layout, const SmoothNetwork& network,
     using Entries = std::vector<Eigen::Triplet<double>>;
     std::vector<Entries> entries(free_.size());
     parallelFor(free_.size(), jobs, [&](std::size_t k) {
-        addPatchForm(spaces_[k], lattices[free_[k]].targets, bending, entries[k]);
+        addPatchForm(spaces_[k], lattices[free_[k]].targets, plates[free_[k]], entries[k]);
     });
     Entries all;
     for (auto& ofPatch : entries) {

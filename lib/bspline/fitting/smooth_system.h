@@ -3,6 +3,7 @@
 
 #include "bspline/fitting/constrained_system.h"
 #include "bspline/fitting/fit_lattice.h"
+#include "bspline/fitting/thin_plate.h"
 #include "bspline/network/smooth_network.h"
 #include "bspline/splines/surfaces.h"
 #include "layout/layout.h"
@@ -18,12 +19,12 @@ namespace qm {
 class SmoothSystem {
 public:
     /// \param lattices  their weights count, not where their targets are
-    /// \param bending  weight of the thin-plate energy over the parameters, of every patch
+    /// \param plates  by patch and quad
     /// \param isFree  by patch
     /// \param patches  those that are not free stay as they are here, and have these spaces
     SmoothSystem(const Layout& layout, const SmoothNetwork& network, const std::vector<PatchSpace>& spaces,
-                 const std::vector<FitLattice>& lattices, double bending, const std::vector<bool>& isFree,
-                 const std::vector<Patch>& patches, unsigned jobs);
+                 const std::vector<FitLattice>& lattices, const std::vector<std::vector<ThinPlate>>& plates,
+                 const std::vector<bool>& isFree, const std::vector<Patch>& patches, unsigned jobs);
 
     /// Makes free patches those for the targets that the lattices have now.
     void solve(const std::vector<FitLattice>& lattices, Accuracy accuracy, std::vector<Patch>& patches);
