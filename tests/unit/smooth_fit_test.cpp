@@ -287,11 +287,14 @@ TEST(SmoothSystem, FindsTheSamePatchWhileItsNeighboursStay) {
     const KnotPlan plan(layout, network);
     const std::vector<PatchSpace> spaces = plan.spaces();
     std::vector<FitLattice> lattices;
-    for (std::size_t k = 0; k < sources.size(); ++k)
+    std::vector<std::vector<ThinPlate>> plates;
+    for (std::size_t k = 0; k < sources.size(); ++k) {
         lattices.push_back(makeLattice(sources[k], {latticeParameters(layout.segments[k].size[0], 4, {}),
                                                     latticeParameters(layout.segments[k].size[1], 4, {})}));
+        plates.push_back(thinPlates(grids[k], 0.1));
+    }
     const auto solve = [&](const std::vector<bool>& isFree, std::vector<Patch>& patches) {
-        SmoothSystem system(layout, plan.network(), spaces, lattices, 1e-4, isFree, patches, 1);
+        SmoothSystem system(layout, plan.network(), spaces, lattices, plates, isFree, patches, 1);
         system.solve(lattices, Accuracy::rounding, patches);
         return system.holds();
     };
