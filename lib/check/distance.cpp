@@ -34,7 +34,7 @@ Parameters nearestOnTangents(const SurfacePoint& here, const Place& away, const 
     }
     // On a side of the box, only the other parameter is free.
     Parameters best = at;
-    double least = 0; // square of the distance, beside that from here
+    double min = 0; // square of the distance, beside that from here
     for (std::size_t k = 0; k < 2; ++k)
         for (const double side : {0.0, max[k]}) {
             const std::size_t other = 1 - k;
@@ -47,8 +47,8 @@ Parameters nearestOnTangents(const SurfacePoint& here, const Place& away, const 
             const double change = across * (squares[k] * across - 2 * slopes[k]) +
                                   along * (squares[other] * along - 2 * slopes[other]) +
                                   2 * mixed * across * along;
-            if (!(change < least)) continue;
-            least = change;
+            if (!(change < min)) continue;
+            min = change;
             best = to;
         }
     return best;

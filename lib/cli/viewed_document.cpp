@@ -29,7 +29,9 @@ Viewed viewedOf(const Document& document, const Model& model, LengthUnit unit) {
             .enumeration = orNull(model.enumeration),
             .layout = orNull(model.layout),
             .surfaces = orNull(model.surfaces),
-            .tolerance = limited ? allowedDistance(*model.surfaces, fit, boundingBoxDiagonal(model.mesh)) : 0,
+            .tolerance = limited ? std::optional(
+                                       allowedDistance(*model.surfaces, fit, boundingBoxDiagonal(model.mesh)))
+                                 : std::nullopt,
             .rho = fit.rho,
             .unit = std::string(choiceName(unit))};
 }

@@ -23,7 +23,7 @@ void requireExactSums(const std::vector<double>& costs, double costOfSegment) {
 
 /// What lengths add to the costs of edges.
 void addLengths(const QuadMesh& mesh, double factor, std::vector<double>& costs) {
-    constexpr double least = 1e-5; // a hundred times what searches tell apart
+    constexpr double minLength = 1e-5; // a hundred times what searches tell apart
     double longest = 0;
     for (const EdgeId edge : mesh.edges()) {
         if (mesh.is_boundary(edge)) continue;
@@ -31,7 +31,7 @@ void addLengths(const QuadMesh& mesh, double factor, std::vector<double>& costs)
         costs[at(edge)] += factor * length;
         longest = std::max(longest, length);
     }
-    if (longest > 0 && std::abs(factor) * longest < least)
+    if (longest > 0 && std::abs(factor) * longest < minLength)
         throw Error("", "what edges cost by their lengths is below 1e-5, too little to tell layouts apart",
                     "Take a larger number before length in --cost");
 }

@@ -43,7 +43,7 @@ void addFigures(Scene& scene, const Viewed& viewed) {
         const Deviation& deviation = viewed.surfaces->deviation;
         add("control points", controlPointCount(viewed.surfaces->patches));
         add("largest deviation, " + viewed.unit, deviation.max);
-        if (viewed.tolerance > 0) add("tolerance, " + viewed.unit, viewed.tolerance);
+        if (viewed.tolerance) add("tolerance, " + viewed.unit, *viewed.tolerance);
         add("deviation, root mean square, " + viewed.unit, deviation.rms);
         if (const auto& scan = viewed.surfaces->scan) {
             add("farthest from the scan's triangles, " + viewed.unit, scan->max);

@@ -11,6 +11,7 @@
 #include "view/scene.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,7 +30,7 @@ struct Viewed {
     const Layout* layout = nullptr;
     const Surfaces* surfaces = nullptr;
     const TriangleSurface* scan = nullptr; ///< that the surfaces were fitted to, if it can be read
-    double tolerance = 0;                  ///< that the surfaces were to keep to, a length; 0: none
+    std::optional<double> tolerance;       ///< that the surfaces were to keep to, a length
     double rho = 0.45;       ///< radians; borders up to this dihedral angle were to become smooth
     std::string unit = "mm"; ///< of the mesh
     /// Points that stand for all surfaces: few enough to be drawn without a graphics card.

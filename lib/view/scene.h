@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -69,9 +70,9 @@ struct Mapped {
     /// Names a layer that has the same values, a column of the items, or "mean curvature" or "Gauss
     /// curvature" of the surfaces.
     std::string source;
-    std::string quantity; ///< "distance from the reference"
-    std::string unit;     ///< "mm"
-    double limit = 0;     ///< beyond which a figure is not what it should be; 0: there is none
+    std::string quantity;             ///< "distance from the reference"
+    std::string unit;                 ///< "mm"
+    std::optional<double> limit = {}; ///< beyond which a figure is not what it should be
 };
 
 enum class Paint {

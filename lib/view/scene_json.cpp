@@ -66,7 +66,7 @@ Json mappedJson(const Mapped& mapped) {
     Json json = {{"scale", scales.at(static_cast<std::size_t>(mapped.scale))},
                  {"quantity", mapped.quantity},
                  {"unit", mapped.unit},
-                 {"limit", mapped.limit}};
+                 {"limit", mapped.limit.value_or(0)}};
     if (mapped.values.empty())
         json["source"] = mapped.source;
     else

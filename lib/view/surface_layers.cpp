@@ -205,7 +205,7 @@ void addSurfaces(Scene& scene, const Viewed& viewed, const Point& centre, unsign
     Mapped deviation = deviationOf(viewed, target ? &*target : nullptr, scene.patches.steps, jobs);
     Mapped verdict{Scale::verdict, {}, "deviation", deviation.quantity, viewed.unit, viewed.tolerance};
     add(surfaceLayer("deviation", "deviation", Paint::mapped, std::move(deviation)));
-    if (viewed.tolerance > 0)
+    if (viewed.tolerance)
         add(surfaceLayer("tolerance", "within the tolerance or not", Paint::mapped, std::move(verdict)));
     if (viewed.scan != nullptr)
         add(surfaceLayer("scan", "distance from the scan itself", Paint::mapped,

@@ -49,15 +49,15 @@ def analyser(shape):
 
 def smooth_faces(shape):
     """No surface has a knot so often that it counts as C0 there."""
-    kinked = 0
+    creased = 0
     for face in shape.Faces:
         surface = face.Surface
         if not isinstance(surface, Part.BSplineSurface):
             continue
         inner_u = surface.getUMultiplicities()[1:-1]
         inner_v = surface.getVMultiplicities()[1:-1]
-        kinked += max(inner_u, default=0) >= surface.UDegree or max(inner_v, default=0) >= surface.VDegree
-    return verdict(kinked == 0, f"{kinked} of {len(shape.Faces)} faces")
+        creased += max(inner_u, default=0) >= surface.UDegree or max(inner_v, default=0) >= surface.VDegree
+    return verdict(creased == 0, f"{creased} of {len(shape.Faces)} faces")
 
 
 def is_divided(shape, inside, outside):

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <unordered_set>
 
 namespace qm {
@@ -53,11 +54,11 @@ public:
     WindowResult run() {
         std::size_t smallest = options_.minVariables;
         do {
-            hard_ = 0;
+            hard_.reset();
             growWindows(smallest);
-            smallest = hard_;
+            smallest = hard_.value_or(smallest);
             nodes_ *= Tuning::growthOfTrees;
-        } while (options_.patient && hard_ > 0 && !isOver());
+        } while (options_.patient && hard_ && !isOver());
         return std::move(result_);
     }
 
@@ -129,7 +130,7 @@ private:
         const std::size_t before = result_.improvements;
         for (Window& window : windows) {
             ++result_.windows;
-            if (!window.complete && hard_ == 0) hard_ = size_;
+            if (!window.complete && !hard_) hard_ = size_;
             searched_[window.chain] = clock_;
             if (!window.values.empty()) accept(window, result_.improvements == before);
         }
@@ -211,8 +212,8 @@ private:
     IdVector<ChainId, std::size_t> searched_; ///< when the window around a chain was searched last
     std::size_t clock_ = 1;
     std::size_t nodes_;
-    std::size_t size_ = 0; ///< of the windows that are being searched
-    std::size_t hard_ = 0; ///< the first size at which a search ended without a proof; 0 if none did
+    std::size_t size_ = 0;            ///< of the windows that are being searched
+    std::optional<std::size_t> hard_; ///< the first size at which a search ended without a proof
     WindowResult result_;
 };
 
