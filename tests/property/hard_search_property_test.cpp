@@ -49,6 +49,7 @@ TEST(HardSearchProperty, DivesAndPolishingEndInTheOptimum) {
         const Torus drawn = drawTorus(number);
         OptimumOptions options;
         options.hard = 1;
+        options.cut = 1;
         options.start = drawn.plain;
         options.polish = [&](const Assignment& graph, const std::vector<double>& relaxed) {
             EXPECT_EQ(relaxed.size(), graph.size());

@@ -81,14 +81,18 @@ Problem drawWindow(const Case& drawn, std::mt19937& random) {
 }
 
 void expectOptimum(const Problem& problem, const std::vector<Assignment>& all) {
-    const OptimumResult result = findOptimum(problem, {});
-    EXPECT_TRUE(result.complete);
-    ASSERT_EQ(result.graphs.size(), all.empty() ? 0U : 1U);
-    if (all.empty()) return;
-    const double minCost = costOf(problem, all.front());
-    EXPECT_NEAR(costOf(problem, result.graphs.front()), minCost, 1e-6);
-    EXPECT_NEAR(result.lowerBound, minCost, 1e-6);
-    EXPECT_NE(std::ranges::find(all, result.graphs.front()), all.end());
+    for (const std::size_t cut : {0U, 300U}) {
+        OptimumOptions options;
+        options.cut = cut;
+        const OptimumResult result = findOptimum(problem, options);
+        EXPECT_TRUE(result.complete);
+        ASSERT_EQ(result.graphs.size(), all.empty() ? 0U : 1U);
+        if (all.empty()) return;
+        const double minCost = costOf(problem, all.front());
+        EXPECT_NEAR(costOf(problem, result.graphs.front()), minCost, 1e-6);
+        EXPECT_NEAR(result.lowerBound, minCost, 1e-6);
+        EXPECT_NE(std::ranges::find(all, result.graphs.front()), all.end());
+    }
 }
 
 void expectBest(const Problem& problem, const std::vector<Assignment>& all, std::size_t best,
@@ -96,6 +100,7 @@ void expectBest(const Problem& problem, const std::vector<Assignment>& all, std:
     OptimumOptions options;
     options.best = best;
     options.maxCost = maxCost;
+    options.cut = 0;
     const OptimumResult result = findOptimum(problem, options);
     EXPECT_TRUE(result.complete);
     const auto cheap = static_cast<std::size_t>(std::ranges::count_if(

@@ -1,7 +1,9 @@
 #include "enumerate/optimum/branch_and_bound.h"
 
 #include "enumerate/optimum/diving.h"
+#include "enumerate/optimum/odd_cycle_cuts.h"
 #include "enumerate/optimum/rounding.h"
+#include "enumerate/optimum/trail_cuts.h"
 #include "enumerate/optimum/tuning.h"
 #include "program/gradient_relaxation.h"
 
@@ -124,6 +126,7 @@ void BranchAndBound::plunge(TreeNodeId node, double bound) {
             if (acceptIntegral(part_) && part_.options.best == 1) return;
             roundRelaxed(part_);
             if (nodes_ >= nextLook_ && !lookAround(bound)) return;
+            if (isRoot && !cutRoot(bound)) return;
             if (part_.allDecided()) return part_.recordLeaf();
         }
         const BranchingChoice choice =
@@ -160,6 +163,32 @@ BranchAndBound::RelaxedNode BranchAndBound::relax(double& bound) {
             return RelaxedNode::cut;
         if (!contradictsRelaxation()) return RelaxedNode::solved;
     }
+}
+
+/// Adds rows that graphs obey and the relaxed solution breaks, as long as that raises the bound enough; then
+/// looks for graphs near the new solution.
+/// \return false if the root is cut
+bool BranchAndBound::cutRoot(double& bound) {
+    if (part_.variables.size() < part_.options.cut) return true;
+    // With what the best graph fixes, the relaxation is smaller.
+    if (!tightenRoot() || relax(bound) == RelaxedNode::cut) return false;
+    const PassGraph graph(part_.state, part_.formulation);
+    const auto* price = CutTuning::prices.begin();
+    const double uncut = bound;
+    for (int round = 0; round < CutTuning::maxRounds && price != CutTuning::prices.end(); ++round) {
+        for (const auto& cuts : {brokenTrails(graph, part_.relaxation.values(), *price),
+                                 brokenOddCycles(graph, part_.relaxation.values())})
+            part_.formulation.rows.insert(part_.formulation.rows.end(), cuts.begin(), cuts.end());
+        part_.relaxation.addRows(part_.columns);
+        const double before = bound;
+        const RelaxedNode relaxed = relax(bound);
+        if (relaxed == RelaxedNode::cut) return false;
+        if (relaxed == RelaxedNode::unfinished) return true;
+        part_.relaxation.dropIdleRows();
+        rememberRoot(bound);
+        if (bound - before < CutTuning::minGain * (part_.incumbents.cutoff() - before)) ++price;
+    }
+    return bound <= uncut || lookAround(bound);
 }
 
 /// Fixes every column whose other value would make a graph too expensive.

@@ -66,6 +66,7 @@ private:
     bool replay(TreeNodeId node);
     void plunge(TreeNodeId node, double bound);
     RelaxedNode relax(double& bound);
+    bool cutRoot(double& bound);
     bool fixByReducedCosts(const ColumnValues& values, const ColumnValues& reduced, double bound);
     [[nodiscard]] bool contradictsRelaxation() const;
     TreeNodeId addNode(TreeNodeId parent, const Decision& decision);

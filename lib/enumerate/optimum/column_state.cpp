@@ -22,7 +22,7 @@ ColumnState::ColumnState(SearchState& state, const Formulation& formulation)
 }
 
 double ColumnState::rowLower(RowId row) const {
-    return demanded_[row] ? 1 : formulation_.rows[row].lower;
+    return row.idx() < demanded_.size() && demanded_[row] ? 1 : formulation_.rows[row].lower;
 }
 
 ColumnState::Mark ColumnState::mark() const {

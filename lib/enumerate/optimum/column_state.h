@@ -20,7 +20,8 @@ struct Decision {
 /// Values of the columns of a formulation, kept consistent row by row and with the values of the arcs.
 class ColumnState {
 public:
-    /// \param state  outlives this, and is changed through it only
+    /// \param state        outlives this, and is changed through it only
+    /// \param formulation  rows that it gets later are not looked at
     ColumnState(SearchState& state, const Formulation& formulation);
 
     /// False if the rules contradict each other already.

@@ -3,6 +3,7 @@
 #include "enumerate/optimum/formulation_columns.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace qm {
 namespace {
@@ -107,9 +108,15 @@ private:
 Formulation formulate(const SearchState& state, const std::vector<VariableId>& variables) {
     FormulationColumns columns(state, variables);
     CrossingRows rows(state, columns);
-    for (const CrossingId crossing : columns.crossings())
-        rows.add(state.problem().crossings[crossing]);
-    return columns.take();
+    std::vector<CrossingId> plain;
+    for (const CrossingId id : columns.crossings()) {
+        const Crossing& crossing = state.problem().crossings[id];
+        rows.add(crossing);
+        if (columns.isPlain(crossing)) plain.push_back(id);
+    }
+    Formulation result = columns.take();
+    result.plainCrossings = std::move(plain);
+    return result;
 }
 
 } // namespace qm

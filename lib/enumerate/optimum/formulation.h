@@ -29,6 +29,8 @@ struct Formulation {
     ColumnValues costs;                        ///< of every column
     double constant = 0;                       ///< of the cost
     IdVector<RowId, Row> rows;
+    /// Where both lines may be passed and stopped at from both sides, by rules 2 and 4 as they stand.
+    std::vector<CrossingId> plainCrossings;
 };
 
 /// \param variables  free in the state; everything that they have rules with is fixed or among them

@@ -157,6 +157,11 @@ bool FormulationColumns::consecutive(const CrossingSide& side) const {
            columns(side.after).any();
 }
 
+bool FormulationColumns::isPlain(const Crossing& crossing) const {
+    return problem_.gaps && !crossing.open && !isForeign(crossing) && consecutive(crossing.sides[0]) &&
+           consecutive(crossing.sides[1]);
+}
+
 Expression FormulationColumns::pass(const CrossingSide& side) const {
     Expression expression;
     if (columns(side.after).fromBefore.valid()) expression.add(columns(side.after).fromBefore, 1);

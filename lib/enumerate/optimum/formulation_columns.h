@@ -56,6 +56,8 @@ public:
     [[nodiscard]] bool isWall(const CrossingSide& side) const;
     /// The arcs before and after are variables of one chain.
     [[nodiscard]] bool consecutive(const CrossingSide& side) const;
+    /// That of all sides, where the rules hold and none of the arcs belongs to another part.
+    [[nodiscard]] bool isPlain(const Crossing& crossing) const;
     /// One particle passes from one arc to the next if it is still running on the second.
     [[nodiscard]] Expression pass(const CrossingSide& side) const;
     /// At most 1 if a single particle passes, and 0 if none does.

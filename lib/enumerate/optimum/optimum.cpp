@@ -66,8 +66,12 @@ void searchParts(SearchState& state, const OptimumOptions& options, const Contro
     bool found = true;
     for (const auto& part : parts) {
         const bool small = part.size() < options.hard && options.nodes > options.nodesBeforeDiagram;
-        PartOptions partOptions{1, infinity, options.gap / static_cast<double>(parts.size()),
-                                small ? options.nodesBeforeDiagram : options.nodes, options.hard};
+        PartOptions partOptions{1,
+                                infinity,
+                                options.gap / static_cast<double>(parts.size()),
+                                small ? options.nodesBeforeDiagram : options.nodes,
+                                options.hard,
+                                options.cut};
         if (options.start) partOptions.large = options.large;
         if (part.size() >= partOptions.large) partOptions.nodes = 1;
         if (options.start && options.polish)
@@ -107,9 +111,10 @@ void searchTogether(SearchState& state, const OptimumOptions& options, const Con
     std::vector<VariableId> variables;
     for (const VariableId v : state.problem().variables())
         if (state.isFree(v)) variables.push_back(v);
-    BranchAndBound search(state, variables,
-                          {options.best, options.maxCost - result.lowerBound, 0, options.nodes, options.hard},
-                          control);
+    BranchAndBound search(
+        state, variables,
+        {options.best, options.maxCost - result.lowerBound, 0, options.nodes, options.hard, options.cut},
+        control);
     if (options.start) search.offer(*options.start);
     search.run();
     result.nodes = search.nodes();

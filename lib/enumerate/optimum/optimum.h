@@ -24,6 +24,9 @@ struct OptimumOptions {
         {};
     /// A part of at least this many variables is hard: early graphs are looked for by smaller searches.
     std::size_t hard = 1500;
+    /// In a part of at least this many variables cuts of the relaxation are looked for; smaller ones are as
+    /// soon proven without.
+    std::size_t cut = 300;
     /// Of the tree of a part that is not hard; then a decision diagram is tried. Almost all of these trees
     /// are smaller, and where the relaxation says nothing they may grow without end.
     std::size_t nodesBeforeDiagram = 1000;

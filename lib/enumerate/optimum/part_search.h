@@ -20,6 +20,7 @@ struct PartOptions {
     double gap = 0;
     std::size_t nodes = 20'000'000; ///< of the search tree, at most: what memory allows
     std::size_t hard = 1500; ///< variables from which on early graphs are looked for by smaller searches
+    std::size_t cut = 300;   ///< variables from which on cuts of the relaxation are looked for
     /// Variables from which on the relaxation begins near an optimum found by gradients.
     std::size_t large = std::numeric_limits<std::size_t>::max();
     /// Makes a graph cheaper if it can; `relaxed` are the values of the part's variables, in their order.

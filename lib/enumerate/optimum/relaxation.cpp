@@ -46,17 +46,11 @@ Relaxation::Relaxation(const Formulation& formulation, const ColumnState& state)
     : formulation_(&formulation), solver_(std::make_unique<ClpSimplex>()),
       values_(formulation.costs.size(), 0), reducedCosts_(formulation.costs.size(), 0) {
     fixedCost_ = formulation.constant;
-    IdVector<ColumnId, int> indexOf(formulation.costs.size(), -1);
     for (const ColumnId column : formulation.costs.ids()) {
         if (state.value(column) == ArcState::in) fixedCost_ += formulation.costs[column];
-        if (state.value(column) != ArcState::free) continue;
-        indexOf[column] = static_cast<int>(columns_.size());
-        columns_.push_back(column);
+        if (state.value(column) == ArcState::free) columns_.push_back(column);
     }
-    for (const RowId id : formulation.rows.ids())
-        if (OpenRow row = openPart(id, state, indexOf); row.columns.size() > 1)
-            rows_.push_back(std::move(row));
-    isInSolver_.assign(rows_.size(), false);
+    addRows(state);
     solver_->setLogLevel(0);
     solver_->scaling(0);
     solver_->resize(0, static_cast<int>(columns_.size()));
@@ -71,6 +65,34 @@ Relaxation::Relaxation(const Formulation& formulation, const ColumnState& state)
         for (const OpenRow& row : rows_)
             first.push_back(&row);
     if (!first.empty()) add(first, state);
+}
+
+void Relaxation::addRows(const ColumnState& state) {
+    IdVector<ColumnId, int> indexOf(formulation_->costs.size(), -1);
+    for (std::size_t k = 0; k < columns_.size(); ++k)
+        indexOf[columns_[k]] = static_cast<int>(k);
+    for (; nextRow_ < formulation_->rows.nextId(); nextRow_ = nextRow_ + 1)
+        if (OpenRow row = openPart(nextRow_, state, indexOf); row.columns.size() > 1)
+            rows_.push_back(std::move(row));
+    isInSolver_.resize(rows_.size(), false);
+}
+
+void Relaxation::dropIdleRows() {
+    std::vector<int> idle;
+    std::vector<std::size_t> kept;
+    for (std::size_t k = 0; k < solverRows_.size(); ++k) {
+        const std::size_t id = solverRows_[k];
+        const bool isIdle =
+            rows_[id].columns.size() > 2 && solver_->getRowStatus(static_cast<int>(k)) == ClpSimplex::basic;
+        if (isIdle) {
+            idle.push_back(static_cast<int>(k));
+            isInSolver_[id] = false;
+        } else {
+            kept.push_back(id);
+        }
+    }
+    solver_->deleteRows(static_cast<int>(idle.size()), idle.data());
+    solverRows_ = std::move(kept);
 }
 
 /// \return a row without columns if it always holds

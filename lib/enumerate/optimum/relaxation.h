@@ -44,6 +44,11 @@ public:
     /// \param near  the program of a relaxation that has not been solved yet, see `program`
     void startNear(const RelaxedProgram& near, const ColumnState& state, const Control& control);
 
+    /// Takes up the rows that the formulation has got since.
+    void addRows(const ColumnState& state);
+    /// Takes those that do not bind from the solver; they come back when a solution breaks them.
+    void dropIdleRows();
+
     /// The share of the solver's columns that the state has fixed, 0 to 1.
     [[nodiscard]] double fixedShare(const ColumnState& state) const;
 
@@ -70,6 +75,7 @@ private:
         double constant = 0; ///< what the fixed columns add
     };
 
+    void openRows(const ColumnState& state);
     [[nodiscard]] OpenRow openPart(RowId row, const ColumnState& state,
                                    const IdVector<ColumnId, int>& indexOf) const;
     Result solveWithoutRows(const ColumnState& state, double cutoff);
@@ -81,6 +87,7 @@ private:
 
     const Formulation* formulation_;
     std::vector<ColumnId> columns_;       ///< of the formulation, for every column of the solver
+    RowId nextRow_{0};                    ///< the first of the formulation that is not known
     std::vector<OpenRow> rows_;           ///< all that may matter
     std::vector<std::size_t> solverRows_; ///< indices in `rows_` of those that the solver has
     std::vector<bool> isInSolver_;        ///< of every one of `rows_`

@@ -2,6 +2,7 @@
 /// stands here; how soon it ends depends on it, and so does the best graph of a search that is cut short.
 #pragma once
 
+#include <array>
 #include <cstddef>
 
 namespace qm {
@@ -37,6 +38,27 @@ struct TreeTuning {
     static constexpr double fixedShareToRebuild = 0.3;
     /// Dives are repeated when the tree has grown by this factor, so that their share of the time falls.
     static constexpr std::size_t growthBetweenDives = 4;
+};
+
+struct CutTuning {
+    /// What a row must be broken by: rows that are broken less move the bound by next to nothing.
+    static constexpr double minViolation = 0.05;
+    /// Trails begin with arrivals of this value at least; there is nothing to be gained from smaller ones.
+    static constexpr double minArrival = 0.2;
+    /// Passes of smaller value lead out of every set that a trail is looked for in.
+    static constexpr double slight = 1e-3;
+    /// Crossings that a trail is looked for in: where it is lost at all, it is lost sooner.
+    static constexpr std::size_t maxCrossings = 400;
+    /// Prices of a pass, one after the other: dear ones at first, which make rows of few columns, that take
+    /// the solver little time and move the bound most.
+    static constexpr std::array prices{0.01, 0.003, 0.001};
+    /// What every step adds to a cycle: of cycles that are broken alike, the shortest are the strongest.
+    static constexpr double step = 1e-4;
+    /// Places that a cycle may lead to: long ones are seldom broken.
+    static constexpr std::size_t maxPlaces = 3000;
+    /// Rounds of cuts at the root at most, and how much of the way from bound to cost one must bring.
+    static constexpr int maxRounds = 40;
+    static constexpr double minGain = 0.002;
 };
 
 struct DivingTuning {

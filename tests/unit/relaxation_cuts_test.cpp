@@ -1,0 +1,162 @@
+// Cuts of the relaxation: what they are made with, and that every graph obeys them whatever solution they cut
+// off.
+#include "enumerate/optimum/acyclic_graph.h"
+#include "enumerate/optimum/odd_cycle_cuts.h"
+#include "enumerate/optimum/relaxation.h"
+#include "enumerate/optimum/smallest_cut.h"
+#include "enumerate/optimum/trail_cuts.h"
+#include "enumerate/state/depth_first.h"
+#include "support/random_graph.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <optional>
+#include <random>
+
+namespace qm::testing {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+TEST(AcyclicGraph, LeavesOutWhatWouldCloseALoop) {
+    constexpr std::size_t nodes = 9;
+    for (unsigned number = 0; number < 100; ++number) {
+        std::mt19937 random(number);
+        AcyclicGraph graph(nodes);
+        std::array<std::array<bool, nodes>, nodes> leads{}; // whether one node comes after another, or is it
+        for (std::size_t k = 0; k < nodes; ++k)
+            leads.at(k).at(k) = true;
+        for (int edge = 0; edge < 60; ++edge) {
+            const std::size_t from = random() % nodes, to = random() % nodes;
+            const bool closesLoop = leads.at(to).at(from);
+            ASSERT_EQ(graph.add(from, to), !closesLoop) << number << ": " << from << " to " << to;
+            if (closesLoop) continue;
+            for (auto& before : leads)
+                for (std::size_t k = 0; k < nodes && before.at(from); ++k)
+                    before.at(k) = before.at(k) || leads.at(to).at(k);
+        }
+    }
+}
+
+TEST(SmallestCut, IsTheSmallestOfAllCuts) {
+    constexpr std::size_t nodes = 7, source = 0, sink = nodes - 1;
+    for (unsigned number = 0; number < 200; ++number) {
+        std::mt19937 random(number);
+        std::array<std::array<double, nodes>, nodes> capacity{};
+        SmallestCut cut(nodes);
+        for (int edge = 0; edge < 25; ++edge) {
+            const std::size_t from = random() % nodes, to = random() % nodes;
+            const double added = static_cast<double>(random() % 5) / 4;
+            capacity.at(from).at(to) += added;
+            cut.addEdge(from, to, added);
+        }
+        const auto capacityOf = [&](const auto& isBefore) {
+            double sum = 0;
+            for (std::size_t from = 0; from < nodes; ++from)
+                for (std::size_t to = 0; to < nodes; ++to)
+                    if (isBefore(from) && !isBefore(to)) sum += capacity.at(from).at(to);
+            return sum;
+        };
+        double min = infinity;
+        for (unsigned set = 0; set < 1U << nodes; ++set)
+            if ((set >> source & 1U) == 1 && (set >> sink & 1U) == 0)
+                min = std::min(min, capacityOf([set](std::size_t node) { return (set >> node & 1U) == 1; }));
+        EXPECT_NEAR(cut.find(source, sink), min, 1e-6) << number;
+        EXPECT_NEAR(capacityOf([&](std::size_t node) { return cut.isBefore(node); }), min, 1e-6) << number;
+    }
+}
+
+struct Case {
+    ArcGraph graph;
+    std::vector<double> costs;
+    std::optional<Problem> problem;
+    std::vector<Assignment> graphs;
+};
+
+/// A whole mesh and many of its graphs.
+std::optional<Case> drawCase(unsigned number) {
+    constexpr std::size_t maxGraphs = 300;
+    std::mt19937 random(number);
+    const auto mesh = randomMesh(random);
+    if (!mesh) return std::nullopt;
+    Case drawn;
+    drawn.graph = buildArcGraph(*mesh, buildBaseComplex(*mesh, randomSeeds(*mesh, 3, random)));
+    for (std::size_t arc = 0; arc < drawn.graph.arcs.size(); ++arc)
+        drawn.costs.push_back(std::uniform_real_distribution<double>(-1, 2)(random));
+    drawn.problem = makeProblem({drawn.graph, drawn.costs, {}, {}, {}, {}});
+    forEachAssignment(
+        *drawn.problem, [] { return infinity; },
+        [&](const SearchState& state) {
+            drawn.graphs.push_back(state.assignment());
+            return drawn.graphs.size() < maxGraphs;
+        });
+    return drawn;
+}
+
+std::vector<VariableId> freeVariables(const SearchState& state) {
+    std::vector<VariableId> variables;
+    for (const VariableId v : state.problem().variables())
+        if (state.isFree(v)) variables.push_back(v);
+    return variables;
+}
+
+/// Values that break many rows: those of no solution. Trails are lost where values are small, cycles are
+/// broken where many are halves.
+ColumnValues drawValues(std::size_t columns, bool halves, std::mt19937& random) {
+    ColumnValues values(columns);
+    for (double& value : values)
+        if (halves)
+            value = random() % 8 == 0 ? 0 : 0.5;
+        else
+            value = random() % 3 == 0 ? 1 : static_cast<double>(random() % 5) / 8;
+    return values;
+}
+
+TEST(RelaxationCuts, EveryGraphObeysThem) {
+    std::size_t trails = 0, cycles = 0;
+    for (unsigned number = 0; number < 200; ++number) {
+        const auto drawn = drawCase(number);
+        if (!drawn) continue;
+        SCOPED_TRACE(number);
+        std::mt19937 random(number);
+        SearchState state(*drawn->problem);
+        if (!state.consistent()) continue;
+        Formulation formulation = formulate(state, freeVariables(state));
+        ColumnState columns(state, formulation);
+        const PassGraph graph(state, formulation);
+        for (int round = 0; round < 5; ++round) {
+            const ColumnValues values = drawValues(formulation.costs.size(), round % 2 == 0, random);
+            const std::vector<Formulation::Row> ofTrails = brokenTrails(graph, values, 0.003 * round);
+            const std::vector<Formulation::Row> ofCycles = brokenOddCycles(graph, values);
+            trails += ofTrails.size();
+            cycles += ofCycles.size();
+            for (const auto& rows : {ofTrails, ofCycles})
+                for (const Formulation::Row& row : rows) {
+                    double sum = 0;
+                    for (std::size_t k = 0; k < row.columns.size(); ++k)
+                        sum += row.weights[k] * values[row.columns[k]];
+                    EXPECT_TRUE(sum < row.lower || sum > row.upper) << "it cuts off what it was made for";
+                    formulation.rows.push_back(row);
+                }
+        }
+        Relaxation relaxation(formulation, columns);
+        for (const Assignment& assignment : drawn->graphs) {
+            const ColumnState::Mark mark = columns.mark();
+            for (const VariableId v : drawn->problem->variables())
+                if (state.isFree(v)) {
+                    const ArcState value = assignment[v] == 1 ? ArcState::in : ArcState::out;
+                    ASSERT_TRUE(columns.take({v, Decision::About::value, value}));
+                }
+            EXPECT_EQ(relaxation.solve(columns, infinity, 10000).kind, Relaxation::Result::Kind::solved);
+            columns.undo(mark);
+        }
+    }
+    EXPECT_GT(trails, 100U);
+    EXPECT_GT(cycles, 100U);
+}
+
+} // namespace
+} // namespace qm::testing
