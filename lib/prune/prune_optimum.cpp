@@ -264,21 +264,6 @@ private:
 
 } // namespace
 
-PruneResult pruneToOptimum(const QuadMesh& mesh, const BaseComplex& complex, const Layout& layout,
-                           const std::vector<double>& dihedralAngles, const std::vector<double>& edgeCosts,
-                           const PruneOptions& options, const Control& control) {
-    return Pruner(mesh, complex, layout, dihedralAngles, edgeCosts, options, control)
-        .prune(options.timeLimit);
-}
-
-std::vector<FrontPoint> pruneFront(const QuadMesh& mesh, const BaseComplex& complex, const Layout& layout,
-                                   const std::vector<double>& dihedralAngles,
-                                   const std::vector<double>& edgeCosts, const PruneOptions& options,
-                                   double rho, const Control& control) {
-    return Pruner(mesh, complex, layout, dihedralAngles, edgeCosts, options, control)
-        .front(rho, options.timeLimit);
-}
-
 PruneResult prune(const QuadMesh& mesh, const BaseComplex& complex, const Layout& layout,
                   const std::vector<double>& dihedralAngles, const std::vector<double>& edgeCosts,
                   const PruneOptions& options, double rho, const Control& control) {

@@ -6,29 +6,18 @@
 #include "basecomplex/base_complex.h"
 #include "prune/prune.h"
 
-#include <optional>
 #include <vector>
 
 namespace qm {
 
-/// Minimises G_T + beta * segments, or G_T under a number of segments, or their number and then G_T, over all
-/// arcs of the base complex. Extraordinary vertices need tracks only so that no segment has a corner above
-/// 180 degrees.
-/// \param layout  the start, of the same base complex; the result is never worse
-/// \throw Error  if its tracks are not made of arcs, or nothing is found under a number of segments
-[[nodiscard]] PruneResult pruneToOptimum(const QuadMesh& mesh, const BaseComplex& complex,
-                                         const Layout& layout, const std::vector<double>& dihedralAngles,
-                                         const std::vector<double>& edgeCosts, const PruneOptions& options,
-                                         const Control& control = {});
-
-/// Layouts for a range of beta, 1/16 to 64, from many segments to few; none is as good as another in
-/// segments, G_T and captured sharpness together. The time limit is that of all together.
-[[nodiscard]] std::vector<FrontPoint>
-pruneFront(const QuadMesh& mesh, const BaseComplex& complex, const Layout& layout,
-           const std::vector<double>& dihedralAngles, const std::vector<double>& edgeCosts,
-           const PruneOptions& options, double rho, const Control& control = {});
-
 /// What the options ask for: greedy or optimum, with or without the front, all within the time limit.
+///
+/// The optimum minimises G_T + beta * segments, or G_T under a number of segments, or their number and then
+/// G_T, over all arcs of the base complex. Extraordinary vertices need tracks only so that no segment has a
+/// corner above 180 degrees. A front holds layouts for a range of beta, 1/16 to 64, from many segments to
+/// few; none is as good as another in segments, G_T and captured sharpness together.
+/// \param layout  the start, of the same base complex; the optimum is never worse
+/// \throw Error  if its tracks are not made of arcs, or nothing is found under a number of segments
 [[nodiscard]] PruneResult prune(const QuadMesh& mesh, const BaseComplex& complex, const Layout& layout,
                                 const std::vector<double>& dihedralAngles,
                                 const std::vector<double>& edgeCosts, const PruneOptions& options, double rho,

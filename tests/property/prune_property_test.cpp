@@ -57,6 +57,12 @@ PruneOptions optimum(double beta, bool smooth) {
     return options;
 }
 
+constexpr double rho = 0.7; ///< sharp edges have larger angles
+
+PruneResult pruneCase(const Case& drawn, const Layout& layout, const PruneOptions& options) {
+    return prune(drawn.mesh, drawn.complex, layout, drawn.angles, drawn.costs, options, rho);
+}
+
 /// Every layout that some set of arcs makes.
 std::vector<Layout> allLayouts(const Case& drawn, const ArcGraph& graph) {
     std::vector<Layout> layouts;
@@ -96,8 +102,7 @@ TEST_P(AllSetsOfArcs, HaveNoneThatIsBetterThanTheOptimum) {
         ++compared;
         const auto all = allLayouts(*drawn, buildArcGraph(drawn->mesh, drawn->complex));
         for (const double beta : {0.0, 0.1, 0.7, 10.0, 1e3}) {
-            const PruneResult pruned = pruneToOptimum(drawn->mesh, drawn->complex, drawn->layout,
-                                                      drawn->angles, drawn->costs, optimum(beta, false));
+            const PruneResult pruned = pruneCase(*drawn, drawn->layout, optimum(beta, false));
             double lowest = std::numeric_limits<double>::infinity();
             for (const Layout& layout : all)
                 lowest = std::min(lowest, objective(layout, beta));
@@ -144,8 +149,7 @@ TEST_P(AllSetsOfArcs, HaveNoneWithRoomForCornersThatIsBetterThanTheOptimum) {
             PruneOptions options = optimum(beta, true);
             options.maxTurn = 180;
             options.minCorner = minCorner;
-            const PruneResult pruned = pruneToOptimum(drawn->mesh, drawn->complex, drawn->layout,
-                                                      drawn->angles, drawn->costs, options);
+            const PruneResult pruned = pruneCase(*drawn, drawn->layout, options);
             double lowest = std::numeric_limits<double>::infinity(), lowestOfAll = lowest;
             for (const Layout& layout : all) {
                 lowestOfAll = std::min(lowestOfAll, objective(layout, beta));
@@ -172,8 +176,7 @@ TEST_P(AllSetsOfArcs, HaveNoneOfFewerPatchesThanTheFewest) {
         ++compared;
         PruneOptions options = optimum(1, false);
         options.fewestPatches = true;
-        const PruneResult pruned =
-            pruneToOptimum(drawn->mesh, drawn->complex, drawn->layout, drawn->angles, drawn->costs, options);
+        const PruneResult pruned = pruneCase(*drawn, drawn->layout, options);
         const auto key = [](const Layout& layout) { return std::pair(layout.segments.size(), layout.cost); };
         auto fewest = key(drawn->layout);
         for (const Layout& layout : allLayouts(*drawn, buildArcGraph(drawn->mesh, drawn->complex)))
@@ -197,8 +200,7 @@ TEST(PruneProperty, TheOptimumIsNeverWorseThanGreedyRemovalAndCountsItsSegments)
                 greedy.smooth = smooth;
                 const Layout removed =
                     pruneLayout(drawn->mesh, drawn->layout, drawn->angles, drawn->costs, greedy).layout;
-                const PruneResult best = pruneToOptimum(drawn->mesh, drawn->complex, drawn->layout,
-                                                        drawn->angles, drawn->costs, optimum(beta, smooth));
+                const PruneResult best = pruneCase(*drawn, drawn->layout, optimum(beta, smooth));
                 EXPECT_LE(objective(best.layout, beta), objective(removed, beta) + 1e-6) << "case " << number;
                 EXPECT_GE(objective(best.layout, beta), *best.objectiveBound - 1e-6) << "case " << number;
                 if (best.proven) {
@@ -221,8 +223,7 @@ TEST(PruneProperty, WhatIsPrunedCanBePrunedToTheOptimum) {
         rough.smooth = false;
         const Layout removed =
             pruneLayout(drawn->mesh, drawn->layout, drawn->angles, drawn->costs, rough).layout;
-        const PruneResult best = pruneToOptimum(drawn->mesh, drawn->complex, removed, drawn->angles,
-                                                drawn->costs, optimum(0.5, true));
+        const PruneResult best = pruneCase(*drawn, removed, optimum(0.5, true));
         EXPECT_LE(objective(best.layout, 0.5), objective(removed, 0.5) + 1e-6) << "case " << number;
     }
 }
@@ -233,12 +234,9 @@ TEST(PruneProperty, TheNumberOfSegmentsIsKept) {
         const auto drawn = drawCase(number, 0);
         if (!drawn) continue;
         PruneOptions options = optimum(100, false);
-        const std::size_t fewest =
-            pruneToOptimum(drawn->mesh, drawn->complex, drawn->layout, drawn->angles, drawn->costs, options)
-                .layout.segments.size();
+        const std::size_t fewest = pruneCase(*drawn, drawn->layout, options).layout.segments.size();
         options.maxSegments = static_cast<double>(fewest);
-        const PruneResult few =
-            pruneToOptimum(drawn->mesh, drawn->complex, drawn->layout, drawn->angles, drawn->costs, options);
+        const PruneResult few = pruneCase(*drawn, drawn->layout, options);
         EXPECT_LE(few.layout.segments.size(), fewest) << "case " << number;
         if (fewest < drawn->layout.segments.size()) ++limited;
     }
@@ -250,8 +248,9 @@ TEST(PruneProperty, NothingOnTheFrontIsBeaten) {
     for (unsigned number = 0; number < 30; ++number) {
         const auto drawn = drawCase(number, number % 8);
         if (!drawn) continue;
-        const auto front = pruneFront(drawn->mesh, drawn->complex, drawn->layout, drawn->angles, drawn->costs,
-                                      optimum(1, false), 0.7);
+        PruneOptions options = optimum(1, false);
+        options.front = true;
+        const auto front = pruneCase(*drawn, drawn->layout, options).front;
         ASSERT_FALSE(front.empty());
         for (std::size_t k = 1; k < front.size(); ++k) {
             EXPECT_LE(front[k].segments, front[k - 1].segments);
@@ -335,7 +334,7 @@ TEST(PruneProperty, AStoppedSearchKeepsTheLayout) {
     const Layout layout = buildLayout(mesh, plainMotorcycleGraph(mesh, complex, costs).tracks, angles, costs);
     PruneOptions options = optimum(1, false);
     options.timeLimit = 0;
-    const PruneResult pruned = pruneToOptimum(mesh, complex, layout, angles, costs, options);
+    const PruneResult pruned = prune(mesh, complex, layout, angles, costs, options, rho);
     EXPECT_LE(pruned.layout.cost + static_cast<double>(pruned.layout.segments.size()),
               layout.cost + static_cast<double>(layout.segments.size()) + 1e-6);
 }

@@ -34,14 +34,6 @@ Point evaluate(const SplineCurve& curve, double t) {
     return blossom(curve, knotSpan(curve.knots, 3, t), {t, t, t});
 }
 
-Point derivative(const SplineCurve& curve, double t) {
-    const BasisValues basis = basisValues(curve.knots, 3, t);
-    Point result{0, 0, 0};
-    for (std::size_t k = 0; k < 4; ++k)
-        result += basis.derivative[k] * curve.points[basis.first + k];
-    return result;
-}
-
 SplineCurve withKnots(const SplineCurve& curve, const std::vector<double>& knots) {
     SplineCurve result;
     result.knots = knots;

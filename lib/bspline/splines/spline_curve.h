@@ -20,8 +20,6 @@ struct SplineCurve {
 
 [[nodiscard]] Point evaluate(const SplineCurve& curve, double t);
 
-[[nodiscard]] Point derivative(const SplineCurve& curve, double t);
-
 /// The same curve, on the whole or a part of its interval, over other knots: clamped ones that hold all of
 /// the curve's own knots inside the part at least as often.
 [[nodiscard]] SplineCurve withKnots(const SplineCurve& curve, const std::vector<double>& knots);
