@@ -168,7 +168,7 @@ void Tool::option(const std::string& name, Value& value, const Range& range, con
 
 template <class Options> void Tool::options(Options& values) {
     describe(values, [this](const char* name, auto& value, const Range& range, const char* help) {
-        option(name, value, range, help);
+        this->option(name, value, range, help);
     });
     conditions(values, [this](std::vector<std::string> names, std::string what, std::function<bool()> holds) {
         needs(std::move(names), std::move(what), std::move(holds));

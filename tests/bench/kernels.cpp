@@ -34,35 +34,35 @@ void setSize(benchmark::State& state, const QuadMesh& mesh) {
 
 void dihedral(benchmark::State& state) {
     const Model model = bench::model(state);
-    for (auto _ : state)
+    for ([[maybe_unused]] auto _ : state)
         benchmark::DoNotOptimize(dihedralAngles(model.mesh));
     setSize(state, model.mesh);
 }
 
 void baseComplex(benchmark::State& state) {
     const Model model = bench::model(state);
-    for (auto _ : state)
+    for ([[maybe_unused]] auto _ : state)
         benchmark::DoNotOptimize(buildBaseComplex(model.mesh));
     setSize(state, model.mesh);
 }
 
 void arcGraph(benchmark::State& state) {
     const Model model = bench::model(state);
-    for (auto _ : state)
+    for ([[maybe_unused]] auto _ : state)
         benchmark::DoNotOptimize(buildArcGraph(model.mesh, model.complex));
     setSize(state, model.mesh);
 }
 
 void features(benchmark::State& state) {
     const Model model = bench::model(state);
-    for (auto _ : state)
+    for ([[maybe_unused]] auto _ : state)
         benchmark::DoNotOptimize(findFeatures(model.mesh, model.angles, {}));
     setSize(state, model.mesh);
 }
 
 void cut(benchmark::State& state) {
     const Model model = bench::model(state);
-    for (auto _ : state)
+    for ([[maybe_unused]] auto _ : state)
         benchmark::DoNotOptimize(cutMesh(model.mesh, model.complex, model.angles, {}));
     setSize(state, model.mesh);
 }
@@ -71,14 +71,14 @@ void plainGraph(benchmark::State& state) {
     const Model model = bench::model(state);
     EnumerationOptions options;
     options.method = Method::plain;
-    for (auto _ : state)
+    for ([[maybe_unused]] auto _ : state)
         benchmark::DoNotOptimize(enumerateGraphs(model.mesh, model.complex, model.angles, {}, options));
     setSize(state, model.mesh);
 }
 
 void optimum(benchmark::State& state) {
     const Model model = bench::model(state);
-    for (auto _ : state)
+    for ([[maybe_unused]] auto _ : state)
         benchmark::DoNotOptimize(enumerateGraphs(model.mesh, model.complex, model.angles, {}, {}));
     setSize(state, model.mesh);
 }
@@ -90,7 +90,7 @@ void layout(benchmark::State& state) {
     const Enumeration plain = enumerateGraphs(model.mesh, model.complex, model.angles, {}, options);
     const std::vector<Track>& tracks = plain.subMeshes.at(0).graphs.at(0).tracks;
     const std::vector<double> costs = edgeCosts(model.angles, {});
-    for (auto _ : state)
+    for ([[maybe_unused]] auto _ : state)
         benchmark::DoNotOptimize(buildLayout(model.mesh, tracks, model.angles, costs));
     setSize(state, model.mesh);
 }

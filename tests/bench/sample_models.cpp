@@ -27,6 +27,7 @@ testing::Cells ring() {
 /// The vertices around the bar at the lower side, where it begins, one after the other.
 std::vector<int> section(const check::CheckedMesh& mesh) {
     std::vector<std::array<double, 3>> places;
+    places.reserve(2 * at(width + height));
     const double x = width, far = width, top = height;
     for (int y = 0; y < width; ++y)
         places.push_back({x, static_cast<double>(y), 0});
@@ -37,6 +38,7 @@ std::vector<int> section(const check::CheckedMesh& mesh) {
     for (int z = height; z > 0; --z)
         places.push_back({x, 0, static_cast<double>(z)});
     std::vector<int> vertices;
+    vertices.reserve(places.size());
     for (const auto& place : places)
         vertices.push_back(static_cast<int>(std::ranges::find(mesh.points, place) - mesh.points.begin()));
     return vertices;

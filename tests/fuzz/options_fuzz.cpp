@@ -36,6 +36,7 @@ std::vector<std::string> linesOf(std::string_view text) {
 void exercise(std::vector<std::string> words, const std::vector<qm::OptionRecord>& options) {
     words.insert(words.begin(), "tool");
     std::vector<char*> pointers;
+    pointers.reserve(words.size() + 1);
     for (std::string& word : words)
         pointers.push_back(word.data());
     pointers.push_back(nullptr);

@@ -6,9 +6,8 @@
 #include "mesh/read_mesh.h"
 #include "mesh/write_soup.h"
 
-#include <algorithm>
 #include <array>
-#include <cstdlib>
+#include <charconv>
 #include <fstream>
 #include <iostream>
 #include <iterator>
@@ -123,16 +122,18 @@ void smooth(const QuadMesh& mesh, Grids& grids) {
 } // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 3) {
+    const std::string name = argc == 3 ? argv[1] : "", how = argc == 3 ? argv[2] : "";
+    int parts = how == "smooth" ? 2 : 0;
+    if (parts == 0) std::from_chars(how.data(), how.data() + how.size(), parts);
+    if (parts < 1) {
         std::cerr << "usage: refine MESH N|smooth\n";
         return 2;
     }
     try {
-        const std::string name = argv[1], how = argv[2];
         std::ifstream file(name, std::ios::binary);
         const std::string bytes(std::istreambuf_iterator<char>(file), {});
         const QuadMesh mesh = qm::readMesh(bytes, name).mesh;
-        Grids grids = Splitter(mesh, how == "smooth" ? 2 : std::max(std::atoi(how.c_str()), 1)).split();
+        Grids grids = Splitter(mesh, parts).split();
         if (how == "smooth") smooth(mesh, grids);
         std::cout << qm::writeSoup(qm::soupOf(qm::buildMesh(grids.points, grids.quads)), qm::MeshFormat::obj);
         return std::cout.flush() ? 0 : 1;

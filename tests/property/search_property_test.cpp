@@ -88,6 +88,7 @@ std::optional<std::set<Assignment>> allGraphs(const Problem& problem) {
 
 std::vector<double> sortedCosts(const Problem& problem, const std::set<Assignment>& graphs) {
     std::vector<double> costs;
+    costs.reserve(graphs.size());
     for (const Assignment& graph : graphs)
         costs.push_back(costOf(problem, graph));
     std::ranges::sort(costs);
@@ -320,7 +321,7 @@ TEST(SearchProperty, MergingEndsInAValidGraphWhateverTheCut) {
         for (int& label : parts.labels)
             label = static_cast<int>(random() % static_cast<unsigned>(parts.count));
         EnumerationOptions options;
-        options.cost = {0.9, 0.7};
+        options.cost = {{0.9, 0.7}};
         const Enumeration found = enumerateGraphs(drawn->mesh, drawn->complex, drawn->angles, parts, options);
         const MergeResult merged =
             mergeGraphs(drawn->mesh, drawn->complex, drawn->angles, parts, found, {}, 40, {});
@@ -345,7 +346,8 @@ TEST(SearchProperty, WindowsImproveAndLargeOnesReachTheOptimum) {
         std::mt19937 random(number);
         const auto graphs = allGraphs(drawn->problem);
         if (!graphs || graphs->empty()) continue;
-        const Assignment start = *std::next(graphs->begin(), random() % graphs->size());
+        const Assignment start =
+            *std::next(graphs->begin(), static_cast<std::ptrdiff_t>(random() % graphs->size()));
         const double minCost = costOf(drawn->problem, findOptimum(drawn->problem, {}).graphs.front());
         const auto arcCosts = sumOverArcs(drawn->mesh, drawn->graph, drawn->complex, drawn->costs);
         const ProblemInput input{drawn->graph, arcCosts, {}, {}, {}, {}};

@@ -21,8 +21,11 @@ double SmallestCut::find(std::size_t source, std::size_t sink) {
     double flow = 0;
     for (findLevels(source); levels_[sink] >= 0; findLevels(source)) {
         next_.assign(edgesOf_.size(), 0);
-        for (double pushed = 1; pushed > 0; flow += pushed)
+        double pushed = 0;
+        do {
             pushed = push(source, sink, std::numeric_limits<double>::infinity());
+            flow += pushed;
+        } while (pushed > 0);
     }
     return flow;
 }
