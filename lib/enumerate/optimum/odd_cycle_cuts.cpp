@@ -112,7 +112,7 @@ private:
         }
         const auto last =
             std::ranges::adjacent_find(sides, [](SideId a, SideId b) { return PassGraph::across(a) == b; });
-        if (last != sides.end()) std::ranges::rotate(sides, std::next(last));
+        if (last != sides.end()) std::rotate(sides.begin(), std::next(last), sides.end());
         return sides;
     }
 
@@ -133,7 +133,8 @@ private:
         }
         // A line whose next crossing is with itself may have been counted twice.
         if (lines % 2 == 0) return {};
-        row.upper = (lines - 1) / 2;
+        const int maxPasses = (lines - 1) / 2;
+        row.upper = maxPasses;
         return row;
     }
 
