@@ -212,6 +212,7 @@ TEST(Gram, IntegratesProductsOfSplinesExactly) {
     const std::vector<double> knots = {0, 0, 0, 0, 1, 2.5, 2.5, 4, 4, 4, 4};
     const auto pieces = gramPieces(knots);
     std::vector<std::size_t> quads;
+    quads.reserve(pieces.size());
     for (const GramPiece& piece : pieces)
         quads.push_back(piece.quad);
     EXPECT_EQ(quads, (std::vector<std::size_t>{0, 1, 2, 2, 3}));
