@@ -179,7 +179,7 @@ struct Attempt {
 Attempt attempt(int number, const Fitted& before, const SmoothNetwork& network, std::size_t patches,
                 int slides) {
     if (number == 1) return {std::vector<bool>(patches, false), slides};
-    if (number > 2) return {std::vector<bool>(patches, true), number == 3 ? slides : slides / 2};
+    if (number > 2) return {std::vector<bool>(patches, true), slides >> (number - 3)};
     std::vector<bool> isMissed;
     for (const double distance : before.distances)
         isMissed.push_back(distance > 1);

@@ -24,7 +24,7 @@ struct SmoothFitOptions {
     double worthAll = 0.6;    ///< of all control points: if there are more to solve for, all are solved for
     bool removesKnots = true; ///< tries to do with fewer, once the tolerance is kept
     int verifications = 5;    ///< how often it is verified at most, if it can be
-    int attempts = 4;         ///< while verification finds more than is allowed; see `smooth_fit.cpp`
+    int attempts = 5;         ///< while verification finds more than is allowed; see `smooth_fit.cpp`
 };
 
 /// The largest distance of every patch from the reference, certain also between the points that a fit looks
