@@ -111,9 +111,16 @@ private:
         IntegerProgram numbers = grids_.program;
         numbers.costs.assign(numbers.costs.size(), 0);
         addPrice(numbers, 1);
-        const Deadline end(control_, seconds), firstEnd(control_, seconds / 2);
+        const Deadline end(control_, seconds), proofEnd(control_, seconds / 8),
+            firstEnd(control_, seconds / 2);
         prepare(numbers, dearest);
-        const Found fewest = solve(numbers, infinity, firstEnd);
+        Found fewest = solve(numbers, infinity, proofEnd);
+        if (!fewest.proven) {
+            // Most neighbours of a layout have as many segments; G_T tells which of them lead on.
+            improveAt(highestPrice, seconds / 4);
+            const Found better = solve(numbers, infinity, firstEnd);
+            fewest = {better.values, std::max(fewest.lowerBound, better.lowerBound), better.proven};
+        }
         PruneResult result = prune({0, grids_.segments(fewest.values)}, end.secondsLeft());
         result.proven = result.proven && fewest.proven;
         result.objectiveBound = std::ceil(fewest.lowerBound + grids_.corners / 4 - integral);
@@ -181,11 +188,15 @@ private:
     void approach(double maxSegments, const Deadline& end) {
         const double seconds = end.secondsLeft() * shareOfApproach;
         for (double beta = 1; beta <= highestPrice && !bestKnown(grids_.program, maxSegments);
-             beta *= priceGrowth) {
-            const IntegerProgram program = programFor({beta});
-            known_.push_back(valuesOf(improveByNeighbourhoods(program, *bestKnown(program, infinity), lines(),
-                                                              {.seconds = seconds}, control_)));
-        }
+             beta *= priceGrowth)
+            improveAt(beta, seconds);
+    }
+
+    /// Adds what neighbourhoods make of the best layout when a segment costs so much.
+    void improveAt(double beta, double seconds) {
+        const IntegerProgram program = programFor({beta});
+        known_.push_back(valuesOf(improveByNeighbourhoods(program, *bestKnown(program, infinity), lines(),
+                                                          {.seconds = seconds}, control_)));
     }
 
     /// The columns of every line's arcs.
