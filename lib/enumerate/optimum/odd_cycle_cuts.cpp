@@ -26,13 +26,17 @@ class OddCycleSearch {
 public:
     OddCycleSearch(const PassGraph& graph, const ColumnValues& values)
         : sides_(graph.sides()), values_(values), lengths_(2 * sides_.size(), infinity),
-          from_(2 * sides_.size()), isCut_(sides_.size(), false) {}
+          from_(2 * sides_.size()), isDone_(sides_.size(), false) {}
 
     std::vector<Formulation::Row> run() {
         std::vector<Formulation::Row> rows;
         std::set<std::vector<ColumnId>> known;
         for (const SideId start : sides_.ids()) {
-            if (isCut_[start] || !isOpen(start) || !findWay(start)) continue;
+            if (isDone_[start] || !isOpen(start)) continue;
+            if (!findWay(start)) {
+                passOver();
+                continue;
+            }
             Formulation::Row row = rowOf(cycle(start));
             std::vector<ColumnId> columns = row.columns;
             std::ranges::sort(columns);
@@ -103,12 +107,18 @@ private:
         return false;
     }
 
+    /// After a search in vain.
+    void passOver() {
+        for (const Place place : reached_)
+            if (lengths_[place] <= Tuning::near) isDone_[sideOf(place)] = true;
+    }
+
     /// The way that was found last, beginning behind a step across.
     std::vector<SideId> cycle(SideId start) {
         std::vector<SideId> sides;
         for (Place place = placeOf(start, 1); place != placeOf(start, 0); place = from_[place]) {
             sides.push_back(sideOf(place));
-            isCut_[sides.back()] = true;
+            isDone_[sides.back()] = true;
         }
         const auto last =
             std::ranges::adjacent_find(sides, [](SideId a, SideId b) { return PassGraph::across(a) == b; });
@@ -143,7 +153,7 @@ private:
     std::vector<double> lengths_; ///< of every place, of the shortest way there
     std::vector<Place> from_;
     std::vector<Place> reached_;
-    IdVector<SideId, bool> isCut_; ///< on a cycle that was found
+    IdVector<SideId, bool> isDone_; ///< on a cycle that was found, or on none
 };
 
 } // namespace

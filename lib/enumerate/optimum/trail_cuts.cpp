@@ -53,12 +53,16 @@ private:
 
     [[nodiscard]] double value(ColumnId column) const { return column.valid() ? values_[column] : 0; }
 
-    /// Those that are worth a search, the surest first.
+    /// Those that are worth a search, the surest first: where a particle goes on, the next one is as good.
     [[nodiscard]] std::vector<Arrival> arrivals() const {
         std::vector<Arrival> found;
         for (const SideId side : sides_.ids())
-            for (const ColumnId column : sides_[side].arrives)
-                if (value(column) >= Tuning::minArrival) found.push_back({column, side.idx() / 2});
+            for (std::size_t k = 0; k < PassGraph::directions; ++k) {
+                const ColumnId column = sides_[side].arrives[k];
+                if (value(column) >= Tuning::minArrival &&
+                    value(column) - value(sides_[side].passes[k]) >= Tuning::minLoss)
+                    found.push_back({column, side.idx() / 2});
+            }
         std::ranges::stable_sort(found, std::greater{},
                                  [this](const Arrival& arrival) { return values_[arrival.column]; });
         return found;

@@ -45,6 +45,8 @@ struct CutTuning {
     static constexpr double minViolation = 0.05;
     /// Trails begin with arrivals of this value at least; there is nothing to be gained from smaller ones.
     static constexpr double minArrival = 0.2;
+    /// ... and where so much of the arrival at least does not pass.
+    static constexpr double minLoss = 0.01;
     /// Passes of smaller value lead out of every set that a trail is looked for in.
     static constexpr double slight = 1e-3;
     /// Crossings that a trail is looked for in: where it is lost at all, it is lost sooner.
@@ -55,7 +57,9 @@ struct CutTuning {
     /// What every step adds to a cycle: of cycles that are broken alike, the shortest are the strongest.
     static constexpr double step = 1e-4;
     /// Places that a cycle may lead to: long ones are seldom broken.
-    static constexpr std::size_t maxPlaces = 3000;
+    static constexpr std::size_t maxPlaces = 1000;
+    /// Where no cycle leads through a side, none leads through those that are as near to it.
+    static constexpr double near = 0.02;
     /// Rounds of cuts at the root at most, and how much of the way from bound to cost one must bring.
     static constexpr int maxRounds = 40;
     static constexpr double minGain = 0.002;
