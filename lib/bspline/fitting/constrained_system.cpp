@@ -113,10 +113,4 @@ double ConstrainedSystem::violation(const Eigen::MatrixX3d& solution) const {
     return largest;
 }
 
-Eigen::MatrixX3d ConstrainedSystem::solve(const Eigen::MatrixX3d& rightHandSide) const {
-    Eigen::MatrixX3d solution;
-    improve(rightHandSide, Accuracy::rounding, solution);
-    return solution.topRows(unknowns_);
-}
-
 } // namespace qm

@@ -31,16 +31,14 @@ public:
                       const std::vector<LinearForm>& equations, const Eigen::MatrixX3d& constants,
                       unsigned jobs);
 
-    /// Makes a solution that of the minimum of x'Hx / 2 - x'b under the equations, for each column of b.
+    /// Makes a solution that of the minimum of x'Hx / 2 - x'b under the equations, for each column of b. They
+    /// hold up to rounding, unless a draft will do.
     /// \param solution  where to begin, with the multipliers of the equations; empty to begin with nothing
     void improve(const Eigen::MatrixX3d& rightHandSide, Accuracy accuracy, Eigen::MatrixX3d& solution) const;
 
     /// By how much a solution, with or without multipliers, misses an equation, at most, in the metric of the
     /// form.
     [[nodiscard]] double violation(const Eigen::MatrixX3d& solution) const;
-
-    /// The same from the beginning, without the multipliers. The equations hold up to rounding.
-    [[nodiscard]] Eigen::MatrixX3d solve(const Eigen::MatrixX3d& rightHandSide) const;
 
 private:
     [[nodiscard]] Eigen::MatrixX3d residual(const Eigen::MatrixX3d& rightHandSide,

@@ -8,19 +8,20 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace qm {
 
 struct LatticeNormals {
     std::vector<std::vector<std::size_t>> numbers; ///< by grid and point: the lattice point
-    /// By grid and point: unit length, or 0 if there is none.
-    std::vector<std::vector<Eigen::Vector3d>> oneSided;
+    std::vector<std::vector<std::optional<Eigen::Vector3d>>> oneSided; ///< by grid and point, unit length
     // By lattice point:
     std::vector<Eigen::Vector3d> points;
-    std::vector<Eigen::Vector3d> normals; ///< means of the one-sided ones
-    std::vector<bool> sharp;              ///< those differ
-    std::vector<bool> used;               ///< some grid has it; isolated vertices are in none
+    /// Means of the one-sided ones, unit length; none at sharp points, nor where no grid has the point, as at
+    /// isolated vertices.
+    std::vector<std::optional<Eigen::Vector3d>> normals;
+    std::vector<bool> sharp; ///< the one-sided ones differ, or one is missing
 };
 
 /// \param surface  by segment, all with the same steps

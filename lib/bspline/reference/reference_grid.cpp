@@ -55,10 +55,6 @@ SurfacePoint combine(const ReferenceGrid& grid, const Weights& columns, const We
 
 } // namespace
 
-Point ReferenceGrid::at(double u, double v) const {
-    return evaluate(u, v).position;
-}
-
 SurfacePoint ReferenceGrid::evaluate(double u, double v) const {
     return combine(*this, lagrange(size[0], steps, u), lagrange(size[1], steps, v));
 }

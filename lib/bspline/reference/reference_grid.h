@@ -20,9 +20,8 @@ struct ReferenceGrid {
     int steps = 2;               ///< lattice steps a quad, even, at most maxSteps
     std::vector<Point> points{}; ///< (size[0] * steps + 1) * (size[1] * steps + 1) of them
 
-    /// Outside the grid the outermost quads go on.
-    [[nodiscard]] Point at(double u, double v) const;
     /// At a grid line the derivatives are those of the quad after it, at the last one of the quad before.
+    /// Outside the grid the outermost quads go on.
     [[nodiscard]] SurfacePoint evaluate(double u, double v) const;
     /// All points of a lattice: (us[i], vs[j]) at j * us.size() + i.
     [[nodiscard]] std::vector<SurfacePoint> evaluateLattice(const std::vector<double>& us,

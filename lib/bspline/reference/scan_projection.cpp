@@ -31,7 +31,7 @@ double orientation(const LatticeNormals& lattice, const std::vector<Nearest>& ne
     std::size_t against = 0;
     for (std::size_t k = 0; k < nearest.size(); ++k)
         if (nearest[k].found() && !nearest[k].onBoundary && nearest[k].distance <= near)
-            ++(vector(nearest[k].normal).dot(lattice.normals[k]) > 0 ? along : against);
+            ++(vector(nearest[k].normal).dot(*lattice.normals[k]) > 0 ? along : against);
     if (along >= clearly * against) return 1;
     return against >= clearly * along ? -1 : 0;
 }
@@ -83,20 +83,17 @@ private:
 ScanProjection projectOntoScan(const LatticeNormals& lattice, const TriangleSurface& scan,
                                const ScanReach& reach, double minCosine, unsigned jobs) {
     const std::size_t count = lattice.points.size();
-    const auto hasNormal = [&](std::size_t k) {
-        return lattice.used[k] && !lattice.sharp[k] && !lattice.normals[k].isZero(0);
-    };
     std::vector<Nearest> nearest(count);
     parallelForMany(count, jobs, [&](std::size_t k) {
-        if (hasNormal(k)) nearest[k] = scan.nearest(point(lattice.points[k]), reach.max);
+        if (lattice.normals[k]) nearest[k] = scan.nearest(point(lattice.points[k]), reach.max);
     });
     ScanProjection result;
     result.maxDistance = std::clamp(4 * commonDistance(nearest, 0.9), reach.min, reach.max);
     const Projector projector(scan, result.maxDistance, minCosine, orientation(lattice, nearest));
     result.displacements.resize(count);
     parallelForMany(count, jobs, [&](std::size_t k) {
-        if (hasNormal(k))
-            result.displacements[k] = projector.project(lattice.points[k], lattice.normals[k], nearest[k]);
+        if (const auto& normal = lattice.normals[k])
+            result.displacements[k] = projector.project(lattice.points[k], *normal, nearest[k]);
     });
     return result;
 }

@@ -73,10 +73,11 @@ public:
             if (!lattice_.sharp[number]) return;
             Planes& planes = all[place[number]];
             const auto offset = carriedOn(g, i, j);
-            const Eigen::Vector3d& normal = lattice_.oneSided[g][index(g, i, j)];
             planes.complete = planes.complete && offset.has_value();
-            planes.matrix += normal * normal.transpose();
-            planes.right += offset.value_or(0) * normal;
+            if (const auto& normal = lattice_.oneSided[g][index(g, i, j)]) {
+                planes.matrix += *normal * normal->transpose();
+                planes.right += offset.value_or(0) * *normal;
+            }
         });
         for (std::size_t k = 0; k < sharp.size(); ++k) {
             if (!all[k].complete) continue;
@@ -127,7 +128,7 @@ public:
         double all = 0;
         double covered = 0;
         for (std::size_t k = 0; k < weights_.size(); ++k) {
-            if (!lattice_.used[k] || lattice_.sharp[k]) continue;
+            if (!lattice_.normals[k]) continue;
             ++all;
             covered += weights_[k] > 0 ? 1 : 0;
         }
@@ -176,7 +177,7 @@ private:
         if (i < 0 || j < 0 || i > columns(g) || j > rows(g)) return std::nullopt;
         const std::size_t number = lattice_.numbers[g][index(g, i, j)];
         if (weights_[number] <= 0 || lattice_.sharp[number]) return std::nullopt;
-        return displacements_[number]->dot(lattice_.oneSided[g][index(g, i, j)]);
+        return displacements_[number]->dot(*lattice_.oneSided[g][index(g, i, j)]);
     }
 
     /// How far every point is from the median of those around it, up to so many lattice steps away: the

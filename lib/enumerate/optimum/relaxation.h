@@ -75,7 +75,6 @@ private:
         double constant = 0; ///< what the fixed columns add
     };
 
-    void openRows(const ColumnState& state);
     [[nodiscard]] OpenRow openPart(RowId row, const ColumnState& state,
                                    const IdVector<ColumnId, int>& indexOf) const;
     Result solveWithoutRows(const ColumnState& state, double cutoff);
