@@ -39,6 +39,7 @@ SmoothFitOptions effortFor(const QuadMesh& mesh) {
     options.slides = areVeryMany ? 2 : 3;
     options.verifications = areVeryMany ? 0 : 2;
     options.attempts = 1;
+    options.slack = 0; // nothing would begin anew where it leads astray
     options.ringsAround = 1;
     options.worthAll = 0.8;
     options.removesKnots = false;

@@ -117,7 +117,10 @@ bool FitState::solveFor(const std::vector<bool>& isFree, int slides) {
     SmoothSystem system(layout_, plan_.network(), spaces_, lattices_, plates_, isFree, patches_, jobs_);
     for (int k = 0; k < slides; ++k) {
         system.solve(lattices_, Accuracy::draft, patches_);
-        forFree([&](std::size_t i) { slideTargets(patches_[i], lattices_[i]); });
+        forFree([&](std::size_t i) {
+            const double share = scale_[i] > 1 ? 0 : options_.slack;
+            slideTargets(patches_[i], share * options_.tolerance, lattices_[i]);
+        });
     }
     system.solve(lattices_, Accuracy::rounding, patches_);
     return system.holds();

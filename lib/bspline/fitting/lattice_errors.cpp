@@ -40,6 +40,25 @@ Point meanDirection(const FitLattice& lattice, std::size_t k, const SurfacePoint
     return unit(axis + ((along | axis) < 0 ? -along : along));
 }
 
+/// How much the normals of surface and reference may differ where targets slide: the cosine of half the
+/// angle.
+constexpr double minCosine = 0.92;
+
+/// Distance of a patch from the reference, on the whole.
+double meanDistance(const FitLattice& lattice, const std::vector<SurfacePoint>& points) {
+    double sum = 0;
+    double weights = 0;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        if (lattice.isHeld[k] || lattice.freedom[k] != Freedom::surface) continue;
+        const Point axis = meanNormal(lattice, k, points[k]);
+        if ((lattice.axes[k] | axis) < minCosine) continue;
+        const double weight = lattice.targets.weights[k] / lattice.emphasis[k];
+        sum += weight * ((points[k].position - lattice.reference[k]) | axis);
+        weights += weight;
+    }
+    return weights > 0 ? sum / weights : 0;
+}
+
 /// Forbids sliding in a rectangle of parameters, for this time or for good.
 /// \return false if it is forbidden for good already
 bool hold(const std::array<double, 2>& begin, const std::array<double, 2>& end, bool forGood,
@@ -117,19 +136,21 @@ bool holdTargets(const std::array<double, 2>& begin, const std::array<double, 2>
     return hold(begin, end, true, lattice);
 }
 
-void slideTargets(const Patch& patch, FitLattice& lattice) {
+void slideTargets(const Patch& patch, double slack, FitLattice& lattice) {
     // Enough to make slides converge in few steps, not so much that they oscillate.
     constexpr double momentum = 0.8;
     // Draws back to the reference's parameters, where nothing else decides.
     constexpr double anchor = 0.01;
-    constexpr double minCosine = 0.92; // between normals, to their mean
-    constexpr double maxSlide = 1;     // of the reference's edges
+    constexpr double maxSlide = 1; // of the reference's edges
+    // The same along the normal: waves are much stiffer than this, and the shapes of whole parts much softer.
+    constexpr double restoring = 0.15;
     const auto points = pointsOf(patch, lattice);
     for (std::size_t k = 0; k < points.size(); ++k)
         if (isFolded(lattice, k, points[k])) {
             const auto [u, v] = lattice.parametersAt(k);
             hold({u - 1, v - 1}, {u + 1, v + 1}, false, lattice);
         }
+    const double mean = meanDistance(lattice, points);
     for (std::size_t k = 0; k < points.size(); ++k) {
         if (lattice.isHeld[k] || lattice.freedom[k] == Freedom::corner) continue;
         const bool onCrease = lattice.freedom[k] == Freedom::crease;
@@ -142,11 +163,20 @@ void slideTargets(const Patch& patch, FitLattice& lattice) {
         Point slide(0, 0, 0);
         Point ahead(0, 0, 0);
         if ((lattice.axes[k] | axis) >= minCosine) {
-            slide = (1 - anchor) * allowed(points[k].position - lattice.reference[k]);
+            const Point offset = points[k].position - lattice.reference[k];
+            slide = (1 - anchor) * allowed(offset);
             const double limit = maxSlide * lattice.edge[k];
             const double length = slide.norm();
             if (length > limit) slide *= limit / length;
             ahead = slide + momentum * allowed(slide - lattice.slides[k]);
+            if (!onCrease) {
+                const double ofPoint = slack / lattice.emphasis[k];
+                const auto within = [&](double distance) { return std::clamp(distance, -ofPoint, ofPoint); };
+                const double distance = within((1 - restoring) * ((offset | axis) - mean));
+                const double change = distance - (lattice.slides[k] | axis);
+                slide += distance * axis;
+                ahead += within(distance + momentum * change) * axis;
+            }
         }
         lattice.slides[k] = slide;
         lattice.targets.points[k] = lattice.reference[k] + ahead;

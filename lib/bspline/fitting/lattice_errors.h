@@ -31,8 +31,12 @@ struct PatchErrors {
 /// moved: the parameters of the reference are a choice, and a surface that is not bound to them is smoother
 /// and has fewer knots. Where the patch is folded the targets go back to the reference's points: the
 /// second time for good.
+/// So far off the reference as `slack` tells, less where the emphasis has grown, targets follow the patch
+/// along the normal as well, but for creases: what is near enough need not be nearer, and may be fairer
+/// instead. Only what differs from the mean distance of the whole patch is followed: plates would make round
+/// parts smaller otherwise.
 /// Tangent-distance minimisation (docs/METHOD.md#wang-2006), accelerated (docs/METHOD.md#nesterov-1983).
-void slideTargets(const Patch& patch, FitLattice& lattice);
+void slideTargets(const Patch& patch, double slack, FitLattice& lattice);
 
 /// Puts the targets in a rectangle of parameters back to the reference's points for good.
 /// \return false if all of them are there already

@@ -28,6 +28,13 @@ constexpr double worthwhile = 0.985;
 /// Rounds that it may take to mend what a verification has found.
 constexpr int roundsOfMending = 8;
 
+/// A verification that finds so much more than one before, or with so many more control points, is the
+/// last, if all can begin anew: what follows takes ever more knots.
+struct Astray {
+    static constexpr double distance = 1.2;
+    static constexpr double points = 1.5;
+};
+
 struct Fitted {
     std::vector<Patch> patches;
     std::vector<double> distances; ///< by patch, in tolerances, if they were verified
@@ -35,6 +42,14 @@ struct Fitted {
     /// 0 without patches.
     [[nodiscard]] double farthest() const { return distances.empty() ? 0 : std::ranges::max(distances); }
 };
+
+bool isAstrayFrom(const Fitted& before, const Fitted& found) {
+    const auto points = [](const Fitted& fitted) {
+        return static_cast<double>(controlPointCount(fitted.patches));
+    };
+    return found.farthest() > Astray::distance * before.farthest() ||
+           points(found) > Astray::points * points(before);
+}
 
 class SmoothFit {
 public:
@@ -45,7 +60,7 @@ public:
           planes_(planesOf(reference.grids, network, options.flatness)),
           state_(mesh, layout, network, reference, options, isSoft, jobs) {}
 
-    Fitted run(const Verification& verify, const Control& control) {
+    Fitted run(const Verification& verify, bool mayBeginAnew, const Control& control) {
         state_.solve(2 * options_.slides, true); // more while there are few knots
         search(options_.maxRounds, options_.removesKnots, control);
         chooseBest(verify);
@@ -54,8 +69,9 @@ public:
         Fitted nearest;
         for (int k = 1;; ++k) {
             Fitted found{best_.patches, verified(best_, verify)};
+            const bool isAstray = mayBeginAnew && k > 1 && isAstrayFrom(nearest, found);
             if (k == 1 || found.farthest() < nearest.farthest()) nearest = std::move(found);
-            if (k == options_.verifications) return nearest;
+            if (isAstray || k == options_.verifications) return nearest;
             state_.restore(best_);
             if (!state_.tighten(best_)) return nearest;
             best_ = {};
@@ -171,19 +187,22 @@ private:
 /// around from following the reference; and sliding may lead astray.
 struct Attempt {
     std::vector<bool> isSoft; ///< by patch
-    int slides = 0;
+    SmoothFitOptions options;
 };
 
-/// At first all patches are stiff; then those are soft, and slide less, that miss the tolerance, with those
-/// around them; then all are.
+/// At first all patches are stiff, and may be fairer than near. Then nothing is as good as to be near, and
+/// those are soft, and slide less, that miss the tolerance, with those around them; then all are.
 Attempt attempt(int number, const Fitted& before, const SmoothNetwork& network, std::size_t patches,
-                int slides) {
-    if (number == 1) return {std::vector<bool>(patches, false), slides};
-    if (number > 2) return {std::vector<bool>(patches, true), slides >> (number - 3)};
-    std::vector<bool> isMissed;
-    for (const double distance : before.distances)
-        isMissed.push_back(distance > 1);
-    return {withNeighbours(network, std::move(isMissed), 1), slides / 2};
+                const SmoothFitOptions& options) {
+    if (number == 1) return {std::vector<bool>(patches, false), options};
+    Attempt next{std::vector<bool>(patches, true), options};
+    next.options.slack = 0;
+    next.options.slides >>= number == 2 ? 1 : number - 3;
+    if (number > 2) return next;
+    for (std::size_t k = 0; k < patches; ++k)
+        next.isSoft[k] = before.distances[k] > 1;
+    next.isSoft = withNeighbours(network, std::move(next.isSoft), 1);
+    return next;
 }
 
 } // namespace
@@ -197,11 +216,9 @@ std::vector<Patch> fitSmooth(const QuadMesh& mesh, const Layout& layout, const S
     if (patches == 0) return {};
     Fitted nearest;
     for (int k = 1;; ++k) {
-        const Attempt present = attempt(k, nearest, network, patches, options.slides);
-        SmoothFitOptions ofAttempt = options;
-        ofAttempt.slides = present.slides;
-        Fitted fitted = SmoothFit(mesh, layout, network, reference, ofAttempt, present.isSoft, control.jobs)
-                            .run(verify, k == 1 ? control : Control());
+        const auto [isSoft, ofAttempt] = attempt(k, nearest, network, patches, options);
+        Fitted fitted = SmoothFit(mesh, layout, network, reference, ofAttempt, isSoft, control.jobs)
+                            .run(verify, k < options.attempts, k == 1 ? control : Control());
         if (k == 1 || fitted.farthest() < nearest.farthest()) nearest = std::move(fitted);
         if (k == options.attempts || !verify || nearest.farthest() <= uncertain) return nearest.patches;
     }

@@ -20,6 +20,7 @@ struct SmoothFitOptions {
     int maxRounds = 30;       ///< systems that are factorised
     int roundsForFolds = 30;  ///< from then on places that are near enough may fold
     int slides = 6;           ///< solutions of each, between which the targets slide
+    double slack = 0.5;       ///< of the tolerance: so near surfaces may be fairer instead of nearer
     int ringsAround = 2;      ///< of patches that are solved for together with those that change
     double worthAll = 0.6;    ///< of all control points: if there are more to solve for, all are solved for
     bool removesKnots = true; ///< tries to do with fewer, once the tolerance is kept
