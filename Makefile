@@ -39,7 +39,7 @@ optimise.release  := -O2 $(unrolled) -DNDEBUG
 optimise.debug    := -O0 -g -D_GLIBCXX_ASSERTIONS
 optimise.sanitize := -O1 -g -D_GLIBCXX_ASSERTIONS -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
 optimise.tsan     := -O1 -g -D_GLIBCXX_ASSERTIONS -fno-omit-frame-pointer -fsanitize=thread
-optimise.coverage := -O0 -g --coverage
+optimise.coverage := -O0 -g --coverage -fprofile-update=atomic
 optimise.fuzz     := -O1 -g -D_GLIBCXX_ASSERTIONS -fno-omit-frame-pointer -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all
 $(if $(optimise.$(config)),,$(error config=$(config) is unknown. Use release, debug, sanitize, tsan, coverage or fuzz))
 CXXFLAGS ?= $(optimise.$(config))

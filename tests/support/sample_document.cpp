@@ -16,6 +16,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <stdexcept>
 
 namespace qm::testing {
@@ -49,43 +50,12 @@ void put(Document& document, Kind kind, const std::string& tool, Json options, J
     putSection(document, {kind, tool, std::move(options), std::move(section)});
 }
 
-} // namespace
-
-QuadMesh dividedCubes(const Cells& cells, int n) {
-    const check::CheckedMesh cubes = polycube(cells, n);
-    std::vector<Point> points;
-    for (const auto& point : cubes.points)
-        points.emplace_back(point[0], point[1], point[2]);
-    return buildMesh(points, cubes.quads);
-}
-
-const QuadMesh& sampleMesh() {
-    static const QuadMesh mesh = dividedCubes(bump(), 3);
-    return mesh;
-}
-
-TemporaryFolder::TemporaryFolder() {
-    path_ = (std::filesystem::temp_directory_path() / "quadmesh.XXXXXX").string();
-    if (mkdtemp(path_.data()) == nullptr) throw std::runtime_error("no temporary folder can be made");
-}
-
-TemporaryFolder::~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-}
-
-std::string TemporaryFolder::write(const std::string& name, const std::string& bytes) const {
-    std::ofstream(path(name), std::ios::binary) << bytes;
-    return path(name);
-}
-
-Document sampleDocument(const TemporaryFolder& folder, Kind kind, const QuadMesh& given) {
-    const std::string bytes = writeObj(given);
-    const QuadMesh mesh = readMesh(bytes, "mesh.obj").mesh;
+/// Without what it says of its mesh file.
+Document makeDocument(Kind kind, const QuadMesh& mesh) {
     const std::vector<double> angles = dihedralAngles(mesh);
     const BaseComplex baseComplex = buildBaseComplex(mesh);
     Document document = newDocument(kind);
-    document.root["mesh"] = meshToJson(folder.write("mesh.obj", bytes), bytes, mesh);
+    document.root["mesh"] = nullptr;
     put(document, Kind::basecomplex, "qm-basecomplex", Json::object(), baseComplexToJson(mesh, baseComplex));
     if (kind == Kind::basecomplex) return document;
 
@@ -118,6 +88,47 @@ Document sampleDocument(const TemporaryFolder& folder, Kind kind, const QuadMesh
 
     const Surfaces surfaces = fitSurfaces(mesh, layout, angles, FitOptions{});
     put(document, Kind::surfaces, "qm-bspline", optionsToJson(FitOptions{}), surfacesToJson(surfaces));
+    return document;
+}
+
+} // namespace
+
+QuadMesh dividedCubes(const Cells& cells, int n) {
+    const check::CheckedMesh cubes = polycube(cells, n);
+    std::vector<Point> points;
+    for (const auto& point : cubes.points)
+        points.emplace_back(point[0], point[1], point[2]);
+    return buildMesh(points, cubes.quads);
+}
+
+const QuadMesh& sampleMesh() {
+    static const QuadMesh mesh = dividedCubes(bump(), 3);
+    return mesh;
+}
+
+TemporaryFolder::TemporaryFolder() {
+    path_ = (std::filesystem::temp_directory_path() / "quadmesh.XXXXXX").string();
+    if (mkdtemp(path_.data()) == nullptr) throw std::runtime_error("no temporary folder can be made");
+}
+
+TemporaryFolder::~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+}
+
+std::string TemporaryFolder::write(const std::string& name, const std::string& bytes) const {
+    std::ofstream(path(name), std::ios::binary) << bytes;
+    return path(name);
+}
+
+Document sampleDocument(const TemporaryFolder& folder, Kind kind, const QuadMesh& mesh) {
+    const std::string bytes = writeObj(mesh);
+    const QuadMesh read = readMesh(bytes, "mesh.obj").mesh;
+    static std::map<Kind, Document> usual; // most tests take the same mesh: its surfaces are fitted once
+    const bool isUsual = &mesh == &sampleMesh();
+    if (isUsual && !usual.contains(kind)) usual[kind] = makeDocument(kind, read);
+    Document document = isUsual ? usual[kind] : makeDocument(kind, read);
+    document.root["mesh"] = meshToJson(folder.write("mesh.obj", bytes), bytes, read);
     return document;
 }
 
