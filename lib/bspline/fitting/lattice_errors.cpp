@@ -141,16 +141,16 @@ void slideTargets(const Patch& patch, double slack, FitLattice& lattice) {
     constexpr double momentum = 0.8;
     // Draws back to the reference's parameters, where nothing else decides.
     constexpr double anchor = 0.01;
-    constexpr double maxSlide = 1; // of the reference's edges
     // The same along the normal: waves are much stiffer than this, and the shapes of whole parts much softer.
     constexpr double restoring = 0.15;
+    constexpr double maxSlide = 1; // of the reference's edges
     const auto points = pointsOf(patch, lattice);
     for (std::size_t k = 0; k < points.size(); ++k)
         if (isFolded(lattice, k, points[k])) {
             const auto [u, v] = lattice.parametersAt(k);
             hold({u - 1, v - 1}, {u + 1, v + 1}, false, lattice);
         }
-    const double mean = meanDistance(lattice, points);
+    const double mean = slack > 0 ? meanDistance(lattice, points) : 0;
     for (std::size_t k = 0; k < points.size(); ++k) {
         if (lattice.isHeld[k] || lattice.freedom[k] == Freedom::corner) continue;
         const bool onCrease = lattice.freedom[k] == Freedom::crease;
