@@ -152,20 +152,46 @@ TEST(LimitSurface, IsTheBicubicSplineOfItsControlMeshWhereThatIsRegular) {
     }
 }
 
-TEST(LimitSurface, DoesNotFoldOverFlatQuadsOfUnevenWidth) {
-    // A plane sheet in which narrow columns follow wide ones: a spline through all of them turns back.
+/// A sheet in which narrow columns follow wide ones: a spline through all of them turns back.
+/// \param bend  angle between one row of quads and the next
+Grid unevenSheet(double bend) {
     const std::vector<double> columns{0, 1, 2, 2.02, 2.04, 3, 4};
-    const Grid grid{6, 4,
-                    [&](double i, double j) { return Point(columns[static_cast<std::size_t>(i)], j, 0); }};
+    std::vector<Point> rows{Point(0, 0, 0)};
+    for (int row = 0; row < 4; ++row)
+        rows.push_back(rows.back() + Point(0, std::cos(bend * row), std::sin(bend * row)));
+    return {6, 4, [=](double i, double j) {
+                return Point(columns[static_cast<std::size_t>(i)], 0, 0) + rows[static_cast<std::size_t>(j)];
+            }};
+}
+
+TEST(LimitSurface, DoesNotFoldOverQuadsOfUnevenWidth) {
+    for (const double bend : {0.0, 0.2, 0.6}) {
+        const Grid grid = unevenSheet(bend);
+        const QuadMesh mesh = test::makeMesh(grid);
+        const Layout layout = test::makeLayout(grid, {{0, 0, 6, 4}});
+        const ReferenceGrid reference = limitSurface(mesh, layout, noCreases(mesh), 4, 1).front();
+        const std::size_t width = 6 * 4 + 1;
+        for (std::size_t row = 0; row <= 16; ++row)
+            for (std::size_t k = 1; k < width; ++k)
+                EXPECT_GT(reference.points[row * width + k][0], reference.points[row * width + k - 1][0])
+                    << "bend " << bend << ", point " << k << " of row " << row;
+    }
+}
+
+TEST(LimitSurface, BendsWhereItWouldHaveFolded) {
+    // Redrawn quads follow the others around the bend: their middle is off the facet as far as an arc is.
+    constexpr double bend = 0.2;
+    const Grid grid = unevenSheet(bend);
     const QuadMesh mesh = test::makeMesh(grid);
-    const Layout layout = test::makeLayout(grid, {{0, 0, 6, 4}});
-    const ReferenceGrid reference = limitSurface(mesh, layout, noCreases(mesh), 4, 1).front();
+    const ReferenceGrid reference =
+        limitSurface(mesh, test::makeLayout(grid, {{0, 0, 6, 4}}), noCreases(mesh), 4, 1).front();
+    const double rise = std::tan(bend / 4) / 2; // of an arc over a chord of length 1
     const std::size_t width = 6 * 4 + 1;
-    // Next to the boundary the sides are curves of their own, which stay.
-    for (std::size_t row = 4; row <= 12; ++row)
-        for (std::size_t k = 1; k < width; ++k)
-            EXPECT_GT(reference.points[row * width + k][0], reference.points[row * width + k - 1][0])
-                << "point " << k << " of row " << row;
+    for (const std::size_t column : {1U * 4, 2U * 4, 3U * 4, 4U * 4}) {
+        const auto point = [&](std::size_t row) { return reference.points[row * width + column]; };
+        const double found = (point(6) - (point(4) + point(8)) / 2).norm();
+        EXPECT_NEAR(found, rise, 0.3 * rise) << "column " << column;
+    }
 }
 
 TEST(LimitSurface, KeepsThePlanesAndEdgesOfACube) {

@@ -91,7 +91,7 @@ std::vector<bool> FitState::patchesToSolveFor(const std::vector<PatchSpace>& bef
 void FitState::solve(int slides, bool forAll) {
     const std::vector<PatchSpace> before = std::exchange(spaces_, plan_.spaces());
     std::vector<bool> isFree = forAll ? everywhere() : patchesToSolveFor(before);
-    if (!solveFor(isFree, slides) && isFree != everywhere()) {
+    if (!solveFor(isFree, slides)) {
         isFree = everywhere();
         solveFor(isFree, slides);
     }
@@ -100,7 +100,7 @@ void FitState::solve(int slides, bool forAll) {
     solvedRuns_ = plan_.network().runs;
 }
 
-/// \return false if the patches do not meet those that stay
+/// \return false if not all patches are free and those that are cannot meet the others; then nothing has slid
 bool FitState::solveFor(const std::vector<bool>& isFree, int slides) {
     const auto forFree = [&](const auto& function) {
         parallelFor(sources_.size(), jobs_, [&](std::size_t k) {
@@ -115,6 +115,10 @@ bool FitState::solveFor(const std::vector<bool>& isFree, int slides) {
         releaseHolds(lattices_[k]);
     });
     SmoothSystem system(layout_, plan_.network(), spaces_, lattices_, plates_, isFree, patches_, jobs_);
+    if (isFree != everywhere()) {
+        system.solve(lattices_, Accuracy::rounding, patches_);
+        if (!system.holds()) return false;
+    }
     for (int k = 0; k < slides; ++k) {
         system.solve(lattices_, Accuracy::draft, patches_);
         forFree([&](std::size_t i) {
@@ -123,7 +127,7 @@ bool FitState::solveFor(const std::vector<bool>& isFree, int slides) {
         });
     }
     system.solve(lattices_, Accuracy::rounding, patches_);
-    return system.holds();
+    return true;
 }
 
 /// Measures patches anew, at the points of their lattices.

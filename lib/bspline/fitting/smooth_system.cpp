@@ -5,6 +5,7 @@
 #include "bspline/fitting/free_unknowns.h"
 #include "bspline/splines/eigen_point.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 
@@ -64,6 +65,8 @@ SmoothSystem::SmoothSystem(const Layout& layout, const SmoothNetwork& network,
         free_.push_back(k);
         spaces_.push_back(spaces[k]);
         spaces_.back().firstUnknown = unknowns.number(spaces[k].firstUnknown);
+        for (const Point& point : lattices[k].reference)
+            size_ = std::max(size_, point.max_abs());
     }
     using Entries = std::vector<Eigen::Triplet<double>>;
     std::vector<Entries> entries(free_.size());
@@ -94,8 +97,7 @@ void SmoothSystem::solve(const std::vector<FitLattice>& lattices, Accuracy accur
 
 bool SmoothSystem::holds() const {
     constexpr double rounding = 1e-11; // of the largest coordinate
-    return unknowns_ == 0 ||
-           system_->violation(solution_) <= rounding * solution_.topRows(unknowns_).cwiseAbs().maxCoeff();
+    return unknowns_ == 0 || system_->violation(solution_) <= rounding * size_;
 }
 
 } // namespace qm

@@ -29,13 +29,15 @@ public:
     /// Makes free patches those for the targets that the lattices have now.
     void solve(const std::vector<FitLattice>& lattices, Accuracy accuracy, std::vector<Patch>& patches);
 
-    /// Whether the patches of the last solution meet each other and those that stay but for rounding.
+    /// Whether the patches of the last solution meet each other and those that stay but for rounding. Where
+    /// the equations contradict one another beside what stays, the solution is anything, and large.
     [[nodiscard]] bool holds() const;
 
 private:
     std::vector<std::size_t> free_;  ///< patches
     std::vector<PatchSpace> spaces_; ///< theirs, with the numbers of free unknowns
     Eigen::Index unknowns_ = 0;      ///< free ones
+    double size_ = 0;                ///< largest coordinate of what they are to approximate
     unsigned jobs_;
     std::optional<ConstrainedSystem> system_;
     Eigen::MatrixX3d solution_; ///< the last one, where the next one begins

@@ -23,7 +23,7 @@ MeshLattice limitLattice(const QuadMesh& mesh, const Layout& layout, const std::
     lattice = lattice.limit(rules, sharp, jobs);
     for (const VertexId vertex : mesh.vertices())
         if (control.interpolates[at(vertex.idx())]) lattice.move(vertex, mesh.point(vertex));
-    unfold(lattice, sharp, jobs);
+    unfold(lattice, rules, sharp, jobs);
     return lattice;
 }
 

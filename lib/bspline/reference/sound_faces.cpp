@@ -39,7 +39,7 @@ double BilinearQuad::minCosine() const {
 }
 
 std::vector<bool> soundFaces(const QuadMesh& mesh) {
-    constexpr double flat = 0.9995;     // cosine of 1.8 degrees
+    constexpr double flat = 0.94;       // cosine of 20 degrees
     constexpr double turnedOver = -0.5; // cosine between faces that share an edge
     std::vector<bool> isSound(mesh.n_faces());
     std::vector<bool> isFolded(mesh.n_faces());

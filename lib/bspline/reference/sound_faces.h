@@ -9,7 +9,7 @@
 
 namespace qm {
 
-/// The faces that are flat and convex, and around which no face is folded: surfaces over them can be upright,
+/// The faces that are nearly flat and convex, and around which no face is folded: surfaces over them can be upright,
 /// even where interpolation winds the reference. By face.
 [[nodiscard]] std::vector<bool> soundFaces(const QuadMesh& mesh);
 

@@ -2,39 +2,42 @@
 
 #include "base/at.h"
 #include "base/parallel.h"
+#include "bspline/reference/edge_curves.h"
 #include "bspline/reference/sound_faces.h"
+#include "bspline/splines/spline_curve.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 
 namespace qm {
 namespace {
 
+/// Between the surface and a quad, or a curve and an edge: of 60 degrees.
+constexpr double minCosine = 0.5;
+/// Of the area that a part of the quad has itself: surfaces that follow less are easily turned over.
+constexpr double minArea = 0.3;
+
 class Unfolding {
 public:
-    Unfolding(MeshLattice& lattice, const std::vector<bool>& sharp)
+    Unfolding(MeshLattice& lattice, const std::vector<VertexRule>& rules, const std::vector<bool>& sharp)
         : lattice_(lattice), numbers_(lattice.numbers()), mesh_(numbers_.mesh()), squares_(lattice.squares()),
-          sharp_(sharp), isSound_(soundFaces(mesh_)), isFolded_(mesh_.n_faces()) {}
+          rules_(rules), sharp_(sharp), isSound_(soundFaces(mesh_)), isFolded_(mesh_.n_faces()),
+          isRedrawn_(mesh_.n_edges()) {}
 
     void run(unsigned jobs) {
-        parallelForMany(mesh_.n_faces(), jobs, [&](std::size_t face) {
-            const FaceId handle(static_cast<int>(face));
-            isFolded_[face] = isSound_[face] && folds(handle) && liesInPlane(handle);
-        });
-        if (std::ranges::none_of(isFolded_, [](char folded) { return folded != 0; })) return;
+        if (!findFolds(jobs)) return;
         const MeshLattice before = lattice_;
-        for (const EdgeId edge : mesh_.edges())
-            if (becomesStraight(edge)) straighten(mesh_.halfedge_handle(edge, 0));
-        parallelForMany(mesh_.n_faces(), jobs, [&](std::size_t face) {
-            const FaceId handle(static_cast<int>(face));
-            if (isFolded_[face])
-                fill(handle, [&, quad = quadBetween(handle)](int i, int j) {
-                    return quad.evaluate(share(i), share(j)).position;
-                });
-            else if (std::ranges::any_of(mesh_.fe_range(handle),
-                                         [&](EdgeId e) { return becomesStraight(e); }))
-                fill(handle, [&](int i, int j) { return before.point(number(handle, i, j)); });
-        });
+        const EdgeCurves curves(before, rules_, sharp_);
+        do {
+            for (const EdgeId edge : mesh_.edges()) {
+                if (isRedrawn_[at(edge)] || !liesBesideFold(edge)) continue;
+                isRedrawn_[at(edge)] = !sharp_[at(edge)] || turnsBack(edge);
+                if (isRedrawn_[at(edge)]) draw(mesh_.halfedge_handle(edge, 0), curves);
+            }
+            parallelForMany(mesh_.n_faces(), jobs,
+                            [&](std::size_t face) { fill(FaceId(static_cast<int>(face)), before); });
+        } while (findFolds(jobs));
     }
 
 private:
@@ -46,45 +49,76 @@ private:
     }
     [[nodiscard]] Point point(FaceId face, int i, int j) const { return lattice_.point(number(face, i, j)); }
 
+    /// Faces that were drawn along with their neighbours may fold for that reason.
+    /// \return whether there are new ones
+    bool findFolds(unsigned jobs) {
+        std::atomic<bool> isNew = false;
+        parallelForMany(mesh_.n_faces(), jobs, [&](std::size_t face) {
+            if (isFolded_[face] || !isSound_[face] || !folds(FaceId(static_cast<int>(face)))) return;
+            isFolded_[face] = true;
+            isNew = true;
+        });
+        return isNew;
+    }
+
+    void fill(FaceId face, const MeshLattice& before) {
+        if (isFolded_[at(face)])
+            fill(face, [&, quad = quadBetween(face)](int i, int j) {
+                return quad.evaluate(share(i), share(j)).position;
+            });
+        else if (std::ranges::any_of(mesh_.fe_range(face), [&](EdgeId edge) { return isRedrawn_[at(edge)]; }))
+            fill(face, [&](int i, int j) { return before.point(number(face, i, j)); });
+    }
+
     [[nodiscard]] BilinearQuad quadBetween(FaceId face) const {
         return BilinearQuad({point(face, 0, 0), point(face, squares_, 0), point(face, squares_, squares_),
                              point(face, 0, squares_)});
     }
 
-    /// Some square of the lattice is turned over.
+    /// Some square of the lattice is turned over, or nearly so, or has hardly any area left.
     [[nodiscard]] bool folds(FaceId face) const {
-        const Point normal = quadBetween(face).normal();
+        const BilinearQuad quad = quadBetween(face);
         for (int j = 0; j < squares_; ++j)
             for (int i = 0; i < squares_; ++i) {
                 const Point turn = (point(face, i + 1, j + 1) - point(face, i, j)) %
-                                   (point(face, i, j + 1) - point(face, i + 1, j));
-                if (!((turn | normal) >= uprightCosine * turn.norm())) return true;
+                                   (point(face, i, j + 1) - point(face, i + 1, j)) / 2;
+                const SurfacePoint even = quad.evaluate(share(i) + share(1) / 2, share(j) + share(1) / 2);
+                const double area = (even.du % even.dv).norm() * share(1) * share(1);
+                const double upright = turn | quad.normal();
+                if (!(upright >= minCosine * turn.norm() && upright >= minArea * area)) return true;
             }
         return false;
     }
 
-    /// What it meets smoothly is in one plane with it, so that the quad does so, too.
-    [[nodiscard]] bool liesInPlane(FaceId face) const {
-        constexpr double same = 0.985; // cosine of 10 degrees
-        const Point normal = quadBetween(face).normal();
-        return std::ranges::all_of(mesh_.fh_range(face), [&](HalfedgeId halfedge) {
-            if (sharp_[at(mesh_.edge_handle(halfedge))]) return true;
-            return (quadBetween(mesh_.opposite_face_handle(halfedge)).normal() | normal) > same;
-        });
+    /// All its faces are sound, and over one the surface folds.
+    [[nodiscard]] bool liesBesideFold(EdgeId edge) const {
+        bool folds = false;
+        for (const int side : {0, 1}) {
+            const FaceId face = mesh_.face_handle(mesh_.halfedge_handle(edge, side));
+            if (!face.is_valid()) continue; // beyond the boundary
+            if (!isSound_[at(face)]) return false;
+            folds = folds || isFolded_[at(face)];
+        }
+        return folds;
     }
 
-    [[nodiscard]] bool becomesStraight(EdgeId edge) const {
-        if (sharp_[at(edge)]) return false;
-        const FaceId one = mesh_.face_handle(mesh_.halfedge_handle(edge, 0));
-        const FaceId other = mesh_.face_handle(mesh_.halfedge_handle(edge, 1));
-        return isSound_[at(one)] && isSound_[at(other)] && (isFolded_[at(one)] || isFolded_[at(other)]);
+    /// The curve above an edge somewhere goes back, or nearly so.
+    [[nodiscard]] bool turnsBack(EdgeId edge) const {
+        const auto point = [&](int k) {
+            return lattice_.point(numbers_(mesh_.halfedge_handle(edge, 0), k, 0));
+        };
+        const Point chord = unit(point(squares_) - point(0));
+        for (int k = 0; k < squares_; ++k) {
+            const Point step = point(k + 1) - point(k);
+            if (!((step | chord) >= minCosine * step.norm())) return true;
+        }
+        return false;
     }
 
-    void straighten(HalfedgeId halfedge) {
-        const Point from = lattice_.point(numbers_(halfedge, 0, 0));
-        const Point to = lattice_.point(numbers_(halfedge, squares_, 0));
+    void draw(HalfedgeId halfedge, const EdgeCurves& curves) {
+        const SplineCurve curve = bezier(curves.above(halfedge), 1);
         for (int k = 1; k < squares_; ++k)
-            lattice_.move(numbers_(halfedge, k, 0), from + share(k) * (to - from));
+            lattice_.move(numbers_(halfedge, k, 0), evaluate(curve, share(k)));
     }
 
     /// Puts the inner points where a form has them, moved as the form's border is to be moved to get to the
@@ -104,15 +138,18 @@ private:
     const LatticeNumbers& numbers_;
     const QuadMesh& mesh_;
     int squares_;
+    const std::vector<VertexRule>& rules_;
     const std::vector<bool>& sharp_;
-    std::vector<bool> isSound_;  ///< by face
-    std::vector<char> isFolded_; ///< by face; bytes, as threads write them
+    std::vector<bool> isSound_;   ///< by face
+    std::vector<char> isFolded_;  ///< by face; bytes, as threads write them
+    std::vector<bool> isRedrawn_; ///< by edge
 };
 
 } // namespace
 
-void unfold(MeshLattice& lattice, const std::vector<bool>& sharp, unsigned jobs) {
-    Unfolding(lattice, sharp).run(jobs);
+void unfold(MeshLattice& lattice, const std::vector<VertexRule>& rules, const std::vector<bool>& sharp,
+            unsigned jobs) {
+    Unfolding(lattice, rules, sharp).run(jobs);
 }
 
 } // namespace qm

@@ -7,10 +7,12 @@
 
 namespace qm {
 
-/// Where the surface folds over a sound quad (see `soundFaces`) of a plane region, as interpolation may where
-/// quads of very different shape meet, it becomes that quad between its border curves; a border with another
-/// sound quad that is not sharp becomes straight, and what lies beside it goes along. Linear in the mesh.
-/// \param sharp  by edge: its curve stays
-void unfold(MeshLattice& lattice, const std::vector<bool>& sharp, unsigned jobs);
+/// Where the surface folds over a sound quad (see `soundFaces`), as interpolation may where quads of very
+/// different shape meet, it becomes that quad between its border curves. Those that it shares with other
+/// sound quads become curves that their ends alone decide (see `EdgeCurves`), sharp ones only where they turn
+/// back, and what lies beside them goes along. Linear in the mesh.
+/// \param sharp  by edge
+void unfold(MeshLattice& lattice, const std::vector<VertexRule>& rules, const std::vector<bool>& sharp,
+            unsigned jobs);
 
 } // namespace qm
