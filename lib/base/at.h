@@ -1,4 +1,4 @@
-/// \file Numbers, enumerators and ids as indices of arrays: `angles[at(edge)]`.
+/// \file Numbers, enumerators and ids as indices and sizes of arrays: `angles[at(edge)]`.
 #pragma once
 
 #include <concepts>

@@ -2,6 +2,7 @@
 
 #include "base/at.h"
 #include "base/error.h"
+#include "base/positions.h"
 #include "mesh/topology.h"
 
 #include <algorithm>
@@ -116,7 +117,7 @@ std::size_t countJunctions(const QuadMesh& mesh, const BaseComplex& complex) {
         for (std::size_t k = 1; k < length && k <= separatrix.reach && length - k > counted; ++k)
             pass(separatrix.halfedges[k]);
     }
-    return static_cast<std::size_t>(std::ranges::count(passes, 2));
+    return countIn(passes, 2);
 }
 
 } // namespace

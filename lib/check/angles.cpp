@@ -66,11 +66,11 @@ Angles dihedralAngles(const CheckedMesh& mesh, const Neighbourhoods& around) {
     for (std::size_t face = 0; face < normals.size(); ++face)
         normals[face] = faceNormal(mesh, face);
 
-    const auto edgeCount = static_cast<std::size_t>(around.edges());
+    const std::size_t edgeCount = at(around.edges());
     Angles angles{std::vector<double>(edgeCount, 0), std::vector<double>(edgeCount, 0)};
     for (int step = 0; step < around.steps(); ++step) {
         if (around.boundary(step)) continue;
-        const auto edge = static_cast<std::size_t>(around.edge(step));
+        const std::size_t edge = at(around.edge(step));
         const Normal& left = normals[at(around.leftFace(step))];
         const Normal& right = normals[at(around.leftFace(around.back(step)))];
         if (left.doubtful || right.doubtful) angles.doubt[edge] = std::numbers::pi;

@@ -12,7 +12,7 @@ constexpr const char* place = "/baseComplex";
 
 void checkExtraordinaryVertices(const Neighbourhoods& around, const BaseComplexPart& part, Report& report) {
     const std::string list = below(place, "extraordinaryVertices");
-    std::vector<char> listed(static_cast<std::size_t>(around.vertices()), 0);
+    std::vector<char> listed(at(around.vertices()), 0);
     for (std::size_t i = 0; i < part.extraordinaryVertices.size(); ++i) {
         const int vertex = part.extraordinaryVertices[i];
         if (!knownVertex(around, vertex, below(list, i), report)) continue;

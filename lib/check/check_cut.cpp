@@ -13,13 +13,13 @@ bool checkLabels(const Neighbourhoods& around, const CutPart& part, Report& repo
     const std::string place = "/cut/labels";
     const std::size_t before = report.total();
     if (part.subMeshes.empty()) report.violate("/cut/subMeshes", "sub-meshes", "there is none");
-    if (part.labels.size() != static_cast<std::size_t>(around.vertices()))
+    if (part.labels.size() != at(around.vertices()))
         report.violate(place, "labels complete",
                        "there are " + std::to_string(part.labels.size()) + " labels for " +
                            std::to_string(around.vertices()) + " vertices");
     std::vector<char> used(part.subMeshes.size(), 0);
     for (std::size_t v = 0; v < part.labels.size(); ++v) {
-        if (part.labels[v] >= 0 && static_cast<std::size_t>(part.labels[v]) < used.size())
+        if (part.labels[v] >= 0 && at(part.labels[v]) < used.size())
             used[at(part.labels[v])] = 1;
         else
             report.violate(below(place, v), "label", "there is no sub-mesh of this number");

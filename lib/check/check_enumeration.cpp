@@ -23,7 +23,7 @@ public:
     EnumerationCheck(const Context& context, const std::vector<LineNetwork>& networks,
                      const BaseComplexPart* complex, const EnumerationPart& part, Report& report)
         : context_(context), around_(context.around), networks_(networks), complex_(complex), part_(part),
-          report_(report), present_(static_cast<std::size_t>(around_.edges()), 0) {}
+          report_(report), present_(at(around_.edges()), 0) {}
 
     void run() {
         if (part_.tmesh && networks_.size() != 1)
@@ -76,7 +76,7 @@ private:
     }
 
     [[nodiscard]] std::size_t labelOf(int vertex) const {
-        return context_.labels.empty() ? 0 : static_cast<std::size_t>(context_.labels[at(vertex)]);
+        return context_.labels.empty() ? 0 : at(context_.labels[at(vertex)]);
     }
 
     /// What the mesh boundary alone makes.
@@ -172,7 +172,7 @@ private:
         const bool digits =
             std::all_of(text->begin(), text->end(), [](char c) { return c >= '0' && c <= '9'; });
         const bool plain = digits && !text->empty() && (text->size() == 1 || text->front() != '0');
-        if (plain && text->size() <= static_cast<std::size_t>(around_.edges()) + 1) return BigInteger(*text);
+        if (plain && text->size() <= at(around_.edges()) + 1) return BigInteger(*text);
         report_.violate(pointer, "count",
                         plain ? "the mesh has not that many sets of edges" : "it is no decimal number");
         return std::nullopt;

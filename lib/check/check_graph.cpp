@@ -1,6 +1,7 @@
 #include "check/check_graph.h"
 
 #include "base/at.h"
+#include "base/positions.h"
 #include "check/arc_rules.h"
 #include "check/paths.h"
 #include "check/track_rules.h"
@@ -58,7 +59,7 @@ Coordinates coordinatesOf(const Neighbourhoods& around, const LineNetwork& netwo
         const auto [leaves, expected] =
             std::mismatch(track.steps.begin(), track.steps.end(), way.steps.begin(), way.steps.end());
         if (leaves != track.steps.end()) {
-            unsound(below(path, static_cast<std::size_t>(leaves - track.steps.begin()) + 1), "track straight",
+            unsound(below(path, positionIn(track.steps, leaves) + 1), "track straight",
                     expected == way.steps.end() ? "the separatrix ends before this vertex"
                                                 : "the track leaves its separatrix at this vertex");
             continue;

@@ -1,6 +1,7 @@
 #include "check/check_segments.h"
 
 #include "base/at.h"
+#include "base/positions.h"
 #include "check/paths.h"
 
 #include <algorithm>
@@ -18,8 +19,7 @@ bool turned(std::array<int, 4>& quad, int first) {
 
 bool sizeFits(const LayoutPart::Segment& segment) {
     const auto [a, b] = segment.size;
-    return a >= 1 && b >= 1 &&
-           static_cast<std::size_t>(a) * static_cast<std::size_t>(b) == segment.faces.size();
+    return a >= 1 && b >= 1 && at(a) * at(b) == segment.faces.size();
 }
 
 } // namespace
@@ -125,7 +125,7 @@ private:
                 report_.violate(list, "side",
                                 "the grid's side has " + std::to_string(border[k].size()) + " vertices");
             else
-                report_.violate(below(list, static_cast<std::size_t>(differs.first - side.begin())), "side",
+                report_.violate(below(list, positionIn(side, differs.first)), "side",
                                 "the grid's side has vertex " + std::to_string(*differs.second) + " here");
         }
     }

@@ -5,7 +5,7 @@
 namespace qm::check {
 
 std::vector<std::vector<BorderPlace>> patchBorders(const Neighbourhoods& around, const LayoutPart& layout) {
-    std::vector<std::vector<BorderPlace>> places(static_cast<std::size_t>(around.edges()));
+    std::vector<std::vector<BorderPlace>> places(at(around.edges()));
     for (std::size_t patch = 0; patch < layout.segments.size(); ++patch) {
         const auto& segment = layout.segments[patch];
         const double a = segment.size[0];

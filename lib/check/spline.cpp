@@ -1,5 +1,8 @@
 #include "check/spline.h"
 
+#include "base/at.h"
+#include "base/positions.h"
+
 #include <algorithm>
 
 namespace qm::check {
@@ -24,7 +27,7 @@ Basis basisAt(const std::vector<double>& knots, std::size_t degree, double param
     // The last non-empty interval of the domain that begins at or before t.
     const auto after = std::upper_bound(knots.begin() + static_cast<std::ptrdiff_t>(degree) + 1,
                                         knots.begin() + static_cast<std::ptrdiff_t>(count), t);
-    std::size_t span = static_cast<std::size_t>(after - knots.begin()) - 1;
+    std::size_t span = positionIn(knots, after) - 1;
     while (span > degree && knots[span] == knots[span + 1])
         --span;
 
@@ -52,14 +55,12 @@ Basis basisAt(const std::vector<double>& knots, std::size_t degree, double param
 } // namespace
 
 SurfacePoint evaluate(const SurfacesPart::Patch& patch, double u, double v) {
-    const Basis across = basisAt(patch.knots[0], static_cast<std::size_t>(patch.degree[0]), u);
-    const Basis up = basisAt(patch.knots[1], static_cast<std::size_t>(patch.degree[1]), v);
+    const Basis across = basisAt(patch.knots[0], at(patch.degree[0]), u);
+    const Basis up = basisAt(patch.knots[1], at(patch.degree[1]), v);
     SurfacePoint result;
     for (std::size_t j = 0; j < up.count; ++j) {
         for (std::size_t i = 0; i < across.count; ++i) {
-            const auto& control =
-                patch.controlPoints[(up.first + j) * static_cast<std::size_t>(patch.count[0]) + across.first +
-                                    i];
+            const auto& control = patch.controlPoints[(up.first + j) * at(patch.count[0]) + across.first + i];
             for (std::size_t k = 0; k < 3; ++k) {
                 result.point[k] += up.value[j] * across.value[i] * control[k];
                 result.alongU[k] += up.value[j] * across.slope[i] * control[k];
@@ -72,18 +73,18 @@ SurfacePoint evaluate(const SurfacesPart::Patch& patch, double u, double v) {
 
 std::vector<SurfacePoint> evaluateLattice(const SurfacesPart::Patch& patch, const std::vector<double>& us,
                                           const std::vector<double>& vs) {
-    const auto columns = static_cast<std::size_t>(patch.count[0]);
+    const std::size_t columns = at(patch.count[0]);
     std::vector<Basis> across;
     across.reserve(us.size());
     for (const double u : us)
-        across.push_back(basisAt(patch.knots[0], static_cast<std::size_t>(patch.degree[0]), u));
+        across.push_back(basisAt(patch.knots[0], at(patch.degree[0]), u));
     std::vector<SurfacePoint> points(us.size() * vs.size());
     std::vector<std::array<double, 3>> row;
     std::vector<std::array<double, 3>> slopes;
     auto* result = points.data();
     for (const double v : vs) {
         // Control points of the curve v = const, and of its derivative by v.
-        const Basis up = basisAt(patch.knots[1], static_cast<std::size_t>(patch.degree[1]), v);
+        const Basis up = basisAt(patch.knots[1], at(patch.degree[1]), v);
         row.assign(columns, {});
         slopes.assign(columns, {});
         for (std::size_t j = 0; j < up.count; ++j)

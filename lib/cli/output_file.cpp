@@ -1,5 +1,6 @@
 #include "cli/output_file.h"
 
+#include "base/at.h"
 #include "cli/signals.h"
 #include "document/files.h"
 
@@ -122,7 +123,7 @@ void OutputFile::flush() {
         const ssize_t count = ::write(descriptor_, rest.data(), rest.size());
         if (count < 0 && errno == EINTR) continue;
         if (count < 0) fail();
-        rest.remove_prefix(static_cast<std::size_t>(count));
+        rest.remove_prefix(at(count));
     }
     buffer_.clear();
 }

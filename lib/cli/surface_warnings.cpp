@@ -1,5 +1,6 @@
 #include "cli/surface_warnings.h"
 
+#include "base/positions.h"
 #include "bspline/splines/evaluate.h"
 #include "cli/tool.h"
 #include "summary/figure_text.h"
@@ -34,7 +35,7 @@ void warnOfFolds(const Tool& tool, const Surfaces& surfaces) {
     const auto worst = std::ranges::max_element(surfaces.ofPatch, {}, &Deviation::folds);
     std::string where;
     if (worst != surfaces.ofPatch.end()) {
-        const auto patch = static_cast<std::size_t>(worst - surfaces.ofPatch.begin());
+        const std::size_t patch = positionIn(surfaces.ofPatch, worst);
         where = ", " + std::to_string(worst->folds) + " of them in patch " + std::to_string(patch);
         const auto place = std::ranges::find(surfaces.folds, patch, &LayoutPlace::patch);
         if (place != surfaces.folds.end())

@@ -1,5 +1,6 @@
 #include "cli/viewed_document.h"
 
+#include "base/at.h"
 #include "bspline/splines/bounding_box.h"
 #include "cli/scan_input.h"
 #include "document/files.h"
@@ -72,7 +73,7 @@ std::vector<Scene> ViewedDocuments::forPage() const {
 std::vector<Scene> ViewedDocuments::forPicture(int width, int height) const {
     constexpr std::size_t fewest = 10'000;
     constexpr std::size_t pixels = 36; // for every point: what lies between is shaded smoothly
-    const std::size_t all = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    const std::size_t all = at(width) * at(height);
     return scenes(std::clamp(all / pixels, fewest, Viewed::usualPoints));
 }
 

@@ -1,5 +1,6 @@
 #include "document/document.h"
 
+#include "base/positions.h"
 #include "document/files.h"
 #include "document/schema_check.h"
 #include "document/version.h"
@@ -19,7 +20,7 @@ constexpr std::array<std::string_view, 7> tools{"qm-basecomplex", "qm-features",
                                                 "qm-merge",       "qm-prune",    "qm-bspline"};
 
 std::size_t rankOf(std::string_view tool) {
-    return static_cast<std::size_t>(std::find(tools.begin(), tools.end(), tool) - tools.begin());
+    return positionIn(tools, std::find(tools.begin(), tools.end(), tool));
 }
 
 Kind readKind(const Json& root) {

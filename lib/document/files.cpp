@@ -1,5 +1,7 @@
 #include "document/files.h"
 
+#include "base/at.h"
+
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -54,15 +56,15 @@ std::string readFile(const std::string& path) {
 
     std::string bytes;
     std::size_t used = 0;
-    if (S_ISREG(status.st_mode) && status.st_size > 0 && static_cast<std::size_t>(status.st_size) <= maxBytes)
-        bytes.resize(static_cast<std::size_t>(status.st_size) + 1); // one more, to meet the end in one read
+    if (S_ISREG(status.st_mode) && status.st_size > 0 && at(status.st_size) <= maxBytes)
+        bytes.resize(at(status.st_size) + 1); // one more, to meet the end in one read
     while (true) {
         if (used == bytes.size()) bytes.resize(std::max<std::size_t>(2 * used, 1 << 16));
         const ssize_t count = read(file.number(), bytes.data() + used, bytes.size() - used);
         if (count < 0 && errno == EINTR) continue;
         if (count < 0) throw FileError(name, std::string("cannot be read: ") + std::strerror(errno));
         if (count == 0) break;
-        used += static_cast<std::size_t>(count);
+        used += at(count);
         if (used > maxBytes) throw FileError(name, "is larger than 4 GiB");
     }
     bytes.resize(used);

@@ -1,5 +1,7 @@
 #include "document/kind.h"
 
+#include "base/at.h"
+
 #include <array>
 
 namespace qm {
@@ -20,7 +22,7 @@ constexpr std::array<KindEntry, 6> entries{{{"basecomplex", "baseComplex", "qm-b
                                             {"surfaces", "surfaces", "qm-bspline"}}};
 
 const KindEntry& entryOf(Kind kind) {
-    return entries.at(static_cast<std::size_t>(kind));
+    return entries[at(kind)];
 }
 
 } // namespace

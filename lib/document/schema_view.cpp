@@ -1,5 +1,7 @@
 #include "document/schema_view.h"
 
+#include "base/positions.h"
+
 #include <algorithm>
 
 namespace qm {
@@ -30,7 +32,7 @@ Object::const_iterator Object::find(const std::string& key) const {
     const auto& members = place_.value->get_ref<const Json::object_t&>();
     const auto found = std::find_if(members.begin(), members.end(),
                                     [&key](const auto& member) { return member.first == key; });
-    return {place_, static_cast<std::size_t>(found - members.begin())};
+    return {place_, positionIn(members, found)};
 }
 
 bool FrozenValue::equalTo(const valijson::adapters::Adapter& other, bool strict) const {

@@ -5,6 +5,7 @@
 /// `shown_elements.h`), and nothing more after the first error.
 #pragma once
 
+#include "base/at.h"
 #include "document/json.h"
 #include "document/shown_elements.h"
 #include "document/whole_number.h"
@@ -48,7 +49,7 @@ public:
             return *this;
         }
         const_iterator operator++(int) { return {array_, rank_++}; }
-        void advance(std::ptrdiff_t count) { rank_ += static_cast<std::size_t>(count); }
+        void advance(std::ptrdiff_t count) { rank_ += at(count); }
         bool operator==(const const_iterator& other) const { return rank_ == other.rank_; }
         bool operator!=(const const_iterator& other) const {
             return rank_ != other.rank_ && !array_->place_.stopped();

@@ -67,7 +67,7 @@ Json pointsToJson(const Patch& patch) {
     auto point = patch.controlPoints.begin();
     for (int j = 0; j < patch.count[1]; ++j) {
         Json::array_t row;
-        row.reserve(static_cast<std::size_t>(patch.count[0]));
+        row.reserve(at(patch.count[0]));
         for (int i = 0; i < patch.count[0]; ++i, ++point)
             row.push_back(Json::array({(*point)[0], (*point)[1], (*point)[2]}));
         rows.emplace_back(std::move(row));
@@ -120,7 +120,7 @@ Deviation readDeviation(const JsonPlace& place) {
 /// \param count  control points in this direction
 /// \param size  of the segment, in edges
 std::vector<double> readKnots(const JsonPlace& place, int degree, int count, int size) {
-    const std::size_t due = static_cast<std::size_t>(count) + static_cast<std::size_t>(degree) + 1;
+    const std::size_t due = at(count) + at(degree) + 1;
     if (place.size() != due)
         place.fail("has " + std::to_string(place.size()) + " knots; control points and degree need " +
                    std::to_string(due));
@@ -170,7 +170,7 @@ Patch readPatch(const JsonPlace& place, std::size_t index, const std::array<int,
 
 LayoutPlace readPlace(const std::vector<std::array<int, 2>>& sizes, const JsonPlace& place) {
     const auto last = static_cast<std::int64_t>(sizes.size()) - 1;
-    LayoutPlace result{static_cast<std::size_t>(place["patch"].whole(0, last)), {}};
+    LayoutPlace result{at(place["patch"].whole(0, last)), {}};
     for (std::size_t k = 0; k < 2; ++k) {
         result.at[k] = place["at"][k].number();
         if (result.at[k] < 0 || result.at[k] > sizes[result.patch][k])

@@ -191,13 +191,13 @@ private:
         for (std::size_t e = 0; e < result_.edges.size(); ++e)
             for (const bool atEnd : {false, true}) {
                 const VertexId vertex = atEnd ? shared_.edges[e].end : shared_.edges[e].start;
-                const auto v = at(vertex);
+                const std::size_t v = at(vertex);
                 if (number[v] < 0) {
                     number[v] = static_cast<std::ptrdiff_t>(result_.vertices.size());
                     result_.vertices.push_back({place(shared_.vertexPoint[v]), resolution_});
                 }
                 BoundaryEdge& edge = result_.edges[e];
-                edge.ends.at(atEnd ? 1 : 0) = static_cast<std::size_t>(number[v]);
+                edge.ends.at(atEnd ? 1 : 0) = at(number[v]);
                 BoundaryVertex& made = result_.vertices[at(number[v])];
                 const double gap =
                     made.point.Distance(atEnd ? edge.curve->EndPoint() : edge.curve->StartPoint());

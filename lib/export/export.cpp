@@ -1,5 +1,6 @@
 #include "export/export.h"
 
+#include "base/at.h"
 #include "base/error.h"
 #include "bspline/splines/bounding_box.h"
 #include "export/boundary_files.h"
@@ -65,7 +66,7 @@ ShapeReport reportOf(const Boundary& boundary) {
     report.faces = boundary.faces.size();
     report.edges = boundary.edges.size();
     const auto count = [](const auto& values, auto member) {
-        return static_cast<std::size_t>(std::ranges::count(values, true, member));
+        return at(std::ranges::count(values, true, member));
     };
     report.openEdges = count(boundary.edges, &BoundaryEdge::isOpen);
     report.smoothEdges = count(boundary.edges, &BoundaryEdge::isSmooth);

@@ -14,7 +14,7 @@ namespace {
 
 /// Whether no inner knot is there more often than the degree allows, and none of them at an end.
 bool isContinuous(const std::vector<double>& knots, int degree) {
-    const auto first = static_cast<std::size_t>(degree);
+    const std::size_t first = at(degree);
     const std::size_t last = knots.size() - first - 1;
     for (std::size_t k = first + 1; k < last; ++k)
         if (knots[k] <= knots[first] || knots[k] >= knots[last] || knots[k] >= knots[k + first]) return false;
@@ -38,8 +38,7 @@ void requireMatching(const Layout& layout, const std::vector<Patch>& patches) {
             if (!cubic && !lower)
                 throw Error(name, "is neither cubic nor of a lower degree without inner knots",
                             "Fit the surfaces anew");
-            const std::size_t due =
-                static_cast<std::size_t>(patch.count[d]) + static_cast<std::size_t>(degree) + 1;
+            const std::size_t due = at(patch.count[d]) + at(degree) + 1;
             if (knots.size() != due || !std::is_sorted(knots.begin(), knots.end()) ||
                 (lower && clampedDegree(knots) != degree) ||
                 domain(knots, degree) !=
@@ -48,8 +47,7 @@ void requireMatching(const Layout& layout, const std::vector<Patch>& patches) {
             if (!isContinuous(knots, degree))
                 throw Error(name, "has one knot so often that it falls apart there", "Fit the surfaces anew");
         }
-        if (patch.controlPoints.size() !=
-            static_cast<std::size_t>(patch.count[0]) * static_cast<std::size_t>(patch.count[1]))
+        if (patch.controlPoints.size() != at(patch.count[0]) * at(patch.count[1]))
             throw Error(name, "has a wrong number of control points", "Fit the surfaces anew");
     }
 }
@@ -60,8 +58,8 @@ Patch transposed(const Patch& patch) {
     std::swap(result.degree[0], result.degree[1]);
     std::swap(result.knots[0], result.knots[1]);
     std::swap(result.count[0], result.count[1]);
-    const auto columns = static_cast<std::size_t>(patch.count[0]);
-    const auto rows = static_cast<std::size_t>(patch.count[1]);
+    const std::size_t columns = at(patch.count[0]);
+    const std::size_t rows = at(patch.count[1]);
     for (std::size_t j = 0; j < rows; ++j)
         for (std::size_t i = 0; i < columns; ++i)
             result.controlPoints[i * rows + j] = patch.controlPoints[j * columns + i];

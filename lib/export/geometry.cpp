@@ -35,7 +35,7 @@ std::vector<double> fullKnots(const TColStd_Array1OfReal& values,
                               const TColStd_Array1OfInteger& multiplicities) {
     std::vector<double> knots;
     for (int k = values.Lower(); k <= values.Upper(); ++k)
-        knots.insert(knots.end(), static_cast<std::size_t>(multiplicities(k)), values(k));
+        knots.insert(knots.end(), at(multiplicities(k)), values(k));
     return knots;
 }
 

@@ -1,3 +1,4 @@
+#include "base/at.h"
 #include "base/bytes.h"
 #include "base/error.h"
 #include "bspline/splines/evaluate.h"
@@ -29,7 +30,7 @@ class Builder {
 public:
     void add(const QuadMesh& mesh, const Segment& segment, const Colour& colour) {
         const auto vertices = vertexGrid(mesh, segment);
-        const std::size_t width = static_cast<std::size_t>(segment.size[0]) + 1;
+        const std::size_t width = at(segment.size[0]) + 1;
         const auto first = static_cast<std::uint32_t>(vertexCount_);
         addVertices(mesh, vertices, width, colour);
         for (std::size_t j = 0; j + width + 1 < vertices.size(); j += width)

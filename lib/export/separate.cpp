@@ -21,7 +21,7 @@ Cuts c0Lines(const Patch& patch) {
     Cuts cuts;
     for (std::size_t d = 0; d < 2; ++d) {
         const auto& knots = patch.knots[d];
-        const auto degree = static_cast<std::size_t>(patch.degree[d]);
+        const std::size_t degree = at(patch.degree[d]);
         for (std::size_t k = degree + 1; k + 2 * degree < knots.size(); ++k)
             if (knots[k] == knots[k + degree - 1] && knots[k] == std::round(knots[k]))
                 cuts[d].push_back(static_cast<int>(knots[k]));

@@ -99,7 +99,7 @@ SharedEdges cutSides(const QuadMesh& mesh, const Layout& layout, const std::vect
                     }
                     result.edges.push_back(std::move(edge));
                 }
-                const auto edge = static_cast<std::size_t>(edgeOf[line[begin]]);
+                const std::size_t edge = at(edgeOf[line[begin]]);
                 result.edges[edge].places.push_back({s, side, static_cast<int>(begin)});
                 result.ofPatch[s].push_back({edge, !made});
                 begin = end;

@@ -1,5 +1,6 @@
 #include "export/simple_shape_fit.h"
 
+#include "base/at.h"
 #include "export/small_matrices.h"
 
 #include <Eigen/Geometry>
@@ -44,15 +45,13 @@ SimpleShape refined(SimpleShape shape, const OrientedPoints& cloud) {
         std::array<SimpleShape, 7> forwards;
         std::array<SimpleShape, 7> backwards;
         for (int k = 0; k < 7; ++k) {
-            forwards.at(static_cast<std::size_t>(k)) = changed(shape, step * Change::Unit(k));
-            backwards.at(static_cast<std::size_t>(k)) = changed(shape, -step * Change::Unit(k));
+            forwards[at(k)] = changed(shape, step * Change::Unit(k));
+            backwards[at(k)] = changed(shape, -step * Change::Unit(k));
         }
         for (const Vector3d& point : cloud.points) {
             Change slope;
             for (int k = 0; k < 7; ++k)
-                slope[k] = (forwards.at(static_cast<std::size_t>(k)).distance(point) -
-                            backwards.at(static_cast<std::size_t>(k)).distance(point)) /
-                           (2 * step);
+                slope[k] = (forwards[at(k)].distance(point) - backwards[at(k)].distance(point)) / (2 * step);
             sum += slope * slope.transpose();
             right -= slope * shape.distance(point);
         }

@@ -79,7 +79,7 @@ private:
     /// line.
     [[nodiscard]] double lengthOf(const MeshLine& line, int begin, int end) const {
         const auto lengthUpTo = [&](int position) {
-            const auto k = static_cast<std::size_t>(position);
+            const std::size_t k = at(position);
             const std::size_t count = line.halfedges.size();
             const std::size_t turns = k / count;
             return static_cast<double>(turns) * lengthUpTo_[count] + lengthUpTo_[k % count];

@@ -46,7 +46,7 @@ std::vector<double> edgeCosts(const QuadMesh& mesh, const std::vector<double>& d
             each *= cost.terms.dihedral;
     if (cost.terms.length != 0) addLengths(mesh, cost.terms.length, costs);
     for (const auto& [edge, weight] : constraints.weights)
-        costs[at(edge.idx())] += cost.terms.custom * weight;
+        costs[at(edge)] += cost.terms.custom * weight;
     requireExactSums(costs, cost.terms.segments);
     return costs;
 }

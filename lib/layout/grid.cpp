@@ -1,5 +1,6 @@
 #include "layout/grid.h"
 
+#include "base/at.h"
 #include "base/error.h"
 
 #include <algorithm>
@@ -77,7 +78,7 @@ Segment makeSegment(const QuadMesh& mesh, const Region& region) {
         refuse(some, "the segment there has " + std::to_string(loop.corners()) + " corners");
     Segment segment;
     readSides(mesh, loop, segment);
-    const auto grid = static_cast<std::size_t>(segment.size[0]) * static_cast<std::size_t>(segment.size[1]);
+    const std::size_t grid = at(segment.size[0]) * at(segment.size[1]);
     if (segment.sides[2].size() != segment.sides[0].size() ||
         segment.sides[3].size() != segment.sides[1].size() || grid != region.faces.size())
         refuse(segment.corners[0], "the segment with this corner is no grid");

@@ -135,8 +135,7 @@ Layout buildLayout(const QuadMesh& mesh, std::span<const Track> tracks,
 }
 
 std::vector<VertexId> vertexGrid(const QuadMesh& mesh, const Segment& segment) {
-    const auto columns = static_cast<std::size_t>(segment.size[0]),
-               rows = static_cast<std::size_t>(segment.size[1]);
+    const std::size_t columns = at(segment.size[0]), rows = at(segment.size[1]);
     std::vector<VertexId> grid((columns + 1) * (rows + 1));
     HalfedgeId rowStart = mesh.halfedge_handle(segment.faces.front());
     while (mesh.from_vertex_handle(rowStart) != segment.sides[0][0] ||

@@ -27,12 +27,12 @@ std::size_t countTJoints(const QuadMesh& mesh, const Layout& layout) {
     std::vector<bool> corner(mesh.n_vertices(), false), counted(mesh.n_vertices(), false);
     for (const Segment& segment : layout.segments)
         for (const VertexId vertex : segment.corners)
-            corner[at(vertex.idx())] = true;
+            corner[at(vertex)] = true;
     std::size_t count = 0;
     for (const Segment& segment : layout.segments)
         for (const auto& side : segment.sides)
             for (std::size_t k = 1; k + 1 < side.size(); ++k) {
-                const std::size_t vertex = at(side[k].idx());
+                const std::size_t vertex = at(side[k]);
                 if (!corner[vertex] || counted[vertex]) continue;
                 counted[vertex] = true;
                 ++count;

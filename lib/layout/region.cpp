@@ -1,13 +1,14 @@
 #include "layout/region.h"
 
 #include "base/at.h"
+#include "base/positions.h"
 
 #include <algorithm>
 
 namespace qm {
 
 std::size_t BorderLoop::corners() const {
-    return static_cast<std::size_t>(std::ranges::count(quads, 1));
+    return countIn(quads, 1);
 }
 
 Borders::Borders(const QuadMesh& mesh) : border_(mesh.n_edges(), false) {

@@ -31,9 +31,7 @@ public:
     explicit Borders(const QuadMesh& mesh);
 
     void add(EdgeId edge) { border_[at(edge)] = true; }
-    [[nodiscard]] bool isBorder(HalfedgeId halfedge) const {
-        return border_[static_cast<std::size_t>(halfedge.idx() / 2)];
-    }
+    [[nodiscard]] bool isBorder(HalfedgeId halfedge) const { return border_[at(halfedge.idx() / 2)]; }
 
 private:
     std::vector<bool> border_;

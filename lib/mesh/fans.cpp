@@ -55,7 +55,7 @@ std::size_t splitFans(Soup& soup) {
     std::vector<Fans> fans(soup.points.size(), Fans::none);
     std::size_t count = 0;
     forEachFan(twins, [&](std::span<const Side> corners) {
-        const auto vertex = static_cast<std::size_t>(soup.corners[corners.front()]);
+        const std::size_t vertex = at(soup.corners[corners.front()]);
         if (crowded[vertex]) return;
         if (fans[vertex] == Fans::none) {
             fans[vertex] = Fans::one;

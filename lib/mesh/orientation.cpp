@@ -1,3 +1,4 @@
+#include "base/positions.h"
 #include "mesh/soup_repairs.h"
 
 #include <algorithm>
@@ -19,8 +20,8 @@ public:
         for (std::size_t start = 0; start < turns_.size(); ++start) {
             if (turns_[start] != Turn::unknown) continue;
             if (result.contradiction = spread(start); result.contradiction) return result;
-            const auto turned = static_cast<std::size_t>(std::ranges::count_if(
-                component_, [&](std::size_t face) { return turns_[face] == Turn::reversed; }));
+            const auto turned =
+                countWhere(component_, [&](std::size_t face) { return turns_[face] == Turn::reversed; });
             const Turn fewer = 2 * turned <= component_.size() ? Turn::reversed : Turn::kept;
             for (const std::size_t face : component_)
                 result.reversed[face] = turns_[face] == fewer;

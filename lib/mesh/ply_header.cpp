@@ -1,5 +1,6 @@
 #include "mesh/ply_header.h"
 
+#include "base/at.h"
 #include "base/error.h"
 
 #include <algorithm>
@@ -54,7 +55,7 @@ private:
         element.name = lines_.word();
         const auto count = parseNumber<std::int64_t>(lines_.word());
         if (!count || *count < 0) fail("the element has no count");
-        element.count = static_cast<std::size_t>(*count);
+        element.count = at(*count);
         const bool repeated = std::ranges::any_of(
             header_.elements, [&](const PlyElement& other) { return other.name == element.name; });
         if (repeated) fail("element " + quoted(element.name) + " occurs twice");

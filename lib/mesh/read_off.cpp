@@ -1,3 +1,4 @@
+#include "base/at.h"
 #include "base/error.h"
 #include "mesh/soup.h"
 #include "mesh/text_lines.h"
@@ -59,7 +60,7 @@ private:
         const auto count = parseNumber<std::int64_t>(word);
         if (!count || *count < 0)
             throw Error(lines_.place(), "the number of " + what + " is missing", "Mend the header");
-        return static_cast<std::size_t>(*count);
+        return at(*count);
     }
 
     [[noreturn]] void cutOff(const std::string& what, std::size_t found, std::size_t announced) const {
@@ -96,7 +97,7 @@ private:
         beginElement();
         const std::int64_t count = readIndex(announced);
         const std::uint32_t line = lines_.lineNumber();
-        if (count < 0 || static_cast<std::size_t>(count) > size_)
+        if (count < 0 || at(count) > size_)
             throw Error(lines_.place(),
                         "face " + std::to_string(soup_.faceCount()) + " cannot have that many vertices",
                         "Mend the line");

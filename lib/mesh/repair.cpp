@@ -1,6 +1,7 @@
 #include "mesh/repair.h"
 
 #include "base/error.h"
+#include "base/positions.h"
 #include "mesh/soup_repairs.h"
 #include "mesh/validate.h"
 
@@ -52,7 +53,7 @@ std::size_t orient(Soup& soup) {
     for (std::size_t k = 0; k < orientation.reversed.size(); ++k)
         if (orientation.reversed[k]) // the first vertex stays the first
             std::swap(soup.corners[4 * k + 1], soup.corners[4 * k + 3]);
-    return static_cast<std::size_t>(std::ranges::count(orientation.reversed, true));
+    return countIn(orientation.reversed, true);
 }
 
 /// Whether all that was done is to weld fans that touch, such as an earlier repair has split, and to split

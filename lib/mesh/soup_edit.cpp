@@ -1,4 +1,5 @@
 #include "base/at.h"
+#include "base/positions.h"
 #include "mesh/soup_repairs.h"
 
 #include <algorithm>
@@ -23,7 +24,7 @@ template <class Value> void shorten(std::vector<Value>& values, std::size_t size
 } // namespace
 
 std::size_t keepFaces(Soup& soup, const std::vector<bool>& kept) {
-    const auto going = static_cast<std::size_t>(std::ranges::count(kept, false));
+    const std::size_t going = countIn(kept, false);
     if (going == 0) return 0;
     writeDown(soup.faceNumbers, soup.faceCount());
     std::size_t faces = 0;
@@ -33,7 +34,7 @@ std::size_t keepFaces(Soup& soup, const std::vector<bool>& kept) {
         corners = std::ranges::copy(soup.face(k), corners).out; // moves down, never up
         moveEntry(soup.faceLines, k, faces);
         moveEntry(soup.faceNumbers, k, faces);
-        soup.faceBegins[++faces] = static_cast<std::size_t>(corners - soup.corners.begin());
+        soup.faceBegins[++faces] = positionIn(soup.corners, corners);
     }
     soup.corners.erase(corners, soup.corners.end());
     shorten(soup.faceBegins, faces + 1);

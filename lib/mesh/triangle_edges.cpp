@@ -62,7 +62,7 @@ class EdgeParts {
 public:
     explicit EdgeParts(std::size_t points) : sets_(points), used_(points, false) {}
     void join(int a, int b) {
-        sets_.join(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
+        sets_.join(at(a), at(b));
         used_[at(a)] = used_[at(b)] = true;
     }
     [[nodiscard]] std::size_t count() {

@@ -1,6 +1,8 @@
 #include "mesh/validate.h"
 
+#include "base/at.h"
 #include "base/error.h"
+#include "base/positions.h"
 #include "mesh/soup_repairs.h"
 
 #include <algorithm>
@@ -19,8 +21,8 @@ std::string plural(std::size_t count, const std::string& noun) {
 
 std::string edgePlace(const Soup& soup, Side side) {
     const auto [a, b] = std::minmax({sideFrom(soup, side), sideTo(soup, side)});
-    return "edge between vertices " + std::to_string(soup.pointNumber(static_cast<std::size_t>(a))) +
-           " and " + std::to_string(soup.pointNumber(static_cast<std::size_t>(b)));
+    return "edge between vertices " + std::to_string(soup.pointNumber(at(a))) + " and " +
+           std::to_string(soup.pointNumber(at(b)));
 }
 
 void checkSize(const Soup& soup) {
@@ -64,9 +66,9 @@ void checkIndices(const Soup& soup) {
     const auto wrong =
         std::ranges::find_if(soup.corners, [&](std::int64_t k) { return k < 0 || k >= count; });
     const bool oneBased = lowest == 1 && highest == count;
-    const auto corner = static_cast<std::size_t>(wrong - soup.corners.begin());
+    const std::size_t corner = positionIn(soup.corners, wrong);
     const auto behind = std::ranges::upper_bound(soup.faceBegins, corner);
-    throw Error(soup.facePlace(static_cast<std::size_t>(behind - soup.faceBegins.begin()) - 1),
+    throw Error(soup.facePlace(positionIn(soup.faceBegins, behind) - 1),
                 "vertex index " + std::to_string(*wrong) + " is out of range: there are " +
                     std::to_string(soup.points.size()) + " vertices" + ", counted from 0",
                 oneBased ? "The file seems to count from 1: subtract 1 from every index"
@@ -91,8 +93,7 @@ void checkRepeatedVertices(const Soup& soup) {
         const auto corners = sortedCorners(soup, k);
         if (const auto twice = std::ranges::adjacent_find(corners); twice != corners.end())
             throw Error(soup.facePlace(k),
-                        "vertex " + std::to_string(soup.pointNumber(static_cast<std::size_t>(*twice))) +
-                            " occurs twice in it",
+                        "vertex " + std::to_string(soup.pointNumber(at(*twice))) + " occurs twice in it",
                         repairHint);
     }
 }
@@ -151,7 +152,7 @@ void checkOrientation(const Soup& soup, const SoupEdges& edges, const std::vecto
 void checkFans(const Soup& soup, const std::vector<Side>& twins) {
     std::vector<bool> met(soup.points.size(), false);
     forEachFan(twins, [&](std::span<const Side> corners) {
-        const auto vertex = static_cast<std::size_t>(soup.corners[corners.front()]);
+        const std::size_t vertex = at(soup.corners[corners.front()]);
         if (met[vertex])
             throw Error(soup.pointPlace(vertex), "the faces around it fall into several fans",
                         "The surface is no manifold there. The option --repair splits the vertex");

@@ -1,3 +1,4 @@
+#include "base/at.h"
 #include "mesh/soup_edges.h"
 #include "mesh/soup_repairs.h"
 
@@ -16,7 +17,7 @@ namespace {
 namespace index = boost::geometry::index;
 
 std::size_t cornerAt(const Soup& soup, Side side) {
-    return static_cast<std::size_t>(soup.corners[side]);
+    return at(soup.corners[side]);
 }
 
 double toleranceOf(const Soup& soup) {

@@ -172,7 +172,7 @@ private:
         std::vector<bool> ring(at(parts.count), true);
         for (const VertexId vertex : mesh_.vertices())
             if (!isRegular(mesh_, vertex) || mesh_.is_isolated(vertex) || mesh_.valence(vertex) == 2)
-                ring[at(parts.ofVertex[at(vertex.idx())])] = false;
+                ring[at(parts.ofVertex[at(vertex)])] = false;
         const auto partOf = [&](HalfedgeId halfedge) {
             return at(parts.ofVertex[at(mesh_.to_vertex_handle(halfedge).idx())]);
         };

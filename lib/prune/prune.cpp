@@ -1,6 +1,7 @@
 #include "prune/prune.h"
 
 #include "base/at.h"
+#include "base/positions.h"
 #include "prune/removal.h"
 
 #include <algorithm>
@@ -86,7 +87,7 @@ PruneResult pruneLayout(const QuadMesh& mesh, const Layout& layout, const std::v
             kept.push_back(layout.tracks[t].track);
     PruneResult result;
     result.layout = buildLayout(mesh, kept, dihedralAngles, edgeCosts);
-    const auto number = [&](Fate fate) { return static_cast<std::size_t>(std::ranges::count(fates, fate)); };
+    const auto number = [&](Fate fate) { return countIn(fates, fate); };
     result.removedTracks = number(Fate::removed);
     result.keptNotQuadrilateral = number(Fate::notQuadrilateral);
     result.keptNotSmooth = number(Fate::notSmooth);

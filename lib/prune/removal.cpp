@@ -1,6 +1,7 @@
 #include "prune/removal.h"
 
 #include "base/at.h"
+#include "base/positions.h"
 #include "base/sparse_disjoint_sets.h"
 #include "mesh/topology.h"
 #include "prune/turn.h"
@@ -14,12 +15,12 @@ Removal::Removal(const QuadMesh& mesh, const Layout& layout)
     : mesh_(mesh), border_(mesh.n_edges(), false), segmentOf_(mesh.n_faces(), -1),
       sets_(layout.segments.size()) {
     for (const EdgeId edge : mesh.edges())
-        border_[at(edge.idx())] = mesh.is_boundary(edge);
+        border_[at(edge)] = mesh.is_boundary(edge);
     for (const LayoutTrack& track : layout.tracks)
         if (!track.transversal) setBorder(track.track, true);
     for (std::size_t s = 0; s < layout.segments.size(); ++s)
         for (const FaceId face : layout.segments[s].faces)
-            segmentOf_[at(face.idx())] = static_cast<int>(s);
+            segmentOf_[at(face)] = static_cast<int>(s);
 }
 
 bool Removal::isBorder(HalfedgeId halfedge) const {
@@ -111,7 +112,7 @@ bool Removal::leavesRoom(const Track& track, const std::vector<double>& dihedral
     const auto isMissing = [&](HalfedgeId leaving) { return isRemoved(leaving) || !isBorder(leaving); };
     const auto hasRoom = [&](const RoomSector& sector) {
         return std::ranges::none_of(sector.edges, isRemoved) ||
-               static_cast<std::size_t>(std::ranges::count_if(sector.edges, isMissing)) <= sector.maxMissing;
+               countWhere(sector.edges, isMissing) <= sector.maxMissing;
     };
     return std::ranges::all_of(ends, [&](HalfedgeId end) {
         const VertexId vertex = mesh_.from_vertex_handle(end);

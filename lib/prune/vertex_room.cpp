@@ -1,5 +1,6 @@
 #include "prune/vertex_room.h"
 
+#include "base/at.h"
 #include "prune/turn.h"
 
 #include <utility>
@@ -36,8 +37,7 @@ std::vector<RoomSector> roomAt(const QuadMesh& mesh, const std::vector<double>& 
     std::vector<std::size_t> ends;
     for (std::size_t k = 0; k < count; ++k) {
         const EdgeId edge = mesh.edge_handle(edges[k]);
-        if (mesh.is_boundary(edge) || dihedralAngles[static_cast<std::size_t>(edge.idx())] > sharp)
-            ends.push_back(k);
+        if (mesh.is_boundary(edge) || dihedralAngles[at(edge)] > sharp) ends.push_back(k);
     }
     if (ends.size() < 2) return {{edges, maxMissing(count, 360, minCorner)}};
     const auto edgeAt = [&](std::size_t k) { return edges[k < count ? k : k - count]; };

@@ -1,5 +1,6 @@
 #include "remesh/surface_samples.h"
 
+#include "base/at.h"
 #include "mesh/quad_geometry.h"
 
 #include <algorithm>
@@ -37,8 +38,7 @@ std::vector<ScanSample> samplesOfScan(const Triangles& scan, double area, std::s
     std::vector<ScanSample> samples;
     for (const auto& face : scan.faces) {
         std::array<Point, 3> corners;
-        std::ranges::transform(face, corners.begin(),
-                               [&](int k) { return scan.points[static_cast<std::size_t>(k)]; });
+        std::ranges::transform(face, corners.begin(), [&](int k) { return scan.points[at(k)]; });
         const auto normal = triangleNormal(corners[0], corners[1], corners[2]);
         if (!normal) continue;
         const double whole = areaOf(corners[0], corners[1], corners[2]);

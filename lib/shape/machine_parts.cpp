@@ -116,7 +116,7 @@ QuadList plateShape(int n) {
     sheet.quads.erase(sheet.quads.begin() + place);
     const int inner = static_cast<int>(sheet.points.size());
     for (int k = 0; k < 4; ++k) {
-        const auto corner = static_cast<std::size_t>(k);
+        const std::size_t corner = at(k);
         const Point& point = sheet.points[at(outer[corner])];
         const Point centre(middleX, middleY, 0);
         sheet.points.push_back(centre + (point - centre) * (hole.hole / hole.frame));

@@ -27,8 +27,8 @@ private:
     void divide(const std::array<int, 4>& quad) {
         const auto [a, b, c, d] = quad;
         const int columns = parts(a, b), rows = parts(b, c);
-        const auto width = static_cast<std::size_t>(columns) + 1;
-        std::vector<int> grid(width * (static_cast<std::size_t>(rows) + 1));
+        const std::size_t width = at(columns) + 1;
+        std::vector<int> grid(width * (at(rows) + 1));
         const auto vertexAt = [&](int i, int j) -> int& { return grid[at(j) * width + at(i)]; };
         for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(d, c), std::pair(a, d)})
             (void)onEdge(from, to, 1);
@@ -92,7 +92,7 @@ void moveToNeighbours(QuadList& list, double factor) {
     std::vector<double> counts(list.points.size(), 0);
     for (const auto& quad : list.quads)
         for (std::size_t k = 0; k < 4; ++k) { // inner edges are met from both sides, twice as often
-            const auto a = static_cast<std::size_t>(quad[k]), b = static_cast<std::size_t>(quad[(k + 1) % 4]);
+            const std::size_t a = at(quad[k]), b = at(quad[(k + 1) % 4]);
             sums[a] += list.points[b];
             sums[b] += list.points[a];
             counts[a] += 1;
@@ -130,7 +130,7 @@ int GridTopology::vertex(int column, int row) const {
 
 std::vector<std::array<int, 4>> GridTopology::quads() const {
     std::vector<std::array<int, 4>> result;
-    result.reserve(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+    result.reserve(at(columns) * at(rows));
     for (int row = 0; row < rows; ++row)
         for (int column = 0; column < columns; ++column)
             result.push_back({vertex(column, row), vertex(column + 1, row), vertex(column + 1, row + 1),

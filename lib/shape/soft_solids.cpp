@@ -1,4 +1,5 @@
 #include "base/at.h"
+#include "base/positions.h"
 #include "shape/sample_meshes.h"
 #include "shape/voxels.h"
 
@@ -50,7 +51,7 @@ bool isOneFan(const QuadList& list, const std::vector<bool>& gone, const std::ve
     for (const std::size_t face : around) {
         if (gone[face]) continue;
         const auto& quad = list.quads[face];
-        const auto corner = static_cast<std::size_t>(std::ranges::find(quad, vertex) - quad.begin());
+        const std::size_t corner = positionIn(quad, std::ranges::find(quad, vertex));
         leaving.push_back(quad[(corner + 1) % 4]);
         arriving.push_back(quad[(corner + 3) % 4]);
     }

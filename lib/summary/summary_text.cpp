@@ -1,3 +1,4 @@
+#include "base/at.h"
 #include "summary/figure_text.h"
 #include "summary/summary.h"
 
@@ -28,8 +29,7 @@ std::string loopsText(const Summary& summary, const std::string& unit) {
 
 std::string shapeText(const Summary& summary, const std::string& unit) {
     if (!summary.loops.empty()) return (summary.fit ? "shell, " : "") + loopsText(summary, unit);
-    if (isSolid(summary))
-        return summary.pieces == 1 ? "solid" : countText(static_cast<std::size_t>(summary.pieces), "solid");
+    if (isSolid(summary)) return summary.pieces == 1 ? "solid" : countText(at(summary.pieces), "solid");
     return summary.fit ? "closed, but patches are apart" : "closed";
 }
 
@@ -70,10 +70,10 @@ std::string fitLines(const FitSummary& fit, double diagonal, const std::string& 
 
 std::string summaryText(const Summary& summary, const std::string& name, const std::string& unit,
                         std::optional<double> seconds) {
-    std::string text = line("mesh", name) +
-                       line("quads", std::to_string(summary.quads) + " in " +
-                                         countText(static_cast<std::size_t>(summary.pieces), "piece")) +
-                       line("size", sizeText(summary, unit));
+    std::string text =
+        line("mesh", name) +
+        line("quads", std::to_string(summary.quads) + " in " + countText(at(summary.pieces), "piece")) +
+        line("size", sizeText(summary, unit));
     if (summary.patches) text += line("patches", std::to_string(*summary.patches));
     if (summary.fit) text += fitLines(*summary.fit, summary.diagonal, unit);
     text += line("shape", shapeText(summary, unit));

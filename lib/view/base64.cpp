@@ -1,3 +1,4 @@
+#include "base/at.h"
 #include "view/number_bytes.h"
 
 #include <openssl/evp.h>
@@ -18,7 +19,7 @@ std::string base64(std::string_view bytes) {
         const int length = EVP_EncodeBlock(reinterpret_cast<unsigned char*>(text.data() + end),
                                            reinterpret_cast<const unsigned char*>(part.data()),
                                            static_cast<int>(part.size()));
-        text.resize(end + static_cast<std::size_t>(length));
+        text.resize(end + at(length));
     }
     return text;
 }

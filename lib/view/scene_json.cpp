@@ -1,5 +1,6 @@
 #include "view/scene_json.h"
 
+#include "base/at.h"
 #include "view/number_bytes.h"
 
 #include <nlohmann/json.hpp>
@@ -63,7 +64,7 @@ template <class Layer> Json layerJson(const Layer& layer) {
 
 Json mappedJson(const Mapped& mapped) {
     constexpr std::array scales{"none", "rising", "centred", "verdict"};
-    Json json = {{"scale", scales.at(static_cast<std::size_t>(mapped.scale))},
+    Json json = {{"scale", scales[at(mapped.scale)]},
                  {"quantity", mapped.quantity},
                  {"unit", mapped.unit},
                  {"limit", mapped.limit.value_or(0)}};
@@ -77,7 +78,7 @@ Json mappedJson(const Mapped& mapped) {
 Json json(const FaceLayer& layer) {
     constexpr std::array paints{"plain", "items", "mapped", "stripes"};
     Json result = layerJson(layer);
-    result["paint"] = paints.at(static_cast<std::size_t>(layer.paint));
+    result["paint"] = paints[at(layer.paint)];
     if (!layer.groups.empty()) result["groups"] = array(layer.groups);
     if (!layer.colours.empty()) result["colours"] = layer.colours;
     if (layer.mapped.scale != Scale::none) result["mapped"] = mappedJson(layer.mapped);

@@ -56,13 +56,13 @@ public:
         const std::size_t right = width(size[0]) - 1, top = width(size[1]) - 1;
         const std::array<std::array<std::size_t, 2>, 4> places{
             {{along, 0}, {right, along}, {right - along, top}, {0, top - along}}};
-        const auto& [i, j] = places.at(static_cast<std::size_t>(side));
+        const auto& [i, j] = places[at(side)];
         return static_cast<std::uint32_t>(first + j * (right + 1) + i);
     }
     [[nodiscard]] std::size_t steps() const { return steps_; }
 
 private:
-    [[nodiscard]] std::size_t width(int edges) const { return static_cast<std::size_t>(edges) * steps_ + 1; }
+    [[nodiscard]] std::size_t width(int edges) const { return at(edges) * steps_ + 1; }
 
     struct Part {
         std::size_t first;
@@ -78,7 +78,7 @@ LineLayer borderCurves(const std::vector<Segment>& segments, const Lattice& latt
     curves.base = Base::surfaces;
     for (std::size_t k = 0; k < segments.size(); ++k)
         for (int side = 0; side < 4; ++side) {
-            const auto edges = static_cast<std::size_t>(segments[k].size[at(side % 2)]);
+            const std::size_t edges = at(segments[k].size[at(side % 2)]);
             for (std::size_t along = 0; along <= edges * lattice.steps(); ++along)
                 curves.points.push_back(lattice.onSide(k, side, along));
             endItem(curves);
@@ -100,7 +100,7 @@ LineLayer smoothBorders(const Viewed& viewed, const Lattice& lattice, const Bord
     for (std::size_t k = 0; k < borders.size(); ++k) {
         if (std::isnan(angles[k])) continue;
         const BorderPlace& place = borders[k].places.front();
-        const auto begin = static_cast<std::size_t>(place.position) * lattice.steps();
+        const std::size_t begin = at(place.position) * lattice.steps();
         for (std::size_t along = begin; along <= begin + lattice.steps(); ++along)
             jumps.points.push_back(lattice.onSide(place.patch, place.side, along));
         endItem(jumps);

@@ -41,7 +41,7 @@ Features oneCurve(const QuadMesh& mesh) {
 Cut twoHalves(const QuadMesh& mesh, const BaseComplex& complex) {
     Cut cut;
     for (const VertexId vertex : mesh.vertices())
-        cut.labels.push_back(mesh.point(vertex)[0] < 1.2 ? 0 : 1);
+        cut.labels.emplace_back(mesh.point(vertex)[0] < 1.2 ? 0 : 1);
     cut.subMeshes = measureSubMeshes(mesh, complex, cut.labels, 2);
     return cut;
 }

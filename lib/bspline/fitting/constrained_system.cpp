@@ -1,5 +1,6 @@
 #include "bspline/fitting/constrained_system.h"
 
+#include "base/at.h"
 #include "base/parallel.h"
 
 #include <algorithm>
@@ -70,7 +71,7 @@ ConstrainedSystem::ConstrainedSystem(std::size_t unknowns, Entries entries,
 Eigen::MatrixX3d ConstrainedSystem::residual(const Eigen::MatrixX3d& rightHandSide,
                                              const Eigen::MatrixX3d& solution) const {
     Eigen::MatrixX3d result(matrix_.rows(), 3);
-    parallelForMany(static_cast<std::size_t>(matrix_.rows()), jobs_, [&](std::size_t k) {
+    parallelForMany(at(matrix_.rows()), jobs_, [&](std::size_t k) {
         const auto row = static_cast<Eigen::Index>(k);
         Eigen::RowVector3d left = row < unknowns_ ? rightHandSide.row(row) : constants_.row(row - unknowns_);
         if (solution.rows() > 0)

@@ -1,6 +1,7 @@
 #include "bspline/fitting/fit_lattice.h"
 
 #include "base/at.h"
+#include "base/positions.h"
 #include "bspline/fitting/folded_quads.h"
 #include "bspline/reference/sound_faces.h"
 #include "bspline/splines/evaluate.h"
@@ -78,7 +79,7 @@ std::vector<Place> placesIn(const std::vector<double>& coarse, const std::vector
     std::vector<Place> places;
     for (const double at : fine) {
         const auto after = std::ranges::upper_bound(coarse, at);
-        const auto first = std::min(static_cast<std::size_t>(after - coarse.begin()), coarse.size() - 1) - 1;
+        const auto first = std::min(positionIn(coarse, after), coarse.size() - 1) - 1;
         places.push_back({first, (at - coarse[first]) / (coarse[first + 1] - coarse[first])});
     }
     return places;
@@ -102,10 +103,9 @@ std::vector<LatticeSource> latticeSources(const QuadMesh& mesh, const Layout& la
             const auto& vertices = segment.sides[side];
             for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
                 const EdgeId edge = mesh.edge_handle(mesh.find_halfedge(vertices[i], vertices[i + 1]));
-                sources[k].isCrease[side].push_back(
-                    network.marks.isCrease[static_cast<std::size_t>(edge.idx())]);
+                sources[k].isCrease[side].push_back(network.marks.isCrease[at(edge)]);
             }
-            const auto corner = static_cast<std::size_t>(vertices.front().idx());
+            const std::size_t corner = at(vertices.front());
             sources[k].corners[side] = network.rules[corner].kind;
         }
     }
@@ -198,10 +198,8 @@ void weighTargets(const LatticeSource& source, FitLattice& lattice) {
     auto& weights = lattice.targets.weights;
     weights.clear();
     const ReferenceGrid& grid = *source.grid;
-    const auto width = static_cast<std::size_t>(grid.size[0]) * static_cast<std::size_t>(grid.steps) + 1;
-    const auto nearest = [&](double parameter) {
-        return static_cast<std::size_t>(std::lround(parameter * grid.steps));
-    };
+    const std::size_t width = at(grid.size[0]) * at(grid.steps) + 1;
+    const auto nearest = [&](double parameter) { return at(std::lround(parameter * grid.steps)); };
     for (std::size_t j = 0; j < vs.size(); ++j)
         for (std::size_t i = 0; i < us.size(); ++i) {
             double weight = us[i] * vs[j] * lattice.emphasis[weights.size()];

@@ -1,5 +1,6 @@
 #include "bspline/fitting/flattening.h"
 
+#include "base/at.h"
 #include "base/disjoint_sets.h"
 #include "base/parallel.h"
 #include "bspline/fitting/continuity_equations.h"
@@ -134,7 +135,7 @@ private:
             change_.violation(flat - points_) > rounding * size) {
             Eigen::VectorXd blame = left;
             for (Eigen::Index k = 0; !misses && k < blame.size(); ++k)
-                blame[k] = moved[row(demands[static_cast<std::size_t>(k)].unknown)];
+                blame[k] = moved[row(demands[at(k)].unknown)];
             for (std::size_t k = 0; k < demanding.size(); ++k)
                 if (blame[row(k)] >= worst * blame.maxCoeff()) planes_[demanding[k]].reset();
             return false;

@@ -1,6 +1,7 @@
 #include "bspline/fitting/folded_quads.h"
 
 #include "base/at.h"
+#include "base/positions.h"
 #include "bspline/reference/sound_faces.h"
 #include "bspline/splines/evaluate.h"
 
@@ -13,7 +14,7 @@ void unfoldQuads(const LatticeSource& source, FitLattice& lattice) {
     const std::vector<double>& us = lattice.targets.parameters[0];
     const std::vector<double>& vs = lattice.targets.parameters[1];
     const auto first = [](const std::vector<double>& list, int at) {
-        return static_cast<std::size_t>(std::ranges::lower_bound(list, at) - list.begin());
+        return positionIn(list, std::ranges::lower_bound(list, at));
     };
     const auto& [columns, rows] = source.grid->size;
     for (int quad = 0; quad < columns * rows; ++quad) {

@@ -1,5 +1,6 @@
 #include "bspline/fitting/knot_removal.h"
 
+#include "base/positions.h"
 #include "bspline/splines/evaluate.h"
 
 #include <algorithm>
@@ -42,7 +43,7 @@ double errorWithout(const FitLattice& lattice, const NormalLimits& limits, const
     const double scale = deflection * length * length * length;
     const auto& parameters = lattice.targets.parameters[direction];
     const auto step = [&](double parameter) {
-        return static_cast<std::size_t>(std::ranges::lower_bound(parameters, parameter) - parameters.begin());
+        return positionIn(parameters, std::ranges::lower_bound(parameters, parameter));
     };
     const auto index = [&](std::size_t line, std::size_t along) {
         return direction == 0 ? line * lattice.columns() + along : along * lattice.columns() + line;
@@ -72,7 +73,7 @@ std::size_t removeKnots(const std::vector<FitLattice>& lattices, const std::vect
             std::vector<std::pair<double, std::size_t>> candidates;
             for (const double chosen : plan.chosen(patch, direction)) {
                 if (std::ranges::count(knots, chosen) != 1) continue;
-                const auto knot = static_cast<std::size_t>(std::ranges::find(knots, chosen) - knots.begin());
+                const std::size_t knot = positionIn(knots, std::ranges::find(knots, chosen));
                 const double error = errorWithout(lattices[patch], limits[patch], patches[patch],
                                                   errors[patch], tolerance, direction, knot);
                 if (error < limit) candidates.emplace_back(error, knot);

@@ -1,5 +1,7 @@
 #include "bspline/fitting/lattice_cells.h"
 
+#include "base/positions.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -20,10 +22,8 @@ LatticeRange rangeOf(const KnotCell& cell, const FitLattice& lattice) {
     LatticeRange range;
     for (std::size_t d = 0; d < 2; ++d) {
         const auto& parameters = lattice.targets.parameters[d];
-        range.begin[d] = static_cast<std::size_t>(std::ranges::lower_bound(parameters, cell.begin[d]) -
-                                                  parameters.begin());
-        range.end[d] =
-            static_cast<std::size_t>(std::ranges::upper_bound(parameters, cell.end[d]) - parameters.begin());
+        range.begin[d] = positionIn(parameters, std::ranges::lower_bound(parameters, cell.begin[d]));
+        range.end[d] = positionIn(parameters, std::ranges::upper_bound(parameters, cell.end[d]));
     }
     return range;
 }

@@ -1,5 +1,6 @@
 #include "bspline/fitting/lattice_errors.h"
 
+#include "base/positions.h"
 #include "bspline/splines/evaluate.h"
 
 #include <algorithm>
@@ -66,7 +67,7 @@ bool hold(const std::array<double, 2>& begin, const std::array<double, 2>& end, 
     const auto& us = lattice.targets.parameters[0];
     const auto& vs = lattice.targets.parameters[1];
     const auto first = [](const std::vector<double>& list, double at) {
-        return static_cast<std::size_t>(std::ranges::lower_bound(list, at) - list.begin());
+        return positionIn(list, std::ranges::lower_bound(list, at));
     };
     bool isNew = false;
     for (std::size_t j = first(vs, begin[1]); j < vs.size() && vs[j] <= end[1]; ++j)

@@ -1,5 +1,6 @@
 #include "bspline/measure/border_measures.h"
 
+#include "base/at.h"
 #include "bspline/splines/bezier_extraction.h"
 #include "bspline/splines/evaluate.h"
 
@@ -35,7 +36,7 @@ MeetingMeasures measureBorder(const BorderEdge& border, const Layout& layout,
         }
         return points;
     };
-    measures.angles.reserve(static_cast<std::size_t>(samples));
+    measures.angles.reserve(at(samples));
     for (int k = 0; k < samples; ++k) {
         const double along = static_cast<double>(k) / (samples - 1);
         const auto points = meeting(std::clamp(along, nearEnd, 1 - nearEnd));

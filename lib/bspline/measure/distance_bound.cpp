@@ -1,5 +1,7 @@
 #include "bspline/measure/distance_bound.h"
 
+#include "base/at.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -35,16 +37,15 @@ LayoutPlace DistanceBound::middle(const SurfacePart& part) const {
 
 void DistanceBound::subtractOther(int turns) {
     const int degree = own_.degree[0];
-    const std::size_t width = static_cast<std::size_t>(degree) + 1;
+    const std::size_t width = at(degree) + 1;
     difference_ = other_;
     auto point = own_.points.begin();
     for (int j = 0; j <= degree; ++j)
         for (int i = 0; i <= degree; ++i, ++point) {
             const std::array<std::array<int, 2>, 4> places{
                 {{i, j}, {degree - j, i}, {degree - i, degree - j}, {j, degree - i}}};
-            const auto& [column, row] = places[static_cast<std::size_t>(turns)];
-            Eigen::Vector3d& here =
-                difference_.points[static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column)];
+            const auto& [column, row] = places[at(turns)];
+            Eigen::Vector3d& here = difference_.points[at(row) * width + at(column)];
             here = *point - here;
         }
 }

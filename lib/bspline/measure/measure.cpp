@@ -1,5 +1,6 @@
 #include "bspline/measure/measure.h"
 
+#include "base/at.h"
 #include "base/parallel.h"
 #include "bspline/measure/border_measures.h"
 #include "bspline/measure/certified_deviation.h"
@@ -91,7 +92,7 @@ public:
             measures[k] = measureBorder(borders_[k], layout_, patches_, options_.samplesPerEdge);
         });
         for (std::size_t k = 0; k < borders_.size(); ++k) {
-            const auto edge = static_cast<std::size_t>(mesh_.edge_handle(borders_[k].halfedge).idx());
+            const std::size_t edge = at(mesh_.edge_handle(borders_[k].halfedge));
             Samples angles;
             if (isSmooth[edge])
                 for (const double angle : measures[k].angles)
@@ -139,7 +140,7 @@ private:
         for (const Point& vertex : pointGrid(mesh_, segment)) {
             const LayoutPlace place{k, {static_cast<double>(column), static_cast<double>(row)}};
             distances.emplace_back(search(0, place, vector(vertex)).distance, 1);
-            if (++column > static_cast<std::size_t>(segment.size[0])) {
+            if (++column > at(segment.size[0])) {
                 column = 0;
                 ++row;
             }

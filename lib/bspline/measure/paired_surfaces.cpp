@@ -1,15 +1,13 @@
 #include "bspline/measure/paired_surfaces.h"
 
+#include "base/at.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace qm {
 namespace {
-
-std::size_t index(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 int commonDegree(const std::vector<Patch>& patches, const std::vector<ReferenceGrid>& references) {
     int degree = 1;
@@ -47,15 +45,15 @@ PairedSurfaces::PairedSurfaces(const Layout& layout, const std::vector<Patch>& p
         for (std::size_t k = 0; k < 2; ++k)
             ofReference.along[k] = latticeExtraction(reference.steps, breaks[k], degree);
         ofReference.controls = reference.points;
-        ofReference.width = index(reference.size[0] * reference.steps + 1);
+        ofReference.width = at(reference.size[0] * reference.steps + 1);
         pieces_[1].push_back(std::move(ofReference));
 
         auto& sides = beyond_.emplace_back();
         for (std::size_t k = 0; k < 4; ++k)
-            sides[k].assign(index(layout.segments[p].size[k % 2]), {none, 0, 0});
+            sides[k].assign(at(layout.segments[p].size[k % 2]), {none, 0, 0});
     }
     const auto entry = [this](const BorderPlace& place) -> BorderPlace& {
-        return beyond_[place.patch][index(place.side)][index(place.position)];
+        return beyond_[place.patch][at(place.side)][at(place.position)];
     };
     for (const BorderEdge& border : borders)
         if (border.places.size() == 2) {
@@ -92,9 +90,9 @@ std::optional<PairedSurfaces::Crossing> PairedSurfaces::across(const LayoutPlace
     const auto& size = layout_.segments[place.patch].size;
     const std::array<double, 4> walked{place.at[0], place.at[1], size[0] - place.at[0],
                                        size[1] - place.at[1]};
-    const double along = walked[index(side)];
-    const int position = std::clamp(static_cast<int>(along), 0, size[index(side) % 2] - 1);
-    const BorderPlace& other = beyond_[place.patch][index(side)][index(position)];
+    const double along = walked[at(side)];
+    const int position = std::clamp(static_cast<int>(along), 0, size[at(side) % 2] - 1);
+    const BorderPlace& other = beyond_[place.patch][at(side)][at(position)];
     if (other.patch == none) return std::nullopt;
     const double there = other.position + 1 - std::clamp(along - position, 0.0, 1.0);
     return Crossing{{other.patch, parametersOnSide(layout_.segments[other.patch].size, other.side, there)},

@@ -1,5 +1,6 @@
 #include "bspline/network/border_strip.h"
 
+#include "base/positions.h"
 #include "bspline/splines/basis.h"
 
 #include <algorithm>
@@ -34,7 +35,7 @@ void LinearForm::add(std::size_t unknown, double weight) {
     if (std::abs(weight) < 1e-14) return;
     const auto found = std::ranges::find(unknowns, unknown);
     if (found != unknowns.end()) {
-        weights[static_cast<std::size_t>(found - unknowns.begin())] += weight;
+        weights[positionIn(unknowns, found)] += weight;
         return;
     }
     unknowns.push_back(unknown);

@@ -1,5 +1,6 @@
 #include "bspline/network/borders.h"
 
+#include "base/at.h"
 #include "base/error.h"
 
 #include <string>
@@ -40,7 +41,7 @@ std::size_t faceBeside(const Segment& segment, int side, int position) {
     default:
         row = b - 1 - position;
     }
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(a) + static_cast<std::size_t>(column);
+    return at(row) * at(a) + at(column);
 }
 
 std::array<double, 2> parametersOnSide(const std::array<int, 2>& size, int side, double along) {
@@ -62,17 +63,17 @@ std::vector<BorderEdge> borderEdges(const QuadMesh& mesh, const Layout& layout) 
     for (std::size_t s = 0; s < layout.segments.size(); ++s) {
         const Segment& segment = layout.segments[s];
         for (int side = 0; side < 4; ++side) {
-            const auto& vertices = segment.sides[static_cast<std::size_t>(side)];
+            const auto& vertices = segment.sides[at(side)];
             for (std::size_t k = 0; k + 1 < vertices.size(); ++k) {
                 const int position = static_cast<int>(k);
                 const FaceId face = segment.faces[faceBeside(segment, side, position)];
                 const HalfedgeId halfedge = halfedgeInFace(mesh, face, vertices[k], vertices[k + 1]);
-                auto& index = ofEdge[static_cast<std::size_t>(mesh.edge_handle(halfedge).idx())];
+                auto& index = ofEdge[at(mesh.edge_handle(halfedge))];
                 if (index < 0) {
                     index = static_cast<std::ptrdiff_t>(borders.size());
                     borders.push_back({halfedge, {}});
                 }
-                borders[static_cast<std::size_t>(index)].places.push_back({s, side, position});
+                borders[at(index)].places.push_back({s, side, position});
             }
         }
     }

@@ -1,5 +1,6 @@
 #include "bspline/network/creases.h"
 
+#include "base/at.h"
 #include "bspline/network/vertex_rules.h"
 #include "mesh/topology.h"
 
@@ -67,9 +68,7 @@ private:
         }
     }
 
-    [[nodiscard]] std::size_t index(HalfedgeId halfedge) const {
-        return static_cast<std::size_t>(mesh_.edge_handle(halfedge).idx());
-    }
+    [[nodiscard]] std::size_t index(HalfedgeId halfedge) const { return at(mesh_.edge_handle(halfedge)); }
     [[nodiscard]] bool isCrease(HalfedgeId halfedge) const { return marks_.isCrease[index(halfedge)]; }
 
     [[nodiscard]] bool hasCrease(VertexId vertex) const {
@@ -182,7 +181,7 @@ BorderMarks markBorders(const QuadMesh& mesh, const std::vector<BorderEdge>& bor
                         const std::vector<double>& dihedralAngles, double rho) {
     BorderMarks marks{std::vector<bool>(mesh.n_edges()), std::vector<bool>(mesh.n_edges())};
     for (const BorderEdge& border : borders) {
-        const auto edge = static_cast<std::size_t>(mesh.edge_handle(border.halfedge).idx());
+        const std::size_t edge = at(mesh.edge_handle(border.halfedge));
         marks.isBorder[edge] = true;
         marks.isCrease[edge] = border.places.size() != 2 || dihedralAngles[edge] > rho;
     }

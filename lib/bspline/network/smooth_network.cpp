@@ -1,5 +1,6 @@
 #include "bspline/network/smooth_network.h"
 
+#include "base/at.h"
 #include "bspline/network/borders.h"
 #include "bspline/network/creases.h"
 
@@ -17,7 +18,7 @@ std::unordered_map<int, double> ratiosAtVertices(const QuadMesh& mesh, const Smo
     for (const BorderEdge& border : borders)
         for (const VertexId vertex :
              {mesh.from_vertex_handle(border.halfedge), mesh.to_vertex_handle(border.halfedge)}) {
-            const auto index = static_cast<std::size_t>(vertex.idx());
+            const std::size_t index = at(vertex);
             if (seen[index]) continue;
             seen[index] = true;
             const VertexFan fan = vertexFan(mesh, network.marks, vertex);
@@ -42,7 +43,7 @@ SmoothNetwork buildNetwork(const QuadMesh& mesh, const Layout& layout,
     network.rules = vertexRules(mesh, layout, creasesAndBoundary(mesh, network.marks.isCrease));
     const auto ratios = ratiosAtVertices(mesh, network, borders);
     const auto isSmooth = [&](HalfedgeId halfedge) {
-        return !network.marks.isCrease[static_cast<std::size_t>(mesh.edge_handle(halfedge).idx())];
+        return !network.marks.isCrease[at(mesh.edge_handle(halfedge))];
     };
     for (std::size_t k = 0; k < network.stretches.size(); ++k) {
         const auto& halfedges = network.stretches[k].halfedges;

@@ -1,5 +1,7 @@
 #include "bspline/network/stretch_map.h"
 
+#include "base/at.h"
+
 #include <algorithm>
 
 namespace qm {
@@ -9,7 +11,7 @@ StretchMap::StretchMap(const QuadMesh& mesh, const Layout& layout, const SmoothN
     for (std::size_t k = 0; k < network.stretches.size(); ++k)
         for (std::size_t which = 0; which < 2; ++which) {
             const StretchSide& place = network.stretches[k].sides[which];
-            sides_[place.patch][static_cast<std::size_t>(place.side)].push_back({k, which});
+            sides_[place.patch][at(place.side)].push_back({k, which});
         }
 }
 
@@ -20,7 +22,7 @@ PlaceAcross StretchMap::across(const StretchEnd& from, double x) const {
     const std::size_t direction = directionAlong(to.side);
     const double length = stretch.length();
     const auto edge = static_cast<std::size_t>(std::clamp(x, 0.0, length - 1));
-    const auto index = static_cast<std::size_t>(mesh_.edge_handle(stretch.halfedges[edge]).idx());
+    const std::size_t index = at(mesh_.edge_handle(stretch.halfedges[edge]));
     return {to.patch, direction, patchParameter(size, to, x), !network_.marks.isCrease[index]};
 }
 

@@ -1,6 +1,7 @@
 /// \file Which stretches lie on which side of which patch, and what is across them.
 #pragma once
 
+#include "base/at.h"
 #include "bspline/network/smooth_network.h"
 #include "layout/layout.h"
 
@@ -32,7 +33,7 @@ public:
 
     /// All stretches on a side of a patch.
     [[nodiscard]] const std::vector<StretchEnd>& on(std::size_t patch, int side) const {
-        return sides_[patch][static_cast<std::size_t>(side)];
+        return sides_[patch][at(side)];
     }
 
     /// What lies across a side at a parameter of the patch along it; nothing on the mesh boundary.

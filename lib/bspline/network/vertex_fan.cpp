@@ -1,5 +1,7 @@
 #include "bspline/network/vertex_fan.h"
 
+#include "base/at.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -123,9 +125,7 @@ constexpr double rounding = 1e-12; ///< elsewhere: what computing with angles le
 } // namespace
 
 VertexFan vertexFan(const QuadMesh& mesh, const BorderMarks& marks, VertexId vertex) {
-    const auto edge = [&](HalfedgeId halfedge) {
-        return static_cast<std::size_t>(mesh.edge_handle(halfedge).idx());
-    };
+    const auto edge = [&](HalfedgeId halfedge) { return at(mesh.edge_handle(halfedge)); };
     VertexFan fan;
     HalfedgeId first = mesh.halfedge_handle(vertex);
     // On the boundary the first halfedge counter-clockwise is the one with a face whose opposite has none.

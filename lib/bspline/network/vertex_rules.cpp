@@ -34,7 +34,7 @@ public:
 
     std::vector<VertexRule> find(const Layout& layout) {
         for (const VertexId vertex : mesh_.vertices())
-            rules_[at(vertex.idx())] = byCreases(vertex);
+            rules_[at(vertex)] = byCreases(vertex);
         std::vector<bool> passed(mesh_.n_vertices());
         for (const Segment& segment : layout.segments)
             for (int side = 0; side < 4; ++side)
@@ -72,8 +72,8 @@ private:
             const Pair pair{mesh_.opposite_halfedge_handle(arriving), leaving};
             arriving = leaving;
             if (!isSharp(pair[0]) || !isSharp(pair[1])) continue;
-            VertexRule& rule = rules_[at(vertices[k].idx())];
-            auto before = passed[at(vertices[k].idx())];
+            VertexRule& rule = rules_[at(vertices[k])];
+            auto before = passed[at(vertices[k])];
             if (before && straightness(mesh_, pair) <= straightness(mesh_, rule.along)) continue;
             rule = {VertexRule::Kind::crease, pair};
             before = true;
@@ -96,7 +96,7 @@ bool isCurve(const QuadMesh& mesh, const std::array<HalfedgeId, 2>& creases) {
 std::vector<bool> creasesAndBoundary(const QuadMesh& mesh, const std::vector<bool>& isCrease) {
     std::vector<bool> sharp = isCrease;
     for (const EdgeId edge : mesh.edges())
-        if (mesh.is_boundary(edge)) sharp[at(edge.idx())] = true;
+        if (mesh.is_boundary(edge)) sharp[at(edge)] = true;
     return sharp;
 }
 

@@ -1,5 +1,7 @@
 #include "bspline/reference/boundary_sides.h"
 
+#include "base/at.h"
+
 #include <algorithm>
 #include <cstdint>
 
@@ -26,8 +28,8 @@ BoundarySides boundarySides(const Triangles& triangles) {
             std::find_if(side, sides.end(), [&](const Side& s) { return ends(s) != ends(*side); });
         if (next - side == 1) {
             result.sides[side->number] = true;
-            result.points[static_cast<std::size_t>(side->low)] = true;
-            result.points[static_cast<std::size_t>(side->high)] = true;
+            result.points[at(side->low)] = true;
+            result.points[at(side->high)] = true;
         }
         side = next;
     }

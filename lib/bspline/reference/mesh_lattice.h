@@ -1,6 +1,7 @@
 /// \file Points on a lattice over all quads of a mesh, and Catmull-Clark subdivision on it.
 #pragma once
 
+#include "base/at.h"
 #include "bspline/network/vertex_rules.h"
 #include "bspline/reference/lattice_numbers.h"
 #include "bspline/splines/eigen_point.h"
@@ -22,7 +23,7 @@ public:
     [[nodiscard]] const LatticeNumbers& numbers() const { return numbers_; }
     [[nodiscard]] Point point(std::size_t number) const { return qm::point(points_[number]); }
     void move(std::size_t number, const Point& to) { points_[number] = vector(to); }
-    void move(VertexId vertex, const Point& to) { move(static_cast<std::size_t>(vertex.idx()), to); }
+    void move(VertexId vertex, const Point& to) { move(at(vertex), to); }
 
     /// One step of subdivision: a lattice with twice as many squares each way. Edges and faces are
     /// independent of one another; only vertices can be extraordinary.

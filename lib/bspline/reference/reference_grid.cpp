@@ -1,5 +1,7 @@
 #include "bspline/reference/reference_grid.h"
 
+#include "base/at.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -19,8 +21,8 @@ Weights lagrange(int quads, int steps, double parameter) {
     const int quad = static_cast<int>(std::clamp(std::floor(parameter), 0.0, quads - 1.0));
     const double x = (parameter - quad) * steps;
     Weights weights;
-    weights.first = static_cast<std::size_t>(quad) * static_cast<std::size_t>(steps);
-    weights.count = static_cast<std::size_t>(steps) + 1;
+    weights.first = at(quad) * at(steps);
+    weights.count = at(steps) + 1;
     for (std::size_t k = 0; k < weights.count; ++k) {
         weights.value[k] = 1;
         for (std::size_t m = 0; m < weights.count; ++m) {
@@ -35,8 +37,7 @@ Weights lagrange(int quads, int steps, double parameter) {
 }
 
 SurfacePoint combine(const ReferenceGrid& grid, const Weights& columns, const Weights& rows) {
-    const std::size_t width =
-        static_cast<std::size_t>(grid.size[0]) * static_cast<std::size_t>(grid.steps) + 1;
+    const std::size_t width = at(grid.size[0]) * at(grid.steps) + 1;
     SurfacePoint result;
     for (std::size_t j = 0; j < rows.count; ++j) {
         Point position{0, 0, 0};

@@ -1,5 +1,6 @@
 #include "bspline/reference/scan_smoothing.h"
 
+#include "base/at.h"
 #include "base/parallel.h"
 #include "bspline/splines/eigen_point.h"
 
@@ -64,9 +65,9 @@ bool isSharpBend(const std::vector<LinePoint>& line, std::ptrdiff_t k) {
     constexpr std::ptrdiff_t reach = 2; // so that noise makes no bends
     constexpr double minCosine = 0.77;  // 40 degrees
     if (k < reach || k + reach >= std::ssize(line)) return false;
-    const auto at = [&](std::ptrdiff_t i) { return line[static_cast<std::size_t>(i)].position; };
-    const Point before = at(k) - at(k - reach);
-    const Point after = at(k + reach) - at(k);
+    const auto position = [&](std::ptrdiff_t i) { return line[at(i)].position; };
+    const Point before = position(k) - position(k - reach);
+    const Point after = position(k + reach) - position(k);
     return (before | after) < minCosine * before.norm() * after.norm();
 }
 
@@ -78,7 +79,7 @@ std::vector<std::array<std::ptrdiff_t, 2>> smoothParts(const std::vector<LinePoi
         const bool ends = k == std::ssize(line) || isSharpBend(line, k);
         if (!ends) continue;
         std::fill(parts.begin() + begin, parts.begin() + k, std::array{begin, k});
-        if (k < std::ssize(line)) parts[static_cast<std::size_t>(k)] = {k, k + 1};
+        if (k < std::ssize(line)) parts[at(k)] = {k, k + 1};
         begin = k + 1;
     }
     return parts;
@@ -91,15 +92,14 @@ std::vector<Point> smoothLine(const std::vector<LinePoint>& line, int steps, dou
     const auto parts = smoothParts(line);
     std::vector<Point> result;
     for (std::ptrdiff_t k = 0; k < std::ssize(line); ++k) {
-        const auto& [first, last] = parts[static_cast<std::size_t>(k)];
-        Smoothed best{line[static_cast<std::size_t>(k)].position, 1};
+        const auto& [first, last] = parts[at(k)];
+        Smoothed best{line[at(k)].position, 1};
         for (std::ptrdiff_t half = steps; half <= std::ptrdiff_t{4} * steps; half *= 2) {
             const std::ptrdiff_t begin = std::max(k - half, first);
             const std::ptrdiff_t end = std::min(k + half + 1, last);
             constexpr std::ptrdiff_t enough = 6;
             if (end - begin < enough) break;
-            const Smoothed wider = cubicAt(line, static_cast<std::size_t>(k), static_cast<std::size_t>(begin),
-                                           static_cast<std::size_t>(end));
+            const Smoothed wider = cubicAt(line, at(k), at(begin), at(end));
             const bool explained =
                 half == steps ? wider.residual <= usual * noise
                               : (wider.position - best.position).norm() <= surprising * best.noise * noise;
@@ -115,8 +115,7 @@ class Smoothing {
 public:
     Smoothing(ReferenceGrid& grid, const std::vector<double>& weights, double noise)
         : grid_(grid), weights_(weights),
-          noise_(noise), count_{static_cast<std::size_t>(grid.size[0] * grid.steps + 1),
-                                static_cast<std::size_t>(grid.size[1] * grid.steps + 1)} {}
+          noise_(noise), count_{at(grid.size[0] * grid.steps + 1), at(grid.size[1] * grid.steps + 1)} {}
 
     void inside() {
         for (const std::size_t direction : {1U, 0U})

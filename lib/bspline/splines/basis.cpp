@@ -1,5 +1,8 @@
 #include "bspline/splines/basis.h"
 
+#include "base/at.h"
+#include "base/positions.h"
+
 #include <algorithm>
 
 namespace qm {
@@ -9,22 +12,22 @@ int clampedDegree(std::span<const double> knots) {
 }
 
 std::array<double, 2> domain(std::span<const double> knots, int degree) {
-    const auto p = static_cast<std::size_t>(degree);
+    const std::size_t p = at(degree);
     return {knots[p], knots[knots.size() - p - 1]};
 }
 
 std::size_t knotSpan(std::span<const double> knots, int degree, double parameter) {
-    const auto p = static_cast<std::size_t>(degree);
+    const std::size_t p = at(degree);
     const auto begin = knots.begin() + degree;
     const auto end = knots.begin() + static_cast<std::ptrdiff_t>(knots.size() - p - 1);
     // The last knot of the domain ends an interval; it does not begin one.
     const auto after =
         parameter >= *end ? std::lower_bound(begin, end, *end) : std::upper_bound(begin + 1, end, parameter);
-    return static_cast<std::size_t>(after - knots.begin()) - 1;
+    return positionIn(knots, after) - 1;
 }
 
 BasisValues basisValues(std::span<const double> knots, int degree, double parameter) {
-    const auto p = static_cast<std::size_t>(degree);
+    const std::size_t p = at(degree);
     const std::size_t span = knotSpan(knots, degree, parameter);
     BasisValues result;
     result.first = span - p;

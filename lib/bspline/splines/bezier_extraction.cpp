@@ -1,5 +1,7 @@
 #include "bspline/splines/bezier_extraction.h"
 
+#include "base/at.h"
+#include "base/positions.h"
 #include "bspline/splines/basis.h"
 
 #include <algorithm>
@@ -30,7 +32,7 @@ void mix(double a, std::vector<double>& x, double b, const std::vector<double>& 
 /// times and else `from`: as weights of the control points span - degree ... span.
 std::vector<double> splineBlossom(std::span<const double> knots, int degree, std::size_t span, double from,
                                   double to, int times) {
-    const auto p = static_cast<std::size_t>(degree);
+    const std::size_t p = at(degree);
     Weights rows = identity(p + 1);
     for (std::size_t level = 1; level <= p; ++level) {
         const double t = static_cast<int>(level) <= times ? to : from;
@@ -46,7 +48,7 @@ std::vector<double> splineBlossom(std::span<const double> knots, int degree, std
 
 /// The same of a polynomial over [0, 1] as weights of its Bezier points.
 std::vector<double> bezierBlossom(int degree, double from, double to, int times) {
-    const auto p = static_cast<std::size_t>(degree);
+    const std::size_t p = at(degree);
     Weights rows = identity(p + 1);
     for (std::size_t level = 1; level <= p; ++level) {
         const double t = static_cast<int>(level) <= times ? to : from;
@@ -77,7 +79,7 @@ void append(Weights rows, BezierExtraction& extraction) {
 
 /// Bezier points over [0, 1] as weights of the values at equal steps.
 Weights bezierThroughSteps(int steps) {
-    const auto n = static_cast<std::size_t>(steps) + 1;
+    const std::size_t n = at(steps) + 1;
     // Bernstein's polynomials at the steps; the inverse by Gauss and Jordan with pivots.
     Weights matrix;
     Weights inverse = identity(n);
@@ -107,17 +109,17 @@ Weights bezierThroughSteps(int steps) {
 } // namespace
 
 std::span<const double> BezierExtraction::of(std::size_t interval) const {
-    const std::size_t size = static_cast<std::size_t>(controls) * (static_cast<std::size_t>(degree) + 1);
+    const std::size_t size = at(controls) * (at(degree) + 1);
     return std::span(weights).subspan(interval * size, size);
 }
 
 std::size_t BezierExtraction::intervalAt(double parameter) const {
     const auto after = std::upper_bound(breaks.begin() + 1, breaks.end() - 1, parameter);
-    return static_cast<std::size_t>(after - breaks.begin()) - 1;
+    return positionIn(breaks, after) - 1;
 }
 
 std::vector<double> differentKnots(std::span<const double> knots, int degree) {
-    const auto p = static_cast<std::size_t>(degree);
+    const std::size_t p = at(degree);
     std::vector<double> different(knots.begin() + degree,
                                   knots.begin() + static_cast<std::ptrdiff_t>(knots.size() - p));
     different.erase(std::unique(different.begin(), different.end()), different.end());
@@ -144,7 +146,7 @@ BezierExtraction splineExtraction(std::span<const double> knots, int degree, std
         Weights rows;
         for (int times = 0; times <= degree; ++times)
             rows.push_back(splineBlossom(knots, degree, span, from, to, times));
-        extraction.first.push_back(span - static_cast<std::size_t>(degree));
+        extraction.first.push_back(span - at(degree));
         append(std::move(rows), extraction);
     }
     return extraction;
@@ -165,7 +167,7 @@ BezierExtraction latticeExtraction(int steps, std::vector<double> breaks, int ra
                 mix(1, row, ofBezier[i], ofWhole[i]);
             rows.push_back(std::move(row));
         }
-        extraction.first.push_back(static_cast<std::size_t>(begin) * static_cast<std::size_t>(steps));
+        extraction.first.push_back(static_cast<std::size_t>(begin) * at(steps));
         append(std::move(rows), extraction);
     }
     return extraction;

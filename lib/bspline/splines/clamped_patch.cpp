@@ -1,5 +1,7 @@
 #include "bspline/splines/clamped_patch.h"
 
+#include "base/at.h"
+
 #include <algorithm>
 
 namespace qm {
@@ -22,8 +24,8 @@ Patch clamped(const Patch& patch) {
     if (knots == patch.knots) return patch;
     Patch result = patch;
     result.knots = knots;
-    const auto columns = static_cast<std::size_t>(patch.count[0]);
-    const auto rows = static_cast<std::size_t>(patch.count[1]);
+    const std::size_t columns = at(patch.count[0]);
+    const std::size_t rows = at(patch.count[1]);
     SplineCurve line;
     line.knots = patch.knots[0];
     for (std::size_t j = 0; j < rows && knots[0] != patch.knots[0]; ++j) {
@@ -44,8 +46,8 @@ Patch clamped(const Patch& patch) {
 }
 
 SplineCurve borderCurve(const Patch& clampedPatch, int side) {
-    const auto columns = static_cast<std::size_t>(clampedPatch.count[0]);
-    const auto rows = static_cast<std::size_t>(clampedPatch.count[1]);
+    const std::size_t columns = at(clampedPatch.count[0]);
+    const std::size_t rows = at(clampedPatch.count[1]);
     SplineCurve curve;
     if (side % 2 == 0) {
         curve.knots = clampedPatch.knots[0];

@@ -1,5 +1,6 @@
 #include "bspline/splines/evaluate.h"
 
+#include "base/at.h"
 #include "bspline/splines/eigen_point.h"
 
 #include <cmath>
@@ -13,9 +14,9 @@ using Row = std::vector<Eigen::Vector3d>;
 /// The control points of the curve v = const for which successive rows have these weights.
 void collapse(const Patch& patch, std::size_t first, const std::array<double, maxDegree + 1>& weights,
               Row& row) {
-    const auto columns = static_cast<std::size_t>(patch.count[0]);
+    const std::size_t columns = at(patch.count[0]);
     row.assign(columns, Eigen::Vector3d::Zero());
-    for (std::size_t j = 0; j <= static_cast<std::size_t>(patch.degree[1]); ++j)
+    for (std::size_t j = 0; j <= at(patch.degree[1]); ++j)
         for (std::size_t i = 0; i < columns; ++i)
             row[i] += weights[j] * vector(patch.controlPoints[(first + j) * columns + i]);
 }
@@ -24,7 +25,7 @@ void collapse(const Patch& patch, std::size_t first, const std::array<double, ma
 Point combine(const Row& row, std::size_t first, const std::array<double, maxDegree + 1>& weights,
               int degree) {
     Eigen::Vector3d sum = weights[0] * row[first];
-    for (std::size_t i = 1; i <= static_cast<std::size_t>(degree); ++i)
+    for (std::size_t i = 1; i <= at(degree); ++i)
         sum += weights[i] * row[first + i];
     return point(sum);
 }
@@ -39,9 +40,9 @@ SurfacePoint evaluate(const Patch& patch, const BasisValues& u, const BasisValue
     Eigen::Vector3d position = Eigen::Vector3d::Zero();
     Eigen::Vector3d du = Eigen::Vector3d::Zero();
     Eigen::Vector3d dv = Eigen::Vector3d::Zero();
-    const auto columns = static_cast<std::size_t>(patch.count[0]);
-    const auto lastU = static_cast<std::size_t>(patch.degree[0]);
-    const auto lastV = static_cast<std::size_t>(patch.degree[1]);
+    const std::size_t columns = at(patch.count[0]);
+    const std::size_t lastU = at(patch.degree[0]);
+    const std::size_t lastV = at(patch.degree[1]);
     for (std::size_t j = 0; j <= lastV; ++j) {
         if (v.value[j] == 0 && v.derivative[j] == 0) continue; // on a border, half of them
         const Point* row = patch.controlPoints.data() + (v.first + j) * columns + u.first;

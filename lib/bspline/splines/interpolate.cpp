@@ -1,5 +1,6 @@
 #include "bspline/splines/interpolate.h"
 
+#include "base/at.h"
 #include "base/parallel.h"
 
 namespace qm {
@@ -50,8 +51,8 @@ void blend(std::span<const Point> data, Line from, std::span<const double> recip
 } // namespace
 
 Patch interpolate(std::span<const Point> grid, std::array<int, 2> size) {
-    const std::size_t m = static_cast<std::size_t>(size[0]);
-    const std::size_t n = static_cast<std::size_t>(size[1]);
+    const std::size_t m = at(size[0]);
+    const std::size_t n = at(size[1]);
     Patch patch;
     patch.count = {size[0] + 3, size[1] + 3};
     patch.knots = {uniformKnots(m), uniformKnots(n)};

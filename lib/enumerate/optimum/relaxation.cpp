@@ -299,7 +299,7 @@ void Relaxation::setTightRows(const IdVector<RowId, double>& duals, std::size_t 
     std::ranges::sort(order);
     order.resize(std::min(order.size(), count));
     for (const auto& [negative, k] : order) {
-        const bool below = duals[RowId(solverRows_[static_cast<std::size_t>(k)])] > 0;
+        const bool below = duals[RowId(solverRows_[at(k)])] > 0;
         solver_->setRowStatus(k, below ? ClpSimplex::atLowerBound : ClpSimplex::atUpperBound);
     }
 }

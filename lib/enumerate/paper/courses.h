@@ -2,6 +2,7 @@
 /// (docs/METHOD.md#valid-tracks).
 #pragma once
 
+#include "base/at.h"
 #include "enumerate/state/assignment.h"
 
 #include <vector>
@@ -35,9 +36,7 @@ struct Course {
     std::vector<Stop> stops; ///< see stopIndex
 
     /// Of the stop at a coordinate, 1 to length - 1.
-    [[nodiscard]] static std::size_t stopIndex(int coordinate) {
-        return static_cast<std::size_t>(coordinate) - 1;
-    }
+    [[nodiscard]] static std::size_t stopIndex(int coordinate) { return at(coordinate) - 1; }
 };
 
 using Courses = IdVector<CourseId, Course>;

@@ -17,7 +17,7 @@ public:
     /// The number of halfedges that every particle walks.
     std::vector<std::size_t> run() {
         for (const VertexId vertex : complex_.extraordinaryVertices)
-            traced_[at(vertex.idx())] = true;
+            traced_[at(vertex)] = true;
         for (const Seed seed : complex_.seeds)
             traced_[at(mesh_.from_vertex_handle(seed.direction).idx())] = true;
         std::vector<std::size_t> active(complex_.separatrices.size());
