@@ -34,8 +34,8 @@ using SeparatrixId = Id<struct SeparatrixTag>;
 using LineId = Id<struct LineTag>;
 using ArcId = Id<struct ArcTag>;
 using JunctionId = Id<struct JunctionTag>;
-using TrackId = Id<struct TrackTag>;
 using SegmentId = Id<struct SegmentTag>;
+using SubMeshId = Id<struct SubMeshTag>;
 
 } // namespace qm
 

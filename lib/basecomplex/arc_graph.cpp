@@ -24,7 +24,7 @@ std::vector<Line> findLines(const BaseComplex& complex) {
 
 class Builder {
 public:
-    Builder(const QuadMesh& mesh, const BaseComplex& complex, const std::vector<int>& labels)
+    Builder(const QuadMesh& mesh, const BaseComplex& complex, const std::vector<SubMeshId>& labels)
         : mesh_(mesh), complex_(complex), labels_(labels), junctionAt_(mesh.n_vertices()) {}
 
     ArcGraph build() {
@@ -42,7 +42,7 @@ private:
 
     bool besideCut(HalfedgeId arriving, HalfedgeId leaving) const {
         if (labels_.empty()) return false;
-        const int label = labels_[at(mesh_.to_vertex_handle(arriving))];
+        const SubMeshId label = labels_[at(mesh_.to_vertex_handle(arriving))];
         return label != labels_[at(mesh_.from_vertex_handle(arriving))] ||
                label != labels_[at(mesh_.to_vertex_handle(leaving))];
     }
@@ -129,14 +129,15 @@ private:
 
     const QuadMesh& mesh_;
     const BaseComplex& complex_;
-    const std::vector<int>& labels_;
+    const std::vector<SubMeshId>& labels_;
     std::vector<JunctionId> junctionAt_;
     ArcGraph graph_;
 };
 
 } // namespace
 
-ArcGraph buildArcGraph(const QuadMesh& mesh, const BaseComplex& complex, const std::vector<int>& labels) {
+ArcGraph buildArcGraph(const QuadMesh& mesh, const BaseComplex& complex,
+                       const std::vector<SubMeshId>& labels) {
     return Builder(mesh, complex, labels).build();
 }
 

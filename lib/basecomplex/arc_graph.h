@@ -61,7 +61,7 @@ struct ArcGraph {
 /// \param labels   sub-mesh of every vertex; both ends of an edge between two sub-meshes become stops. May be
 /// empty.
 [[nodiscard]] ArcGraph buildArcGraph(const QuadMesh& mesh, const BaseComplex& complex,
-                                     const std::vector<int>& labels = {});
+                                     const std::vector<SubMeshId>& labels = {});
 
 /// The halfedges of an arc, in the line's direction.
 [[nodiscard]] std::span<const HalfedgeId> halfedgesOf(const ArcGraph& graph, const BaseComplex& complex,

@@ -61,7 +61,7 @@ void writeGraphs(const Tool& tool, const Model& model, const EnumerationOptions&
     const SeparatrixIndex separatrices(model.mesh, model.baseComplex);
     OutputFile file(path);
     std::size_t written = 0;
-    const GraphListing listing{[&](int subMesh, const MotorcycleGraph& graph, std::string& text) {
+    const GraphListing listing{[&](SubMeshId subMesh, const MotorcycleGraph& graph, std::string& text) {
                                    appendGraphLine(model.mesh, separatrices, subMesh, graph, text);
                                },
                                [&](std::string_view text, std::size_t graphs) {
@@ -138,10 +138,10 @@ int judge(const Tool& tool, const Enumeration& enumeration, const EnumerationReq
         return subMesh.cost && subMesh.lowerBound && *subMesh.lowerBound >= *subMesh.cost;
     };
     int searched = 0, optimal = 0;
-    for (std::size_t k = 0; k < enumeration.subMeshes.size(); ++k) {
-        if (!enumeration.part.holds(static_cast<int>(k))) continue;
+    for (const SubMeshId subMesh : enumeration.subMeshes.ids()) {
+        if (!enumeration.part.holds(subMesh)) continue;
         ++searched;
-        if (isOptimal(enumeration.subMeshes[k])) ++optimal;
+        if (isOptimal(enumeration.subMeshes[subMesh])) ++optimal;
     }
     tool.count("subMeshes", searched);
     tool.count("provedOptimal", optimal);

@@ -22,10 +22,10 @@ void append(std::string& text, const QuadMesh& mesh, const SeparatrixIndex& base
 
 } // namespace
 
-void appendGraphLine(const QuadMesh& mesh, const SeparatrixIndex& baseComplex, int subMesh,
+void appendGraphLine(const QuadMesh& mesh, const SeparatrixIndex& baseComplex, SubMeshId subMesh,
                      const MotorcycleGraph& graph, std::string& text) {
     text += "{\"subMesh\": ";
-    appendNumber(text, subMesh);
+    appendNumber(text, subMesh.value());
     text += ", \"cost\": ";
     appendNumber(text, withoutSignOfZero(graph.cost));
     text += ", \"tracks\": [";

@@ -8,7 +8,7 @@
 namespace qm {
 
 /// Appends {"subMesh", "cost", "tracks"}, as `printJsonLine` writes it with the members of `graphToJson`.
-void appendGraphLine(const QuadMesh& mesh, const SeparatrixIndex& baseComplex, int subMesh,
+void appendGraphLine(const QuadMesh& mesh, const SeparatrixIndex& baseComplex, SubMeshId subMesh,
                      const MotorcycleGraph& graph, std::string& text);
 
 } // namespace qm

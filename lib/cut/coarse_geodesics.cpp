@@ -21,8 +21,8 @@ int radiusFor(std::size_t vertices) {
 
 } // namespace
 
-CoarseGeodesics::CoarseGeodesics(const QuadMesh& mesh, const std::vector<int>& part)
-    : mesh_(mesh), part_(part), steps_(mesh.n_vertices(), unknown), cellOf_(mesh.n_vertices(), 0) {}
+CoarseGeodesics::CoarseGeodesics(const QuadMesh& mesh, const std::vector<SubMeshId>& labels)
+    : mesh_(mesh), labels_(labels), steps_(mesh.n_vertices(), unknown), cellOf_(mesh.n_vertices(), 0) {}
 
 void CoarseGeodesics::coarsen(const std::vector<VertexId>& vertices) {
     makeCells(vertices);
@@ -36,8 +36,8 @@ void CoarseGeodesics::coarsen(const std::vector<VertexId>& vertices) {
     points.reserve(centres_.size());
     for (const VertexId centre : centres_)
         points.push_back(mesh_.point(centre));
-    onePart_.assign(centres_.size(), 0);
-    front_.emplace(points, ties, onePart_);
+    onlyOne_.assign(centres_.size(), SubMeshId(0));
+    front_.emplace(points, ties, onlyOne_);
 }
 
 /// A vertex that no cell has reached becomes a centre, and takes what is nearer to it than to the centres
@@ -46,34 +46,34 @@ void CoarseGeodesics::makeCells(const std::vector<VertexId>& vertices) {
     const int radius = radiusFor(vertices.size());
     centres_.clear();
     for (const VertexId vertex : vertices)
-        steps_[at(vertex.idx())] = unknown;
+        steps_[at(vertex)] = unknown;
     for (const VertexId vertex : vertices)
-        if (steps_[at(vertex.idx())] == unknown) growCell(vertex, radius);
+        if (steps_[at(vertex)] == unknown) growCell(vertex, radius);
 }
 
 void CoarseGeodesics::growCell(VertexId centre, int radius) {
     const int cell = static_cast<int>(centres_.size());
     centres_.push_back(centre);
-    steps_[at(centre.idx())] = 0;
+    steps_[at(centre)] = 0;
     cellOf(centre) = cell;
     std::vector<VertexId> reached{centre};
     for (std::size_t next = 0; next < reached.size(); ++next) {
         const VertexId vertex = reached[next];
-        const int steps = steps_[at(vertex.idx())] + 1;
+        const int steps = steps_[at(vertex)] + 1;
         if (steps > radius) break;
         for (const VertexId other : mesh_.vv_range(vertex)) {
-            if (steps_[at(other.idx())] <= steps || part_[at(other.idx())] != part_[at(centre.idx())])
-                continue;
-            steps_[at(other.idx())] = steps;
+            if (steps_[at(other)] <= steps || labels_[at(other)] != labels_[at(centre)]) continue;
+            steps_[at(other)] = steps;
             cellOf(other) = cell;
             reached.push_back(other);
         }
     }
 }
 
-/// Of the quads that a vertex is the lowest corner of, among those in its part.
+/// Of the quads that a vertex is the lowest corner of, among those in its sub-mesh.
 void CoarseGeodesics::addTies(VertexId vertex, std::vector<Tie>& ties) const {
-    const int part = part_[at(vertex.idx())], own = cellOf_[at(vertex.idx())];
+    const SubMeshId subMesh = labels_[at(vertex)];
+    const int own = cellOf_[at(vertex)];
     for (const HalfedgeId halfedge : mesh_.voh_range(vertex)) {
         if (mesh_.is_boundary(halfedge)) continue;
         Tie tie{own};
@@ -83,9 +83,9 @@ void CoarseGeodesics::addTies(VertexId vertex, std::vector<Tie>& ties) const {
         for (int k = 1; k < 4 && lowest; ++k) {
             const VertexId corner = mesh_.to_vertex_handle(side);
             side = mesh_.next_halfedge_handle(side);
-            if (part_[at(corner.idx())] != part) continue;
+            if (labels_[at(corner)] != subMesh) continue;
             lowest = vertex.idx() < corner.idx();
-            const int cell = cellOf_[at(corner.idx())];
+            const int cell = cellOf_[at(corner)];
             if (cell != own && std::find(tie.begin(), tie.begin() + count, cell) == tie.begin() + count)
                 tie[count++] = cell;
         }

@@ -19,11 +19,11 @@ public:
     /// About so many cells are made, however large the sub-mesh.
     static constexpr double wantedCells = 5000;
 
-    /// \param part  of every vertex: the number of the part it belongs to; may change between calls
-    CoarseGeodesics(const QuadMesh& mesh, const std::vector<int>& part);
+    /// \param labels  sub-mesh of every vertex; may change between calls
+    CoarseGeodesics(const QuadMesh& mesh, const std::vector<SubMeshId>& labels);
 
     /// Turns to another sub-mesh. Takes time linear in it.
-    /// \param vertices  all of one part
+    /// \param vertices  all of one sub-mesh
     void coarsen(const std::vector<VertexId>& vertices);
 
     /// \pre all are among the vertices that were coarsened last
@@ -40,12 +40,12 @@ private:
     [[nodiscard]] double length(VertexId vertex, int cell) const;
 
     const QuadMesh& mesh_;
-    const std::vector<int>& part_;
+    const std::vector<SubMeshId>& labels_;
     std::vector<int> steps_;  ///< edges from every vertex to its centre
     std::vector<int> cellOf_; ///< of every vertex
     std::vector<VertexId> centres_;
     std::vector<std::vector<int>> around_; ///< of every cell: itself and its neighbours, ascending
-    std::vector<int> onePart_;             ///< of every cell
+    std::vector<SubMeshId> onlyOne_;       ///< of every cell
     std::optional<Geodesics> front_;
 };
 

@@ -31,14 +31,14 @@ public:
     Cutter(const QuadMesh& mesh, const BaseComplex& complex, const std::vector<double>& angles,
            const CutOptions& options, const Control& control)
         : mesh_(mesh), options_(options), control_(control), measure_(mesh, complex),
-          labels_(mesh.n_vertices(), 0), energy_(mesh, angles, options, labels_),
+          labels_(mesh.n_vertices(), SubMeshId(0)), energy_(mesh, angles, options, labels_),
           connected_(mesh.n_vertices()), component_(mesh.n_vertices(), -1) {
         Piece whole;
         for (const VertexId vertex : mesh.vertices())
             if (!mesh.is_isolated(vertex)) whole.vertices.push_back(vertex);
         for (std::size_t i = 0; i < complex.separatrices.size(); ++i)
             whole.separatrices.push_back(i);
-        remeasure(whole, 0);
+        remeasure(whole, SubMeshId(0));
         pending_.push_back(std::move(whole));
     }
 
@@ -70,7 +70,7 @@ private:
         return parts;
     }
 
-    void remeasure(Piece& piece, int label) {
+    void remeasure(Piece& piece, SubMeshId label) {
         const SubMesh measured = measure_(piece.separatrices, labels_, label);
         piece.measures.quasiComplexity = measured.quasiComplexity;
         piece.measures.ordinaryJunctions = measured.ordinaryJunctions;
@@ -91,9 +91,9 @@ private:
 
     /// Gives the parts of a piece labels and particles of their own.
     Pieces divide(const Piece& piece, const std::vector<int>& partOf, int count) {
-        Pieces parts(static_cast<std::size_t>(count));
-        const int base = nextLabel_;
-        nextLabel_ += count;
+        Pieces parts(at(count));
+        const SubMeshId base = nextLabel_;
+        nextLabel_ = base + count;
         std::vector<std::size_t> sizes(parts.size(), 0);
         for (const int part : partOf)
             ++sizes[at(part)];
@@ -104,7 +104,7 @@ private:
             parts[at(partOf[k])].vertices.push_back(piece.vertices[k]);
         }
         for (const std::size_t i : piece.separatrices)
-            parts[at(labels_[at(measure_.sourceOf(i))] - base)].separatrices.push_back(i);
+            parts[at(labels_[at(measure_.sourceOf(i))].value() - base.value())].separatrices.push_back(i);
         for (int part = 0; part < count; ++part) {
             Piece& made = parts[at(part)];
             made.measures.source = piece.measures.source;
@@ -138,7 +138,7 @@ private:
     Pieces separate(const Piece& piece) {
         const int components = numberComponents(piece);
         if (components < 2) return {};
-        std::vector<int> partOfComponent(static_cast<std::size_t>(components), -1);
+        std::vector<int> partOfComponent(at(components), -1);
         int parts = 0;
         for (const std::size_t i : piece.separatrices) {
             int& part = partOfComponent[at(component_[at(measure_.sourceOf(i))])];
@@ -167,15 +167,15 @@ private:
     /// The cut whose more complicated part is the simplest.
     /// \return nothing if that is no simpler than the whole
     Pieces cutBetween(const Piece& piece, Terminals kind) {
-        const int label = labels_[at(piece.vertices.front())];
+        const SubMeshId label = labels_[at(piece.vertices.front())];
         const auto [extraordinary, seeds] = sourcesOf(piece);
         double minComplexity = piece.measures.quasiComplexity;
         Pieces best;
-        int bestLabel = 0;
+        SubMeshId bestLabel;
         SurfaceDistances& distances = distancesIn(piece);
         for (const TerminalPair& terminals :
              chooseTerminals(mesh_, piece.vertices, extraordinary, seeds, kind, distances)) {
-            const int firstLabel = nextLabel_;
+            const SubMeshId firstLabel = nextLabel_;
             Pieces parts =
                 divide(piece, minimumCut(energy_(piece.vertices, extraordinary, terminals, distances)), 2);
             setLabels(piece, label);
@@ -195,7 +195,7 @@ private:
         return best;
     }
 
-    void setLabels(const Piece& piece, int label) {
+    void setLabels(const Piece& piece, SubMeshId label) {
         for (const VertexId vertex : piece.vertices)
             labels_[at(vertex)] = label;
     }
@@ -206,11 +206,11 @@ private:
             std::ranges::sort(done_, {}, [](const Piece& piece) { return piece.vertices.front().idx(); });
         Cut cut;
         cut.options = options_;
-        cut.labels.assign(mesh_.n_vertices(), 0);
-        for (std::size_t k = 0; k < done_.size(); ++k) {
-            for (const VertexId vertex : done_[k].vertices)
-                cut.labels[at(vertex)] = static_cast<int>(k);
-            cut.subMeshes.push_back(done_[k].measures);
+        cut.labels.assign(mesh_.n_vertices(), SubMeshId(0));
+        for (const Piece& piece : done_) {
+            for (const VertexId vertex : piece.vertices)
+                cut.labels[at(vertex)] = cut.subMeshes.nextId();
+            cut.subMeshes.push_back(piece.measures);
         }
         return cut;
     }
@@ -219,7 +219,7 @@ private:
     const CutOptions& options_;
     const Control& control_;
     Measure measure_;
-    std::vector<int> labels_;            ///< of pieces as they arise, never used twice
+    std::vector<SubMeshId> labels_;      ///< of pieces as they arise, never used twice
     std::optional<Geodesics> geodesics_; ///< made when needed
     std::optional<CoarseGeodesics> coarseGeodesics_;
     Energy energy_;
@@ -227,7 +227,7 @@ private:
     std::vector<int> component_; ///< of a vertex in the piece at hand
     Pieces pending_;
     Pieces done_;
-    int nextLabel_ = 1;
+    SubMeshId nextLabel_{1};
 };
 
 } // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/control.h"
+#include "base/id_vector.h"
 #include "basecomplex/base_complex.h"
 #include "mesh/quad_mesh.h"
 
@@ -40,8 +41,8 @@ struct SubMesh {
 
 struct Cut {
     CutOptions options;
-    std::vector<int> labels; ///< sub-mesh of every vertex, 0 to subMeshes.size() - 1
-    std::vector<SubMesh> subMeshes;
+    std::vector<SubMeshId> labels; ///< of every vertex
+    IdVector<SubMeshId, SubMesh> subMeshes;
 };
 
 /// Cuts until every sub-mesh has U < chi or does not get simpler, that is, no cut leaves both parts with a
@@ -58,7 +59,7 @@ struct Cut {
 /// U and n_j of every sub-mesh of a labelling, in one pass over the separatrices; terminals are left empty. A
 /// particle that starts in a sub-mesh has as many candidate stops as its separatrix has arcs, when only
 /// separatrices that start there count and each ends at the first vertex outside (a neighbouring vertex).
-[[nodiscard]] std::vector<SubMesh> measureSubMeshes(const QuadMesh& mesh, const BaseComplex& complex,
-                                                    const std::vector<int>& labels, int count);
+[[nodiscard]] IdVector<SubMeshId, SubMesh> measureSubMeshes(const QuadMesh& mesh, const BaseComplex& complex,
+                                                            const std::vector<SubMeshId>& labels, int count);
 
 } // namespace qm

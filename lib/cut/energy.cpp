@@ -26,7 +26,7 @@ std::vector<double> sharpestAtVertices(const QuadMesh& mesh, const std::vector<d
 } // namespace
 
 Energy::Energy(const QuadMesh& mesh, const std::vector<double>& dihedralAngles, const CutOptions& options,
-               const std::vector<int>& labels)
+               const std::vector<SubMeshId>& labels)
     : mesh_(mesh), options_(options), labels_(labels), node_(mesh.n_vertices(), -1) {
     for (double* weight : {&options_.lambda, &options_.highPenalty, &options_.lowPenalty})
         *weight = std::min(*weight, largestWeight);

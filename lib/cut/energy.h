@@ -19,7 +19,7 @@ class Energy {
 public:
     /// \param labels  sub-mesh of every vertex; may change between calls
     Energy(const QuadMesh& mesh, const std::vector<double>& dihedralAngles, const CutOptions& options,
-           const std::vector<int>& labels);
+           const std::vector<SubMeshId>& labels);
 
     /// \param vertices       of the sub-mesh: they become the nodes, in this order
     /// \param extraordinary  vertices among them
@@ -34,7 +34,7 @@ private:
 
     const QuadMesh& mesh_;
     CutOptions options_;
-    const std::vector<int>& labels_;
+    const std::vector<SubMeshId>& labels_;
     std::vector<double> sharpest_; ///< edge at every vertex; empty unless features are to be avoided
     std::vector<int> node_;        ///< of every vertex of the sub-mesh at hand
 };

@@ -79,12 +79,12 @@ double Geodesics::Quad::length(unsigned i, unsigned j) const {
     return ahead == 1 ? sides[i] : ahead == 3 ? sides[j] : diagonals[i % 2];
 }
 
-Geodesics::Geodesics(const QuadMesh& mesh, const std::vector<int>& part)
-    : Geodesics(pointsOf(mesh), quadsOf(mesh), part) {}
+Geodesics::Geodesics(const QuadMesh& mesh, const std::vector<SubMeshId>& labels)
+    : Geodesics(pointsOf(mesh), quadsOf(mesh), labels) {}
 
 Geodesics::Geodesics(const std::vector<Point>& points, const std::vector<std::array<int, 4>>& quads,
-                     const std::vector<int>& part)
-    : part_(part), nodeOf_(numberNodes(points)), firstCorner_(points.size() + 1, 0),
+                     const std::vector<SubMeshId>& labels)
+    : labels_(labels), nodeOf_(numberNodes(points)), firstCorner_(points.size() + 1, 0),
       distance_(points.size(), infinity), front_(stepOf(points, quads)) {
     quads_.reserve(quads.size());
     for (const auto& corners : quads) {
@@ -136,14 +136,14 @@ const std::vector<double>& Geodesics::from(std::span<const Start> starts) {
         touched_.push_back(node);
         front_.push({start.distance, start.vertex, node});
     }
-    const int part = part_[at(starts.front().vertex)];
+    const SubMeshId subMesh = labels_[at(starts.front().vertex)];
     while (!front_.empty()) {
         const int reached = front_.pop().node;
         Node& node = nodeAt(reached);
         if (node.final) continue;
         node.final = true;
         distance_[at(node.vertex)] = node.distance;
-        spread(reached, part);
+        spread(reached, subMesh);
     }
     return distance_;
 }
@@ -153,7 +153,7 @@ std::vector<double> Geodesics::between(VertexId source, const std::vector<Vertex
     std::vector<double> distances;
     distances.reserve(targets.size());
     for (const VertexId target : targets)
-        distances.push_back(all[at(target.idx())]);
+        distances.push_back(all[at(target)]);
     return distances;
 }
 
@@ -167,13 +167,13 @@ void Geodesics::forget() {
 }
 
 /// Improves the open vertices of all quads around a vertex whose distance has become final.
-void Geodesics::spread(int node, int part) {
+void Geodesics::spread(int node, SubMeshId subMesh) {
     for (std::uint32_t k = firstCorner_[at(node)]; k < firstCorner_[at(node) + 1]; ++k) {
         const Quad& quad = quads_[cornersAround_[k] / 4];
         const unsigned from = cornersAround_[k] % 4;
         for (unsigned ahead = 1; ahead < 4; ++ahead) {
             const unsigned to = (from + ahead) % 4;
-            if (!nodeAt(quad.corners[to]).final) reach(quad, from, to, part);
+            if (!nodeAt(quad.corners[to]).final) reach(quad, from, to, subMesh);
         }
     }
     for (const int improved : improved_) {
@@ -184,10 +184,10 @@ void Geodesics::spread(int node, int part) {
     improved_.clear();
 }
 
-void Geodesics::reach(const Quad& quad, unsigned from, unsigned to, int part) {
+void Geodesics::reach(const Quad& quad, unsigned from, unsigned to, SubMeshId subMesh) {
     Node& target = nodeAt(quad.corners[to]);
     const bool first = target.distance == infinity;
-    if (first && part_[at(target.vertex)] != part) return;
+    if (first && labels_[at(target.vertex)] != subMesh) return;
     double best = std::min(target.distance, nodeAt(quad.corners[from]).distance + quad.length(from, to));
     for (unsigned other = 0; other < 4; ++other)
         if (other != from && other != to && nodeAt(quad.corners[other]).final)

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/at.h"
+#include "base/ids.h"
 #include "cut/front.h"
 #include "cut/surface_distances.h"
 
@@ -21,16 +22,16 @@ namespace qm {
 /// sheared beyond 45 degrees is it worse. It is no exact metric: there and back may differ as much.
 class Geodesics : public SurfaceDistances {
 public:
-    /// \param part    of every vertex: the number of the part it belongs to; may change between calls
-    Geodesics(const QuadMesh& mesh, const std::vector<int>& part);
+    /// \param labels  sub-mesh of every vertex; may change between calls
+    Geodesics(const QuadMesh& mesh, const std::vector<SubMeshId>& labels);
 
     /// The same on any quads. Of a triangle or an edge, the last corner is repeated.
     /// \param quads  positions of their corners among the points
     Geodesics(const std::vector<Point>& points, const std::vector<std::array<int, 4>>& quads,
-              const std::vector<int>& part);
+              const std::vector<SubMeshId>& labels);
 
-    /// Distance from the source of every vertex of the source's part, infinity for all vertices that cannot
-    /// be reached inside it. Valid until the next call.
+    /// Distance from the source of every vertex of the source's sub-mesh, infinity for all vertices that
+    /// cannot be reached inside it. Valid until the next call.
     const std::vector<double>& from(VertexId source) { return from(std::array{Start{source.idx(), 0}}); }
 
     /// Where a front begins, and how far from the source that is.
@@ -38,7 +39,7 @@ public:
         int vertex;
         double distance;
     };
-    /// The same from several vertices of one part, at least one.
+    /// The same from several vertices of one sub-mesh, at least one.
     const std::vector<double>& from(std::span<const Start> starts);
 
     std::vector<double> between(VertexId source, const std::vector<VertexId>& targets) override;
@@ -60,14 +61,14 @@ private:
 
     [[nodiscard]] std::vector<int> numberNodes(const std::vector<Point>& points);
     void forget();
-    void spread(int node, int part);
-    void reach(const Quad& quad, unsigned from, unsigned to, int part);
+    void spread(int node, SubMeshId subMesh);
+    void reach(const Quad& quad, unsigned from, unsigned to, SubMeshId subMesh);
     [[nodiscard]] double across(const Quad& quad, unsigned a, unsigned b, unsigned target,
                                 double limit) const;
     [[nodiscard]] Node& nodeAt(int node) { return nodes_[at(node)]; }
     [[nodiscard]] const Node& nodeAt(int node) const { return nodes_[at(node)]; }
 
-    const std::vector<int>& part_;
+    const std::vector<SubMeshId>& labels_;
     std::vector<Node> nodes_; ///< the vertices in an order that has neighbours close to each other
     std::vector<int> nodeOf_; ///< of every vertex
     std::vector<Quad> quads_; ///< in the same order

@@ -5,8 +5,6 @@
 #include <cmath>
 
 namespace qm {
-namespace {} // namespace
-
 Measure::Measure(const QuadMesh& mesh, const BaseComplex& complex)
     : mesh_(mesh), complex_(complex), seeds_(mesh.n_vertices(), 0), passes_(mesh.n_vertices(), 0) {
     for (const Seed seed : complex.seeds)
@@ -17,20 +15,20 @@ VertexId Measure::sourceOf(std::size_t separatrix) const {
     return mesh_.from_vertex_handle(complex_.separatrices[separatrix].halfedges.front());
 }
 
-std::size_t Measure::reachInside(std::size_t i, const std::vector<int>& labels) const {
+std::size_t Measure::reachInside(std::size_t i, const std::vector<SubMeshId>& labels) const {
     const Separatrix& separatrix = complex_.separatrices[i];
-    const int label = labels[at(sourceOf(i))];
+    const SubMeshId subMesh = labels[at(sourceOf(i))];
     std::size_t length = 0;
     while (length < separatrix.reach) {
         const VertexId next = mesh_.to_vertex_handle(separatrix.halfedges[length]);
         ++length;
-        if (labels[at(next)] != label) break;
+        if (labels[at(next)] != subMesh) break;
     }
     return length;
 }
 
-SubMesh Measure::operator()(const std::vector<std::size_t>& separatrices, const std::vector<int>& labels,
-                            int label) {
+SubMesh Measure::operator()(const std::vector<std::size_t>& separatrices,
+                            const std::vector<SubMeshId>& labels, SubMeshId subMesh) {
     SubMesh result;
     std::vector<VertexId> touched;
     const auto pass = [&](VertexId vertex) {
@@ -48,13 +46,13 @@ SubMesh Measure::operator()(const std::vector<std::size_t>& separatrices, const 
         // What the opposite has walked inside as well counts once.
         std::size_t counted = 0;
         if (separatrix.opposite && separatrix.opposite->idx() < i &&
-            labels[at(sourceOf(separatrix.opposite->idx()))] == label)
+            labels[at(sourceOf(separatrix.opposite->idx()))] == subMesh)
             counted = reachInside(separatrix.opposite->idx(), labels);
         for (std::size_t k = 1; k < separatrix.halfedges.size() && k <= reach.back() &&
                                 separatrix.halfedges.size() - k > counted;
              ++k) {
             const VertexId vertex = mesh_.from_vertex_handle(separatrix.halfedges[k]);
-            if (labels[at(vertex)] == label) pass(vertex);
+            if (labels[at(vertex)] == subMesh) pass(vertex);
         }
     }
     for (std::size_t n = 0; n < separatrices.size(); ++n) {
@@ -71,16 +69,16 @@ SubMesh Measure::operator()(const std::vector<std::size_t>& separatrices, const 
     return result;
 }
 
-std::vector<SubMesh> measureSubMeshes(const QuadMesh& mesh, const BaseComplex& complex,
-                                      const std::vector<int>& labels, int count) {
+IdVector<SubMeshId, SubMesh> measureSubMeshes(const QuadMesh& mesh, const BaseComplex& complex,
+                                              const std::vector<SubMeshId>& labels, int count) {
     Measure measure(mesh, complex);
-    std::vector<std::vector<std::size_t>> separatrices(static_cast<std::size_t>(count));
+    IdVector<SubMeshId, std::vector<std::size_t>> separatrices(at(count));
     for (std::size_t i = 0; i < complex.separatrices.size(); ++i)
-        separatrices[at(labels[at(measure.sourceOf(i))])].push_back(i);
-    std::vector<SubMesh> result;
+        separatrices[labels[at(measure.sourceOf(i))]].push_back(i);
+    IdVector<SubMeshId, SubMesh> result;
     result.reserve(separatrices.size());
-    for (int label = 0; label < count; ++label)
-        result.push_back(measure(separatrices[at(label)], labels, label));
+    for (const SubMeshId subMesh : separatrices.ids())
+        result.push_back(measure(separatrices[subMesh], labels, subMesh));
     return result;
 }
 

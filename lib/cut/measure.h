@@ -15,13 +15,13 @@ public:
     /// \param separatrices  that start in the sub-mesh
     /// \return without terminals
     [[nodiscard]] SubMesh operator()(const std::vector<std::size_t>& separatrices,
-                                     const std::vector<int>& labels, int label);
+                                     const std::vector<SubMeshId>& labels, SubMeshId subMesh);
 
     [[nodiscard]] VertexId sourceOf(std::size_t separatrix) const;
 
 private:
     /// Halfedges up to the first vertex outside, or to the end of the particle's way.
-    [[nodiscard]] std::size_t reachInside(std::size_t separatrix, const std::vector<int>& labels) const;
+    [[nodiscard]] std::size_t reachInside(std::size_t separatrix, const std::vector<SubMeshId>& labels) const;
 
     const QuadMesh& mesh_;
     const BaseComplex& complex_;

@@ -7,8 +7,11 @@ namespace qm {
 
 Json cutToJson(const Cut& cut) {
     Json section = optionsToJson(cut.options);
-    section["labels"] = cut.labels;
-    Json::array_t subMeshes;
+    Json::array_t labels, subMeshes;
+    labels.reserve(cut.labels.size());
+    for (const SubMeshId label : cut.labels)
+        labels.emplace_back(label.value());
+    section["labels"] = std::move(labels);
     for (const SubMesh& subMesh : cut.subMeshes)
         subMeshes.push_back({{"id", subMeshes.size()},
                              {"quasiComplexity", subMesh.quasiComplexity},
@@ -52,34 +55,36 @@ Cut readCut(const QuadMesh& mesh, const BaseComplex& complex, const JsonPlace& s
     if (labels.size() != mesh.n_vertices())
         labels.fail("has " + std::to_string(labels.size()) + " entries, the mesh has " +
                     std::to_string(mesh.n_vertices()) + " vertices");
-    cut.labels = labels.indices(subMeshes.size(), "sub-mesh");
+    for (const int label : labels.indices(subMeshes.size(), "sub-mesh"))
+        cut.labels.emplace_back(label);
     cut.subMeshes = measureSubMeshes(mesh, complex, cut.labels, static_cast<int>(subMeshes.size()));
-    for (std::size_t i = 0; i < subMeshes.size(); ++i) {
-        const JsonPlace place = subMeshes[i];
-        verifyPositionId(place, i);
-        if (const auto source = place.find("source")) cut.subMeshes[i].source = vertexOrNullAt(mesh, *source);
-        if (const auto sink = place.find("sink")) cut.subMeshes[i].sink = vertexOrNullAt(mesh, *sink);
+    for (const SubMeshId id : cut.subMeshes.ids()) {
+        const JsonPlace place = subMeshes[id.idx()];
+        verifyPositionId(place, id.idx());
+        SubMesh& subMesh = cut.subMeshes[id];
+        if (const auto source = place.find("source")) subMesh.source = vertexOrNullAt(mesh, *source);
+        if (const auto sink = place.find("sink")) subMesh.sink = vertexOrNullAt(mesh, *sink);
     }
     return cut;
 }
 
 bool figuresAgree(const Cut& cut, const Json& section) {
     const Json& subMeshes = section.at("subMeshes");
-    for (std::size_t i = 0; i < cut.subMeshes.size(); ++i) {
-        const Json& entry = subMeshes.at(i);
+    for (const SubMeshId id : cut.subMeshes.ids()) {
+        const Json& entry = subMeshes.at(id.idx());
         if (!entry.contains("quasiComplexity") || !entry.contains("ordinaryJunctions")) return false;
-        if (!sameCost(entry.at("quasiComplexity").get<double>(), cut.subMeshes[i].quasiComplexity))
+        if (!sameCost(entry.at("quasiComplexity").get<double>(), cut.subMeshes[id].quasiComplexity))
             return false;
-        if (entry.at("ordinaryJunctions") != cut.subMeshes[i].ordinaryJunctions) return false;
+        if (entry.at("ordinaryJunctions") != cut.subMeshes[id].ordinaryJunctions) return false;
     }
     return true;
 }
 
 void updateFigures(const Cut& cut, Json& section) {
-    for (std::size_t i = 0; i < cut.subMeshes.size(); ++i) {
-        Json& entry = section.at("subMeshes").at(i);
-        entry["quasiComplexity"] = cut.subMeshes[i].quasiComplexity;
-        entry["ordinaryJunctions"] = cut.subMeshes[i].ordinaryJunctions;
+    for (const SubMeshId id : cut.subMeshes.ids()) {
+        Json& entry = section.at("subMeshes").at(id.idx());
+        entry["quasiComplexity"] = cut.subMeshes[id].quasiComplexity;
+        entry["ordinaryJunctions"] = cut.subMeshes[id].ordinaryJunctions;
     }
 }
 

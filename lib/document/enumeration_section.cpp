@@ -1,6 +1,7 @@
 #include "document/enumeration_section.h"
 
 #include "base/at.h"
+#include "base/positions.h"
 #include "document/mesh_paths.h"
 #include "document/options.h"
 #include "layout/corners.h"
@@ -48,13 +49,13 @@ Json graphToJson(const QuadMesh& mesh, const SeparatrixIndex& baseComplex, const
 Json enumerationToJson(const QuadMesh& mesh, const SeparatrixIndex& baseComplex,
                        const Enumeration& enumeration) {
     Json::array_t subMeshes;
-    for (std::size_t id = 0; id < enumeration.subMeshes.size(); ++id) {
-        if (!enumeration.part.holds(static_cast<int>(id))) continue;
+    for (const SubMeshId id : enumeration.subMeshes.ids()) {
+        if (!enumeration.part.holds(id)) continue;
         const SubMeshGraphs& subMesh = enumeration.subMeshes[id];
         Json::array_t graphs;
         for (const MotorcycleGraph& graph : subMesh.graphs)
             graphs.push_back(graphToJson(mesh, baseComplex, graph));
-        Json entry{{"id", id},
+        Json entry{{"id", id.value()},
                    {"cost", optional(subMesh.cost)},
                    {"lowerBound", optional(subMesh.lowerBound)},
                    {"count", optional(subMesh.count)},
@@ -98,20 +99,19 @@ public:
         : context_(context), mesh_(context.mesh), graphClass_(graphClass),
           ofBaseComplex_(mesh_, context.baseComplex), ofComplex_(mesh_, context.complex),
           onLine_(mesh_.n_edges()) {
-        if (context.terms.segments != 0)
-            corners_.emplace(mesh_, context.subMeshes.labels, context.subMeshes.count);
+        if (context.terms.segments != 0) corners_.emplace(mesh_, context.subMeshes);
         for (const Separatrix& separatrix : context.complex.separatrices)
             for (const HalfedgeId halfedge : separatrix.halfedges)
                 onLine_[edgeIndex(halfedge)] = true;
     }
 
-    SubMeshGraphs subMesh(const JsonPlace& place, int label) {
+    SubMeshGraphs subMesh(const JsonPlace& place, SubMeshId id) {
         SubMeshGraphs result;
         result.lowerBound = place["lowerBound"].numberOrNull();
         if (const auto count = place.find("count")) result.count = readCount(*count);
         const JsonPlace graphs = place["graphs"];
         for (std::size_t i = 0; i < graphs.size(); ++i) {
-            result.graphs.push_back(graph(graphs[i], label));
+            result.graphs.push_back(graph(graphs[i], id));
             if (i > 0 && result.graphs[i].cost < result.graphs[i - 1].cost &&
                 !sameCost(result.graphs[i].cost, result.graphs[i - 1].cost))
                 graphs.failAt(i, "costs less than the graph before it", "Put the cheapest first");
@@ -120,7 +120,7 @@ public:
         verifyCost(place, result.cost);
         if (const auto samples = place.find("samples"))
             for (std::size_t i = 0; i < samples->size(); ++i)
-                result.samples.push_back(graph((*samples)[i], label));
+                result.samples.push_back(graph((*samples)[i], id));
         return result;
     }
 
@@ -135,12 +135,12 @@ private:
                         "Leave the cost out and it is added up anew");
     }
 
-    MotorcycleGraph graph(const JsonPlace& place, int label) {
+    MotorcycleGraph graph(const JsonPlace& place, SubMeshId id) {
         MotorcycleGraph result;
         std::unordered_set<int> edges;
         const JsonPlace tracks = place["tracks"];
         for (std::size_t i = 0; i < tracks.size(); ++i) {
-            result.tracks.push_back(track(tracks[i], label));
+            result.tracks.push_back(track(tracks[i], id));
             const std::vector<HalfedgeId>& path = result.tracks.back().halfedges;
             for (std::size_t k = 0; k < path.size(); ++k)
                 if (!edges.insert(mesh_.edge_handle(path[k]).idx()).second)
@@ -149,12 +149,12 @@ private:
         }
         if (corners_)
             result.cost +=
-                cornerCost(context_.terms) * static_cast<double>(corners_->between(result.tracks, label));
+                cornerCost(context_.terms) * static_cast<double>(corners_->between(result.tracks, id));
         verifyCost(place, result.cost);
         return result;
     }
 
-    Track track(const JsonPlace& place, int label) {
+    Track track(const JsonPlace& place, SubMeshId id) {
         const JsonPlace vertices = place["vertices"];
         Track result;
         result.halfedges = pathAt(mesh_, vertices);
@@ -164,7 +164,7 @@ private:
             verifyOnLines(vertices, result.halfedges);
         else
             verifyWay(vertices, result.halfedges);
-        verifyStartsInside(vertices, result.halfedges, label);
+        verifyStartsInside(vertices, result.halfedges, id);
         return result;
     }
 
@@ -183,8 +183,8 @@ private:
         const SeparatrixId id = ofComplex_.startingWith(path.front());
         if (!id.valid()) vertices.failAt(0, "no particle starts here in this direction");
         const std::vector<HalfedgeId>& way = context_.complex.separatrices[id.idx()].halfedges;
-        const std::size_t same = static_cast<std::size_t>(
-            std::mismatch(path.begin(), path.end(), way.begin(), way.end()).first - path.begin());
+        const std::size_t same =
+            positionIn(path, std::mismatch(path.begin(), path.end(), way.begin(), way.end()).first);
         if (same < path.size())
             vertices.failAt(same + 1, same == way.size() ? "the particle's way ends before this vertex"
                                                          : "the particle's way does not turn to this vertex");
@@ -201,10 +201,9 @@ private:
 
     /// Where a line leaves a sub-mesh and comes back over the same vertex, one track may cover both
     /// stretches.
-    void verifyStartsInside(const JsonPlace& vertices, const std::vector<HalfedgeId>& path, int label) const {
-        const std::vector<int>& labels = context_.subMeshes.labels;
-        if (labels.empty()) return;
-        if (labels[at(mesh_.from_vertex_handle(path.front()))] != label)
+    void verifyStartsInside(const JsonPlace& vertices, const std::vector<HalfedgeId>& path,
+                            SubMeshId id) const {
+        if (context_.subMeshes.of(mesh_.from_vertex_handle(path.front())) != id)
             vertices.failAt(0, "the track starts in another sub-mesh");
     }
 
@@ -243,13 +242,13 @@ Enumeration readEnumeration(const EnumerationContext& context, const JsonPlace& 
     result.complete = section["complete"].boolean();
 
     const JsonPlace subMeshes = section["subMeshes"];
-    if (subMeshes.size() != static_cast<std::size_t>(context.subMeshes.count))
+    if (subMeshes.size() != at(context.subMeshes.count))
         subMeshes.fail("has " + std::to_string(subMeshes.size()) + " entries, the mesh is cut into " +
                        std::to_string(context.subMeshes.count));
     Reader reader(context, result.graphClass);
     for (std::size_t i = 0; i < subMeshes.size(); ++i) {
         verifyPositionId(subMeshes[i], i);
-        result.subMeshes.push_back(reader.subMesh(subMeshes[i], static_cast<int>(i)));
+        result.subMeshes.push_back(reader.subMesh(subMeshes[i], SubMeshId(i)));
     }
     return result;
 }

@@ -1,5 +1,6 @@
 #include "enumerate/enumerate.h"
 
+#include "base/at.h"
 #include "base/deadline.h"
 #include "base/decimal.h"
 #include "base/error.h"
@@ -34,9 +35,9 @@ private:
 /// None if that of some sub-mesh is not known.
 std::optional<std::string> countOfAll(const Enumeration& enumeration) {
     std::vector<std::string> counts;
-    for (std::size_t i = 0; i < enumeration.subMeshes.size(); ++i) {
-        if (!enumeration.part.holds(static_cast<int>(i))) continue;
-        const auto& count = enumeration.subMeshes[i].count;
+    for (const SubMeshId subMesh : enumeration.subMeshes.ids()) {
+        if (!enumeration.part.holds(subMesh)) continue;
+        const auto& count = enumeration.subMeshes[subMesh].count;
         if (!count) return {};
         counts.push_back(*count);
     }
@@ -52,7 +53,7 @@ Enumeration enumeratePlain(const QuadMesh& mesh, const BaseComplex& complex,
     MotorcycleGraph graph = plainMotorcycleGraph(mesh, complex, edgeCosts);
     if (options.cost.terms.segments != 0)
         graph.cost += cornerCost(options.cost.terms) *
-                      static_cast<double>(Corners(mesh, {}, 1).between(graph.tracks, 0));
+                      static_cast<double>(Corners(mesh, subMeshes).between(graph.tracks, SubMeshId(0)));
     Enumeration result;
     result.subMeshes.push_back({graph.cost, std::nullopt, std::nullopt, {graph}, {}});
     return result;
@@ -82,16 +83,15 @@ Enumeration enumerateGraphs(const QuadMesh& mesh, const BaseComplex& complex,
         result = enumeratePlain(mesh, complex, costs, subMeshes, options);
     } else {
         const SubMeshSearch search(mesh, complex, costs, subMeshes, options);
-        std::vector<std::size_t> asked;
-        for (int i = 0; i < subMeshes.count; ++i)
-            if (options.part.holds(i)) asked.push_back(static_cast<std::size_t>(i));
+        std::vector<SubMeshId> asked;
+        for (const SubMeshId subMesh : subMeshes.ids())
+            if (options.part.holds(subMesh)) asked.push_back(subMesh);
         const Deadline deadline(control, options.timeLimit);
         Finished finished(control, asked.size());
         std::atomic<bool> complete = true;
-        result.subMeshes.resize(static_cast<std::size_t>(subMeshes.count));
+        result.subMeshes.resize(at(subMeshes.count));
         parallelFor(asked.size(), control.jobs, [&](std::size_t k) {
-            result.subMeshes[asked[k]] =
-                search.search(static_cast<int>(asked[k]), deadline.control(), complete);
+            result.subMeshes[asked[k]] = search.search(asked[k], deadline.control(), complete);
             finished.one();
         });
         result.complete = complete;
@@ -112,9 +112,9 @@ bool listGraphs(const QuadMesh& mesh, const BaseComplex& complex, const std::vec
     const SubMeshSearch search(mesh, complex, costs, subMeshes, options);
     const Deadline deadline(control, options.timeLimit);
     const Control limited = deadline.control();
-    for (int i = 0; i < subMeshes.count; ++i) {
-        if (!search.list(i, ranked, listing, limited)) return false;
-        control.progress(static_cast<double>(i + 1) / static_cast<double>(subMeshes.count));
+    for (const SubMeshId subMesh : subMeshes.ids()) {
+        if (!search.list(subMesh, ranked, listing, limited)) return false;
+        control.progress((subMesh.value() + 1.0) / subMeshes.count);
     }
     return true;
 }

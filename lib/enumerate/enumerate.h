@@ -43,7 +43,7 @@ struct EnumerationOptions {
 /// What becomes of the graphs of a list.
 struct GraphListing {
     /// Appends what is to be said of a graph to a text; called on several threads.
-    std::function<void(int subMesh, const MotorcycleGraph& graph, std::string& text)> append;
+    std::function<void(SubMeshId subMesh, const MotorcycleGraph& graph, std::string& text)> append;
     /// Takes the text of some graphs, in the order of the list; never twice at the same time, but on any
     /// thread. The search ends early when it returns false.
     std::function<bool(std::string_view text, std::size_t graphs)> take;

@@ -1,6 +1,7 @@
 /// \file The graphs of every sub-mesh: the result of a search (docs/METHOD.md#sub-meshes).
 #pragma once
 
+#include "base/id_vector.h"
 #include "layout/cost.h"
 #include "layout/motorcycle_graph.h"
 
@@ -38,7 +39,7 @@ struct Part {
     int number = 1;
     int of = 1;
 
-    [[nodiscard]] bool holds(int subMesh) const { return subMesh % of == number - 1; }
+    [[nodiscard]] bool holds(SubMeshId subMesh) const { return subMesh.value() % of == number - 1; }
     [[nodiscard]] bool isWhole() const { return of == 1; }
 };
 
@@ -49,7 +50,7 @@ struct Enumeration {
     std::optional<std::string> count; ///< product over the sub-meshes
     bool complete = true;             ///< no limit ended a search early
     Part part;                        ///< what was searched; nothing is known of the other sub-meshes
-    std::vector<SubMeshGraphs> subMeshes;
+    IdVector<SubMeshId, SubMeshGraphs> subMeshes;
 };
 
 } // namespace qm

@@ -35,8 +35,8 @@ CoordinateMethod coordinateMethod(Method method) {
     }
 }
 
-[[noreturn]] void refuse(int subMesh) {
-    throw Error("sub-mesh " + std::to_string(subMesh), "no graph obeys the constraints",
+[[noreturn]] void refuse(SubMeshId subMesh) {
+    throw Error("sub-mesh " + std::to_string(subMesh.value()), "no graph obeys the constraints",
                 "take some out of /constraints");
 }
 
@@ -50,12 +50,12 @@ SubMeshSearch::SubMeshSearch(const QuadMesh& mesh, const BaseComplex& complex,
                              cornerCost(options.cost.terms))) {
     sureCosts_.assign(at(subMeshes.count), 0);
     if (space_.cornerCost == 0) return;
-    const Corners corners(mesh, subMeshes.labels, subMeshes.count);
-    for (int label = 0; label < subMeshes.count; ++label)
-        sureCosts_[at(label)] = space_.cornerCost * static_cast<double>(corners.sure(label));
+    const Corners corners(mesh, subMeshes);
+    for (const SubMeshId subMesh : subMeshes.ids())
+        sureCosts_[subMesh] = space_.cornerCost * static_cast<double>(corners.sure(subMesh));
 }
 
-SubMeshSearch::Task SubMeshSearch::task(int subMesh) const {
+SubMeshSearch::Task SubMeshSearch::task(SubMeshId subMesh) const {
     Task task{subMesh, std::make_shared<SearchSpace>(ownSpace(space_, subMesh)), {}, {}};
     const std::vector<bool> none(task.space->graph.arcs.size(), false);
     task.problem = subMeshProblem(*task.space, subMesh, ownArcs(*task.space, subMesh), none);
@@ -65,8 +65,8 @@ SubMeshSearch::Task SubMeshSearch::task(int subMesh) const {
 }
 
 /// Of the variables of a sub-mesh's problem.
-double SubMeshSearch::maxCost(int subMesh) const {
-    return options_.maxCost - sureCosts_[at(subMesh)];
+double SubMeshSearch::maxCost(SubMeshId subMesh) const {
+    return options_.maxCost - sureCosts_[subMesh];
 }
 
 MotorcycleGraph SubMeshSearch::graph(const Task& task, const Assignment& assignment) const {
@@ -76,11 +76,12 @@ MotorcycleGraph SubMeshSearch::graph(const Task& task, const Assignment& assignm
     MotorcycleGraph result = task.problem.gaps
                                  ? graphOf(mesh_, complex_, arcs, present, edgeCosts_, task.walkers)
                                  : tMeshOf(mesh_, complex_, arcs, present, edgeCosts_);
-    if (space_.cornerCost != 0) result.cost = costOf(task.problem, assignment) + sureCosts_[at(task.subMesh)];
+    if (space_.cornerCost != 0) result.cost = costOf(task.problem, assignment) + sureCosts_[task.subMesh];
     return result;
 }
 
-SubMeshGraphs SubMeshSearch::search(int subMesh, const Control& control, std::atomic<bool>& complete) const {
+SubMeshGraphs SubMeshSearch::search(SubMeshId subMesh, const Control& control,
+                                    std::atomic<bool>& complete) const {
     const Task task = this->task(subMesh);
     SubMeshGraphs result = options_.method == Method::optimum ? searchOptimum(task, control, complete)
                                                               : searchCoordinates(task, control, complete);
@@ -88,7 +89,7 @@ SubMeshGraphs SubMeshSearch::search(int subMesh, const Control& control, std::at
     return result;
 }
 
-bool SubMeshSearch::list(int subMesh, bool ranked, const GraphListing& listing,
+bool SubMeshSearch::list(SubMeshId subMesh, bool ranked, const GraphListing& listing,
                          const Control& control) const {
     const Task task = this->task(subMesh);
     GraphPipeline pipeline({[&](const Assignment& assignment, std::string& text) {
@@ -144,7 +145,7 @@ SubMeshGraphs SubMeshSearch::searchOptimum(const Task& task, const Control& cont
     SubMeshGraphs result;
     for (const Assignment& assignment : found.graphs)
         result.graphs.push_back(graph(task, assignment));
-    if (std::isfinite(found.lowerBound)) result.lowerBound = found.lowerBound + sureCosts_[at(task.subMesh)];
+    if (std::isfinite(found.lowerBound)) result.lowerBound = found.lowerBound + sureCosts_[task.subMesh];
     // The bound sums what the search summed, in another order than the tracks' costs, and a proof goes no
     // further than the tolerance.
     if (!result.graphs.empty() && result.lowerBound &&

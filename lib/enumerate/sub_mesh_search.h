@@ -19,23 +19,23 @@ public:
                   const SubMeshes& subMeshes, const EnumerationOptions& options);
 
     /// What the options ask for. `complete` becomes false if a limit ended it early.
-    [[nodiscard]] SubMeshGraphs search(int subMesh, const Control& control,
+    [[nodiscard]] SubMeshGraphs search(SubMeshId subMesh, const Control& control,
                                        std::atomic<bool>& complete) const;
 
     /// Lists every graph; ranked, the cheapest first and as many as are to be kept.
     /// \return false if `listing` or a limit ended it early
-    bool list(int subMesh, bool ranked, const GraphListing& listing, const Control& control) const;
+    bool list(SubMeshId subMesh, bool ranked, const GraphListing& listing, const Control& control) const;
 
 private:
     struct Task {
-        int subMesh;
+        SubMeshId subMesh;
         std::shared_ptr<const SearchSpace> space; ///< where its own particles walk
         Problem problem;
         Walkers walkers;
     };
 
-    [[nodiscard]] Task task(int subMesh) const;
-    [[nodiscard]] double maxCost(int subMesh) const;
+    [[nodiscard]] Task task(SubMeshId subMesh) const;
+    [[nodiscard]] double maxCost(SubMeshId subMesh) const;
     [[nodiscard]] MotorcycleGraph graph(const Task& task, const Assignment& assignment) const;
     [[nodiscard]] std::optional<Assignment> simpleGraph(const Task& task) const;
     [[nodiscard]] SubMeshGraphs searchOptimum(const Task& task, const Control& control,
@@ -54,7 +54,7 @@ private:
     const std::vector<double>& edgeCosts_;
     const EnumerationOptions& options_;
     SearchSpace space_;
-    std::vector<double> sureCosts_; ///< of every sub-mesh: of the corners that all graphs have
+    IdVector<SubMeshId, double> sureCosts_; ///< of every sub-mesh: of the corners that all graphs have
 };
 
 } // namespace qm

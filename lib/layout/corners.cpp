@@ -1,6 +1,5 @@
 #include "layout/corners.h"
 
-#include "base/at.h"
 #include "mesh/topology.h"
 
 #include <set>
@@ -18,17 +17,17 @@ std::size_t facesAround(const QuadMesh& mesh, VertexId vertex) {
 
 } // namespace
 
-Corners::Corners(const QuadMesh& mesh, const std::vector<int>& labels, int subMeshes)
-    : mesh_(mesh), labels_(labels), sure_(at(subMeshes), 0) {
+Corners::Corners(const QuadMesh& mesh, const SubMeshes& subMeshes)
+    : mesh_(mesh), subMeshes_(subMeshes), sure_(at(subMeshes.count), 0) {
     for (const VertexId vertex : mesh.vertices()) {
         const bool regular = isRegular(mesh, vertex);
         if (regular && !mesh.is_boundary(vertex)) continue;
         const std::size_t faces = facesAround(mesh, vertex);
-        if (!regular || faces == 1) sure_[labels.empty() ? 0 : at(labels[at(vertex.idx())])] += faces;
+        if (!regular || faces == 1) sure_[subMeshes.of(vertex)] += faces;
     }
 }
 
-std::size_t Corners::between(const std::vector<Track>& tracks, int subMesh) const {
+std::size_t Corners::between(const std::vector<Track>& tracks, SubMeshId subMesh) const {
     std::unordered_set<int> edges;
     std::set<VertexId> vertices;
     for (const Track& track : tracks)
@@ -44,15 +43,11 @@ std::size_t Corners::between(const std::vector<Track>& tracks, int subMesh) cons
         if (!isRegular(mesh_, vertex)) continue;
         if (mesh_.is_boundary(vertex))
             corners += 2;
-        else if (isIn(vertex, subMesh))
+        else if (subMeshes_.of(vertex) == subMesh)
             for (const HalfedgeId halfedge : mesh_.vih_range(vertex))
                 corners += onTrack(halfedge) && onTrack(mesh_.next_halfedge_handle(halfedge)) ? 1 : 0;
     }
     return corners;
-}
-
-bool Corners::isIn(VertexId vertex, int subMesh) const {
-    return labels_.empty() || labels_[at(vertex.idx())] == subMesh;
 }
 
 } // namespace qm

@@ -3,12 +3,12 @@
 namespace qm {
 
 FreeParticles::FreeParticles(const SearchSpace& space, const std::vector<bool>& present)
-    : space_(space), present_(present), placeOf_(2 * space.graph.lines.size(), none) {
+    : space_(space), present_(present), placeOf_(2 * space.graph.lines.size()) {
     for (const Particle particle : freeParticles(space.graph, present))
         place(particle);
 }
 
-const std::set<Particle>& FreeParticles::in(int subMesh) const {
+const std::set<Particle>& FreeParticles::in(SubMeshId subMesh) const {
     static const std::set<Particle> nobody;
     const auto found = waiting_.find(subMesh);
     return found == waiting_.end() ? nobody : found->second;
@@ -35,14 +35,14 @@ void FreeParticles::update(const std::vector<ArcId>& changed) {
 }
 
 void FreeParticles::place(Particle particle) {
-    int& place = placeOf_[2 * particle.line.idx() + (particle.fromEnd ? 1 : 0)];
-    if (place != none) count_ -= waiting_[place].erase(particle);
+    SubMeshId& place = placeOf_[2 * particle.line.idx() + (particle.fromEnd ? 1 : 0)];
+    if (place.valid()) count_ -= waiting_[place].erase(particle);
     place = subMeshOf(particle);
-    if (place != none) count_ += waiting_[place].insert(particle).second ? 1 : 0;
+    if (place.valid()) count_ += waiting_[place].insert(particle).second ? 1 : 0;
 }
 
-int FreeParticles::subMeshOf(Particle particle) const {
-    if (!isFree(space_.graph, particle, present_)) return none;
+SubMeshId FreeParticles::subMeshOf(Particle particle) const {
+    if (!isFree(space_.graph, particle, present_)) return {};
     return space_.junctionLabels[crashJunction(space_.graph, particle, present_).idx()];
 }
 

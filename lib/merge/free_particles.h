@@ -17,7 +17,7 @@ public:
     FreeParticles(const SearchSpace& space, const std::vector<bool>& present);
 
     /// Those whose tracks end in a sub-mesh, by line, the one from its beginning first.
-    [[nodiscard]] const std::set<Particle>& in(int subMesh) const;
+    [[nodiscard]] const std::set<Particle>& in(SubMeshId subMesh) const;
     [[nodiscard]] std::size_t count() const { return count_; }
 
     /// Looks again at the particles that arcs which have come or gone can concern: those of their lines and
@@ -27,13 +27,12 @@ public:
 private:
     void place(Particle particle);
     /// The sub-mesh where it waits, or none.
-    [[nodiscard]] int subMeshOf(Particle particle) const;
+    [[nodiscard]] SubMeshId subMeshOf(Particle particle) const;
 
-    static constexpr int none = -1;
     const SearchSpace& space_;
     const std::vector<bool>& present_;
-    std::unordered_map<int, std::set<Particle>> waiting_; ///< by sub-mesh
-    std::vector<int> placeOf_;                            ///< of the two particles of every line
+    std::unordered_map<SubMeshId, std::set<Particle>> waiting_; ///< by sub-mesh
+    std::vector<SubMeshId> placeOf_;                            ///< of the two particles of every line
     std::size_t count_ = 0;
 };
 

@@ -168,8 +168,7 @@ Improvement improveGraph(const QuadMesh& mesh, const BaseComplex& complex,
                          const std::vector<double>& edgeCosts, double cornerCost,
                          const Constraints& constraints, const MotorcycleGraph& graph, double seconds,
                          const Control& control, const KnownCost& tell) {
-    const SubMeshes whole{std::vector<int>(mesh.n_vertices(), 0), 1};
-    const SearchSpace space = makeSearchSpace(mesh, complex, edgeCosts, whole, constraints, cornerCost);
+    const SearchSpace space = makeSearchSpace(mesh, complex, edgeCosts, {}, constraints, cornerCost);
     Known known(control, tell, graph.cost);
     const Control telling = known.control();
     Improvement result;

@@ -13,7 +13,7 @@ namespace {
 /// Collects stretches of lines inside a sub-mesh.
 class Closure {
 public:
-    Closure(const SearchSpace& space, const std::vector<bool>& present, int subMesh)
+    Closure(const SearchSpace& space, const std::vector<bool>& present, SubMeshId subMesh)
         : space_(space), present_(present), subMesh_(subMesh) {}
 
     /// The way of a free particle from its crash point on, up to the arc that leaves the sub-mesh.
@@ -105,7 +105,7 @@ private:
 
     const SearchSpace& space_;
     const std::vector<bool>& present_;
-    int subMesh_;
+    SubMeshId subMesh_;
     std::unordered_set<ArcId> taken_;
     std::vector<ArcId> order_;
     std::size_t followed_ = 0;
@@ -114,7 +114,7 @@ private:
 } // namespace
 
 LinkedParticles linkedParticles(const SearchSpace& space, const std::vector<bool>& present,
-                                const std::vector<Particle>& particles, int subMesh, Linking linking) {
+                                const std::vector<Particle>& particles, SubMeshId subMesh, Linking linking) {
     Closure closure(space, present, subMesh);
     for (const Particle particle : particles)
         closure.addFree(particle);

@@ -25,7 +25,7 @@ enum class Linking {
 
 /// \param particles  free, with their crash points in the sub-mesh
 [[nodiscard]] LinkedParticles linkedParticles(const SearchSpace& space, const std::vector<bool>& present,
-                                              const std::vector<Particle>& particles, int subMesh,
+                                              const std::vector<Particle>& particles, SubMeshId subMesh,
                                               Linking linking);
 
 } // namespace qm

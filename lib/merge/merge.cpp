@@ -24,7 +24,8 @@ namespace {
 class Generator {
 public:
     Generator(const QuadMesh& mesh, const BaseComplex& complex, const SearchSpace& space,
-              const Enumeration& enumeration, int subMeshes, double complexityLimit, const Control& control)
+              const Enumeration& enumeration, const SubMeshes& subMeshes, double complexityLimit,
+              const Control& control)
         : mesh_(mesh), complex_(complex), space_(space), enumeration_(enumeration), subMeshes_(subMeshes),
           complexityLimit_(complexityLimit), control_(control),
           arcOfEdge_(arcsOfEdges(mesh, space.graph, complex)), present_(space.graph.arcs.size(), false),
@@ -40,7 +41,7 @@ public:
             for (const auto& arcs : additions)
                 add(arcs);
             done += static_cast<double>(group.size());
-            control_.progress(0.5 * done / subMeshes_);
+            control_.progress(0.5 * done / subMeshes_.count);
         }
         result_.freeAfterPartial = free_.count();
     }
@@ -51,7 +52,7 @@ public:
                !control_.stopRequested()) {
             ++result_.rounds;
             rounds_.emplace_back();
-            for (int subMesh = 0; subMesh < subMeshes_; ++subMesh)
+            for (const SubMeshId subMesh : subMeshes_.ids())
                 searchComplete(subMesh);
         }
         extendRest();
@@ -63,26 +64,26 @@ public:
 
 private:
     /// Sub-meshes in groups whose members no arc joins: greedy colouring in the order of their ids.
-    [[nodiscard]] std::vector<std::vector<int>> separateGroups() const {
-        std::vector<std::set<int>> neighbours(at(subMeshes_));
+    [[nodiscard]] std::vector<std::vector<SubMeshId>> separateGroups() const {
+        IdVector<SubMeshId, std::set<SubMeshId>> neighbours(at(subMeshes_.count));
         for (std::size_t arc = 0; arc < space_.arcBegins.size(); ++arc) {
-            const int a = space_.arcBegins[arc], b = space_.arcEnds[arc];
+            const SubMeshId a = space_.arcBegins[arc], b = space_.arcEnds[arc];
             if (a == b) continue;
-            neighbours[at(a)].insert(b);
-            neighbours[at(b)].insert(a);
+            neighbours[a].insert(b);
+            neighbours[b].insert(a);
         }
-        std::vector<int> groupOf(at(subMeshes_), -1);
-        std::vector<std::vector<int>> groups;
-        for (int s = 0; s < subMeshes_; ++s) {
+        IdVector<SubMeshId, int> groupOf(neighbours.size(), -1);
+        std::vector<std::vector<SubMeshId>> groups;
+        for (const SubMeshId subMesh : subMeshes_.ids()) {
             std::set<int> taken;
-            for (const int n : neighbours[at(s)])
-                taken.insert(groupOf[at(n)]);
+            for (const SubMeshId neighbour : neighbours[subMesh])
+                taken.insert(groupOf[neighbour]);
             int group = 0;
             while (taken.contains(group))
                 ++group;
-            groupOf[at(s)] = group;
+            groupOf[subMesh] = group;
             if (group == static_cast<int>(groups.size())) groups.emplace_back();
-            groups[at(group)].push_back(s);
+            groups[at(group)].push_back(subMesh);
         }
         return groups;
     }
@@ -112,7 +113,7 @@ private:
     }
 
     /// Where free particles that came in may go on.
-    [[nodiscard]] std::vector<ArcId> enteringWalks(int subMesh) const {
+    [[nodiscard]] std::vector<ArcId> enteringWalks(SubMeshId subMesh) const {
         std::vector<ArcId> arcs;
         for (const Particle particle : free_.in(subMesh)) {
             const int walked = LineWalk(space_.graph, particle).covered(present_);
@@ -122,9 +123,9 @@ private:
     }
 
     /// \return the arcs that it adds
-    [[nodiscard]] std::vector<ArcId> searchPartial(int subMesh) const {
+    [[nodiscard]] std::vector<ArcId> searchPartial(SubMeshId subMesh) const {
         std::vector<ArcId> arcs = enteringWalks(subMesh);
-        const auto& graphs = enumeration_.subMeshes[at(subMesh)].graphs;
+        const auto& graphs = enumeration_.subMeshes[subMesh].graphs;
         if (arcs.empty() && !graphs.empty()) {
             return coveredArcs(mesh_, space_.graph, arcOfEdge_, graphs.front().tracks);
         }
@@ -140,21 +141,21 @@ private:
     }
 
     /// Of the given arcs those that particles walk which only go straight on.
-    [[nodiscard]] std::vector<ArcId> straightArcs(int subMesh, std::vector<ArcId> arcs) const {
+    [[nodiscard]] std::vector<ArcId> straightArcs(SubMeshId subMesh, std::vector<ArcId> arcs) const {
         std::vector<bool> straight = present_;
         goStraight(space_, subMesh, straight);
         std::erase_if(arcs, [&](ArcId arc) { return !straight[arc.idx()]; });
         return arcs;
     }
 
-    [[noreturn]] static void throwImpossible(int subMesh) {
-        throw Error("sub-mesh " + std::to_string(subMesh), "no motorcycle graph obeys the constraints",
-                    "take some out of /constraints");
+    [[noreturn]] static void throwImpossible(SubMeshId subMesh) {
+        throw Error("sub-mesh " + std::to_string(subMesh.value()),
+                    "no motorcycle graph obeys the constraints", "take some out of /constraints");
     }
 
     /// Searches with these arcs free.
     /// \return the arcs that come or go; none if nothing is valid
-    [[nodiscard]] std::optional<std::vector<ArcId>> changesOf(int subMesh,
+    [[nodiscard]] std::optional<std::vector<ArcId>> changesOf(SubMeshId subMesh,
                                                               const std::vector<ArcId>& arcs) const {
         const Problem problem = subMeshProblem(space_, subMesh, arcs, present_);
         Control control;
@@ -164,7 +165,7 @@ private:
         return differences(problem, found.graphs.front(), present_);
     }
 
-    void searchComplete(int subMesh) {
+    void searchComplete(SubMeshId subMesh) {
         const std::vector<Particle> particles(free_.in(subMesh).begin(), free_.in(subMesh).end());
         if (particles.empty()) return;
         for (const Linking linking : {Linking::closed, Linking::direct, Linking::none}) {
@@ -189,7 +190,7 @@ private:
     const BaseComplex& complex_;
     const SearchSpace& space_;
     const Enumeration& enumeration_;
-    int subMeshes_;
+    const SubMeshes& subMeshes_;
     double complexityLimit_;
     const Control& control_;
     const std::vector<ArcId> arcOfEdge_;
@@ -229,7 +230,7 @@ MergeResult mergeGraphs(const QuadMesh& mesh, const BaseComplex& complex,
     const std::vector<double> costs = edgeCosts(mesh, dihedralAngles, enumeration.cost, constraints);
     const SearchSpace space =
         makeSearchSpace(mesh, complex, costs, subMeshes, constraints, cornerCost(enumeration.cost.terms));
-    Generator generator(mesh, complex, space, enumeration, subMeshes.count, complexityLimit, control);
+    Generator generator(mesh, complex, space, enumeration, subMeshes, complexityLimit, control);
     generator.partial();
     generator.complete(options.maxRounds);
     MergeResult result = generator.result();

@@ -9,23 +9,22 @@ namespace qm {
 namespace {
 
 /// The sub-mesh of every quad whose vertices agree; faces in between belong to none.
-std::vector<std::uint32_t> labelsOfQuads(const Shell& shell, const std::vector<int>& labels) {
+std::vector<std::uint32_t> labelsOfQuads(const Shell& shell, const std::vector<SubMeshId>& labels) {
     std::vector<std::uint32_t> result;
     for (std::size_t k = 0; k + 3 < shell.quads.size(); k += 4) {
-        const int label = labels[shell.quads[k]];
+        const SubMeshId label = labels[shell.quads[k]];
         bool same = true;
         for (std::size_t corner = 1; corner < 4; ++corner)
             same = same && labels[shell.quads[k + corner]] == label;
-        result.push_back(same ? static_cast<std::uint32_t>(label) : noItem);
+        result.push_back(same ? static_cast<std::uint32_t>(label.value()) : noItem);
     }
     return result;
 }
 
-void addTerminal(PointLayer& layer, const std::optional<VertexId>& vertex, std::size_t subMesh,
-                 bool isSource) {
+void addTerminal(PointLayer& layer, const std::optional<VertexId>& vertex, SubMeshId subMesh, bool isSource) {
     if (!vertex) return;
     addPoint(layer, *vertex);
-    addFigure(layer.items, "sub-mesh", static_cast<double>(subMesh));
+    addFigure(layer.items, "sub-mesh", subMesh.value());
     addFigure(layer.items, "source", isSource ? 1 : nothing);
     addFigure(layer.items, "sink", isSource ? nothing : 1);
 }
@@ -33,7 +32,8 @@ void addTerminal(PointLayer& layer, const std::optional<VertexId>& vertex, std::
 } // namespace
 
 void addCut(Scene& scene, const QuadMesh& mesh, const Cut& cut) {
-    scene.subMeshOfVertex.assign(cut.labels.begin(), cut.labels.end());
+    for (const SubMeshId label : cut.labels)
+        scene.subMeshOfVertex.push_back(label.value());
     FaceLayer faces;
     faces.name = "submeshes";
     faces.title = "sub-meshes";
@@ -47,11 +47,12 @@ void addCut(Scene& scene, const QuadMesh& mesh, const Cut& cut) {
     terminals.title = "terminals of the cuts";
     terminals.items.noun = "terminal";
     terminals.items.pointer = "/cut/subMeshes/{sub-mesh}";
-    for (std::size_t k = 0; k < cut.subMeshes.size(); ++k) {
-        addFigure(faces.items, "quasi-complexity", cut.subMeshes[k].quasiComplexity);
-        addFigure(faces.items, "ordinary junctions", static_cast<double>(cut.subMeshes[k].ordinaryJunctions));
-        addTerminal(terminals, cut.subMeshes[k].source, k, true);
-        addTerminal(terminals, cut.subMeshes[k].sink, k, false);
+    for (const SubMeshId id : cut.subMeshes.ids()) {
+        const SubMesh& subMesh = cut.subMeshes[id];
+        addFigure(faces.items, "quasi-complexity", subMesh.quasiComplexity);
+        addFigure(faces.items, "ordinary junctions", static_cast<double>(subMesh.ordinaryJunctions));
+        addTerminal(terminals, subMesh.source, id, true);
+        addTerminal(terminals, subMesh.sink, id, false);
     }
 
     LineLayer lines = newLines("cuts", "edges that are cut", "cut edge", "");
@@ -61,7 +62,7 @@ void addCut(Scene& scene, const QuadMesh& mesh, const Cut& cut) {
         const std::vector<VertexId> ends = {mesh.from_vertex_handle(halfedge),
                                             mesh.to_vertex_handle(halfedge)};
         const auto label = [&](std::size_t end) {
-            return static_cast<std::uint32_t>(cut.labels[at(ends[end])]);
+            return static_cast<std::uint32_t>(cut.labels[at(ends[end])].value());
         };
         if (label(0) == label(1)) continue;
         neighbours.emplace_back(label(0), label(1));
@@ -78,13 +79,13 @@ void addCut(Scene& scene, const QuadMesh& mesh, const Cut& cut) {
 void addGraphs(Scene& scene, const QuadMesh& mesh, const Enumeration& enumeration) {
     LineLayer lines = newLines("graphs", "best graph of every sub-mesh", "track",
                                "/enumeration/subMeshes/{sub-mesh}/graphs/0/tracks/{track}");
-    for (std::size_t k = 0; k < enumeration.subMeshes.size(); ++k) {
-        if (enumeration.subMeshes[k].graphs.empty()) continue;
-        const auto& tracks = enumeration.subMeshes[k].graphs.front().tracks;
+    for (const SubMeshId subMesh : enumeration.subMeshes.ids()) {
+        if (enumeration.subMeshes[subMesh].graphs.empty()) continue;
+        const auto& tracks = enumeration.subMeshes[subMesh].graphs.front().tracks;
         for (std::size_t i = 0; i < tracks.size(); ++i) {
             addPath(lines, verticesAlong(mesh, tracks[i].halfedges));
             addFigure(lines.items, "cost", tracks[i].cost);
-            addFigure(lines.items, "sub-mesh", static_cast<double>(k));
+            addFigure(lines.items, "sub-mesh", subMesh.value());
             addFigure(lines.items, "track", static_cast<double>(i));
         }
     }

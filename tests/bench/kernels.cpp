@@ -88,7 +88,7 @@ void layout(benchmark::State& state) {
     EnumerationOptions options;
     options.method = Method::plain;
     const Enumeration plain = enumerateGraphs(model.mesh, model.complex, model.angles, {}, options);
-    const std::vector<Track>& tracks = plain.subMeshes.at(0).graphs.at(0).tracks;
+    const std::vector<Track>& tracks = plain.subMeshes.front().graphs.at(0).tracks;
     const std::vector<double> costs = edgeCosts(model.angles, {});
     for ([[maybe_unused]] auto _ : state)
         benchmark::DoNotOptimize(buildLayout(model.mesh, tracks, model.angles, costs));

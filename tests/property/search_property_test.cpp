@@ -142,15 +142,15 @@ TEST(SearchProperty, CornersOfSegmentsAreThoseOfTheMesh) {
             if (!drawn) continue;
             const SearchSpace space = makeSearchSpace(drawn->mesh, drawn->complex,
                                                       std::vector(drawn->mesh.n_edges(), 0.0), {}, {}, 1);
-            drawn->problem =
-                subMeshProblem(space, 0, ownArcs(space, 0), std::vector(space.graph.arcs.size(), false));
+            drawn->problem = subMeshProblem(space, SubMeshId(0), ownArcs(space, SubMeshId(0)),
+                                            std::vector(space.graph.arcs.size(), false));
             drawn->problem.gaps = gaps;
             const auto graphs = allGraphs(drawn->problem);
             if (!graphs) continue;
-            const std::vector<int> labels;
-            const Corners corners(drawn->mesh, labels, 1);
+            const SubMeshes whole;
+            const Corners corners(drawn->mesh, whole);
             const std::vector<double> free(drawn->mesh.n_edges(), 0);
-            const auto sure = static_cast<double>(corners.sure(0));
+            const auto sure = static_cast<double>(corners.sure(SubMeshId(0)));
             for (const Assignment& graph : *graphs) {
                 const auto all = static_cast<double>(countCorners(drawn->mesh, edgesOf(*drawn, graph)));
                 ASSERT_NEAR(costOf(drawn->problem, graph) + sure, all, 1e-9) << "case " << number;
@@ -159,7 +159,8 @@ TEST(SearchProperty, CornersOfSegmentsAreThoseOfTheMesh) {
                 const auto tracks = (gaps ? graphOf(drawn->mesh, drawn->complex, drawn->graph, present, free)
                                           : tMeshOf(drawn->mesh, drawn->complex, drawn->graph, present, free))
                                         .tracks;
-                ASSERT_EQ(static_cast<double>(corners.between(tracks, 0)), all) << "case " << number;
+                ASSERT_EQ(static_cast<double>(corners.between(tracks, SubMeshId(0))), all)
+                    << "case " << number;
             }
             ++compared;
         }
@@ -317,9 +318,9 @@ TEST(SearchProperty, MergingEndsInAValidGraphWhateverTheCut) {
         const auto drawn = drawCase(number);
         if (!drawn) continue;
         std::mt19937 random(number);
-        SubMeshes parts{std::vector<int>(drawn->mesh.n_vertices()), 1 + static_cast<int>(random() % 3)};
-        for (int& label : parts.labels)
-            label = static_cast<int>(random() % static_cast<unsigned>(parts.count));
+        SubMeshes parts{std::vector<SubMeshId>(drawn->mesh.n_vertices()), 1 + static_cast<int>(random() % 3)};
+        for (SubMeshId& label : parts.labels)
+            label = SubMeshId(random() % at(parts.count));
         EnumerationOptions options;
         options.cost = {{0.9, 0.7}};
         const Enumeration found = enumerateGraphs(drawn->mesh, drawn->complex, drawn->angles, parts, options);
@@ -437,9 +438,9 @@ TEST(SearchProperty, ThreadsChangeNothing) {
     std::optional<Case> drawn;
     for (unsigned number = 0; !drawn || drawn->graph.arcs.size() < 20; ++number)
         drawn = drawCase(number);
-    SubMeshes parts{std::vector<int>(drawn->mesh.n_vertices()), 3};
+    SubMeshes parts{std::vector<SubMeshId>(drawn->mesh.n_vertices()), 3};
     for (std::size_t v = 0; v < parts.labels.size(); ++v)
-        parts.labels[v] = static_cast<int>(v % 3);
+        parts.labels[v] = SubMeshId(v % 3);
     std::vector<std::vector<HalfedgeId>> first;
     for (const unsigned jobs : {1U, 2U, 5U}) {
         Control control;

@@ -37,9 +37,9 @@ std::optional<Case> drawCase(std::mt19937& random) {
     std::uniform_real_distribution<double> cost(-1, 1);
     for (std::size_t edge = 0; edge < drawn.mesh.n_edges(); ++edge)
         drawn.edgeCosts.push_back(cost(random));
-    drawn.parts = {std::vector<int>(drawn.mesh.n_vertices()), 1 + static_cast<int>(random() % 3)};
-    for (int& label : drawn.parts.labels)
-        label = static_cast<int>(random() % static_cast<unsigned>(drawn.parts.count));
+    drawn.parts = {std::vector<SubMeshId>(drawn.mesh.n_vertices()), 1 + static_cast<int>(random() % 3)};
+    for (SubMeshId& label : drawn.parts.labels)
+        label = SubMeshId(random() % at(drawn.parts.count));
     drawn.space = makeSearchSpace(drawn.mesh, drawn.complex, drawn.edgeCosts, drawn.parts, {}, 0.5);
     return drawn;
 }
@@ -80,7 +80,7 @@ TEST(SubMeshProperty, ASubMeshesOwnLinesAreAllThatItsSearchNeeds) {
         const SearchSpace& whole = drawn.space;
         const std::vector<bool> none(whole.graph.arcs.size(), false);
         std::size_t lines = 0;
-        for (int subMesh = 0; subMesh < drawn.parts.count; ++subMesh) {
+        for (const SubMeshId subMesh : drawn.parts.ids()) {
             const SearchSpace own = ownSpace(whole, subMesh);
             const std::vector<bool> ownNone(own.graph.arcs.size(), false);
             lines += own.graph.lines.size();
@@ -115,13 +115,13 @@ TEST(SubMeshProperty, GraphsCostWhatTheirTracksAndCornersDo) {
         options.best = 3;
         const Enumeration found =
             enumerateGraphs(drawn.mesh, drawn.complex, drawn.edgeCosts, drawn.parts, options);
-        const Corners corners(drawn.mesh, drawn.parts.labels, drawn.parts.count);
-        for (int subMesh = 0; subMesh < drawn.parts.count; ++subMesh)
-            for (const MotorcycleGraph& graph : found.subMeshes[at(subMesh)].graphs) {
+        const Corners corners(drawn.mesh, drawn.parts);
+        for (const SubMeshId subMesh : drawn.parts.ids())
+            for (const MotorcycleGraph& graph : found.subMeshes[subMesh].graphs) {
                 double cost = 0.5 * static_cast<double>(corners.between(graph.tracks, subMesh));
                 for (const Track& track : graph.tracks) {
                     const VertexId end = drawn.mesh.to_vertex_handle(track.halfedges.back());
-                    const int label = drawn.parts.labels[at(end)];
+                    const SubMeshId label = drawn.parts.of(end);
                     cost += track.cost;
                     endsPastTheCut += drawn.mesh.is_boundary(end) && label != subMesh ? 1 : 0;
                 }
@@ -145,16 +145,15 @@ TEST(SubMeshProperty, FreeParticlesAreKnownAfterEveryChange) {
             for (const ArcId arc : changed)
                 present[arc.idx()].flip();
             free.update(changed);
-            std::vector<std::vector<Particle>> expected(static_cast<std::size_t>(drawn.parts.count));
+            IdVector<SubMeshId, std::vector<Particle>> expected(at(drawn.parts.count));
             for (const Particle particle : freeParticles(graph, present)) {
                 const JunctionId junction = crashJunction(graph, particle, present);
-                expected[static_cast<std::size_t>(drawn.space.junctionLabels[junction.idx()])].push_back(
-                    particle);
+                expected[drawn.space.junctionLabels[junction.idx()]].push_back(particle);
             }
             std::size_t count = 0;
-            for (int subMesh = 0; subMesh < drawn.parts.count; ++subMesh) {
+            for (const SubMeshId subMesh : drawn.parts.ids()) {
                 const auto& in = free.in(subMesh);
-                EXPECT_EQ(std::vector(in.begin(), in.end()), expected[at(subMesh)]);
+                EXPECT_EQ(std::vector(in.begin(), in.end()), expected[subMesh]);
                 count += in.size();
             }
             EXPECT_EQ(free.count(), count);

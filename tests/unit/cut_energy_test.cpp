@@ -26,7 +26,7 @@ std::vector<VertexId> verticesOf(const QuadMesh& mesh) {
 CutProblem problemOf(const QuadMesh& mesh, const std::vector<VertexId>& extraordinary,
                      const TerminalPair& terminals, const CutOptions& options,
                      const std::vector<double>& angles) {
-    const std::vector<int> labels(mesh.n_vertices(), 0);
+    const std::vector<SubMeshId> labels(mesh.n_vertices(), SubMeshId(0));
     Geodesics geodesics(mesh, labels);
     return Energy(mesh, angles, options, labels)(verticesOf(mesh), extraordinary, terminals, geodesics);
 }
@@ -104,10 +104,10 @@ TEST(CutEnergy, SendsExtraordinaryVerticesToTheNearerTerminalIfThereAreNoGroups)
 
 TEST(CutEnergy, HoldsOnlyForTheSubMesh) {
     const QuadMesh mesh = rectangle(4, 2);
-    std::vector<int> labels(15, 3);
+    std::vector<SubMeshId> labels(15, SubMeshId(3));
     const std::vector<VertexId> inside{VertexId(0), VertexId(1), VertexId(5), VertexId(6)};
     for (const VertexId vertex : inside)
-        labels[at(vertex)] = 8;
+        labels[at(vertex)] = SubMeshId(8);
     Geodesics geodesics(mesh, labels);
     const std::vector<double> flat(mesh.n_edges(), 0);
     Energy energy(mesh, flat, {}, labels);

@@ -34,36 +34,38 @@ Cut cutAt(const QuadMesh& mesh, const CutOptions& options, std::span<const Seed>
 }
 
 /// U and n_j are what the checker, which traces lines of its own, makes of the labels.
-void expectTrueFigures(const QuadMesh& mesh, std::span<const Seed> seeds, const std::vector<int>& labels,
-                       const std::vector<SubMesh>& subMeshes) {
+void expectTrueFigures(const QuadMesh& mesh, std::span<const Seed> seeds,
+                       const std::vector<SubMeshId>& labels, const IdVector<SubMeshId, SubMesh>& subMeshes) {
     const check::Neighbourhoods around(checkedMesh(mesh));
     check::TraceInput input;
     for (const Seed seed : seeds)
         input.seedSteps.push_back(around.stepBetween(mesh.from_vertex_handle(seed.direction).idx(),
                                                      mesh.to_vertex_handle(seed.direction).idx()));
-    input.labels = labels;
+    for (const SubMeshId label : labels)
+        input.labels.push_back(label.value());
     input.subMeshes = static_cast<int>(subMeshes.size());
     const std::vector<check::LineNetwork> networks = check::traceLines(around, input);
-    for (std::size_t k = 0; k < subMeshes.size(); ++k) {
-        EXPECT_EQ(subMeshes[k].ordinaryJunctions, networks[k].ordinaryJunctions) << k;
-        EXPECT_NEAR(subMeshes[k].quasiComplexity, check::quasiComplexity(networks[k]), 1e-9) << k;
+    for (const SubMeshId id : subMeshes.ids()) {
+        const check::LineNetwork& network = networks[id.idx()];
+        EXPECT_EQ(subMeshes[id].ordinaryJunctions, network.ordinaryJunctions) << id.value();
+        EXPECT_NEAR(subMeshes[id].quasiComplexity, check::quasiComplexity(network), 1e-9) << id.value();
     }
 }
 
 /// Every vertex has a label, every label a vertex, and sub-meshes come in the order of their lowest vertices.
 void expectProperLabels(const QuadMesh& mesh, const Cut& cut) {
     ASSERT_EQ(cut.labels.size(), mesh.n_vertices());
-    int known = 0;
+    SubMeshId next(0);
     for (const VertexId vertex : mesh.vertices()) {
         if (mesh.is_isolated(vertex)) {
-            EXPECT_EQ(cut.labels[at(vertex)], 0);
+            EXPECT_EQ(cut.labels[at(vertex)], SubMeshId(0));
             continue;
         }
-        ASSERT_GE(cut.labels[at(vertex)], 0);
-        ASSERT_LE(cut.labels[at(vertex)], known);
-        if (cut.labels[at(vertex)] == known) ++known;
+        ASSERT_TRUE(cut.labels[at(vertex)].valid());
+        ASSERT_LE(cut.labels[at(vertex)], next);
+        if (cut.labels[at(vertex)] == next) next = next + 1;
     }
-    EXPECT_EQ(cut.subMeshes.size(), static_cast<std::size_t>(std::max(known, 1)));
+    EXPECT_EQ(cut.subMeshes.size(), std::max<std::size_t>(next.idx(), 1));
 }
 
 double maxComplexity(const Cut& cut) {
@@ -106,12 +108,13 @@ check::CheckedMesh together(const std::vector<check::CheckedMesh>& parts) {
 TEST(Measure, OfTheWholeMeshIsThatOfTheBaseComplex) {
     const QuadMesh mesh = quadMesh(polycube(bump(), 3));
     const BaseComplex complex = buildBaseComplex(mesh);
-    const std::vector<SubMesh> whole =
-        measureSubMeshes(mesh, complex, std::vector<int>(mesh.n_vertices(), 0), 1);
-    ASSERT_EQ(whole.size(), 1U);
-    EXPECT_EQ(whole[0].ordinaryJunctions, 20U);
-    EXPECT_EQ(whole[0].ordinaryJunctions, complex.ordinaryJunctions);
-    EXPECT_FALSE(whole[0].source || whole[0].sink);
+    const IdVector<SubMeshId, SubMesh> subMeshes =
+        measureSubMeshes(mesh, complex, std::vector(mesh.n_vertices(), SubMeshId(0)), 1);
+    ASSERT_EQ(subMeshes.size(), 1U);
+    const SubMesh& whole = subMeshes.front();
+    EXPECT_EQ(whole.ordinaryJunctions, 20U);
+    EXPECT_EQ(whole.ordinaryJunctions, complex.ordinaryJunctions);
+    EXPECT_FALSE(whole.source || whole.sink);
 }
 
 TEST(Measure, CountsNeighbouringVerticesAsStopsAndNothingBeyond) {
@@ -122,9 +125,9 @@ TEST(Measure, CountsNeighbouringVerticesAsStopsAndNothingBeyond) {
     ASSERT_EQ(complex.extraordinaryVertices.size(), 1U);
     // One particle goes each way; nothing crosses: U = 0, however the mesh is divided.
     for (const int wall : {0, 1, 2}) {
-        std::vector<int> labels;
+        std::vector<SubMeshId> labels;
         for (const VertexId vertex : mesh.vertices())
-            labels.push_back(mesh.point(vertex)[0] > wall ? 1 : 0);
+            labels.emplace_back(mesh.point(vertex)[0] > wall ? 1 : 0);
         for (const SubMesh& subMesh : measureSubMeshes(mesh, complex, labels, 2)) {
             EXPECT_EQ(subMesh.quasiComplexity, 0);
             EXPECT_EQ(subMesh.ordinaryJunctions, 0U);
@@ -142,12 +145,12 @@ TEST(Measure, AgreesWithTheCheckerOnAnyLabels) {
         const BaseComplex complex = buildBaseComplex(*mesh, seeds);
         const int count = 1 + round % 4;
         // Random blots: every vertex takes the label of a random centre nearby in number.
-        std::vector<int> labels(mesh->n_vertices());
+        std::vector<SubMeshId> labels(mesh->n_vertices());
         std::uniform_int_distribution<int> any(0, count - 1), run(1, 12);
         for (std::size_t k = 0; k < labels.size();)
             for (int left = run(random), label = any(random); left > 0 && k < labels.size(); --left)
-                labels[k++] = label;
-        const std::vector<SubMesh> measured = measureSubMeshes(*mesh, complex, labels, count);
+                labels[k++] = SubMeshId(label);
+        const auto measured = measureSubMeshes(*mesh, complex, labels, count);
         expectTrueFigures(*mesh, seeds, labels, measured);
         divided += count > 1 ? 1 : 0;
         for (const SubMesh& subMesh : measured)
@@ -163,8 +166,8 @@ TEST(Cut, LeavesWhatIsSimpleInOnePiece) {
     for (const Terminals kind : everyKind) {
         const Cut cut = cutAt(mesh, cutOptions(1000, kind));
         EXPECT_EQ(cut.subMeshes.size(), 1U);
-        EXPECT_FALSE(cut.subMeshes[0].source || cut.subMeshes[0].sink);
-        EXPECT_EQ(cut.labels, std::vector<int>(mesh.n_vertices(), 0));
+        EXPECT_FALSE(cut.subMeshes.front().source || cut.subMeshes.front().sink);
+        EXPECT_EQ(cut.labels, std::vector(mesh.n_vertices(), SubMeshId(0)));
     }
 }
 
@@ -261,12 +264,12 @@ TEST(Cut, GivesComponentsWithParticlesSubMeshesOfTheirOwn) {
     expectProperLabels(mesh, cut);
     expectTrueFigures(mesh, {}, cut.labels, cut.subMeshes);
     EXPECT_EQ(cut.subMeshes.size(), 4U);
-    std::map<int, std::set<int>> componentsOf;
+    std::map<SubMeshId, std::set<int>> componentsOf;
     for (const VertexId vertex : mesh.vertices())
         componentsOf[cut.labels[at(vertex)]].insert(parts.ofVertex[at(vertex)]);
-    EXPECT_EQ(componentsOf[0], (std::set<int>{0, 3}));
-    EXPECT_EQ(componentsOf[1], (std::set<int>{1}));
-    EXPECT_FALSE(cut.subMeshes[0].source || cut.subMeshes[0].sink);
+    EXPECT_EQ(componentsOf[SubMeshId(0)], (std::set<int>{0, 3}));
+    EXPECT_EQ(componentsOf[SubMeshId(1)], (std::set<int>{1}));
+    EXPECT_FALSE(cut.subMeshes.front().source || cut.subMeshes.front().sink);
 }
 
 TEST(Cut, PassesOverIsolatedVertices) {
@@ -282,7 +285,7 @@ TEST(Cut, PassesOverIsolatedVertices) {
     for (const Terminals kind : everyKind) {
         const Cut cut = cutAt(mesh, cutOptions(8, kind));
         expectProperLabels(mesh, cut);
-        const std::vector<int> inner(cut.labels.begin() + 1, cut.labels.end() - 3);
+        const std::vector<SubMeshId> inner(cut.labels.begin() + 1, cut.labels.end() - 3);
         EXPECT_EQ(inner, cutAt(without, cutOptions(8, kind)).labels);
     }
 }
@@ -294,7 +297,7 @@ TEST(Cut, OfMeshesWithoutParticlesIsOneSubMesh) {
     for (const QuadMesh& mesh : {quadMesh(torus(5, 4)), points}) {
         const Cut cut = cutAt(mesh, cutOptions(0));
         ASSERT_EQ(cut.subMeshes.size(), 1U);
-        EXPECT_EQ(cut.labels, std::vector<int>(mesh.n_vertices(), 0));
+        EXPECT_EQ(cut.labels, std::vector(mesh.n_vertices(), SubMeshId(0)));
     }
     EXPECT_TRUE(cutAt(QuadMesh(), cutOptions(0)).subMeshes.empty());
 }
@@ -364,15 +367,15 @@ TEST(Cut, ReportsProgressUpToTheEnd) {
 
 /// Quads with a sharp edge on one side of the cut and the opposite edge on the other.
 std::size_t stepsAlongFeatures(const QuadMesh& mesh, const std::vector<double>& angles,
-                               const std::vector<int>& labels) {
+                               const std::vector<SubMeshId>& labels) {
     std::size_t steps = 0;
     for (const HalfedgeId halfedge : mesh.halfedges()) {
         if (mesh.is_boundary(halfedge) || angles[at(mesh.edge_handle(halfedge))] < 0.5) continue;
         const HalfedgeId next = mesh.next_halfedge_handle(halfedge);
-        const int a = labels[at(mesh.from_vertex_handle(halfedge))],
-                  b = labels[at(mesh.to_vertex_handle(halfedge))];
-        const int c = labels[at(mesh.to_vertex_handle(next))],
-                  d = labels[at(mesh.to_vertex_handle(mesh.next_halfedge_handle(next)))];
+        const SubMeshId a = labels[at(mesh.from_vertex_handle(halfedge))],
+                        b = labels[at(mesh.to_vertex_handle(halfedge))];
+        const SubMeshId c = labels[at(mesh.to_vertex_handle(next))],
+                        d = labels[at(mesh.to_vertex_handle(mesh.next_halfedge_handle(next)))];
         if (a == b && c != a && d != a) ++steps;
     }
     return steps;

@@ -47,7 +47,7 @@ void expectConsistent(const FarthestPair& pair, const std::vector<VertexId>& ver
 TEST(FarthestPair, IsThatOfAllPairsInThePlane) {
     std::mt19937 random(3);
     const QuadMesh mesh = rectangle(30, 20);
-    const std::vector<int> whole(mesh.n_vertices(), 0);
+    const std::vector<SubMeshId> whole(mesh.n_vertices(), SubMeshId(0));
     Geodesics geodesics(mesh, whole);
     for (const std::size_t count : {2U, 3U, 5U, 20U, 60U}) {
         const std::vector<VertexId> vertices = someVertices(mesh, count, random);
@@ -63,11 +63,12 @@ TEST(FarthestPair, IsNearlyThatOfAllPairsOnAnySurface) {
         const std::optional<QuadMesh> mesh = randomMesh(random);
         if (!mesh || mesh->n_vertices() < 8) continue;
         // What distances there and back differ by on such coarse meshes is all that may be lost.
-        const std::vector<int> part = components(*mesh).ofVertex;
+        const std::vector<int> component = components(*mesh).ofVertex;
+        const std::vector<SubMeshId> part(component.begin(), component.end());
         Geodesics geodesics(*mesh, part);
         std::vector<VertexId> vertices;
         for (const VertexId vertex : mesh->vertices())
-            if (part[at(vertex)] == 0) vertices.push_back(vertex);
+            if (component[at(vertex)] == 0) vertices.push_back(vertex);
         if (vertices.size() < 2) continue;
         const FarthestPair pair = farthestPair(vertices, geodesics);
         EXPECT_GE(std::max(pair.fromFirst[pair.second], pair.fromSecond[pair.first]),
@@ -77,7 +78,7 @@ TEST(FarthestPair, IsNearlyThatOfAllPairsOnAnySurface) {
 
 TEST(FarthestPair, CopesWithMoreVerticesThanPairsAreKeptFor) {
     const QuadMesh mesh = rectangle(60, 50);
-    const std::vector<int> whole(mesh.n_vertices(), 0);
+    const std::vector<SubMeshId> whole(mesh.n_vertices(), SubMeshId(0));
     Geodesics geodesics(mesh, whole);
     std::vector<VertexId> all;
     for (const VertexId vertex : mesh.vertices())
@@ -90,7 +91,7 @@ TEST(FarthestPair, CopesWithMoreVerticesThanPairsAreKeptFor) {
 TEST(FarthestPair, OfPointsInOnePlaceIsSome) {
     const QuadMesh mesh =
         buildMesh({{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}}, {std::array<int, 4>{0, 1, 2, 3}});
-    const std::vector<int> whole(4, 0);
+    const std::vector<SubMeshId> whole(4, SubMeshId(0));
     Geodesics geodesics(mesh, whole);
     const FarthestPair pair = farthestPair({VertexId(0), VertexId(2), VertexId(3)}, geodesics);
     EXPECT_EQ(pair.fromFirst[pair.second], 0);

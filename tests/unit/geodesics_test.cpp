@@ -55,7 +55,7 @@ struct Errors {
 
 /// Relative errors of the distances from some vertices to all.
 Errors errors(const QuadMesh& mesh, const std::function<double(const Point&, const Point&)>& exact) {
-    const std::vector<int> whole(mesh.n_vertices(), 0);
+    const std::vector<SubMeshId> whole(mesh.n_vertices(), SubMeshId(0));
     Geodesics geodesics(mesh, whole);
     Errors result;
     std::size_t count = 0;
@@ -112,9 +112,9 @@ TEST(Geodesics, GetBetterOnAFinerSphere) {
 TEST(Geodesics, StayInTheirPart) {
     const QuadMesh mesh = square(10, [](double i, double j) { return Point(i, j, 0); });
     // A wall in column 5 with a gap in the last row: vertices (0..4, j) reach (6..10, j) only around it.
-    std::vector<int> part(mesh.n_vertices(), 0);
+    std::vector<SubMeshId> part(mesh.n_vertices(), SubMeshId(0));
     for (int j = 0; j < 10; ++j)
-        part[at(j * 11 + 5)] = 1;
+        part[at(j * 11 + 5)] = SubMeshId(1);
     Geodesics geodesics(mesh, part);
     const std::vector<double>& distance = geodesics.from(VertexId(0));
     EXPECT_EQ(distance[5], infinity);
@@ -126,11 +126,11 @@ TEST(Geodesics, StayInTheirPart) {
 
 TEST(Geodesics, ForgetWhatEarlierCallsFound) {
     const QuadMesh mesh = square(4, [](double i, double j) { return Point(i, j, 0); });
-    std::vector<int> part(mesh.n_vertices(), 0);
+    std::vector<SubMeshId> part(mesh.n_vertices(), SubMeshId(0));
     Geodesics geodesics(mesh, part);
     EXPECT_DOUBLE_EQ(geodesics.from(VertexId(0))[24], std::hypot(4, 4));
     for (std::size_t k = 10; k < 25; ++k)
-        part[k] = 1; // the upper rows, from now on
+        part[k] = SubMeshId(1); // the upper rows, from now on
     EXPECT_EQ(geodesics.from(VertexId(0))[24], infinity);
     EXPECT_DOUBLE_EQ(geodesics.from(VertexId(0))[9], std::hypot(4, 1));
     EXPECT_DOUBLE_EQ(geodesics.from(VertexId(24))[10], std::hypot(4, 2));
@@ -140,7 +140,7 @@ TEST(Geodesics, DoNotReachIsolatedVerticesAndOtherComponents) {
     const QuadMesh mesh = buildMesh(
         {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {9, 9, 9}, {5, 0, 0}, {6, 0, 0}, {6, 1, 0}, {5, 1, 0}},
         {{0, 1, 2, 3}, {5, 6, 7, 8}});
-    const std::vector<int> whole(9, 0);
+    const std::vector<SubMeshId> whole(9, SubMeshId(0));
     Geodesics geodesics(mesh, whole);
     const std::vector<double> fromQuad = geodesics.from(VertexId(0));
     EXPECT_DOUBLE_EQ(fromQuad[2], std::sqrt(2.0));
@@ -158,7 +158,7 @@ TEST(Geodesics, NeverBeatTheStraightWayNorLoseToTheEdges) {
         const QuadMesh mesh = square(8, [&](double i, double j) {
             return Point(i + shake(random), j + shake(random), shake(random));
         });
-        const std::vector<int> whole(mesh.n_vertices(), 0);
+        const std::vector<SubMeshId> whole(mesh.n_vertices(), SubMeshId(0));
         Geodesics geodesics(mesh, whole);
         const std::vector<double>& distance = geodesics.from(VertexId(0));
         for (const VertexId vertex : mesh.vertices()) {
@@ -174,23 +174,23 @@ TEST(Geodesics, NeverBeatTheStraightWayNorLoseToTheEdges) {
 TEST(Geodesics, AreNumbersOnMeshesWithoutSizeAndOfAnySize) {
     for (const double size : {0.0, 1e-300, 1e140}) {
         const QuadMesh mesh = square(4, [&](double i, double j) { return Point(size * i, size * j, 0); });
-        const std::vector<int> whole(mesh.n_vertices(), 0);
+        const std::vector<SubMeshId> whole(mesh.n_vertices(), SubMeshId(0));
         Geodesics geodesics(mesh, whole);
         for (const double distance : geodesics.from(VertexId(12)))
             EXPECT_FALSE(std::isnan(distance)) << size;
     }
 }
 
-std::vector<VertexId> verticesOf(const QuadMesh& mesh, const std::vector<int>& part, int label) {
+std::vector<VertexId> verticesOf(const QuadMesh& mesh, const std::vector<SubMeshId>& part, int label) {
     std::vector<VertexId> vertices;
     for (const VertexId vertex : mesh.vertices())
-        if (part[at(vertex)] == label) vertices.push_back(vertex);
+        if (part[at(vertex)] == SubMeshId(label)) vertices.push_back(vertex);
     return vertices;
 }
 
 /// Errors of coarse distances, in shares of the longest, of some vertices to all.
 Errors coarseErrors(const QuadMesh& mesh, const std::function<double(const Point&, const Point&)>& exact) {
-    const std::vector<int> whole(mesh.n_vertices(), 0);
+    const std::vector<SubMeshId> whole(mesh.n_vertices(), SubMeshId(0));
     const std::vector<VertexId> vertices = verticesOf(mesh, whole, 0);
     CoarseGeodesics geodesics(mesh, whole);
     geodesics.coarsen(vertices);
@@ -233,9 +233,9 @@ TEST(CoarseGeodesics, StayInTheirPartAndTurnToAnother) {
     const int size = 120;
     const QuadMesh mesh = square(size, [](double i, double j) { return Point(i, j, 0); });
     // A wall in the middle column with a gap in the last rows.
-    std::vector<int> part(mesh.n_vertices(), 0);
+    std::vector<SubMeshId> part(mesh.n_vertices(), SubMeshId(0));
     for (int j = 0; j < size - 4; ++j)
-        part[at(j * (size + 1) + size / 2)] = 1;
+        part[at(j * (size + 1) + size / 2)] = SubMeshId(1);
     CoarseGeodesics geodesics(mesh, part);
     geodesics.coarsen(verticesOf(mesh, part, 0));
     const auto distance = [&](int from, int to) {
@@ -254,7 +254,7 @@ TEST(CoarseGeodesics, DoNotReachOtherComponents) {
     std::vector<Point> points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
                               {9, 0, 0}, {8, 0, 0}, {8, 1, 0}, {9, 1, 0}};
     const QuadMesh mesh = buildMesh(points, {{0, 1, 2, 3}, {7, 6, 5, 4}});
-    const std::vector<int> whole(mesh.n_vertices(), 0);
+    const std::vector<SubMeshId> whole(mesh.n_vertices(), SubMeshId(0));
     CoarseGeodesics geodesics(mesh, whole);
     geodesics.coarsen(verticesOf(mesh, whole, 0));
     const std::vector<double> distances = geodesics.between(VertexId(0), verticesOf(mesh, whole, 0));

@@ -20,7 +20,7 @@ protected:
         control.jobs = jobs;
         if (stop) control.stopRequested = std::move(stop);
         if (!listing.append)
-            listing.append = [this](int subMesh, const MotorcycleGraph& graph, std::string& text) {
+            listing.append = [this](SubMeshId subMesh, const MotorcycleGraph& graph, std::string& text) {
                 appendGraphLine(mesh, separatrices, subMesh, graph, text);
             };
         return listGraphs(mesh, complex, angles, {}, options, ranked, listing, control);
@@ -64,7 +64,7 @@ TEST_F(ListGraphs, LinesAreThoseOfDocuments) {
             Json line{{"subMesh", 7}};
             line.update(graphToJson(mesh, index, graph));
             std::string text = "before ";
-            appendGraphLine(mesh, index, 7, graph, text);
+            appendGraphLine(mesh, index, SubMeshId(7), graph, text);
             EXPECT_EQ(text, "before " + printJsonLine(line));
         }
 }
@@ -83,10 +83,11 @@ TEST_F(ListGraphs, HandsFailuresOn) {
             list(jobs, false,
                  {{}, [](std::string_view, std::size_t) -> bool { throw std::runtime_error("full"); }}),
             std::runtime_error);
-        EXPECT_THROW(list(jobs, false,
-                          {[](int, const MotorcycleGraph&, std::string&) { throw std::runtime_error("bad"); },
-                           [](std::string_view, std::size_t) { return true; }}),
-                     std::runtime_error);
+        EXPECT_THROW(
+            list(jobs, false,
+                 {[](SubMeshId, const MotorcycleGraph&, std::string&) { throw std::runtime_error("bad"); },
+                  [](std::string_view, std::size_t) { return true; }}),
+            std::runtime_error);
     }
 }
 

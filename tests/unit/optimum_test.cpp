@@ -71,11 +71,15 @@ Problem drawWindow(const Case& drawn, std::mt19937& random) {
     std::vector<ArcId> freeArcs;
     for (std::size_t arc = 0; arc < present.size(); ++arc)
         if (random() % 2 == 0) freeArcs.emplace_back(arc);
-    std::vector<int> labels;
+    std::vector<SubMeshId> labels;
     for (std::size_t junction = 0; junction < drawn.graph.junctions.size(); ++junction)
-        labels.push_back(random() % 5 == 0 ? 1 : 0);
-    Problem problem = makeProblem(
-        {drawn.graph, drawn.costs, ArcStates(present, freeArcs), {}, OpenJunctions(labels, 0), {}});
+        labels.emplace_back(random() % 5 == 0 ? 1 : 0);
+    Problem problem = makeProblem({drawn.graph,
+                                   drawn.costs,
+                                   ArcStates(present, freeArcs),
+                                   {},
+                                   OpenJunctions(labels, SubMeshId(0)),
+                                   {}});
     problem.gaps = drawn.whole.gaps;
     return problem;
 }

@@ -44,9 +44,8 @@ Grid folded() {
 
 Layout cheapestLayout(const QuadMesh& mesh) {
     const std::vector<double> angles = dihedralAngles(mesh);
-    const SubMeshes whole{std::vector<int>(mesh.n_vertices(), 0), 1};
-    const Enumeration found = enumerateGraphs(mesh, buildBaseComplex(mesh), angles, whole, {});
-    return buildLayout(mesh, found.subMeshes[0].graphs.at(0).tracks, angles, edgeCosts(angles, {}));
+    const Enumeration found = enumerateGraphs(mesh, buildBaseComplex(mesh), angles, {}, {});
+    return buildLayout(mesh, found.subMeshes.front().graphs.at(0).tracks, angles, edgeCosts(angles, {}));
 }
 
 TEST(TangentRatio, FallsToZeroWithinItsReachAndIsSmoothThere) {

@@ -38,15 +38,16 @@ public:
     /// There are none.
     OpenJunctions() = default;
     /// \param labels  the sub-mesh of every junction; outlives this
-    OpenJunctions(const std::vector<int>& labels, int subMesh) : labels_(&labels), subMesh_(subMesh) {}
+    OpenJunctions(const std::vector<SubMeshId>& labels, SubMeshId subMesh)
+        : labels_(&labels), subMesh_(subMesh) {}
 
     [[nodiscard]] bool contains(JunctionId junction) const {
         return labels_ != nullptr && (*labels_)[junction.idx()] != subMesh_;
     }
 
 private:
-    const std::vector<int>* labels_ = nullptr;
-    int subMesh_ = 0;
+    const std::vector<SubMeshId>* labels_ = nullptr;
+    SubMeshId subMesh_;
 };
 
 } // namespace qm

@@ -10,7 +10,7 @@ namespace {
 
 class Extractor {
 public:
-    Extractor(const SearchSpace& space, int subMesh)
+    Extractor(const SearchSpace& space, SubMeshId subMesh)
         : space_(space), whole_(space.graph), subMesh_(subMesh) {}
 
     SearchSpace extract() {
@@ -80,14 +80,14 @@ private:
 
     const SearchSpace& space_;
     const ArcGraph& whole_;
-    int subMesh_;
+    SubMeshId subMesh_;
     SearchSpace part_;
     SparseIndex<ArcId, ArcId> arcOf_; ///< in the part
 };
 
 } // namespace
 
-SearchSpace ownSpace(const SearchSpace& space, int subMesh) {
+SearchSpace ownSpace(const SearchSpace& space, SubMeshId subMesh) {
     return Extractor(space, subMesh).extract();
 }
 

@@ -9,6 +9,6 @@ namespace qm {
 /// junctions keep their order, and other lines are gone. As long as no arc of those is present,
 /// `subMeshProblem` is the same in both, but for the ids of arcs. Takes time linear in the result; no line is
 /// in more than two.
-[[nodiscard]] SearchSpace ownSpace(const SearchSpace& space, int subMesh);
+[[nodiscard]] SearchSpace ownSpace(const SearchSpace& space, SubMeshId subMesh);
 
 } // namespace qm

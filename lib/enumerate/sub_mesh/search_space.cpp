@@ -23,7 +23,7 @@ std::vector<ArcState> demandsOf(const QuadMesh& mesh, const BaseComplex& complex
     const std::vector<ArcId> arcOf = arcsOfEdges(mesh, graph, complex);
     std::vector<ArcState> demands(graph.arcs.size(), ArcState::free);
     const auto demand = [&](EdgeId edge, ArcState state) {
-        const ArcId arc = arcOf[at(edge.idx())];
+        const ArcId arc = arcOf[at(edge)];
         if (!arc.valid()) return false;
         ArcState& current = demands[arc.idx()];
         if (current != ArcState::free && current != state)
@@ -55,13 +55,10 @@ SearchSpace makeSearchSpace(const QuadMesh& mesh, const BaseComplex& complex,
     space.graph = buildArcGraph(mesh, complex, subMeshes.labels);
     space.arcCosts = sumOverArcs(mesh, space.graph, complex, edgeCosts);
     space.demands = demandsOf(mesh, complex, space.graph, constraints);
-    const auto label = [&](VertexId vertex) {
-        return subMeshes.labels.empty() ? 0 : subMeshes.labels[at(vertex.idx())];
-    };
     for (std::size_t arc = 0; arc < space.graph.arcs.size(); ++arc) {
         const auto halfedges = halfedgesOf(space.graph, complex, ArcId(arc));
-        space.arcBegins.push_back(label(mesh.from_vertex_handle(halfedges.front())));
-        space.arcEnds.push_back(label(mesh.to_vertex_handle(halfedges.back())));
+        space.arcBegins.push_back(subMeshes.of(mesh.from_vertex_handle(halfedges.front())));
+        space.arcEnds.push_back(subMeshes.of(mesh.to_vertex_handle(halfedges.back())));
     }
     // A track that ends on the boundary makes two corners there.
     for (const Line& line : space.graph.lines) {
@@ -71,10 +68,11 @@ SearchSpace makeSearchSpace(const QuadMesh& mesh, const BaseComplex& complex,
             space.arcCosts[last.idx()] += 2 * cornerCost;
     }
     for (const Junction& junction : space.graph.junctions)
-        space.junctionLabels.push_back(label(junction.vertex));
+        space.junctionLabels.push_back(subMeshes.of(junction.vertex));
     for (std::size_t i = 0; i < space.graph.lines.size(); ++i) {
         const Line& line = space.graph.lines[i];
-        const int begin = space.arcBegins[line.firstArc.idx()], end = space.arcEnds[line.lastArc().idx()];
+        const SubMeshId begin = space.arcBegins[line.firstArc.idx()];
+        const SubMeshId end = space.arcEnds[line.lastArc().idx()];
         space.linesOf[begin].emplace_back(i);
         if (line.backward && end != begin) space.linesOf[end].emplace_back(i);
     }
@@ -92,10 +90,10 @@ double costOf(const SearchSpace& space, const std::vector<bool>& present) {
     return cost;
 }
 
-void appendWalk(const SearchSpace& space, LineId id, bool fromEnd, int from, int subMesh,
+void appendWalk(const SearchSpace& space, LineId id, bool fromEnd, int from, SubMeshId subMesh,
                 std::vector<ArcId>& arcs) {
     const Line& line = space.graph.lines[id.idx()];
-    const std::vector<int>& starts = fromEnd ? space.arcEnds : space.arcBegins;
+    const std::vector<SubMeshId>& starts = fromEnd ? space.arcEnds : space.arcBegins;
     for (int walked = from; walked < line.arcCount; ++walked) {
         const ArcId arc(line.firstArc.value() + (fromEnd ? line.arcCount - 1 - walked : walked));
         if (starts[arc.idx()] != subMesh) return;
@@ -103,13 +101,13 @@ void appendWalk(const SearchSpace& space, LineId id, bool fromEnd, int from, int
     }
 }
 
-const std::vector<LineId>& linesFrom(const SearchSpace& space, int subMesh) {
+const std::vector<LineId>& linesFrom(const SearchSpace& space, SubMeshId subMesh) {
     static const std::vector<LineId> none;
     const auto found = space.linesOf.find(subMesh);
     return found == space.linesOf.end() ? none : found->second;
 }
 
-std::vector<ArcId> ownArcs(const SearchSpace& space, int subMesh) {
+std::vector<ArcId> ownArcs(const SearchSpace& space, SubMeshId subMesh) {
     std::vector<ArcId> arcs;
     for (const LineId line : linesFrom(space, subMesh)) {
         appendWalk(space, line, false, 0, subMesh, arcs);
@@ -118,7 +116,7 @@ std::vector<ArcId> ownArcs(const SearchSpace& space, int subMesh) {
     return arcs;
 }
 
-Walkers walkersOf(const SearchSpace& space, int subMesh, const std::vector<bool>& present,
+Walkers walkersOf(const SearchSpace& space, SubMeshId subMesh, const std::vector<bool>& present,
                   const std::vector<LineId>& others) {
     std::unordered_map<LineId, LineWalkers> walkers;
     for (const auto* lines : {&others, &linesFrom(space, subMesh)})
@@ -136,7 +134,7 @@ Walkers walkersOf(const SearchSpace& space, int subMesh, const std::vector<bool>
     return Walkers(std::move(walkers));
 }
 
-Problem subMeshProblem(const SearchSpace& space, int subMesh, const std::vector<ArcId>& freeArcs,
+Problem subMeshProblem(const SearchSpace& space, SubMeshId subMesh, const std::vector<ArcId>& freeArcs,
                        const std::vector<bool>& present) {
     std::vector<LineId> lines;
     lines.reserve(freeArcs.size());
@@ -149,7 +147,7 @@ Problem subMeshProblem(const SearchSpace& space, int subMesh, const std::vector<
                         walkersOf(space, subMesh, present, lines), space.cornerCost, lines});
 }
 
-void goStraight(const SearchSpace& space, int subMesh, std::vector<bool>& present) {
+void goStraight(const SearchSpace& space, SubMeshId subMesh, std::vector<bool>& present) {
     std::vector<Particle> own;
     for (const LineId id : linesFrom(space, subMesh)) {
         const Line& line = space.graph.lines[id.idx()];

@@ -4,27 +4,22 @@
 
 #include "enumerate/state/problem.h"
 #include "layout/constraints.h"
+#include "mesh/sub_meshes.h"
 
 #include <unordered_map>
 #include <vector>
 
 namespace qm {
 
-/// Where a sub-mesh search works: the whole mesh when labels is empty.
-struct SubMeshes {
-    std::vector<int> labels; ///< sub-mesh of every vertex
-    int count = 1;
-};
-
 struct SearchSpace {
     ArcGraph graph;
     std::vector<double> arcCosts;
-    std::vector<ArcState> demands; ///< of every arc: what the constraints say; empty if there are none
-    std::vector<int> arcBegins;    ///< sub-mesh of the vertex where an arc begins, in its line's direction
-    std::vector<int> arcEnds;      ///< likewise where it ends
-    std::vector<int> junctionLabels;
+    std::vector<ArcState> demands;    ///< of every arc: what the constraints say; empty if there are none
+    std::vector<SubMeshId> arcBegins; ///< sub-mesh of the vertex where an arc begins, in its line's direction
+    std::vector<SubMeshId> arcEnds;   ///< likewise where it ends
+    std::vector<SubMeshId> junctionLabels;
     /// Of a sub-mesh, the lines with a source in it, ascending; those without any are left out.
-    std::unordered_map<int, std::vector<LineId>> linesOf;
+    std::unordered_map<SubMeshId, std::vector<LineId>> linesOf;
     double cornerCost = 0; ///< of every corner of a segment
 };
 
@@ -38,26 +33,26 @@ struct SearchSpace {
 
 /// Appends the arcs that a particle can walk in a sub-mesh: from position `from`, counted from its source, up
 /// to and including the arc that leaves the sub-mesh.
-void appendWalk(const SearchSpace& space, LineId line, bool fromEnd, int from, int subMesh,
+void appendWalk(const SearchSpace& space, LineId line, bool fromEnd, int from, SubMeshId subMesh,
                 std::vector<ArcId>& arcs);
 
 /// The lines with a source in a sub-mesh.
-[[nodiscard]] const std::vector<LineId>& linesFrom(const SearchSpace& space, int subMesh);
+[[nodiscard]] const std::vector<LineId>& linesFrom(const SearchSpace& space, SubMeshId subMesh);
 
 /// The arcs that the particles of a sub-mesh can walk before they leave it.
-[[nodiscard]] std::vector<ArcId> ownArcs(const SearchSpace& space, int subMesh);
+[[nodiscard]] std::vector<ArcId> ownArcs(const SearchSpace& space, SubMeshId subMesh);
 
 /// The particles that start in a sub-mesh, and those on some other lines that have walked already.
-[[nodiscard]] Walkers walkersOf(const SearchSpace& space, int subMesh, const std::vector<bool>& present,
+[[nodiscard]] Walkers walkersOf(const SearchSpace& space, SubMeshId subMesh, const std::vector<bool>& present,
                                 const std::vector<LineId>& others = {});
 
 /// A search in one sub-mesh: the given arcs are free, every other arc stays as it is in `present`. Tracks may
 /// end unfinished at the first vertex outside. Takes time linear in what `makeProblem` looks at.
-[[nodiscard]] Problem subMeshProblem(const SearchSpace& space, int subMesh,
+[[nodiscard]] Problem subMeshProblem(const SearchSpace& space, SubMeshId subMesh,
                                      const std::vector<ArcId>& freeArcs, const std::vector<bool>& present);
 
 /// Makes a graph without a search: every particle of the sub-mesh goes straight on in turn, to the first
 /// track or the first vertex outside. That is always valid.
-void goStraight(const SearchSpace& space, int subMesh, std::vector<bool>& present);
+void goStraight(const SearchSpace& space, SubMeshId subMesh, std::vector<bool>& present);
 
 } // namespace qm

@@ -37,7 +37,7 @@ Written writeAll(const QuadMesh& mesh, unsigned jobs) {
     const BaseComplex complex = buildBaseComplex(mesh);
     const SeparatrixIndex separatrices(mesh, complex);
     Written written;
-    const GraphListing listing{[&](int subMesh, const MotorcycleGraph& graph, std::string& text) {
+    const GraphListing listing{[&](SubMeshId subMesh, const MotorcycleGraph& graph, std::string& text) {
                                    appendGraphLine(mesh, separatrices, subMesh, graph, text);
                                },
                                [&](std::string_view text, std::size_t graphs) {
