@@ -25,14 +25,14 @@ template <class Number> [[nodiscard]] std::string numberText(Number value) {
     return text;
 }
 
-/// For people: whole numbers in full, others to six digits.
-[[nodiscard]] inline std::string roundedText(double value) {
+/// For people: whole numbers in full, others to so many digits.
+[[nodiscard]] inline std::string roundedText(double value, int digits = 6) {
     constexpr double longest = 1e15;
     std::string text;
     if (value == std::floor(value) && std::abs(value) < longest)
         appendNumber(text, value, std::chars_format::fixed);
     else
-        appendNumber(text, value, std::chars_format::general, 6);
+        appendNumber(text, value, std::chars_format::general, digits);
     return text;
 }
 

@@ -1,6 +1,7 @@
 #include "bspline/fit.h"
 
 #include "base/error.h"
+#include "base/number_text.h"
 #include "bspline/fitting/smooth_fit.h"
 #include "bspline/measure/measure.h"
 #include "bspline/measure/scan_deviation.h"
@@ -12,8 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <locale>
-#include <sstream>
+#include <string>
 
 namespace qm {
 namespace {
@@ -62,7 +62,7 @@ constexpr double noiseLeft = 1.5;
 ScanFigures scanFigures(const std::vector<Patch>& patches, const FitTarget& target,
                         const TriangleSurface& scan, double negligible, unsigned jobs) {
     const auto nearest = [&](const Point& from) {
-        const TriangleSurface::Nearest found = scan.nearest(from);
+        const auto found = scan.nearest(from).value();
         return ScanPoint{scan.corners(found.face), found.distance, found.onBoundary};
     };
     const ScanDeviations found =
@@ -126,15 +126,12 @@ std::string missedTolerance(const Surfaces& surfaces, const FitOptions& options)
     if (options.fit != Fit::smooth || !(deviation.maxRelative > 0)) return {};
     const double tolerance = allowedDistance(surfaces, options, deviation.max / deviation.maxRelative);
     if (deviation.max <= tolerance) return {};
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
-    text.precision(4);
-    text << "the tolerance is missed in patch " << surfaces.farthest.patch
-         << " at u = " << surfaces.farthest.at[0] << ", v = " << surfaces.farthest.at[1] << ": "
-         << deviation.max / tolerance << " times as far from the "
-         << (surfaces.scan ? "scan" : "smooth surface through the vertices")
-         << ". Allow more, or mend the mesh there";
-    return text.str();
+    const auto rounded = [](double value) { return roundedText(value, 4); };
+    const auto& [patch, at] = surfaces.farthest;
+    return "the tolerance is missed in patch " + std::to_string(patch) + " at u = " + rounded(at[0]) +
+           ", v = " + rounded(at[1]) + ": " + rounded(deviation.max / tolerance) + " times as far from the " +
+           (surfaces.scan ? "scan" : "smooth surface through the vertices") +
+           ". Allow more, or mend the mesh there";
 }
 
 } // namespace qm

@@ -1,19 +1,18 @@
 #include "cli/export_choices.h"
 
 #include "base/error.h"
+#include "base/number_text.h"
 #include "bspline/splines/bounding_box.h"
 #include "cli/surface_warnings.h"
 #include "cli/tool.h"
 #include "document/model.h"
 #include "summary/figure_text.h"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <filesystem>
-#include <iomanip>
-#include <locale>
 #include <map>
-#include <sstream>
 #include <string_view>
 
 namespace qm {
@@ -88,12 +87,14 @@ std::string exportDate(const std::string& text, const std::string& meshPath) {
             throw Error("", "'" + text + "' is no date",
                         "Give one such as 2026-11-22 or 2026-11-22T10:00:00, or mesh");
     }
-    std::ostringstream result;
-    result.imbue(std::locale::classic());
-    result << std::setfill('0') << std::setw(4) << parts[0];
+    const auto padded = [](int number, std::size_t digits) {
+        const std::string shortest = numberText(number);
+        return std::string(digits - std::min(digits, shortest.size()), '0') + shortest;
+    };
+    std::string result = padded(parts[0], 4);
     for (std::size_t k = 1; k < parts.size(); ++k)
-        result << "--T::"[k - 1] << std::setw(2) << parts.at(k);
-    return result.str();
+        result += "--T::"[k - 1] + padded(parts.at(k), 2);
+    return result;
 }
 
 Kind neededKind(const ExportOptions& options) {

@@ -1,5 +1,6 @@
 #include "remesh/scan_equations.h"
 
+#include "base/at.h"
 #include "base/parallel.h"
 #include "mesh/quad_geometry.h"
 
@@ -9,8 +10,6 @@
 
 namespace qm {
 namespace {
-
-using Nearest = TriangleSurface::Nearest;
 
 constexpr double minCosine = 0.4; ///< between the normals of places that belong together
 
@@ -48,36 +47,37 @@ public:
         ScanEquation equation{sample.vertices, sample.weights};
         Point place{0, 0, 0};
         for (std::size_t k = 0; k < 4; ++k)
-            place += sample.weights[k] * at(sample.vertices[k]);
-        const Nearest foot = scan_.nearest(place, edge_);
-        if (!foot.found() || foot.onBoundary != sample.onBoundary) return equation;
-        const std::optional<Point> normal = normalOf(scan_.corners(foot.face));
+            place += sample.weights[k] * pointOf(sample.vertices[k]);
+        const auto foot = scan_.nearest(place, edge_);
+        if (!foot || foot->onBoundary != sample.onBoundary) return equation;
+        const std::optional<Point> normal = normalOf(scan_.corners(foot->face));
         if (!normal) return equation;
-        const Point own = (at(sample.vertices[2]) - at(sample.vertices[0])) %
-                          (at(sample.vertices[3]) - at(sample.vertices[1]));
+        const Point own = (pointOf(sample.vertices[2]) - pointOf(sample.vertices[0])) %
+                          (pointOf(sample.vertices[3]) - pointOf(sample.vertices[1]));
         // On a sharp edge the nearest triangle is that of either side: the mean of both normals decides too.
-        if (!foot.onBoundary && !agree(own, *normal) && !agree(own, foot.normal)) return equation;
-        require(equation, foot.position - place, *normal, foot.onBoundary, sample.area);
+        if (!foot->onBoundary && !agree(own, *normal) && !(foot->normal && agree(own, *foot->normal)))
+            return equation;
+        require(equation, foot->position - place, *normal, foot->onBoundary, sample.area);
         return equation;
     }
 
     [[nodiscard]] ScanEquation towardsSample(const ScanSample& sample) const {
         ScanEquation equation;
-        const Nearest foot = quads_.nearest(sample.position, edge_);
-        if (!foot.found()) return equation;
-        const auto corners = quads_.corners(foot.face);
+        const auto foot = quads_.nearest(sample.position, edge_);
+        if (!foot) return equation;
+        const auto corners = quads_.corners(foot->face);
         const std::optional<Point> own = normalOf(corners);
-        const auto weights = weightsOf(corners, foot.position);
+        const auto weights = weightsOf(corners, foot->position);
         if (!own || !weights || !agree(*own, sample.normal)) return equation;
-        const auto& vertices = halves_.faces[static_cast<std::size_t>(foot.face)];
+        const auto& vertices = halves_.faces[foot->face];
         equation.vertices = {vertices[0], vertices[1], vertices[2], vertices[0]};
         equation.weights = {(*weights)[0], (*weights)[1], (*weights)[2], 0};
-        require(equation, sample.position - foot.position, sample.normal, foot.onBoundary, sample.area);
+        require(equation, sample.position - foot->position, sample.normal, foot->onBoundary, sample.area);
         return equation;
     }
 
 private:
-    [[nodiscard]] const Point& at(int vertex) const { return mesh_.point(VertexId(vertex)); }
+    [[nodiscard]] const Point& pointOf(int vertex) const { return mesh_.point(VertexId(vertex)); }
 
     static std::optional<Point> normalOf(const std::array<Point, 3>& corners) {
         return triangleNormal(corners[0], corners[1], corners[2]);

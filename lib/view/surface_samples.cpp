@@ -23,7 +23,7 @@ struct PatchLattice {
 PatchLattice latticeOf(const Patch& patch, std::size_t steps) {
     const auto basis = [&](std::size_t direction) {
         const auto [begin, end] = domain(patch.knots[direction], patch.degree[direction]);
-        const auto count = static_cast<std::size_t>(std::lround(end - begin)) * steps;
+        const std::size_t count = at(std::lround(end - begin)) * steps;
         std::vector<double> parameters(count + 1);
         for (std::size_t k = 0; k <= count; ++k)
             parameters[k] = static_cast<double>(k) / static_cast<double>(steps);
@@ -80,8 +80,8 @@ std::vector<double> distancesFromScan(const std::vector<Patch>& patches, const T
         std::vector<double> distances;
         for (const Point& point : latticeOf(patches[k], steps).points) {
             const auto foot = scan.nearest(point, cutOff);
-            const bool shown = foot.found() && !foot.onBoundary;
-            distances.push_back(shown ? foot.distance : std::numeric_limits<double>::quiet_NaN());
+            const bool shown = foot && !foot->onBoundary;
+            distances.push_back(shown ? foot->distance : std::numeric_limits<double>::quiet_NaN());
         }
         return distances;
     });
@@ -91,8 +91,7 @@ std::vector<double> onLattice(const std::vector<double>& figures, const Layout& 
     std::vector<double> values;
     for (std::size_t k = 0; k < figures.size(); ++k) {
         const auto& [columns, rows] = layout.segments[k].size;
-        const auto points =
-            (static_cast<std::size_t>(columns) * steps + 1) * (static_cast<std::size_t>(rows) * steps + 1);
+        const auto points = (at(columns) * steps + 1) * (at(rows) * steps + 1);
         values.insert(values.end(), points, figures[k]);
     }
     return values;
@@ -104,7 +103,7 @@ std::vector<double> normalAngles(const QuadMesh& mesh, const Layout& layout,
     constexpr int samples = 5; // an edge: both ends, and three between, as angles change smoothly
     std::vector<double> largest;
     for (const BorderEdge& border : borders) {
-        const auto edge = at(mesh.edge_handle(border.halfedge));
+        const std::size_t edge = at(mesh.edge_handle(border.halfedge));
         const bool smooth = border.places.size() == 2 && !marks.isCrease[edge];
         const auto angles =
             smooth ? measureBorder(border, layout, patches, samples).angles : std::vector<double>{};

@@ -21,7 +21,7 @@ void exercise(const qm::Triangles& triangles) {
         qm::readTriangles(qm::writeSoup(qm::soupOf(triangles), qm::MeshFormat::ply), "again.ply");
     require(again.points == triangles.points && again.faces == triangles.faces);
     const qm::TriangleSurface surface(triangles);
-    require(surface.nearest(triangles.points.front()).found());
+    require(surface.nearest(triangles.points.front()).has_value());
 }
 
 } // namespace

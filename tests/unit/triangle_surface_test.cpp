@@ -50,26 +50,26 @@ TEST(TriangleSurface, FindsTheNearestPointOfAnyTriangles) {
     const TriangleSurface surface(triangles);
     for (int k = 0; k < 40; ++k) {
         const Point point(place(random), place(random), place(random));
-        const Nearest nearest = surface.nearest(point);
+        const Nearest nearest = surface.nearest(point).value();
         const double coarse = coarseDistance(triangles, point);
         EXPECT_LE(nearest.distance, coarse + 1e-12);
         EXPECT_GE(nearest.distance, coarse - 0.01);
         EXPECT_NEAR((nearest.position - point).norm(), nearest.distance, 1e-12);
-        EXPECT_TRUE(surface.nearest(point, nearest.distance * 1.001).found());
-        EXPECT_FALSE(surface.nearest(point, nearest.distance * 0.999).found());
+        EXPECT_TRUE(surface.nearest(point, nearest.distance * 1.001).has_value());
+        EXPECT_FALSE(surface.nearest(point, nearest.distance * 0.999).has_value());
     }
 }
 
 TEST(TriangleSurface, SaysWhereItEnds) {
     const TriangleSurface surface(square());
-    EXPECT_TRUE(surface.nearest({0.5, -1, 0}).onBoundary);
-    EXPECT_TRUE(surface.nearest({2, 2, 1}).onBoundary);
-    EXPECT_TRUE(surface.nearest({1, 0, 1}).onBoundary) << "above a corner";
-    EXPECT_FALSE(surface.nearest({0.5, 0.5, 1}).onBoundary) << "on the diagonal";
-    EXPECT_FALSE(surface.nearest({0.3, 0.2, -1}).onBoundary);
+    EXPECT_TRUE(surface.nearest({0.5, -1, 0})->onBoundary);
+    EXPECT_TRUE(surface.nearest({2, 2, 1})->onBoundary);
+    EXPECT_TRUE(surface.nearest({1, 0, 1})->onBoundary) << "above a corner";
+    EXPECT_FALSE(surface.nearest({0.5, 0.5, 1})->onBoundary) << "on the diagonal";
+    EXPECT_FALSE(surface.nearest({0.3, 0.2, -1})->onBoundary);
     const TriangleSurface closed(makeScan("cube", 500));
-    EXPECT_FALSE(closed.nearest({2, 2, 2}).onBoundary);
-    EXPECT_FALSE(closed.nearest({0.5, 0.5, 0.9}).onBoundary);
+    EXPECT_FALSE(closed.nearest({2, 2, 2})->onBoundary);
+    EXPECT_FALSE(closed.nearest({0.5, 0.5, 0.9})->onBoundary);
 }
 
 TEST(TriangleSurface, HasTheNormalsOfASphere) {
@@ -79,8 +79,8 @@ TEST(TriangleSurface, HasTheNormalsOfASphere) {
     for (int k = 0; k < 200; ++k) {
         Point direction(coordinate(random), coordinate(random), coordinate(random));
         direction.normalize();
-        const Nearest nearest = sphere.nearest(1.3 * direction);
-        EXPECT_GT(nearest.normal | direction, 0.9999);
+        const Nearest nearest = sphere.nearest(1.3 * direction).value();
+        EXPECT_GT(nearest.normal.value() | direction, 0.9999);
         EXPECT_NEAR(nearest.distance, 0.3, 1e-3);
     }
 }
@@ -88,20 +88,21 @@ TEST(TriangleSurface, HasTheNormalsOfASphere) {
 TEST(TriangleSurface, ALineMeetsTheNearestFaceThatLooksTheRightWay) {
     const TriangleSurface cube(makeScan("cube", 500));
     const Point inside(0.4, 0.3, 0.9);
-    EXPECT_NEAR(cube.alongLine(inside, {0, 0, 1}, 2).position[2], 1, 1e-12);
-    EXPECT_NEAR(cube.alongLine(inside, {0, 0, 1}, 2, 0.5).position[2], 1, 1e-12);
-    EXPECT_NEAR(cube.alongLine(inside, {0, 0, -1}, 2, 0.5).position[2], 0, 1e-12);
-    EXPECT_FALSE(cube.alongLine(inside, {0, 0, -1}, 0.8, 0.5).found()) << "that face is 0.9 away";
-    EXPECT_FALSE(cube.alongLine({2, 2, 2}, {0, 0, 1}, 9).found());
-    EXPECT_FALSE(TriangleSurface(square()).alongLine({-1, 0.2, 0}, {1, 0, 0}, 9).found()) << "seen edge on";
+    EXPECT_NEAR(cube.alongLine(inside, {0, 0, 1}, 2)->position[2], 1, 1e-12);
+    EXPECT_NEAR(cube.alongLine(inside, {0, 0, 1}, 2, 0.5)->position[2], 1, 1e-12);
+    EXPECT_NEAR(cube.alongLine(inside, {0, 0, -1}, 2, 0.5)->position[2], 0, 1e-12);
+    EXPECT_FALSE(cube.alongLine(inside, {0, 0, -1}, 0.8, 0.5).has_value()) << "that face is 0.9 away";
+    EXPECT_FALSE(cube.alongLine({2, 2, 2}, {0, 0, 1}, 9).has_value());
+    EXPECT_FALSE(TriangleSurface(square()).alongLine({-1, 0.2, 0}, {1, 0, 0}, 9).has_value())
+        << "seen edge on";
 }
 
 TEST(TriangleSurface, FlatAndFarTrianglesDoNoHarm) {
     const TriangleSurface line({{{0, 0, 0}, {1, 0, 0}, {3, 0, 0}}, {{0, 1, 2}}});
-    EXPECT_NEAR(line.nearest({2, 1, 0}).distance, 1, 1e-12);
-    EXPECT_EQ(line.nearest({2, 1, 0}).normal, Point(0, 0, 0));
+    EXPECT_NEAR(line.nearest({2, 1, 0})->distance, 1, 1e-12);
+    EXPECT_FALSE(line.nearest({2, 1, 0})->normal.has_value());
     const TriangleSurface far({{{1e150, 0, 0}, {0, 1e150, 0}, {0, 0, 1e150}}, {{0, 1, 2}}});
-    EXPECT_TRUE(far.nearest({0, 0, 0}).found());
+    EXPECT_TRUE(far.nearest({0, 0, 0}).has_value());
     (void)far.alongLine({0, 0, 0}, {0, 0, 1}, 1e150);
 }
 

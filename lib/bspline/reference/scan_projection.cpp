@@ -11,10 +11,10 @@ namespace {
 using Nearest = TriangleSurface::Nearest;
 
 /// What this share of the points is not farther from the scan than. The scan's holes do not count.
-double commonDistance(const std::vector<Nearest>& nearest, double share) {
+double commonDistance(const std::vector<std::optional<Nearest>>& nearest, double share) {
     std::vector<double> distances;
-    for (const Nearest& place : nearest)
-        if (place.found() && !place.onBoundary) distances.push_back(place.distance);
+    for (const std::optional<Nearest>& place : nearest)
+        if (place && !place->onBoundary) distances.push_back(place->distance);
     if (distances.empty()) return 0;
     const auto last =
         distances.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(distances.size() - 1));
@@ -22,16 +22,21 @@ double commonDistance(const std::vector<Nearest>& nearest, double share) {
     return *last;
 }
 
+/// Of the angle between a normal and a direction; 0 where there is no normal.
+double cosineOf(const std::optional<Point>& normal, const Eigen::Vector3d& direction) {
+    return normal ? vector(*normal).dot(direction) : 0;
+}
+
 /// 1 if most of the scan's normals agree with the surface's, -1 if most are opposite, 0 if neither. Those
 /// that are near count alone: far ones may be another side of the part.
-double orientation(const LatticeNormals& lattice, const std::vector<Nearest>& nearest) {
+double orientation(const LatticeNormals& lattice, const std::vector<std::optional<Nearest>>& nearest) {
     constexpr std::size_t clearly = 3; // times as many as the others
     const double near = commonDistance(nearest, 0.25);
     std::size_t along = 0;
     std::size_t against = 0;
     for (std::size_t k = 0; k < nearest.size(); ++k)
-        if (nearest[k].found() && !nearest[k].onBoundary && nearest[k].distance <= near)
-            ++(vector(nearest[k].normal).dot(*lattice.normals[k]) > 0 ? along : against);
+        if (nearest[k] && !nearest[k]->onBoundary && nearest[k]->distance <= near)
+            ++(cosineOf(nearest[k]->normal, *lattice.normals[k]) > 0 ? along : against);
     if (along >= clearly * against) return 1;
     return against >= clearly * along ? -1 : 0;
 }
@@ -43,33 +48,33 @@ public:
         : scan_(scan), maxDistance_(maxDistance), minCosine_(minCosine), orientation_(orientation) {}
 
     [[nodiscard]] Displacement project(const Eigen::Vector3d& place, const Eigen::Vector3d& normal,
-                                       const Nearest& nearest) const {
-        if (!nearest.found() || nearest.distance > maxDistance_) return std::nullopt;
-        const bool fits = agrees(nearest, normal);
+                                       const std::optional<Nearest>& nearest) const {
+        if (!nearest || nearest->distance > maxDistance_) return std::nullopt;
+        const bool fits = agrees(*nearest, normal);
         // A line that meets the same piece of the scan does so at most this far away.
         const double reach =
-            fits && minCosine_ > 0 ? std::min(nearest.distance / minCosine_, maxDistance_) : maxDistance_;
-        Nearest hit = onLine(place, normal, reach);
-        if (!hit.found() && fits) hit = nearest;
-        if (!hit.found() || hit.onBoundary) return std::nullopt;
-        return vector(hit.position) - place;
+            fits && minCosine_ > 0 ? std::min(nearest->distance / minCosine_, maxDistance_) : maxDistance_;
+        std::optional<Nearest> hit = onLine(place, normal, reach);
+        if (!hit && fits) hit = nearest;
+        if (!hit || hit->onBoundary) return std::nullopt;
+        return vector(hit->position) - place;
     }
 
 private:
     [[nodiscard]] bool agrees(const Nearest& place, const Eigen::Vector3d& normal) const {
-        const double cosine = vector(place.normal).dot(normal);
+        const double cosine = cosineOf(place.normal, normal);
         return (orientation_ == 0 ? std::abs(cosine) : orientation_ * cosine) >= minCosine_;
     }
 
-    [[nodiscard]] Nearest onLine(const Eigen::Vector3d& place, const Eigen::Vector3d& normal,
-                                 double reach) const {
+    [[nodiscard]] std::optional<Nearest> onLine(const Eigen::Vector3d& place, const Eigen::Vector3d& normal,
+                                                double reach) const {
         const auto towards = [&](double sign) {
             return scan_.alongLine(point(place), point(sign * normal), reach, minCosine_);
         };
         if (orientation_ != 0) return towards(orientation_);
-        const Nearest along = towards(1);
-        const Nearest against = towards(-1);
-        return along.distance <= against.distance ? along : against;
+        const std::optional<Nearest> along = towards(1), against = towards(-1);
+        if (!along || !against) return along ? along : against;
+        return along->distance <= against->distance ? along : against;
     }
 
     const TriangleSurface& scan_;
@@ -83,7 +88,7 @@ private:
 ScanProjection projectOntoScan(const LatticeNormals& lattice, const TriangleSurface& scan,
                                const ScanReach& reach, double minCosine, unsigned jobs) {
     const std::size_t count = lattice.points.size();
-    std::vector<Nearest> nearest(count);
+    std::vector<std::optional<Nearest>> nearest(count);
     parallelForMany(count, jobs, [&](std::size_t k) {
         if (lattice.normals[k]) nearest[k] = scan.nearest(point(lattice.points[k]), reach.max);
     });

@@ -1,5 +1,6 @@
 #include "bspline/reference/scan_reference.h"
 
+#include "base/at.h"
 #include "bspline/reference/lattice_normals.h"
 #include "bspline/reference/scan_gaps.h"
 #include "bspline/reference/scan_projection.h"
@@ -83,12 +84,12 @@ public:
             if (!all[k].complete) continue;
             const Eigen::Vector3d& from = lattice_.points[sharp[k]];
             Eigen::Vector3d moved = shortestSolution(all[k].matrix, all[k].right);
-            const TriangleSurface::Nearest nearest = scan.nearest(point(from), maxDistance);
-            if (!nearest.found()) continue;
-            if (!scan.nearest(point(from + moved), std::min(1.1 * nearest.distance, maxRounding) + 3 * noise_)
-                     .found()) {
-                if (nearest.onBoundary) continue;
-                moved = vector(nearest.position) - from;
+            const auto nearest = scan.nearest(point(from), maxDistance);
+            if (!nearest) continue;
+            const double reach = std::min(1.1 * nearest->distance, maxRounding) + 3 * noise_;
+            if (!scan.nearest(point(from + moved), reach)) {
+                if (nearest->onBoundary) continue;
+                moved = vector(nearest->position) - from;
             }
             displacements_[sharp[k]] = moved;
             weights_[sharp[k]] = 1;
@@ -108,7 +109,7 @@ public:
                 const std::size_t other = lattice_.numbers[g][index(g, column, row)];
                 if (!lattice_.sharp[other] || weights_[other] <= 0) continue;
                 for (int axis = 0; axis < 3; ++axis)
-                    around[static_cast<std::size_t>(axis)].push_back((*displacements_[other])[axis]);
+                    around[at(axis)].push_back((*displacements_[other])[axis]);
             }
             const Eigen::Vector3d usual(median(around[0]), median(around[1]), median(around[2]));
             residuals[number] = std::min(residuals[number], (*displacements_[number] - usual).norm());
@@ -161,8 +162,7 @@ private:
     [[nodiscard]] int columns(std::size_t g) const { return surface_[g].size[0] * surface_[g].steps; }
     [[nodiscard]] int rows(std::size_t g) const { return surface_[g].size[1] * surface_[g].steps; }
     [[nodiscard]] std::size_t index(std::size_t g, int i, int j) const {
-        return static_cast<std::size_t>(j) * static_cast<std::size_t>(columns(g) + 1) +
-               static_cast<std::size_t>(i);
+        return at(j) * at(columns(g) + 1) + at(i);
     }
 
     template <class Function> void forEachPoint(const Function& f) const {

@@ -1,5 +1,6 @@
 #include "bspline/reference/triangle_surface.h"
 
+#include "base/at.h"
 #include "bspline/reference/boundary_sides.h"
 #include "bspline/splines/eigen_point.h"
 
@@ -50,8 +51,8 @@ Weights nearestWeights(const std::array<Vector3d, 3>& corners, const Vector3d& p
     if (square > 0) {
         Weights inside;
         for (int k = 0; k < 3; ++k) {
-            const Vector3d& a = corners[static_cast<std::size_t>((k + 1) % 3)];
-            const Vector3d& b = corners[static_cast<std::size_t>((k + 2) % 3)];
+            const Vector3d& a = corners[at((k + 1) % 3)];
+            const Vector3d& b = corners[at((k + 2) % 3)];
             inside[k] = (a - point).cross(b - point).dot(normal) / square;
         }
         if (inside.minCoeff() >= 0) return inside / inside.sum();
@@ -91,7 +92,7 @@ struct TriangleSurface::Tree {
             const auto [a, b, c] = cornersOf(face);
             const Vector3d normal = (b - a).cross(c - a);
             for (const int corner : faces[face])
-                normals[static_cast<std::size_t>(corner)] += normal;
+                normals[at(corner)] += normal;
             entries.emplace_back(
                 Box(treePoint(a.cwiseMin(b).cwiseMin(c)), treePoint(a.cwiseMax(b).cwiseMax(c))),
                 static_cast<std::uint32_t>(face));
@@ -103,8 +104,7 @@ struct TriangleSurface::Tree {
 
     [[nodiscard]] std::array<Vector3d, 3> cornersOf(std::size_t face) const {
         std::array<Vector3d, 3> corners;
-        std::ranges::transform(faces[face], corners.begin(),
-                               [&](int k) { return points[static_cast<std::size_t>(k)]; });
+        std::ranges::transform(faces[face], corners.begin(), [&](int k) { return points[at(k)]; });
         return corners;
     }
 
@@ -112,7 +112,7 @@ struct TriangleSurface::Tree {
                                         const std::vector<Vector3d>& values) const {
         Vector3d sum = Vector3d::Zero();
         for (std::size_t k = 0; k < 3; ++k)
-            sum += weights[static_cast<Eigen::Index>(k)] * values[static_cast<std::size_t>(faces[face][k])];
+            sum += weights[static_cast<Eigen::Index>(k)] * values[at(faces[face][k])];
         return sum;
     }
 
@@ -120,17 +120,17 @@ struct TriangleSurface::Tree {
         for (std::size_t k = 0; k < 3; ++k) {
             const double opposite = weights[static_cast<Eigen::Index>((k + 2) % 3)];
             if (opposite == 0 && boundary.sides[3 * face + k]) return true;
-            if (weights[static_cast<Eigen::Index>(k)] == 1 &&
-                boundary.points[static_cast<std::size_t>(faces[face][k])])
+            if (weights[static_cast<Eigen::Index>(k)] == 1 && boundary.points[at(faces[face][k])])
                 return true;
         }
         return false;
     }
 
     [[nodiscard]] Nearest described(std::uint32_t face, const Weights& weights, double distance) const {
+        const Vector3d normal = interpolated(face, weights, normals).stableNormalized();
         return {qm::point(interpolated(face, weights, points)),
-                qm::point(interpolated(face, weights, normals).stableNormalized()), distance,
-                onBoundary(face, weights), static_cast<int>(face)};
+                normal.isZero(0) ? std::nullopt : std::optional(qm::point(normal)), distance,
+                onBoundary(face, weights), face};
     }
 };
 
@@ -138,8 +138,8 @@ std::size_t TriangleSurface::size() const {
     return tree_->faces.size();
 }
 
-std::array<Point, 3> TriangleSurface::corners(int face) const {
-    const auto [a, b, c] = tree_->cornersOf(static_cast<std::size_t>(face));
+std::array<Point, 3> TriangleSurface::corners(std::size_t face) const {
+    const auto [a, b, c] = tree_->cornersOf(face);
     return {point(a), point(b), point(c)};
 }
 
@@ -148,7 +148,8 @@ TriangleSurface::~TriangleSurface() = default;
 TriangleSurface::TriangleSurface(TriangleSurface&&) noexcept = default;
 TriangleSurface& TriangleSurface::operator=(TriangleSurface&&) noexcept = default;
 
-TriangleSurface::Nearest TriangleSurface::nearest(const Point& place, double maxDistance) const {
+std::optional<TriangleSurface::Nearest> TriangleSurface::nearest(const Point& place,
+                                                                 double maxDistance) const {
     const Vector3d point = vector(place);
     double best = maxDistance * maxDistance;
     std::uint32_t bestFace = 0;
@@ -170,14 +171,16 @@ TriangleSurface::Nearest TriangleSurface::nearest(const Point& place, double max
     tree_->boxes.query(index::nearest(treePoint(point), 1), all);
     const Vector3d reach = Vector3d::Constant(std::sqrt(best));
     tree_->boxes.query(index::intersects(boxAround(point - reach, point + reach)), all);
-    return bestWeights.isZero(0) ? Nearest{} : tree_->described(bestFace, bestWeights, std::sqrt(best));
+    if (bestWeights.isZero(0)) return std::nullopt;
+    return tree_->described(bestFace, bestWeights, std::sqrt(best));
 }
 
-TriangleSurface::Nearest TriangleSurface::alongLine(const Point& place, const Point& direction,
-                                                    double maxDistance, double minCosine) const {
+std::optional<TriangleSurface::Nearest> TriangleSurface::alongLine(const Point& place, const Point& direction,
+                                                                   double maxDistance,
+                                                                   double minCosine) const {
     const Vector3d point = vector(place);
     const Vector3d along = vector(direction);
-    Nearest best;
+    std::optional<Nearest> best;
     const auto consider = [&](const Entry& entry) {
         const auto corners = tree_->cornersOf(entry.second);
         // Volumes that the line's direction spans with the sides, seen from the point.
@@ -190,10 +193,10 @@ TriangleSurface::Nearest TriangleSurface::alongLine(const Point& place, const Po
         if (sum == 0 || !(weights.minCoeff() >= 0)) return;
         const double distance =
             std::abs((tree_->interpolated(entry.second, weights, tree_->points) - point).dot(along));
-        if (!(distance <= std::min(maxDistance, best.distance))) return;
-        if (distance == best.distance && static_cast<int>(entry.second) > best.face) return;
+        if (!(distance <= (best ? best->distance : maxDistance))) return;
+        if (best && distance == best->distance && entry.second > best->face) return;
         const Nearest hit = tree_->described(entry.second, weights, distance);
-        if ((hit.normal | direction) >= minCosine) best = hit;
+        if ((hit.normal ? *hit.normal | direction : 0) >= minCosine) best = hit;
     };
     tree_->boxes.query(index::intersects(boxAround(point - maxDistance * along, point + maxDistance * along)),
                        boost::make_function_output_iterator(consider));

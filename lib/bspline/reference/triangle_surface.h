@@ -4,8 +4,10 @@
 #include "mesh/triangles.h"
 
 #include <array>
+#include <cstddef>
 #include <limits>
 #include <memory>
+#include <optional>
 
 namespace qm {
 
@@ -17,13 +19,12 @@ namespace qm {
 class TriangleSurface {
 public:
     struct Nearest {
-        Point position{0, 0, 0};
-        /// Of unit length: the mean of the normals around each corner, interpolated; 0 where there is none.
-        Point normal{0, 0, 0};
-        double distance = std::numeric_limits<double>::infinity();
-        bool onBoundary = false; ///< on a side that only one triangle has, or at an end of one
-        int face = -1;           ///< -1: nothing within reach, the rest means nothing then
-        [[nodiscard]] bool found() const { return face >= 0; }
+        Point position;
+        /// Of unit length: the mean of the normals around each corner, interpolated; none where that is 0.
+        std::optional<Point> normal;
+        double distance;
+        bool onBoundary; ///< on a side that only one triangle has, or at an end of one
+        std::size_t face;
     };
 
     /// In n log n time. \pre three different points in every triangle, finite coordinates
@@ -32,18 +33,20 @@ public:
     TriangleSurface(TriangleSurface&&) noexcept;
     TriangleSurface& operator=(TriangleSurface&&) noexcept;
 
-    [[nodiscard]] Nearest nearest(const Point& point,
-                                  double maxDistance = std::numeric_limits<double>::infinity()) const;
+    /// \return nothing if nothing is within reach
+    [[nodiscard]] std::optional<Nearest>
+    nearest(const Point& point, double maxDistance = std::numeric_limits<double>::infinity()) const;
 
     /// Of all intersections with the line through a point, at most `maxDistance` away on either side, the
     /// nearest one whose normal makes an angle with the line that has at least this cosine.
     /// \param direction  of unit length
-    [[nodiscard]] Nearest alongLine(const Point& point, const Point& direction, double maxDistance,
-                                    double minCosine = -1) const;
+    /// \return nothing if there is none
+    [[nodiscard]] std::optional<Nearest> alongLine(const Point& point, const Point& direction,
+                                                   double maxDistance, double minCosine = -1) const;
 
     [[nodiscard]] std::size_t size() const; ///< triangles
     /// Of a triangle that was found.
-    [[nodiscard]] std::array<Point, 3> corners(int face) const;
+    [[nodiscard]] std::array<Point, 3> corners(std::size_t face) const;
 
 private:
     struct Tree;
