@@ -5,6 +5,7 @@
 #include "document/cut_section.h"
 #include "document/document.h"
 #include "document/enumeration_section.h"
+#include "document/read_enumeration.h"
 #include "document/features_section.h"
 #include "document/files.h"
 #include "document/layout_section.h"

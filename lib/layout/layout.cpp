@@ -47,7 +47,7 @@ private:
     double costOf(const std::vector<HalfedgeId>& path) const {
         double cost = 0;
         for (const HalfedgeId halfedge : path)
-            cost += edgeCosts_[at(mesh_.edge_handle(halfedge).idx())];
+            cost += edgeCosts_[at(mesh_.edge_handle(halfedge))];
         return cost;
     }
 

@@ -15,7 +15,7 @@ double capturedSharpness(const QuadMesh& mesh, const Layout& layout, const std::
         if (angle > rho) all += angle;
     for (const LayoutTrack& track : layout.tracks)
         for (const HalfedgeId halfedge : track.track.halfedges) {
-            const double angle = angles[at(mesh.edge_handle(halfedge).idx())];
+            const double angle = angles[at(mesh.edge_handle(halfedge))];
             if (angle > rho) captured += angle;
         }
     // The two sums are made in another order, so rounding may put the part above the whole.

@@ -29,13 +29,13 @@ public:
         result_.quarters.assign(graph.arcs.size(), 0);
         for (std::size_t arc = 0; arc < graph.arcs.size(); ++arc)
             for (const HalfedgeId halfedge : halfedgesOf(graph, complex, ArcId(arc)))
-                arcOf_[at(mesh.edge_handle(halfedge).idx())] = ArcId(arc);
+                arcOf_[at(mesh.edge_handle(halfedge))] = ArcId(arc);
     }
 
     GridProgram build(const Layout& layout) {
         for (const LayoutTrack& track : layout.tracks)
             for (const HalfedgeId halfedge : track.track.halfedges)
-                inLayout_[at(mesh_.edge_handle(halfedge).idx())] = !track.transversal;
+                inLayout_[at(mesh_.edge_handle(halfedge))] = !track.transversal;
         for (const Junction& junction : graph_.junctions)
             addJunction(junction);
         for (const Seed seed : complex_.seeds)
@@ -113,7 +113,7 @@ private:
                                           [](const Junction& junction) { return junction.vertex.idx(); });
     }
 
-    ArcId arcAt(HalfedgeId leaving) const { return arcOf_[at(mesh_.edge_handle(leaving).idx())]; }
+    ArcId arcAt(HalfedgeId leaving) const { return arcOf_[at(mesh_.edge_handle(leaving))]; }
     bool isBoundary(HalfedgeId halfedge) const { return mesh_.is_boundary(mesh_.edge_handle(halfedge)); }
 
     /// One of two neighbours is in; where both are, there is a corner.
@@ -131,7 +131,7 @@ private:
                 if (arc.valid()) result_.quarters[columnOf(arc)] += 1;
             result_.corners += known - 1;
             const bool mayEnd =
-                inLayout_[at(mesh_.edge_handle(next).idx())] && b.valid() && haveQuadBetween(next, afterNext);
+                inLayout_[at(mesh_.edge_handle(next))] && b.valid() && haveQuadBetween(next, afterNext);
             if (mayEnd && turnBetween(mesh_, edge, afterNext) > smoothness_.maxTurn) atLeast({{b, 1}}, 1);
         }
     }
@@ -174,7 +174,7 @@ private:
             if (!isRegular(mesh_, vertex) || mesh_.is_isolated(vertex) || mesh_.valence(vertex) == 2)
                 ring[at(parts.ofVertex[at(vertex)])] = false;
         const auto partOf = [&](HalfedgeId halfedge) {
-            return at(parts.ofVertex[at(mesh_.to_vertex_handle(halfedge).idx())]);
+            return at(parts.ofVertex[at(mesh_.to_vertex_handle(halfedge))]);
         };
         std::vector<std::vector<FaceId>> faces(ring.size());
         std::vector<std::vector<ArcId>> arcs(ring.size());
@@ -190,7 +190,7 @@ private:
         double cost = 0;
         const std::vector<HalfedgeId> line = seedLine(mesh_, faces, dihedralAngles_);
         for (const HalfedgeId halfedge : line)
-            cost += edgeCosts_[at(mesh_.edge_handle(halfedge).idx())];
+            cost += edgeCosts_[at(mesh_.edge_handle(halfedge))];
         // A loop makes an annulus of a torus, or two of one; a line from border to border a grid of one.
         const bool loop = !mesh_.is_boundary(mesh_.from_vertex_handle(line.front()));
         const ColumnId column = addIndicator(arcs, false, loop ? 4 : 0, cost);
@@ -220,7 +220,7 @@ private:
             std::size_t missing = 0;
             for (const HalfedgeId edge : sector.edges) {
                 terms.emplace_back(arcAt(edge), 1);
-                missing += inLayout_[at(mesh_.edge_handle(edge).idx())] ? 0 : 1;
+                missing += inLayout_[at(mesh_.edge_handle(edge))] ? 0 : 1;
             }
             missing = std::max(missing, sector.maxMissing);
             if (missing < terms.size()) atLeast(terms, static_cast<double>(terms.size() - missing));

@@ -24,12 +24,12 @@ Removal::Removal(const QuadMesh& mesh, const Layout& layout)
 }
 
 bool Removal::isBorder(HalfedgeId halfedge) const {
-    return border_[at(mesh_.edge_handle(halfedge).idx())];
+    return border_[at(mesh_.edge_handle(halfedge))];
 }
 
 void Removal::setBorder(const Track& track, bool border) {
     for (const HalfedgeId halfedge : track.halfedges)
-        border_[at(mesh_.edge_handle(halfedge).idx())] = border;
+        border_[at(mesh_.edge_handle(halfedge))] = border;
 }
 
 int Removal::find(int segment) {
@@ -73,8 +73,8 @@ Removal::Pairs Removal::joinedPairs(const Track& track) {
     for (const HalfedgeId halfedge : track.halfedges) {
         if (newPiece)
             pairs.push_back(
-                {find(segmentOf_[at(mesh_.face_handle(halfedge).idx())]),
-                 find(segmentOf_[at(mesh_.face_handle(mesh_.opposite_halfedge_handle(halfedge)).idx())])});
+                {find(segmentOf_[at(mesh_.face_handle(halfedge))]),
+                 find(segmentOf_[at(mesh_.face_handle(mesh_.opposite_halfedge_handle(halfedge)))])});
         newPiece = hasBorder(mesh_.to_vertex_handle(halfedge));
     }
     return pairs;

@@ -43,7 +43,7 @@ public:
     }
 
 private:
-    bool isSharp(HalfedgeId halfedge) const { return sharp_[at(mesh_.edge_handle(halfedge).idx())]; }
+    bool isSharp(HalfedgeId halfedge) const { return sharp_[at(mesh_.edge_handle(halfedge))]; }
 
     /// The rule without the layout.
     VertexRule byCreases(VertexId vertex) const {

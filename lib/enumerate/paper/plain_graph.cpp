@@ -19,7 +19,7 @@ public:
         for (const VertexId vertex : complex_.extraordinaryVertices)
             traced_[at(vertex)] = true;
         for (const Seed seed : complex_.seeds)
-            traced_[at(mesh_.from_vertex_handle(seed.direction).idx())] = true;
+            traced_[at(mesh_.from_vertex_handle(seed.direction))] = true;
         std::vector<std::size_t> active(complex_.separatrices.size());
         for (std::size_t i = 0; i < active.size(); ++i)
             active[i] = i;
@@ -42,7 +42,7 @@ private:
         std::vector<Arrival> arrivals;
         for (const std::size_t i : active) {
             const HalfedgeId next = complex_.separatrices[i].halfedges[walked_[i]];
-            const std::size_t edge = at(mesh_.edge_handle(next).idx());
+            const std::size_t edge = at(mesh_.edge_handle(next));
             if (covered_[edge]) continue;
             covered_[edge] = true;
             ++walked_[i];
@@ -92,11 +92,11 @@ private:
         for (const Separatrix& separatrix : complex_.separatrices)
             for (std::size_t k = 0; k < separatrix.reach; ++k) {
                 const HalfedgeId halfedge = separatrix.halfedges[k];
-                const std::size_t edge = at(mesh_.edge_handle(halfedge).idx());
+                const std::size_t edge = at(mesh_.edge_handle(halfedge));
                 if (counted[edge]) continue;
                 counted[edge] = true;
-                ++edges[at(mesh_.from_vertex_handle(halfedge).idx())];
-                ++edges[at(mesh_.to_vertex_handle(halfedge).idx())];
+                ++edges[at(mesh_.from_vertex_handle(halfedge))];
+                ++edges[at(mesh_.to_vertex_handle(halfedge))];
             }
         return edges;
     }
@@ -110,7 +110,7 @@ private:
             std::size_t& other = walked_[separatrix.opposite->idx()];
             if (walked_[i] + other != separatrix.halfedges.size()) continue;
             for (; walked_[i] > 0 && other > 0; ++walked_[i], --other)
-                if (lineEdges[at(mesh_.to_vertex_handle(separatrix.halfedges[walked_[i] - 1]).idx())] > 2)
+                if (lineEdges[at(mesh_.to_vertex_handle(separatrix.halfedges[walked_[i] - 1]))] > 2)
                     break;
         }
     }
@@ -133,7 +133,7 @@ MotorcycleGraph plainMotorcycleGraph(const QuadMesh& mesh, const BaseComplex& co
         const auto& path = complex.separatrices[i].halfedges;
         Track track{{path.begin(), path.begin() + static_cast<std::ptrdiff_t>(walked[i])}, 0};
         for (const HalfedgeId halfedge : track.halfedges)
-            track.cost += edgeCosts[at(mesh.edge_handle(halfedge).idx())];
+            track.cost += edgeCosts[at(mesh.edge_handle(halfedge))];
         graph.cost += track.cost;
         graph.tracks.push_back(std::move(track));
     }

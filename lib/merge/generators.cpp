@@ -1,0 +1,214 @@
+#include "merge/generators.h"
+
+#include "base/at.h"
+#include "base/error.h"
+#include "base/parallel.h"
+#include "enumerate/optimum/optimum.h"
+#include "enumerate/sub_mesh/line_walk.h"
+#include "layout/tracks.h"
+#include "merge/free_particles.h"
+#include "merge/linked_particles.h"
+
+#include <algorithm>
+#include <atomic>
+#include <optional>
+#include <set>
+#include <string>
+#include <unordered_set>
+#include <utility>
+
+namespace qm {
+namespace {
+
+class Generator {
+public:
+    Generator(const QuadMesh& mesh, const BaseComplex& complex, const SearchSpace& space,
+              const Enumeration& enumeration, const SubMeshes& subMeshes, double complexityLimit,
+              const Control& control)
+        : mesh_(mesh), complex_(complex), space_(space), enumeration_(enumeration), subMeshes_(subMeshes),
+          complexityLimit_(complexityLimit), control_(control),
+          arcOfEdge_(arcsOfEdges(mesh, space.graph, complex)), present_(space.graph.arcs.size(), false),
+          free_(space, present_) {}
+
+    /// PMG: searches sub-meshes that no arc joins at the same time, the others one after the other.
+    void partial() {
+        double done = 0;
+        for (const auto& group : separateGroups()) {
+            std::vector<std::vector<ArcId>> additions(group.size());
+            parallelFor(group.size(), control_.jobs,
+                        [&](std::size_t i) { additions[i] = searchPartial(group[i]); });
+            for (const auto& arcs : additions)
+                add(arcs);
+            done += static_cast<double>(group.size());
+            control_.progress(0.5 * done / subMeshes_.count);
+        }
+        result_.freeAfterPartial = free_.count();
+    }
+
+    /// CMG: until no particle is free, or a configuration repeats.
+    void complete(int maxRounds) {
+        while (static_cast<int>(result_.rounds) < maxRounds && !repeats() && free_.count() > 0 &&
+               !control_.stopRequested()) {
+            ++result_.rounds;
+            rounds_.emplace_back();
+            for (const SubMeshId subMesh : subMeshes_.ids())
+                searchComplete(subMesh);
+        }
+        extendRest();
+        control_.progress(1);
+    }
+
+    /// Nothing may be asked for afterwards.
+    [[nodiscard]] GeneratedGraph take() { return {std::move(present_), std::move(result_)}; }
+
+private:
+    /// Sub-meshes in groups whose members no arc joins: greedy colouring in the order of their ids.
+    [[nodiscard]] std::vector<std::vector<SubMeshId>> separateGroups() const {
+        IdVector<SubMeshId, std::set<SubMeshId>> neighbours(at(subMeshes_.count));
+        for (std::size_t arc = 0; arc < space_.arcBegins.size(); ++arc) {
+            const SubMeshId a = space_.arcBegins[arc], b = space_.arcEnds[arc];
+            if (a == b) continue;
+            neighbours[a].insert(b);
+            neighbours[b].insert(a);
+        }
+        IdVector<SubMeshId, int> groupOf(neighbours.size(), -1);
+        std::vector<std::vector<SubMeshId>> groups;
+        for (const SubMeshId subMesh : subMeshes_.ids()) {
+            std::set<int> taken;
+            for (const SubMeshId neighbour : neighbours[subMesh])
+                taken.insert(groupOf[neighbour]);
+            int group = 0;
+            while (taken.contains(group))
+                ++group;
+            groupOf[subMesh] = group;
+            if (group == static_cast<int>(groups.size())) groups.emplace_back();
+            groups[at(group)].push_back(subMesh);
+        }
+        return groups;
+    }
+
+    void add(std::vector<ArcId> arcs) {
+        std::erase_if(arcs, [&](ArcId arc) { return present_[arc.idx()]; });
+        change(arcs);
+    }
+
+    /// Arcs that are there go, others come. No arc is given twice.
+    void change(const std::vector<ArcId>& arcs) {
+        for (const ArcId arc : arcs)
+            present_[arc.idx()].flip();
+        free_.update(arcs);
+        if (!rounds_.empty()) rounds_.back().insert(rounds_.back().end(), arcs.begin(), arcs.end());
+    }
+
+    /// Whether the arcs are as they were before one of the rounds.
+    [[nodiscard]] bool repeats() const {
+        std::unordered_set<ArcId> differing;
+        for (std::size_t round = rounds_.size(); round-- > 0;) {
+            for (const ArcId arc : rounds_[round])
+                if (!differing.insert(arc).second) differing.erase(arc);
+            if (differing.empty()) return true;
+        }
+        return false;
+    }
+
+    /// Where free particles that came in may go on.
+    [[nodiscard]] std::vector<ArcId> enteringWalks(SubMeshId subMesh) const {
+        std::vector<ArcId> arcs;
+        for (const Particle particle : free_.in(subMesh)) {
+            const int walked = LineWalk(space_.graph, particle).covered(present_);
+            appendWalk(space_, particle.line, particle.fromEnd, walked, subMesh, arcs);
+        }
+        return arcs;
+    }
+
+    /// \return the arcs that it adds
+    [[nodiscard]] std::vector<ArcId> searchPartial(SubMeshId subMesh) const {
+        std::vector<ArcId> arcs = enteringWalks(subMesh);
+        const auto& graphs = enumeration_.subMeshes[subMesh].graphs;
+        if (arcs.empty() && !graphs.empty()) {
+            return coveredArcs(mesh_, space_.graph, arcOfEdge_, graphs.front().tracks);
+        }
+        for (const ArcId arc : ownArcs(space_, subMesh))
+            arcs.push_back(arc);
+        std::erase_if(arcs, [&](ArcId arc) { return present_[arc.idx()]; });
+        std::ranges::sort(arcs);
+        arcs.erase(std::unique(arcs.begin(), arcs.end()), arcs.end());
+        ++searches_;
+        if (const auto found = changesOf(subMesh, arcs)) return *found;
+        if (!space_.demands.empty()) throwImpossible(subMesh);
+        return straightArcs(subMesh, arcs);
+    }
+
+    /// Of the given arcs those that particles walk which only go straight on.
+    [[nodiscard]] std::vector<ArcId> straightArcs(SubMeshId subMesh, std::vector<ArcId> arcs) const {
+        std::vector<bool> straight = present_;
+        goStraight(space_, subMesh, straight);
+        std::erase_if(arcs, [&](ArcId arc) { return !straight[arc.idx()]; });
+        return arcs;
+    }
+
+    [[noreturn]] static void throwImpossible(SubMeshId subMesh) {
+        throw Error("sub-mesh " + std::to_string(subMesh.value()),
+                    "no motorcycle graph obeys the constraints", "take some out of /constraints");
+    }
+
+    /// Searches with these arcs free.
+    /// \return the arcs that come or go; none if nothing is valid
+    [[nodiscard]] std::optional<std::vector<ArcId>> changesOf(SubMeshId subMesh,
+                                                              const std::vector<ArcId>& arcs) const {
+        const Problem problem = subMeshProblem(space_, subMesh, arcs, present_);
+        Control control;
+        control.stopRequested = control_.stopRequested;
+        const OptimumResult found = findOptimum(problem, {}, control);
+        if (found.graphs.empty()) return std::nullopt;
+        return differences(problem, found.graphs.front(), present_);
+    }
+
+    void searchComplete(SubMeshId subMesh) {
+        const std::vector<Particle> particles(free_.in(subMesh).begin(), free_.in(subMesh).end());
+        if (particles.empty()) return;
+        for (const Linking linking : {Linking::closed, Linking::direct, Linking::none}) {
+            const LinkedParticles movable = linkedParticles(space_, present_, particles, subMesh, linking);
+            if (linking != Linking::none && movable.quasiComplexity >= complexityLimit_) continue;
+            ++searches_;
+            const auto changes = changesOf(subMesh, movable.arcs);
+            if (!changes) continue;
+            change(*changes);
+            result_.linked += movable.linked;
+            return;
+        }
+    }
+
+    /// Extends what is still free straight on, the cheapest first.
+    void extendRest() {
+        result_.searches = searches_;
+        result_.extended = extendCheapestFirst(space_.graph, space_.arcCosts, present_);
+    }
+
+    const QuadMesh& mesh_;
+    const BaseComplex& complex_;
+    const SearchSpace& space_;
+    const Enumeration& enumeration_;
+    const SubMeshes& subMeshes_;
+    double complexityLimit_;
+    const Control& control_;
+    const std::vector<ArcId> arcOfEdge_;
+    std::vector<bool> present_;
+    FreeParticles free_;
+    std::vector<std::vector<ArcId>> rounds_; ///< the arcs that came or went in each, as often as they did
+    mutable std::atomic<std::size_t> searches_ = 0;
+    MergeResult result_;
+};
+
+} // namespace
+
+GeneratedGraph generateGraph(const QuadMesh& mesh, const BaseComplex& complex, const SearchSpace& space,
+                             const Enumeration& enumeration, const SubMeshes& subMeshes,
+                             double complexityLimit, int maxRounds, const Control& control) {
+    Generator generator(mesh, complex, space, enumeration, subMeshes, complexityLimit, control);
+    generator.partial();
+    generator.complete(maxRounds);
+    return generator.take();
+}
+
+} // namespace qm
