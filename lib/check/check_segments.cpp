@@ -2,7 +2,6 @@
 
 #include "base/at.h"
 #include "base/positions.h"
-#include "check/paths.h"
 
 #include <algorithm>
 

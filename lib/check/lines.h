@@ -5,7 +5,6 @@
 #include "check/neighbourhoods.h"
 
 #include <array>
-#include <span>
 #include <unordered_map>
 #include <vector>
 

@@ -6,7 +6,6 @@
 #include "base/at.h"
 
 #include <array>
-#include <cstddef>
 #include <span>
 #include <vector>
 

@@ -12,7 +12,6 @@
 #include "remesh/draw_to_scan.h"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <limits>
 #include <optional>

@@ -5,7 +5,6 @@
 #include "document/json.h"
 #include "document/version.h"
 
-#include <algorithm>
 #include <cmath>
 #include <sstream>
 

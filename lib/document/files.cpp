@@ -2,7 +2,6 @@
 
 #include "base/at.h"
 
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>

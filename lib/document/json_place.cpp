@@ -3,8 +3,6 @@
 #include "base/error.h"
 #include "document/whole_number.h"
 
-#include <cmath>
-
 namespace qm {
 
 JsonPlace JsonPlace::operator[](const char* key) const {

@@ -4,12 +4,11 @@
 #include "document/constraints_section.h"
 #include "document/cut_section.h"
 #include "document/document.h"
-#include "document/enumeration_section.h"
-#include "document/read_enumeration.h"
 #include "document/features_section.h"
 #include "document/files.h"
 #include "document/layout_section.h"
 #include "document/mesh_section.h"
+#include "document/read_enumeration.h"
 #include "document/surfaces_section.h"
 
 namespace qm {

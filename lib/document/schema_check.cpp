@@ -6,8 +6,6 @@
 #include "document/shown_elements.h"
 
 #include <cctype>
-#include <string_view>
-#include <utility>
 
 namespace qm {
 

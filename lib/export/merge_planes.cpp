@@ -2,7 +2,6 @@
 
 #include <Geom_Plane.hxx>
 #include <algorithm>
-#include <array>
 #include <gp_Pln.hxx>
 #include <optional>
 #include <utility>

@@ -5,7 +5,6 @@
 #include "bspline/splines/surfaces.h"
 #include "layout/layout.h"
 
-#include <array>
 #include <cstddef>
 #include <vector>
 

@@ -6,7 +6,6 @@
 #include <Eigen/Geometry>
 
 #include <array>
-#include <cstddef>
 #include <numbers>
 
 namespace qm {

@@ -1,8 +1,6 @@
 #include "base/positions.h"
 #include "mesh/soup_repairs.h"
 
-#include <algorithm>
-
 namespace qm {
 namespace {
 

@@ -3,8 +3,6 @@
 #include "base/at.h"
 #include "base/disjoint_sets.h"
 
-#include <algorithm>
-
 namespace qm {
 
 namespace {

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <compare>
-#include <cstdint>
 #include <span>
 
 namespace qm {

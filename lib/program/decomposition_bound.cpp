@@ -10,7 +10,6 @@
 #include <cmath>
 #include <numeric>
 #include <queue>
-#include <utility>
 
 namespace qm {
 namespace {

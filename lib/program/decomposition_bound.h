@@ -10,7 +10,6 @@
 #include "program/integer_program.h"
 
 #include <limits>
-#include <vector>
 
 namespace qm {
 

@@ -6,7 +6,6 @@
 
 #include <limits>
 #include <optional>
-#include <vector>
 
 namespace qm {
 

@@ -4,7 +4,6 @@
 #include "mesh/quad_mesh.h"
 
 #include <array>
-#include <cstddef>
 #include <vector>
 
 namespace qm {

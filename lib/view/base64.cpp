@@ -3,8 +3,6 @@
 
 #include <openssl/evp.h>
 
-#include <algorithm>
-
 namespace qm {
 
 std::string base64(std::string_view bytes) {

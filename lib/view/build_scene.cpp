@@ -2,8 +2,6 @@
 
 #include "view/layers.h"
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace qm {

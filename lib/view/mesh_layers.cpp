@@ -2,7 +2,6 @@
 #include "mesh/topology.h"
 #include "view/layers.h"
 
-#include <cmath>
 #include <numbers>
 
 namespace qm {

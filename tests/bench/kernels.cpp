@@ -7,7 +7,6 @@
 #include "enumerate/enumerate.h"
 #include "features/features.h"
 #include "layout/layout.h"
-#include "merge/merge.h"
 #include "mesh/dihedral.h"
 
 #include <benchmark/benchmark.h>

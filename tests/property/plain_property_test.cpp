@@ -2,13 +2,10 @@
 #include "base/at.h"
 #include "check/check_graph.h"
 #include "enumerate/paper/plain_graph.h"
-#include "mesh/topology.h"
 #include "support/checked_mesh.h"
 #include "support/random_graph.h"
 
 #include <gtest/gtest.h>
-
-#include <algorithm>
 
 namespace qm::testing {
 namespace {

@@ -11,7 +11,6 @@
 #include "enumerate/paper/plain_graph.h"
 #include "enumerate/state/depth_first.h"
 #include "enumerate/state/independent_parts.h"
-#include "enumerate/sub_mesh/extend.h"
 #include "enumerate/sub_mesh/search_space.h"
 #include "enumerate/window/window_search.h"
 #include "layout/corners.h"

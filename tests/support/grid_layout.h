@@ -4,7 +4,6 @@
 #include "layout/layout.h"
 #include "mesh/quad_mesh.h"
 
-#include <array>
 #include <functional>
 #include <vector>
 

@@ -8,7 +8,6 @@
 
 #include <optional>
 #include <random>
-#include <span>
 #include <vector>
 
 namespace qm::testing {

@@ -9,7 +9,6 @@
 #include <array>
 #include <cmath>
 #include <numeric>
-#include <utility>
 
 namespace qm {
 namespace {

@@ -9,8 +9,6 @@
 
 #include <cmath>
 #include <functional>
-#include <numbers>
-#include <random>
 
 namespace qm {
 namespace {

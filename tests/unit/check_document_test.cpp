@@ -1,7 +1,5 @@
 // True documents pass; of each rule there is one that breaks it, and the place is named.
-#include "base/at.h"
 #include "base/error.h"
-#include "check/angles.h"
 #include "check/check_document.h"
 #include "support/true_models.h"
 

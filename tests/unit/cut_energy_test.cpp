@@ -2,7 +2,6 @@
 #include "cut/energy.h"
 #include "cut/geodesics.h"
 #include "mesh/build_mesh.h"
-#include "mesh/dihedral.h"
 #include "support/track_along.h"
 
 #include <gtest/gtest.h>

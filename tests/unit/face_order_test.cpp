@@ -5,7 +5,6 @@
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_Plane.hxx>
 #include <algorithm>
-#include <array>
 #include <numeric>
 
 namespace qm {

@@ -9,8 +9,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <map>
-#include <numeric>
 #include <set>
 
 namespace qm::testing {

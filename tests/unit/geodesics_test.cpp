@@ -10,7 +10,6 @@
 #include <functional>
 #include <limits>
 #include <numbers>
-#include <set>
 
 namespace qm::testing {
 namespace {

@@ -3,7 +3,6 @@
 #include "bspline/reference/control_mesh.h"
 #include "bspline/reference/limit_surface.h"
 #include "bspline/reference/vertex_stencil.h"
-#include "bspline/splines/bounding_box.h"
 #include "bspline/splines/evaluate.h"
 #include "mesh/dihedral.h"
 #include "shape/shape.h"

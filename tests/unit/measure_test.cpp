@@ -2,7 +2,6 @@
 #include "bspline/measure/border_measures.h"
 #include "bspline/measure/measure.h"
 #include "bspline/measure/scan_deviation.h"
-#include "bspline/splines/evaluate.h"
 #include "bspline/splines/interpolate.h"
 #include "support/grid_layout.h"
 

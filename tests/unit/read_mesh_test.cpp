@@ -1,5 +1,4 @@
 #include "base/error.h"
-#include "mesh/quad_geometry.h"
 #include "mesh/read_mesh.h"
 #include "mesh/suspicions.h"
 #include "mesh/topology.h"
@@ -12,7 +11,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <random>
 

@@ -1,11 +1,10 @@
 #include "base/at.h"
-#include "basecomplex/base_complex.h"
 #include "bspline/fit.h"
 #include "bspline/splines/evaluate.h"
-#include "enumerate/enumerate.h"
 #include "mesh/dihedral.h"
 #include "shape/scan.h"
 #include "shape/shape.h"
+#include "support/cheapest_layout.h"
 #include "support/true_surface.h"
 
 #include <gtest/gtest.h>
@@ -15,11 +14,6 @@
 namespace qm {
 namespace {
 
-Layout wholeLayout(const QuadMesh& mesh, const std::vector<double>& angles) {
-    const Enumeration found = enumerateGraphs(mesh, buildBaseComplex(mesh), angles, {}, {});
-    return buildLayout(mesh, found.subMeshes.front().graphs.at(0).tracks, angles, edgeCosts(angles, {}));
-}
-
 class NoisyScan : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(NoisyScan, IsFartherFromTheTruthThanTheSurfacesFittedToIt) {
@@ -28,7 +22,7 @@ TEST_P(NoisyScan, IsFartherFromTheTruthThanTheSurfacesFittedToIt) {
     ASSERT_TRUE(truth);
     const QuadMesh mesh = makeShape(name);
     const std::vector<double> angles = dihedralAngles(mesh);
-    const Layout layout = wholeLayout(mesh, angles);
+    const Layout layout = testing::cheapestLayout(mesh);
     Triangles scan = makeScan(name, 60'000);
     addNoise(scan, 0.0005 * diagonalOf(scan), 3);
     double ofScan = 0;
@@ -60,7 +54,7 @@ INSTANTIATE_TEST_SUITE_P(Parts, NoisyScan,
 std::size_t controlPointsFor(const QuadMesh& mesh, const Triangles& scan) {
     const std::vector<double> angles = dihedralAngles(mesh);
     const TriangleSurface surface(scan);
-    const Surfaces surfaces = fitSurfaces(mesh, wholeLayout(mesh, angles), angles, {}, &surface);
+    const Surfaces surfaces = fitSurfaces(mesh, testing::cheapestLayout(mesh), angles, {}, &surface);
     EXPECT_LE(surfaces.deviation.maxRelative, 0.001);
     return controlPointCount(surfaces.patches);
 }

@@ -10,11 +10,10 @@
 #include "bspline/network/vertex_fan.h"
 #include "bspline/reference/limit_surface.h"
 #include "bspline/reference/sound_faces.h"
-#include "bspline/splines/basis.h"
 #include "bspline/splines/interpolate.h"
-#include "enumerate/enumerate.h"
 #include "mesh/dihedral.h"
 #include "shape/shape.h"
+#include "support/cheapest_layout.h"
 #include "support/fitted_model.h"
 #include "support/grid_layout.h"
 #include "support/quad_layout.h"
@@ -40,12 +39,6 @@ SmoothNetwork networkOf(const QuadMesh& mesh, const Layout& layout) {
 /// A sheet that bends by a right angle at i = 4.
 Grid folded() {
     return {8, 6, [](double i, double j) { return Point(std::min(i, 4.0), j, std::max(i - 4, 0.0)); }};
-}
-
-Layout cheapestLayout(const QuadMesh& mesh) {
-    const std::vector<double> angles = dihedralAngles(mesh);
-    const Enumeration found = enumerateGraphs(mesh, buildBaseComplex(mesh), angles, {}, {});
-    return buildLayout(mesh, found.subMeshes.front().graphs.at(0).tracks, angles, edgeCosts(angles, {}));
 }
 
 TEST(TangentRatio, FallsToZeroWithinItsReachAndIsSmoothThere) {
@@ -379,7 +372,7 @@ TEST(NormalLimits, AreWideOnlyWhereTheNormalTurnsUnevenly) {
 
 TEST(SmoothFit, FollowsNormalsThatTurnEvenly) {
     const QuadMesh mesh = makeShape("torus", {.around = 30});
-    const Surfaces surfaces = fitSurfaces(mesh, cheapestLayout(mesh), dihedralAngles(mesh), {});
+    const Surfaces surfaces = fitSurfaces(mesh, testing::cheapestLayout(mesh), dihedralAngles(mesh), {});
     EXPECT_LT(surfaces.deviation.maxRelative, 1e-3);
     EXPECT_LT(surfaces.deviation.largestNormalDeviation, 0.2) << "the tolerance alone lets it be 2 degrees";
     EXPECT_LT(controlPointCount(surfaces.patches), 250U);
@@ -445,7 +438,7 @@ TEST(PlanePatches, ArePlaneToRoundingAndStillSmooth) {
         mesh.set_point(vertex, {0.6 * at[0] - 0.8 * at[1], 0.64 * at[0] + 0.48 * at[1] - 0.6 * at[2],
                                 0.48 * at[0] + 0.36 * at[1] + 0.8 * at[2]});
     }
-    const Layout layout = cheapestLayout(mesh);
+    const Layout layout = testing::cheapestLayout(mesh);
     const Surfaces surfaces = fitSurfaces(mesh, layout, dihedralAngles(mesh), {});
     EXPECT_LT(surfaces.deviation.largestGapRelative, 1e-12);
     EXPECT_LT(surfaces.deviation.largestNormalAngle, 1e-6);

@@ -2,8 +2,6 @@
 
 #include "base/at.h"
 
-#include <algorithm>
-
 namespace qm {
 namespace {
 

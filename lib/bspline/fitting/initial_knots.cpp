@@ -5,7 +5,6 @@
 #include "bspline/splines/eigen_point.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 namespace qm {

@@ -5,7 +5,6 @@
 #include "bspline/splines/basis.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace qm {

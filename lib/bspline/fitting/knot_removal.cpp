@@ -4,7 +4,6 @@
 #include "bspline/splines/evaluate.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace qm {

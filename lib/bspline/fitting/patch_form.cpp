@@ -3,7 +3,6 @@
 #include "bspline/fitting/gram.h"
 #include "bspline/splines/eigen_point.h"
 
-#include <algorithm>
 #include <cstddef>
 
 namespace qm {

@@ -4,7 +4,6 @@
 #include "bspline/measure/distance_bound.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 

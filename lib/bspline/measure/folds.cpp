@@ -6,7 +6,6 @@
 #include "bspline/splines/patch_bezier.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <optional>
 

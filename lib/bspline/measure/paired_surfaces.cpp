@@ -3,7 +3,6 @@
 #include "base/at.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace qm {

@@ -9,8 +9,8 @@
 
 namespace qm {
 
-/// The faces that are nearly flat and convex, and around which no face is folded: surfaces over them can be upright,
-/// even where interpolation winds the reference. By face.
+/// The faces that are nearly flat and convex, and around which no face is folded: surfaces over them can be
+/// upright, even where interpolation winds the reference. By face.
 [[nodiscard]] std::vector<bool> soundFaces(const QuadMesh& mesh);
 
 /// The bilinear surface through four points, counter-clockwise from the lowest parameters.

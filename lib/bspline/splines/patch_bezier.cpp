@@ -4,8 +4,6 @@
 #include "bspline/splines/basis.h"
 #include "bspline/splines/eigen_point.h"
 
-#include <utility>
-
 namespace qm {
 namespace {
 

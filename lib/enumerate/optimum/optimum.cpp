@@ -5,7 +5,6 @@
 #include "enumerate/state/independent_parts.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace qm {

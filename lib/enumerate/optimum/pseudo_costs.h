@@ -6,8 +6,6 @@
 #include "program/integer_program.h"
 
 #include <algorithm>
-#include <cstddef>
-#include <vector>
 
 namespace qm {
 

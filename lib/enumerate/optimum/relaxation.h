@@ -11,7 +11,6 @@
 
 #include <limits>
 #include <memory>
-#include <optional>
 #include <vector>
 
 class ClpSimplex;

@@ -5,7 +5,6 @@
 #include "enumerate/optimum/tuning.h"
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <limits>
 #include <utility>

@@ -8,7 +8,6 @@
 #include "enumerate/state/assignment.h"
 
 #include <functional>
-#include <vector>
 
 namespace qm {
 

@@ -110,8 +110,7 @@ private:
             std::size_t& other = walked_[separatrix.opposite->idx()];
             if (walked_[i] + other != separatrix.halfedges.size()) continue;
             for (; walked_[i] > 0 && other > 0; ++walked_[i], --other)
-                if (lineEdges[at(mesh_.to_vertex_handle(separatrix.halfedges[walked_[i] - 1]))] > 2)
-                    break;
+                if (lineEdges[at(mesh_.to_vertex_handle(separatrix.halfedges[walked_[i] - 1]))] > 2) break;
         }
     }
 

@@ -1,0 +1,10 @@
+/// \file The layout of the cheapest motorcycle graph of a whole mesh.
+#pragma once
+
+#include "layout/layout.h"
+
+namespace qm::testing {
+
+[[nodiscard]] Layout cheapestLayout(const QuadMesh& mesh);
+
+} // namespace qm::testing
