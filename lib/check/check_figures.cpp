@@ -3,14 +3,13 @@
 #include "check/check_sections.h"
 #include "check/check_segments.h"
 #include "check/distance.h"
+#include "check/distance_to_surfaces.h"
 #include "check/spline.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace qm::check {
-
 namespace {
 
 using Patch = SurfacesPart::Patch;
@@ -35,14 +34,7 @@ class FigureCheck {
 public:
     FigureCheck(const Context& context, const LayoutPart& layout, const SurfacesPart& part, Report& report)
         : mesh_(context.mesh), around_(context.around), layout_(layout), part_(part), report_(report),
-          places_(context.mesh.quads.size()) {
-        for (std::size_t p = 0; p < layout.segments.size(); ++p) {
-            const auto& segment = layout.segments[p];
-            for (std::size_t f = 0; f < segment.faces.size(); ++f)
-                places_[at(segment.faces[f])] = {p, static_cast<int>(f) % segment.size[0],
-                                                 static_cast<int>(f) / segment.size[0]};
-        }
-    }
+          surfaces_(context, layout, part) {}
 
     void run() {
         for (std::size_t p = 0; p < part_.patches.size(); ++p)
@@ -151,70 +143,15 @@ private:
             const double limit = *fromFacets + slack;
             double error = distanceToFace(mesh_, quad.face, startIn(quad, s, t), on.point);
             if (error > limit) error = distanceToMesh(mesh_, around_, quad.face, on.point);
-            if (error <= limit) error = distanceToSurfaces(p, parameters, of, quad.face, limit);
+            if (error <= limit) error = surfaces_.distanceFrom(of, quad.face, p, parameters, limit);
             if (compare(p, "maxFromFacets", fromFacets, error, slack, where)) return true;
         }
         const auto& fromVertices = patch.figures.maxFromVertices;
         const bool atVertex = i % perEdge == 0 && j % perEdge == 0;
         if (!atVertex || !fromVertices || plain <= *fromVertices + slackOf(*fromVertices)) return false;
         const double slack = slackOf(*fromVertices);
-        const double error = distanceToSurfaces(p, parameters, of, quad.face, *fromVertices + slack);
+        const double error = surfaces_.distanceFrom(of, quad.face, p, parameters, *fromVertices + slack);
         return compare(p, "maxFromVertices", fromVertices, error, slack, where);
-    }
-
-    struct FacePlace {
-        std::size_t patch = 0;
-        int column = 0;
-        int row = 0;
-    };
-
-    /// From a point of a face to its patch, and if that is farther than the limit, from more places of the
-    /// faces around it as well: surfaces may slide into other patches, and a patch may meet itself.
-    [[nodiscard]] double distanceToSurfaces(std::size_t p, const Parameters& parameters, const Place& point,
-                                            int face, double limit) const {
-        double nearest = distanceToPatch(part_.patches[p], parameters, point);
-        if (nearest <= limit) return nearest;
-        for (const int vertex : mesh_.quads[at(face)])
-            for (int k = 0; k < around_.valence(vertex); ++k) {
-                const int other = around_.leftFace(around_.firstStep(vertex) + k);
-                if (other < 0) continue;
-                nearest = std::min(nearest, distanceToPart(places_[at(other)], point, 2));
-                if (nearest <= limit) return nearest;
-            }
-        return distanceToAll(point, limit, nearest);
-    }
-
-    /// To the surface over a face, or where the search leads to from a lattice of places there: where it is
-    /// folded, many points are nearer than all around them.
-    [[nodiscard]] double distanceToPart(const FacePlace& place, const Place& point, int steps) const {
-        double nearest = std::numeric_limits<double>::infinity();
-        for (int i = 0; i <= steps; ++i)
-            for (int j = 0; j <= steps; ++j)
-                nearest = std::min(nearest, distanceToPatch(part_.patches[place.patch],
-                                                            {place.column + static_cast<double>(i) / steps,
-                                                             place.row + static_cast<double>(j) / steps},
-                                                            point));
-        return nearest;
-    }
-
-    /// From all faces whose part of the surface may be nearer than what was found: a reference of another
-    /// shape draws surfaces away from their faces.
-    [[nodiscard]] double distanceToAll(const Place& point, double limit, double nearest) const {
-        for (const FacePlace& place : places_) {
-            const Patch& patch = part_.patches[place.patch];
-            const auto corner = [&](double s, double t) {
-                return evaluate(patch, place.column + s, place.row + t).point;
-            };
-            const Place middle = corner(0.5, 0.5);
-            double radius = 0;
-            for (const Parameters& end : {Parameters{0, 0}, {1, 0}, {1, 1}, {0, 1}})
-                radius = std::max(radius, distance(middle, corner(end[0], end[1])));
-            constexpr double bulge = 1.5;
-            if (distance(middle, point) - bulge * radius > nearest) continue;
-            nearest = std::min(nearest, distanceToPart(place, point, 4));
-            if (nearest <= limit) break;
-        }
-        return nearest;
     }
 
     [[nodiscard]] static double rounding(const Quad& quad) {
@@ -289,8 +226,7 @@ private:
     const LayoutPart& layout_;
     const SurfacesPart& part_;
     Report& report_;
-
-    std::vector<FacePlace> places_; ///< by face
+    DistanceToSurfaces surfaces_;
 };
 
 } // namespace
