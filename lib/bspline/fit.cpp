@@ -6,13 +6,16 @@
 #include "bspline/measure/measure.h"
 #include "bspline/measure/scan_deviation.h"
 #include "bspline/network/smooth_network.h"
+#include "bspline/reference/bridged_mesh.h"
 #include "bspline/reference/fit_target.h"
 #include "bspline/splines/bounding_box.h"
 #include "bspline/splines/interpolate.h"
+#include "mesh/dihedral.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string>
 
 namespace qm {
@@ -75,11 +78,16 @@ ScanFigures scanFigures(const std::vector<Patch>& patches, const FitTarget& targ
 Surfaces fitSurfaces(const QuadMesh& mesh, const Layout& layout, const std::vector<double>& dihedralAngles,
                      const FitOptions& options, const TriangleSurface* scan, const Control& control) {
     requireValid(options);
-    const SmoothNetwork network = buildNetwork(mesh, layout, dihedralAngles, options.rho);
-    const FitTarget target = fitTarget(mesh, layout, network, scan, control.jobs);
+    SmoothNetwork network = buildNetwork(mesh, layout, dihedralAngles, options.rho);
+    const bool isSmoothFit = options.fit == Fit::smooth;
+    const std::optional<QuadMesh> bridged =
+        isSmoothFit ? bridgedMesh(mesh, network.marks.isCrease) : std::nullopt;
+    if (bridged) network = buildNetwork(*bridged, layout, qm::dihedralAngles(*bridged), options.rho);
+    const QuadMesh& upright = bridged ? *bridged : mesh;
+    const FitTarget target = fitTarget(upright, layout, network, scan, control.jobs);
     const double diagonal = boundingBoxDiagonal(mesh);
     Surfaces surfaces;
-    if (options.fit == Fit::smooth) {
+    if (isSmoothFit) {
         const double allowed = options.tolerance.length(diagonal) + noiseLeft * target.noise;
         const Verification verify = [&](const std::vector<Patch>& patches) {
             const double limit =
@@ -94,7 +102,7 @@ Surfaces fitSurfaces(const QuadMesh& mesh, const Layout& layout, const std::vect
         effort.tolerance = (verifies ? shareVerified : shareUnverified) * allowed;
         effort.flatness = std::min(planeShare * allowed, maxFlatness * diagonal);
         surfaces.patches =
-            fitSmooth(mesh, layout, network, target, effort, verifies ? verify : Verification(), control);
+            fitSmooth(upright, layout, network, target, effort, verifies ? verify : Verification(), control);
     } else {
         surfaces.patches = interpolateSegments(mesh, layout, control.jobs);
     }

@@ -64,6 +64,25 @@ std::optional<Point> quadNormal(const QuadMesh& mesh, FaceId face) {
     return unit(sum);
 }
 
+std::optional<Point> middleNormal(const QuadMesh& mesh, FaceId face) {
+    const auto [a, b, c, d] = cornersOf(mesh, face);
+    return unit(scaled(mesh.point(c) - mesh.point(a)) % scaled(mesh.point(d) - mesh.point(b)));
+}
+
+bool isFolded(const QuadMesh& mesh, FaceId face) {
+    constexpr double minSine = 0.1;
+    const std::optional<Point> normal = middleNormal(mesh, face);
+    if (!normal) return true;
+    const auto corners = cornersOf(mesh, face);
+    for (std::size_t k = 0; k < 4; ++k) {
+        const Point corner = mesh.point(corners[k]);
+        const Point onward = scaled(mesh.point(corners[(k + 1) % 4]) - corner);
+        const Point back = scaled(mesh.point(corners[(k + 3) % 4]) - corner);
+        if (!(((onward % back) | *normal) > minSine * onward.norm() * back.norm())) return true;
+    }
+    return false;
+}
+
 double meanEdgeLength(const QuadMesh& mesh) {
     double sum = 0;
     for (const EdgeId edge : mesh.edges())

@@ -23,6 +23,14 @@ namespace qm {
 /// The mean of those of its triangles, of unit length; none if both have no area (docs/METHOD.md#cost).
 [[nodiscard]] std::optional<Point> quadNormal(const QuadMesh& mesh, FaceId face);
 
+/// In the quad's middle, where the four corners count alike: the product of its diagonals, of unit length.
+[[nodiscard]] std::optional<Point> middleNormal(const QuadMesh& mesh, FaceId face);
+
+/// Whether a corner is within 6 degrees of flat, or turned over against the quad's middle, or without area.
+/// What dihedral angles such a quad has is left to chance: remeshers divide triangles into quads with three
+/// corners in a line, and rounding then decides on the normal between these.
+[[nodiscard]] bool isFolded(const QuadMesh& mesh, FaceId face);
+
 /// Of all edges; 0 if there are none.
 [[nodiscard]] double meanEdgeLength(const QuadMesh& mesh);
 

@@ -1,6 +1,7 @@
 #include "prune/vertex_room.h"
 
 #include "base/at.h"
+#include "mesh/quad_geometry.h"
 #include "prune/turn.h"
 
 #include <utility>
@@ -10,6 +11,14 @@ namespace {
 
 /// Radians: edges of larger dihedral angles end a tangent plane.
 constexpr double sharp = 0.6;
+
+/// Beside a folded quad there is no telling, and the sharper rule is that of one tangent plane.
+bool isSharp(const QuadMesh& mesh, const std::vector<double>& dihedralAngles, HalfedgeId halfedge) {
+    const EdgeId edge = mesh.edge_handle(halfedge);
+    if (mesh.is_boundary(edge)) return true;
+    return dihedralAngles[at(edge)] > sharp && !isFolded(mesh, mesh.face_handle(halfedge)) &&
+           !isFolded(mesh, mesh.opposite_face_handle(halfedge));
+}
 
 /// \param total  degrees of all faces together
 std::size_t maxMissing(std::size_t faces, double total, double minCorner) {
@@ -35,10 +44,8 @@ std::vector<RoomSector> roomAt(const QuadMesh& mesh, const std::vector<double>& 
     const std::size_t count = edges.size();
     if (minCorner <= 0) return {{edges, count}};
     std::vector<std::size_t> ends;
-    for (std::size_t k = 0; k < count; ++k) {
-        const EdgeId edge = mesh.edge_handle(edges[k]);
-        if (mesh.is_boundary(edge) || dihedralAngles[at(edge)] > sharp) ends.push_back(k);
-    }
+    for (std::size_t k = 0; k < count; ++k)
+        if (isSharp(mesh, dihedralAngles, edges[k])) ends.push_back(k);
     if (ends.size() < 2) return {{edges, maxMissing(count, 360, minCorner)}};
     const auto edgeAt = [&](std::size_t k) { return edges[k < count ? k : k - count]; };
     std::vector<RoomSector> sectors;
