@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <set>
 
 namespace qm {
 namespace {
@@ -43,7 +44,7 @@ public:
     std::optional<QuadMesh> run() {
         bool hasMoved = false;
         for (const FaceId face : mesh_.faces())
-            if (isFolded_[at(face)] && isSmoothAround(face)) hasMoved = bridge(face) || hasMoved;
+            if (isFolded_[at(face)]) hasMoved = bridge(face) || hasMoved;
         if (!hasMoved) return {};
         return std::move(mesh_);
     }
@@ -54,56 +55,57 @@ private:
     /// Only of quads that are not folded.
     [[nodiscard]] Point normalOf(FaceId face) const { return *middleNormal(mesh_, face); }
 
-    [[nodiscard]] std::vector<FaceId> facesAround(FaceId face) const {
-        std::vector<FaceId> faces;
-        for (const VertexId vertex : mesh_.fv_range(face))
-            for (const FaceId beside : mesh_.vf_range(vertex))
-                if (std::ranges::find(faces, beside) == faces.end()) faces.push_back(beside);
-        return faces;
-    }
+    [[nodiscard]] bool isFixed(VertexId vertex) const { return isFixed_[at(vertex)]; }
 
-    /// What is around and not folded lies on one side of a smooth surface.
-    [[nodiscard]] bool isSmoothAround(FaceId face) const {
-        const auto isFixed = [&](VertexId vertex) { return isFixed_[at(vertex)]; };
+    /// No crease passes, and the quads around that are not folded lie on one side of a smooth surface.
+    [[nodiscard]] bool mayMove(VertexId vertex) const {
+        if (isFixed(vertex)) return false;
         double limit = minCosine;
         Point sum(0, 0, 0);
         std::vector<Point> normals;
-        for (const FaceId beside : facesAround(face)) {
-            if (std::ranges::any_of(mesh_.fv_range(beside), isFixed)) limit = minCosineNearCreases;
-            if (isFolded_[at(beside)]) continue;
-            normals.push_back(normalOf(beside));
+        for (const FaceId face : mesh_.vf_range(vertex)) {
+            if (std::ranges::any_of(mesh_.fv_range(face), [&](VertexId other) { return isFixed(other); }))
+                limit = minCosineNearCreases;
+            if (isFolded_[at(face)]) continue;
+            normals.push_back(normalOf(face));
             sum += normals.back();
         }
-        return !normals.empty() && std::ranges::all_of(normals, [&](const Point& normal) {
-            return (normal | sum) >= limit * sum.norm();
-        });
+        return std::ranges::all_of(normals,
+                                   [&](const Point& normal) { return (normal | sum) >= limit * sum.norm(); });
     }
 
-    /// Moves a fold's vertices, and more and more of those around it, until no quad is folded there.
+    /// Moves a fold's vertices, and more and more of those around it, until no quad is folded there, or else
+    /// as few as can be had.
     bool bridge(FaceId face) {
         std::vector<VertexId> moved;
+        std::vector<Point> best;
+        std::ptrdiff_t gain = 0;
         for (const VertexId vertex : mesh_.fv_range(face))
             take(vertex, moved);
-        bool isUpright = false;
-        for (int ring = 0; ring <= maxRings && !isUpright; ++ring) {
+        for (int ring = 0; ring <= maxRings; ++ring) {
             if (ring > 0) grow(moved);
             const std::vector<Point> before = pointsOf(moved);
-            isUpright = continueSmoothly(moved) && !qm::isFolded(mesh_, face) && areUpright(moved);
-            if (isUpright) break;
-            for (std::size_t k = 0; k < moved.size(); ++k)
-                mesh_.set_point(moved[k], before[k]);
+            const auto wrongBefore = wrongAt(moved);
+            if (!continueSmoothly(moved)) break;
+            const auto wrong = wrongAt(moved);
+            if (wrongBefore - wrong > gain) {
+                gain = wrongBefore - wrong;
+                best = pointsOf(moved);
+            }
+            setPoints(moved, before);
+            if (wrong == 0) break;
         }
-        for (const VertexId vertex : moved) {
+        setPoints(moved, best);
+        for (const VertexId vertex : moved)
             unknown_[at(vertex)] = none;
-            if (!isUpright) continue;
-            for (const FaceId beside : mesh_.vf_range(vertex))
-                isFolded_[at(beside)] = false;
-        }
-        return isUpright;
+        for (std::size_t k = 0; k < best.size(); ++k)
+            for (const FaceId beside : mesh_.vf_range(moved[k]))
+                isFolded_[at(beside)] = qm::isFolded(mesh_, beside);
+        return gain > 0;
     }
 
     void take(VertexId vertex, std::vector<VertexId>& moved) {
-        if (isFixed_[at(vertex)] || unknown_[at(vertex)] != none) return;
+        if (unknown_[at(vertex)] != none || !mayMove(vertex)) return;
         unknown_[at(vertex)] = static_cast<int>(moved.size());
         moved.push_back(vertex);
     }
@@ -122,17 +124,27 @@ private:
         return points;
     }
 
-    /// No quad at these vertices is folded, or turned over against one beside it.
-    [[nodiscard]] bool areUpright(const std::vector<VertexId>& vertices) const {
-        const auto isUpright = [&](FaceId face) {
-            if (qm::isFolded(mesh_, face)) return false;
-            return std::ranges::all_of(mesh_.ff_range(face), [&](FaceId beside) {
-                return qm::isFolded(mesh_, beside) || (normalOf(face) | normalOf(beside)) > 0;
-            });
+    /// The first of these vertices, which are taken ring by ring.
+    void setPoints(const std::vector<VertexId>& vertices, const std::vector<Point>& points) {
+        for (std::size_t k = 0; k < points.size(); ++k)
+            mesh_.set_point(vertices[k], points[k]);
+    }
+
+    /// How many quads at these vertices are folded, or turned over against one beside them.
+    [[nodiscard]] std::ptrdiff_t wrongAt(const std::vector<VertexId>& vertices) const {
+        const auto agrees = [&](HalfedgeId side) {
+            if (isFixed(mesh_.from_vertex_handle(side)) && isFixed(mesh_.to_vertex_handle(side))) return true;
+            const FaceId beside = mesh_.opposite_face_handle(side);
+            return qm::isFolded(mesh_, beside) || (normalOf(mesh_.face_handle(side)) | normalOf(beside)) > 0;
         };
-        return std::ranges::all_of(vertices, [&](VertexId vertex) {
-            return std::ranges::all_of(mesh_.vf_range(vertex), isUpright);
-        });
+        const auto isUpright = [&](FaceId face) {
+            return !qm::isFolded(mesh_, face) && std::ranges::all_of(mesh_.fh_range(face), agrees);
+        };
+        std::set<FaceId> wrong;
+        for (const VertexId vertex : vertices)
+            for (const FaceId face : mesh_.vf_range(vertex))
+                if (!isUpright(face)) wrong.insert(face);
+        return std::ssize(wrong);
     }
 
     /// Least squares of the differences between vertices and the mean of their neighbours, at all vertices
@@ -141,7 +153,7 @@ private:
         std::vector<VertexId> rows = moved;
         for (const VertexId vertex : moved)
             for (const VertexId beside : mesh_.vv_range(vertex))
-                if (unknown_[at(beside)] == none && !isFixed_[at(beside)]) rows.push_back(beside);
+                if (unknown_[at(beside)] == none && mayMove(beside)) rows.push_back(beside);
         std::sort(rows.begin(), rows.end());
         rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
         std::vector<Eigen::Triplet<double>> entries;

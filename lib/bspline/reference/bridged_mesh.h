@@ -10,8 +10,8 @@
 namespace qm {
 
 /// The same mesh with the vertices of folded quads (see `isFolded`), and if need be those around them, where
-/// the smoothest continuation of what surrounds them has them. Quads that hide a crease stay as they are, as
-/// do the vertices of creases and of the boundary, and all that would not become upright. Linear in the mesh.
+/// the smoothest continuation of what surrounds them has them, so that fewer quads are folded. Vertices of
+/// creases and of the boundary stay, and those where folded quads may hide a crease. Linear in the mesh.
 /// \param isCrease  by edge; beside folded quads it is not believed
 /// \return nothing if no vertex moves
 [[nodiscard]] std::optional<QuadMesh> bridgedMesh(const QuadMesh& mesh, const std::vector<bool>& isCrease);
