@@ -118,9 +118,9 @@ private:
     }
 
     [[nodiscard]] std::vector<Point> pointsOf(const std::vector<VertexId>& vertices) const {
-        std::vector<Point> points;
-        for (const VertexId vertex : vertices)
-            points.push_back(mesh_.point(vertex));
+        std::vector<Point> points(vertices.size());
+        std::ranges::transform(vertices, points.begin(),
+                               [&](VertexId vertex) { return mesh_.point(vertex); });
         return points;
     }
 

@@ -93,7 +93,7 @@ private:
     /// All its faces are sound, and over one the surface folds.
     [[nodiscard]] bool liesBesideFold(EdgeId edge) const {
         bool folds = false;
-        for (const int side : {0, 1}) {
+        for (const unsigned side : {0U, 1U}) {
             const FaceId face = mesh_.face_handle(mesh_.halfedge_handle(edge, side));
             if (!face.is_valid()) continue; // beyond the boundary
             if (!isSound_[at(face)]) return false;
