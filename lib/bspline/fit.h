@@ -26,7 +26,8 @@ struct FitOptions {
 };
 
 /// One patch for every segment, and how far they are from the reference and from the mesh. The reference is
-/// the smooth surface through the mesh's vertices, or a scan.
+/// the smooth surface through the mesh's vertices, but for those of folded quads (see `bridgedMesh`), or a
+/// scan.
 /// \param dihedralAngles  of every edge, in radians, by edge index
 /// \param scan  null if there is none
 /// \throw Error  if an option is out of range, or the scan is not of this mesh

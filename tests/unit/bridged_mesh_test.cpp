@@ -1,4 +1,4 @@
-#include "base/at.h"
+#include "base/positions.h"
 #include "bspline/fit.h"
 #include "bspline/reference/bridged_mesh.h"
 #include "mesh/dihedral.h"
@@ -7,7 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace qm {
@@ -44,8 +43,7 @@ std::vector<bool> noCreases(const QuadMesh& mesh) {
 }
 
 std::size_t foldedQuads(const QuadMesh& mesh) {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(mesh.faces(), [&](FaceId face) { return isFolded(mesh, face); }));
+    return countWhere(mesh.faces(), [&](FaceId face) { return isFolded(mesh, face); });
 }
 
 TEST(IsFolded, WhereACornerIsFlatOrTurnedOrWithoutArea) {

@@ -82,6 +82,7 @@ private:
         std::ptrdiff_t gain = 0;
         for (const VertexId vertex : mesh_.fv_range(face))
             take(vertex, moved);
+        if (moved.empty()) return false;
         for (int ring = 0; ring <= maxRings; ++ring) {
             if (ring > 0) grow(moved);
             const std::vector<Point> before = pointsOf(moved);
@@ -184,7 +185,7 @@ private:
 
     QuadMesh mesh_;
     std::vector<bool> isFolded_; ///< by face
-    std::vector<bool> isFixed_;  ///< by vertex: a sharp edge or the boundary passes
+    std::vector<bool> isFixed_;  ///< by vertex: a crease or the boundary passes
     std::vector<int> unknown_;   ///< by vertex: its number among those that move, or none
 };
 

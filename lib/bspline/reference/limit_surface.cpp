@@ -22,7 +22,7 @@ MeshLattice limitLattice(const QuadMesh& mesh, const Layout& layout, const std::
         lattice = lattice.subdivided(rules, sharp, jobs);
     lattice = lattice.limit(rules, sharp, jobs);
     for (const VertexId vertex : mesh.vertices())
-        if (control.interpolates[at(vertex.idx())]) lattice.move(vertex, mesh.point(vertex));
+        if (control.interpolates[at(vertex)]) lattice.move(vertex, mesh.point(vertex));
     unfold(lattice, rules, sharp, jobs);
     return lattice;
 }

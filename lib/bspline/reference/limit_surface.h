@@ -12,8 +12,8 @@ namespace qm {
 /// The limit of Catmull-Clark subdivision that interpolates the mesh's vertices, with creases at the given
 /// edges and at the mesh boundary; `vertexRules` says where it has corners. Lattice points on a common border
 /// of segments are the same to the last bit in both, and those at vertices are the vertices themselves, but
-/// for components without an interpolating limit (see `interpolatingControlMesh`). It does not fold over flat
-/// quads of plane regions (see `unfold`). In time linear in the mesh.
+/// for components without an interpolating limit (see `interpolatingControlMesh`). It does not fold over
+/// sound quads (see `unfold`). In time linear in the mesh.
 /// \param isCrease  by edge
 /// \param steps  lattice steps a quad: a power of two, at least 2
 /// \param jobs  threads; the result does not depend on them
