@@ -17,6 +17,8 @@ namespace {
 constexpr double minCosine = 0.5;
 /// Of the area that a part of the quad has itself: surfaces that follow less are easily turned over.
 constexpr double minArea = 0.3;
+/// Over the mesh: folds that spread farther than real ones, which take two, are left.
+constexpr int maxPasses = 8;
 
 class Unfolding {
 public:
@@ -29,7 +31,7 @@ public:
         if (!findFolds(jobs)) return;
         const MeshLattice before = lattice_;
         const EdgeCurves curves(before, rules_, sharp_);
-        do {
+        for (int pass = 0; pass < maxPasses; ++pass) {
             for (const EdgeId edge : mesh_.edges()) {
                 if (isRedrawn_[at(edge)] || !liesBesideFold(edge)) continue;
                 isRedrawn_[at(edge)] = !sharp_[at(edge)] || turnsBack(edge);
@@ -37,7 +39,8 @@ public:
             }
             parallelForMany(mesh_.n_faces(), jobs,
                             [&](std::size_t face) { fill(FaceId(static_cast<int>(face)), before); });
-        } while (findFolds(jobs));
+            if (!findFolds(jobs)) return;
+        }
     }
 
 private:
