@@ -10,7 +10,8 @@
 namespace qm {
 
 /// The limit of Catmull-Clark subdivision that interpolates the mesh's vertices, with creases at the given
-/// edges and at the mesh boundary; `vertexRules` says where it has corners. Lattice points on a common border
+/// edges and at the mesh boundary; `vertexRules` says where it has corners. Its tangent planes at smooth
+/// vertices are tilted so that it waves less (see `bendLeast`). Lattice points on a common border
 /// of segments are the same to the last bit in both, and those at vertices are the vertices themselves, but
 /// for components without an interpolating limit (see `interpolatingControlMesh`). It does not fold over
 /// sound quads (see `unfold`). In time linear in the mesh.

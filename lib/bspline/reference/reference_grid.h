@@ -1,6 +1,7 @@
 /// \file The shape that one segment's patch is fitted to, as points on a lattice over the segment's quads.
 #pragma once
 
+#include "bspline/reference/lagrange.h"
 #include "bspline/splines/evaluate.h"
 #include "mesh/quad_mesh.h"
 
@@ -8,9 +9,6 @@
 #include <vector>
 
 namespace qm {
-
-/// Polynomials of higher degree through equally spaced points are no longer trustworthy.
-constexpr int maxSteps = 16;
 
 /// The reference above one segment. Point (i, j), at j * (size[0] * steps + 1) + i, belongs to u = i / steps
 /// and v = j / steps of the segment's patch. Within every quad the surface is the polynomial of degree

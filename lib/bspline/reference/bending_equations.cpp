@@ -1,0 +1,113 @@
+#include "bspline/reference/bending_equations.h"
+
+#include "base/at.h"
+
+#include <Eigen/LU>
+
+#include <utility>
+
+namespace qm {
+namespace {
+
+using Values = Eigen::VectorXd; // two a vertex
+
+Eigen::Index row(int vertexOrCorner) {
+    return Eigen::Index{2} * vertexOrCorner;
+}
+
+void add(const std::array<int, 4>& vertices, const CornerTilts& what, Values& to) {
+    for (int corner = 0; corner < 4; ++corner)
+        to.segment<2>(row(vertices[at(corner)])) += what.segment<2>(row(corner));
+}
+
+Values rightHandSide(const std::vector<BendingTerm>& terms, Eigen::Index size) {
+    Values sum = Values::Zero(size);
+    for (const BendingTerm& term : terms)
+        add(term.vertices(), term.right(), sum);
+    return sum;
+}
+
+Values product(const std::vector<BendingTerm>& terms, const Values& tilts) {
+    Values sum = Values::Zero(tilts.size());
+    CornerTilts ofTerm;
+    for (const BendingTerm& term : terms) {
+        for (int corner = 0; corner < 4; ++corner)
+            ofTerm.segment<2>(row(corner)) = tilts.segment<2>(row(term.vertices()[at(corner)]));
+        add(term.vertices(), term.matrix() * ofTerm, sum);
+    }
+    return sum;
+}
+
+/// The inverse of every vertex's own equations; zero where there are none.
+class Preconditioner {
+public:
+    Preconditioner(const std::vector<BendingTerm>& terms, std::size_t vertices)
+        : inverse_(vertices, Eigen::Matrix2d::Zero()) {
+        constexpr double singular = 1e-12;
+        for (const BendingTerm& term : terms) {
+            const auto matrix = term.matrix();
+            for (int corner = 0; corner < 4; ++corner)
+                inverse_[at(term.vertices()[at(corner)])] += matrix.block<2, 2>(row(corner), row(corner));
+        }
+        for (Eigen::Matrix2d& block : inverse_) {
+            const bool isRegular = block.determinant() > singular * block.squaredNorm();
+            block = isRegular ? Eigen::Matrix2d(block.inverse()) : Eigen::Matrix2d::Zero();
+        }
+    }
+
+    [[nodiscard]] Values operator*(const Values& values) const {
+        Values result(values.size());
+        for (int vertex = 0; vertex < std::ssize(inverse_); ++vertex)
+            result.segment<2>(row(vertex)) = inverse_[at(vertex)] * values.segment<2>(row(vertex));
+        return result;
+    }
+
+private:
+    std::vector<Eigen::Matrix2d> inverse_;
+};
+
+} // namespace
+
+BendingTerm::BendingTerm(const std::array<int, 4>& vertices, const QuadBending& bending)
+    : vertices_(vertices), right_(bending.right) {
+    auto next = upper_.begin();
+    for (Eigen::Index i = 0; i < 8; ++i)
+        for (Eigen::Index j = i; j < 8; ++j)
+            *next++ = bending.matrix(i, j);
+}
+
+Eigen::Matrix<double, 8, 8> BendingTerm::matrix() const {
+    Eigen::Matrix<double, 8, 8> matrix;
+    auto next = upper_.begin();
+    for (Eigen::Index i = 0; i < 8; ++i)
+        for (Eigen::Index j = i; j < 8; ++j)
+            matrix(i, j) = matrix(j, i) = *next++;
+    return matrix;
+}
+
+std::vector<Eigen::Vector2d> leastBendingTilts(const std::vector<BendingTerm>& terms, std::size_t vertices) {
+    constexpr double accuracy = 1e-6;
+    constexpr int maxRounds = 100; // ten times what real meshes take
+    const Preconditioner preconditioner(terms, vertices);
+    Values residual = rightHandSide(terms, static_cast<Eigen::Index>(2 * vertices));
+    Values tilts = Values::Zero(residual.size());
+    Values direction = preconditioner * residual;
+    double size = residual.dot(direction);
+    const double enough = accuracy * accuracy * size;
+    for (int k = 0; k < maxRounds && size > enough; ++k) {
+        const Values change = product(terms, direction);
+        const double step = size / direction.dot(change);
+        tilts += step * direction;
+        residual -= step * change;
+        const Values towards = preconditioner * residual;
+        const double before = std::exchange(size, residual.dot(towards));
+        direction = towards + size / before * direction;
+    }
+    std::vector<Eigen::Vector2d> result;
+    result.reserve(vertices);
+    for (int vertex = 0; vertex < static_cast<int>(vertices); ++vertex)
+        result.emplace_back(tilts.segment<2>(row(vertex)));
+    return result;
+}
+
+} // namespace qm

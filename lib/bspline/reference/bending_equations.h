@@ -1,0 +1,37 @@
+/// \file The tilts of tangent planes with which all quads together bend least.
+#pragma once
+
+#include "bspline/reference/quad_bending.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace qm {
+
+/// The bending of one quad, as compact as it may be kept for every quad of a mesh.
+class BendingTerm {
+public:
+    BendingTerm() = default; ///< none
+    /// \param vertices  by corner
+    BendingTerm(const std::array<int, 4>& vertices, const QuadBending& bending);
+
+    [[nodiscard]] const std::array<int, 4>& vertices() const { return vertices_; }
+    [[nodiscard]] const CornerTilts& right() const { return right_; }
+    [[nodiscard]] Eigen::Matrix<double, 8, 8> matrix() const;
+
+private:
+    std::array<int, 4> vertices_{};
+    std::array<double, 36> upper_{}; ///< half of the symmetric matrix, row by row
+    CornerTilts right_ = CornerTilts::Zero();
+};
+
+/// Minimises the sum of all terms by conjugate gradients.
+/// \param vertices  their number
+/// \return tilts by vertex; zero where the terms say nothing
+[[nodiscard]] std::vector<Eigen::Vector2d> leastBendingTilts(const std::vector<BendingTerm>& terms,
+                                                             std::size_t vertices);
+
+} // namespace qm

@@ -1,0 +1,22 @@
+#include "bspline/reference/lagrange.h"
+
+#include "base/at.h"
+
+namespace qm {
+
+std::array<Jet, maxSteps + 1> lagrange(int steps, double parameter) {
+    std::array<Jet, maxSteps + 1> weights{};
+    for (int k = 0; k <= steps; ++k) {
+        Jet& jet = weights[at(k)];
+        jet = {1, 0, 0};
+        for (int m = 0; m <= steps; ++m) {
+            if (m == k) continue;
+            const double factor = (parameter * steps - m) / (k - m);
+            const double slope = static_cast<double>(steps) / (k - m);
+            jet = {jet[0] * factor, jet[1] * factor + jet[0] * slope, jet[2] * factor + 2 * jet[1] * slope};
+        }
+    }
+    return weights;
+}
+
+} // namespace qm

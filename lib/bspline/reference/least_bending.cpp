@@ -1,0 +1,154 @@
+#include "bspline/reference/least_bending.h"
+
+#include "base/at.h"
+#include "base/parallel.h"
+#include "bspline/reference/bending_equations.h"
+#include "bspline/reference/quad_bending.h"
+#include "bspline/reference/sound_faces.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+namespace qm {
+namespace {
+
+/// Slopes of up to 20 degrees are believed: where least bending asks for more, the surface is far from
+/// smooth.
+constexpr double maxSlope = 0.36;
+/// Mean of the one-sided normals at a vertex, below which it has no tangent plane.
+constexpr double minAgreement = 0.5;
+
+class LeastBending {
+public:
+    LeastBending(MeshLattice& lattice, const std::vector<VertexRule>& rules)
+        : lattice_(lattice), before_(lattice), mesh_(lattice.numbers().mesh()), frames_(mesh_.n_vertices()) {
+        const std::vector<bool> isSound = soundFaces(mesh_);
+        const std::vector<Eigen::Vector3d> normals = sumsOfNormals();
+        for (const VertexId vertex : mesh_.vertices()) {
+            const bool isFree =
+                rules[at(vertex)].kind == VertexRule::Kind::smooth &&
+                std::ranges::all_of(mesh_.vf_range(vertex), [&](FaceId face) { return isSound[at(face)]; });
+            if (isFree && normals[at(vertex)].norm() > minAgreement * mesh_.valence(vertex))
+                frames_[at(vertex)] = frameAround(normals[at(vertex)].normalized());
+        }
+    }
+
+    void run(unsigned jobs) {
+        std::vector<BendingTerm> terms(mesh_.n_faces());
+        parallelForMany(terms.size(), jobs, [&](std::size_t k) {
+            const FaceId face(static_cast<int>(k));
+            if (hasFreeCorner(face))
+                terms[k] = BendingTerm(vertices(face), quadBending(surface(face), frames(face)));
+        });
+        std::vector<Eigen::Vector2d> tilts = leastBendingTilts(terms, mesh_.n_vertices());
+        terms = {};
+        for (Eigen::Vector2d& tilt : tilts)
+            if (const double slope = tilt.norm(); slope > maxSlope) tilt *= maxSlope / slope;
+        move(tilts, jobs);
+    }
+
+private:
+    [[nodiscard]] std::array<int, 4> vertices(FaceId face) const {
+        std::array<int, 4> result{};
+        HalfedgeId side = mesh_.halfedge_handle(face);
+        for (int& vertex : result) {
+            vertex = mesh_.from_vertex_handle(side).idx();
+            side = mesh_.next_halfedge_handle(side);
+        }
+        return result;
+    }
+
+    [[nodiscard]] bool hasFreeCorner(FaceId face) const {
+        return std::ranges::any_of(vertices(face),
+                                   [&](int vertex) { return frames_[at(vertex)].has_value(); });
+    }
+
+    [[nodiscard]] CornerFrames frames(FaceId face) const {
+        CornerFrames result{};
+        std::ranges::transform(vertices(face), result.begin(), [&](int vertex) {
+            const auto& frame = frames_[at(vertex)];
+            return frame ? &*frame : nullptr;
+        });
+        return result;
+    }
+
+    [[nodiscard]] std::size_t number(FaceId face, int i, int j) const {
+        return before_.numbers()(mesh_.halfedge_handle(face), i, j);
+    }
+
+    [[nodiscard]] QuadSurface surface(FaceId face) const {
+        std::vector<Eigen::Vector3d> points;
+        for (int j = 0; j <= steps(); ++j)
+            for (int i = 0; i <= steps(); ++i)
+                points.push_back(vector(before_.point(number(face, i, j))));
+        return {steps(), std::move(points)};
+    }
+
+    /// Of the quads around every vertex.
+    [[nodiscard]] std::vector<Eigen::Vector3d> sumsOfNormals() const {
+        std::vector<Eigen::Vector3d> sums(mesh_.n_vertices(), Eigen::Vector3d::Zero());
+        for (const FaceId face : mesh_.faces()) {
+            const QuadSurface ofFace = surface(face);
+            std::size_t corner = 0;
+            for (const int vertex : vertices(face))
+                sums[at(vertex)] += ofFace.normal(corner++);
+        }
+        return sums;
+    }
+
+    [[nodiscard]] static TangentFrame frameAround(const Eigen::Vector3d& normal) {
+        const Eigen::Vector3d along = normal.unitOrthogonal();
+        return {normal, {along, normal.cross(along)}};
+    }
+
+    void move(const std::vector<Eigen::Vector2d>& tilts, unsigned jobs) {
+        parallelForMany(mesh_.n_faces(), jobs, [&](std::size_t k) {
+            const FaceId face(static_cast<int>(k));
+            if (!hasFreeCorner(face)) return;
+            CornerTilts ofCorners;
+            Eigen::Index row = 0;
+            for (const int vertex : vertices(face)) {
+                ofCorners.segment<2>(row) = tilts[at(vertex)];
+                row += 2;
+            }
+            const auto ways = surface(face).displacements(frames(face), ofCorners);
+            auto way = ways.begin();
+            for (int j = 0; j <= steps(); ++j)
+                for (int i = 0; i <= steps(); ++i, ++way)
+                    if (isMovedBy(face, i, j))
+                        lattice_.move(number(face, i, j), before_.point(number(face, i, j)) + point(*way));
+        });
+    }
+
+    /// A point on an edge is moved by one of the faces that have it.
+    [[nodiscard]] bool isMovedBy(FaceId face, int i, int j) const {
+        const auto isInside = [&](int k) { return k > 0 && k < steps(); };
+        if (isInside(i) && isInside(j)) return true;
+        if (!isInside(i) && !isInside(j)) return false; // vertices stay
+        HalfedgeId side = mesh_.halfedge_handle(face);
+        for (int turns = isInside(i) ? (j == 0 ? 0 : 2) : (i == 0 ? 3 : 1); turns > 0; --turns)
+            side = mesh_.next_halfedge_handle(side);
+        const EdgeId edge = mesh_.edge_handle(side);
+        return side == mesh_.halfedge_handle(edge, 0) || mesh_.is_boundary(edge);
+    }
+
+    [[nodiscard]] int steps() const { return before_.squares(); }
+
+    MeshLattice& lattice_;
+    const MeshLattice before_;
+    const QuadMesh& mesh_;
+    std::vector<std::optional<TangentFrame>> frames_; ///< by vertex, where the tangent plane may be tilted
+};
+
+} // namespace
+
+void bendLeast(MeshLattice& lattice, const std::vector<VertexRule>& rules, unsigned jobs) {
+    LeastBending(lattice, rules).run(jobs);
+}
+
+} // namespace qm

@@ -1,0 +1,184 @@
+#include "bspline/reference/quad_bending.h"
+
+#include "base/at.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <utility>
+
+namespace qm {
+namespace {
+
+/// Where a corner lies, by direction.
+constexpr std::array<std::array<std::size_t, 2>, 4> ends{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+
+/// Cubics with value 0 at both ends of the unit interval and slope 1 at one, and with value 1 at one end and
+/// slope 0 at both.
+struct Hermite {
+    std::array<Jet, 2> slope;
+    std::array<Jet, 2> value;
+
+    explicit Hermite(double t)
+        : slope{{{t * (1 - t) * (1 - t), (1 - t) * (1 - 3 * t), 6 * t - 4},
+                 {t * t * (t - 1), t * (3 * t - 2), 6 * t - 2}}},
+          value{{{(1 + 2 * t) * (1 - t) * (1 - t), 6 * t * (t - 1), 12 * t - 6},
+                 {t * t * (3 - 2 * t), 6 * t * (1 - t), 6 - 12 * t}}} {}
+};
+
+/// How high a tilt lifts the surface along the corner's normal: the product of cubics in u and v.
+class Lift {
+public:
+    /// \param slopes  that the tilt gives the lines of parameters at the corner, by direction
+    Lift(const Hermite& u, const Hermite& v, std::size_t corner, const std::array<double, 2>& slopes)
+        : u_(u), v_(v), ends_(ends[corner]), slopes_(slopes) {}
+
+    /// \param du, dv  how often it is derived
+    [[nodiscard]] double operator()(std::size_t du, std::size_t dv) const {
+        return slopes_[0] * u_.slope[ends_[0]][du] * v_.value[ends_[1]][dv] +
+               slopes_[1] * u_.value[ends_[0]][du] * v_.slope[ends_[1]][dv];
+    }
+
+private:
+    const Hermite& u_;
+    const Hermite& v_;
+    const std::array<std::size_t, 2>& ends_;
+    std::array<double, 2> slopes_;
+};
+
+std::array<double, 2> slopesOf(const QuadSurface& surface, std::size_t corner, const Eigen::Vector3d& tilt) {
+    return {tilt.dot(surface.derivative(corner, 0)), tilt.dot(surface.derivative(corner, 1))};
+}
+
+/// Second derivatives in space, from those by u and v: those of the surface itself are its second fundamental
+/// form, those of a lift its Hessian, both in an orthonormal frame.
+class Geometry {
+public:
+    explicit Geometry(const QuadSurface::SecondOrder& at) : at_(at) {
+        metric_ << at.u.squaredNorm(), at.u.dot(at.v), at.u.dot(at.v), at.v.squaredNorm();
+        factors_.compute(metric_);
+    }
+
+    /// False where the derivatives are parallel, or nearly so, or one is zero.
+    [[nodiscard]] bool isRegular() const {
+        constexpr double minSquaredSine = 1e-6;
+        return metric_.determinant() > minSquaredSine * metric_(0, 0) * metric_(1, 1);
+    }
+    [[nodiscard]] double area() const { return std::sqrt(metric_.determinant()); }
+    [[nodiscard]] Eigen::Vector3d normal() const { return at_.u.cross(at_.v).normalized(); }
+
+    /// The entries of a symmetric form, whose squares sum to that of both its eigenvalues.
+    [[nodiscard]] Eigen::Vector3d inFrame(double uu, double uv, double vv) const {
+        Eigen::Matrix2d form;
+        form << uu, uv, uv, vv;
+        const Eigen::Matrix2d half = factors_.matrixL().solve(form);
+        const Eigen::Matrix2d whole = factors_.matrixL().solve(half.transpose());
+        return {whole(0, 0), std::numbers::sqrt2 * whole(0, 1), whole(1, 1)};
+    }
+    [[nodiscard]] Eigen::Vector3d ofSurface() const {
+        const Eigen::Vector3d n = normal();
+        return inFrame(n.dot(at_.uu), n.dot(at_.uv), n.dot(at_.vv));
+    }
+    /// \param share  of the lift that is along the normal here
+    [[nodiscard]] Eigen::Vector3d ofLift(const Lift& lift, double share) const {
+        const Eigen::Vector2d slopes = factors_.solve(Eigen::Vector2d(lift(1, 0), lift(0, 1)));
+        const Eigen::Vector3d gradient = slopes[0] * at_.u + slopes[1] * at_.v;
+        return share * inFrame(lift(2, 0) - gradient.dot(at_.uu), lift(1, 1) - gradient.dot(at_.uv),
+                               lift(0, 2) - gradient.dot(at_.vv));
+    }
+
+private:
+    const QuadSurface::SecondOrder& at_;
+    Eigen::Matrix2d metric_;
+    Eigen::LLT<Eigen::Matrix2d> factors_;
+};
+
+} // namespace
+
+QuadSurface::QuadSurface(int steps, std::vector<Eigen::Vector3d> points)
+    : steps_(steps), points_(std::move(points)) {
+    const std::size_t width = at(steps_) + 1;
+    for (std::size_t end = 0; end < 2; ++end) {
+        const auto weights = lagrange(steps_, static_cast<double>(end));
+        for (std::size_t corner = 0; corner < ends.size(); ++corner)
+            for (std::size_t direction = 0; direction < 2; ++direction) {
+                if (ends[corner][direction] != end) continue;
+                const std::size_t first =
+                    ends[corner][1 - direction] * at(steps_) * (direction == 0 ? width : 1);
+                Eigen::Vector3d& sum = derivatives_[corner][direction];
+                sum.setZero();
+                for (std::size_t k = 0; k < width; ++k)
+                    sum += weights[k][1] * points_[first + k * (direction == 0 ? 1 : width)];
+            }
+    }
+}
+
+QuadSurface::SecondOrder QuadSurface::secondOrder(double u, double v) const {
+    const auto columns = lagrange(steps_, u);
+    const auto rows = lagrange(steps_, v);
+    const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
+    SecondOrder sum{zero, zero, zero, zero, zero};
+    const Eigen::Vector3d* point = points_.data();
+    for (std::size_t j = 0; j <= at(steps_); ++j)
+        for (std::size_t i = 0; i <= at(steps_); ++i, ++point) {
+            sum.u += columns[i][1] * rows[j][0] * *point;
+            sum.v += columns[i][0] * rows[j][1] * *point;
+            sum.uu += columns[i][2] * rows[j][0] * *point;
+            sum.uv += columns[i][1] * rows[j][1] * *point;
+            sum.vv += columns[i][0] * rows[j][2] * *point;
+        }
+    return sum;
+}
+
+Eigen::Vector3d QuadSurface::normal(std::size_t corner) const {
+    return derivative(corner, 0).cross(derivative(corner, 1)).normalized();
+}
+
+std::vector<Eigen::Vector3d> QuadSurface::displacements(const CornerFrames& frames,
+                                                        const CornerTilts& tilts) const {
+    std::vector<Eigen::Vector3d> result(points_.size(), Eigen::Vector3d::Zero());
+    std::vector<Hermite> hermite;
+    for (int k = 0; k <= steps_; ++k)
+        hermite.emplace_back(static_cast<double>(k) / steps_);
+    for (std::size_t corner = 0; corner < frames.size(); ++corner) {
+        if (frames[corner] == nullptr) continue;
+        const auto& [normal, axes] = *frames[corner];
+        const auto row = static_cast<Eigen::Index>(2 * corner);
+        const auto slopes = slopesOf(*this, corner, tilts[row] * axes[0] + tilts[row + 1] * axes[1]);
+        for (std::size_t k = 0; k < result.size(); ++k)
+            result[k] +=
+                Lift(hermite[k % hermite.size()], hermite[k / hermite.size()], corner, slopes)(0, 0) * normal;
+    }
+    return result;
+}
+
+QuadBending quadBending(const QuadSurface& surface, const CornerFrames& frames) {
+    constexpr std::array gauss{0.5 - 0.5 * std::numbers::inv_sqrt3, 0.5 + 0.5 * std::numbers::inv_sqrt3};
+    QuadBending bending{Eigen::Matrix<double, 8, 8>::Zero(), CornerTilts::Zero()};
+    for (const double u : gauss)
+        for (const double v : gauss) {
+            const QuadSurface::SecondOrder at = surface.secondOrder(u, v);
+            const Geometry geometry(at);
+            if (!geometry.isRegular()) continue;
+            const Hermite ofU(u);
+            const Hermite ofV(v);
+            Eigen::Matrix<double, 3, 8> change = Eigen::Matrix<double, 3, 8>::Zero();
+            for (std::size_t corner = 0; corner < frames.size(); ++corner) {
+                if (frames[corner] == nullptr) continue;
+                const double share = frames[corner]->normal.dot(geometry.normal());
+                for (std::size_t k = 0; k < 2; ++k)
+                    change.col(static_cast<Eigen::Index>(2 * corner + k)) = geometry.ofLift(
+                        Lift(ofU, ofV, corner, slopesOf(surface, corner, frames[corner]->axes[k])), share);
+            }
+            const double weight = geometry.area() / 4;
+            bending.matrix += weight * change.transpose() * change;
+            bending.right -= weight * change.transpose() * geometry.ofSurface();
+        }
+    return bending;
+}
+
+} // namespace qm

@@ -1,0 +1,92 @@
+#include "bspline/reference/lagrange.h"
+#include "bspline/reference/quad_bending.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+namespace qm {
+namespace {
+
+using Surface = std::function<Eigen::Vector3d(double, double)>;
+
+constexpr int steps = 4;
+
+QuadSurface sampled(const Surface& surface) {
+    std::vector<Eigen::Vector3d> points;
+    for (int j = 0; j <= steps; ++j)
+        for (int i = 0; i <= steps; ++i)
+            points.push_back(surface(static_cast<double>(i) / steps, static_cast<double>(j) / steps));
+    return {steps, points};
+}
+
+TangentFrame upright() {
+    return {{0, 0, 1}, {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0, 1, 0)}};
+}
+
+TEST(Lagrange, IsExactForPolynomialsOfItsDegree) {
+    for (const double t : {0.0, 0.3, 1.0}) {
+        const auto weights = lagrange(steps, t);
+        Jet sum{};
+        for (std::size_t k = 0; k <= steps; ++k)
+            for (std::size_t order = 0; order < 3; ++order)
+                sum[order] += weights[k][order] * std::pow(static_cast<double>(k) / steps, 4);
+        EXPECT_NEAR(sum[0], std::pow(t, 4), 1e-13);
+        EXPECT_NEAR(sum[1], 4 * std::pow(t, 3), 1e-12);
+        EXPECT_NEAR(sum[2], 12 * t * t, 1e-11);
+        EXPECT_EQ(weights[steps + 1], Jet{});
+    }
+}
+
+TEST(QuadBending, OfAPlaneAsksForNoTilts) {
+    // The lines of parameters turn and crowd, which is no bending.
+    const QuadSurface plane = sampled([](double u, double v) {
+        return Eigen::Vector3d(u + 0.3 * u * v + 0.2 * v * v, v - 0.2 * u * u, 0.1 * v - 0.02 * u * u);
+    });
+    const TangentFrame frame{
+        plane.normal(0),
+        {plane.normal(0).unitOrthogonal(), plane.normal(0).cross(plane.normal(0).unitOrthogonal())}};
+    const QuadBending bending = quadBending(plane, {&frame, &frame, &frame, &frame});
+    EXPECT_LT(bending.right.norm(), 1e-12);
+    EXPECT_LT((bending.matrix - bending.matrix.transpose()).norm(), 1e-12);
+    EXPECT_GT(bending.matrix.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff(), 1e-3);
+}
+
+TEST(QuadBending, IsLeastWhereTiltsTakeAwayWhatTiltsGave) {
+    const TangentFrame frame = upright();
+    const CornerFrames frames{&frame, &frame, &frame, nullptr};
+    // Its lines of parameters turn and crowd: only what is off the plane may count.
+    const Surface flat = [](double u, double v) {
+        return Eigen::Vector3d(2 * u + 0.2 * v + 0.3 * u * u + 0.1 * u * v, v - 0.2 * u * v, 0);
+    };
+    CornerTilts tilts;
+    tilts << 0.01, -0.02, 0.015, 0.01, -0.005, 0.02, 0, 0;
+    const auto ways = sampled(flat).displacements(frames, tilts);
+    std::size_t next = 0;
+    std::vector<Eigen::Vector3d> points;
+    for (int j = 0; j <= steps; ++j)
+        for (int i = 0; i <= steps; ++i)
+            points.emplace_back(flat(static_cast<double>(i) / steps, static_cast<double>(j) / steps) +
+                                ways[next++]);
+    for (const std::size_t corner : {0U, 4U, 20U, 24U})
+        EXPECT_LT(ways[corner].norm(), 1e-15);
+    const QuadBending bending = quadBending(QuadSurface(steps, points), frames);
+    const CornerTilts undone = bending.matrix.completeOrthogonalDecomposition().solve(bending.right);
+    EXPECT_LT((undone + tilts).norm(), 0.02 * tilts.norm());
+    EXPECT_EQ(undone.tail<2>().norm(), 0);
+}
+
+TEST(QuadBending, TakesSurfacesWithoutAnArea) {
+    const TangentFrame frame = upright();
+    const QuadBending bending = quadBending(
+        sampled([](double u, double) { return Eigen::Vector3d(u, 0, 0); }), {&frame, &frame, &frame, &frame});
+    EXPECT_EQ(bending.matrix.norm(), 0);
+    EXPECT_EQ(bending.right.norm(), 0);
+}
+
+} // namespace
+} // namespace qm
