@@ -35,12 +35,20 @@ struct Astray {
     static constexpr double points = 1.5;
 };
 
+/// What is so many tolerances away will not come within one: it is not verified again nor begun anew, and
+/// the search for it ends where many rounds together do not halve the distance.
+struct Hopeless {
+    static constexpr double distance = 1000;
+    static constexpr int rounds = 6;
+};
+
 struct Fitted {
     std::vector<Patch> patches;
     std::vector<double> distances; ///< by patch, in tolerances, if they were verified
 
     /// 0 without patches.
     [[nodiscard]] double farthest() const { return distances.empty() ? 0 : std::ranges::max(distances); }
+    [[nodiscard]] bool isHopeless() const { return farthest() > Hopeless::distance; }
 };
 
 bool isAstrayFrom(const Fitted& before, const Fitted& found) {
@@ -71,7 +79,7 @@ public:
             Fitted found{best_.patches, verified(best_, verify)};
             const bool isAstray = mayBeginAnew && k > 1 && isAstrayFrom(nearest, found);
             if (k == 1 || found.farthest() < nearest.farthest()) nearest = std::move(found);
-            if (isAstray || k == options_.verifications) return nearest;
+            if (isAstray || nearest.isHopeless() || k == options_.verifications) return nearest;
             state_.restore(best_);
             if (!state_.tighten(best_)) return nearest;
             best_ = {};
@@ -89,6 +97,8 @@ private:
         int removals = 0;
         int lastKept = 0;
         int idle = 0;
+        int halved = 0;
+        double halvedWorst = std::numeric_limits<double>::infinity();
         double excessBefore = std::numeric_limits<double>::infinity();
         double countBefore = std::numeric_limits<double>::infinity();
         for (int round = 0; round < maxRounds; ++round) {
@@ -96,6 +106,11 @@ private:
             if (round > 0) state_.solve(options_.slides, false);
             idle = keepIfBest() ? 0 : idle + 1;
             if (idle == maxIdle) break;
+            if (2 * state_.worst() <= halvedWorst) {
+                halvedWorst = state_.worst();
+                halved = round;
+            }
+            if (state_.worst() > Hopeless::distance && round - halved >= Hopeless::rounds) break;
             if (++rounds_ > options_.roundsForFolds) state_.giveUpFolds();
             if (state_.worst() <= 1) {
                 const auto count = static_cast<double>(controlPointCount(best_.patches));
@@ -220,7 +235,8 @@ std::vector<Patch> fitSmooth(const QuadMesh& mesh, const Layout& layout, const S
         Fitted fitted = SmoothFit(mesh, layout, network, reference, ofAttempt, isSoft, control.jobs)
                             .run(verify, k < options.attempts, k == 1 ? control : Control());
         if (k == 1 || fitted.farthest() < nearest.farthest()) nearest = std::move(fitted);
-        if (k == options.attempts || !verify || nearest.farthest() <= uncertain) return nearest.patches;
+        if (k == options.attempts || !verify || nearest.farthest() <= uncertain || nearest.isHopeless())
+            return nearest.patches;
     }
 }
 
