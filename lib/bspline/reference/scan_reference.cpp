@@ -2,6 +2,7 @@
 
 #include "base/at.h"
 #include "bspline/reference/lattice_normals.h"
+#include "bspline/reference/scan_folds.h"
 #include "bspline/reference/scan_gaps.h"
 #include "bspline/reference/scan_projection.h"
 #include "bspline/reference/scan_smoothing.h"
@@ -278,6 +279,7 @@ ScanReference scanReference(const QuadMesh& mesh, const Layout& layout,
     result = targets.result();
     result.coverage = coverage;
     result.maxDistance = projection.maxDistance;
+    dropFolded(lattice, surface, result);
     fillGaps(lattice, surface, Gaps::all, result);
     smoothBorders(result, jobs);
     return result;

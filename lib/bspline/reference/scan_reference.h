@@ -32,7 +32,8 @@ struct ScanReference {
 /// that jumps out from those around it weighs less or nothing: the weight is Tukey's biweight of its distance
 /// from their median. What is missing then is filled in (`fillGaps`), and the noise smoothed. At sharp edges
 /// of the surface the sides are carried on and meet, so that edges which the scan has rounded or frayed stay
-/// sharp. A scan whose triangles are turned inside out, or this way and that, will do as well.
+/// sharp. Targets over which the surface would fold are dropped (`dropFolded`). A scan whose triangles are
+/// turned inside out, or this way and that, will do as well.
 /// \param surface  by segment, all with the same steps and equal points on common borders; `limitSurface` to
 /// begin with, afterwards maybe what was fitted, to project on from there
 /// \param jobs  threads; the result does not depend on them
