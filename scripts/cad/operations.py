@@ -19,7 +19,6 @@ Part = shapes.Part
 OFFSET = 0.01  # of the diagonal
 RADIUS = 0.005  # of fillets
 DEFLECTION = 0.001  # of tessellations
-ANGLE = math.radians(30)  # of them, as FreeCAD proposes
 SHARP = math.radians(20)  # between the normals of two faces
 FILLETS = 12  # edges tried, the longest
 ARCS, INTERSECTIONS = 0, 2  # how an offset joins faces
@@ -64,7 +63,8 @@ def is_divided(shape, inside, outside):
     """Whether two parts are sound and together what they were cut from."""
     if not shapes.is_sound(inside) or not shapes.is_sound(outside):
         return verdict(False, "a part is no valid solid")
-    off = abs(inside.Volume + outside.Volume - shape.Volume) / shape.Volume
+    whole = shapes.volume(shape)
+    off = abs(shapes.volume(inside) + shapes.volume(outside) - whole) / whole
     return verdict(off < 2e-3, f"volume off by {off:.1e}")
 
 
@@ -176,9 +176,7 @@ def really_cross(*triangles):
 
 
 def tessellation(shape):
-    import MeshPart
-    mesh = MeshPart.meshFromShape(Shape=shape, LinearDeflection=DEFLECTION * shapes.diagonal(shape),
-                                  AngularDeflection=ANGLE, Relative=False)
+    mesh = shapes.mesh(shape, DEFLECTION)
     if not mesh.isSolid():
         return verdict(False, "not closed")
     facets = mesh.Facets
