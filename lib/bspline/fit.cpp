@@ -5,12 +5,10 @@
 #include "bspline/fitting/smooth_fit.h"
 #include "bspline/measure/measure.h"
 #include "bspline/measure/scan_deviation.h"
-#include "bspline/network/smooth_network.h"
-#include "bspline/reference/bridged_mesh.h"
-#include "bspline/reference/fit_target.h"
+#include "bspline/network/crease_paths.h"
+#include "bspline/reference/fit_reference.h"
 #include "bspline/splines/bounding_box.h"
 #include "bspline/splines/interpolate.h"
-#include "mesh/dihedral.h"
 
 #include <algorithm>
 #include <cmath>
@@ -78,13 +76,9 @@ ScanFigures scanFigures(const std::vector<Patch>& patches, const FitTarget& targ
 Surfaces fitSurfaces(const QuadMesh& mesh, const Layout& layout, const std::vector<double>& dihedralAngles,
                      const FitOptions& options, const TriangleSurface* scan, const Control& control) {
     requireValid(options);
-    SmoothNetwork network = buildNetwork(mesh, layout, dihedralAngles, options.rho);
     const bool isSmoothFit = options.fit == Fit::smooth;
-    const std::optional<QuadMesh> bridged =
-        isSmoothFit ? bridgedMesh(mesh, network.marks.isCrease) : std::nullopt;
-    if (bridged) network = buildNetwork(*bridged, layout, qm::dihedralAngles(*bridged), options.rho);
-    const QuadMesh& upright = bridged ? *bridged : mesh;
-    const FitTarget target = fitTarget(upright, layout, network, scan, control.jobs);
+    const auto [bridged, network, target] = fitReference(
+        mesh, layout, dihedralAngles, {.rho = options.rho, .bridges = isSmoothFit}, scan, control.jobs);
     const double diagonal = boundingBoxDiagonal(mesh);
     Surfaces surfaces;
     if (isSmoothFit) {
@@ -101,11 +95,12 @@ Surfaces fitSurfaces(const QuadMesh& mesh, const Layout& layout, const std::vect
         const bool verifies = effort.verifications > 0;
         effort.tolerance = (verifies ? shareVerified : shareUnverified) * allowed;
         effort.flatness = std::min(planeShare * allowed, maxFlatness * diagonal);
-        surfaces.patches =
-            fitSmooth(upright, layout, network, target, effort, verifies ? verify : Verification(), control);
+        surfaces.patches = fitSmooth(bridged ? *bridged : mesh, layout, network, target, effort,
+                                     verifies ? verify : Verification(), control);
     } else {
         surfaces.patches = interpolateSegments(mesh, layout, control.jobs);
     }
+    surfaces.creases = creasePaths(mesh, network.marks);
     std::vector<bool> isSmooth = network.marks.isCrease;
     isSmooth.flip();
     const MeasureOptions measuring;

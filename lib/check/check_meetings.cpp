@@ -3,6 +3,7 @@
 #include "check/check_sections.h"
 #include "check/distance.h"
 #include "check/patch_borders.h"
+#include "check/paths.h"
 #include "check/spline.h"
 
 #include <algorithm>
@@ -35,27 +36,18 @@ double angleBetween(const SurfacePoint& a, const SurfacePoint& b) {
 class MeetingCheck {
 public:
     MeetingCheck(const Context& context, const LayoutPart& layout, const SurfacesPart& part, Report& report)
-        : around_(context.around), angles_(context.angles), layout_(layout), part_(part), report_(report) {}
+        : around_(context.around), layout_(layout), part_(part), report_(report) {}
 
     void run() {
         for (std::size_t p = 0; p < part_.patches.size(); ++p)
             innerLines(p);
         const auto places = patchBorders(around_, layout_);
-        isBorder_.resize(places.size());
-        for (std::size_t edge = 0; edge < places.size(); ++edge)
-            isBorder_[edge] = !places[edge].empty();
-        steps_.resize(places.size());
-        leads_.resize(at(around_.steps()));
-        for (int step = 0; step < around_.steps(); ++step)
-            steps_[at(around_.edge(step))] = step;
+        if (part_.creases) readCreases(places);
         for (std::size_t edge = 0; edge < places.size(); ++edge)
             if (places[edge].size() == 2) meet(places[edge], edge);
     }
 
 private:
-    /// Where a line of borders goes on to.
-    enum class Leads : char { unknown, nowhere, somewhere };
-
     bool compare(std::size_t p, const char* figure, const std::optional<double>& stated, double found,
                  double slack, const std::string& where) {
         return checkFigure(p, figure, stated, found, slack, where, report_);
@@ -108,69 +100,26 @@ private:
         return largest;
     }
 
-    /// The border is flatter than rho, and is not sharp because of others, as those above half of rho may be:
-    /// a third crease of a corner meets two more borders that are, and one between creases leads straight to
-    /// such borders on both sides.
-    [[nodiscard]] bool mustBeSmooth(std::size_t edge) {
-        if (!part_.rho || isSharp(edge)) return false;
-        if (!mayBeSharp(edge)) return true;
-        const int step = steps_[edge];
-        return sharpBordersAt(around_.from(step)) < 3 && sharpBordersAt(around_.to(step)) < 3 &&
-               !(leadsToSharp(step) && leadsToSharp(around_.back(step)));
-    }
-
-    [[nodiscard]] bool isSharp(std::size_t edge) const {
-        return angles_.angle[edge] + angles_.doubt[edge] > *part_.rho;
-    }
-
-    [[nodiscard]] bool mayBeSharp(std::size_t edge) const {
-        return angles_.angle[edge] + angles_.doubt[edge] > *part_.rho / 2;
-    }
-
-    [[nodiscard]] int sharpBordersAt(int vertex) const {
-        if (!around_.interior(vertex)) return 0;
-        int count = 0;
-        for (int k = 0; k < around_.valence(vertex); ++k) {
-            const std::size_t edge = at(around_.edge(around_.firstStep(vertex) + k));
-            if (isBorder_[edge] && mayBeSharp(edge)) ++count;
+    /// Marks the edges of creases, which must be borders of two patches.
+    void readCreases(const std::vector<std::vector<BorderPlace>>& places) {
+        isCrease_.assign(places.size(), false);
+        for (std::size_t k = 0; k < part_.creases->size(); ++k) {
+            const std::string pointer = below(below("/surfaces/creases", k), "vertices");
+            const auto steps = readPath(around_, (*part_.creases)[k], pointer, report_);
+            for (std::size_t i = 0; steps && i < steps->size(); ++i) {
+                const auto edge = at(around_.edge((*steps)[i]));
+                isCrease_[edge] = true;
+                if (places[edge].size() != 2)
+                    report_.violate(below(pointer, i + 1), "crease",
+                                    "the edge to this vertex is no border of two patches");
+            }
         }
-        return count;
-    }
-
-    /// Whether straight on over borders that may be sharp there is the mesh boundary, one that is sharp, or
-    /// another that may be.
-    [[nodiscard]] bool leadsToSharp(int step) {
-        std::vector<int> passed;
-        auto found = Leads::unknown;
-        for (; found == Leads::unknown; step = around_.straightOn(step)) {
-            passed.push_back(step);
-            leads_[at(step)] = Leads::nowhere; // as long as a closed line has not led anywhere
-            found = leadsAcross(around_.to(step), step);
-        }
-        for (const int each : passed)
-            leads_[at(each)] = found;
-        return found == Leads::somewhere;
-    }
-
-    /// What the vertex that a step leads to, and what is known of the step after it, say.
-    [[nodiscard]] Leads leadsAcross(int vertex, int step) const {
-        if (!around_.interior(vertex)) return Leads::somewhere;
-        const int next = around_.passable(vertex) ? around_.straightOn(step) : -1;
-        for (int k = 0; k < around_.valence(vertex); ++k) {
-            const int other = around_.firstStep(vertex) + k;
-            const std::size_t edge = at(around_.edge(other));
-            if (other == around_.back(step) || !isBorder_[edge]) continue;
-            if (isSharp(edge) || (other != next && mayBeSharp(edge))) return Leads::somewhere;
-        }
-        if (next < 0) return Leads::nowhere;
-        const std::size_t edge = at(around_.edge(next));
-        return isBorder_[edge] && mayBeSharp(edge) ? leads_[at(next)] : Leads::nowhere;
     }
 
     /// Where two patches meet along an edge.
     void meet(const std::vector<BorderPlace>& place, std::size_t edge) {
         constexpr double nearEnd = 1.0 / 200;
-        const bool smooth = mustBeSmooth(edge);
+        const bool smooth = part_.creases && !isCrease_[edge];
         const auto there = [&](std::size_t side, double along) {
             const BorderPlace& of = place[side];
             return evaluate(part_.patches[of.patch], std::lerp(of.begin[0], of.end[0], along),
@@ -196,13 +145,10 @@ private:
     }
 
     const Neighbourhoods& around_;
-    const Angles& angles_;
     const LayoutPart& layout_;
     const SurfacesPart& part_;
     Report& report_;
-    std::vector<bool> isBorder_; ///< by edge: of a patch
-    std::vector<int> steps_;     ///< by edge: one of its two
-    std::vector<Leads> leads_;   ///< by step, what is known of it
+    std::vector<bool> isCrease_; ///< by edge; if creases are given
 };
 
 } // namespace

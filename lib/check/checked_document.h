@@ -142,8 +142,9 @@ struct SurfacesPart {
     /// What was promised of the fit; nothing is checked that is not known.
     bool interpolates = false;
     bool watertight = false;
-    std::optional<double> rho; ///< a border edge is smooth up to this dihedral angle
-    Figures figures = {};      ///< of all patches
+    Figures figures = {}; ///< of all patches
+    /// Paths along the borders across which patches are not smooth.
+    std::optional<std::vector<std::vector<int>>> creases = {};
     /// Where the document says that something is.
     struct Claim {
         int patch = -1;

@@ -175,8 +175,9 @@ SurfacesPart readSurfaces(const Json& section, const Json& options) {
     part.figures = readFigures(member(section, "deviation"));
     if (const Json& farthest = member(section, "farthest"); farthest.is_object())
         part.farthest = readClaim(farthest);
+    if (const Json& creases = member(section, "creases"); creases.is_array())
+        part.creases = readPaths(creases);
     part.folds = all<SurfacesPart::Claim>(member(section, "foldPlaces"), readClaim);
-    part.rho = number(member(options, "rho"));
     part.interpolates = text(member(options, "fit")) == "interpolate";
     part.watertight = text(member(options, "fit")) == "smooth";
     return part;

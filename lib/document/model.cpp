@@ -107,7 +107,7 @@ private:
         std::vector<std::array<int, 2>> sizes;
         for (const Segment& segment : model_.layout->segments)
             sizes.push_back(segment.size);
-        model_.surfaces = readSurfaces(sizes, document_.section(Kind::surfaces));
+        model_.surfaces = readSurfaces(model_.mesh, sizes, document_.section(Kind::surfaces));
     }
 
     Document& document_;

@@ -2,6 +2,7 @@
 
 #include "base/at.h"
 #include "bspline/splines/evaluate.h"
+#include "document/mesh_paths.h"
 
 #include <array>
 #include <cmath>
@@ -91,6 +92,11 @@ Json surfacesToJson(const Surfaces& surfaces, const ScanFile& scan) {
         if (i < surfaces.ofPatch.size()) patches.back()["deviation"] = deviationToJson(surfaces.ofPatch[i]);
     }
     Json section{{"patches", std::move(patches)}, {"deviation", deviationToJson(surfaces.deviation)}};
+    if (surfaces.creases) {
+        Json& creases = section["creases"] = Json::array();
+        for (const std::vector<VertexId>& path : *surfaces.creases)
+            creases.push_back({{"vertices", numbersOf(path)}});
+    }
     if (surfaces.farthest.patch < surfaces.patches.size())
         section["farthest"] = placeToJson(surfaces.patches, surfaces.farthest);
     for (const LayoutPlace& place : surfaces.folds)
@@ -167,6 +173,18 @@ Patch readPatch(const JsonPlace& place, std::size_t index, const std::array<int,
     return patch;
 }
 
+std::vector<std::vector<VertexId>> readCreases(const QuadMesh& mesh, const JsonPlace& list) {
+    std::vector<std::vector<VertexId>> creases;
+    for (std::size_t k = 0; k < list.size(); ++k) {
+        const std::vector<HalfedgeId> path = pathAt(mesh, list[k]["vertices"]);
+        std::vector<VertexId>& vertices = creases.emplace_back();
+        vertices.push_back(mesh.from_vertex_handle(path.front()));
+        for (const HalfedgeId halfedge : path)
+            vertices.push_back(mesh.to_vertex_handle(halfedge));
+    }
+    return creases;
+}
+
 LayoutPlace readPlace(const std::vector<std::array<int, 2>>& sizes, const JsonPlace& place) {
     const auto last = static_cast<std::int64_t>(sizes.size()) - 1;
     LayoutPlace result{at(place["patch"].whole(0, last)), {}};
@@ -180,7 +198,8 @@ LayoutPlace readPlace(const std::vector<std::array<int, 2>>& sizes, const JsonPl
 
 } // namespace
 
-Surfaces readSurfaces(const std::vector<std::array<int, 2>>& sizes, const JsonPlace& section) {
+Surfaces readSurfaces(const QuadMesh& mesh, const std::vector<std::array<int, 2>>& sizes,
+                      const JsonPlace& section) {
     Surfaces surfaces;
     const JsonPlace patches = section["patches"];
     if (patches.size() != sizes.size())
@@ -192,6 +211,7 @@ Surfaces readSurfaces(const std::vector<std::array<int, 2>>& sizes, const JsonPl
             surfaces.ofPatch.push_back(readDeviation(*deviation));
     }
     if (surfaces.ofPatch.size() != surfaces.patches.size()) surfaces.ofPatch.clear();
+    if (const auto creases = section.find("creases")) surfaces.creases = readCreases(mesh, *creases);
     surfaces.deviation = readDeviation(section["deviation"]);
     if (const auto farthest = section.find("farthest")) surfaces.farthest = readPlace(sizes, *farthest);
     if (const auto places = section.find("foldPlaces"))

@@ -23,6 +23,7 @@ struct ScanFile {
 /// Patches may have been edited: there must be one for every segment, with as many knots as its control
 /// points and degrees need, in order, and with the segment's grid as their domain.
 /// \param sizes  of the segments
-[[nodiscard]] Surfaces readSurfaces(const std::vector<std::array<int, 2>>& sizes, const JsonPlace& section);
+[[nodiscard]] Surfaces readSurfaces(const QuadMesh& mesh, const std::vector<std::array<int, 2>>& sizes,
+                                    const JsonPlace& section);
 
 } // namespace qm

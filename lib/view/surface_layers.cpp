@@ -1,6 +1,5 @@
 #include "base/at.h"
-#include "bspline/network/smooth_network.h"
-#include "bspline/reference/fit_target.h"
+#include "bspline/reference/fit_reference.h"
 #include "view/layers.h"
 #include "view/surface_samples.h"
 
@@ -188,8 +187,11 @@ void addSurfaces(Scene& scene, const Viewed& viewed, const Point& centre, unsign
     const std::vector<Segment>& segments = viewed.layout->segments;
     scene.patches = fittedPatches(viewed, centre);
     const Lattice lattice(segments, scene.patches.steps);
-    const SmoothNetwork network =
-        buildNetwork(viewed.mesh, *viewed.layout, viewed.dihedralAngles, viewed.rho);
+    // What was to keep to a tolerance was fitted smoothly, over bridged quads.
+    const FitReference reference =
+        fitReference(viewed.mesh, *viewed.layout, viewed.dihedralAngles,
+                     {.rho = viewed.rho, .bridges = viewed.tolerance.has_value()}, viewed.scan, jobs);
+    const bool isKnown = !viewed.surfaces->scan || viewed.scan != nullptr;
     const auto add = [&scene](FaceLayer layer) { scene.faces.push_back(std::move(layer)); };
     add(patchLayer(scene, viewed));
     add(surfaceLayer("shaded", "shaded", Paint::plain));
@@ -199,20 +201,17 @@ void addSurfaces(Scene& scene, const Viewed& viewed, const Point& centre, unsign
     add(surfaceLayer(
         "gauss", "Gauss curvature", Paint::mapped,
         {Scale::centred, {}, "Gauss curvature", "Gauss curvature", "1/" + viewed.unit + "\u00b2"}));
-    std::optional<FitTarget> target;
-    if (!viewed.surfaces->scan || viewed.scan != nullptr)
-        target = fitTarget(viewed.mesh, *viewed.layout, network, viewed.scan, jobs);
-    Mapped deviation = deviationOf(viewed, target ? &*target : nullptr, scene.patches.steps, jobs);
+    Mapped deviation = deviationOf(viewed, isKnown ? &reference.target : nullptr, scene.patches.steps, jobs);
     Mapped verdict{Scale::verdict, {}, "deviation", deviation.quantity, viewed.unit, viewed.tolerance};
     add(surfaceLayer("deviation", "deviation", Paint::mapped, std::move(deviation)));
     if (viewed.tolerance)
         add(surfaceLayer("tolerance", "within the tolerance or not", Paint::mapped, std::move(verdict)));
     if (viewed.scan != nullptr)
         add(surfaceLayer("scan", "distance from the scan itself", Paint::mapped,
-                         distanceFromScan(viewed, target->maxDistance, scene.patches.steps, jobs)));
+                         distanceFromScan(viewed, reference.target.maxDistance, scene.patches.steps, jobs)));
 
     scene.lines.push_back(borderCurves(segments, lattice));
-    scene.lines.push_back(smoothBorders(viewed, lattice, network.marks));
+    scene.lines.push_back(smoothBorders(viewed, lattice, reference.network.marks));
     scene.lines.push_back(derivedLines("net", "control nets", Base::net, "control net"));
     scene.lines.push_back(derivedLines("knots", "knot lines", Base::knots, "knot line"));
 }

@@ -44,6 +44,21 @@ is() { assert_equal "$(field "$1" out.json)" true; }
     done
 }
 
+@test "creases are listed, and nothing is a crease that is no path of edges" {
+    fit cylinder
+    is '.surfaces.creases | length == 2 and all(.vertices[0] == .vertices[-1])'
+    fit torus
+    is '.surfaces.creases == []'
+    fit cylinder
+    jq '.surfaces.creases[0].vertices[1] = 999999' out.json >edited.json
+    complains qm-export edited.json -o part.step
+    assert_regex "$stderr" '/surfaces/creases/0/vertices/1'
+    jq 'del(.surfaces.creases[0])' out.json >edited.json
+    run qm-check edited.json
+    assert_failure
+    assert_output --partial 'largestNormalAngle'
+}
+
 @test "a tolerance is kept, and a looser one takes no more control points" {
     control_points() { field '[.surfaces.patches[].controlPoints | length * (.[0] | length)] | add' out.json; }
     fit torus --tolerance 0.1%

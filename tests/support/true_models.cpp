@@ -28,7 +28,7 @@ Model stating(Model model) {
     SurfacesPart& surfaces = *model.document.surfaces;
     const SurfacesPart::Figures nothing{0, 0, 0, 0, std::nullopt, 0};
     surfaces.figures = nothing;
-    surfaces.rho = 0.45;
+    surfaces.creases.emplace();
     surfaces.interpolates = surfaces.watertight = false;
     for (SurfacesPart::Patch& patch : surfaces.patches)
         patch.figures = nothing;

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
+#include <utility>
 
 namespace qm::testing {
 namespace {
@@ -362,6 +364,11 @@ INSTANTIATE_TEST_SUITE_P(
                    lift(d, 0, 1e-4);
                },
                "/surfaces/patches/0/deviation/largestNormalAngle", "deviation"},
+        Spoilt{"creaseOfNoEdges", statingModel,
+               [](Doc& d) {
+                   d.surfaces->creases = {{0, 1, 0, 999}};
+               },
+               "/surfaces/creases/0/vertices/3", "vertex"},
         Spoilt{"innerNormalAngle", statingTorus, [](Doc& d) { patch(d).figures.largestInnerNormalAngle = 1; },
                "/surfaces/patches/0/deviation/largestInnerNormalAngle", "deviation"},
         Spoilt{"folds", statingTorus,
@@ -375,6 +382,50 @@ INSTANTIATE_TEST_SUITE_P(
         Spoilt{"totalFigure", statingModel, [](Doc& d) { patch(d).figures.maxFromVertices = 1; },
                "/surfaces/deviation/maxFromVertices", "deviation"}),
     nameOf);
+
+/// How often edges are on sides of segments.
+std::map<std::pair<int, int>, int> borders(const LayoutPart& part) {
+    std::map<std::pair<int, int>, int> count;
+    for (const LayoutPart::Segment& segment : part.segments)
+        for (const std::vector<int>& side : segment.sides)
+            for (std::size_t k = 1; k < side.size(); ++k)
+                ++count[std::minmax({side[k - 1], side[k]})];
+    return count;
+}
+
+TEST(CheckFigures, CreasesAreBordersOfTwoPatches) {
+    Model model = statingModel();
+    const auto count = borders(layout(model.document));
+    for (const auto& quad : model.mesh.quads)
+        for (std::size_t k = 0; k < 4; ++k) {
+            const std::vector<int> path{quad[k], quad[(k + 1) % 4]};
+            const auto border = count.find(std::minmax({path[0], path[1]}));
+            const bool isBorder = border != count.end() && border->second == 2;
+            model.document.surfaces->creases = {path};
+            const Report report = checkDocument(model.mesh, model.document);
+            EXPECT_EQ(report.ok(), isBorder);
+            EXPECT_TRUE(isBorder || found(report, "/surfaces/creases/0/vertices/1", "crease"));
+        }
+}
+
+TEST(CheckFigures, NormalsAreComparedAcrossSmoothBordersOnly) {
+    Model model = statingModel();
+    for (auto& each : model.document.surfaces->patches)
+        each.figures = {.maxFromFacets = {},
+                        .maxFromVertices = {},
+                        .largestGap = {},
+                        .largestNormalAngle = 0,
+                        .largestInnerNormalAngle = {},
+                        .folds = {}};
+    lift(model.document, 0, 1e-4);
+    EXPECT_FALSE(checkDocument(model.mesh, model.document).ok());
+    for (const auto& [edge, times] : borders(layout(model.document)))
+        if (times == 2) model.document.surfaces->creases->push_back({edge.first, edge.second});
+    const Report report = checkDocument(model.mesh, model.document);
+    EXPECT_TRUE(report.ok()) << listed(report);
+    model.document.surfaces->creases.reset(); // nobody knows what is smooth
+    EXPECT_TRUE(checkDocument(model.mesh, model.document).ok());
+}
 
 TEST(CheckFigures, AcceptsWhatIsTrue) {
     const Model model = statingModel();

@@ -31,7 +31,8 @@ Json sample() {
                    "segments": [{"id": 0, "size": [1, 2], "corners": [0, 1, 2, 3],
                                  "sides": [[0, 1], [1, 2], [2, 3], [3, 0]], "faces": [0, 1]}]},
         "surfaces": {"patches": [{"segment": 0, "degree": [1, 1], "knots": [[0, 0, 1, 1], [0, 0, 2, 2]],
-                                  "controlPoints": [[[0, 0, 0], [1, 0, 0]], [[0, 1, 0], [1, 1, 0.5]]]}]}})");
+                                  "controlPoints": [[[0, 0, 0], [1, 0, 0]], [[0, 1, 0], [1, 1, 0.5]]]}],
+                     "creases": [{"vertices": [0, 1, 2]}, {"vertices": [7, 8]}]}})");
 }
 
 TEST(CheckReadDocument, TakesEveryFigure) {
@@ -62,6 +63,7 @@ TEST(CheckReadDocument, TakesEveryFigure) {
     EXPECT_TRUE(patch.rectangular);
     EXPECT_FALSE(document.surfaces->interpolates);
     EXPECT_TRUE(document.surfaces->watertight);
+    EXPECT_EQ(document.surfaces->creases, (std::vector<std::vector<int>>{{0, 1, 2}, {7, 8}}));
 }
 
 TEST(CheckReadDocument, ReadsNoIndexThatIsNone) {

@@ -71,6 +71,9 @@ struct ScanFigures {
 
 struct Surfaces {
     std::vector<Patch> patches; ///< in the order of the segments
+    /// Borders between patches across which they are not smooth, as paths along edges of the mesh; nothing if
+    /// that is not known.
+    std::optional<std::vector<std::vector<VertexId>>> creases;
     Deviation deviation;
     std::vector<Deviation> ofPatch;  ///< in the order of the patches; borders count for both neighbours
     LayoutPlace farthest;            ///< where the largest distance from the reference was found

@@ -1,0 +1,30 @@
+/// \file Everything that is known before surfaces are fitted: what fits, pages and pictures agree on.
+#pragma once
+
+#include "bspline/network/smooth_network.h"
+#include "bspline/reference/fit_target.h"
+
+#include <optional>
+
+namespace qm {
+
+struct FitReference {
+    std::optional<QuadMesh> bridged; ///< in place of the mesh, if folded quads were bridged
+    SmoothNetwork network;
+    FitTarget target;
+};
+
+struct ReferenceOptions {
+    double rho = 0.45;   ///< a border edge of a larger dihedral angle is a crease; radians
+    bool bridges = true; ///< folded quads (see `bridgedMesh`)
+};
+
+/// \param dihedralAngles  by edge index, radians
+/// \param scan  null if there is none
+/// \throw Error  if the scan is nowhere near the mesh
+[[nodiscard]] FitReference fitReference(const QuadMesh& mesh, const Layout& layout,
+                                        const std::vector<double>& dihedralAngles,
+                                        const ReferenceOptions& options, const TriangleSurface* scan,
+                                        unsigned jobs);
+
+} // namespace qm
