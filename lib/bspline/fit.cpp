@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
-#include "bspline/fitting/smooth_fit.h"
+#include "bspline/fitting/centred_fit.h"
 #include "bspline/measure/measure.h"
 #include "bspline/measure/scan_deviation.h"
 #include "bspline/network/crease_paths.h"
@@ -95,7 +95,7 @@ Surfaces fitSurfaces(const QuadMesh& mesh, const Layout& layout, const std::vect
         const bool verifies = effort.verifications > 0;
         effort.tolerance = (verifies ? shareVerified : shareUnverified) * allowed;
         effort.flatness = std::min(planeShare * allowed, maxFlatness * diagonal);
-        surfaces.patches = fitSmooth(bridged ? *bridged : mesh, layout, network, target, effort,
+        surfaces.patches = fitCentred(bridged ? *bridged : mesh, layout, network, target, effort,
                                      verifies ? verify : Verification(), control);
     } else {
         surfaces.patches = interpolateSegments(mesh, layout, control.jobs);

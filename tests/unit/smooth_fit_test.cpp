@@ -419,6 +419,21 @@ TEST(SmoothFit, SaysWhereItMissesATolerance) {
     EXPECT_NE(missedTolerance(surfaces, options).find("missed in patch"), std::string::npos);
 }
 
+TEST(SmoothFit, DoesNotDependOnWhereTheModelLies) {
+    const QuadMesh mesh = makeShape("genus2", {});
+    const Layout layout = testing::cheapestLayout(mesh);
+    const Surfaces here = fitSurfaces(mesh, layout, dihedralAngles(mesh), {});
+    QuadMesh far = mesh;
+    const Point moved(-4096, 2048, 8192); // hundreds of times its size
+    for (const VertexId vertex : far.vertices())
+        far.set_point(vertex, mesh.point(vertex) + moved);
+    const Surfaces there = fitSurfaces(far, layout, dihedralAngles(far), {});
+    EXPECT_EQ(controlPointCount(there.patches), controlPointCount(here.patches));
+    EXPECT_NEAR(there.deviation.bendingRatio, here.deviation.bendingRatio, 1e-3);
+    EXPECT_LT(there.deviation.largestGapRelative, 1e-12);
+    EXPECT_LT(there.deviation.largestNormalAngle, 1e-7);
+}
+
 TEST(SmoothFit, DoesNotDependOnTheNumberOfThreads) {
     const QuadMesh mesh = test::makeMesh(test::sheet());
     const Layout layout = test::makeLayout(test::sheet(), test::tJoint());
