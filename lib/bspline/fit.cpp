@@ -77,8 +77,10 @@ Surfaces fitSurfaces(const QuadMesh& mesh, const Layout& layout, const std::vect
                      const FitOptions& options, const TriangleSurface* scan, const Control& control) {
     requireValid(options);
     const bool isSmoothFit = options.fit == Fit::smooth;
-    const auto [bridged, network, target] = fitReference(
+    const FitReference reference = fitReference(
         mesh, layout, dihedralAngles, {.rho = options.rho, .bridges = isSmoothFit}, scan, control.jobs);
+    const SmoothNetwork& network = reference.network;
+    const FitTarget& target = reference.target;
     const double diagonal = boundingBoxDiagonal(mesh);
     Surfaces surfaces;
     if (isSmoothFit) {
@@ -95,8 +97,8 @@ Surfaces fitSurfaces(const QuadMesh& mesh, const Layout& layout, const std::vect
         const bool verifies = effort.verifications > 0;
         effort.tolerance = (verifies ? shareVerified : shareUnverified) * allowed;
         effort.flatness = std::min(planeShare * allowed, maxFlatness * diagonal);
-        surfaces.patches = fitCentred(bridged ? *bridged : mesh, layout, network, target, effort,
-                                     verifies ? verify : Verification(), control);
+        surfaces.patches = fitCentred(reference.bridged ? *reference.bridged : mesh, layout, network, target,
+                                      effort, verifies ? verify : Verification(), control);
     } else {
         surfaces.patches = interpolateSegments(mesh, layout, control.jobs);
     }

@@ -17,7 +17,7 @@ public:
         creases_.resize(mesh.n_vertices());
         for (const EdgeId edge : mesh.edges())
             if (isLeft_[at(edge)])
-                for (const int end : {0, 1})
+                for (const unsigned end : {0U, 1U})
                     ++creases_[at(mesh.to_vertex_handle(mesh.halfedge_handle(edge, end)))];
     }
 
