@@ -33,8 +33,8 @@ Place normalOf(const SurfacePoint& at) {
 class FigureCheck {
 public:
     FigureCheck(const Context& context, const LayoutPart& layout, const SurfacesPart& part, Report& report)
-        : mesh_(context.mesh), around_(context.around), layout_(layout), part_(part), report_(report),
-          surfaces_(context, layout, part) {}
+        : mesh_(context.mesh), around_(context.around), angles_(context.angles), layout_(layout), part_(part),
+          report_(report), surfaces_(context, layout, part) {}
 
     void run() {
         for (std::size_t p = 0; p < part_.patches.size(); ++p)
@@ -180,7 +180,7 @@ private:
     bool isFolded(std::size_t p, const Quad& quad, const std::vector<SurfacePoint>& points, std::size_t width,
                   int column) {
         if (part_.patches[p].figures.folds.value_or(1) > 0) return false;
-        if (!quad.isConvex()) return false;
+        if (!quad.isConvex() || isTurnedOver(quad.face)) return false;
         const auto normal = [&](int i, int j) {
             return normalOf(points[at(j) * width + at(column * perEdge + i)]);
         };
@@ -201,6 +201,17 @@ private:
         report_.violate(below(below(below("/surfaces/patches", p), "deviation"), "folds"), "deviation",
                         "the normal turns over at face " + std::to_string(quad.face));
         return true;
+    }
+
+    /// Whether a quad lies against one beside it, so that no surface should follow both.
+    [[nodiscard]] bool isTurnedOver(int face) const {
+        constexpr double sharpest = 1.75; // 100 degrees: edges of parts may be as sharp
+        const auto& corners = mesh_.quads[at(face)];
+        for (std::size_t k = 0; k < corners.size(); ++k) {
+            const int step = around_.stepBetween(corners[k], corners[(k + 1) % corners.size()]);
+            if (angles_.angle[at(around_.edge(step))] > sharpest) return true;
+        }
+        return false;
     }
 
     static bool isTurned(const Place& a, const Place& b, double cosine) {
@@ -228,6 +239,7 @@ private:
 
     const CheckedMesh& mesh_;
     const Neighbourhoods& around_;
+    const Angles& angles_;
     const LayoutPart& layout_;
     const SurfacesPart& part_;
     Report& report_;
