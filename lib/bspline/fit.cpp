@@ -35,10 +35,11 @@ SmoothFitOptions effortFor(const QuadMesh& mesh) {
     if (mesh.n_faces() <= many) return options;
     const bool areVeryMany = mesh.n_faces() > veryManyFaces;
     options.steps = areVeryMany ? 1 : 2;
-    options.maxRounds = areVeryMany ? 4 : 8;
+    options.minInterval = 2; // with edges as short, knots between would follow nothing but errors of the fit
+    options.maxRounds = 20;
     options.roundsForFolds = 2;
     options.slides = areVeryMany ? 2 : 3;
-    options.verifications = areVeryMany ? 0 : 2;
+    options.verifications = 4;
     options.attempts = 1;
     options.slack = 0; // nothing would begin anew where it leads astray
     options.ringsAround = 1;

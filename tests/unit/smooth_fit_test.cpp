@@ -330,6 +330,25 @@ TEST(KnotPlan, ForcesDoubleKnotsWhereSmoothBordersTurnIntoCreases) {
     EXPECT_TRUE(plan.chosen(0, 1).empty());
 }
 
+TEST(KnotPlan, HasIntervalsOfALengthAtLeast) {
+    ReferenceGrid grid{.size = {2, 3}, .steps = 2};
+    for (int j = 0; j <= 6; ++j)
+        for (int i = 0; i <= 4; ++i)
+            grid.points.emplace_back(0.1 * i, 2.0 * j, 0); // edges of 0.2 and 4
+    const IntervalLengths lengths = shortestIntervals({grid}, 0.6);
+    EXPECT_NEAR(lengths[0][0], 3, 1e-12);
+    EXPECT_NEAR(lengths[0][1], 0.15, 1e-12);
+    EXPECT_NEAR(shortestIntervals({grid}, 0)[0][0], 0.125, 1e-12);
+    const Grid sheet{8, 6, [](double i, double j) { return Point(i, j, 0); }};
+    const QuadMesh mesh = test::makeMesh(sheet);
+    const Layout layout = test::makeLayout(sheet, {{0, 0, 8, 6}});
+    KnotPlan plan(layout, networkOf(mesh, layout), lengths);
+    EXPECT_NEAR(plan.minInterval(0, 0), 6, 1e-12);
+    EXPECT_TRUE(plan.allowShorter());
+    EXPECT_NEAR(plan.minInterval(0, 0), 3, 1e-12);
+    EXPECT_FALSE(plan.allowShorter());
+}
+
 TEST(SoundFaces, AreFlatAndConvexAndHaveNoFoldBesideThem) {
     const auto soundWith = [](const Point& moved) { // the vertex (3, 1) of a flat sheet
         const QuadMesh mesh = test::makeMesh(

@@ -82,7 +82,8 @@ private:
         constexpr double negligible = 0.5; // of the other direction's variation
         const auto varied = variation(cell, lattices_[patch], errors_[patch]);
         for (std::size_t d = 0; d < 2; ++d)
-            if (varied[d] >= negligible * varied[1 - d] || cell.length(1 - d) <= plan_.minInterval())
+            if (varied[d] >= negligible * varied[1 - d] ||
+                cell.length(1 - d) <= plan_.minInterval(patch, 1 - d))
                 divideAlong(patch, d, cell, worst);
     }
 
@@ -114,7 +115,7 @@ private:
     /// Inserts a knot near the middle of an interval: one that a neighbour has, or a grid line.
     void divide(std::size_t patch, std::size_t direction, double begin, double end) {
         const double length = end - begin;
-        if (length <= plan_.minInterval()) return;
+        if (length <= plan_.minInterval(patch, direction)) return;
         double knot = length >= 2 ? std::floor((begin + end) / 2) : (begin + end) / 2;
         double nearest = 0.25 * length;
         for (const double beside : knotsBeside(layout_, map_, plan_, patch, direction)) {

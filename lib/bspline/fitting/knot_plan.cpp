@@ -50,10 +50,37 @@ double half(double length) {
     return length > 1 ? std::floor(length / 2) : length / 2;
 }
 
+constexpr double shortestInEdges = 0.125;
+
+/// The mean length of a grid's edges along u (0) or v (1).
+double meanEdge(const ReferenceGrid& grid, std::size_t direction) {
+    const std::array<std::size_t, 2> lines{static_cast<std::size_t>(grid.size[0] * grid.steps) + 1,
+                                           static_cast<std::size_t>(grid.size[1] * grid.steps) + 1};
+    const std::size_t stride = direction == 0 ? 1 : lines[0];
+    double sum = 0;
+    for (std::size_t k = 0; k + stride < grid.points.size(); ++k)
+        if (direction == 1 || k % lines[0] + 1 < lines[0])
+            sum += (grid.points[k + stride] - grid.points[k]).norm();
+    return sum / static_cast<double>(lines[1 - direction]) / grid.size[direction];
+}
+
 } // namespace
 
-KnotPlan::KnotPlan(const Layout& layout, SmoothNetwork network)
-    : network_(std::move(network)), chosen_(layout.segments.size()) {
+IntervalLengths shortestIntervals(const std::vector<ReferenceGrid>& grids, double minLength) {
+    IntervalLengths lengths;
+    for (const ReferenceGrid& grid : grids) {
+        std::array<double, 2>& ofPatch = lengths.emplace_back();
+        for (std::size_t d = 0; d < 2; ++d) {
+            const double edge = meanEdge(grid, d);
+            ofPatch[d] = edge > 0 ? std::max(shortestInEdges, minLength / edge) : shortestInEdges;
+        }
+    }
+    return lengths;
+}
+
+KnotPlan::KnotPlan(const Layout& layout, SmoothNetwork network, IntervalLengths shortest)
+    : network_(std::move(network)), chosen_(layout.segments.size()), shortest_(std::move(shortest)) {
+    shortest_.resize(layout.segments.size(), {shortestInEdges, shortestInEdges});
     for (const Segment& segment : layout.segments)
         sizes_.push_back(segment.size);
     turns_ = findTurns(sizes_, network_);
@@ -107,15 +134,9 @@ bool KnotPlan::shorten(std::size_t run, std::size_t end) {
         ratio.reach.fill(half(ratio.length));
         return true;
     }
-    if (ratio.reach[end] / 2 < minInterval_) return false;
+    for (const StretchSide& place : network_.stretches[network_.runs[run].stretch].sides)
+        if (ratio.reach[end] / 2 < minInterval(place.patch, directionAlong(place.side))) return false;
     ratio.reach[end] = half(ratio.reach[end]);
-    return true;
-}
-
-bool KnotPlan::allowShorter() {
-    constexpr double shortest = 0.125;
-    if (minInterval_ == shortest) return false;
-    minInterval_ = shortest;
     return true;
 }
 

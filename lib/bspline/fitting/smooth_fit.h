@@ -17,6 +17,7 @@ struct SmoothFitOptions {
     double tolerance = 0;     ///< largest distance from the reference, in its unit; positive
     double flatness = 0;      ///< references no farther from a plane make plane patches
     int steps = 4;            ///< of the lattice of points that are fitted, a mesh edge; 1, 2 or 4
+    double minInterval = 0;   ///< of knots, in tolerances; an eighth of a mesh edge in any case
     int maxRounds = 30;       ///< systems that are factorised
     int roundsForFolds = 30;  ///< from then on places that are near enough may fold
     int slides = 6;           ///< solutions of each, between which the targets slide
