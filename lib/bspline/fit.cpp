@@ -30,11 +30,13 @@ void requireValid(const FitOptions& options) {
 /// edges, and are to be done in time linear in their size. The fit's lattice has four steps between any two
 /// knots in any case.
 SmoothFitOptions effortFor(const QuadMesh& mesh) {
+    constexpr std::size_t several = 8'000;
     constexpr std::size_t many = 30'000;
     SmoothFitOptions options;
+    if (mesh.n_faces() > several) options.steps = 2;
     if (mesh.n_faces() <= many) return options;
     const bool areVeryMany = mesh.n_faces() > veryManyFaces;
-    options.steps = areVeryMany ? 1 : 2;
+    if (areVeryMany) options.steps = 1;
     options.minInterval = 2; // with edges as short, knots between would follow nothing but errors of the fit
     options.maxRounds = 20;
     options.roundsForFolds = 2;

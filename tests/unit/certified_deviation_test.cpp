@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <functional>
+#include <numbers>
 
 namespace qm {
 namespace {
@@ -108,6 +109,23 @@ TEST(CertifiedDeviation, IsNotMisledBySlidingParameters) {
         EXPECT_LE(deviation.upper, 1.021 * deviation.lower) << lift;
         EXPECT_LT(deviation.rms, 0.02 + lift);
     }
+}
+
+TEST(CertifiedDeviation, LooksLittleAtPlanesHoweverTheirParametersRun) {
+    const auto plane = [](double i, double j) { return Point(i, j, 2); };
+    const auto twisted = [](double i, double j) {
+        constexpr double waves = std::numbers::pi / 4; // they vanish on the border
+        return Point(i + 0.3 * std::sin(waves * i) * std::cos(0.8 * j),
+                     j + 0.3 * std::sin(waves * j) * std::sin(0.9 * i), 2);
+    };
+    const auto lifted = [&](double i, double j) { return twisted(i, j) + Point(0, 0, 0.001 * (1 + i / 8)); };
+    const std::vector<test::Rectangle> one{{0, 0, 8, 8}};
+    const Pair level{{8, 8, plane}, one, twisted};
+    EXPECT_LT(certifiedDeviation(level.paired(), 0, {.negligible = 0.01, .effort = 1}).upper, 0.01);
+    const Pair tilted{{8, 8, plane}, one, lifted};
+    const auto deviation = certifiedDeviation(tilted.paired(), 0, {.negligible = 0.0021, .effort = 30});
+    EXPECT_GE(deviation.upper, 0.00199);
+    EXPECT_LE(deviation.upper, 0.0021);
 }
 
 TEST(CertifiedDeviation, FindsASpikeBetweenSamples) {

@@ -1,6 +1,7 @@
 #include "bspline/measure/distance_bound.h"
 
 #include "base/at.h"
+#include "bspline/measure/foot_frame.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,57 +51,37 @@ void DistanceBound::subtractOther(int turns) {
         }
 }
 
-double DistanceBound::tangentVariation(std::size_t surface, const Foot& foot, const Box& touched) {
-    const Cell first = surfaces_.cellAt({foot.place.patch, {touched[0][0], touched[1][0]}});
-    const Cell last = surfaces_.cellAt({foot.place.patch, {touched[0][1], touched[1][1]}});
-    constexpr std::size_t many = 9; // a box over more cells is still too large for a bound that helps
-    if ((last.interval[0] - first.interval[0] + 1) * (last.interval[1] - first.interval[1] + 1) > many)
-        return HUGE_VAL;
+double DistanceBound::tangentVariation(std::size_t surface, const Foot& foot, const ParameterBox& touched) {
     Parameters variation{}; // squared
-    Cell cell = first;
-    for (cell.interval[1] = first.interval[1]; cell.interval[1] <= last.interval[1]; ++cell.interval[1])
-        for (cell.interval[0] = first.interval[0]; cell.interval[0] <= last.interval[0]; ++cell.interval[0]) {
-            Parameters begin{};
-            Parameters end{};
-            Parameters width{};
-            for (std::size_t k = 0; k < 2; ++k) {
-                const auto [from, to] = surfaces_.range(cell, k);
-                begin[k] = std::clamp((touched[k][0] - from) / (to - from), 0.0, 1.0);
-                end[k] = std::clamp((touched[k][1] - from) / (to - from), 0.0, 1.0);
-                width[k] = (to - from) * std::max(end[k] - begin[k], 1e-12);
+    const bool isDone = pieces_.visit(surface, foot.place.patch, touched, [&](const BoxPiece& part) {
+        const int degree = part.piece.degree[0];
+        for (int j = 0; j <= degree; ++j)
+            for (int i = 0; i <= degree; ++i) {
+                const auto farther = [&](std::size_t k, const Eigen::Vector3d& next,
+                                         const Eigen::Vector3d& tangent) {
+                    const Eigen::Vector3d slope = degree / part.width[k] * (next - part.piece.at(i, j));
+                    variation[k] = std::max(variation[k], (slope - tangent).squaredNorm());
+                };
+                if (i < degree) farther(0, part.piece.at(i + 1, j), foot.du);
+                if (j < degree) farther(1, part.piece.at(i, j + 1), foot.dv);
             }
-            surfaces_.get(surface, cell, cell_);
-            restrict(cell_, begin, end, other_);
-            const int degree = other_.degree[0];
-            for (int j = 0; j <= degree; ++j)
-                for (int i = 0; i <= degree; ++i) {
-                    const auto farther = [&](std::size_t k, const Eigen::Vector3d& next,
-                                             const Eigen::Vector3d& tangent) {
-                        const Eigen::Vector3d slope = degree / width[k] * (next - other_.at(i, j));
-                        variation[k] = std::max(variation[k], (slope - tangent).squaredNorm());
-                    };
-                    if (i < degree) farther(0, other_.at(i + 1, j), foot.du);
-                    if (j < degree) farther(1, other_.at(i, j + 1), foot.dv);
-                }
-        }
-    return std::sqrt(variation[0] + variation[1]);
+    });
+    return isDone ? std::sqrt(variation[0] + variation[1]) : HUGE_VAL;
 }
 
-double DistanceBound::slidingBound(std::size_t surface, const Foot& foot, const Box& box, double known) {
-    const Eigen::Vector3d normal = foot.du.cross(foot.dv);
-    const double area = normal.squaredNorm();
-    if (!(area > 1e-8 * foot.du.squaredNorm() * foot.dv.squaredNorm())) return HUGE_VAL;
-    // Dual to the tangents: their products with a difference are the slide.
-    const std::array<Eigen::Vector3d, 2> dual{foot.dv.cross(normal) / area, normal.cross(foot.du) / area};
+double DistanceBound::slidingBound(std::size_t surface, const Foot& foot, const ParameterBox& box,
+                                   double known) {
+    const auto frame = footFrame(foot);
+    if (!frame) return HUGE_VAL;
     double height = 0;
     double slide = 0;
-    Box touched = box;
+    ParameterBox touched = box;
     const int degree = difference_.degree[0];
     auto point = difference_.points.begin();
     for (int j = 0; j <= degree; ++j)
         for (int i = 0; i <= degree; ++i, ++point) {
-            height = std::max(height, std::abs(point->dot(normal)));
-            const Parameters along{point->dot(dual[0]), point->dot(dual[1])};
+            height = std::max(height, std::abs(point->dot(frame->normal)));
+            const Parameters along{point->dot(frame->dual[0]), point->dot(frame->dual[1])};
             slide = std::max(slide, std::hypot(along[0], along[1]));
             for (std::size_t k = 0; k < 2; ++k) {
                 const double share = static_cast<double>(k == 0 ? i : j) / degree;
@@ -116,7 +97,7 @@ double DistanceBound::slidingBound(std::size_t surface, const Foot& foot, const 
         cutOff += beyond * (k == 0 ? foot.du : foot.dv).norm();
         touched[k] = {std::max(touched[k][0], 0.0), std::min(touched[k][1], extent[k])};
     }
-    const double remaining = std::hypot(height / std::sqrt(area), cutOff);
+    const double remaining = std::hypot(height, cutOff);
     if (!(remaining < known)) return known;
     return remaining + slide * tangentVariation(surface, foot, touched);
 }
@@ -167,12 +148,13 @@ void DistanceBound::tighten(SurfacePart& part, double surprising) {
     for (const Eigen::Vector3d& point : difference_.points)
         square = std::max(square, point.squaredNorm());
     part.upper = std::min(part.upper, std::sqrt(square));
-    Box box{};
+    ParameterBox box{};
     for (std::size_t k = 0; k < 2; ++k) {
         const auto [from, to] = surfaces_.range(target, k);
         box[k] = {std::lerp(from, to, begin[k]), std::lerp(from, to, end[k])};
     }
     part.upper = std::min(part.upper, slidingBound(1 - part.surface, part.foot, box, part.upper));
+    part.upper = covering_(own_, 1 - part.surface, part.foot, part.upper);
 }
 
 } // namespace qm

@@ -1,6 +1,8 @@
 /// \file How far a part of one surface is from the other at most, and at least.
 #pragma once
 
+#include "bspline/measure/box_pieces.h"
+#include "bspline/measure/covering_bound.h"
 #include "bspline/measure/foot_search.h"
 #include "bspline/measure/paired_surfaces.h"
 
@@ -28,12 +30,14 @@ struct SurfacePart {
 /// whose sides have the lengths that make both run at the same speed; the largest point of the difference's
 /// Bezier net is the bound. In a second pairing every point then slides along the other surface by what the
 /// difference has along its tangents at the foot. What remains is the difference along the normal, and the
-/// slide times the variation of the tangents over all that it touches. Both close as boxes get smaller.
+/// slide times the variation of the tangents over all that it touches. Both close as boxes get smaller. Where
+/// surfaces are nearly plane, `CoveringBound` does so at once.
 ///
 /// Keeps memory, so one thread uses one.
 class DistanceBound {
 public:
-    explicit DistanceBound(const PairedSurfaces& surfaces) : surfaces_(surfaces), search_(surfaces) {}
+    explicit DistanceBound(const PairedSurfaces& surfaces)
+        : surfaces_(surfaces), search_(surfaces), covering_(surfaces), pieces_(surfaces) {}
 
     /// Finds the foot, starting at the one that `part` has, and lowers the upper bound where it can.
     /// \param surprising  a foot farther away than this is searched again, from the same parameters
@@ -45,14 +49,15 @@ public:
     [[nodiscard]] FootSearch& search() { return search_; }
 
 private:
-    using Box = std::array<std::array<double, 2>, 2>; ///< ends along u, ends along v
-
     void subtractOther(int turns);
-    [[nodiscard]] double slidingBound(std::size_t surface, const Foot& foot, const Box& box, double known);
-    [[nodiscard]] double tangentVariation(std::size_t surface, const Foot& foot, const Box& touched);
+    [[nodiscard]] double slidingBound(std::size_t surface, const Foot& foot, const ParameterBox& box,
+                                      double known);
+    [[nodiscard]] double tangentVariation(std::size_t surface, const Foot& foot, const ParameterBox& touched);
 
     const PairedSurfaces& surfaces_;
     FootSearch search_;
+    CoveringBound covering_;
+    BoxPieces pieces_;
     BezierPiece cell_;
     BezierPiece own_;
     BezierPiece other_;
