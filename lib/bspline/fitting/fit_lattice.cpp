@@ -134,6 +134,10 @@ FitLattice makeLattice(const LatticeSource& source, const std::array<std::vector
     FitLattice lattice;
     lattice.targets.parameters = parameters;
     const auto points = source.grid->evaluateLattice(parameters[0], parameters[1]);
+    lattice.reference.reserve(points.size());
+    lattice.normals.reserve(points.size());
+    lattice.jacobian.reserve(points.size());
+    lattice.edge.reserve(points.size());
     for (const SurfacePoint& point : points) {
         lattice.reference.push_back(point.position);
         lattice.normals.push_back(unitNormal(point.du, point.dv).value_or(Point(0, 0, 0)));
@@ -153,6 +157,12 @@ FitLattice makeLattice(const LatticeSource& source, const std::array<std::vector
     for (std::size_t side = 0; side < 4; ++side)
         markSide(source, side, points, lattice);
     weighTargets(source, lattice);
+    return lattice;
+}
+
+FitLattice restored(const LatticeSource& source, const LatticeProgress& progress) {
+    FitLattice lattice = makeLattice(source, progress.targets.parameters);
+    static_cast<LatticeProgress&>(lattice) = progress;
     return lattice;
 }
 
@@ -197,6 +207,7 @@ void weighTargets(const LatticeSource& source, FitLattice& lattice) {
     const auto vs = widths(lattice.targets.parameters[1]);
     auto& weights = lattice.targets.weights;
     weights.clear();
+    weights.reserve(lattice.emphasis.size());
     const ReferenceGrid& grid = *source.grid;
     const std::size_t width = at(grid.size[0]) * at(grid.steps) + 1;
     const auto nearest = [&](double parameter) { return at(std::lround(parameter * grid.steps)); };

@@ -28,10 +28,18 @@ struct LatticeSource {
     std::vector<bool> isSound;                    ///< by quad: see `soundFaces`
 };
 
-/// A lattice of parameters over one segment. All lists but the parameters have one entry a point: (us[i],
+/// What a fit makes of a lattice as it goes. All lists but the parameters have one entry a point: (us[i],
 /// vs[j]) at j * columns() + i.
-struct FitLattice {
+struct LatticeProgress {
     PatchTargets targets;         ///< where the patch is drawn to
+    std::vector<double> emphasis; ///< factor of the weight, from 1 on
+    std::vector<Point> slides;    ///< from the reference to where the patch was found to be
+    std::vector<bool> isHeld;     ///< may not slide, because the patch was folded there
+    std::vector<char> holds;      ///< how often it was, up to `maxHolds`
+};
+
+/// A lattice of parameters over one segment, with the reference there.
+struct FitLattice : LatticeProgress {
     std::vector<Point> reference; ///< the reference's points
     std::vector<Freedom> freedom;
     std::vector<Point> normals;   ///< unit: the reference's; 0 where it has none or folds
@@ -39,10 +47,6 @@ struct FitLattice {
     std::vector<double> jacobian; ///< length of the cross product of the reference's derivatives by u and v
     std::vector<double> edge;     ///< length of the shorter one of these derivatives
     std::vector<bool> isGuess;    ///< the reference folds over a sound quad
-    std::vector<double> emphasis; ///< factor of the weight, from 1 on
-    std::vector<Point> slides;    ///< from the reference to where the patch was found to be
-    std::vector<bool> isHeld;     ///< may not slide, because the patch was folded there
-    std::vector<char> holds;      ///< how often it was, up to `maxHolds`
 
     [[nodiscard]] std::size_t columns() const { return targets.parameters[0].size(); }
     [[nodiscard]] std::size_t rows() const { return targets.parameters[1].size(); }
@@ -69,6 +73,9 @@ constexpr int maxHolds = 2;
 /// A lattice whose targets are the points of the reference.
 [[nodiscard]] FitLattice makeLattice(const LatticeSource& source,
                                      const std::array<std::vector<double>, 2>& parameters);
+
+/// One as it was.
+[[nodiscard]] FitLattice restored(const LatticeSource& source, const LatticeProgress& progress);
 
 /// The same with other parameters; slides and emphasis are taken over from those nearby.
 [[nodiscard]] FitLattice resample(const LatticeSource& source, const FitLattice& before,

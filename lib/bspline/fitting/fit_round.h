@@ -26,7 +26,8 @@ struct FitRound {
     RoundScore score;
     std::vector<Patch> patches; ///< none: there was no round yet
     std::optional<KnotPlan> plan;
-    std::shared_ptr<const std::vector<FitLattice>> lattices; ///< shared by copies: they are large
+    std::vector<std::shared_ptr<const LatticeProgress>>
+        lattices;                  ///< by patch; rounds share them: they are large
     std::vector<double> distances; ///< by patch, in tolerances, where they have been verified
 };
 

@@ -42,8 +42,8 @@ FitState::FitState(const QuadMesh& mesh, const Layout& layout, const SmoothNetwo
       plan_(layout, network, shortestIntervals(reference.grids, options.minInterval * options.tolerance)),
       sources_(latticeSources(mesh, layout, network, reference.grids, reference.weights)),
       normalLimits_(reference.grids.begin(), reference.grids.end()), lattices_(sources_.size()),
-      errors_(sources_.size()), givenUp_(sources_.size()), reweighed_(sources_.size()),
-      missed_(sources_.size()), scale_(sources_.size(), 1) {
+      kept_(sources_.size()), errors_(sources_.size()), givenUp_(sources_.size()),
+      reweighed_(sources_.size()), missed_(sources_.size()), scale_(sources_.size(), 1) {
     parallelFor(sources_.size(), jobs_,
                 [&](std::size_t k) { lattices_[k] = makeLattice(sources_[k], parametersOf(k, {})); });
     for (std::size_t k = 0; k < sources_.size(); ++k) {
@@ -111,9 +111,9 @@ bool FitState::solveFor(const std::vector<bool>& isFree, int slides) {
     patches_.resize(sources_.size());
     forFree([&](std::size_t k) {
         const auto parameters = parametersOf(k, spaces_[k].knots);
-        if (parameters != lattices_[k].targets.parameters)
-            lattices_[k] = resample(sources_[k], lattices_[k], parameters);
-        releaseHolds(lattices_[k]);
+        FitLattice& lattice = changing(k);
+        if (parameters != lattice.targets.parameters) lattice = resample(sources_[k], lattice, parameters);
+        releaseHolds(lattice);
     });
     SmoothSystem system(layout_, plan_.network(), spaces_, lattices_, plates_, isFree, patches_, jobs_);
     if (isFree != everywhere()) {
@@ -151,16 +151,27 @@ RoundScore FitState::score() const {
     return scoreOf(missed_, worst_ <= 1, patches_);
 }
 
-FitRound FitState::round(bool isKept) const {
+FitRound FitState::round(bool isKept) {
     FitRound round{score(), patches_, plan_, {}, {}};
-    if (isKept) round.lattices = std::make_shared<const std::vector<FitLattice>>(lattices_);
+    if (!isKept) return round;
+    for (std::size_t k = 0; k < lattices_.size(); ++k)
+        if (!kept_[k]) kept_[k] = std::make_shared<const LatticeProgress>(lattices_[k]);
+    round.lattices = kept_;
     return round;
+}
+
+FitLattice& FitState::changing(std::size_t patch) {
+    kept_[patch].reset();
+    return lattices_[patch];
 }
 
 void FitState::restore(const FitRound& round) {
     plan_ = *round.plan;
     spaces_ = plan_.spaces();
-    lattices_ = *round.lattices;
+    parallelFor(sources_.size(), jobs_, [&](std::size_t k) {
+        if (kept_[k] != round.lattices[k]) lattices_[k] = restored(sources_[k], *round.lattices[k]);
+    });
+    kept_ = round.lattices;
     patches_ = round.patches;
     solvedRuns_ = plan_.network().runs;
     assess(everywhere());
@@ -171,13 +182,12 @@ bool FitState::weighWhatIsMissed() {
     for (std::size_t k = 0; k < lattices_.size(); ++k) {
         bool ofPatch = false;
         for (std::size_t i = 0; i < errors_[k].error.size(); ++i) {
-            double& emphasis = lattices_[k].emphasis[i];
-            if (errors_[k].error[i] <= 1 || emphasis >= Emphasis::max) continue;
-            emphasis *= Emphasis::growth;
+            if (errors_[k].error[i] <= 1 || lattices_[k].emphasis[i] >= Emphasis::max) continue;
+            changing(k).emphasis[i] *= Emphasis::growth;
             ofPatch = true;
         }
         if (!ofPatch) continue;
-        weighTargets(sources_[k], lattices_[k]);
+        weighTargets(sources_[k], changing(k));
         reweighed_[k] = true;
         changed = true;
     }
@@ -200,7 +210,7 @@ template <class Function> void FitState::forBadCells(double limit, Function&& fu
 }
 
 void FitState::giveUp(const KnotCell& cell, std::size_t patch) {
-    givenUp_[patch].add(cell, sources_[patch], lattices_[patch], errors_[patch]);
+    givenUp_[patch].add(cell, sources_[patch], changing(patch), errors_[patch]);
     reweighed_[patch] = true;
 }
 
@@ -221,7 +231,7 @@ bool FitState::stopSliding() {
     bool changed = false;
     forBadCells(1, [&](const KnotCell& cell, std::size_t k) {
         const bool isNew = holdTargets({cell.begin[0] - around, cell.begin[1] - around},
-                                       {cell.end[0] + around, cell.end[1] + around}, lattices_[k]);
+                                       {cell.end[0] + around, cell.end[1] + around}, changing(k));
         changed = changed || isNew;
     });
     return changed;

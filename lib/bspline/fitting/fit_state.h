@@ -13,6 +13,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace qm {
@@ -39,7 +40,7 @@ public:
     /// What this has come to.
     [[nodiscard]] RoundScore score() const;
     /// \param isKept  for restoring it; else without the lattices, which are large
-    [[nodiscard]] FitRound round(bool isKept) const;
+    [[nodiscard]] FitRound round(bool isKept);
     /// Goes back to an earlier round.
     void restore(const FitRound& round);
 
@@ -76,6 +77,7 @@ private:
     [[nodiscard]] std::vector<bool> changedPatches(const std::vector<PatchSpace>& before) const;
     [[nodiscard]] std::vector<bool> patchesToSolveFor(const std::vector<PatchSpace>& before) const;
     bool solveFor(const std::vector<bool>& isFree, int slides);
+    FitLattice& changing(std::size_t patch);
     void assess(const std::vector<bool>& isNew);
     template <class Function> void forBadCells(double limit, Function&& function);
     void giveUp(const KnotCell& cell, std::size_t patch);
@@ -89,6 +91,7 @@ private:
     std::vector<NormalLimits> normalLimits_;
     std::vector<std::vector<ThinPlate>> plates_; ///< by patch and quad
     std::vector<FitLattice> lattices_;
+    std::vector<std::shared_ptr<const LatticeProgress>> kept_; ///< by patch: its lattice's; or none yet
     std::vector<PatchSpace> spaces_;
     std::vector<Patch> patches_;
     std::vector<PatchErrors> errors_;

@@ -124,6 +124,8 @@ PatchErrors latticeErrors(const FitLattice& lattice, const Patch& patch, double 
     constexpr double ofFolds = 2;
     const auto points = pointsOf(patch, lattice);
     PatchErrors errors;
+    errors.signedDistance.reserve(points.size());
+    errors.error.reserve(points.size());
     for (std::size_t k = 0; k < points.size(); ++k) {
         const Point offset = points[k].position - lattice.reference[k];
         errors.signedDistance.push_back(scale * signedDistance(lattice, k, points[k], offset) / tolerance);

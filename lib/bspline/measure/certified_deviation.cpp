@@ -21,6 +21,8 @@ public:
 
     CertifiedDeviation run() {
         const auto cells = surfaces_.cells(patch_);
+        parts_.reserve(cells[0] * cells[1]);
+        result_.samples.reserve(gaussNodes.size() * gaussNodes.size() * parts_.capacity());
         for (std::size_t j = 0; j < cells[1]; ++j)
             for (std::size_t i = 0; i < cells[0]; ++i)
                 addCell({patch_, {i, j}});

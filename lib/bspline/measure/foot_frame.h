@@ -23,8 +23,7 @@ struct FootFrame {
     const Eigen::Vector3d across = foot.du.cross(foot.dv);
     const double area = across.squaredNorm();
     if (!(area > minSquare * foot.du.squaredNorm() * foot.dv.squaredNorm())) return {};
-    return FootFrame{{foot.dv.cross(across) / area, across.cross(foot.du) / area},
-                        across / std::sqrt(area)};
+    return FootFrame{{foot.dv.cross(across) / area, across.cross(foot.du) / area}, across / std::sqrt(area)};
 }
 
 } // namespace qm

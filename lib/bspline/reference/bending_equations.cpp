@@ -69,11 +69,11 @@ private:
 } // namespace
 
 BendingTerm::BendingTerm(const std::array<int, 4>& vertices, const QuadBending& bending)
-    : vertices_(vertices), right_(bending.right) {
+    : vertices_(vertices), right_(bending.right.cast<float>()) {
     auto next = upper_.begin();
     for (Eigen::Index i = 0; i < 8; ++i)
         for (Eigen::Index j = i; j < 8; ++j)
-            *next++ = bending.matrix(i, j);
+            *next++ = static_cast<float>(bending.matrix(i, j));
 }
 
 Eigen::Matrix<double, 8, 8> BendingTerm::matrix() const {

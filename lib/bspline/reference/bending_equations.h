@@ -11,7 +11,7 @@
 
 namespace qm {
 
-/// The bending of one quad, as compact as it may be kept for every quad of a mesh.
+/// The bending of one quad, as compact as it may be kept for every quad of a mesh: tilts need no more digits.
 class BendingTerm {
 public:
     BendingTerm() = default; ///< none
@@ -19,13 +19,13 @@ public:
     BendingTerm(const std::array<int, 4>& vertices, const QuadBending& bending);
 
     [[nodiscard]] const std::array<int, 4>& vertices() const { return vertices_; }
-    [[nodiscard]] const CornerTilts& right() const { return right_; }
+    [[nodiscard]] CornerTilts right() const { return right_.cast<double>(); }
     [[nodiscard]] Eigen::Matrix<double, 8, 8> matrix() const;
 
 private:
     std::array<int, 4> vertices_{};
-    std::array<double, 36> upper_{}; ///< half of the symmetric matrix, row by row
-    CornerTilts right_ = CornerTilts::Zero();
+    std::array<float, 36> upper_{}; ///< half of the symmetric matrix, row by row
+    Eigen::Matrix<float, 8, 1> right_ = Eigen::Matrix<float, 8, 1>::Zero();
 };
 
 /// Minimises the sum of all terms by conjugate gradients.

@@ -32,7 +32,9 @@ MeshLattice limitLattice(const QuadMesh& mesh, const Layout& layout, const std::
 /// The part of a lattice that covers a segment.
 ReferenceGrid gridOf(const Segment& segment, const MeshLattice& lattice) {
     ReferenceGrid grid{segment.size, lattice.squares()};
-    for (const std::size_t number : lattice.numbers().ofSegment(segment))
+    const std::vector<std::size_t> numbers = lattice.numbers().ofSegment(segment);
+    grid.points.reserve(numbers.size());
+    for (const std::size_t number : numbers)
         grid.points.push_back(lattice.point(number));
     return grid;
 }
