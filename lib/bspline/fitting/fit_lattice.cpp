@@ -197,11 +197,6 @@ FitLattice resample(const LatticeSource& source, const FitLattice& before,
     return lattice;
 }
 
-void releaseHolds(FitLattice& lattice) {
-    for (std::size_t k = 0; k < lattice.holds.size(); ++k)
-        lattice.isHeld[k] = lattice.holds[k] >= maxHolds;
-}
-
 void weighTargets(const LatticeSource& source, FitLattice& lattice) {
     const auto us = widths(lattice.targets.parameters[0]);
     const auto vs = widths(lattice.targets.parameters[1]);

@@ -81,9 +81,6 @@ constexpr int maxHolds = 2;
 [[nodiscard]] FitLattice resample(const LatticeSource& source, const FitLattice& before,
                                   const std::array<std::vector<double>, 2>& parameters);
 
-/// Lets points slide again that were not folded too often.
-void releaseHolds(FitLattice& lattice);
-
 /// Sets the weights of the targets from the emphasis.
 void weighTargets(const LatticeSource& source, FitLattice& lattice);
 

@@ -7,6 +7,7 @@
 #include "bspline/fitting/knot_insertion.h"
 #include "bspline/fitting/knot_removal.h"
 #include "bspline/fitting/lattice_cells.h"
+#include "bspline/fitting/lattice_holds.h"
 #include "bspline/fitting/smooth_fit.h"
 #include "bspline/fitting/smooth_system.h"
 

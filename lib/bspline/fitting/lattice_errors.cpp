@@ -1,6 +1,6 @@
 #include "bspline/fitting/lattice_errors.h"
 
-#include "base/positions.h"
+#include "bspline/fitting/lattice_holds.h"
 #include "bspline/splines/evaluate.h"
 
 #include <algorithm>
@@ -60,29 +60,6 @@ double meanDistance(const FitLattice& lattice, const std::vector<SurfacePoint>& 
     return weights > 0 ? sum / weights : 0;
 }
 
-/// Forbids sliding in a rectangle of parameters, for this time or for good.
-/// \return false if it is forbidden for good already
-bool hold(const std::array<double, 2>& begin, const std::array<double, 2>& end, bool forGood,
-          FitLattice& lattice) {
-    const auto& us = lattice.targets.parameters[0];
-    const auto& vs = lattice.targets.parameters[1];
-    const auto first = [](const std::vector<double>& list, double at) {
-        return positionIn(list, std::ranges::lower_bound(list, at));
-    };
-    bool isNew = false;
-    for (std::size_t j = first(vs, begin[1]); j < vs.size() && vs[j] <= end[1]; ++j)
-        for (std::size_t i = first(us, begin[0]); i < us.size() && us[i] <= end[0]; ++i) {
-            const std::size_t at = j * us.size() + i;
-            isNew = isNew || lattice.holds[at] < maxHolds;
-            lattice.isHeld[at] = true;
-            lattice.holds[at] =
-                static_cast<char>(forGood ? maxHolds : std::min(lattice.holds[at] + 1, maxHolds));
-            lattice.slides[at] = Point(0, 0, 0);
-            lattice.targets.points[at] = lattice.reference[at];
-        }
-    return isNew;
-}
-
 } // namespace
 
 double PatchErrors::max() const {
@@ -135,10 +112,6 @@ PatchErrors latticeErrors(const FitLattice& lattice, const Patch& patch, double 
     return errors;
 }
 
-bool holdTargets(const std::array<double, 2>& begin, const std::array<double, 2>& end, FitLattice& lattice) {
-    return hold(begin, end, true, lattice);
-}
-
 void slideTargets(const Patch& patch, double slack, FitLattice& lattice) {
     // Enough to make slides converge in few steps, not so much that they oscillate.
     constexpr double momentum = 0.8;
@@ -148,11 +121,10 @@ void slideTargets(const Patch& patch, double slack, FitLattice& lattice) {
     constexpr double restoring = 0.15;
     constexpr double maxSlide = 1; // of the reference's edges
     const auto points = pointsOf(patch, lattice);
+    std::vector<bool> areFolded(points.size());
     for (std::size_t k = 0; k < points.size(); ++k)
-        if (isFolded(lattice, k, points[k])) {
-            const auto [u, v] = lattice.parametersAt(k);
-            hold({u - 1, v - 1}, {u + 1, v + 1}, false, lattice);
-        }
+        areFolded[k] = isFolded(lattice, k, points[k]);
+    holdAroundFolds(areFolded, lattice);
     const double mean = slack > 0 ? meanDistance(lattice, points) : 0;
     for (std::size_t k = 0; k < points.size(); ++k) {
         if (lattice.isHeld[k] || lattice.freedom[k] == Freedom::corner) continue;

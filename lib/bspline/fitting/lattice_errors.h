@@ -38,8 +38,4 @@ struct PatchErrors {
 /// Tangent-distance minimisation (docs/METHOD.md#wang-2006), accelerated (docs/METHOD.md#nesterov-1983).
 void slideTargets(const Patch& patch, double slack, FitLattice& lattice);
 
-/// Puts the targets in a rectangle of parameters back to the reference's points for good.
-/// \return false if all of them are there already
-bool holdTargets(const std::array<double, 2>& begin, const std::array<double, 2>& end, FitLattice& lattice);
-
 } // namespace qm

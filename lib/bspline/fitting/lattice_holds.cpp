@@ -1,0 +1,86 @@
+#include "bspline/fitting/lattice_holds.h"
+
+#include "base/positions.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace qm {
+namespace {
+
+struct Interval {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+};
+
+Interval positionsWithin(const std::vector<double>& parameters, double from, double to) {
+    return {positionIn(parameters, std::ranges::lower_bound(parameters, from)),
+            positionIn(parameters, std::ranges::upper_bound(parameters, to))};
+}
+
+void hold(std::size_t point, int times, FitLattice& lattice) {
+    lattice.isHeld[point] = true;
+    lattice.holds[point] = static_cast<char>(std::min(lattice.holds[point] + times, maxHolds));
+    lattice.slides[point] = Point(0, 0, 0);
+    lattice.targets.points[point] = lattice.reference[point];
+}
+
+/// Counts marks in rectangles, at once however large these are.
+class RectangleCounts {
+public:
+    RectangleCounts(const std::vector<bool>& marks, std::size_t columns)
+        : width_(columns + 1), sums_((marks.size() / columns + 1) * width_) {
+        for (std::size_t k = 0; k < marks.size(); ++k) {
+            const std::size_t at = (k / columns + 1) * width_ + k % columns + 1;
+            sums_[at] = sums_[at - 1] + sums_[at - width_] - sums_[at - width_ - 1] + (marks[k] ? 1 : 0);
+        }
+    }
+
+    [[nodiscard]] int operator()(const Interval& columns, const Interval& rows) const {
+        return sum(columns.end, rows.end) - sum(columns.begin, rows.end) - sum(columns.end, rows.begin) +
+               sum(columns.begin, rows.begin);
+    }
+
+private:
+    [[nodiscard]] int sum(std::size_t column, std::size_t row) const { return sums_[row * width_ + column]; }
+
+    std::size_t width_;
+    std::vector<int> sums_; ///< of all before a column and a row
+};
+
+} // namespace
+
+void holdAroundFolds(const std::vector<bool>& isFolded, FitLattice& lattice) {
+    if (std::ranges::find(isFolded, true) == isFolded.end()) return;
+    const RectangleCounts folds(isFolded, lattice.columns());
+    std::array<std::vector<Interval>, 2> around; // by column and by row
+    for (std::size_t k = 0; k < 2; ++k)
+        for (const double at : lattice.targets.parameters[k])
+            around[k].push_back(positionsWithin(lattice.targets.parameters[k], at - 1, at + 1));
+    std::size_t point = 0;
+    for (const Interval& rows : around[1])
+        for (const Interval& columns : around[0]) {
+            if (const int times = folds(columns, rows); times > 0) hold(point, times, lattice);
+            ++point;
+        }
+}
+
+bool holdTargets(const std::array<double, 2>& begin, const std::array<double, 2>& end, FitLattice& lattice) {
+    const Interval columns = positionsWithin(lattice.targets.parameters[0], begin[0], end[0]);
+    const Interval rows = positionsWithin(lattice.targets.parameters[1], begin[1], end[1]);
+    bool isNew = false;
+    for (std::size_t j = rows.begin; j < rows.end; ++j)
+        for (std::size_t i = columns.begin; i < columns.end; ++i) {
+            const std::size_t point = j * lattice.columns() + i;
+            isNew = isNew || lattice.holds[point] < maxHolds;
+            hold(point, maxHolds, lattice);
+        }
+    return isNew;
+}
+
+void releaseHolds(FitLattice& lattice) {
+    for (std::size_t k = 0; k < lattice.holds.size(); ++k)
+        lattice.isHeld[k] = lattice.holds[k] >= maxHolds;
+}
+
+} // namespace qm
