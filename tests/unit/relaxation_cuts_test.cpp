@@ -1,7 +1,8 @@
-// Cuts of the relaxation: what they are made with, and that every graph obeys them whatever solution they cut
-// off.
+// Rows of the relaxation: what is left of them, what cuts are made with, and that every graph obeys these
+// whatever solution they cut off.
 #include "enumerate/optimum/acyclic_graph.h"
 #include "enumerate/optimum/odd_cycle_cuts.h"
+#include "enumerate/optimum/open_row.h"
 #include "enumerate/optimum/relaxation.h"
 #include "enumerate/optimum/smallest_cut.h"
 #include "enumerate/optimum/trail_cuts.h"
@@ -113,6 +114,57 @@ ColumnValues drawValues(std::size_t columns, bool halves, std::mt19937& random) 
         else
             value = random() % 3 == 0 ? 1 : static_cast<double>(random() % 5) / 8;
     return values;
+}
+
+/// Values of the whole formulation that agree with the state, 0 or 1 at random where it is free.
+ColumnValues drawCompletion(const ColumnState& columns, std::size_t count, std::mt19937& random) {
+    ColumnValues values(count);
+    for (const ColumnId column : values.ids()) {
+        const ArcState known = columns.value(column);
+        values[column] = known == ArcState::free ? static_cast<double>(random() % 2) : known == ArcState::in;
+    }
+    return values;
+}
+
+TEST(OpenRow, SaysWhatItsRowSaysOfEveryCompletion) {
+    std::size_t open = 0, idle = 0;
+    for (unsigned number = 0; number < 100; ++number) {
+        const auto drawn = drawCase(number);
+        if (!drawn || drawn->graphs.empty()) continue;
+        std::mt19937 random(number);
+        SearchState state(*drawn->problem);
+        const std::vector<VariableId> variables = freeVariables(state);
+        const Formulation formulation = formulate(state, variables);
+        ColumnState columns(state, formulation);
+        if (!columns.consistent() || variables.empty()) continue;
+        const VariableId fixed = variables[random() % variables.size()];
+        const ArcState value = drawn->graphs.front()[fixed] == 1 ? ArcState::in : ArcState::out;
+        ASSERT_TRUE(!state.isFree(fixed) || columns.take({fixed, Decision::About::value, value}));
+        const ColumnValues values = drawCompletion(columns, formulation.costs.size(), random);
+        IdVector<ColumnId, int> numberOf(values.size(), -1);
+        std::vector<double> openValues;
+        for (const ColumnId column : values.ids())
+            if (columns.value(column) == ArcState::free) {
+                numberOf[column] = static_cast<int>(openValues.size());
+                openValues.push_back(values[column]);
+            }
+        for (const RowId id : formulation.rows.ids()) {
+            const Formulation::Row& row = formulation.rows[id];
+            double sum = 0;
+            for (std::size_t k = 0; k < row.columns.size(); ++k)
+                sum += row.weights[k] * values[row.columns[k]];
+            const OpenRow left = openRow(formulation, id, columns, numberOf);
+            if (left.columns.empty()) {
+                EXPECT_TRUE(sum >= row.lower && sum <= row.upper) << number << ", row " << id.value();
+                ++idle;
+            } else {
+                EXPECT_DOUBLE_EQ(left.sum(openValues.data()), sum) << number << ", row " << id.value();
+                ++open;
+            }
+        }
+    }
+    EXPECT_GT(open, 100U);
+    EXPECT_GT(idle, 100U);
 }
 
 TEST(RelaxationCuts, EveryGraphObeysThem) {

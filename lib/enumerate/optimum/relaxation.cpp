@@ -1,13 +1,12 @@
 #include "enumerate/optimum/relaxation.h"
 
 #include "base/at.h"
+#include "enumerate/optimum/near_start.h"
 
-#include <coin/ClpEventHandler.hpp>
 #include <coin/ClpSimplex.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace qm {
@@ -19,26 +18,8 @@ double bounded(double value) {
 
 constexpr double broken = 1e-6; ///< a row is violated by more than this
 
-struct NearTuning {
-    /// Rows with smaller duals are left out at first: the solver is slow with many, and few of them bind.
-    static constexpr double minDual = 1e-3;
-    /// A value that is farther from 0 and 1 is that of a basic column.
-    static constexpr double fractional = 0.02;
-    /// Clp's for "none": perturbed costs lead away from a solution that is nearly optimal.
-    static constexpr int noPerturbation = 100;
-};
-
-/// Stops the solver when the caller asks for it.
-class StopOnRequest : public ClpEventHandler {
-public:
-    explicit StopOnRequest(const Control& control) : control_(&control) {}
-    int event(Event /*event*/) override { return control_->stopRequested() ? stop : goOn; }
-    [[nodiscard]] ClpEventHandler* clone() const override { return new StopOnRequest(*this); }
-
-private:
-    static constexpr int stop = 5, goOn = -1; ///< as Clp wants it
-    const Control* control_;
-};
+/// Of rows that a start from afar takes in at once: the solver is slow with many, and few of them bind.
+constexpr double minDual = 1e-3;
 
 } // namespace
 
@@ -72,7 +53,7 @@ void Relaxation::addRows(const ColumnState& state) {
     for (std::size_t k = 0; k < columns_.size(); ++k)
         indexOf[columns_[k]] = static_cast<int>(k);
     for (; nextRow_ < formulation_->rows.nextId(); nextRow_ = nextRow_ + 1)
-        if (OpenRow row = openPart(nextRow_, state, indexOf); row.columns.size() > 1)
+        if (OpenRow row = openRow(*formulation_, nextRow_, state, indexOf); row.columns.size() > 1)
             rows_.push_back(std::move(row));
     isInSolver_.resize(rows_.size(), false);
 }
@@ -93,27 +74,6 @@ void Relaxation::dropIdleRows() {
     }
     solver_->deleteRows(static_cast<int>(idle.size()), idle.data());
     solverRows_ = std::move(kept);
-}
-
-/// \return a row without columns if it always holds
-Relaxation::OpenRow Relaxation::openPart(RowId id, const ColumnState& state,
-                                         const IdVector<ColumnId, int>& indexOf) const {
-    const Formulation::Row& row = formulation_->rows[id];
-    OpenRow open;
-    open.row = id;
-    double min = 0, max = 0;
-    for (std::size_t k = 0; k < row.columns.size(); ++k) {
-        const ArcState value = state.value(row.columns[k]);
-        if (value == ArcState::in) open.constant += row.weights[k];
-        if (value != ArcState::free) continue;
-        open.columns.push_back(indexOf[row.columns[k]]);
-        open.weights.push_back(row.weights[k]);
-        min += std::min(row.weights[k], 0.0);
-        max += std::max(row.weights[k], 0.0);
-    }
-    // The lower side of a cover row can rise later; its upper side is never idle.
-    if (min >= row.lower - open.constant && max <= row.upper - open.constant) return {};
-    return open;
 }
 
 void Relaxation::add(const std::vector<const OpenRow*>& rows, const ColumnState& state) {
@@ -140,9 +100,7 @@ bool Relaxation::addBroken(const ColumnState& state) {
     for (std::size_t id = 0; id < rows_.size(); ++id) {
         if (isInSolver_[id]) continue;
         const OpenRow& row = rows_[id];
-        double sum = row.constant;
-        for (std::size_t k = 0; k < row.columns.size(); ++k)
-            sum += row.weights[k] * values[row.columns[k]];
+        const double sum = row.sum(values);
         if (sum < state.rowLower(row.row) - broken || sum > formulation_->rows[row.row].upper + broken)
             rows.push_back(&row);
     }
@@ -258,50 +216,12 @@ RelaxedProgram Relaxation::program(const ColumnState& state) const {
 void Relaxation::startNear(const RelaxedProgram& near, const ColumnState& state, const Control& control) {
     std::vector<const OpenRow*> tight;
     for (std::size_t id = 0; id < rows_.size(); ++id)
-        if (!isInSolver_[id] && std::abs(near.duals[RowId(id)]) > NearTuning::minDual)
-            tight.push_back(&rows_[id]);
+        if (!isInSolver_[id] && std::abs(near.duals[RowId(id)]) > minDual) tight.push_back(&rows_[id]);
     if (!tight.empty()) add(tight, state);
-    solver_->createStatus();
-    std::size_t basics = 0;
     read(state);
-    for (const ColumnId column : near.values.ids()) {
-        const double value = near.values[column];
-        const bool basic = value > NearTuning::fractional && value < 1 - NearTuning::fractional;
-        const int k = static_cast<int>(column.idx());
-        solver_->setColumnStatus(k, basic         ? ClpSimplex::basic
-                                    : value < 0.5 ? ClpSimplex::atLowerBound
-                                                  : ClpSimplex::atUpperBound);
-        solver_->primalColumnSolution()[k] = value;
-        values_[columns_[column.idx()]] = value;
-        if (basic) ++basics;
-    }
-    setTightRows(near.duals, basics);
-    const int perturbation = solver_->perturbation();
-    solver_->setPerturbation(NearTuning::noPerturbation);
-    StopOnRequest handler(control);
-    solver_->passInEventHandler(&handler);
-    solver_->setMaximumIterations(std::numeric_limits<int>::max());
-    solver_->primal();
-    ClpEventHandler none;
-    solver_->passInEventHandler(&none);
-    solver_->setPerturbation(perturbation);
-}
-
-/// Takes as many rows for tight as there are basic columns, those with the largest duals; all others are
-/// basic.
-void Relaxation::setTightRows(const IdVector<RowId, double>& duals, std::size_t count) {
-    std::vector<std::pair<double, int>> order;
-    for (std::size_t k = 0; k < solverRows_.size(); ++k) {
-        const double dual = duals[RowId(solverRows_[k])];
-        if (dual != 0) order.emplace_back(-std::abs(dual), static_cast<int>(k));
-        solver_->setRowStatus(static_cast<int>(k), ClpSimplex::basic);
-    }
-    std::ranges::sort(order);
-    order.resize(std::min(order.size(), count));
-    for (const auto& [negative, k] : order) {
-        const bool below = duals[RowId(solverRows_[at(k)])] > 0;
-        solver_->setRowStatus(k, below ? ClpSimplex::atLowerBound : ClpSimplex::atUpperBound);
-    }
+    for (const ColumnId column : near.values.ids())
+        values_[columns_[column.idx()]] = near.values[column];
+    solveFromNear(*solver_, near, solverRows_, control);
 }
 
 double Relaxation::fixedShare(const ColumnState& state) const {

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "base/control.h"
-#include "enumerate/optimum/column_state.h"
+#include "enumerate/optimum/open_row.h"
 #include "program/decomposition_bound.h"
 
 #include <limits>
@@ -66,22 +66,11 @@ public:
     [[nodiscard]] const ColumnValues& reducedCosts() const { return reducedCosts_; }
 
 private:
-    /// A row without the columns that were fixed.
-    struct OpenRow {
-        RowId row;                ///< of the formulation
-        std::vector<int> columns; ///< of the solver
-        std::vector<double> weights;
-        double constant = 0; ///< what the fixed columns add
-    };
-
-    [[nodiscard]] OpenRow openPart(RowId row, const ColumnState& state,
-                                   const IdVector<ColumnId, int>& indexOf) const;
     Result solveWithoutRows(const ColumnState& state, double cutoff);
     void setBounds(const ColumnState& state);
     void add(const std::vector<const OpenRow*>& rows, const ColumnState& state);
     bool addBroken(const ColumnState& state);
     void read(const ColumnState& state);
-    void setTightRows(const IdVector<RowId, double>& duals, std::size_t count);
 
     const Formulation* formulation_;
     std::vector<ColumnId> columns_;       ///< of the formulation, for every column of the solver

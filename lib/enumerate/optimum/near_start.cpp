@@ -1,0 +1,83 @@
+#include "enumerate/optimum/near_start.h"
+
+#include "base/at.h"
+
+#include <coin/ClpEventHandler.hpp>
+#include <coin/ClpSimplex.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace qm {
+namespace {
+
+/// A value that is farther from 0 and 1 is that of a basic column.
+constexpr double fractional = 0.02;
+
+/// Clp's for "none": perturbed costs lead away from a solution that is nearly optimal.
+constexpr int noPerturbation = 100;
+
+/// Stops the solver when the caller asks for it.
+class StopOnRequest : public ClpEventHandler {
+public:
+    explicit StopOnRequest(const Control& control) : control_(&control) {}
+    int event(Event /*event*/) override { return control_->stopRequested() ? stop : goOn; }
+    [[nodiscard]] ClpEventHandler* clone() const override { return new StopOnRequest(*this); }
+
+private:
+    static constexpr int stop = 5, goOn = -1; ///< as Clp wants it
+    const Control* control_;
+};
+
+/// \return how many columns are basic
+std::size_t setColumns(ClpSimplex& solver, const ColumnValues& values) {
+    std::size_t basics = 0;
+    for (const ColumnId column : values.ids()) {
+        const double value = values[column];
+        const bool basic = value > fractional && value < 1 - fractional;
+        const int k = static_cast<int>(column.idx());
+        solver.setColumnStatus(k, basic         ? ClpSimplex::basic
+                                  : value < 0.5 ? ClpSimplex::atLowerBound
+                                                : ClpSimplex::atUpperBound);
+        solver.primalColumnSolution()[k] = value;
+        if (basic) ++basics;
+    }
+    return basics;
+}
+
+/// Takes so many rows for tight, those with the largest duals; all others are basic.
+void setTightRows(ClpSimplex& solver, const IdVector<RowId, double>& duals,
+                  const std::vector<std::size_t>& rows, std::size_t count) {
+    std::vector<std::pair<double, int>> order;
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        const double dual = duals[RowId(rows[k])];
+        if (dual != 0) order.emplace_back(-std::abs(dual), static_cast<int>(k));
+        solver.setRowStatus(static_cast<int>(k), ClpSimplex::basic);
+    }
+    std::ranges::sort(order);
+    order.resize(std::min(order.size(), count));
+    for (const auto& [negative, k] : order)
+        solver.setRowStatus(k, duals[RowId(rows[at(k)])] > 0 ? ClpSimplex::atLowerBound
+                                                             : ClpSimplex::atUpperBound);
+}
+
+} // namespace
+
+void solveFromNear(ClpSimplex& solver, const RelaxedProgram& near, const std::vector<std::size_t>& rows,
+                   const Control& control) {
+    solver.createStatus();
+    setTightRows(solver, near.duals, rows, setColumns(solver, near.values));
+    const int perturbation = solver.perturbation();
+    solver.setPerturbation(noPerturbation);
+    StopOnRequest handler(control);
+    solver.passInEventHandler(&handler);
+    solver.setMaximumIterations(std::numeric_limits<int>::max());
+    solver.primal();
+    ClpEventHandler none;
+    solver.passInEventHandler(&none);
+    solver.setPerturbation(perturbation);
+}
+
+} // namespace qm
