@@ -8,13 +8,10 @@
 #include "program/gradient_relaxation.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace qm {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 using Tuning = TreeTuning;
 
 } // namespace
@@ -22,7 +19,7 @@ using Tuning = TreeTuning;
 BranchAndBound::BranchAndBound(SearchState& state, std::vector<VariableId> variables,
                                const PartOptions& options, const Control& control)
     : origin_(state.mark()), part_(state, std::move(variables), options, control), branching_(part_),
-      root_(part_.columns.mark()) {}
+      root_(part_) {}
 
 void BranchAndBound::offer(const Assignment& assignment) {
     part_.incumbents.offer(part_.cost.of([&](VariableId variable) { return assignment[variable] == 1; }),
@@ -33,7 +30,7 @@ void BranchAndBound::run() {
     if (part_.columns.consistent()) {
         double bound = part_.cost.lowerBound(part_.state);
         if (part_.variables.size() >= part_.options.large) bound = std::max(bound, startByGradients());
-        queue_.push({bound, addNode({}, {})});
+        tree_.open(tree_.add({}, {}), bound);
         guessGraphs(part_);
         search();
     }
@@ -63,61 +60,49 @@ void BranchAndBound::resume(std::size_t nodes) {
 
 void BranchAndBound::conclude(const Assignment& best) {
     offer(best);
-    queue_ = {};
+    tree_.closeAll();
     complete_ = true;
     summarise();
 }
 
 void BranchAndBound::summarise() {
-    lowerBound_ = queue_.empty() ? part_.options.maxCost : queue_.top().bound;
+    lowerBound_ = tree_.allClosed() ? part_.options.maxCost : tree_.next().bound;
     if (!part_.incumbents.empty()) lowerBound_ = std::min(lowerBound_, part_.incumbents.bestCost());
 }
 
 void BranchAndBound::search() {
-    while (!queue_.empty()) {
-        const OpenNode next = queue_.top();
+    while (!tree_.allClosed()) {
+        const SearchTree::OpenNode next = tree_.next();
         if (next.bound >= part_.incumbents.cutoff() - (part_.options.best == 1 ? part_.options.gap : 0))
             break;
         if (part_.control.stopRequested() || tree_.size() > part_.options.nodes) {
             complete_ = false;
             break;
         }
-        queue_.pop();
-        if (!tightenRoot())
-            queue_ = {};
+        tree_.closeNext();
+        if (!root_.tighten())
+            tree_.closeAll();
         else if (replay(next.node))
             plunge(next.node, next.bound);
     }
 }
 
-BranchAndBound::TreeNodeId BranchAndBound::addNode(TreeNodeId parent, const Decision& decision) {
-    tree_.push_back({parent, decision});
-    return tree_.nextId() - 1;
-}
-
-void BranchAndBound::open(TreeNodeId parent, const Decision& decision, double bound) {
-    queue_.push({bound, addNode(parent, decision)});
-}
-
 /// Repeats the decisions that lead to an open node.
-bool BranchAndBound::replay(TreeNodeId node) {
-    part_.columns.undo(root_);
-    std::vector<TreeNodeId> path;
-    for (TreeNodeId n = node; tree_[n].parent.valid(); n = tree_[n].parent)
-        path.push_back(n);
-    return std::all_of(path.rbegin(), path.rend(),
-                       [this](TreeNodeId n) { return part_.columns.take(tree_[n].decision); });
+bool BranchAndBound::replay(SearchTree::NodeId node) {
+    root_.restore();
+    return std::ranges::all_of(tree_.path(node),
+                               [this](const Decision& decision) { return part_.columns.take(decision); });
 }
 
 /// Goes down from a node, to the better side each time, and leaves the other sides open.
-void BranchAndBound::plunge(TreeNodeId node, double bound) {
+void BranchAndBound::plunge(SearchTree::NodeId node, double bound) {
     for (;;) {
         ++nodes_;
-        const bool isRoot = !tree_[node].parent.valid();
+        const bool isRoot = tree_.isRoot(node);
         const RelaxedNode relaxed = relax(bound);
         if (relaxed == RelaxedNode::cut) return;
         if (part_.control.stopRequested()) {
-            queue_.push({bound, node});
+            tree_.open(node, bound);
             return;
         }
         if (part_.allDecided()) return part_.recordLeaf();
@@ -136,12 +121,12 @@ void BranchAndBound::plunge(TreeNodeId node, double bound) {
         second.state = first.state == ArcState::in ? ArcState::out : ArcState::in;
         const double firstBound = std::min(choice.boundIn, choice.boundOut);
         const double secondBound = std::max(choice.boundIn, choice.boundOut);
-        if (secondBound < part_.incumbents.cutoff()) open(node, second, secondBound);
+        if (secondBound < part_.incumbents.cutoff()) tree_.open(tree_.add(node, second), secondBound);
         if (firstBound >= part_.incumbents.cutoff()) return;
         // Nothing below the root is searched before both of its sides wait in the queue.
-        if (isRoot) return open(node, first, firstBound);
+        if (isRoot) return tree_.open(tree_.add(node, first), firstBound);
         bound = firstBound;
-        node = addNode(node, first);
+        node = tree_.add(node, first);
         if (!part_.columns.take(first)) return;
     }
 }
@@ -159,7 +144,8 @@ BranchAndBound::RelaxedNode BranchAndBound::relax(double& bound) {
         if (result.kind == Relaxation::Result::Kind::tooExpensive) return RelaxedNode::cut;
         if (result.kind == Relaxation::Result::Kind::unfinished) return RelaxedNode::unfinished;
         bound = std::max(bound, result.bound);
-        if (!fixByReducedCosts(part_.relaxation.values(), part_.relaxation.reducedCosts(), result.bound))
+        if (!fixByReducedCosts(part_.columns, part_.relaxation.values(), part_.relaxation.reducedCosts(),
+                               part_.incumbents.cutoff() - result.bound))
             return RelaxedNode::cut;
         if (!contradictsRelaxation()) return RelaxedNode::solved;
     }
@@ -171,7 +157,7 @@ BranchAndBound::RelaxedNode BranchAndBound::relax(double& bound) {
 bool BranchAndBound::cutRoot(double& bound) {
     if (part_.variables.size() < part_.options.cut) return true;
     // With what the best graph fixes, the relaxation is smaller.
-    if (!tightenRoot() || relax(bound) == RelaxedNode::cut) return false;
+    if (!root_.tighten() || relax(bound) == RelaxedNode::cut) return false;
     const PassGraph graph(part_.state, part_.formulation);
     const auto* price = CutTuning::prices.begin();
     const double uncut = bound;
@@ -189,20 +175,6 @@ bool BranchAndBound::cutRoot(double& bound) {
         if (bound - before < CutTuning::minGain * (part_.incumbents.cutoff() - before)) ++price;
     }
     return bound <= uncut || lookAround(bound);
-}
-
-/// Fixes every column whose other value would make a graph too expensive.
-bool BranchAndBound::fixByReducedCosts(const ColumnValues& values, const ColumnValues& reduced,
-                                       double bound) {
-    const double room = part_.incumbents.cutoff() - bound;
-    if (room == infinity) return true;
-    for (const ColumnId column : values.ids()) {
-        if (part_.columns.value(column) != ArcState::free || std::abs(reduced[column]) <= room) continue;
-        const bool low = values[column]<integral, high = values[column]> 1 - integral;
-        if (low && reduced[column] > 0 && !part_.columns.fixColumn(column, ArcState::out)) return false;
-        if (high && reduced[column] < 0 && !part_.columns.fixColumn(column, ArcState::in)) return false;
-    }
-    return true;
 }
 
 bool BranchAndBound::contradictsRelaxation() const {
@@ -248,13 +220,8 @@ void BranchAndBound::polish() {
 }
 
 void BranchAndBound::rememberRoot(double bound) {
-    rootBound_ = bound;
-    rootValues_ = part_.relaxation.values();
+    root_.remember(bound);
     rememberPresence();
-    rootReducedCosts_ = part_.relaxation.reducedCosts();
-    rootBasis_ = part_.relaxation.basis();
-    rootCutoff_ = part_.incumbents.cutoff();
-    root_ = part_.columns.mark();
 }
 
 void BranchAndBound::rememberPresence() {
@@ -263,37 +230,13 @@ void BranchAndBound::rememberPresence() {
         rootPresence_.push_back(part_.present(variable));
 }
 
-/// A better graph lets more be fixed at the root, for good.
-/// \return false if nothing cheaper is left
-bool BranchAndBound::tightenRoot() {
-    if (rootValues_.empty() || part_.incumbents.cutoff() >= rootCutoff_) return true;
-    rootCutoff_ = part_.incumbents.cutoff();
-    part_.columns.undo(root_);
-    if (!fixByReducedCosts(rootValues_, rootReducedCosts_, rootBound_)) return false;
-    root_ = part_.columns.mark();
-    if (part_.relaxation.fixedShare(part_.columns) > Tuning::fixedShareToRebuild) {
-        part_.relaxation = Relaxation(part_.formulation, part_.columns);
-        rootBasis_ = {};
-    }
-    return true;
-}
-
 std::optional<RelaxedProgram> BranchAndBound::relaxedRoot() {
     const double best = part_.incumbents.empty() ? part_.options.maxCost : part_.incumbents.bestCost();
-    if (rootValues_.empty()) {
+    if (!root_.isKnown()) {
         if (near_) near_->cutoff = best;
         return std::move(near_);
     }
-    Relaxation::Result result{Relaxation::Result::Kind::tooExpensive};
-    if (tightenRoot()) {
-        part_.columns.undo(root_);
-        part_.relaxation.setBasis(rootBasis_);
-        for (int slice = 0; slice < Tuning::maxSlicesAgain; ++slice) {
-            result =
-                part_.relaxation.solve(part_.columns, part_.incumbents.cutoff(), Tuning::iterationsPerSlice);
-            if (result.kind != Relaxation::Result::Kind::unfinished) break;
-        }
-    }
+    const Relaxation::Result result = root_.solveAgain();
     if (result.kind == Relaxation::Result::Kind::tooExpensive) {
         lowerBound_ = best;
         complete_ = true;

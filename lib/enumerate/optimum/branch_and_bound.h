@@ -2,10 +2,11 @@
 #pragma once
 
 #include "enumerate/optimum/branching.h"
+#include "enumerate/optimum/root_relaxation.h"
+#include "enumerate/optimum/search_tree.h"
 
 #include <limits>
 #include <optional>
-#include <queue>
 #include <vector>
 
 namespace qm {
@@ -41,36 +42,18 @@ public:
     [[nodiscard]] const std::vector<double>& rootPresence() const { return rootPresence_; }
 
 private:
-    using TreeNodeId = Id<struct TreeNodeTag>;
-    /// A decision and what led to it; the root has no parent.
-    struct Node {
-        TreeNodeId parent;
-        Decision decision;
-    };
-    struct OpenNode {
-        double bound;
-        TreeNodeId node;
-        /// The queue hands out the lowest bound first, and among equal bounds the youngest node.
-        bool operator<(const OpenNode& other) const {
-            return bound != other.bound ? bound > other.bound : node < other.node;
-        }
-    };
     enum class RelaxedNode { cut, solved, unfinished };
 
     void search();
     void summarise();
     [[nodiscard]] double startByGradients();
-    bool tightenRoot();
     void rememberRoot(double bound);
     void rememberPresence();
-    bool replay(TreeNodeId node);
-    void plunge(TreeNodeId node, double bound);
+    bool replay(SearchTree::NodeId node);
+    void plunge(SearchTree::NodeId node, double bound);
     RelaxedNode relax(double& bound);
     bool cutRoot(double& bound);
-    bool fixByReducedCosts(const ColumnValues& values, const ColumnValues& reduced, double bound);
     [[nodiscard]] bool contradictsRelaxation() const;
-    TreeNodeId addNode(TreeNodeId parent, const Decision& decision);
-    void open(TreeNodeId parent, const Decision& decision, double bound);
     bool lookAround(double& bound);
     bool comeBack(ColumnState::Mark mark, const Relaxation::Basis& basis, double& bound);
     void polish();
@@ -78,16 +61,10 @@ private:
     SearchState::Mark origin_;
     PartSearch part_;
     Branching branching_;
-    IdVector<TreeNodeId, Node> tree_;
-    std::priority_queue<OpenNode> queue_;
-    ColumnState::Mark root_;
+    SearchTree tree_;
+    RootRelaxation root_;
     std::optional<RelaxedProgram> near_; ///< what gradients say of the root
-    double rootBound_ = 0;               ///< with values and reduced costs of the root's relaxation
-    ColumnValues rootValues_;
     std::vector<double> rootPresence_;
-    ColumnValues rootReducedCosts_;
-    Relaxation::Basis rootBasis_;
-    double rootCutoff_ = std::numeric_limits<double>::infinity(); ///< at the last tightening
     double lowerBound_ = 0;
     bool complete_ = true;
     std::size_t nodes_ = 0;
