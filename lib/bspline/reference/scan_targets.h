@@ -1,0 +1,52 @@
+/// \file Targets on a scan while they are made: by lattice point, looked at grid by grid
+/// (docs/METHOD.md#reference).
+#pragma once
+
+#include "base/at.h"
+#include "bspline/reference/lattice_normals.h"
+#include "bspline/reference/scan_projection.h"
+#include "bspline/reference/scan_reference.h"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace qm {
+
+struct ScanTargets {
+    /// Every displacement weighs 1 to begin with.
+    /// \param lattice  of `surface`; both outlive this
+    ScanTargets(const LatticeNormals& lattice, const std::vector<ReferenceGrid>& surface,
+                std::vector<Displacement> displacements);
+
+    const LatticeNormals& lattice;
+    const std::vector<ReferenceGrid>& surface;
+    std::vector<Displacement> displacements; ///< there wherever the weight is above 0
+    std::vector<double> weights;             ///< 0 to 1
+    double noise = 0;                        ///< standard deviation of the offsets
+
+    [[nodiscard]] int columns(std::size_t g) const { return surface[g].size[0] * surface[g].steps; }
+    [[nodiscard]] int rows(std::size_t g) const { return surface[g].size[1] * surface[g].steps; }
+    [[nodiscard]] std::size_t index(std::size_t g, int i, int j) const {
+        return at(j) * at(columns(g) + 1) + at(i);
+    }
+
+    template <class Function> void forEachPoint(const Function& f) const {
+        for (std::size_t g = 0; g < surface.size(); ++g)
+            for (int j = 0; j <= rows(g); ++j)
+                for (int i = 0; i <= columns(g); ++i)
+                    f(g, i, j, lattice.numbers[g][index(g, i, j)]);
+    }
+
+    /// How far the scan is above a point of a grid; none outside of it, without a target, and at sharp
+    /// points.
+    [[nodiscard]] std::optional<double> offset(std::size_t g, int i, int j) const;
+    /// Share of the smooth points for which the scan shows one.
+    [[nodiscard]] double coverage() const;
+    /// Grids, weights and noise.
+    [[nodiscard]] ScanReference result() const;
+    /// Takes over what has been made of the result.
+    void update(const ScanReference& result);
+};
+
+} // namespace qm
