@@ -201,9 +201,12 @@ std::vector<double> maxDeviations(const QuadMesh& mesh, const Layout& layout,
                                   const std::vector<ReferenceGrid>& references, double limit, unsigned jobs) {
     const std::vector<BorderEdge> borders = borderEdges(mesh, layout);
     const PairedSurfaces pairs(layout, patches, references, borders);
-    std::vector<double> result;
-    for (const CertifiedDeviation& one : certifiedDeviations(pairs, {.negligible = limit}, jobs))
-        result.push_back(one.upper);
+    // How much too large the others are is told roughly.
+    constexpr double closing = 0.05;
+    std::vector<double> result(patches.size());
+    parallelFor(result.size(), jobs, [&](std::size_t k) {
+        result[k] = certifiedDeviation(pairs, k, {.closing = closing, .negligible = limit}).upper;
+    });
     return result;
 }
 
