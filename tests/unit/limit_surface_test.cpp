@@ -185,6 +185,57 @@ TEST(LimitSurface, DoesNotFoldOverQuadsOfUnevenWidth) {
     }
 }
 
+struct StarEdge {
+    double length;
+    double angle; ///< degrees
+};
+
+/// Plane parallelograms around a vertex, the first faces, and a ring of quads around them.
+/// \param edges  from the middle, counter-clockwise
+QuadMesh starMesh(const std::vector<StarEdge>& edges) {
+    const auto end = [&](std::size_t k) {
+        const double angle = edges[k % edges.size()].angle * std::numbers::pi / 180;
+        return edges[k % edges.size()].length * Point(std::cos(angle), std::sin(angle), 0);
+    };
+    QuadMesh mesh;
+    const VertexId middle = mesh.add_vertex(Point(0, 0, 0));
+    std::vector<VertexId> ring;
+    std::vector<VertexId> outer;
+    for (std::size_t k = 0; k < edges.size(); ++k) {
+        ring.push_back(mesh.add_vertex(end(k)));
+        ring.push_back(mesh.add_vertex(end(k) + end(k + 1)));
+    }
+    for (const VertexId vertex : ring)
+        outer.push_back(mesh.add_vertex(1.6 * mesh.point(vertex)));
+    for (std::size_t k = 0; k < ring.size(); k += 2)
+        mesh.add_face({middle, ring[k], ring[k + 1], ring[(k + 2) % ring.size()]});
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+        const std::size_t next = (k + 1) % ring.size();
+        mesh.add_face({ring[k], outer[k], outer[next], ring[next]});
+    }
+    return mesh;
+}
+
+TEST(LimitSurface, DoesNotFoldAtFlatCornersOfPlaneQuads) {
+    // Corners of up to 141 degrees between edges of very different length: between the lattice's points the
+    // surface turned over there.
+    const std::vector<std::vector<StarEdge>> stars{
+        {{0.26, 0}, {1.12, 42}, {0.46, 183}, {0.24, 244}, {0.75, 315}},
+        {{1.19, 0}, {0.27, 54}, {0.36, 127}, {1.16, 234}, {0.31, 321}},
+        {{1.04, 0}, {0.21, 60}, {0.84, 178}, {0.75, 276}, {0.32, 316}}};
+    for (const auto& edges : stars) {
+        const QuadMesh mesh = starMesh(edges);
+        const auto grids = limitSurface(mesh, segmentPerQuad(mesh), noCreases(mesh), 4, 1);
+        constexpr int samples = 32;
+        for (std::size_t face = 0; face < edges.size(); ++face)
+            for (int j = 0; j <= samples; ++j)
+                for (int i = 0; i <= samples; ++i) {
+                    const SurfacePoint point = grids[face].evaluate(1.0 * i / samples, 1.0 * j / samples);
+                    EXPECT_GT((point.du % point.dv)[2], 0) << face << ' ' << i << ' ' << j;
+                }
+    }
+}
+
 TEST(LimitSurface, BendsWhereItWouldHaveFolded) {
     // Redrawn quads follow the others around the bend: their middle is off the facet as far as an arc is.
     constexpr double bend = 0.2;

@@ -3,12 +3,19 @@
 #include "base/at.h"
 #include "base/parallel.h"
 #include "bspline/reference/edge_curves.h"
+#include "bspline/reference/quad_bending.h"
 #include "bspline/reference/sound_faces.h"
+#include "bspline/splines/eigen_point.h"
 #include "bspline/splines/spline_curve.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstddef>
+#include <utility>
+#include <vector>
 
 namespace qm {
 namespace {
@@ -17,6 +24,7 @@ namespace {
 constexpr double minCosine = 0.5;
 /// Of the area that a part of the quad has itself: surfaces that follow less are easily turned over.
 constexpr double minArea = 0.3;
+constexpr double minAreaAtCorner = 0.1;
 /// Over the mesh: folds that spread farther than real ones, which take two, are left.
 constexpr int maxPasses = 8;
 
@@ -78,9 +86,11 @@ private:
                              point(face, 0, squares_)});
     }
 
-    /// Some square of the lattice is turned over, or nearly so, or has hardly any area left.
+    /// Some square of the lattice is turned over, or nearly so, or has hardly any area left; or the surface
+    /// does at a corner, between the lattice's points.
     [[nodiscard]] bool folds(FaceId face) const {
         const BilinearQuad quad = quadBetween(face);
+        if (foldsAtCorner(face, quad)) return true;
         for (int j = 0; j < squares_; ++j)
             for (int i = 0; i < squares_; ++i) {
                 const Point turn = (point(face, i + 1, j + 1) - point(face, i, j)) %
@@ -90,6 +100,22 @@ private:
                 const double upright = turn | quad.normal();
                 if (!(upright >= minCosine * turn.norm() && upright >= minArea * area)) return true;
             }
+        return false;
+    }
+
+    [[nodiscard]] bool foldsAtCorner(FaceId face, const BilinearQuad& quad) const {
+        constexpr std::array<std::array<double, 2>, 4> corners{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+        std::vector<Eigen::Vector3d> points;
+        for (int j = 0; j <= squares_; ++j)
+            for (int i = 0; i <= squares_; ++i)
+                points.push_back(vector(point(face, i, j)));
+        const QuadSurface surface(squares_, std::move(points));
+        for (std::size_t corner = 0; corner < corners.size(); ++corner) {
+            const SurfacePoint even = quad.evaluate(corners[corner][0], corners[corner][1]);
+            const Eigen::Vector3d turn = surface.derivative(corner, 0).cross(surface.derivative(corner, 1));
+            const double upright = turn.dot(vector(quad.normal()));
+            if (!(upright >= minAreaAtCorner * (even.du % even.dv).norm())) return true;
+        }
         return false;
     }
 
