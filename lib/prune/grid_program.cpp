@@ -1,11 +1,9 @@
 #include "prune/grid_program.h"
 
 #include "base/at.h"
-#include "layout/seed_line.h"
 #include "mesh/topology.h"
-#include "prune/annuli.h"
-#include "prune/turn.h"
-#include "prune/vertex_room.h"
+#include "prune/cornerless_segments.h"
+#include "prune/smoothness_rows.h"
 
 #include <algorithm>
 #include <iterator>
@@ -17,73 +15,37 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+/// The rows that keep segments grids, and the corners that these have.
 class Builder {
 public:
     Builder(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
-            const std::vector<double>& dihedralAngles, const std::vector<double>& edgeCosts,
-            const Smoothness& smoothness)
-        : mesh_(mesh), complex_(complex), graph_(graph), dihedralAngles_(dihedralAngles),
-          edgeCosts_(edgeCosts), smoothness_(smoothness), arcOf_(mesh.n_edges()),
-          inLayout_(mesh.n_edges(), false) {
-        result_.program.costs = ColumnValues(sumOverArcs(mesh, graph, complex, edgeCosts));
-        result_.quarters.assign(graph.arcs.size(), 0);
-        for (std::size_t arc = 0; arc < graph.arcs.size(); ++arc)
-            for (const HalfedgeId halfedge : halfedgesOf(graph, complex, ArcId(arc)))
-                arcOf_[at(mesh.edge_handle(halfedge))] = ArcId(arc);
-    }
+            const std::vector<ArcId>& arcOf, GridProgram& result)
+        : mesh_(mesh), complex_(complex), graph_(graph), arcOf_(arcOf), result_(result) {}
 
-    GridProgram build(const Layout& layout) {
-        for (const LayoutTrack& track : layout.tracks)
-            for (const HalfedgeId halfedge : track.track.halfedges)
-                inLayout_[at(mesh_.edge_handle(halfedge))] = !track.transversal;
+    /// \param smoothness  adds its rows at extraordinary vertices
+    void build(const SmoothnessRows& smoothness) {
         for (const Junction& junction : graph_.junctions)
             addJunction(junction);
         for (const Seed seed : complex_.seeds)
             addSeed(seed);
         for (const VertexId vertex : complex_.extraordinaryVertices) {
-            addExtraordinary(vertex);
-            keepRoom(vertex);
+            addExtraordinary(vertex, smoothness);
+            smoothness.keepRoom(vertex, result_);
         }
         for (const VertexId vertex : mesh_.vertices())
             if (mesh_.is_boundary(vertex) && !mesh_.is_isolated(vertex) && isRegular(mesh_, vertex))
                 addBoundary(vertex);
-        addAnnuli();
-        addSeedLines();
-        for (const LayoutTrack& track : layout.tracks)
-            if (!track.transversal) {
-                keepSmooth(track.track.halfedges.back());
-                keepSmooth(mesh_.opposite_halfedge_handle(track.track.halfedges.front()));
-            }
-        return std::move(result_);
     }
 
 private:
     static ColumnId columnOf(ArcId arc) { return GridProgram::columnOf(arc); }
-
-    using Terms = std::vector<std::pair<ArcId, double>>;
-
-    /// Sum of the terms >= lower; arcs that are invalid are out.
-    void atLeast(const Terms& terms, double lower) {
-        IntegerProgram::Row row{{}, {}, lower, infinity};
-        for (const auto& [arc, weight] : terms)
-            if (arc.valid()) row.add(columnOf(arc), weight);
-        result_.program.rows.push_back(std::move(row));
-    }
-
-    /// \return the new column
-    ColumnId addIndicator(std::vector<ArcId> arcs, bool ofAny, double quarters, double cost = 0) {
-        result_.program.costs.push_back(cost);
-        result_.quarters.push_back(quarters);
-        result_.indicators.push_back({std::move(arcs), ofAny});
-        return result_.program.costs.nextId() - 1;
-    }
 
     void addJunction(const Junction& junction) {
         const auto& arcs = junction.arcs;
         for (const std::size_t k : {0U, 1U, 2U, 3U})
             for (const std::size_t wall : {1U, 3U}) // arc k ends here only at a wall
                 if (arcs[k].valid() && arcs[k] != arcs[(k + 2) % 4])
-                    atLeast({{arcs[(k + 2) % 4], 1}, {arcs[(k + wall) % 4], 1}, {arcs[k], -1}}, 0);
+                    result_.addRow({{arcs[(k + 2) % 4], 1}, {arcs[(k + wall) % 4], 1}, {arcs[k], -1}}, 0);
         addCorners(junction);
     }
 
@@ -91,7 +53,7 @@ private:
     void addCorners(const Junction& junction) {
         std::vector<ArcId> arcs;
         std::ranges::copy_if(junction.arcs, std::back_inserter(arcs), &ArcId::valid);
-        IntegerProgram::Row row{{addIndicator(arcs, true, -4)}, {-2}, 0, infinity};
+        IntegerProgram::Row row{{result_.addIndicator({arcs, true}, -4)}, {-2}, 0, infinity};
         for (const ArcId arc : arcs) {
             result_.quarters[columnOf(arc)] += 2;
             row.add(columnOf(arc), 1);
@@ -117,7 +79,7 @@ private:
     bool isBoundary(HalfedgeId halfedge) const { return mesh_.is_boundary(mesh_.edge_handle(halfedge)); }
 
     /// One of two neighbours is in; where both are, there is a corner.
-    void addExtraordinary(VertexId vertex) {
+    void addExtraordinary(VertexId vertex, const SmoothnessRows& smoothness) {
         const auto clockwise = mesh_.voh_range(vertex); // from boundary to boundary or all around
         const std::vector<HalfedgeId> edges(clockwise.begin(), clockwise.end());
         for (std::size_t k = 0; k < edges.size(); ++k) {
@@ -126,13 +88,12 @@ private:
             if (!haveQuadBetween(edge, next)) continue;
             const ArcId a = arcAt(edge), b = arcAt(next);
             const double known = (isBoundary(edge) ? 1 : 0) + (isBoundary(next) ? 1 : 0);
-            if (known == 0) atLeast({{a, 1}, {b, 1}}, 1);
+            if (known == 0) result_.addRow({{a, 1}, {b, 1}}, 1);
             for (const ArcId arc : {a, b})
                 if (arc.valid()) result_.quarters[columnOf(arc)] += 1;
             result_.corners += known - 1;
-            const bool mayEnd =
-                inLayout_[at(mesh_.edge_handle(next))] && b.valid() && haveQuadBetween(next, afterNext);
-            if (mayEnd && turnBetween(mesh_, edge, afterNext) > smoothness_.maxTurn) atLeast({{b, 1}}, 1);
+            if (haveQuadBetween(next, afterNext) && smoothness.mustStay(edge, next, afterNext))
+                result_.addRow({{b, 1}}, 1);
         }
     }
 
@@ -148,106 +109,11 @@ private:
             if (arcAt(halfedge).valid()) result_.quarters[columnOf(arcAt(halfedge))] += 2;
     }
 
-    void addAnnuli() {
-        const AnnulusBands bands = annulusBands(mesh_, arcOf_);
-        std::vector<ColumnId> columns;
-        for (const std::vector<ArcId>& across : bands.across) {
-            columns.push_back(addIndicator(across, false, 4));
-            someOf(across, columns.back());
-        }
-        for (const AnnulusBands::Joint& joint : bands.joints) {
-            std::vector<ArcId> arcs = joint.arcs;
-            for (const std::size_t band : joint.bands)
-                arcs.insert(arcs.end(), bands.across[band].begin(), bands.across[band].end());
-            const ColumnId column = addIndicator(std::move(arcs), false, -4);
-            for (const std::size_t band : joint.bands)
-                result_.program.rows.push_back({{columns[band], column}, {1, -1}, 0, infinity});
-            noneOf(joint.arcs, column);
-        }
-    }
-
-    /// A torus or an annulus without any source gets a line when nothing else is there.
-    void addSeedLines() {
-        const Components parts = components(mesh_);
-        std::vector<bool> ring(at(parts.count), true);
-        for (const VertexId vertex : mesh_.vertices())
-            if (!isRegular(mesh_, vertex) || mesh_.is_isolated(vertex) || mesh_.valence(vertex) == 2)
-                ring[at(parts.ofVertex[at(vertex)])] = false;
-        const auto partOf = [&](HalfedgeId halfedge) {
-            return at(parts.ofVertex[at(mesh_.to_vertex_handle(halfedge))]);
-        };
-        std::vector<std::vector<FaceId>> faces(ring.size());
-        std::vector<std::vector<ArcId>> arcs(ring.size());
-        for (const FaceId face : mesh_.faces())
-            faces[partOf(mesh_.halfedge_handle(face))].push_back(face);
-        for (std::size_t arc = 0; arc < graph_.arcs.size(); ++arc)
-            arcs[partOf(halfedgesOf(graph_, complex_, ArcId(arc)).front())].emplace_back(arc);
-        for (std::size_t part = 0; part < ring.size(); ++part)
-            if (ring[part]) addSeedLine(faces[part], arcs[part]);
-    }
-
-    void addSeedLine(const std::vector<FaceId>& faces, const std::vector<ArcId>& arcs) {
-        double cost = 0;
-        const std::vector<HalfedgeId> line = seedLine(mesh_, faces, dihedralAngles_);
-        for (const HalfedgeId halfedge : line)
-            cost += edgeCosts_[at(mesh_.edge_handle(halfedge))];
-        // A loop makes an annulus of a torus, or two of one; a line from border to border a grid of one.
-        const bool loop = !mesh_.is_boundary(mesh_.from_vertex_handle(line.front()));
-        const ColumnId column = addIndicator(arcs, false, loop ? 4 : 0, cost);
-        someOf(arcs, column);
-        noneOf(arcs, column);
-    }
-
-    /// The column is 1 unless an arc is in.
-    void someOf(const std::vector<ArcId>& arcs, ColumnId column) {
-        IntegerProgram::Row row{{column}, {1}, 1, infinity};
-        for (const ArcId arc : arcs)
-            row.columns.push_back(columnOf(arc));
-        row.weights.resize(row.columns.size(), 1);
-        result_.program.rows.push_back(std::move(row));
-    }
-
-    /// The column is 0 if an arc is in.
-    void noneOf(const std::vector<ArcId>& arcs, ColumnId column) {
-        for (const ArcId arc : arcs)
-            result_.program.rows.push_back({{column, columnOf(arc)}, {1, 1}, 0, 1});
-    }
-
-    /// Corners keep their room, but where the layout has left them less.
-    void keepRoom(VertexId vertex) {
-        for (const RoomSector& sector : roomAt(mesh_, dihedralAngles_, vertex, smoothness_.minCorner)) {
-            Terms terms;
-            std::size_t missing = 0;
-            for (const HalfedgeId edge : sector.edges) {
-                terms.emplace_back(arcAt(edge), 1);
-                missing += inLayout_[at(mesh_.edge_handle(edge))] ? 0 : 1;
-            }
-            missing = std::max(missing, sector.maxMissing);
-            if (missing < terms.size()) atLeast(terms, static_cast<double>(terms.size() - missing));
-        }
-    }
-
-    /// Where a track of the layout ends at others that turn there, it stays as long as these pass.
-    void keepSmooth(HalfedgeId arriving) {
-        const VertexId vertex = mesh_.to_vertex_handle(arriving);
-        if (!continuesStraight(mesh_, vertex)) return;
-        const HalfedgeId left = mesh_.next_halfedge_handle(arriving);
-        const HalfedgeId right = mesh_.opposite_halfedge_handle(
-            mesh_.prev_halfedge_handle(mesh_.opposite_halfedge_handle(arriving)));
-        if (!arcAt(arriving).valid() || !arcAt(left).valid() || !arcAt(right).valid()) return;
-        if (turnBetween(mesh_, left, right) > smoothness_.maxTurn)
-            atLeast({{arcAt(arriving), 1}, {arcAt(left), -1}, {arcAt(right), -1}}, -1);
-    }
-
     const QuadMesh& mesh_;
     const BaseComplex& complex_;
     const ArcGraph& graph_;
-    const std::vector<double>& dihedralAngles_;
-    const std::vector<double>& edgeCosts_;
-    Smoothness smoothness_;
-    std::vector<ArcId> arcOf_;   ///< of every edge
-    std::vector<bool> inLayout_; ///< of every edge, on a track that is no transversal
-    GridProgram result_;
+    const std::vector<ArcId>& arcOf_; ///< of every edge
+    GridProgram& result_;
 };
 
 } // namespace
@@ -257,6 +123,20 @@ double GridProgram::segments(const ColumnValues& values) const {
     for (const ColumnId column : values.ids())
         sum += quarters[column] * values[column];
     return sum / 4;
+}
+
+void GridProgram::addRow(const Terms& terms, double lower) {
+    IntegerProgram::Row row{{}, {}, lower, infinity};
+    for (const auto& [arc, weight] : terms)
+        if (arc.valid()) row.add(columnOf(arc), weight);
+    program.rows.push_back(std::move(row));
+}
+
+ColumnId GridProgram::addIndicator(Indicator indicator, double addedQuarters, double cost) {
+    program.costs.push_back(cost);
+    quarters.push_back(addedQuarters);
+    indicators.push_back(std::move(indicator));
+    return program.costs.nextId() - 1;
 }
 
 ColumnValues GridProgram::valuesOf(const std::vector<bool>& present) const {
@@ -271,7 +151,16 @@ ColumnValues GridProgram::valuesOf(const std::vector<bool>& present) const {
 GridProgram gridProgram(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
                         const std::vector<double>& dihedralAngles, const std::vector<double>& edgeCosts,
                         const Layout& layout, const Smoothness& smoothness) {
-    return Builder(mesh, complex, graph, dihedralAngles, edgeCosts, smoothness).build(layout);
+    GridProgram result;
+    result.program.costs = ColumnValues(sumOverArcs(mesh, graph, complex, edgeCosts));
+    result.quarters.assign(graph.arcs.size(), 0);
+    const std::vector<ArcId> arcOf = arcsOfEdges(mesh, graph, complex);
+    const SmoothnessRows smoothnessRows(mesh, arcOf, dihedralAngles, layout, smoothness);
+    Builder(mesh, complex, graph, arcOf, result).build(smoothnessRows);
+    addAnnuli(mesh, arcOf, result);
+    addSeedLines(mesh, complex, graph, dihedralAngles, edgeCosts, result);
+    smoothnessRows.keepEnds(result);
+    return result;
 }
 
 } // namespace qm

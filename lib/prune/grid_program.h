@@ -14,6 +14,7 @@
 #include "layout/layout.h"
 #include "program/integer_program.h"
 
+#include <utility>
 #include <vector>
 
 namespace qm {
@@ -38,6 +39,14 @@ struct GridProgram {
     ColumnValues quarters;  ///< corners that every column adds
     double corners = 0;     ///< that are there anyway
     std::vector<Indicator> indicators;
+
+    using Terms = std::vector<std::pair<ArcId, double>>; ///< arcs and their weights
+
+    /// Adds a row: sum of the terms >= lower. Arcs that are invalid are out.
+    void addRow(const Terms& terms, double lower);
+    /// \param addedQuarters  corners that are there if the column is 1
+    /// \return the new column
+    ColumnId addIndicator(Indicator indicator, double addedQuarters, double cost = 0);
 
     /// How many segments there are: a quarter of their corners.
     [[nodiscard]] double segments(const ColumnValues& values) const;

@@ -3,6 +3,7 @@
 
 #include "base/control.h"
 #include "layout/layout.h"
+#include "prune/front.h"
 
 #include <limits>
 #include <optional>
@@ -29,16 +30,6 @@ struct PruneOptions {
     double maxSegments = std::numeric_limits<double>::infinity();
     double timeLimit = 60; ///< optimum and front: seconds for all together
     bool front = false;    ///< list what can be had for how many segments
-};
-
-/// A layout such that no other found is as good or better in segments, G_T and captured sharpness alike.
-struct FrontPoint {
-    double beta = 0;
-    std::size_t segments = 0;
-    double cost = 0;
-    double capturedSharpness = 0;
-    double objectiveBound = 0; ///< no layout has a lower G_T + beta * segments
-    bool proven = false;       ///< it attains the bound
 };
 
 struct PruneResult {

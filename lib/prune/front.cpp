@@ -1,0 +1,22 @@
+#include "prune/front.h"
+
+#include <algorithm>
+
+namespace qm {
+namespace {
+
+bool isAsGood(const FrontPoint& one, const FrontPoint& other) {
+    constexpr double rounding = 1e-9;
+    return one.segments <= other.segments && one.cost <= other.cost + rounding &&
+           one.capturedSharpness >= other.capturedSharpness - rounding;
+}
+
+} // namespace
+
+void addToFront(std::vector<FrontPoint>& front, const FrontPoint& point) {
+    if (std::ranges::any_of(front, [&](const FrontPoint& other) { return isAsGood(other, point); })) return;
+    std::erase_if(front, [&](const FrontPoint& other) { return isAsGood(point, other); });
+    front.push_back(point);
+}
+
+} // namespace qm

@@ -1,0 +1,56 @@
+#include "prune/layout_values.h"
+
+#include "base/at.h"
+#include "layout/tracks.h"
+
+namespace qm {
+
+ColumnValues valuesOf(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
+                      const GridProgram& grids, const Layout& layout) {
+    const std::vector<ArcId> arcOf = arcsOfEdges(mesh, graph, complex);
+    std::vector<Track> tracks;
+    for (const LayoutTrack& track : layout.tracks)
+        if (!track.transversal && arcOf[at(mesh.edge_handle(track.track.halfedges.front()))].valid())
+            tracks.push_back(track.track);
+    return grids.valuesOf(presentArcs(mesh, complex, graph, tracks));
+}
+
+ColumnValues completed(const GridProgram& grids, const ArcGraph& graph, const ColumnValues& solved) {
+    std::vector<bool> present(graph.arcs.size());
+    for (std::size_t arc = 0; arc < present.size(); ++arc)
+        present[arc] = solved[GridProgram::columnOf(ArcId(arc))] > 0.5;
+    return grids.valuesOf(present);
+}
+
+Layout layoutOf(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
+                const ColumnValues& values, const std::vector<double>& dihedralAngles,
+                const std::vector<double>& edgeCosts) {
+    std::vector<Track> tracks;
+    for (const Line& line : graph.lines) {
+        bool running = false;
+        for (int k = 0; k < line.arcCount; ++k) {
+            const ArcId arc = line.firstArc + k;
+            const bool in = values[GridProgram::columnOf(arc)] > 0.5;
+            if (in && !running) tracks.emplace_back();
+            running = in;
+            if (!in) continue;
+            for (const HalfedgeId halfedge : halfedgesOf(graph, complex, arc)) {
+                tracks.back().halfedges.push_back(halfedge);
+                tracks.back().cost += edgeCosts[at(mesh.edge_handle(halfedge))];
+            }
+        }
+    }
+    return buildLayout(mesh, tracks, dihedralAngles, edgeCosts);
+}
+
+std::vector<std::vector<ColumnId>> columnsOfLines(const ArcGraph& graph) {
+    std::vector<std::vector<ColumnId>> columns;
+    for (const Line& line : graph.lines) {
+        columns.emplace_back();
+        for (int k = 0; k < line.arcCount; ++k)
+            columns.back().push_back(GridProgram::columnOf(line.firstArc + k));
+    }
+    return columns;
+}
+
+} // namespace qm

@@ -1,0 +1,32 @@
+/// \file Layouts as solutions of the pruning program, and back (docs/METHOD.md#pruning-program).
+#pragma once
+
+#include "prune/grid_program.h"
+
+#include <vector>
+
+namespace qm {
+
+/// All columns' values for a layout.
+/// \param grids   the program of `graph`, likewise below
+/// \param layout  of the same base complex. The line of a component that no arc is left in is left out where
+///                it lies on no arc
+/// \throw Error  if other tracks are not made of whole arcs, see `presentArcs`
+[[nodiscard]] ColumnValues valuesOf(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
+                                    const GridProgram& grids, const Layout& layout);
+
+/// The same arcs, with the indicators that follow from them. A solver may leave an indicator that costs
+/// nothing at any value that the rows allow.
+[[nodiscard]] ColumnValues completed(const GridProgram& grids, const ArcGraph& graph,
+                                     const ColumnValues& solved);
+
+/// The layout whose tracks are the runs of arcs that are in, line by line.
+/// \param dihedralAngles  by edge, like the costs
+[[nodiscard]] Layout layoutOf(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
+                              const ColumnValues& values, const std::vector<double>& dihedralAngles,
+                              const std::vector<double>& edgeCosts);
+
+/// Of every line: the columns of its arcs, in their order.
+[[nodiscard]] std::vector<std::vector<ColumnId>> columnsOfLines(const ArcGraph& graph);
+
+} // namespace qm

@@ -1,0 +1,165 @@
+#include "prune/pruning_search.h"
+
+#include "base/error.h"
+#include "program/neighbourhood_search.h"
+#include "program/solve_program.h"
+#include "prune/layout_values.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace qm {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+struct Tuning {
+    /// A price beyond which only the number of segments counts.
+    static constexpr double dearest = std::numeric_limits<double>::max();
+    static constexpr double highestPrice = 1024;        ///< a layout of few segments is looked for up to here
+    static constexpr double priceGrowth = 4;            ///< ... in few steps, each of which is a search
+    static constexpr double shareOfApproach = 1.0 / 12; ///< of the time, for each of them: six take half
+    static constexpr double rounding = 1e-9;            ///< of numbers of segments, which are sums of corners
+};
+
+} // namespace
+
+PruningSearch::PruningSearch(const QuadMesh& mesh, const BaseComplex& complex, const Layout& layout,
+                             const std::vector<double>& dihedralAngles, const std::vector<double>& edgeCosts,
+                             const PruneOptions& options, const Control& control)
+    : mesh_(mesh), complex_(complex), layout_(layout), dihedralAngles_(dihedralAngles), edgeCosts_(edgeCosts),
+      options_(options), control_(control), graph_(buildArcGraph(mesh, complex)),
+      grids_(gridProgram(mesh, complex, graph_, dihedralAngles, edgeCosts, layout,
+                         options.smooth ? Smoothness{options.maxTurn, options.minCorner} : Smoothness())),
+      known_{valuesOf(layout)} {
+    if (!grids_.program.allows(known_.front()))
+        throw Error("/layout/tracks", "they are not made of whole arcs of the base complex",
+                    "Leave --method optimum out, or run qm-merge again");
+}
+
+PruningSearch::Found PruningSearch::findCheapest(const PruningAim& aim, double seconds) {
+    const IntegerProgram program = programFor(aim);
+    const Deadline end(control_, seconds);
+    const bool limited = std::isfinite(aim.maxSegments);
+    prepare(program, limited ? Tuning::dearest : aim.beta);
+    if (limited) approach(aim.maxSegments, end);
+    Found found = solve(program, aim.maxSegments, end);
+    found.lowerBound += aim.beta * grids_.corners / 4;
+    return found;
+}
+
+PruningSearch::Found PruningSearch::findFewest(double seconds) {
+    IntegerProgram numbers = grids_.program;
+    numbers.costs.assign(numbers.costs.size(), 0);
+    addPrice(numbers, 1);
+    const Deadline proofEnd(control_, seconds / 4), end(control_, seconds);
+    prepare(numbers, Tuning::dearest);
+    Found fewest = solve(numbers, infinity, proofEnd);
+    if (!fewest.proven) {
+        // Most neighbours of a layout have as many segments; G_T tells which of them lead on.
+        improveAt(Tuning::highestPrice, seconds / 2);
+        Found better = solve(numbers, infinity, end);
+        better.lowerBound = std::max(fewest.lowerBound, better.lowerBound);
+        fewest = std::move(better);
+    }
+    fewest.lowerBound = std::ceil(fewest.lowerBound + grids_.corners / 4 - integral);
+    return fewest;
+}
+
+void PruningSearch::addPrice(IntegerProgram& program, double beta) const {
+    for (const ColumnId column : program.costs.ids())
+        program.costs[column] += beta * grids_.quarters[column] / 4;
+}
+
+IntegerProgram PruningSearch::programFor(const PruningAim& aim) const {
+    IntegerProgram program = grids_.program;
+    addPrice(program, aim.beta);
+    if (std::isfinite(aim.maxSegments)) program.rows.push_back(limitOn(aim.maxSegments));
+    return program;
+}
+
+IntegerProgram::Row PruningSearch::limitOn(double segments) const {
+    IntegerProgram::Row row{{}, {}, -infinity, 4 * segments - grids_.corners};
+    for (const ColumnId column : grids_.quarters.ids())
+        if (grids_.quarters[column] != 0) {
+            row.columns.push_back(column);
+            row.weights.push_back(grids_.quarters[column]);
+        }
+    return row;
+}
+
+/// Makes solutions known to begin with.
+/// \param worth  of a segment
+void PruningSearch::prepare(const IntegerProgram& program, double worth) {
+    removeTracks(layout_, worth);
+    removeTracks(layoutOf(*bestKnown(program, infinity)), worth);
+}
+
+/// Adds what greedy removal makes of a layout when a segment costs so much: each removed track saves one.
+void PruningSearch::removeTracks(const Layout& layout, double worth) {
+    PruneOptions greedy = options_;
+    greedy.eta = -worth;
+    ColumnValues values =
+        valuesOf(pruneLayout(mesh_, layout, dihedralAngles_, edgeCosts_, greedy, control_).layout);
+    if (grids_.program.allows(values)) known_.push_back(std::move(values));
+}
+
+/// Looks for a first layout of so few segments, by making them dearer and dearer. Takes at most half of the
+/// time.
+void PruningSearch::approach(double maxSegments, const Deadline& end) {
+    const double seconds = end.secondsLeft() * Tuning::shareOfApproach;
+    for (double beta = 1; beta <= Tuning::highestPrice && !bestKnown(grids_.program, maxSegments);
+         beta *= Tuning::priceGrowth)
+        improveAt(beta, seconds);
+}
+
+/// Adds what neighbourhoods make of the best layout when a segment costs so much.
+void PruningSearch::improveAt(double beta, double seconds) {
+    const IntegerProgram program = programFor({beta});
+    known_.push_back(improved(program, *bestKnown(program, infinity), seconds));
+}
+
+ColumnValues PruningSearch::improved(const IntegerProgram& program, ColumnValues values,
+                                     double seconds) const {
+    return completed(grids_, graph_,
+                     improveByNeighbourhoods(program, std::move(values), columnsOfLines(graph_),
+                                             {.seconds = seconds}, control_));
+}
+
+/// The cheapest of the solutions that were found so far.
+std::optional<ColumnValues> PruningSearch::bestKnown(const IntegerProgram& program,
+                                                     double maxSegments) const {
+    const ColumnValues* best = nullptr;
+    for (const ColumnValues& values : known_)
+        if (grids_.segments(values) <= maxSegments + Tuning::rounding &&
+            (!best || program.cost(values) < program.cost(*best)))
+            best = &values;
+    return best ? std::optional(*best) : std::nullopt;
+}
+
+/// Half of the time goes into the proof; if that fails, the rest goes into better solutions without one.
+PruningSearch::Found PruningSearch::solve(const IntegerProgram& program, double maxSegments,
+                                          const Deadline& end) {
+    const std::optional<ColumnValues> start = bestKnown(program, maxSegments);
+    const double seconds = end.secondsLeft();
+    const ProgramSolution solution =
+        solveProgram(program, start.value_or(ColumnValues{}), {.seconds = seconds / 2}, control_);
+    if (!solution.values && !start)
+        throw Error("--max-segments", "no layout of so few segments was found", "allow more, or more time");
+    ColumnValues values = solution.values ? completed(grids_, graph_, *solution.values) : *start;
+    if (start && program.cost(*start) < program.cost(values)) values = *start;
+    if (!solution.proven) values = improved(program, std::move(values), end.secondsLeft());
+    known_.push_back(values);
+    return {std::move(values), solution.lowerBound, solution.proven};
+}
+
+ColumnValues PruningSearch::valuesOf(const Layout& layout) const {
+    return qm::valuesOf(mesh_, complex_, graph_, grids_, layout);
+}
+
+Layout PruningSearch::layoutOf(const ColumnValues& values) const {
+    return qm::layoutOf(mesh_, complex_, graph_, values, dihedralAngles_, edgeCosts_);
+}
+
+} // namespace qm

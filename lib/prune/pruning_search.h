@@ -1,0 +1,76 @@
+/// \file The search for solutions of the pruning program: greedy removal, CBC and neighbourhoods together
+/// (docs/METHOD.md#pruning-program).
+#pragma once
+
+#include "base/control.h"
+#include "base/deadline.h"
+#include "prune/grid_program.h"
+#include "prune/prune.h"
+
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace qm {
+
+/// What a search minimises: G_T + beta * segments, with at most so many segments.
+struct PruningAim {
+    double beta = 0; ///< price of a segment
+    double maxSegments = std::numeric_limits<double>::infinity();
+};
+
+/// Searches for one aim after another. Whatever is found for one is where the searches for the next begin.
+class PruningSearch {
+public:
+    /// All references must outlive the object.
+    /// \param layout          solutions begin with it, and are never worse
+    /// \param dihedralAngles  by edge, radians; like the costs
+    /// \param options         the smoothness criterion; the rest is not looked at
+    /// \throw Error  if the layout's tracks are not made of arcs
+    PruningSearch(const QuadMesh& mesh, const BaseComplex& complex, const Layout& layout,
+                  const std::vector<double>& dihedralAngles, const std::vector<double>& edgeCosts,
+                  const PruneOptions& options, const Control& control);
+
+    struct Found {
+        ColumnValues values;
+        double lowerBound = 0; ///< of what was minimised
+        bool proven = false;   ///< nothing lower exists
+    };
+
+    /// \throw Error  if nothing was found with so few segments
+    [[nodiscard]] Found findCheapest(const PruningAim& aim, double seconds);
+
+    /// As few segments as can be, whatever they cost; the bound is of their number.
+    [[nodiscard]] Found findFewest(double seconds);
+
+    [[nodiscard]] double segments(const ColumnValues& values) const { return grids_.segments(values); }
+    [[nodiscard]] Layout layoutOf(const ColumnValues& values) const;
+
+private:
+    [[nodiscard]] ColumnValues valuesOf(const Layout& layout) const;
+    void addPrice(IntegerProgram& program, double beta) const;
+    [[nodiscard]] IntegerProgram programFor(const PruningAim& aim) const;
+    [[nodiscard]] IntegerProgram::Row limitOn(double segments) const;
+    void prepare(const IntegerProgram& program, double worth);
+    void removeTracks(const Layout& layout, double worth);
+    void approach(double maxSegments, const Deadline& end);
+    void improveAt(double beta, double seconds);
+    [[nodiscard]] ColumnValues improved(const IntegerProgram& program, ColumnValues values,
+                                        double seconds) const;
+    [[nodiscard]] std::optional<ColumnValues> bestKnown(const IntegerProgram& program,
+                                                        double maxSegments) const;
+    Found solve(const IntegerProgram& program, double maxSegments, const Deadline& end);
+
+    const QuadMesh& mesh_;
+    const BaseComplex& complex_;
+    const Layout& layout_;
+    const std::vector<double>& dihedralAngles_;
+    const std::vector<double>& edgeCosts_;
+    const PruneOptions& options_;
+    const Control& control_;
+    ArcGraph graph_;
+    GridProgram grids_;
+    std::vector<ColumnValues> known_; ///< all solutions found so far, whatever they cost
+};
+
+} // namespace qm

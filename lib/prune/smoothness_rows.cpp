@@ -1,0 +1,66 @@
+#include "prune/smoothness_rows.h"
+
+#include "base/at.h"
+#include "mesh/topology.h"
+#include "prune/turn.h"
+#include "prune/vertex_room.h"
+
+#include <algorithm>
+
+namespace qm {
+
+SmoothnessRows::SmoothnessRows(const QuadMesh& mesh, const std::vector<ArcId>& arcOf,
+                               const std::vector<double>& dihedralAngles, const Layout& layout,
+                               const Smoothness& smoothness)
+    : mesh_(mesh), arcOf_(arcOf), dihedralAngles_(dihedralAngles), layout_(layout), smoothness_(smoothness),
+      inLayout_(mesh.n_edges(), false) {
+    for (const LayoutTrack& track : layout.tracks)
+        for (const HalfedgeId halfedge : track.track.halfedges)
+            inLayout_[at(mesh.edge_handle(halfedge))] = !track.transversal;
+}
+
+bool SmoothnessRows::isInLayout(HalfedgeId halfedge) const {
+    return inLayout_[at(mesh_.edge_handle(halfedge))];
+}
+
+ArcId SmoothnessRows::arcAt(HalfedgeId halfedge) const {
+    return arcOf_[at(mesh_.edge_handle(halfedge))];
+}
+
+bool SmoothnessRows::mustStay(HalfedgeId before, HalfedgeId leaving, HalfedgeId after) const {
+    return isInLayout(leaving) && arcAt(leaving).valid() &&
+           turnBetween(mesh_, before, after) > smoothness_.maxTurn;
+}
+
+void SmoothnessRows::keepRoom(VertexId vertex, GridProgram& grids) const {
+    for (const RoomSector& sector : roomAt(mesh_, dihedralAngles_, vertex, smoothness_.minCorner)) {
+        GridProgram::Terms terms;
+        std::size_t missing = 0;
+        for (const HalfedgeId edge : sector.edges) {
+            terms.emplace_back(arcAt(edge), 1);
+            missing += isInLayout(edge) ? 0 : 1;
+        }
+        missing = std::max(missing, sector.maxMissing);
+        if (missing < terms.size()) grids.addRow(terms, static_cast<double>(terms.size() - missing));
+    }
+}
+
+void SmoothnessRows::keepEnds(GridProgram& grids) const {
+    for (const LayoutTrack& track : layout_.tracks) {
+        if (track.transversal) continue;
+        keepEnd(track.track.halfedges.back(), grids);
+        keepEnd(mesh_.opposite_halfedge_handle(track.track.halfedges.front()), grids);
+    }
+}
+
+void SmoothnessRows::keepEnd(HalfedgeId arriving, GridProgram& grids) const {
+    if (!continuesStraight(mesh_, mesh_.to_vertex_handle(arriving))) return;
+    const HalfedgeId left = mesh_.next_halfedge_handle(arriving);
+    const HalfedgeId right =
+        mesh_.opposite_halfedge_handle(mesh_.prev_halfedge_handle(mesh_.opposite_halfedge_handle(arriving)));
+    if (!arcAt(arriving).valid() || !arcAt(left).valid() || !arcAt(right).valid()) return;
+    if (turnBetween(mesh_, left, right) > smoothness_.maxTurn)
+        grids.addRow({{arcAt(arriving), 1}, {arcAt(left), -1}, {arcAt(right), -1}}, -1);
+}
+
+} // namespace qm
