@@ -2,7 +2,7 @@
 
 #include "base/deadline.h"
 #include "base/parallel.h"
-#include "program/gradient_relaxation.h"
+#include "program/dual_bound.h"
 #include "program/solve_program.h"
 
 #include <algorithm>

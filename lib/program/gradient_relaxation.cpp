@@ -1,8 +1,10 @@
 #include "program/gradient_relaxation.h"
 
+#include "program/dual_bound.h"
+#include "program/sparse_rows.h"
+
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -27,60 +29,12 @@ struct Tuning {
     static constexpr double firstBalance = 100;
 };
 
-/// A sparse matrix, row by row or column by column. Its size is what an iteration takes, so numbers are
-/// short.
-struct Lines {
-    std::vector<std::uint32_t> starts{0};
-    std::vector<std::uint32_t> indices;
-    std::vector<float> weights;
-
-    void add(std::size_t index, double weight) {
-        indices.push_back(static_cast<std::uint32_t>(index));
-        weights.push_back(static_cast<float>(weight));
-    }
-    void end() { starts.push_back(static_cast<std::uint32_t>(indices.size())); }
-    [[nodiscard]] std::size_t size() const { return starts.size() - 1; }
-    [[nodiscard]] double product(std::size_t line, const std::vector<double>& values) const {
-        double sum = 0;
-        for (std::uint32_t k = starts[line]; k < starts[line + 1]; ++k)
-            sum += static_cast<double>(weights[k]) * values[indices[k]];
-        return sum;
-    }
-    /// Steps so long that the iteration still converges (docs/METHOD.md#pock-2011).
-    [[nodiscard]] std::vector<double> steps() const {
-        std::vector<double> steps(size(), 1);
-        for (std::size_t line = 0; line < size(); ++line) {
-            double sum = 0;
-            for (std::uint32_t k = starts[line]; k < starts[line + 1]; ++k)
-                sum += std::abs(static_cast<double>(weights[k]));
-            if (sum > 0) steps[line] = 1 / sum;
-        }
-        return steps;
-    }
-};
-
-Lines rowsOf(const IntegerProgram& program) {
-    Lines rows;
-    for (const IntegerProgram::Row& row : program.rows) {
-        for (std::size_t k = 0; k < row.columns.size(); ++k)
-            rows.add(row.columns[k].idx(), row.weights[k]);
-        rows.end();
-    }
-    return rows;
-}
-
-Lines transposed(const Lines& rows, std::size_t columns) {
-    std::vector<std::vector<std::pair<std::size_t, float>>> entries(columns);
-    for (std::size_t row = 0; row < rows.size(); ++row)
-        for (std::uint32_t k = rows.starts[row]; k < rows.starts[row + 1]; ++k)
-            entries[rows.indices[k]].emplace_back(row, rows.weights[k]);
-    Lines lines;
-    for (const auto& column : entries) {
-        for (const auto& [row, weight] : column)
-            lines.add(row, weight);
-        lines.end();
-    }
-    return lines;
+/// For every row, the longest step with which the iteration still converges (docs/METHOD.md#pock-2011).
+std::vector<double> stepsOf(const SparseRows& matrix) {
+    std::vector<double> steps(matrix.size(), 1);
+    for (std::size_t row = 0; row < matrix.size(); ++row)
+        if (const double sum = matrix.absoluteSum(row); sum > 0) steps[row] = 1 / sum;
+    return steps;
 }
 
 /// Values of columns and duals of rows.
@@ -88,6 +42,7 @@ struct Iterate {
     std::vector<double> values, duals;
 };
 
+/// In the norm in which the steps are all of length one.
 double squaredDistance(const std::vector<double>& a, const std::vector<double>& b,
                        const std::vector<double>& steps) {
     double sum = 0;
@@ -99,9 +54,9 @@ double squaredDistance(const std::vector<double>& a, const std::vector<double>& 
 class GradientRelaxation {
 public:
     explicit GradientRelaxation(const IntegerProgram& program)
-        : program_(program), costs_(program.costs.begin(), program.costs.end()), rows_(rowsOf(program)),
-          columns_(transposed(rows_, costs_.size())), columnSteps_(columns_.steps()),
-          rowSteps_(rows_.steps()) {
+        : program_(program), costs_(program.costs.begin(), program.costs.end()), rows_(program),
+          columns_(rows_.transposed(costs_.size())), columnSteps_(stepsOf(columns_)),
+          rowSteps_(stepsOf(rows_)) {
         for (const IntegerProgram::Row& row : program.rows) {
             lower_.push_back(row.lower);
             upper_.push_back(row.upper);
@@ -222,7 +177,7 @@ private:
     const IntegerProgram& program_;
     const std::vector<double> costs_;
     std::vector<double> lower_, upper_;
-    const Lines rows_, columns_;
+    const SparseRows rows_, columns_;
     const std::vector<double> columnSteps_, rowSteps_;
     Iterate now_, next_;
     Iterate start_; ///< at the last restart
@@ -238,22 +193,6 @@ private:
 NearOptimum relaxByGradients(const IntegerProgram& program, const GradientOptions& options,
                              const Control& control) {
     return GradientRelaxation(program).run(options, control);
-}
-
-double dualBound(const IntegerProgram& program, const IdVector<RowId, double>& duals) {
-    double bound = 0;
-    ColumnValues reduced = program.costs;
-    for (const RowId id : program.rows.ids()) {
-        const IntegerProgram::Row& row = program.rows[id];
-        const double dual = duals[id], side = dual > 0 ? row.lower : row.upper;
-        if (dual == 0 || std::isinf(side)) continue;
-        bound += dual * side;
-        for (std::size_t k = 0; k < row.columns.size(); ++k)
-            reduced[row.columns[k]] -= dual * row.weights[k];
-    }
-    for (const double cost : reduced)
-        bound += std::min(0.0, cost);
-    return bound;
 }
 
 } // namespace qm

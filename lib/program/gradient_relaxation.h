@@ -25,9 +25,4 @@ struct NearOptimum {
 [[nodiscard]] NearOptimum relaxByGradients(const IntegerProgram& program, const GradientOptions& options,
                                            const Control& control = {});
 
-/// What duals prove about the cost of a program: the rows' share, and that of the columns, each of which
-/// takes what is cheaper for it.
-/// \param duals  of every row; where the side that one asks for is infinite, it counts as 0
-[[nodiscard]] double dualBound(const IntegerProgram& program, const IdVector<RowId, double>& duals);
-
 } // namespace qm

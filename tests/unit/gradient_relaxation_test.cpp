@@ -1,5 +1,7 @@
 #include "program/decomposition_bound.h"
+#include "program/dual_bound.h"
 #include "program/gradient_relaxation.h"
+#include "program/sparse_rows.h"
 
 #include <gtest/gtest.h>
 
@@ -56,10 +58,36 @@ TEST(GradientRelaxation, IsTrueWheneverItIsStopped) {
     EXPECT_LE(relaxByGradients(program, {}, stopped).lowerBound, 50.5);
 }
 
-TEST(GradientRelaxation, ADualOfAnInfiniteSideProvesNothing) {
+TEST(DualBound, ADualOfAnInfiniteSideProvesNothing) {
     const IntegerProgram program = ring(3);
     EXPECT_EQ(dualBound(program, IdVector<RowId, double>(std::vector<double>{-1, 0, 0})), 0);
     EXPECT_EQ(dualBound(program, IdVector<RowId, double>(std::vector<double>{1, 0, 0})), 1);
+}
+
+TEST(DualBound, IsTheCostOfARelaxedOptimum) {
+    const IntegerProgram program = ring(5);
+    EXPECT_DOUBLE_EQ(dualBound(program, IdVector<RowId, double>(std::vector<double>(5, 0.5))), 2.5);
+    // Columns that would cost less than nothing are taken.
+    EXPECT_DOUBLE_EQ(dualBound(program, IdVector<RowId, double>(std::vector<double>(5, 0.75))), 1.25);
+}
+
+TEST(SparseRows, MultiplyAsWrittenOut) {
+    IntegerProgram program;
+    program.costs.assign(3, 0);
+    program.rows.push_back({{ColumnId(2), ColumnId(0)}, {0.5, -3}, 0, 1});
+    program.rows.push_back({{}, {}, 0, 1});
+    program.rows.push_back({{ColumnId(2)}, {2}, 0, 1});
+    const SparseRows rows(program);
+    ASSERT_EQ(rows.size(), 3U);
+    EXPECT_EQ(rows.product(0, {1, 10, 100}), 47);
+    EXPECT_EQ(rows.product(1, {1, 10, 100}), 0);
+    EXPECT_EQ(rows.product(2, {1, 10, 100}), 200);
+    EXPECT_EQ(rows.absoluteSum(0), 3.5);
+    const SparseRows columns = rows.transposed(3);
+    ASSERT_EQ(columns.size(), 3U);
+    EXPECT_EQ(columns.product(0, {1, 10, 100}), -3);
+    EXPECT_EQ(columns.product(1, {1, 10, 100}), 0);
+    EXPECT_EQ(columns.product(2, {1, 10, 100}), 200.5);
 }
 
 TEST(DecompositionBound, IsTrueWithAnyDuals) {
