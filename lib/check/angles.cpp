@@ -1,6 +1,7 @@
 #include "check/angles.h"
 
 #include "base/at.h"
+#include "check/vectors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,20 +10,6 @@
 namespace qm::check {
 
 namespace {
-
-using Vector = std::array<double, 3>;
-
-Vector minus(const Vector& a, const Vector& b) {
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-Vector cross(const Vector& a, const Vector& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-double dot(const Vector& a, const Vector& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 /// The same direction, its largest component 1, so that products stay in range whatever the unit.
 Vector scaled(const Vector& vector) {

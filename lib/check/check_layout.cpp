@@ -4,7 +4,8 @@
 #include "check/check_graph.h"
 #include "check/check_sections.h"
 #include "check/check_segments.h"
-#include "check/paths.h"
+#include "check/check_transversals.h"
+#include "check/sourceless.h"
 
 #include <algorithm>
 #include <unordered_set>
@@ -15,61 +16,11 @@ namespace {
 
 constexpr const char* tracksPlace = "/layout/tracks";
 
-/// By vertex: the lowest vertex of its component if no particle starts in the component, else -1.
-std::vector<int> componentsWithoutSource(const Neighbourhoods& around, const LineNetwork& network) {
-    std::vector<char> source(at(around.vertices()), 0);
-    for (const Way& way : network.ways)
-        source[at(around.from(way.steps.front()))] = 1;
-    std::vector<int> component(at(around.vertices()), -2);
-    std::vector<int> reached;
-    for (int start = 0; start < around.vertices(); ++start) {
-        if (component[at(start)] != -2) continue;
-        reached.assign(1, start);
-        component[at(start)] = start;
-        bool any = false;
-        for (std::size_t next = 0; next < reached.size(); ++next) {
-            const int vertex = reached[next];
-            any = any || source[at(vertex)];
-            for (int i = 0; i < around.valence(vertex); ++i) {
-                const int other = around.to(around.firstStep(vertex) + i);
-                if (component[at(other)] != -2) continue;
-                component[at(other)] = start;
-                reached.push_back(other);
-            }
-        }
-        if (any)
-            for (const int vertex : reached)
-                component[at(vertex)] = -1;
-    }
-    return component;
-}
-
-/// The edges of the whole mesh line of a step, ascending: round to the step again, or to the boundary both
-/// ways.
-std::vector<int> wholeLine(const Neighbourhoods& around, int first) {
-    std::vector<int> edges;
-    for (const int start : {first, around.back(first)}) {
-        int step = start;
-        bool closed = false;
-        while (true) {
-            edges.push_back(around.edge(step));
-            if (!around.passable(around.to(step))) break;
-            step = around.straightOn(step);
-            closed = step == start;
-            if (closed) break;
-        }
-        if (closed) break;
-    }
-    std::sort(edges.begin(), edges.end());
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-    return edges;
-}
-
 class LayoutCheck {
 public:
     LayoutCheck(const Context& context, const LineNetwork& network, const LayoutPart& part, Report& report)
         : context_(context), around_(context.around), network_(network), part_(part), report_(report),
-          sourceless_(componentsWithoutSource(around_, network)), onTrack_(at(around_.edges()), 0) {}
+          sourceless_(sourcelessComponents(around_, network)), onTrack_(at(around_.edges()), 0) {}
 
     void run() {
         auto tracks = readTracks(around_, part_.tracks, tracksPlace, report_);
@@ -85,12 +36,9 @@ public:
         const auto ordinary = std::stable_partition(notTransversal, tracks.end(), [&](const ReadTrack& t) {
             return sourceless_[at(around_.from(t.steps.front()))] >= 0;
         });
-        wholeLines(std::span(notTransversal, ordinary));
+        checkWholeLines(around_, sourceless_, std::span(notTransversal, ordinary), tracksPlace, report_);
         particles(std::span(ordinary, tracks.end()));
-        for (const ReadTrack& track : tracks)
-            countVisits(track);
-        for (const ReadTrack& track : transversals)
-            transversal(track);
+        checkTransversals(around_, tracks, transversals, tracksPlace, report_);
         checkConstraints(around_, context_.constraints, onTrack_, true, tracksPlace, report_);
         checkFront(part_, report_);
         const std::size_t before = report_.total();
@@ -160,59 +108,6 @@ private:
         }
     }
 
-    /// Where no particle starts, the tracks of a component are those of one line.
-    void wholeLines(std::span<ReadTrack> tracks) {
-        const auto componentOf = [&](const ReadTrack& t) {
-            return sourceless_[at(around_.from(t.steps.front()))];
-        };
-        std::stable_sort(tracks.begin(), tracks.end(), [&](const ReadTrack& a, const ReadTrack& b) {
-            return componentOf(a) < componentOf(b);
-        });
-        for (std::size_t begin = 0, end = 0; begin < tracks.size(); begin = end) {
-            std::vector<int> edges;
-            for (; end < tracks.size() && componentOf(tracks[end]) == componentOf(tracks[begin]); ++end)
-                for (const int step : tracks[end].steps)
-                    edges.push_back(around_.edge(step));
-            std::sort(edges.begin(), edges.end());
-            if (edges != wholeLine(around_, tracks[begin].steps.front()))
-                report_.violate(
-                    below(tracksPlace, tracks[begin].rank), "whole line",
-                    "no particle starts in this component, and its tracks are not one whole mesh line");
-        }
-    }
-
-    void countVisits(const ReadTrack& track) {
-        visits_.resize(at(around_.vertices()), 0);
-        for (const int step : track.steps)
-            ++visits_[at(around_.from(step))];
-        ++visits_[at(around_.to(track.steps.back()))];
-    }
-
-    /// From one track or boundary to another, straight, and clear of tracks between.
-    void transversal(const ReadTrack& track) {
-        const std::string path = below(below(tracksPlace, track.rank), "vertices");
-        const std::size_t bend = firstBend(around_, track.steps);
-        if (bend < track.steps.size()) {
-            report_.violate(below(path, bend + 1), "transversal straight",
-                            "it does not go straight on to this vertex");
-            return;
-        }
-        for (const int step : track.steps)
-            if (around_.boundary(step)) {
-                report_.violate(path, "transversal inside", "it runs along the mesh boundary");
-                return;
-            }
-        for (std::size_t i = 0; i <= track.steps.size(); ++i) {
-            const bool end = i == 0 || i == track.steps.size();
-            const int vertex = end && i > 0 ? around_.to(track.steps.back()) : around_.from(track.steps[i]);
-            const bool other = visits_[at(vertex)] > 1 || !around_.interior(vertex);
-            if (other != end)
-                report_.violate(below(path, i), "transversal ends",
-                                end ? "it ends on no other track and not on the boundary"
-                                    : "it meets another track before its end");
-        }
-    }
-
     const Context& context_;
     const Neighbourhoods& around_;
     const LineNetwork& network_;
@@ -220,7 +115,6 @@ private:
     Report& report_;
     std::vector<int> sourceless_; ///< by vertex
     std::vector<char> onTrack_;   ///< by edge
-    std::vector<int> visits_;     ///< by vertex, by all tracks
 };
 
 } // namespace

@@ -18,18 +18,12 @@ namespace {
 
 using Patch = SurfacesPart::Patch;
 
-constexpr int perEdge = 16;
-
-Place cross(const Place& a, const Place& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 /// Degrees; 0 if one of both surfaces has no normal.
 double angleBetween(const SurfacePoint& a, const SurfacePoint& b) {
-    const Place left = cross(a.alongU, a.alongV);
-    const Place right = cross(b.alongU, b.alongV);
-    const Place both = cross(left, right);
-    const double cosine = left[0] * right[0] + left[1] * right[1] + left[2] * right[2];
+    const Vector left = cross(a.alongU, a.alongV);
+    const Vector right = cross(b.alongU, b.alongV);
+    const Vector both = cross(left, right);
+    const double cosine = dot(left, right);
     return std::atan2(std::hypot(both[0], both[1], both[2]), cosine + 0.0) * 180 / std::numbers::pi;
 }
 
@@ -72,9 +66,9 @@ private:
     bool isCreased(std::size_t p, std::size_t direction, double line) {
         const Patch& patch = part_.patches[p];
         const double before = std::nextafter(line, -HUGE_VAL);
-        const int steps = layout_.segments[p].size[1 - direction] * perEdge;
+        const int steps = layout_.segments[p].size[1 - direction] * samplesPerEdge;
         for (int step = 0; step <= steps; ++step) {
-            const double along = static_cast<double>(step) / perEdge;
+            const double along = static_cast<double>(step) / samplesPerEdge;
             const auto there = [&](double across) {
                 return direction == 0 ? evaluate(patch, across, along) : evaluate(patch, along, across);
             };
@@ -125,9 +119,9 @@ private:
             return evaluate(part_.patches[of.patch], std::lerp(of.begin[0], of.end[0], along),
                             std::lerp(of.begin[1], of.end[1], along));
         };
-        for (int sample = 0; sample < perEdge; ++sample) {
+        for (int sample = 0; sample < samplesPerEdge; ++sample) {
             const double along =
-                std::clamp(static_cast<double>(sample) / (perEdge - 1), nearEnd, 1 - nearEnd);
+                std::clamp(static_cast<double>(sample) / (samplesPerEdge - 1), nearEnd, 1 - nearEnd);
             const SurfacePoint left = there(0, along);
             const SurfacePoint right = there(1, 1 - along);
             for (std::size_t side = 0; side < 2; ++side) {

@@ -1,6 +1,7 @@
 #include "check/distance.h"
 
 #include "base/at.h"
+#include "check/bilinear_quad.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,13 +11,6 @@ namespace qm::check {
 namespace {
 
 constexpr int iterations = 200;
-
-double dot(const Place& a, const Place& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-Place minus(const Place& a, const Place& b) {
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
 
 using Parameters = std::array<double, 2>;
 
@@ -94,23 +88,12 @@ double distance(const Place& a, const Place& b) {
     return std::sqrt(dot(away, away));
 }
 
-Place pointOf(const CheckedMesh& mesh, int face, double s, double t) {
-    const auto& quad = mesh.quads[at(face)];
-    const std::array<double, 4> weight{(1 - s) * (1 - t), s * (1 - t), s * t, (1 - s) * t};
-    Place sum{};
-    for (std::size_t i = 0; i < 4; ++i)
-        for (std::size_t k = 0; k < 3; ++k)
-            sum[k] += weight[i] * mesh.points[at(quad[i])][k];
-    return sum;
-}
-
 double distanceToFace(const CheckedMesh& mesh, int face, Parameters start, const Place& point) {
+    const BilinearQuad quad = quadOf(mesh, face);
     const auto surface = [&](const Parameters& at) {
-        const Place begin = pointOf(mesh, face, 0, at[1]);
-        const Place end = pointOf(mesh, face, 1, at[1]);
-        const Place low = pointOf(mesh, face, at[0], 0);
-        const Place high = pointOf(mesh, face, at[0], 1);
-        return SurfacePoint{pointOf(mesh, face, at[0], at[1]), minus(end, begin), minus(high, low)};
+        const auto& [s, t] = at;
+        return SurfacePoint{quad.at(s, t), minus(quad.at(1, t), quad.at(0, t)),
+                            minus(quad.at(s, 1), quad.at(s, 0))};
     };
     return nearest(surface, start, {1, 1}, point);
 }

@@ -3,15 +3,11 @@
 
 #include "check/neighbourhoods.h"
 #include "check/spline.h"
+#include "check/vectors.h"
 
 namespace qm::check {
 
-using Place = std::array<double, 3>;
-
 [[nodiscard]] double distance(const Place& a, const Place& b);
-
-/// The point of a bilinear quad at s along its first side and t along its last, both 0 to 1.
-[[nodiscard]] Place pointOf(const CheckedMesh& mesh, int face, double s, double t);
 
 /// From a point to a bilinear quad, by the Gauss-Newton iteration from s and t. Never less than the true
 /// distance.

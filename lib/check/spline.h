@@ -10,6 +10,9 @@ namespace qm::check {
 
 constexpr int maxDegree = 9;
 
+/// Where surfaces are checked by samples: so many steps along an edge of the mesh.
+constexpr int samplesPerEdge = 16;
+
 /// The point of a surface and its derivatives by u and v.
 struct SurfacePoint {
     std::array<double, 3> point{};

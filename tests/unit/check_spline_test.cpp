@@ -1,4 +1,5 @@
 // The checker's own evaluation of surfaces, and its distances.
+#include "check/bilinear_quad.h"
 #include "check/distance.h"
 #include "check/spline.h"
 #include "support/polycube.h"
@@ -89,7 +90,7 @@ TEST(CheckDistance, ToABilinearFace) {
     CheckedMesh mesh = plane({"x"});
     mesh.points[2][2] = 1; // a saddle: z = x y
     const Neighbourhoods around(mesh);
-    const Place middle = pointOf(mesh, 0, 0.5, 0.5);
+    const Place middle = quadOf(mesh, 0).at(0.5, 0.5);
     EXPECT_EQ(middle, (Place{0.5, 0.5, 0.25}));
     EXPECT_NEAR(distanceToMesh(mesh, around, 0, middle), 0, 1e-12);
     EXPECT_NEAR(distanceToMesh(mesh, around, 0, {0.25, 0.75, 0.1875}), 0, 1e-9);
