@@ -1,11 +1,10 @@
 #include "cli/tool.h"
 
-#include "cli/command_line.h"
+#include "cli/command_line_rules.h"
+#include "cli/console.h"
 #include "cli/general_options.h"
-#include "cli/known_results.h"
 #include "cli/messages.h"
 #include "cli/output_file.h"
-#include "cli/progress.h"
 #include "cli/run_statistics.h"
 #include "cli/signals.h"
 #include "cli/usage.h"
@@ -19,14 +18,9 @@
 
 namespace qm {
 
-/// Options, what they need to have an effect, and whether it is there.
-struct Condition {
-    std::vector<std::string> names;
-    std::string what;
-    std::function<bool()> holds;
-};
-
 struct Tool::State {
+    explicit State(std::string tool) : console(tool, general) { usage.tool = std::move(tool); }
+
     Usage usage;
     std::string group = ownOptions;
     std::vector<std::string*> operands;       ///< targets of usage.operands
@@ -34,7 +28,7 @@ struct Tool::State {
     bool hasInput = false;
     bool hasOutput = false;
     bool graceful = false;
-    std::vector<Condition> conditions;
+    std::vector<OptionCondition> conditions;
     std::function<void()> verify;
 
     std::string input = "-";
@@ -42,16 +36,10 @@ struct Tool::State {
     std::set<std::string> given;
 
     RunStatistics statistics;
-    std::shared_ptr<Progress> progress;
-
-    void say(const std::string& message) const {
-        if (progress) progress->hide();
-        printMessage(usage.tool + ": " + message);
-    }
+    Console console;
 };
 
-Tool::Tool(std::string name, std::string summary) : state_(std::make_unique<State>()) {
-    state_->usage.tool = std::move(name);
+Tool::Tool(std::string name, std::string summary) : state_(std::make_unique<State>(std::move(name))) {
     state_->usage.summary = std::move(summary);
 }
 
@@ -138,25 +126,8 @@ void Tool::parse(int argc, char** argv) {
     s.given = std::move(line.given);
     if (s.general.asksAboutTheTool()) return;
     if (!line.problem.empty()) throw UsageError(line.problem);
-    assignOperands(line.operands);
-}
-
-void Tool::assignOperands(const std::vector<std::string>& operands) {
-    State& s = *state_;
-    for (std::size_t i = 0; i < operands.size(); ++i) {
-        const bool more = i >= s.operands.size();
-        if (more && s.more == nullptr) throw UsageError("unexpected operand " + operands[i]);
-        if (operands[i].empty())
-            throw UsageError((more ? "operand " + std::to_string(i + 1) : s.usage.operands[i].name) +
-                             " is empty");
-        if (more)
-            s.more->push_back(operands[i]);
-        else
-            *s.operands[i] = operands[i];
-    }
-    for (std::size_t i = operands.size(); i < s.operands.size(); ++i)
-        if (s.usage.operands[i].required) throw UsageError(s.usage.operands[i].name + " is missing");
-    requireEffects();
+    assignOperands(line.operands, s.usage.operands, s.operands, s.more);
+    requireEffects(s.conditions, s.given);
     if (s.verify) try {
             s.verify();
         } catch (const Error& error) {
@@ -164,13 +135,6 @@ void Tool::assignOperands(const std::vector<std::string>& operands) {
         }
     if (s.hasInput && s.input == "-" && isatty(STDIN_FILENO) != 0)
         throw UsageError("standard input is a terminal. Name a file, or pipe one in");
-}
-
-void Tool::requireEffects() const {
-    for (const Condition& condition : state_->conditions)
-        for (const std::string& name : condition.names)
-            if (given(name) && !condition.holds())
-                throw UsageError("--" + name + " has no effect without " + condition.what + ". Leave it out");
 }
 
 // ------------------------------------------------------------------------------------------- for the body
@@ -207,16 +171,16 @@ void Tool::protect(const std::string& path) const {
 }
 
 void Tool::write(std::string_view bytes) const {
-    if (state_->progress) state_->progress->hide();
+    state_->console.hideProgress();
     writeFile(state_->general.output, bytes);
 }
 
 void Tool::warn(const std::string& message) const {
-    if (!state_->general.quiet) state_->say(message);
+    state_->console.warn(message);
 }
 
 void Tool::note(const std::string& message) const {
-    if (state_->general.verbose && !state_->general.quiet) state_->say(message);
+    state_->console.note(message);
 }
 
 void Tool::count(const std::string& counter, double value) const {
@@ -230,18 +194,12 @@ Control Tool::control(const std::string& label) const {
         deferInterrupt();
         control.stopRequested = [] { return wasInterrupted(); };
     }
-    if (!state_->general.quiet && isatty(STDERR_FILENO) != 0) {
-        state_->progress = std::make_shared<Progress>(state_->usage.tool + ": " + label);
-        control.progress = [bar = state_->progress](double fraction) { bar->show(fraction); };
-    }
+    if (const auto show = state_->console.showProgress(label)) control.progress = show;
     return control;
 }
 
 KnownCost Tool::sayingKnown() const {
-    if (state_->general.quiet) return {};
-    return [this, last = std::make_shared<LastReport>()](double cost, double lowerBound) {
-        if (last->isDue()) state_->say(knownText(cost, lowerBound));
-    };
+    return state_->console.sayingKnown();
 }
 
 // ------------------------------------------------------------------------------------------- the one main
@@ -270,22 +228,14 @@ int Tool::answer(const ToolBody& body) {
         status = exitUnmet;
     }
     if (s.general.stats) {
-        if (s.progress) s.progress->hide();
+        s.console.hideProgress();
         printMessage(s.statistics.line(s.usage.tool));
     }
     return status;
 }
 
 int Tool::run(int argc, char** argv, const std::function<ToolBody(Tool&)>& declare) {
-    const auto fail = [this](const std::string& message) {
-        state_->say(message);
-        return exitFailure;
-    };
-    const auto misused = [this](const std::string& message) {
-        state_->say(message + ". Try '" + state_->usage.tool + " --help'.");
-        return exitUsage;
-    };
-    try {
+    const auto work = [&] {
         openStandardStreams();
         watchSignals();
         watchMemory(state_->usage.tool);
@@ -293,18 +243,10 @@ int Tool::run(int argc, char** argv, const std::function<ToolBody(Tool&)>& decla
         addGeneralOptions();
         parse(argc, argv);
         return answer(body);
-    } catch (const UsageError& error) {
-        return misused(error.what());
-    } catch (const FileError& error) {
-        return fail(error.what());
-    } catch (const Error& error) {
-        return fail((state_->hasInput ? inputName() + ": " : std::string()) + error.what());
-    } catch (const std::bad_alloc&) {
-        return fail("out of memory");
-    } catch (const std::exception& error) {
-        return fail(std::string("unexpected failure: ") + error.what() +
-                    ". This is a fault of the tool: please report it");
-    }
+    };
+    return statusOf(
+        work, state_->usage.tool, [this] { return state_->hasInput ? inputName() : std::string(); },
+        [this](const std::string& message) { state_->console.say(message); });
 }
 
 int runTool(int argc, char** argv, const std::string& name, const std::string& summary,

@@ -24,6 +24,7 @@
 #include "base/control.h"
 #include "base/known_cost.h"
 #include "cli/command_line.h"
+#include "cli/exit_status.h"
 #include "cli/option_record.h"
 #include "document/option.h"
 
@@ -34,15 +35,6 @@
 #include <vector>
 
 namespace qm {
-
-enum ExitStatus : int {
-    exitDone = 0,
-    exitFailure = 1, ///< bad input, or anything that went wrong
-    exitUsage = 2,   ///< bad command line
-    /// Written, but not what was asked for: a tolerance, --require-complete, --require-optimal; or
-    /// interrupted.
-    exitUnmet = 3
-};
 
 using ToolBody = std::function<int()>;
 
@@ -145,8 +137,6 @@ private:
     void add(OptionRecord record);
     void addGeneralOptions();
     void parse(int argc, char** argv);
-    void requireEffects() const;
-    void assignOperands(const std::vector<std::string>& operands);
     void noteSettings() const;
     int answer(const ToolBody& body);
     int run(int argc, char** argv, const std::function<ToolBody(Tool&)>& declare);

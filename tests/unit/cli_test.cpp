@@ -1,5 +1,8 @@
 /// \file The parts of the command line that need no process of their own; tests/cli has the rest.
 #include "base/error.h"
+#include "cli/command_line_rules.h"
+#include "cli/console.h"
+#include "cli/exit_status.h"
 #include "cli/output_file.h"
 #include "cli/progress.h"
 #include "cli/tool.h"
@@ -11,6 +14,10 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <functional>
+#include <new>
+#include <set>
+#include <stdexcept>
 
 namespace {
 
@@ -134,6 +141,89 @@ TEST(Usage, HelpAndJsonSayTheSame) {
     EXPECT_EQ(json["options"][0], qm::parseJson(R"({"name": "--rho", "short": "-r", "group": "Options",
         "type": "number", "placeholder": "X", "minimum": 0, "maximum": 3, "default": 0.5, "help": "an angle"})"));
     EXPECT_EQ(json["examples"], usage.examples);
+}
+
+/// What is said of a wrong command line; empty if it is right.
+std::string usageError(const std::function<void()>& read) {
+    try {
+        read();
+    } catch (const qm::UsageError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(CommandLineRules, GiveWordsToOperandsInTheirOrder) {
+    const std::vector<qm::Operand> declared{{"FIRST", "a", true, {}}, {"SECOND", "b", false, {}}};
+    std::string first, second;
+    std::vector<std::string> rest;
+    const auto assign = [&](const std::vector<std::string>& words, std::vector<std::string>* more) {
+        first.clear();
+        second = "unset";
+        rest.clear();
+        return usageError([&] { qm::assignOperands(words, declared, {&first, &second}, more); });
+    };
+    EXPECT_EQ(assign({"x"}, nullptr), "");
+    EXPECT_EQ(first + " " + second, "x unset");
+    EXPECT_EQ(assign({"x", "y", "z", "-"}, &rest), "");
+    EXPECT_EQ(second, "y");
+    EXPECT_EQ(rest, (std::vector<std::string>{"z", "-"}));
+    EXPECT_EQ(assign({}, &rest), "FIRST is missing");
+    EXPECT_EQ(assign({"x", "y", "z"}, nullptr), "unexpected operand z");
+    EXPECT_EQ(assign({"x", ""}, &rest), "SECOND is empty");
+    EXPECT_EQ(assign({"x", "y", ""}, &rest), "operand 3 is empty");
+}
+
+TEST(CommandLineRules, RefuseOptionsWithoutEffect) {
+    bool counting = false;
+    const std::vector<qm::OptionCondition> conditions{
+        {{"seed", "draws"}, "--count", [&] { return counting; }}};
+    const auto refused = [&](const std::set<std::string>& given) {
+        return usageError([&] { qm::requireEffects(conditions, given); });
+    };
+    EXPECT_EQ(refused({"best"}), "");
+    EXPECT_EQ(refused({"best", "draws"}), "--draws has no effect without --count. Leave it out");
+    counting = true;
+    EXPECT_EQ(refused({"seed", "draws"}), "");
+}
+
+TEST(ExitStatus, SaysWhatWentWrongInOneMessage) {
+    std::string said;
+    const auto status = [&](const std::function<int()>& work) {
+        said.clear();
+        return qm::statusOf(
+            work, "qm-test", [] { return "part.json"; },
+            [&](const std::string& message) { said += message; });
+    };
+    EXPECT_EQ(status([] { return 3; }), 3);
+    EXPECT_EQ(said, "");
+    EXPECT_EQ(status([]() -> int { throw qm::UsageError("wrong"); }), qm::exitUsage);
+    EXPECT_EQ(said, "wrong. Try 'qm-test --help'.");
+    EXPECT_EQ(status([]() -> int { throw qm::Error("/cut", "it is wrong", "Mend it"); }), qm::exitFailure);
+    EXPECT_EQ(said, std::string("part.json: ") + qm::Error("/cut", "it is wrong", "Mend it").what());
+    EXPECT_EQ(status([]() -> int { throw std::bad_alloc(); }), qm::exitFailure);
+    EXPECT_EQ(said, "out of memory");
+    EXPECT_EQ(status([]() -> int { throw std::logic_error("odd"); }), qm::exitFailure);
+    EXPECT_EQ(said, "unexpected failure: odd. This is a fault of the tool: please report it");
+}
+
+TEST(Console, SaysWhatTheOptionsAllow) {
+    qm::GeneralOptions options;
+    qm::Console console("qm-test", options);
+    const auto said = [&] {
+        ::testing::internal::CaptureStderr();
+        console.warn("warning");
+        console.note("note");
+        return ::testing::internal::GetCapturedStderr();
+    };
+    EXPECT_EQ(said(), "qm-test: warning\n");
+    options.verbose = true;
+    EXPECT_EQ(said(), "qm-test: warning\nqm-test: note\n");
+    EXPECT_TRUE(console.sayingKnown() != nullptr);
+    options.quiet = true;
+    EXPECT_EQ(said(), "");
+    EXPECT_TRUE(console.sayingKnown() == nullptr);
+    EXPECT_TRUE(console.showProgress("working") == nullptr);
 }
 
 /// Runs a tool in this process with output to a file.
