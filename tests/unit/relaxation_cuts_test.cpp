@@ -6,15 +6,13 @@
 #include "enumerate/optimum/relaxation.h"
 #include "enumerate/optimum/smallest_cut.h"
 #include "enumerate/optimum/trail_cuts.h"
-#include "enumerate/state/depth_first.h"
-#include "support/random_graph.h"
+#include "support/random_problem.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <optional>
 #include <random>
 
 namespace qm::testing {
@@ -70,40 +68,6 @@ TEST(SmallestCut, IsTheSmallestOfAllCuts) {
     }
 }
 
-struct Case {
-    ArcGraph graph;
-    std::vector<double> costs;
-    std::optional<Problem> problem;
-    std::vector<Assignment> graphs;
-};
-
-/// A whole mesh and many of its graphs.
-std::optional<Case> drawCase(unsigned number) {
-    constexpr std::size_t maxGraphs = 300;
-    std::mt19937 random(number);
-    const auto mesh = randomMesh(random);
-    if (!mesh) return std::nullopt;
-    Case drawn;
-    drawn.graph = buildArcGraph(*mesh, buildBaseComplex(*mesh, randomSeeds(*mesh, 3, random)));
-    for (std::size_t arc = 0; arc < drawn.graph.arcs.size(); ++arc)
-        drawn.costs.push_back(std::uniform_real_distribution<double>(-1, 2)(random));
-    drawn.problem = makeProblem({drawn.graph, drawn.costs, {}, {}, {}, {}});
-    forEachAssignment(
-        *drawn.problem, [] { return infinity; },
-        [&](const SearchState& state) {
-            drawn.graphs.push_back(state.assignment());
-            return drawn.graphs.size() < maxGraphs;
-        });
-    return drawn;
-}
-
-std::vector<VariableId> freeVariables(const SearchState& state) {
-    std::vector<VariableId> variables;
-    for (const VariableId v : state.problem().variables())
-        if (state.isFree(v)) variables.push_back(v);
-    return variables;
-}
-
 /// Values that break many rows: those of no solution. Trails are lost where values are small, cycles are
 /// broken where many are halves.
 ColumnValues drawValues(std::size_t columns, bool halves, std::mt19937& random) {
@@ -129,7 +93,7 @@ ColumnValues drawCompletion(const ColumnState& columns, std::size_t count, std::
 TEST(OpenRow, SaysWhatItsRowSaysOfEveryCompletion) {
     std::size_t open = 0, idle = 0;
     for (unsigned number = 0; number < 100; ++number) {
-        const auto drawn = drawCase(number);
+        const auto drawn = randomProblem(number);
         if (!drawn || drawn->graphs.empty()) continue;
         std::mt19937 random(number);
         SearchState state(*drawn->problem);
@@ -170,7 +134,7 @@ TEST(OpenRow, SaysWhatItsRowSaysOfEveryCompletion) {
 TEST(RelaxationCuts, EveryGraphObeysThem) {
     std::size_t trails = 0, cycles = 0;
     for (unsigned number = 0; number < 200; ++number) {
-        const auto drawn = drawCase(number);
+        const auto drawn = randomProblem(number);
         if (!drawn) continue;
         SCOPED_TRACE(number);
         std::mt19937 random(number);

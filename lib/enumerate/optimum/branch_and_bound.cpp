@@ -1,11 +1,11 @@
 #include "enumerate/optimum/branch_and_bound.h"
 
 #include "enumerate/optimum/diving.h"
+#include "enumerate/optimum/node_relaxation.h"
 #include "enumerate/optimum/odd_cycle_cuts.h"
 #include "enumerate/optimum/rounding.h"
 #include "enumerate/optimum/trail_cuts.h"
 #include "enumerate/optimum/tuning.h"
-#include "program/gradient_relaxation.h"
 
 #include <algorithm>
 
@@ -29,26 +29,12 @@ void BranchAndBound::offer(const Assignment& assignment) {
 void BranchAndBound::run() {
     if (part_.columns.consistent()) {
         double bound = part_.cost.lowerBound(part_.state);
-        if (part_.variables.size() >= part_.options.large) bound = std::max(bound, startByGradients());
+        if (part_.variables.size() >= part_.options.large) bound = std::max(bound, root_.startByGradients());
         tree_.open(tree_.add({}, {}), bound);
         guessGraphs(part_);
         search();
     }
     summarise();
-}
-
-/// Solves the root's relaxation nearly, as the simplex method takes too long from afar.
-/// \return a bound
-double BranchAndBound::startByGradients() {
-    near_ = part_.relaxation.program(part_.columns);
-    GradientOptions options;
-    options.tolerance = Tuning::nearlySolved;
-    NearOptimum found = relaxByGradients(near_->program, options, part_.control);
-    near_->values = std::move(found.values);
-    near_->duals = std::move(found.duals);
-    part_.relaxation.startNear(*near_, part_.columns, part_.control);
-    rememberPresence();
-    return near_->constant + found.lowerBound;
 }
 
 void BranchAndBound::resume(std::size_t nodes) {
@@ -99,7 +85,7 @@ void BranchAndBound::plunge(SearchTree::NodeId node, double bound) {
     for (;;) {
         ++nodes_;
         const bool isRoot = tree_.isRoot(node);
-        const RelaxedNode relaxed = relax(bound);
+        const RelaxedNode relaxed = relaxNode(part_, bound);
         if (relaxed == RelaxedNode::cut) return;
         if (part_.control.stopRequested()) {
             tree_.open(node, bound);
@@ -107,7 +93,7 @@ void BranchAndBound::plunge(SearchTree::NodeId node, double bound) {
         }
         if (part_.allDecided()) return part_.recordLeaf();
         if (relaxed == RelaxedNode::solved) {
-            if (isRoot) rememberRoot(bound);
+            if (isRoot) root_.remember(bound);
             if (acceptIntegral(part_) && part_.options.best == 1) return;
             roundRelaxed(part_);
             if (nodes_ >= nextLook_ && !lookAround(bound)) return;
@@ -131,33 +117,13 @@ void BranchAndBound::plunge(SearchTree::NodeId node, double bound) {
     }
 }
 
-/// Solves the relaxation, and again as long as fixing by reduced costs changes the solution. `bound` grows.
-BranchAndBound::RelaxedNode BranchAndBound::relax(double& bound) {
-    for (;;) {
-        Relaxation::Result result;
-        for (int slice = 0; slice < Tuning::maxSlices; ++slice) {
-            result =
-                part_.relaxation.solve(part_.columns, part_.incumbents.cutoff(), Tuning::iterationsPerSlice);
-            bound = std::max(bound, result.proven);
-            if (result.kind != Relaxation::Result::Kind::unfinished || part_.control.stopRequested()) break;
-        }
-        if (result.kind == Relaxation::Result::Kind::tooExpensive) return RelaxedNode::cut;
-        if (result.kind == Relaxation::Result::Kind::unfinished) return RelaxedNode::unfinished;
-        bound = std::max(bound, result.bound);
-        if (!fixByReducedCosts(part_.columns, part_.relaxation.values(), part_.relaxation.reducedCosts(),
-                               part_.incumbents.cutoff() - result.bound))
-            return RelaxedNode::cut;
-        if (!contradictsRelaxation()) return RelaxedNode::solved;
-    }
-}
-
 /// Adds rows that graphs obey and the relaxed solution breaks, as long as that raises the bound enough; then
 /// looks for graphs near the new solution.
 /// \return false if the root is cut
 bool BranchAndBound::cutRoot(double& bound) {
     if (part_.variables.size() < part_.options.cut) return true;
     // With what the best graph fixes, the relaxation is smaller.
-    if (!root_.tighten() || relax(bound) == RelaxedNode::cut) return false;
+    if (!root_.tighten() || relaxNode(part_, bound) == RelaxedNode::cut) return false;
     const PassGraph graph(part_.state, part_.formulation);
     const auto* price = CutTuning::prices.begin();
     const double uncut = bound;
@@ -167,24 +133,14 @@ bool BranchAndBound::cutRoot(double& bound) {
             part_.formulation.rows.insert(part_.formulation.rows.end(), cuts.begin(), cuts.end());
         part_.relaxation.addRows(part_.columns);
         const double before = bound;
-        const RelaxedNode relaxed = relax(bound);
+        const RelaxedNode relaxed = relaxNode(part_, bound);
         if (relaxed == RelaxedNode::cut) return false;
         if (relaxed == RelaxedNode::unfinished) return true;
         part_.relaxation.dropIdleRows();
-        rememberRoot(bound);
+        root_.remember(bound);
         if (bound - before < CutTuning::minGain * (part_.incumbents.cutoff() - before)) ++price;
     }
     return bound <= uncut || lookAround(bound);
-}
-
-bool BranchAndBound::contradictsRelaxation() const {
-    for (const ColumnId column : part_.formulation.costs.ids()) {
-        const ArcState known = part_.columns.value(column);
-        const double value = part_.relaxation.values()[column];
-        if ((known == ArcState::in && value < 1 - integral) || (known == ArcState::out && value > integral))
-            return true;
-    }
-    return false;
 }
 
 /// Looks for graphs near the relaxed solution, then comes back to it.
@@ -208,33 +164,23 @@ bool BranchAndBound::lookAround(double& bound) {
 bool BranchAndBound::comeBack(ColumnState::Mark mark, const Relaxation::Basis& basis, double& bound) {
     part_.columns.undo(mark);
     part_.relaxation.setBasis(basis);
-    return bound < part_.incumbents.cutoff() && relax(bound) != RelaxedNode::cut;
+    return bound < part_.incumbents.cutoff() && relaxNode(part_, bound) != RelaxedNode::cut;
 }
 
 void BranchAndBound::polish() {
-    if (!part_.options.polish || rootPresence_.empty() || part_.incumbents.empty() ||
+    if (!part_.options.polish || root_.presence().empty() || part_.incumbents.empty() ||
         part_.incumbents.bestCost() >= polished_)
         return;
-    offer(part_.options.polish(part_.incumbents.graphs().begin()->second, rootPresence_));
+    offer(part_.options.polish(part_.incumbents.graphs().begin()->second, root_.presence()));
     polished_ = part_.incumbents.bestCost();
-}
-
-void BranchAndBound::rememberRoot(double bound) {
-    root_.remember(bound);
-    rememberPresence();
-}
-
-void BranchAndBound::rememberPresence() {
-    rootPresence_.clear();
-    for (const VariableId variable : part_.variables)
-        rootPresence_.push_back(part_.present(variable));
 }
 
 std::optional<RelaxedProgram> BranchAndBound::relaxedRoot() {
     const double best = part_.incumbents.empty() ? part_.options.maxCost : part_.incumbents.bestCost();
     if (!root_.isKnown()) {
-        if (near_) near_->cutoff = best;
-        return std::move(near_);
+        std::optional<RelaxedProgram> near = root_.takeNear();
+        if (near) near->cutoff = best;
+        return near;
     }
     const Relaxation::Result result = root_.solveAgain();
     if (result.kind == Relaxation::Result::Kind::tooExpensive) {

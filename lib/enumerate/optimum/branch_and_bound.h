@@ -39,21 +39,14 @@ public:
     /// that by gradients. The bound may grow, and the search be complete after all.
     [[nodiscard]] std::optional<RelaxedProgram> relaxedRoot();
     /// Of the part's variables, in the relaxed solution of the root; empty if there was none.
-    [[nodiscard]] const std::vector<double>& rootPresence() const { return rootPresence_; }
+    [[nodiscard]] const std::vector<double>& rootPresence() const { return root_.presence(); }
 
 private:
-    enum class RelaxedNode { cut, solved, unfinished };
-
     void search();
     void summarise();
-    [[nodiscard]] double startByGradients();
-    void rememberRoot(double bound);
-    void rememberPresence();
     bool replay(SearchTree::NodeId node);
     void plunge(SearchTree::NodeId node, double bound);
-    RelaxedNode relax(double& bound);
     bool cutRoot(double& bound);
-    [[nodiscard]] bool contradictsRelaxation() const;
     bool lookAround(double& bound);
     bool comeBack(ColumnState::Mark mark, const Relaxation::Basis& basis, double& bound);
     void polish();
@@ -63,8 +56,6 @@ private:
     Branching branching_;
     SearchTree tree_;
     RootRelaxation root_;
-    std::optional<RelaxedProgram> near_; ///< what gradients say of the root
-    std::vector<double> rootPresence_;
     double lowerBound_ = 0;
     bool complete_ = true;
     std::size_t nodes_ = 0;

@@ -59,10 +59,11 @@ private:
     IdVector<ColumnId, std::vector<RowId>> rowsOf_;
     std::vector<ColumnId> columnTrail_;
     std::vector<RowId> demandTrail_;
-    SearchState::Mark seen_;      ///< how far the columns know the arcs
-    std::size_t propagated_ = 0;  ///< how far the rows know the columns
-    std::size_t told_ = 0;        ///< how far the arcs know the columns
-    std::size_t demandsSeen_ = 0; ///< how far the rows know the demands
+    // How far each trail has been followed: what is before has had its consequences.
+    SearchState::Mark seen_;      ///< of the arcs, in the columns
+    std::size_t propagated_ = 0;  ///< of the columns, in the rows that hold them
+    std::size_t told_ = 0;        ///< of the columns, in the arcs
+    std::size_t demandsSeen_ = 0; ///< of the demanded rows, in their columns
     bool consistent_ = true;
 };
 

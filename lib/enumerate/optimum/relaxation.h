@@ -6,7 +6,7 @@
 #pragma once
 
 #include "base/control.h"
-#include "enumerate/optimum/open_row.h"
+#include "enumerate/optimum/row_pool.h"
 #include "program/decomposition_bound.h"
 
 #include <limits>
@@ -68,16 +68,11 @@ public:
 private:
     Result solveWithoutRows(const ColumnState& state, double cutoff);
     void setBounds(const ColumnState& state);
-    void add(const std::vector<const OpenRow*>& rows, const ColumnState& state);
-    bool addBroken(const ColumnState& state);
     void read(const ColumnState& state);
 
     const Formulation* formulation_;
-    std::vector<ColumnId> columns_;       ///< of the formulation, for every column of the solver
-    RowId nextRow_{0};                    ///< the first of the formulation that is not known
-    std::vector<OpenRow> rows_;           ///< all that may matter
-    std::vector<std::size_t> solverRows_; ///< indices in `rows_` of those that the solver has
-    std::vector<bool> isInSolver_;        ///< of every one of `rows_`
+    std::vector<ColumnId> columns_; ///< of the formulation, for every column of the solver
+    RowPool rows_;
     std::unique_ptr<ClpSimplex> solver_;
     double fixedCost_ = 0; ///< of the columns that were left out
     ColumnValues values_;

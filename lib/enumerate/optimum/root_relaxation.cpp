@@ -1,23 +1,23 @@
 #include "enumerate/optimum/root_relaxation.h"
 
+#include "enumerate/optimum/node_relaxation.h"
 #include "enumerate/optimum/tuning.h"
+#include "program/gradient_relaxation.h"
 
-#include <cmath>
-#include <limits>
+#include <utility>
 
 namespace qm {
 
-bool fixByReducedCosts(ColumnState& columns, const ColumnValues& values, const ColumnValues& reducedCosts,
-                       double room) {
-    if (room == std::numeric_limits<double>::infinity()) return true;
-    for (const ColumnId column : values.ids()) {
-        const double reduced = reducedCosts[column];
-        if (columns.value(column) != ArcState::free || std::abs(reduced) <= room) continue;
-        const bool low = values[column]<integral, high = values[column]> 1 - integral;
-        if (low && reduced > 0 && !columns.fixColumn(column, ArcState::out)) return false;
-        if (high && reduced < 0 && !columns.fixColumn(column, ArcState::in)) return false;
-    }
-    return true;
+double RootRelaxation::startByGradients() {
+    near_ = part_.relaxation.program(part_.columns);
+    GradientOptions options;
+    options.tolerance = TreeTuning::nearlySolved;
+    NearOptimum found = relaxByGradients(near_->program, options, part_.control);
+    near_->values = std::move(found.values);
+    near_->duals = std::move(found.duals);
+    part_.relaxation.startNear(*near_, part_.columns, part_.control);
+    rememberPresence();
+    return near_->constant + found.lowerBound;
 }
 
 void RootRelaxation::remember(double bound) {
@@ -27,6 +27,13 @@ void RootRelaxation::remember(double bound) {
     basis_ = part_.relaxation.basis();
     cutoff_ = part_.incumbents.cutoff();
     state_ = part_.columns.mark();
+    rememberPresence();
+}
+
+void RootRelaxation::rememberPresence() {
+    presence_.clear();
+    for (const VariableId variable : part_.variables)
+        presence_.push_back(part_.present(variable));
 }
 
 bool RootRelaxation::tighten() {

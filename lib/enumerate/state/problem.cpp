@@ -1,24 +1,14 @@
 #include "enumerate/state/problem.h"
 
-#include "base/error.h"
 #include "enumerate/state/crack_nodes.h"
+#include "enumerate/state/line_stretch.h"
 #include "enumerate/state/sparse_index.h"
 
 #include <algorithm>
-#include <string>
+#include <vector>
 
 namespace qm {
 namespace {
-
-/// The stretch of a line that holds its free arcs, and what comes before and after it.
-struct Stretch {
-    int first = 0; ///< positions on the line
-    int last = -1;
-    bool beforeIn = false;       ///< the arc before it is in, or a source is there
-    bool beforeAnchored = false; ///< all arcs before it are in, from a source
-    bool afterIn = false;
-    bool afterAnchored = false;
-};
 
 class Maker {
 public:
@@ -43,7 +33,7 @@ public:
     }
 
 private:
-    /// No other takes part in anything that is left to decide.
+    /// Where anything is left to decide: at junctions of lines that have a chain.
     std::vector<JunctionId> junctionsOfChains() const {
         std::vector<JunctionId> junctions;
         for (const LineId id : chainLines_) {
@@ -68,81 +58,28 @@ private:
         return lines;
     }
 
-    ArcState state(const Line& line, int position) const { return input_.states[line.firstArc + position]; }
-
-    bool allIn(const Line& line, int begin, int end) const {
-        for (int k = begin; k < end; ++k)
-            if (state(line, k) != ArcState::in) return false;
-        return true;
-    }
-
-    Stretch stretchOf(LineId id) const {
-        const Line& line = graph_.lines[id.idx()];
-        Stretch stretch;
-        stretch.first = line.arcCount;
-        for (int k = 0; k < line.arcCount; ++k)
-            if (state(line, k) == ArcState::free) {
-                stretch.first = std::min(stretch.first, k);
-                stretch.last = k;
-            }
-        if (stretch.last < 0) return stretch;
-        const bool atBegin = stretch.first == 0, atEnd = stretch.last == line.arcCount - 1;
-        const bool sourceAtBegin = input_.walkers.begin(id),
-                   sourceAtEnd = line.backward && input_.walkers.end(id);
-        stretch.beforeAnchored = sourceAtBegin && allIn(line, 0, stretch.first);
-        stretch.beforeIn = atBegin ? sourceAtBegin : state(line, stretch.first - 1) == ArcState::in;
-        stretch.afterAnchored = sourceAtEnd && allIn(line, stretch.last + 1, line.arcCount);
-        stretch.afterIn = atEnd ? sourceAtEnd : state(line, stretch.last + 1) == ArcState::in;
-        return stretch;
-    }
-
     void addChain(LineId id) {
-        const Stretch stretch = stretchOf(id);
-        if (stretch.last < 0) return;
+        const std::vector<LineStretch> stretches = stretchesOf(input_, id);
+        if (stretches.empty()) return;
         chainOf_.put(id, problem_.chains.nextId());
         chainLines_.push_back(id);
-        const ArcId meeting = input_.walkers.meeting(id);
-        const int met = meeting.valid() ? meeting.value() - graph_.lines[id.idx()].firstArc.value() : -1;
-        if (met < stretch.first || met >= stretch.last) return addStretch(id, stretch);
-        // Neither particle gets beyond the place where they meet.
-        Stretch first = stretch, second = stretch;
-        first.last = met;
-        first.afterIn = first.afterAnchored = false;
-        second.first = met + 1;
-        second.beforeIn = second.beforeAnchored = false;
-        addStretch(id, first);
-        addStretch(id, second);
+        for (const LineStretch& stretch : stretches)
+            addStretch(id, stretch);
     }
 
-    void addStretch(LineId id, const Stretch& stretch) {
+    void addStretch(LineId id, const LineStretch& stretch) {
         const VariableId first = problem_.arcs.nextId();
         for (int k = stretch.first; k <= stretch.last; ++k)
-            addArc(graph_.lines[id.idx()], k, k > stretch.first, domainOf(id, stretch, k));
+            addArc(graph_.lines[id.idx()], k, k > stretch.first, domainOf(input_, id, stretch, k));
         problem_.chains.push_back({first, problem_.arcs.nextId().value() - first.value(),
                                    stretch.beforeAnchored, stretch.afterAnchored});
-    }
-
-    ArcState domainOf(LineId id, const Stretch& stretch, int k) const {
-        const Line& line = graph_.lines[id.idx()];
-        const ArcId arc = line.firstArc + k;
-        // A track that goes on beyond the stretch without a source of its own must be reached from here.
-        const bool mustCover =
-            (stretch.beforeIn && !stretch.beforeAnchored) || (stretch.afterIn && !stretch.afterAnchored);
-        const bool unreachable = !stretch.beforeAnchored && !stretch.afterAnchored && !mustCover;
-        const bool atSource = (k == 0 && input_.walkers.begin(id)) ||
-                              (k == line.arcCount - 1 && line.backward && input_.walkers.end(id));
-        ArcState domain = state(line, k);
-        if (atSource || mustCover) restrict(arc, domain, ArcState::in);
-        if (unreachable) restrict(arc, domain, ArcState::out);
-        if (!input_.demands.empty()) restrict(arc, domain, input_.demands[arc.idx()]);
-        return domain;
     }
 
     /// Gives an arc a variable of its own, or that of the arc before it where nothing can end between them.
     void addArc(const Line& line, int k, bool mayJoin, ArcState domain) {
         const ArcId arc = line.firstArc + k;
         if (mayJoin && passesFreely(arc - 1)) {
-            restrict(arc, problem_.domains.back(), domain);
+            restrictDomain(graph_, arc, problem_.domains.back(), domain);
             ++problem_.arcs.back().count;
             problem_.costs.back() += input_.arcCosts[arc.idx()];
         } else {
@@ -163,25 +100,6 @@ private:
             return !crossing.valid() || input_.states[crossing] == ArcState::out;
         };
         return isOut(junction.arcs[other]) && isOut(junction.arcs[other + 2]);
-    }
-
-    void restrict(ArcId arc, ArcState& domain, ArcState demand) const {
-        if (demand == ArcState::free || demand == domain) return;
-        if (domain != ArcState::free) contradiction(arc, demand);
-        domain = demand;
-    }
-
-    [[noreturn]] void contradiction(ArcId arc, ArcState demand) const {
-        const JunctionId junction = graph_.junctionAfter[arc.idx()];
-        const std::string place =
-            "separatrix " + std::to_string(graph_.lineOf(arc).forward.value()) +
-            (junction.valid()
-                 ? " before vertex " + std::to_string(graph_.junctions[junction.idx()].vertex.idx())
-                 : std::string(", last arc"));
-        throw Error(place,
-                    demand == ArcState::out ? "it is forbidden, but every motorcycle graph needs it"
-                                            : "it is required, but no motorcycle graph can have it",
-                    "take the edge out of /constraints");
     }
 
     ChainId chainOfArc(ArcId arc) const { return chainOf_[graph_.arcs[arc.idx()].line]; }
@@ -232,10 +150,9 @@ private:
             anyOut = anyOut || variable(arc) == problem_.out();
             onChain = onChain || (arc.valid() && chainOfArc(arc).valid());
         }
-        if (input_.open.contains(id) ? !anyOut && onChain : anyFree || (!anyOut && onChain))
-            problem_.crossings.push_back({{side(id, 0), side(id, 1)},
-                                          input_.open.contains(id),
-                                          input_.open.contains(id) ? 0 : input_.cornerCost});
+        const bool open = input_.open.contains(id);
+        if (open ? !anyOut && onChain : anyFree || (!anyOut && onChain))
+            problem_.crossings.push_back({{side(id, 0), side(id, 1)}, open, open ? 0 : input_.cornerCost});
     }
 
     const ProblemInput& input_;
