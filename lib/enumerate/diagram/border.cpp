@@ -8,10 +8,10 @@ namespace qm {
 namespace {
 
 constexpr unsigned valueBits = 2;
-constexpr unsigned groupBits = 16; ///< of a group's label, and as many of what it has left
+constexpr unsigned groupBits = 16; ///< for a group's label, and again for the number of its meetings left
 constexpr unsigned wordBits = 64;
 
-/// The first and last of the steps that something depends on.
+/// The first and the last step that concern something, such as a crossing or a chain.
 struct Span {
     int first = -1;
     int last = -1;
@@ -20,7 +20,7 @@ struct Span {
         first = first < 0 ? step : std::min(first, step);
         last = std::max(last, step);
     }
-    /// The steps at which it is decided in part.
+    /// Adds `id` to the watches of all steps before which it is decided in part.
     template <class Watches, class Key, class Pick> void watch(Watches& watches, Key id, Pick pick) const {
         for (int step = first + 1; first >= 0 && step <= last; ++step)
             (watches[at(step)].*pick).push_back(id);
@@ -46,7 +46,7 @@ private:
 };
 
 std::size_t wordsFor(std::size_t values, std::size_t groups) {
-    // Values fill whole words before the first group begins; a group's two numbers never straddle words.
+    // Values fill whole words before the first group begins; the two numbers of a group share a word.
     const std::size_t valuesPerWord = wordBits / valueBits, groupsPerWord = wordBits / (2 * groupBits);
     return (values + valuesPerWord - 1) / valuesPerWord + (groups + groupsPerWord - 1) / groupsPerWord;
 }
@@ -113,7 +113,7 @@ bool DiagramBorder::canCrack(const SearchState& state, std::size_t step, CrackNo
     });
 }
 
-/// A chain that is covered but can crack nothing is as good as one with a gap behind.
+/// A covered chain that can crack nothing has the same code as a chain with a gap, so that such states meet.
 std::uint64_t DiagramBorder::coverCode(const SearchState& state, std::size_t step, ChainId chain) const {
     enum Code { open, covered, toHaveGap, done };
     if (state.hasGap(chain)) return done;
@@ -144,7 +144,7 @@ void DiagramBorder::describe(const SearchState& state, std::size_t step, std::ui
         }
         const CrackNodeId group = state.cracks().group(node);
         const int left = state.cracks().left(group);
-        // Groups that have nothing left are all alike.
+        // Groups that have no meeting left are all alike, and have no label.
         if (left > 0 && labelOf_[group] == 0) labelOf_[group] = ++labels;
         groups.put(labelOf_[group], groupBits);
         groups.put(static_cast<std::uint64_t>(left) + 1, groupBits);

@@ -1,4 +1,4 @@
-/// \file What of the decisions so far still matters: two states that agree in it can be completed in the same
+/// \file The part of a search state that still matters: states that agree in it can be completed in the same
 /// ways.
 #pragma once
 
@@ -11,17 +11,17 @@
 
 namespace qm {
 
-/// Describes the border between what the first steps have decided and the rest: the values around crossings
-/// and on chains that lie on both sides of it, which of these chains have a gap, and how many head-on
-/// meetings the lines on it have left. All other values follow from these by propagation.
+/// Describes the border between what the first steps have decided and the rest: the values of variables at
+/// crossings and on chains that lie on both sides of it, which of these chains have a gap, and how many
+/// head-on meetings their lines have left. All other values follow from these by propagation.
 class DiagramBorder {
 public:
     DiagramBorder(const SearchState& state, const std::vector<Step>& steps);
 
-    /// Words of a description before a step; the same for every state.
+    /// The length in words of a description before a step; it is the same for every state.
     [[nodiscard]] std::size_t words(std::size_t step) const { return watches_[step].words; }
 
-    /// Writes the description of a state, which has decided the steps before this one, to `words(step)`
+    /// Writes the description of a state in which all steps before this one are decided to `words(step)`
     /// words.
     void describe(const SearchState& state, std::size_t step, std::uint64_t* words);
 
@@ -33,14 +33,14 @@ private:
         std::size_t words = 0;
     };
 
-    /// The node's lines are covered, and that may still play a part: another crossing may need a head-on
-    /// meeting on them while they have one left, or waits to learn whether its other line can be cracked.
+    /// Whether the node's lines are covered and may still crack a crossing that a later step decides. If they
+    /// have no meeting left, only crossings count that wait to learn whether their other line can crack them.
     [[nodiscard]] bool canCrack(const SearchState& state, std::size_t step, CrackNodeId node) const;
     [[nodiscard]] std::uint64_t coverCode(const SearchState& state, std::size_t step, ChainId chain) const;
 
     std::vector<Watch> watches_;
-    IdVector<CrossingId, int> lastStep_;           ///< when all around a crossing is decided
-    IdVector<CrackNodeId, std::uint16_t> labelOf_; ///< of every group, while describing
+    IdVector<CrossingId, int> lastStep_;           ///< the last step that decides something at a crossing
+    IdVector<CrackNodeId, std::uint16_t> labelOf_; ///< label of every group, used during `describe`
 };
 
 } // namespace qm

@@ -9,7 +9,7 @@
 namespace qm {
 namespace {
 
-/// Uniform below a limit above 0: as many random bits as the limit has, until they fit.
+/// A uniform number below a positive limit: draws as many bits as the limit has, until they are below it.
 BigCount drawBelow(const BigCount& limit, std::mt19937_64& random) {
     constexpr unsigned wordBits = 64;
     if (limit == 1) return 0;

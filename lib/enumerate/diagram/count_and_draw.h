@@ -1,4 +1,4 @@
-/// \file How many graphs a decision diagram holds, and the one of every rank.
+/// \file Counting the graphs of a decision diagram, and drawing graphs by their rank.
 #pragma once
 
 #include "base/big_count.h"
@@ -8,17 +8,17 @@
 
 namespace qm {
 
-/// The number of paths from every node to the end.
+/// For every node the number of paths to the end.
 [[nodiscard]] std::vector<BigCount> countWays(const Diagram& diagram);
 
-/// The number of graphs that cost at most `maxCost`. Walks from node to node, but not below nodes where all
-/// paths are cheap enough, or none is.
-/// \return nothing if `control.stopRequested` ended it
+/// The number of graphs that cost at most `maxCost`. The walk turns back at nodes below which all paths are
+/// cheap enough, or none is.
+/// \return nothing if `control.stopRequested` ended the walk
 [[nodiscard]] std::optional<BigCount> countUpTo(const Diagram& diagram, double maxCost,
                                                 const Control& control = {});
 
-/// The graph of a rank, 0 to the number of graphs less 1; different ranks give different graphs.
-/// \param ways  what `countWays` returns
+/// The graph of a rank from 0 to the number of graphs less 1; different ranks have different graphs.
+/// \param ways  the result of `countWays`
 [[nodiscard]] Assignment graphOfRank(const Diagram& diagram, const std::vector<BigCount>& ways,
                                      BigCount rank);
 

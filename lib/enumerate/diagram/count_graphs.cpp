@@ -7,7 +7,7 @@
 namespace qm {
 namespace {
 
-/// Where a diagram would be too large.
+/// Counts by recursion over independent parts, for problems whose diagram would be too large.
 class Counter {
 public:
     Counter(const Problem& problem, const Control& control) : state_(problem), control_(control) {}
@@ -29,7 +29,7 @@ private:
         return product;
     }
 
-    /// Sets one variable both ways and counts what is left of the part, split again.
+    /// Sets one variable to both values in turn, and counts the rest of the part, which may fall apart.
     BigCount countPart(const std::vector<VariableId>& part) {
         if (stopped_ || (++steps_ % 1024 == 0 && control_.stopRequested())) {
             stopped_ = true;

@@ -1,4 +1,4 @@
-/// \file Exact numbers of motorcycle graphs (docs/METHOD.md#decision-diagrams).
+/// \file The exact number of motorcycle graphs (docs/METHOD.md#decision-diagrams).
 #pragma once
 
 #include "base/big_count.h"
@@ -7,12 +7,12 @@
 
 namespace qm {
 
-/// The number of graphs: from a decision diagram, or by parts where that would be too large.
-/// \return nothing if `control.stopRequested` ended it
+/// The number of graphs, from a decision diagram or, if that would be too large, by `countByParts`.
+/// \return nothing if `control.stopRequested` ended the count
 [[nodiscard]] std::optional<BigCount> countGraphs(const Problem& problem, const Control& control = {});
 
-/// The same in memory linear in the problem: one variable is decided, the independent parts that remain are
-/// counted one by one, and their counts are multiplied.
+/// The same in memory linear in the problem: decides one variable, counts the independent parts that remain
+/// one by one, and multiplies their counts.
 [[nodiscard]] std::optional<BigCount> countByParts(const Problem& problem, const Control& control = {});
 
 } // namespace qm

@@ -7,12 +7,12 @@
 namespace qm {
 namespace {
 
-constexpr std::size_t maxSteps = 20000; ///< the search goes as deep
+constexpr std::size_t maxSteps = 20000; ///< bounds the depth of the recursion
 
-/// The nodes before one step, by what remains to be decided: an open hash table.
+/// The nodes before one step, found by the description of their state: an open hash table.
 class KnownNodes {
 public:
-    /// The node of a description; `none` is a possible value.
+    /// The node of a description; may be `none`, if the description is known to lead to no graph.
     /// \return null if the description is new
     const Diagram::NodeId* find(const std::uint64_t* key, std::size_t words) {
         if (slots_.empty()) return nullptr;
@@ -46,7 +46,7 @@ private:
             slots_[slotOf(keys_.data() + k * words, words)] = static_cast<std::uint32_t>(k + 1);
     }
 
-    std::vector<std::uint32_t> slots_; ///< number of the entry plus 1; 0 is empty
+    std::vector<std::uint32_t> slots_; ///< number of the entry plus 1; 0 for an empty slot
     std::vector<std::uint64_t> keys_;
     std::vector<Diagram::NodeId> nodes_;
 };
@@ -75,7 +75,7 @@ public:
     }
 
 private:
-    /// The node for what the state leaves to decide from this step on.
+    /// The node for everything that the state leaves undecided from this step on.
     Diagram::NodeId build(std::size_t step) {
         if (step == steps_.size()) return Diagram::end;
         const Step& decision = steps_[step];
@@ -98,7 +98,7 @@ private:
                state_.cracks().isCrossed(decision.crossing);
     }
 
-    /// Of a variable when it is in, with its corners next to arcs that have been decided before.
+    /// The cost of setting a variable to in, with the corners that it makes with arcs of earlier steps.
     [[nodiscard]] double costOf(VariableId variable, std::size_t step) const {
         double cost = problem_.costs[variable];
         const auto decidedIn = [&](VariableId arc) {
@@ -142,9 +142,10 @@ private:
     std::size_t maxNodes_;
     const Control& control_;
     std::vector<Step> steps_;
-    IdVector<VariableId, int> stepOf_; ///< of every variable; -1 if it is the same in every graph
+    IdVector<VariableId, int>
+        stepOf_; ///< the step that decides a variable; -1 if it is the same in all graphs
     std::optional<DiagramBorder> border_;
-    std::vector<KnownNodes> known_; ///< before every step
+    std::vector<KnownNodes> known_; ///< for every step, the nodes before it
     Diagram diagram_;
     std::size_t described_ = 0;
     bool stopped_ = false;

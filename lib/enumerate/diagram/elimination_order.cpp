@@ -8,19 +8,20 @@ namespace qm {
 namespace {
 
 struct Tuning {
-    /// Orders that are tried of every connected part: the best of so many is seldom far from the best of all.
+    /// Starting points tried per connected part: the best of so many is seldom far from the best of all.
     static constexpr std::size_t maxStarts = 100;
-    /// By how much another open item multiplies the states of a border, roughly: the rules forbid some of 2.
+    /// Factor by which each open item multiplies the states of a border, roughly; below 2, as rules forbid
+    /// some.
     static constexpr double growth = 1.6;
-    /// States of an order that is not worth following. By that measure wide borders have far too many, so
-    /// this is far above what memory holds.
+    /// An order with more estimated states than this is not worth following. The estimate is far too high for
+    /// wide borders, so the limit is far above what fits into memory.
     static constexpr double hopeless = 1e15;
 };
 
-/// What ties crossings: the free variables, and after them the open chains.
+/// Something that ties crossings: a free variable, or a chain whose cover is open (numbered after these).
 using ItemId = Id<struct ItemTag>;
 
-/// The crossings with something to decide, and the items that tie them.
+/// The items at every crossing, and the crossings of every item.
 struct Ties {
     IdVector<CrossingId, std::vector<ItemId>> itemsOf;
     IdVector<ItemId, std::vector<CrossingId>> crossingsOf;
@@ -40,7 +41,7 @@ struct Ties {
             }
     }
 
-    /// The variable or the chain that an item is; the other id is none.
+    /// The variable or the chain that an item stands for; the other id of the pair is none.
     [[nodiscard]] std::pair<VariableId, ChainId> meaning(ItemId item) const {
         if (item.value() < chains_) return {VariableId(item.value()), {}};
         return {{}, ChainId(item.value() - chains_)};
@@ -54,16 +55,16 @@ private:
         crossingsOf[item].push_back(crossing);
     }
 
-    int chains_ = 0; ///< where the items begin that are chains
+    int chains_ = 0; ///< the first item that is a chain
 };
 
-/// Grows an order of crossings from a start and adds up what it costs.
+/// Grows an order of crossings from a starting point, and sums up the estimated states.
 class Sweep {
 public:
     explicit Sweep(const Ties& ties)
         : ties_(ties), done_(ties.crossingsOf.size()), state_(ties.itemsOf.size(), Seen::no) {}
 
-    /// \return the cost, or infinity once it reaches `limit`
+    /// \return the estimate, or infinity once it reaches `limit`
     double run(CrossingId start, double limit, std::vector<CrossingId>& order) {
         std::ranges::fill(done_, 0);
         std::ranges::fill(state_, Seen::no);
@@ -88,7 +89,7 @@ public:
 private:
     enum class Seen : char { no, border, done };
 
-    /// By how much the number of open items grows.
+    /// The change of the number of open items if this crossing came next.
     [[nodiscard]] int change(CrossingId crossing) const {
         int sum = 0;
         for (const ItemId item : ties_.itemsOf[crossing]) {
@@ -112,11 +113,11 @@ private:
     }
 
     const Ties& ties_;
-    IdVector<ItemId, int> done_; ///< crossings of every item that the sweep has passed
+    IdVector<ItemId, int> done_; ///< for every item, its crossings that are in the order already
     IdVector<CrossingId, Seen> state_;
 };
 
-/// All crossings of the connected part that one belongs to.
+/// All crossings of the connected part that contains the first one.
 std::vector<CrossingId> partOf(const Ties& ties, CrossingId first, IdVector<CrossingId, bool>& seen) {
     std::vector<CrossingId> part{first};
     seen[first] = true;
@@ -130,8 +131,8 @@ std::vector<CrossingId> partOf(const Ties& ties, CrossingId first, IdVector<Cros
     return part;
 }
 
-/// The crossings, part by part, each part in the order of its best sweep.
-/// \return nothing if the sweeps of a part are all hopeless, or `control.stopRequested`
+/// All crossings, part by part, each part in the order of its best sweep.
+/// \return nothing if all sweeps of some part are hopeless, or if `control.stopRequested`
 std::optional<std::vector<CrossingId>> crossingOrder(const Ties& ties, const Control& control) {
     Sweep sweep(ties);
     IdVector<CrossingId, bool> seen(ties.itemsOf.size(), false);

@@ -13,14 +13,14 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A place where a path leaves the cheapest one, in a heap of all such places ahead, with the lowest extra
-/// cost on top. Heaps of later nodes are shared, so no heap is ever changed.
+/// A place where a path leaves the cheapest one: an entry of a heap of all such places ahead, with the lowest
+/// extra cost on top. Heaps share the heaps of later nodes, so no heap is ever changed.
 struct Detour {
     double extra = 0;
     Diagram::NodeId node = Diagram::none;
     std::uint32_t left = 0;
     std::uint32_t right = 0;
-    std::uint32_t rank = 0; ///< of a leftist heap
+    std::uint32_t rank = 0; ///< in a leftist heap
 };
 
 class Ranking {
@@ -53,11 +53,11 @@ public:
 private:
     static constexpr std::uint32_t unknown = std::numeric_limits<std::uint32_t>::max();
 
-    /// A path that is the cheapest but for its detours: this one, and those of the path before.
+    /// A path that is the cheapest except for its detours: this one, and those of the path `before`.
     struct Way {
         double cost;
-        std::uint64_t number; ///< in the order of finding, which settles ties
-        std::uint32_t detour; ///< 0 if it has none
+        std::uint64_t number; ///< in the order of discovery, which settles ties
+        std::uint32_t detour; ///< 0 if the path has none
         std::int64_t before;
         bool operator<(const Way& other) const {
             return cost != other.cost ? cost > other.cost : number > other.number;
@@ -79,7 +79,7 @@ private:
         return prefersIn(id) ? diagram_.nodes[id].out : diagram_.nodes[id].in;
     }
 
-    /// The heap of the detours from a node on, made when it is first needed.
+    /// The heap of all detours from a node on, built on first use.
     std::uint32_t heapAfter(Diagram::NodeId from) {
         std::vector<Diagram::NodeId> path;
         for (; heaps_[from] == unknown; from = cheaper(from))
@@ -100,7 +100,7 @@ private:
         return static_cast<std::uint32_t>(detours_.size() - 1);
     }
 
-    /// A new heap of the detours of two.
+    /// A new heap that holds the detours of two heaps.
     std::uint32_t merge(std::uint32_t a, std::uint32_t b) {
         if (a == 0 || b == 0) return a + b;
         if (detours_[b].extra < detours_[a].extra) std::swap(a, b);
@@ -130,16 +130,16 @@ private:
 
     const Diagram& diagram_;
     std::vector<double> cheapest_;
-    std::vector<std::uint32_t> heaps_; ///< of every node
-    std::vector<Detour> detours_;      ///< the first is none
-    std::vector<Way> ways_;            ///< that have been visited
+    std::vector<std::uint32_t> heaps_; ///< heap of every node
+    std::vector<Detour> detours_;      ///< entry 0 stands for no detour
+    std::vector<Way> ways_;            ///< visited so far
     std::priority_queue<Way> open_;
     std::uint64_t offered_ = 0;
     Assignment graph_;
 };
 
-/// Sorts graphs of equal cost by their variables; otherwise rounding and the shape of the diagram would
-/// determine their order.
+/// Sorts graphs of equal cost by their variables; without this, their order would depend on rounding and on
+/// the shape of the diagram.
 class Ties {
 public:
     using Visit = std::function<bool(double cost, const Assignment& graph)>;
@@ -162,7 +162,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t maxTies = 65536; ///< in memory
+    static constexpr std::size_t maxTies = 65536; ///< bounds the memory
     const Visit& visit_;
     double minCost_ = 0;
     std::vector<std::pair<Assignment, double>> graphs_;

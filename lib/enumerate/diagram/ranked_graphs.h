@@ -1,4 +1,4 @@
-/// \file The graphs of a decision diagram in order of cost by the algorithm of Eppstein 1998
+/// \file The graphs of a decision diagram in order of cost, by the algorithm of Eppstein 1998
 /// (docs/METHOD.md#eppstein-1998).
 #pragma once
 
@@ -9,12 +9,12 @@
 
 namespace qm {
 
-/// The cost of the cheapest path from every node to the end; infinity from `none`.
+/// For every node the cost of the cheapest path to the end; infinity for `none`.
 [[nodiscard]] std::vector<double> cheapestWays(const Diagram& diagram);
 
-/// Calls `visit` with every graph, the cheapest first, ties (up to 65,536 of them) in lexicographic order of
-/// the variables, until it returns false. Time per graph is linear in
-/// its length, but for a logarithm; memory grows by a few words per graph. Costs are true to rounding.
+/// Calls `visit` with every graph, cheapest first, until it returns false. Ties (up to 65,536 of them) are in
+/// lexicographic order of the variables. Time per graph is linear in its length, up to a logarithm; memory
+/// grows by a few words per graph. Costs are exact up to rounding.
 void forEachRankedGraph(const Diagram& diagram,
                         const std::function<bool(double cost, const Assignment& graph)>& visit);
 

@@ -1,4 +1,4 @@
-/// \file Every path through a decision diagram: no search, no dead ends.
+/// \file Visiting every path of a decision diagram, without a search and without dead ends.
 #pragma once
 
 #include "enumerate/diagram/ranked_graphs.h"
@@ -9,8 +9,8 @@
 
 namespace qm {
 
-/// Calls `visit` with an assignment for every path from a node to the end. Variables that are decided before
-/// the node are left as they are.
+/// Calls `visit` with an assignment for every path from a node to the end. Variables that are decided above
+/// the node keep their values.
 /// \return false if `visit` returned false, which ends the walk
 template <class Visit>
 bool walkDiagram(const Diagram& diagram, Diagram::NodeId from, Assignment& assignment, Visit& visit) {
@@ -29,7 +29,7 @@ bool walkDiagram(const Diagram& diagram, Diagram::NodeId from, Assignment& assig
     return walkDiagram(diagram, node.out, assignment, visit);
 }
 
-/// The same for all graphs that cost at most `maxCost`: parts of the diagram without any are not entered.
+/// The same for all graphs that cost at most `maxCost`; parts of the diagram without such graphs are skipped.
 template <class Visit> bool walkDiagramUpTo(const Diagram& diagram, double maxCost, Visit& visit) {
     Assignment assignment = diagram.fixed;
     if (std::isinf(maxCost)) return walkDiagram(diagram, diagram.root, assignment, visit);

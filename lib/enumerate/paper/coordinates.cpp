@@ -8,7 +8,7 @@ namespace {
 using Visit = std::function<bool(const Assignment&)>;
 using StopRequested = std::function<bool()>;
 
-/// Asks now and then whether to stop: most of these searches' steps lead to no graph.
+/// Asks the caller now and then whether to stop, because most steps of these searches lead to no graph.
 class Patience {
 public:
     explicit Patience(const StopRequested& stopRequested) : stopRequested_(stopRequested) {}
@@ -98,7 +98,7 @@ private:
         }
     }
 
-    /// B1 and B2: what a track of length j keeps others from.
+    /// B1 and B2: restricts the other particles to what a track of length j leaves them.
     bool block(const Course& p, int j) {
         if (p.opposite.valid() && !reduce(p.opposite, p.length - j)) return false;
         for (int c = 1; c < j; ++c) {
@@ -110,7 +110,7 @@ private:
         return true;
     }
 
-    /// B3 and B4 (or B4'): goes on with every way in which a track of length j can end properly.
+    /// B3 and B4 (or B4'): continues with every valid way for a track of length j to end.
     bool finish(CourseId i, int j) {
         const Course& p = courses_[i];
         if (j == p.length) return run(i + 1);
@@ -121,7 +121,8 @@ private:
 
     bool branch(CourseId i, bool possible) { return !possible || run(i + 1); }
 
-    /// Tries one ending and takes it back. False if the visitor ended the search.
+    /// Tries one way to end and undoes it.
+    /// \return false if the visitor ended the search
     template <class Ending> bool attempt(CourseId i, const Ending& ending) {
         const std::size_t mark = undo_.size();
         const bool goOn = branch(i, ending());

@@ -1,8 +1,8 @@
-/// \file The paper's three algorithms (docs/METHOD.md#gunpinar-2016), on coordinates of particles
-/// (docs/METHOD.md#coordinate-search).
+/// \file The paper's three algorithms (docs/METHOD.md#gunpinar-2016), which search over the coordinates of
+/// particles (docs/METHOD.md#coordinate-search).
 ///
-/// They visit a graph once for every set of particle positions that produces it and are kept for comparison;
-/// the searches on arcs visit each graph once.
+/// They visit a graph once for every vector of coordinates that produces it, and are kept for comparison
+/// only; the searches over arcs visit each graph once.
 #pragma once
 
 #include "enumerate/state/assignment.h"
@@ -14,12 +14,12 @@ namespace qm {
 enum class CoordinateMethod {
     naive,   ///< all coordinate vectors, filtered by A1 to A4
     bounds,  ///< bounds B1 to B4 on undo stacks
-    improved ///< B4' instead of B4: drops head-on meetings that nothing passes
+    improved ///< B4' instead of B4: leaves out head-on meetings that no particle passes
 };
 
-/// Calls `visit` with the arcs of every coordinate vector found; it ends the search by returning false.
+/// Calls `visit` with the graph of every coordinate vector found, until `visit` returns false.
 /// \param problem        a whole mesh or the particles of one sub-mesh
-/// \param stopRequested  asked now and then, as most steps lead to no graph; ends the search too
+/// \param stopRequested  asked regularly, because most steps lead to no graph; also ends the search
 /// \return false if the search was ended
 bool forEachCoordinateVector(
     const Problem& problem, CoordinateMethod method, const std::function<bool(const Assignment&)>& visit,

@@ -5,14 +5,13 @@
 namespace qm {
 namespace {
 
-/// Finds the particles that walk over a variable.
+/// For every variable its chain, and the particles that can walk over it.
 struct Owners {
-    IdVector<VariableId, ChainId> chain; ///< none for the constants
-    IdVector<VariableId, CourseId>
-        fromBefore; ///< none for the constants, and where no particle comes from there
+    IdVector<VariableId, ChainId> chain;       ///< none for the constants
+    IdVector<VariableId, CourseId> fromBefore; ///< none for constants, and if no particle comes from there
     IdVector<VariableId, CourseId> fromAfter;
 
-    /// Not so at a feature seed or on a line that is fixed.
+    /// Whether particles can pass this side; not at a feature seed or on a fixed line.
     [[nodiscard]] bool canPass(const CrossingSide& side) const {
         return chain[side.before].valid() && chain[side.before] == chain[side.after] &&
                side.after == side.before + 1;
@@ -76,7 +75,7 @@ bool ends(const Arrival& arrival, const Coordinates& x) {
     return arrival.course.valid() && x[arrival.course] == arrival.coordinate;
 }
 
-/// A4 at the crash point: someone else makes it a proper end.
+/// A4: whether a track that ends at this stop ends properly.
 bool crashesWell(const Stop& stop, bool met, const Coordinates& x) {
     return met || stop.wall || passes(stop.left, x) || passes(stop.right, x) ||
            (ends(stop.left, x) && ends(stop.right, x));

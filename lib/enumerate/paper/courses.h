@@ -1,4 +1,4 @@
-/// \file Where particles may stop and who else arrives there: the setting of A1 to A4
+/// \file Where particles may stop and which others arrive there, as rules A1 to A4 need it
 /// (docs/METHOD.md#valid-tracks).
 #pragma once
 
@@ -11,8 +11,8 @@ namespace qm {
 
 using CourseId = Id<struct CourseTag>;
 
-/// The particle that arrives at a stop from one side: its course, none if no particle does, and the
-/// coordinate of the stop on it.
+/// The particle that arrives at a stop from one side: its course, none if no particle can arrive, and the
+/// coordinate of the stop on that course.
 struct Arrival {
     CourseId course;
     int coordinate = 0;
@@ -26,16 +26,16 @@ struct Stop {
     bool wall = false;
 };
 
-/// What a particle may walk: a chain, from its source on. Coordinates count variables.
+/// The path open to a particle: a chain, from its source on. Coordinates count variables.
 struct Course {
     ChainId chain;
     bool fromEnd = false;
     int length = 0;
-    CourseId opposite;       ///< of the particle that comes the other way; none if there is no such particle
-    int max = 0;             ///< the domains allow no stop after this coordinate
-    std::vector<Stop> stops; ///< see stopIndex
+    CourseId opposite;       ///< of the particle from the other end; none if there is none
+    int max = 0;             ///< the largest coordinate that the domains allow
+    std::vector<Stop> stops; ///< indexed by `stopIndex`
 
-    /// Of the stop at a coordinate, 1 to length - 1.
+    /// The index in `stops` of the stop at a coordinate from 1 to length - 1.
     [[nodiscard]] static std::size_t stopIndex(int coordinate) { return at(coordinate) - 1; }
 };
 
@@ -46,11 +46,11 @@ using Coordinates = IdVector<CourseId, int>;
 /// The courses of all particles of a problem, by chain.
 [[nodiscard]] Courses findCourses(const Problem& problem);
 
-/// The arcs that particles at these coordinates have walked.
+/// The graph of particles at these coordinates.
 [[nodiscard]] Assignment assignmentOf(const Problem& problem, const Courses& courses,
                                       const Coordinates& coordinates);
 
-/// Whether tracks of these lengths obey A1 to A4.
+/// Whether tracks of these lengths obey rules A1 to A4.
 [[nodiscard]] bool validCoordinates(const Courses& courses, const Coordinates& coordinates);
 
 } // namespace qm

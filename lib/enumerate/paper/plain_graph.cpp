@@ -7,14 +7,14 @@
 namespace qm {
 namespace {
 
-/// One run of the process.
+/// Simulates all particles.
 class Race {
 public:
     Race(const QuadMesh& mesh, const BaseComplex& complex)
         : mesh_(mesh), complex_(complex), walked_(complex.separatrices.size(), 0),
           traced_(mesh.n_vertices(), false), covered_(mesh.n_edges(), false) {}
 
-    /// The number of halfedges that every particle walks.
+    /// \return the number of halfedges that every particle walks
     std::vector<std::size_t> run() {
         for (const VertexId vertex : complex_.extraordinaryVertices)
             traced_[at(vertex)] = true;
@@ -33,11 +33,11 @@ private:
     struct Arrival {
         int vertex;
         std::size_t particle;
-        // NOLINTNEXTLINE(modernize-use-nullptr): the 0 is the compiler's
+        // NOLINTNEXTLINE(modernize-use-nullptr): the compiler generates this 0
         auto operator<=>(const Arrival&) const = default;
     };
 
-    /// Moves every particle over its next edge, unless its opposite is there already.
+    /// Moves every particle over its next edge; a particle whose opposite is there already stops.
     std::vector<Arrival> move(const std::vector<std::size_t>& active) {
         std::vector<Arrival> arrivals;
         for (const std::size_t i : active) {
@@ -52,7 +52,7 @@ private:
         return arrivals;
     }
 
-    /// Decides at every vertex who goes on.
+    /// Decides at every vertex which particles go on.
     std::vector<std::size_t> meet(const std::vector<Arrival>& arrivals) {
         std::vector<std::size_t> active;
         for (std::size_t begin = 0; begin < arrivals.size();) {
@@ -74,7 +74,7 @@ private:
         if (walked_[i] < complex_.separatrices[i].halfedges.size()) active.push_back(i);
     }
 
-    /// The halfedge back to where a particle came from.
+    /// The halfedge that leads back to where a particle came from.
     HalfedgeId cameFrom(std::size_t i) const {
         return mesh_.opposite_halfedge_handle(complex_.separatrices[i].halfedges[walked_[i] - 1]);
     }
@@ -85,7 +85,8 @@ private:
         if (mesh_.ccw_rotated_halfedge_handle(fromB) == fromA) goOn(a, active);
     }
 
-    /// By vertex: the edges there that a particle could have walked; more than two where lines cross.
+    /// For every vertex, the number of its edges that some particle could walk; more than two where lines
+    /// cross.
     std::vector<int> countLineEdges() const {
         std::vector<bool> counted(mesh_.n_edges(), false);
         std::vector<int> edges(mesh_.n_vertices(), 0);
@@ -101,7 +102,8 @@ private:
         return edges;
     }
 
-    /// Tracks end where lines cross: of two that met elsewhere, the lower one gets the rest of the arc.
+    /// Tracks must end where lines cross: after other meetings, the lower separatrix gets the rest of the
+    /// arc.
     void settleMeetings() {
         const std::vector<int> lineEdges = countLineEdges();
         for (std::size_t i = 0; i < walked_.size(); ++i) {
@@ -117,8 +119,8 @@ private:
     const QuadMesh& mesh_;
     const BaseComplex& complex_;
     std::vector<std::size_t> walked_;
-    std::vector<bool> traced_;  ///< vertices
-    std::vector<bool> covered_; ///< edges
+    std::vector<bool> traced_;  ///< of every vertex, whether a particle has been there
+    std::vector<bool> covered_; ///< of every edge, likewise
 };
 
 } // namespace

@@ -1,4 +1,4 @@
-/// \file What is known before a search, of arcs and of the junctions past a cut.
+/// \file What is known before a search about arcs, and about junctions beyond the cut.
 #pragma once
 
 #include "base/ids.h"
@@ -9,16 +9,16 @@
 
 namespace qm {
 
-/// What is known of an arc before a search.
+/// What is known about an arc before a search.
 enum class ArcState : signed char { out = 0, in = 1, free = -1 };
 
-/// Of all arcs, in memory that depends on the free ones only.
+/// The states of all arcs, in memory that is linear in the number of free arcs.
 class ArcStates {
 public:
     /// All arcs are free.
     ArcStates() = default;
-    /// Some are free, every other one is as it is in a graph.
-    /// \param present  of every arc; outlives this
+    /// Some arcs are free; every other arc is fixed to what it is in a graph.
+    /// \param present  for every arc, whether the graph has it; must outlive this
     ArcStates(const std::vector<bool>& present, std::span<const ArcId> freeArcs)
         : present_(&present), free_(freeArcs.begin(), freeArcs.end()) {}
 
@@ -32,12 +32,12 @@ private:
     std::unordered_set<ArcId> free_;
 };
 
-/// The junctions where tracks may end unfinished: those outside a sub-mesh.
+/// The junctions where tracks may end unfinished: all that lie outside a sub-mesh.
 class OpenJunctions {
 public:
-    /// There are none.
+    /// No junction is open.
     OpenJunctions() = default;
-    /// \param labels  the sub-mesh of every junction; outlives this
+    /// \param labels  the sub-mesh of every junction; must outlive this
     OpenJunctions(const std::vector<SubMeshId>& labels, SubMeshId subMesh)
         : labels_(&labels), subMesh_(subMesh) {}
 

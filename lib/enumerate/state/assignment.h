@@ -1,4 +1,4 @@
-/// \file Values for the variables of a search problem, and the arcs they stand for.
+/// \file A value for every variable of a search problem, and the graph that the values describe.
 #pragma once
 
 #include "enumerate/state/problem.h"
@@ -7,20 +7,20 @@
 
 namespace qm {
 
-/// A value for every variable and both constants, 0 or 1.
+/// The value, 0 or 1, of every variable and of the two constants.
 using Assignment = IdVector<VariableId, signed char>;
 
-/// The cost of the variables that are in and of the corners at crossings.
+/// The cost of all variables that are in, and of the corners of segments at crossings.
 [[nodiscard]] double costOf(const Problem& problem, const Assignment& assignment);
 
-/// The values that variables have where these arcs are present.
+/// The assignment that describes a graph.
 [[nodiscard]] Assignment assignmentOf(const Problem& problem, const std::vector<bool>& present);
 
-/// The arcs that are present in only one of a graph and an assignment.
+/// The arcs that are present in the graph and out in the assignment, or the other way round.
 [[nodiscard]] std::vector<ArcId> differences(const Problem& problem, const Assignment& assignment,
                                              const std::vector<bool>& present);
 
-/// Writes the values of an assignment into the arcs of its variables.
+/// Overwrites the arcs of all variables with the values of an assignment.
 void apply(const Problem& problem, const Assignment& assignment, std::vector<bool>& present);
 
 } // namespace qm

@@ -7,20 +7,21 @@
 
 namespace qm {
 
-/// Keeps, for groups of lines joined by crossings, how many head-on meetings they have left. Union by size
-/// without path compression, so that the last change can be taken back.
+/// Groups lines that are joined by crossings, and keeps the number of head-on meetings that each group has
+/// left. Union by size without path compression, so that the last change can be undone.
 class CrackForest {
 public:
     explicit CrackForest(IdVector<CrackNodeId, int> capacities);
 
-    /// Enters a crossing between two lines that can be cracked, or, with a == b, one that line a must crack.
-    /// \return false if no meeting is left for it; the change is made all the same and must be undone
+    /// Adds a crossing that must be cracked by line a or by line b; if a == b, only line a can crack it.
+    /// \return false if the group has no meeting left for it; the change is made all the same and must be
+    /// undone
     bool cross(CrackNodeId a, CrackNodeId b);
 
-    /// A representative of the line's group.
+    /// The representative of the group that a line belongs to.
     [[nodiscard]] CrackNodeId find(CrackNodeId node) const;
 
-    /// Head-on meetings that a group, named by its representative, has left.
+    /// The number of head-on meetings left to a group, which is named by its representative.
     [[nodiscard]] int left(CrackNodeId root) const { return left_[root]; }
 
     [[nodiscard]] std::size_t changes() const { return trail_.size(); }
@@ -28,12 +29,12 @@ public:
 
 private:
     struct Change {
-        CrackNodeId child; ///< joined to root; none if both were in one group already
+        CrackNodeId child; ///< now below root; none if both lines were in one group already
         CrackNodeId root;
     };
     IdVector<CrackNodeId, CrackNodeId> parent_;
     IdVector<CrackNodeId, int> size_;
-    IdVector<CrackNodeId, int> left_; ///< of a root: lines in the group less crossings
+    IdVector<CrackNodeId, int> left_; ///< of a root: sum of the capacities less the number of crossings
     std::vector<Change> trail_;
 };
 

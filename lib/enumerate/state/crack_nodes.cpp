@@ -17,7 +17,7 @@ public:
         : input_(input), graph_(input.graph), chains_(chains), chainOf_(chainOf) {}
 
     CrackNodes make(const std::vector<LineId>& lines) {
-        std::map<LineId, std::vector<LineId>> groups; // by their lowest line, so that nodes have their order
+        std::map<LineId, std::vector<LineId>> groups; // keyed by the lowest line, which orders the nodes
         std::map<LineId, int> capacities;
         for (const LineId line : lines) {
             if (!isCrackable(line) || !reached_.insert(line).second) continue;
@@ -36,7 +36,7 @@ public:
     }
 
 private:
-    /// Two particles run on it, and everything outside its chain is in.
+    /// A line can be cracked if particles walk it from both ends and all arcs outside its chain are in.
     [[nodiscard]] bool isCrackable(LineId id) {
         const auto [known, added] = crackable_.try_emplace(id, false);
         if (added) known->second = findCrackable(id);
@@ -56,8 +56,8 @@ private:
     [[nodiscard]] LineId lineOf(ArcId arc) const { return graph_.arcs[arc.idx()].line; }
     [[nodiscard]] bool isFixed(LineId line) const { return !chainOf_[line].valid(); }
 
-    /// The lines that fixed crossings join with one, and how many cracks are left for all together: one for
-    /// every line, less one for every crossing.
+    /// The lines that fixed crossings join to a line, itself included, and the number of cracks that all of
+    /// them together have left: one for every line, less one for every crossing.
     std::pair<std::vector<LineId>, int> joined(LineId start) {
         std::vector<LineId> lines{start};
         std::set<JunctionId> crossings;
@@ -75,7 +75,7 @@ private:
         return {lines, static_cast<int>(lines.size()) - static_cast<int>(crossings.size())};
     }
 
-    /// A line that begins or ends at a seed is not cracked there.
+    /// Follows a junction from one of its lines to the other. A seed's own line is never cracked at the seed.
     void follow(LineId from, JunctionId id, std::vector<LineId>& lines, std::set<JunctionId>& crossings) {
         const Junction& junction = graph_.junctions[id.idx()];
         if (!isFixedCrossing(junction)) return;

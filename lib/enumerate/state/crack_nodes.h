@@ -13,10 +13,10 @@ struct CrackNodes {
     SparseIndex<LineId, CrackNodeId> nodeOf; ///< of the lines that can be cracked
 };
 
-/// Fixed crossings of fixed lines use up their capacity once and for all. Looks at the given lines, and those
-/// that such crossings join with them.
-/// \param chainOf  of lines their chain, the first if there are two
-/// \param lines    that nodes are asked of, ascending
+/// Finds the crack nodes of the given lines. Fixed lines that cross at fixed crossings share a node, whose
+/// capacity these crossings have reduced already.
+/// \param chainOf  the chain of every line that has one; the first if a line has two
+/// \param lines    the lines whose nodes are needed, ascending
 [[nodiscard]] CrackNodes crackNodes(const ProblemInput& input, const IdVector<ChainId, Chain>& chains,
                                     const SparseIndex<LineId, ChainId>& chainOf,
                                     const std::vector<LineId>& lines);

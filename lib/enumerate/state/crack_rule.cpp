@@ -42,7 +42,7 @@ bool CrackRule::mayBeCrossed(CrossingId crossing) const {
                                 [this](VariableId arc) { return assignment_.value(arc) == ArcState::out; });
 }
 
-/// Only a line that is covered from end to end can crack a crossing with a gapped one.
+/// A crossing with a gapped line can be cracked by its other line only, and only if that is covered.
 bool CrackRule::visitCrossing(CrossingId id) {
     if (counted_[id]) return true;
     if (!isCrossed(id)) return true;

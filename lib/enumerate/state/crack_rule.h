@@ -1,4 +1,4 @@
-/// \file Rule 4 (docs/METHOD.md#cracks): which lines crack which crossings.
+/// \file Rule 4 (docs/METHOD.md#cracks): every crossing of two tracks needs a line that cracks it.
 #pragma once
 
 #include "enumerate/state/crack_forest.h"
@@ -8,10 +8,11 @@
 
 namespace qm {
 
-/// Tells the crack forest of every crossing as soon as its lines are known to be covered or gapped.
+/// Adds every crossing to the crack forest as soon as both its lines are known to be covered or to have a
+/// gap.
 class CrackRule {
 public:
-    /// \param assignment, lines  outlive this
+    /// \param assignment, lines  must outlive this
     CrackRule(const Problem& problem, const PartialAssignment& assignment, LineRule& lines);
 
     /// The crack node of a chain; none if its line cannot be cracked.
@@ -19,24 +20,25 @@ public:
     [[nodiscard]] const std::vector<CrossingId>& crossingsOfNode(CrackNodeId node) const {
         return crossingsOfNode_[node];
     }
-    /// A representative of the lines that crossings have joined with this one so far.
+    /// The representative of the group of lines that crossings have joined to this node so far.
     [[nodiscard]] CrackNodeId group(CrackNodeId node) const { return forest_.find(node); }
-    /// Head-on meetings that a group of lines has left.
+    /// The number of head-on meetings that a group of lines has left.
     [[nodiscard]] int left(CrackNodeId group) const { return forest_.left(group); }
 
     /// All four arcs around a crossing are in.
     [[nodiscard]] bool isCrossed(CrossingId crossing) const;
-    /// It is crossed, and not known yet which of its lines are covered from end to end.
+    /// The crossing is crossed, but for one of its lines it is still open whether it is covered from end to
+    /// end.
     [[nodiscard]] bool isPending(CrossingId crossing) const {
         return !counted_[crossing] && isCrossed(crossing);
     }
     /// No arc around a crossing is out.
     [[nodiscard]] bool mayBeCrossed(CrossingId crossing) const;
 
-    /// Draws the conclusions from what is known around a crossing.
+    /// Draws the conclusions of rule 4 at a crossing.
     /// \return false on a contradiction
     bool visitCrossing(CrossingId crossing);
-    /// Draws the conclusions from a chain that has just been covered or got a gap.
+    /// Draws the conclusions of rule 4 along a chain that has just been covered or has got a gap.
     bool visitCovered(ChainId chain);
 
     struct Mark {
@@ -54,7 +56,7 @@ private:
     LineRule& lines_;
     IdVector<ChainId, CrackNodeId> nodeOfChain_;
     IdVector<CrackNodeId, std::vector<CrossingId>> crossingsOfNode_;
-    IdVector<CrossingId, bool> counted_; ///< crossings that the forest knows
+    IdVector<CrossingId, bool> counted_; ///< crossings that are in the forest
     std::vector<CrossingId> countedTrail_;
     CrackForest forest_;
 };

@@ -5,15 +5,15 @@
 namespace qm {
 namespace {
 
-/// One open decision: the variable was set in; out is still to be tried.
+/// A decision whose second side is not yet explored: the variable has been set to in; out remains.
 struct Branch {
     VariableId variable;
-    std::size_t next; ///< where the search for the next free variable goes on
+    std::size_t next; ///< the position in the order from which to look for the next free variable
     SearchState::Mark mark;
 };
 
-/// An order in which neighbouring decisions follow each other, so that contradictions show early: breadth
-/// first over the crossings, starting at the first variable of every connected part.
+/// The order of decisions: breadth first over the crossings, starting at the first variable of every
+/// connected part, so that decisions that affect each other are close together and contradictions show early.
 std::vector<VariableId> branchingOrder(const Problem& problem) {
     IdVector<VariableId, std::vector<CrossingId>> crossingsOf(problem.arcs.size());
     for (const CrossingId crossing : problem.crossings.ids())
@@ -49,8 +49,8 @@ bool forEachAssignment(const Problem& problem, const std::function<double()>& co
     std::size_t steps = 0;
     for (std::size_t next = 0;;) {
         if (++steps % 1024 == 0 && control.stopRequested()) return false;
-        // Invariant: every assignment that is not consistent with the trail has been visited or cannot be
-        // valid, or lies behind an open branch.
+        // Invariant: every assignment that contradicts the trail has been visited, is not valid, or is
+        // reached from a branch that is still open.
         if (possible && state.bound() <= costLimit()) {
             while (next < order.size() && !state.isFree(order[next]))
                 ++next;

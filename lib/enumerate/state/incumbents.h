@@ -10,19 +10,19 @@
 
 namespace qm {
 
-/// Keeps the `capacity` cheapest distinct assignments, ties in lexicographic order.
+/// Keeps the `capacity` cheapest distinct assignments; ties are in lexicographic order.
 class Incumbents {
 public:
     Incumbents(std::size_t capacity, double maxCost) : capacity_(capacity), maxCost_(maxCost) {}
 
-    /// \return whether it was new and cheap enough
+    /// \return whether the assignment is new and cheap enough to be considered
     bool offer(double cost, const Assignment& assignment) {
         if (cost > maxCost_ + tolerance || !graphs_.emplace(cost, assignment).second) return false;
         if (graphs_.size() > capacity_) graphs_.erase(std::prev(graphs_.end()));
         return true;
     }
 
-    /// A graph must be cheaper than this to be worth finding.
+    /// The cost below which a graph is worth finding.
     [[nodiscard]] double cutoff() const {
         if (graphs_.size() < capacity_) return maxCost_ + tolerance;
         return graphs_.rbegin()->first - (capacity_ == 1 ? tolerance : -tolerance);
@@ -31,7 +31,7 @@ public:
     [[nodiscard]] bool empty() const { return graphs_.empty(); }
     [[nodiscard]] double bestCost() const { return graphs_.begin()->first; }
 
-    /// Orders by cost, and by variables where only rounding tells costs apart.
+    /// Orders graphs by cost; if costs agree up to rounding, by the values of the variables.
     struct Order {
         using Graph = std::pair<double, Assignment>;
         bool operator()(const Graph& a, const Graph& b) const {
@@ -41,9 +41,9 @@ public:
     };
     [[nodiscard]] const std::set<std::pair<double, Assignment>, Order>& graphs() const { return graphs_; }
 
-    /// A proof need not tell costs apart that are closer than this.
+    /// Costs that differ by less than this count as equal in proofs.
     static constexpr double tolerance = 1e-7;
-    /// Sums of the same costs in another order are closer than this.
+    /// An upper bound of the difference between sums of the same costs in different orders.
     static constexpr double rounding = 1e-9;
 
 private:

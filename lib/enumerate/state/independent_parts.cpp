@@ -10,8 +10,8 @@
 namespace qm {
 namespace {
 
-/// Union-find over variables and, as further members, crack nodes: lines that share head-on meetings belong
-/// together.
+/// Union-find over variables and, as further members, crack nodes, because lines that share head-on meetings
+/// belong together.
 class Groups {
 public:
     explicit Groups(const SearchState& state) : state_(state), problem_(state.problem()) {}
@@ -52,7 +52,7 @@ private:
 
     void joinCrossing(const Crossing& crossing) {
         const std::array arcs = arcsOf(crossing);
-        // Where one arc is out no two tracks cross, so that only rule 2 ties what is free.
+        // If one arc is out, the two tracks do not cross, and only rule 2 ties the free variables.
         const bool mayCross = problem_.gaps && std::ranges::none_of(arcs, [&](VariableId arc) {
                                   return state_.value(arc) == ArcState::out;
                               });

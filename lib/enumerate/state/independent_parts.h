@@ -1,4 +1,4 @@
-/// \file Parts of a search problem that have no rule in common.
+/// \file Parts of a search problem that share no rule.
 #pragma once
 
 #include "enumerate/state/search_state.h"
@@ -7,10 +7,9 @@
 
 namespace qm {
 
-/// Groups the free ones among some variables so that no rule involves two groups. Each group is ascending,
-/// and groups are ordered by their first variables. Time is linear in the chains and crossings of the
-/// variables.
-/// \param variables ascending; no rule ties a free one of them to a free variable that is not among them
+/// Groups the free variables of a list so that no rule involves two groups. Each group is ascending, and
+/// groups are ordered by their first variables. Time is linear in the chains and crossings of the variables.
+/// \param variables  ascending; no rule may tie a free variable of the list to a free variable outside it
 [[nodiscard]] std::vector<std::vector<VariableId>> independentParts(const SearchState& state,
                                                                     const std::vector<VariableId>& variables);
 

@@ -8,7 +8,7 @@ constexpr bool allowedPattern(unsigned pattern) {
     return (a0 == a1 || (b0 && b1)) && (b0 == b1 || (a0 && a1));
 }
 
-/// Indexed by the four states in base 3: out, in, free.
+/// Conclusions for all 81 combinations; the index has the state of arc k as its digit k in base 3.
 constexpr auto makeConclusions() {
     std::array<JunctionConclusion, 81> table{};
     for (unsigned index = 0; index < 81; ++index) {

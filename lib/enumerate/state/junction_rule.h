@@ -5,21 +5,21 @@
 
 namespace qm {
 
-/// The arcs before and after the crossing on one line, then those on the other.
+/// The variables before and after the crossing on one line, then those on the other line.
 [[nodiscard]] inline std::array<VariableId, 4> arcsOf(const Crossing& crossing) {
     const auto& [a, b] = crossing.sides;
     return {a.before, a.after, b.before, b.after};
 }
 
-/// What the rule concludes from the four arcs around a junction: bit k of a mask stands for arc k in the
-/// order before and after of one line, before and after of the other.
+/// What rule 2 concludes about the four arcs around a junction. Bit k of a mask stands for arc k, in the
+/// order before and after on one line, before and after on the other.
 struct JunctionConclusion {
     unsigned forcedIn = 0;
     unsigned forcedOut = 0;
     bool possible = false;
 };
 
-/// \param states  of the four arcs, as digits in base 3, the first the lowest: 0 out, 1 in, 2 free
+/// \param states  of the four arcs as digits in base 3, the first arc the lowest digit: 0 out, 1 in, 2 free
 [[nodiscard]] const JunctionConclusion& concludeAtJunction(unsigned states);
 
 } // namespace qm

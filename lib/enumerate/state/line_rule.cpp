@@ -22,8 +22,8 @@ bool LineRule::visit(VariableId variable) {
     return !promised_[id] || assignment_.inCount(id) != chain.count;
 }
 
-/// Covered from one side: the arcs that are in reach back to that side, those that are out go on to the
-/// other.
+/// For a chain covered from one side: all variables between that side and a variable that is in are in; all
+/// beyond a variable that is out are out.
 bool LineRule::closeOneSided(const Chain& chain, VariableId variable, ArcState state) {
     const bool towardsBegin = chain.coveredBefore == (state == ArcState::in);
     const int step = towardsBegin ? -1 : 1;
@@ -34,7 +34,7 @@ bool LineRule::closeOneSided(const Chain& chain, VariableId variable, ArcState s
     return true;
 }
 
-/// Covered from both sides: the variables that are out form one gap.
+/// For a chain covered from both sides: extends the gap to a variable that is out, with everything between.
 bool LineRule::openGap(ChainId id, VariableId variable) {
     const Chain& chain = problem_.chains[id];
     Hull& hull = hulls_[id];

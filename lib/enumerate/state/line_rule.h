@@ -1,5 +1,5 @@
-/// \file Rule 3 (docs/METHOD.md#arc-rules): where a line may be out, and which lines are covered from end to
-/// end.
+/// \file Rule 3 (docs/METHOD.md#arc-rules): where the gap of a line may lie, and which lines are covered from
+/// end to end.
 #pragma once
 
 #include "enumerate/state/partial_assignment.h"
@@ -8,13 +8,13 @@
 
 namespace qm {
 
-/// What is known of a line with two sources: covered from end to end, or with a gap.
+/// What is known about a line with two sources: nothing yet, covered from end to end, or with a gap.
 enum class Cover { open, full, gapped };
 
-/// Knows the gap of every chain, and draws the conclusions inside and outside of it.
+/// Keeps the gap of every chain, and draws the conclusions of rule 3 inside and outside of it.
 class LineRule {
 public:
-    /// \param assignment  outlives this
+    /// \param assignment  must outlive this
     LineRule(const Problem& problem, PartialAssignment& assignment)
         : problem_(problem), assignment_(assignment), hulls_(problem.chains.size()),
           promised_(problem.chains.size(), false) {}
@@ -23,22 +23,22 @@ public:
         if (hasGap(chain) || promised_[chain]) return Cover::gapped;
         return isFull(chain) ? Cover::full : Cover::open;
     }
-    /// True once a variable of the chain is out.
+    /// True once a variable of the chain is out; always false for a chain not covered from both sides.
     [[nodiscard]] bool hasGap(ChainId chain) const { return !hulls_[chain].empty(); }
     /// All variables of the chain are in.
     [[nodiscard]] bool isFull(ChainId chain) const {
         return assignment_.inCount(chain) == problem_.chains[chain].count;
     }
 
-    /// Draws the conclusions from a variable of a chain that has just been assigned.
+    /// Draws the conclusions of rule 3 from a variable of a chain that has just been assigned.
     /// \return false on a contradiction
     bool visit(VariableId variable);
 
-    /// Sets all variables of a chain.
+    /// Sets all variables of a chain to in.
     /// \return false on a contradiction
     bool cover(ChainId chain);
 
-    /// Promises that a chain, which is not covered, will have a gap.
+    /// Promises that a chain that is not covered will have a gap.
     void promiseGap(ChainId chain);
 
     struct Mark {
@@ -49,7 +49,7 @@ public:
     void undo(const Mark& mark);
 
 private:
-    struct Hull { ///< of the variables of a chain that are out
+    struct Hull { ///< from the first to the last variable of a chain that is out
         VariableId first;
         VariableId last;
         [[nodiscard]] bool empty() const { return !first.valid(); }
@@ -65,7 +65,7 @@ private:
     const Problem& problem_;
     PartialAssignment& assignment_;
     IdVector<ChainId, Hull> hulls_;
-    IdVector<ChainId, bool> promised_; ///< chains that are to have a gap
+    IdVector<ChainId, bool> promised_; ///< whether a chain must have a gap
     std::vector<HullChange> hullTrail_;
     std::vector<ChainId> promiseTrail_;
 };

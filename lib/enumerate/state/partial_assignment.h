@@ -1,4 +1,4 @@
-/// \file Values of some of the variables, with undo, regardless of the rules.
+/// \file Values for some of the variables, with undo; the rules are not checked.
 #pragma once
 
 #include "enumerate/state/assignment.h"
@@ -7,7 +7,7 @@
 
 namespace qm {
 
-/// Holds a value or "free" for every variable, and keeps count of what follows from that alone.
+/// Holds a value or "free" for every variable, and keeps the cost bound and the counts per chain up to date.
 class PartialAssignment {
 public:
     explicit PartialAssignment(const Problem& problem);
@@ -15,19 +15,20 @@ public:
     [[nodiscard]] ArcState value(VariableId variable) const { return values_[variable]; }
     [[nodiscard]] bool isFree(VariableId variable) const { return value(variable) == ArcState::free; }
     [[nodiscard]] int freeVariables() const { return free_; }
-    /// No completion costs less; G_T itself, but for rounding, when no variable is free.
+    /// A lower bound of the cost of every completion; when no variable is free, G_T up to rounding.
     [[nodiscard]] double bound() const { return bound_; }
-    /// The part of the bound that the corners at a crossing make up.
+    /// The part of the bound that is due to the corners at a crossing.
     [[nodiscard]] double cornerBound(CrossingId crossing) const;
-    /// None if the variable is of no chain.
+    /// The chain of a variable; none if it belongs to no chain.
     [[nodiscard]] ChainId chainOf(VariableId variable) const { return chainOf_[variable]; }
     [[nodiscard]] const std::vector<CrossingId>& crossingsOf(VariableId variable) const {
         return crossingsOf_[variable];
     }
-    /// How many variables of a chain are in.
+    /// The number of variables of a chain that are in.
     [[nodiscard]] int inCount(ChainId chain) const { return inCount_[chain]; }
 
-    /// \return false if the variable has the other value
+    /// Gives a free variable a value.
+    /// \return false if the variable has the other value already
     bool set(VariableId variable, ArcState value);
 
     struct Mark {
@@ -37,9 +38,9 @@ public:
     [[nodiscard]] Mark mark() const { return {assigned_.size(), bound_}; }
     void undo(const Mark& mark);
 
-    /// The variables that have a value, in the order in which they got it.
+    /// The variables that have a value, in the order in which they were assigned.
     [[nodiscard]] const std::vector<VariableId>& assigned() const { return assigned_; }
-    /// Free variables count as out.
+    /// All values; free variables count as out.
     [[nodiscard]] Assignment assignment() const;
 
 private:

@@ -5,7 +5,7 @@
 namespace qm {
 namespace {
 
-/// Rule 2 at a crossing.
+/// Draws the conclusions of rule 2 at a crossing.
 bool concludeAround(const Crossing& crossing, PartialAssignment& assignment) {
     const std::array<VariableId, 4> arcs = arcsOf(crossing);
     unsigned index = 0;

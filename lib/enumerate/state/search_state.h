@@ -23,20 +23,20 @@ public:
     [[nodiscard]] ArcState value(VariableId variable) const { return assignment_.value(variable); }
     [[nodiscard]] bool isFree(VariableId variable) const { return assignment_.isFree(variable); }
     [[nodiscard]] int freeVariables() const { return assignment_.freeVariables(); }
-    /// No completion costs less; G_T itself, but for rounding, when no variable is free.
+    /// A lower bound of the cost of every completion; when no variable is free, G_T up to rounding.
     [[nodiscard]] double bound() const { return assignment_.bound(); }
-    /// The part of the bound that the corners at a crossing make up.
+    /// The part of the bound that is due to the corners at a crossing.
     [[nodiscard]] double cornerBound(CrossingId crossing) const { return assignment_.cornerBound(crossing); }
     [[nodiscard]] ChainId chainOf(VariableId variable) const { return assignment_.chainOf(variable); }
     [[nodiscard]] const std::vector<CrossingId>& crossingsOf(VariableId variable) const {
         return assignment_.crossingsOf(variable);
     }
     [[nodiscard]] Cover coverOfChain(ChainId chain) const { return lines_.coverOf(chain); }
-    /// True once a variable of the chain is out.
+    /// True once a variable of the chain is out; always false for a chain not covered from both sides.
     [[nodiscard]] bool hasGap(ChainId chain) const { return lines_.hasGap(chain); }
     [[nodiscard]] const CrackRule& cracks() const { return cracks_; }
 
-    /// A point to return to.
+    /// A state to return to with `undo`.
     struct Mark {
         PartialAssignment::Mark assignment;
         LineRule::Mark lines;
@@ -45,17 +45,17 @@ public:
     [[nodiscard]] Mark mark() const { return {assignment_.mark(), lines_.mark(), cracks_.mark()}; }
     void undo(const Mark& mark);
 
-    /// Sets a free variable and everything that follows.
-    /// \return false on a contradiction; then undo
+    /// Gives a free variable a value and draws all local conclusions.
+    /// \return false on a contradiction; the caller must then undo
     bool assign(VariableId variable, ArcState value) {
         return assignment_.set(variable, value) && propagate();
     }
 
-    /// Covers a chain with two sources, or promises that it will have a gap.
-    /// \return false on a contradiction; then undo
+    /// Covers a chain with two sources from end to end, or promises that it will have a gap.
+    /// \return false on a contradiction; the caller must then undo
     bool decideCover(ChainId chain, bool full);
 
-    /// The values set since a mark, in order.
+    /// The variables assigned since a mark, in order.
     [[nodiscard]] std::vector<VariableId> assignedSince(const Mark& mark) const;
     [[nodiscard]] Assignment assignment() const { return assignment_.assignment(); }
 
@@ -68,7 +68,7 @@ private:
     PartialAssignment assignment_;
     LineRule lines_;
     CrackRule cracks_;
-    std::size_t propagated_ = 0; ///< how far the trail has been followed
+    std::size_t propagated_ = 0; ///< how many entries of the trail have been propagated
     bool consistent_ = true;
 };
 

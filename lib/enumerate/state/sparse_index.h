@@ -1,4 +1,4 @@
-/// \file Ids given to a few of many things.
+/// \file A map from ids to ids for the case that few ids have a value.
 #pragma once
 
 #include "base/ids.h"
@@ -7,11 +7,11 @@
 
 namespace qm {
 
-/// A map from ids to ids that takes as much memory as has been put into it.
+/// A map from ids to ids whose memory is linear in the number of entries.
 template <class Key, class Value> class SparseIndex {
 public:
     void put(Key key, Value value) { valueOf_[key] = value; }
-    /// None if none was put.
+    /// The value of a key; none if the key has no entry.
     [[nodiscard]] Value operator[](Key key) const {
         const auto found = valueOf_.find(key);
         return found == valueOf_.end() ? Value() : found->second;
