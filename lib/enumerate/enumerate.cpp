@@ -16,7 +16,7 @@
 namespace qm {
 namespace {
 
-/// Reports finished pieces out of a known number.
+/// Reports progress by the number of finished sub-meshes.
 class Finished {
 public:
     Finished(const Control& control, std::size_t total) : control_(control), total_(total) {}
@@ -32,7 +32,7 @@ private:
     std::mutex mutex_;
 };
 
-/// None if that of some sub-mesh is not known.
+/// The product of the counts of all sub-meshes; none if one of them is unknown.
 std::optional<std::string> countOfAll(const Enumeration& enumeration) {
     std::vector<std::string> counts;
     for (const SubMeshId subMesh : enumeration.subMeshes.ids()) {
@@ -44,7 +44,7 @@ std::optional<std::string> countOfAll(const Enumeration& enumeration) {
     return decimalProduct(counts);
 }
 
-/// The plain motorcycle graph is one process on the whole mesh.
+/// Traces the plain motorcycle graph, which is one process on the whole mesh.
 Enumeration enumeratePlain(const QuadMesh& mesh, const BaseComplex& complex,
                            const std::vector<double>& edgeCosts, const SubMeshes& subMeshes,
                            const EnumerationOptions& options) {

@@ -1,4 +1,4 @@
-/// \file The search for motorcycle graphs, sub-mesh by sub-mesh (docs/METHOD.md#sub-meshes).
+/// \file The search for motorcycle graphs in all sub-meshes (docs/METHOD.md#sub-meshes).
 #pragma once
 
 #include "base/control.h"
@@ -18,40 +18,40 @@ struct EnumerationOptions {
     GraphCost cost;
     GraphClass graphClass = GraphClass::motorcycle;
     Method method = Method::optimum;
-    std::size_t best = 1;   ///< keep this many graphs of each sub-mesh, the cheapest first
-    bool count = false;     ///< count the graphs of each sub-mesh exactly
-    std::size_t sample = 0; ///< draw this many graphs of each sub-mesh, all equally likely
-    std::size_t seed = 1;   ///< of these draws
-    double maxCost = std::numeric_limits<double>::infinity();   ///< only graphs up to this cost
+    std::size_t best = 1;   ///< how many graphs of each sub-mesh to keep, the cheapest first
+    bool count = false;     ///< whether to count the graphs of each sub-mesh exactly
+    std::size_t sample = 0; ///< how many graphs of each sub-mesh to draw, all equally likely
+    std::size_t seed = 1;   ///< of the drawing
+    double maxCost = std::numeric_limits<double>::infinity();   ///< ignore graphs that cost more
     double timeLimit = std::numeric_limits<double>::infinity(); ///< seconds, for all sub-meshes together
-    double gap = 0; ///< stop a sub-mesh when cost - lowerBound is at most this
-    Part part;      ///< search these sub-meshes only
+    double gap = 0; ///< stop the search of a sub-mesh when cost less lower bound is at most this
+    Part part;      ///< the sub-meshes to search
     Constraints constraints;
 };
 
-/// Finds the best graphs of every sub-mesh on its own: only particles that start inside move, each up to the
-/// first vertex outside. Sub-meshes are searched on `control.jobs` threads; the result does not depend on how
-/// many.
+/// Finds the best graphs of every sub-mesh by itself: only particles that start inside it move, each as far
+/// as the first vertex outside. Works on `control.jobs` threads; the result does not depend on their number.
 /// \param complex  base complex with the feature seeds
-/// \throw Error  if a sub-mesh admits no graph under the constraints, or if a cut mesh is to have class tmesh
-/// or the plain graph: these know no free particles
+/// \throw Error  if a sub-mesh has no graph under the constraints, or if class tmesh or the plain graph is
+/// asked for on a cut mesh, because neither has free particles
 [[nodiscard]] Enumeration enumerateGraphs(const QuadMesh& mesh, const BaseComplex& complex,
                                           const std::vector<double>& dihedralAngles,
                                           const SubMeshes& subMeshes, const EnumerationOptions& options,
                                           const Control& control = {});
 
-/// What becomes of the graphs of a list.
+/// The consumers of a list of graphs.
 struct GraphListing {
-    /// Appends what is to be said of a graph to a text; called on several threads.
+    /// Appends the text of a graph; called on several threads at the same time.
     std::function<void(SubMeshId subMesh, const MotorcycleGraph& graph, std::string& text)> append;
-    /// Takes the text of some graphs, in the order of the list; never twice at the same time, but on any
-    /// thread. The search ends early when it returns false.
+    /// Receives the text of the next graphs of the list. Calls come from different threads, but one after the
+    /// other. Returning false ends the search early.
     std::function<bool(std::string_view text, std::size_t graphs)> take;
 };
 
-/// Lists every graph exactly once, sub-mesh by sub-mesh, in bounded memory; or, ranked, the best of each
-/// sub-mesh, the cheapest first. Works on `control.jobs` threads; the list does not depend on how many.
-/// \return false if it was ended early
+/// Lists every graph exactly once, sub-mesh by sub-mesh, in bounded memory; or, with `ranked`, the best
+/// graphs of each sub-mesh, cheapest first. Works on `control.jobs` threads; the list does not depend on
+/// their number.
+/// \return false if the listing was ended early
 bool listGraphs(const QuadMesh& mesh, const BaseComplex& complex, const std::vector<double>& dihedralAngles,
                 const SubMeshes& subMeshes, const EnumerationOptions& options, bool ranked,
                 const GraphListing& listing, const Control& control = {});

@@ -17,7 +17,7 @@ GraphPipeline::GraphPipeline(GraphStages stages, unsigned jobs) : stages_(std::m
 }
 
 GraphPipeline::~GraphPipeline() {
-    end(nullptr); // the helpers must not wait for what nobody puts any more
+    end(nullptr); // or the helpers would wait for ever
 }
 
 bool GraphPipeline::put(const Assignment& graph) {
@@ -59,7 +59,7 @@ void GraphPipeline::work() {
     }
 }
 
-/// Takes the first batch that waits, so that every earlier one is in somebody's hands.
+/// Processes the first waiting batch. Batches are taken in order, so all earlier ones are being processed.
 void GraphPipeline::helpOut(std::unique_lock<std::mutex>& lock) {
     const Batch batch = std::move(waiting_.front());
     waiting_.pop_front();

@@ -1,5 +1,5 @@
-/// \file From found graphs to a stream of text: one thread finds, several write, and the caller gets the text
-/// in the order of finding.
+/// \file Turning found graphs into a stream of text: one thread finds graphs, several write their text, and
+/// the caller receives the text in the order in which graphs were found.
 #pragma once
 
 #include "enumerate/state/assignment.h"
@@ -17,31 +17,31 @@
 
 namespace qm {
 
-/// What becomes of graphs.
+/// The work of the pipeline.
 struct GraphStages {
-    /// Appends what is to be said of a graph; called on several threads.
+    /// Appends the text of a graph; called on several threads at the same time.
     std::function<void(const Assignment& graph, std::string& text)> append;
-    /// Takes the text of some graphs; never twice at the same time, but on any thread. False: no more of
-    /// them.
+    /// Receives the text of the next graphs. Calls come from different threads, but one after the other.
+    /// Returns false if no more is wanted.
     std::function<bool(std::string_view text, std::size_t graphs)> take;
 };
 
-/// Holds a few batches of graphs for each thread, whatever their number.
+/// Holds at most a few batches of graphs per thread, however many graphs there are.
 class GraphPipeline {
 public:
-    /// \param jobs  threads at most, the finding one among them
+    /// \param jobs  most threads, including the one that finds graphs
     GraphPipeline(GraphStages stages, unsigned jobs);
     ~GraphPipeline();
     GraphPipeline(const GraphPipeline&) = delete;
     GraphPipeline& operator=(const GraphPipeline&) = delete;
 
-    /// Called by the finding thread, which helps out when the others do not keep up.
+    /// To be called by the finding thread, which writes texts itself when the other threads fall behind.
     /// \return false if no more graphs are wanted
     bool put(const Assignment& graph);
 
-    /// Waits for everything that was put.
-    /// \return false if not all of it was wanted
-    /// \throw what a stage threw
+    /// Waits until all graphs have been taken.
+    /// \return false if some were not wanted
+    /// \throw whatever a stage threw
     bool finish();
 
 private:
@@ -58,13 +58,13 @@ private:
 
     GraphStages stages_;
     Batch current_;
-    bool wanted_ = true; ///< what the finding thread knows of `ended_`
+    bool wanted_ = true; ///< the finding thread's copy of `!ended_`
     std::mutex mutex_;
     std::condition_variable changed_;
     std::deque<Batch> waiting_;
-    std::size_t taken_ = 0; ///< batches
+    std::size_t taken_ = 0; ///< batches taken so far
     bool closing_ = false;
-    bool ended_ = false; ///< nothing more is wanted
+    bool ended_ = false; ///< no more graphs are wanted
     std::exception_ptr failure_;
     std::vector<std::jthread> helpers_;
 };

@@ -64,7 +64,7 @@ SubMeshSearch::Task SubMeshSearch::task(SubMeshId subMesh) const {
     return task;
 }
 
-/// Of the variables of a sub-mesh's problem.
+/// The highest cost of the variables in a sub-mesh's problem.
 double SubMeshSearch::maxCost(SubMeshId subMesh) const {
     return options_.maxCost - sureCosts_[subMesh];
 }
@@ -105,7 +105,8 @@ bool SubMeshSearch::list(SubMeshId subMesh, bool ranked, const GraphListing& lis
     return found && taken;
 }
 
-/// \return false if `visit` or a limit ended it early
+/// Visits every graph.
+/// \return false if `visit` or a limit ended the search early
 bool SubMeshSearch::find(const Task& task, const std::function<bool(const Assignment&)>& visit,
                          const Control& control) const {
     const double limit = maxCost(task.subMesh) + Incumbents::tolerance;
@@ -116,7 +117,7 @@ bool SubMeshSearch::find(const Task& task, const std::function<bool(const Assign
         [&](const SearchState& state) { return visit(state.assignment()); }, control);
 }
 
-/// The cheapest first.
+/// Visits the best graphs, cheapest first.
 bool SubMeshSearch::findRanked(const Task& task, const std::function<bool(const Assignment&)>& visit,
                                const Control& control) const {
     OptimumOptions options;
@@ -126,7 +127,7 @@ bool SubMeshSearch::findRanked(const Task& task, const std::function<bool(const 
     return forEachBest(task.problem, options, visit, control);
 }
 
-/// Every particle straight on in turn: a graph to begin with, however hard the search.
+/// Lets every particle go straight on in turn, to have a graph from the start, however hard the search is.
 std::optional<Assignment> SubMeshSearch::simpleGraph(const Task& task) const {
     if (!space_.demands.empty()) return std::nullopt;
     std::vector<bool> present(task.space->graph.arcs.size(), false);
@@ -146,8 +147,8 @@ SubMeshGraphs SubMeshSearch::searchOptimum(const Task& task, const Control& cont
     for (const Assignment& assignment : found.graphs)
         result.graphs.push_back(graph(task, assignment));
     if (std::isfinite(found.lowerBound)) result.lowerBound = found.lowerBound + sureCosts_[task.subMesh];
-    // The bound sums what the search summed, in another order than the tracks' costs, and a proof goes no
-    // further than the tolerance.
+    // The bound adds costs in another order than the tracks' costs do, and proofs hold up to the tolerance
+    // only.
     if (!result.graphs.empty() && result.lowerBound &&
         *result.lowerBound >= result.graphs.front().cost - Incumbents::tolerance)
         result.lowerBound = result.graphs.front().cost;
@@ -157,7 +158,7 @@ SubMeshGraphs SubMeshSearch::searchOptimum(const Task& task, const Control& cont
     return result;
 }
 
-/// What only a diagram of all graphs can tell.
+/// Adds the results that need a diagram of all graphs.
 void SubMeshSearch::countAndDraw(const Task& task, SubMeshGraphs& result, const Control& control,
                                  std::atomic<bool>& complete) const {
     const bool limited = std::isfinite(options_.maxCost);

@@ -1,4 +1,4 @@
-/// \file The search of one sub-mesh after another: from options to graphs.
+/// \file The search of single sub-meshes as the options ask for it.
 #pragma once
 
 #include "enumerate/enumerate.h"
@@ -14,22 +14,22 @@ namespace qm {
 
 class SubMeshSearch {
 public:
-    /// All arguments outlive this.
+    /// All arguments must outlive this.
     SubMeshSearch(const QuadMesh& mesh, const BaseComplex& complex, const std::vector<double>& edgeCosts,
                   const SubMeshes& subMeshes, const EnumerationOptions& options);
 
-    /// What the options ask for. `complete` becomes false if a limit ended it early.
+    /// Finds what the options ask for. Sets `complete` to false if a limit ended the search early.
     [[nodiscard]] SubMeshGraphs search(SubMeshId subMesh, const Control& control,
                                        std::atomic<bool>& complete) const;
 
-    /// Lists every graph; ranked, the cheapest first and as many as are to be kept.
-    /// \return false if `listing` or a limit ended it early
+    /// Lists every graph; or, with `ranked`, as many as the options keep, cheapest first.
+    /// \return false if `listing` or a limit ended the list early
     bool list(SubMeshId subMesh, bool ranked, const GraphListing& listing, const Control& control) const;
 
 private:
     struct Task {
         SubMeshId subMesh;
-        std::shared_ptr<const SearchSpace> space; ///< where its own particles walk
+        std::shared_ptr<const SearchSpace> space; ///< the lines of the sub-mesh's own particles
         Problem problem;
         Walkers walkers;
     };
@@ -54,7 +54,7 @@ private:
     const std::vector<double>& edgeCosts_;
     const EnumerationOptions& options_;
     SearchSpace space_;
-    IdVector<SubMeshId, double> sureCosts_; ///< of every sub-mesh: of the corners that all graphs have
+    IdVector<SubMeshId, double> sureCosts_; ///< of the corners that all graphs of a sub-mesh have
 };
 
 } // namespace qm

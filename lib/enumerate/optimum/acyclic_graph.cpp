@@ -22,7 +22,7 @@ bool AcyclicGraph::add(std::size_t from, std::size_t to) {
     return true;
 }
 
-/// \return false if the forbidden node comes after the first
+/// \return false if the forbidden node can be reached from the first
 bool AcyclicGraph::collectAfter(std::size_t first, std::size_t forbidden) {
     after_.assign(1, first);
     seen_[first] = edge_;
@@ -47,7 +47,7 @@ void AcyclicGraph::collectBefore(std::size_t last, std::size_t first) {
         }
 }
 
-/// Those before take the first of all their places, those after the others.
+/// Redistributes the ranks of all collected nodes: `before_` gets the lowest, `after_` the others.
 void AcyclicGraph::reorder() {
     const auto rank = [this](std::size_t node) { return rank_[node]; };
     std::ranges::sort(before_, {}, rank);

@@ -62,7 +62,7 @@ BranchingChoice Branching::choose(double bound) {
     return best;
 }
 
-/// Tries both sides of a column for a few iterations.
+/// Fixes a column to both values in turn and solves the relaxation for a few iterations.
 BranchingChoice Branching::probe(ColumnId column, double value, double bound, double& score) {
     BranchingChoice choice{decisionOf(column), bound, bound};
     double growthIn = 0, growthOut = 0;
@@ -74,7 +74,8 @@ BranchingChoice Branching::probe(ColumnId column, double value, double bound, do
     return choice;
 }
 
-/// \return a bound, infinity if this side holds nothing; `growth` is a guess if the solver did not finish
+/// \return the bound of this side, infinite if it is too expensive; `growth` is an estimate if the solver did
+/// not finish
 double Branching::probeSide(ColumnId column, ArcState side, double bound, double& growth) {
     const ColumnState::Mark mark = part_.columns.mark();
     double found = infinity;

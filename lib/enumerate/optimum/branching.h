@@ -1,4 +1,4 @@
-/// \file What a search decides next: strong branching until pseudo-costs are reliable
+/// \file Choice of the next decision of branch and bound: strong branching until pseudo-costs are reliable
 /// (docs/METHOD.md#achterberg-2005).
 #pragma once
 
@@ -7,23 +7,24 @@
 
 namespace qm {
 
-/// The two sides of a decision with their bounds; a side that is too expensive has an infinite one.
+/// A decision and the bounds of its two sides; the bound of a side that is too expensive is infinite.
 struct BranchingChoice {
-    Decision decision; ///< without a state; without a variable if nothing is left to decide
+    Decision decision; ///< without a value
     double boundIn = 0;
     double boundOut = 0;
 };
 
 class Branching {
 public:
-    /// \param part  outlives this
+    /// \param part  must outlive this
     explicit Branching(PartSearch& part) : part_(part), pseudoCosts_(part.formulation.costs) {}
 
-    /// The column with a fractional relaxed value that promises the largest growth of the bound; any free
-    /// variable if there is none.
-    /// \param bound  of the node, whose relaxation has just been solved
+    /// Chooses the column with a fractional relaxed value that promises the largest growth of the bound; if
+    /// no column is fractional, any free variable.
+    /// \param bound  of the current node, whose relaxation has just been solved
     BranchingChoice choose(double bound);
-    /// For relaxed solutions that are integral but no graphs, and where more than one graph is wanted.
+    /// Chooses any free variable: for relaxed solutions that are integral but no graph, and for searches that
+    /// want several graphs.
     [[nodiscard]] BranchingChoice chooseAnyFree(double bound) const;
 
 private:

@@ -6,7 +6,7 @@
 namespace qm {
 namespace {
 
-constexpr double tolerance = 1e-6; ///< of sums of a few whole numbers
+constexpr double tolerance = 1e-6; ///< for sums of a few whole numbers
 
 } // namespace
 
@@ -104,7 +104,7 @@ bool ColumnState::columnsToArcs() {
     while (told_ < columnTrail_.size()) {
         const ColumnId column = columnTrail_[told_++];
         const VariableId variable = formulation_.variableOf[column];
-        if (!variable.valid()) continue; // follows from the arcs
+        if (!variable.valid()) continue; // its value follows from the variables
         const auto& [fromBefore, fromAfter] = formulation_.columnsOf[variable];
         const auto isOut = [this](ColumnId c) { return !c.valid() || columns_[c] == ArcState::out; };
         ArcState value = ArcState::free;
@@ -118,7 +118,8 @@ bool ColumnState::columnsToArcs() {
     return true;
 }
 
-/// Fixes the columns to which a row leaves a single value.
+/// Fixes the columns for which a row leaves only one value.
+/// \return false if the row cannot be satisfied
 bool ColumnState::visitRow(RowId id) {
     const Formulation::Row& row = formulation_.rows[id];
     double min = 0, max = 0;

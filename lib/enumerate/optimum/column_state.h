@@ -8,8 +8,8 @@
 
 namespace qm {
 
-/// What a branch of the search says of one variable: its value, or that the particle from before (after) does
-/// or does not walk it.
+/// One branching decision about a variable: whether it is in, or whether the particle from before (from
+/// after) walks it.
 struct Decision {
     enum class About : signed char { value, fromBefore, fromAfter };
     VariableId variable;
@@ -17,11 +17,11 @@ struct Decision {
     ArcState state = ArcState::free;
 };
 
-/// Values of the columns of a formulation, kept consistent row by row and with the values of the arcs.
+/// Values of a formulation's columns, kept consistent with every row and with the values of the variables.
 class ColumnState {
 public:
-    /// \param state        outlives this, and is changed through it only
-    /// \param formulation  rows that it gets later are not looked at
+    /// \param state        must outlive this, and must be changed through this only
+    /// \param formulation  rows that are added to it later are ignored
     ColumnState(SearchState& state, const Formulation& formulation);
 
     /// False if the rules contradict each other already.
@@ -30,7 +30,7 @@ public:
     [[nodiscard]] const SearchState& arcs() const { return arcs_; }
     /// In, out or free.
     [[nodiscard]] ArcState value(ColumnId column) const { return columns_[column]; }
-    /// The lower side of a row; above the formulation's where a variable must be covered.
+    /// The lower limit of a row; it is above the formulation's if the row's variable must be covered.
     [[nodiscard]] double rowLower(RowId row) const;
 
     struct Mark {
@@ -41,7 +41,8 @@ public:
     [[nodiscard]] Mark mark() const;
     void undo(const Mark& mark);
 
-    /// \return false on a contradiction; then undo
+    /// Takes a decision and draws all conclusions.
+    /// \return false on a contradiction; the caller must then undo
     bool take(const Decision& decision);
     bool fixColumn(ColumnId column, ArcState value);
 
@@ -59,11 +60,11 @@ private:
     IdVector<ColumnId, std::vector<RowId>> rowsOf_;
     std::vector<ColumnId> columnTrail_;
     std::vector<RowId> demandTrail_;
-    // How far each trail has been followed: what is before has had its consequences.
-    SearchState::Mark seen_;      ///< of the arcs, in the columns
-    std::size_t propagated_ = 0;  ///< of the columns, in the rows that hold them
-    std::size_t told_ = 0;        ///< of the columns, in the arcs
-    std::size_t demandsSeen_ = 0; ///< of the demanded rows, in their columns
+    // Up to where each trail has been followed: the consequences of everything before have been drawn.
+    SearchState::Mark seen_;      ///< assigned variables, passed on to their columns
+    std::size_t propagated_ = 0;  ///< columns, passed on to the rows that contain them
+    std::size_t told_ = 0;        ///< columns, passed on to their variables
+    std::size_t demandsSeen_ = 0; ///< demanded rows, passed on to their columns
     bool consistent_ = true;
 };
 

@@ -12,10 +12,13 @@ namespace qm {
 namespace {
 
 using Tuning = DivingTuning;
-constexpr std::size_t never = std::numeric_limits<std::size_t>::max(); ///< hard: searches do not nest
+/// The size from which a part is hard: none is, so searches do not nest.
+constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
+///< not nest
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// \return false if nothing is left to fix
+/// Fixes the fractional columns of highest value to 1.
+/// \return false if none is left, or on a contradiction
 bool fixSurest(PartSearch& part) {
     std::vector<std::pair<double, ColumnId>> order;
     const ColumnValues values = part.relaxation.values();
@@ -40,6 +43,7 @@ bool fixSurest(PartSearch& part) {
     return fixed > 0;
 }
 
+/// Assigns the relaxed value of a variable if it is integral.
 /// \return whether the variable has a value now
 bool takeOver(PartSearch& part, VariableId variable, bool keepBest) {
     const double value = part.present(variable);
@@ -52,9 +56,9 @@ bool takeOver(PartSearch& part, VariableId variable, bool keepBest) {
     return false;
 }
 
-/// Assigns the values that are integral in the relaxed solution; with `keepBest`, those only that are the
-/// same in the best graph.
-/// \return how many variables were in doubt
+/// Assigns all values that are integral in the relaxed solution; with `keepBest`, only those that agree with
+/// the best graph.
+/// \return the number of variables that are still free
 std::size_t takeOverAll(PartSearch& part, bool keepBest) {
     std::size_t open = 0;
     for (const VariableId variable : part.variables)
@@ -62,7 +66,7 @@ std::size_t takeOverAll(PartSearch& part, bool keepBest) {
     return open;
 }
 
-/// Searches for the best values of what is still free, part by part.
+/// Searches for the best values of all variables that are free, part by part.
 /// \return false if there are none
 bool searchRest(PartSearch& part, bool keepBest) {
     std::vector<VariableId> rest;

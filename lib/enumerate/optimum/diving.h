@@ -1,20 +1,20 @@
-/// \file Early graphs by fixing the integral part of the relaxed solution and searching the rest
-/// (docs/METHOD.md#early-graphs).
+/// \file Early graphs by diving: fixes what the relaxed solution is sure of, and solves again or searches the
+/// rest (docs/METHOD.md#early-graphs).
 #pragma once
 
 #include "enumerate/optimum/part_search.h"
 
 namespace qm {
 
-/// Fixes the columns that are nearly 1 and solves again, until the solution is integral or too expensive.
+/// Fixes columns that are nearly 1 and solves again, until the solution is integral or too expensive.
 void dive(PartSearch& part);
 
-/// The same, until what the relaxed solution leaves in doubt is small enough to be searched. Values that the
-/// relaxed solution is sure of may contradict each other; then it goes on.
+/// Dives until few enough variables are fractional for a search. If the search finds no graph, because the
+/// values taken over contradict each other, the dive goes on.
 void diveToRest(PartSearch& part);
 
 /// Searches the variables on which the relaxed solution and the best graph disagree: relaxation induced
-/// neighbourhoods (docs/METHOD.md#danna-2005).
+/// neighbourhood search (docs/METHOD.md#danna-2005).
 void searchNearby(PartSearch& part);
 
 } // namespace qm

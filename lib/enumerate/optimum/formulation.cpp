@@ -8,7 +8,7 @@
 namespace qm {
 namespace {
 
-/// What the rules and the corners of segments say at a crossing.
+/// Adds the rows of rules 2 and 4 and the costs of corners at crossings.
 class CrossingRows {
 public:
     CrossingRows(const SearchState& state, FormulationColumns& columns)
@@ -34,7 +34,7 @@ private:
         });
     }
 
-    /// The corners at a crossing beyond those between arcs that are in already.
+    /// Adds the cost of corners at a crossing, except those between arcs that are in already.
     void addCorners(const Crossing& crossing) {
         const auto known = [this](const CrossingSide& side) {
             return (columns_.isIn(side.before) ? 1 : 0) + (columns_.isIn(side.after) ? 1 : 0);
@@ -44,7 +44,7 @@ private:
         columns_.addCost(corners, crossing.cornerCost);
     }
 
-    /// Two for every particle that stops.
+    /// The number of corners: two for every particle that stops.
     Expression cornersByStops(const Crossing& crossing) const {
         Expression corners;
         for (const CrossingSide& side : crossing.sides) {
@@ -53,7 +53,7 @@ private:
                     corners.add(stop, 2);
                 continue;
             }
-            // One of the arcs is known, or both are in.
+            // One of the arcs is fixed, or both are in.
             const bool beforeKnown = !columns_.columns(side.before).any();
             const int sign = columns_.isIn(beforeKnown ? side.before : side.after) ? 1 : -1;
             if (columns_.isWall(side)) continue;
@@ -63,7 +63,8 @@ private:
         return corners;
     }
 
-    /// Two for every arc beyond the second; a new column tells when there is none.
+    /// The number of corners: two for every arc, less four if there is any arc. A new column is 1 if there is
+    /// none.
     Expression cornersByArcs(const Crossing& crossing) {
         const ColumnId empty = columns_.newFlag();
         Expression corners;
@@ -83,7 +84,7 @@ private:
         return corners;
     }
 
-    /// Where a track ends, the other line goes through.
+    /// Rule 2: if a track ends on `side`, the line `wall` is passed or both its arcs are present.
     void addStops(const CrossingSide& side, const CrossingSide& wall) {
         std::array<Expression, 2> stops{columns_.present(side.before).add(columns_.present(side.after), -1),
                                         columns_.present(side.after).add(columns_.present(side.before), -1)};

@@ -1,10 +1,10 @@
 /// \file A search problem as a mixed integer program over particles (docs/METHOD.md#particle-program).
 ///
-/// A variable that two particles can reach is y = p + s: p the particle from before walks the arc, s the one
-/// from after. Along a chain p falls and s rises, which is rule 3. A head-on meeting that nothing passes
-/// through can be moved to an end of its line without changing the graph; so a particle stops at a junction
-/// only where the other line is passed by one particle, and that is rule 2. Of two crossing lines at most one
-/// is passed (A2), which is rule 4. Every stop brings two corners of segments.
+/// A variable that two particles can reach is y = p + s, where p = 1 if the particle from before walks the
+/// arc, and s = 1 if the one from after does. Rule 3: along a chain p never rises and s never falls. Rule 2:
+/// a particle stops only where a particle passes on the other line, because a head-on meeting that nobody
+/// passes can be moved to an end of its line without changing the graph. Rule 4 (as A2): of two crossing
+/// lines at most one is passed. Every stop makes two corners of segments.
 #pragma once
 
 #include "enumerate/state/search_state.h"
@@ -14,26 +14,26 @@
 
 namespace qm {
 
-/// All columns are binary. Every row is an inequality or equation of a few columns.
+/// All columns are binary. Every row is an inequality or an equation over a few columns.
 struct Formulation {
-    /// Of a variable; none where a particle cannot reach it, or where nothing is left to say of it.
+    /// The columns of a variable; none for a particle that cannot reach it, or if the variable is fixed.
     struct Columns {
         ColumnId fromBefore;
         ColumnId fromAfter;
         [[nodiscard]] bool any() const { return fromBefore.valid() || fromAfter.valid(); }
     };
     using Row = IntegerProgram::Row;
-    IdVector<VariableId, Columns> columnsOf;   ///< of every variable of the problem and both constants
-    IdVector<VariableId, RowId> coverRowOf;    ///< row p + s <= 1, where a variable has both; else none
-    IdVector<ColumnId, VariableId> variableOf; ///< none of a column that says that a junction is empty
+    IdVector<VariableId, Columns> columnsOf;   ///< of every variable and both constants
+    IdVector<VariableId, RowId> coverRowOf;    ///< the row p + s <= 1 of every variable that has both columns
+    IdVector<ColumnId, VariableId> variableOf; ///< none for a flag that a crossing has no arcs
     ColumnValues costs;                        ///< of every column
-    double constant = 0;                       ///< of the cost
+    double constant = 0;                       ///< added to the cost of the columns
     IdVector<RowId, Row> rows;
-    /// Where both lines may be passed and stopped at from both sides, by rules 2 and 4 as they stand.
+    /// Crossings where particles may pass and stop on both lines, and rules 2 and 4 hold as they are.
     std::vector<CrossingId> plainCrossings;
 };
 
-/// \param variables  free in the state; everything that they have rules with is fixed or among them
+/// \param variables  free in the state; no rule ties them to a free variable that is not among them
 [[nodiscard]] Formulation formulate(const SearchState& state, const std::vector<VariableId>& variables);
 
 } // namespace qm

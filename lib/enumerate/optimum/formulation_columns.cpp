@@ -58,8 +58,8 @@ void FormulationColumns::knowChain(ChainId chain) {
     fresh_.push_back(chain);
 }
 
-/// Takes in the lines that are covered already but may still be cracked somewhere, and all crossings of the
-/// chains taken in.
+/// Adds the lines that are covered already but may still be cracked somewhere, and all crossings of the
+/// chains added.
 void FormulationColumns::knowCovered() {
     while (!fresh_.empty()) {
         const Chain& chain = problem_.chains[fresh_.back()];
@@ -88,7 +88,8 @@ ColumnId FormulationColumns::newColumn(VariableId variable) {
     return result_.costs.nextId() - 1;
 }
 
-/// An arc that is out divides a chain: before it only one particle runs, after it only the other.
+/// A variable that is out divides a chain: before it only the particle from before can walk, behind it only
+/// the other.
 void FormulationColumns::addChain(const Chain& chain) {
     VariableId firstOut = chain.first + chain.count, lastOut = chain.first - 1;
     for (const VariableId v : chain.variables())

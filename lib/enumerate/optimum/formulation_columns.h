@@ -1,4 +1,4 @@
-/// \file The columns of a formulation and what can be said with them: who walks an arc, passes a junction, or
+/// \file The columns of a formulation, and expressions over them: who walks an arc, passes a junction, or
 /// stops there.
 #pragma once
 
@@ -32,43 +32,43 @@ struct Expression {
     }
 };
 
-/// Sets up columns, and the rows that tie those of one chain.
+/// Makes the columns, and the rows between columns of one chain.
 class FormulationColumns {
 public:
     FormulationColumns(const SearchState& state, const std::vector<VariableId>& variables);
 
-    /// The crossings that have rows: those of the variables, and of lines that are covered but may be
+    /// The crossings that need rows: those of the variables, and those of lines that are covered but may be
     /// cracked.
     [[nodiscard]] const std::vector<CrossingId>& crossings() const { return crossings_; }
     [[nodiscard]] Formulation take() { return std::move(result_); }
 
     [[nodiscard]] bool isOut(VariableId variable) const { return state_.value(variable) == ArcState::out; }
     [[nodiscard]] bool isIn(VariableId variable) const { return state_.value(variable) == ArcState::in; }
-    /// Some of its arcs are free but belong to another part, so that no rule here concerns this part.
+    /// Whether a crossing has free arcs of another part; then none of its rules concerns this part.
     [[nodiscard]] bool isForeign(const Crossing& crossing) const;
 
     [[nodiscard]] const Formulation::Columns& columns(VariableId variable) const {
         return result_.columnsOf[variable];
     }
-    /// y of a variable or constant.
+    /// The presence y of a variable or constant.
     [[nodiscard]] Expression present(VariableId variable) const;
-    /// Both arcs are in and the line cannot be cracked here: one particle passes, or two start here.
+    /// Both arcs are in and the line cannot be cracked here, so it is passed in any case.
     [[nodiscard]] bool isWall(const CrossingSide& side) const;
-    /// The arcs before and after are variables of one chain.
+    /// The arcs before and after the crossing are successive variables of one chain, and both have columns.
     [[nodiscard]] bool consecutive(const CrossingSide& side) const;
-    /// That of all sides, where the rules hold and none of the arcs belongs to another part.
+    /// Both sides are consecutive, all rules hold, and no free arc belongs to another part.
     [[nodiscard]] bool isPlain(const Crossing& crossing) const;
-    /// One particle passes from one arc to the next if it is still running on the second.
+    /// 1 if a particle passes: it walks the arc behind the crossing, seen from where it comes from.
     [[nodiscard]] Expression pass(const CrossingSide& side) const;
-    /// At most 1 if a single particle passes, and 0 if none does.
+    /// An expression that is at most 1 if a single particle passes, and 0 if none does.
     [[nodiscard]] Expression surePass(const CrossingSide& side) const;
-    /// The particle from before stops here, and the particle from after.
+    /// Whether the particle from before stops here, and whether the particle from after does.
     [[nodiscard]] std::array<Expression, 2> particleStops(const CrossingSide& side) const;
 
-    /// A row: expression >= bound, unless that says nothing.
+    /// Adds the row expression >= bound, unless it always holds.
     void atLeast(const Expression& expression, double bound);
     void addCost(const Expression& expression, double factor);
-    /// A column that stands for no particle.
+    /// A new column that belongs to no variable.
     ColumnId newFlag();
 
 private:
@@ -84,9 +84,9 @@ private:
     const Problem& problem_;
     Formulation result_;
     std::vector<CrossingId> crossings_;
-    IdVector<VariableId, bool> ours_; ///< those of the part
-    IdVector<ChainId, bool> known_;   ///< those that get columns
-    std::vector<ChainId> fresh_;      ///< of these, the ones whose crossings have not been looked at
+    IdVector<VariableId, bool> ours_; ///< variables of the part
+    IdVector<ChainId, bool> known_;   ///< chains that get columns
+    std::vector<ChainId> fresh_;      ///< chains in `known_` whose crossings have not been visited
 };
 
 } // namespace qm

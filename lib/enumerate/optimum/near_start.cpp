@@ -13,10 +13,10 @@
 namespace qm {
 namespace {
 
-/// A value that is farther from 0 and 1 is that of a basic column.
+/// Columns whose values are farther than this from 0 and 1 become basic.
 constexpr double fractional = 0.02;
 
-/// Clp's for "none": perturbed costs lead away from a solution that is nearly optimal.
+/// Clp's value for "none". Perturbed costs would lead away from a solution that is nearly optimal.
 constexpr int noPerturbation = 100;
 
 /// Stops the solver when the caller asks for it.
@@ -27,11 +27,12 @@ public:
     [[nodiscard]] ClpEventHandler* clone() const override { return new StopOnRequest(*this); }
 
 private:
-    static constexpr int stop = 5, goOn = -1; ///< as Clp wants it
+    static constexpr int stop = 5, goOn = -1; ///< return values defined by Clp
     const Control* control_;
 };
 
-/// \return how many columns are basic
+/// Sets the values and the status of all columns.
+/// \return the number of basic columns
 std::size_t setColumns(ClpSimplex& solver, const ColumnValues& values) {
     std::size_t basics = 0;
     for (const ColumnId column : values.ids()) {
@@ -47,7 +48,7 @@ std::size_t setColumns(ClpSimplex& solver, const ColumnValues& values) {
     return basics;
 }
 
-/// Takes so many rows for tight, those with the largest duals; all others are basic.
+/// Makes the `count` rows with the largest duals tight, and all others basic.
 void setTightRows(ClpSimplex& solver, const IdVector<RowId, double>& duals,
                   const std::vector<std::size_t>& rows, std::size_t count) {
     std::vector<std::pair<double, int>> order;

@@ -1,5 +1,5 @@
-/// \file The simplex method from a solution that is nearly optimal, such as one found by gradients
-/// (docs/METHOD.md#particle-program).
+/// \file The simplex method started from a nearly optimal solution, such as one found by gradients
+/// (docs/METHOD.md#large-relaxations).
 #pragma once
 
 #include "base/control.h"
@@ -12,10 +12,10 @@ class ClpSimplex;
 
 namespace qm {
 
-/// Makes a basis near the solution: columns that are neither 0 nor 1 are in it, and as many rows are tight,
-/// those with the largest duals. From there it solves, at any rate until `control.stopRequested`.
-/// \param solver  of the columns of `near`, in their order
-/// \param rows    of every row of the solver: which of `near` it is
+/// Makes a basis near the solution: columns strictly between 0 and 1 are basic, and as many rows are tight,
+/// those with the largest duals. Then solves from this basis, until `control.stopRequested` at the latest.
+/// \param solver  has the columns of `near`, in their order
+/// \param rows    for every row of the solver, its number in `near`
 void solveFromNear(ClpSimplex& solver, const RelaxedProgram& near, const std::vector<std::size_t>& rows,
                    const Control& control);
 

@@ -9,7 +9,7 @@
 namespace qm {
 namespace {
 
-/// Whether the state has fixed a column at another value than it has in the relaxed solution.
+/// Whether a fixed column has another value in the relaxed solution.
 bool contradictsRelaxation(const PartSearch& part) {
     for (const ColumnId column : part.formulation.costs.ids()) {
         const ArcState known = part.columns.value(column);

@@ -18,10 +18,10 @@ using Side = PassGraph::Side;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Shortest ways between two copies of the graph, one for each parity. A step across a crossing changes the
-/// parity and is as long as the row says that passes add up to at most 1 is slack there; a step along a line
-/// is as long as what stops between its ends. A way from one copy of a side to the other that is shorter than
-/// 1 is a broken row.
+/// Searches shortest paths in two copies of the graph, one for each parity. A step across a crossing changes
+/// the parity; its length is the slack of the crossing's row pass + pass' <= 1. The length of a step along a
+/// line is the share of particles that stop between its ends. A path shorter than 1 from a side to its copy
+/// yields a violated row.
 class OddCycleSearch {
 public:
     OddCycleSearch(const PassGraph& graph, const ColumnValues& values)
@@ -47,7 +47,7 @@ public:
     }
 
 private:
-    /// A side in one of the copies.
+    /// A side in one of the two copies: twice its number plus the parity.
     using Place = std::size_t;
     static Place placeOf(SideId side, std::size_t parity) { return 2 * side.idx() + parity; }
     static SideId sideOf(Place place) { return SideId(place / 2); }
@@ -63,7 +63,7 @@ private:
     [[nodiscard]] double slack(SideId side) const {
         return std::max(0.0, 1 - pass(side) - pass(PassGraph::across(side)));
     }
-    /// What stops between a side and the next one.
+    /// The share of particles that stop between a side and the next one on its line.
     [[nodiscard]] double stops(SideId side, SideId next) const {
         return std::max(0.0, value(sides_[side].passes[0]) - value(sides_[next].passes[0])) +
                std::max(0.0, value(sides_[next].passes[1]) - value(sides_[side].passes[1]));
@@ -75,7 +75,7 @@ private:
         return sum;
     }
 
-    /// \return whether a way leads from a side to its copy that is short enough
+    /// \return whether a short enough path leads from a side to its copy
     bool findWay(SideId start) {
         for (const Place place : reached_)
             lengths_[place] = infinity;
@@ -107,13 +107,13 @@ private:
         return false;
     }
 
-    /// After a search in vain.
+    /// After a search without result, skips all sides close to its start.
     void passOver() {
         for (const Place place : reached_)
             if (lengths_[place] <= Tuning::near) isDone_[sideOf(place)] = true;
     }
 
-    /// The way that was found last, beginning behind a step across.
+    /// The sides of the cycle found last, rotated to begin right after a step across.
     std::vector<SideId> cycle(SideId start) {
         std::vector<SideId> sides;
         for (Place place = placeOf(start, 1); place != placeOf(start, 0); place = from_[place]) {
@@ -126,7 +126,7 @@ private:
         return sides;
     }
 
-    /// Of every line the particles that pass both its first and its last crossing.
+    /// The row of a cycle: for every line, the particles that pass both its first and its last crossing.
     [[nodiscard]] Formulation::Row rowOf(const std::vector<SideId>& sides) const {
         Formulation::Row row{{}, {}, -infinity, 0};
         int lines = 0;
@@ -141,7 +141,7 @@ private:
             if (low.passes[1].valid()) row.add(low.passes[1], 1);
             first = last + 1;
         }
-        // A line whose next crossing is with itself may have been counted twice.
+        // A line that crosses itself may have been counted twice, which makes the number of lines even.
         if (lines % 2 == 0) return {};
         const int maxPasses = (lines - 1) / 2;
         row.upper = maxPasses;
@@ -150,10 +150,10 @@ private:
 
     const IdVector<SideId, Side>& sides_;
     const ColumnValues& values_;
-    std::vector<double> lengths_; ///< of every place, of the shortest way there
+    std::vector<double> lengths_; ///< of every place, the length of the shortest path to it
     std::vector<Place> from_;
     std::vector<Place> reached_;
-    IdVector<SideId, bool> isDone_; ///< on a cycle that was found, or on none
+    IdVector<SideId, bool> isDone_; ///< sides on a cycle that was found, or known to be on none
 };
 
 } // namespace

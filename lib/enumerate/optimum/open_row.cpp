@@ -26,7 +26,7 @@ OpenRow openRow(const Formulation& formulation, RowId id, const ColumnState& sta
         min += std::min(row.weights[k], 0.0);
         max += std::max(row.weights[k], 0.0);
     }
-    // The lower side of a cover row can rise later; its upper side is never idle.
+    // The lower limit of a cover row may rise later; its upper limit can always be violated.
     if (min >= row.lower - open.constant && max <= row.upper - open.constant) return {};
     return open;
 }

@@ -1,4 +1,4 @@
-/// \file What is left of a formulation's row where a state has fixed columns
+/// \file What remains of a row of a formulation when some of its columns are fixed
 /// (docs/METHOD.md#particle-program).
 #pragma once
 
@@ -8,20 +8,20 @@
 
 namespace qm {
 
-/// A row without the columns that were fixed; its limits are those of the state, less `constant`.
+/// A row without its fixed columns. Its limits are those of the row in the state, less `constant`.
 struct OpenRow {
-    RowId row;                ///< of the formulation
-    std::vector<int> columns; ///< those that are open, by their number among these
+    RowId row;                ///< in the formulation
+    std::vector<int> columns; ///< the open columns of the row, numbered among all open columns
     std::vector<double> weights;
-    double constant = 0; ///< what the fixed columns add
+    double constant = 0; ///< the contribution of the fixed columns
 
-    /// With the constant.
-    /// \param values  of every open column
+    /// The value of the row, including the constant.
+    /// \param values  of all open columns
     [[nodiscard]] double sum(const double* values) const;
 };
 
-/// \param numberOf  of every column of the formulation: its number among the open ones
-/// \return a row without columns if the row holds whatever these are
+/// \param numberOf  for every column of the formulation, its number among the open ones
+/// \return a row without columns if the row holds for all values of its open columns
 [[nodiscard]] OpenRow openRow(const Formulation& formulation, RowId id, const ColumnState& state,
                               const IdVector<ColumnId, int>& numberOf);
 

@@ -12,12 +12,12 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// What the arcs cost that are in already.
+/// The cost of the variables that are in already, and of the corners between them.
 double fixedCost(const SearchState& state) {
     return costOf(state.problem(), state.assignment());
 }
 
-/// Completes a graph of one part to one of the whole problem for the polisher.
+/// Extends a graph of one part to a graph of the whole problem, and polishes it.
 Assignment polishPart(const std::vector<VariableId>& part, const Assignment& best,
                       const std::vector<double>& relaxedPart, const OptimumOptions& options,
                       IdVector<VariableId, double> relaxed) {
@@ -29,7 +29,8 @@ Assignment polishPart(const std::vector<VariableId>& part, const Assignment& bes
     return options.polish(graph, relaxed);
 }
 
-/// The cheapest graph by a decision diagram of all, made at most once; none where that is too large.
+/// The cheapest graph of the whole problem, from a decision diagram that is built at most once; none if the
+/// diagram would be too large.
 class DiagramOptimum {
 public:
     DiagramOptimum(const Problem& problem, const Control& control) : problem_(problem), control_(control) {}
@@ -52,13 +53,13 @@ private:
     std::optional<Assignment> best_;
 };
 
-/// One graph: every part on its own, the best of each put together.
+/// Finds one graph: the best graphs of all parts together.
 void searchParts(SearchState& state, const OptimumOptions& options, const Control& control,
                  OptimumResult& result) {
     Assignment graph = state.assignment();
     if (options.start) result.relaxed.assign(options.start->begin(), options.start->end());
     auto parts = independentParts(state);
-    // The largest part last: if time ends, all others have been proven.
+    // The largest part comes last, so that all others are proven if time runs out.
     std::ranges::stable_sort(parts, {}, [](const auto& part) { return part.size(); });
     DiagramOptimum diagramOptimum(state.problem(), control);
     double done = 0;
@@ -104,7 +105,7 @@ void searchParts(SearchState& state, const OptimumOptions& options, const Contro
         result.graphs.push_back(std::move(graph));
 }
 
-/// Several graphs: the parts' choices combine, so they are searched together.
+/// Finds several graphs. Choices of different parts combine, so all parts are searched together.
 void searchTogether(SearchState& state, const OptimumOptions& options, const Control& control,
                     OptimumResult& result) {
     std::vector<VariableId> variables;

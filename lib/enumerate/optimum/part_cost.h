@@ -1,4 +1,4 @@
-/// \file What one part of a search problem adds to the cost of what is fixed.
+/// \file The cost that one part of a search problem adds to the cost of everything that is fixed.
 #pragma once
 
 #include "enumerate/state/search_state.h"
@@ -23,7 +23,8 @@ public:
         fixed_ = corners([&](VariableId variable) { return state.value(variable) == ArcState::in; });
     }
 
-    /// \param isIn  tells of every variable and constant whether it is in
+    /// The cost of the part in a graph.
+    /// \param isIn  whether a variable or constant is in
     template <class IsIn> [[nodiscard]] double of(const IsIn& isIn) const {
         double cost = corners(isIn) - fixed_;
         for (const VariableId variable : variables_)
@@ -31,8 +32,8 @@ public:
         return cost;
     }
 
-    /// A lower bound of what the part costs in any completion of a state; outside the part, the state must be
-    /// the one that this was made from.
+    /// A lower bound of the part's cost in any completion of a state, which must be unchanged outside the
+    /// part.
     [[nodiscard]] double lowerBound(const SearchState& state) const {
         double bound = -fixed_;
         for (const CrossingId crossing : crossings_)
@@ -59,8 +60,8 @@ private:
 
     const Problem& problem_;
     const std::vector<VariableId>& variables_;
-    std::vector<CrossingId> crossings_; ///< whose corners cost something
-    double fixed_ = 0;                  ///< of corners that were there already
+    std::vector<CrossingId> crossings_; ///< crossings of the part whose corners have a cost
+    double fixed_ = 0;                  ///< of the corners between arcs that were in from the start
 };
 
 } // namespace qm

@@ -1,4 +1,4 @@
-/// \file What the searches for graphs in one independent part of a search problem have in common.
+/// \file The data shared by all searches for graphs in one independent part of a problem.
 #pragma once
 
 #include "base/control.h"
@@ -13,21 +13,22 @@
 
 namespace qm {
 
-/// What a search of one part is to find.
+/// The task and the limits of the search of one part.
 struct PartOptions {
     std::size_t best = 1;
-    double maxCost = std::numeric_limits<double>::infinity(); ///< of the part's variables
+    double maxCost = std::numeric_limits<double>::infinity(); ///< of the part's variables and corners
     double gap = 0;
-    std::size_t nodes = 20'000'000; ///< of the search tree, at most: what memory allows
-    std::size_t hard = 1500; ///< variables from which on early graphs are looked for by smaller searches
-    std::size_t cut = 300;   ///< variables from which on cuts of the relaxation are looked for
-    /// Variables from which on the relaxation begins near an optimum found by gradients.
+    std::size_t nodes = 20'000'000; ///< limit of the search tree; the default is what fits into memory
+    std::size_t hard = 1500; ///< from this number of variables on, smaller searches look for early graphs
+    std::size_t cut = 300;   ///< from this number of variables on, cuts are added to the relaxation
+    /// From this number of variables on, the relaxation begins near an optimum found by gradients.
     std::size_t large = std::numeric_limits<std::size_t>::max();
-    /// Makes a graph cheaper if it can; `relaxed` are the values of the part's variables, in their order.
+    /// Returns a graph that is at most as expensive; `relaxed` holds the values of the part's variables in
+    /// their order.
     std::function<Assignment(const Assignment& graph, const std::vector<double>& relaxed)> polish = {};
 };
 
-/// A part with its relaxation and the best graphs found so far.
+/// A part of a problem, its relaxation, and the best graphs found so far.
 struct PartSearch {
     /// \param variables  the free variables of the part
     PartSearch(SearchState& state, std::vector<VariableId> variables, const PartOptions& options,
@@ -35,10 +36,10 @@ struct PartSearch {
     PartSearch(const PartSearch&) = delete;
     PartSearch& operator=(const PartSearch&) = delete;
 
-    /// A variable's value in the last relaxed solution.
+    /// The value of a variable in the last relaxed solution.
     [[nodiscard]] double present(VariableId variable) const;
     [[nodiscard]] bool allDecided() const;
-    /// Offers the state, in which all is decided, as a graph.
+    /// Offers the current state, in which every variable is decided, as a graph.
     void recordLeaf();
 
     SearchState& state;
@@ -46,7 +47,7 @@ struct PartSearch {
     PartCost cost;
     PartOptions options;
     const Control& control;
-    Incumbents incumbents; ///< full assignments, of which only the part's variables mean anything
+    Incumbents incumbents; ///< full assignments, of which only the part's variables count
     Formulation formulation;
     ColumnState columns;
     Relaxation relaxation;

@@ -4,7 +4,7 @@ namespace qm {
 
 PassGraph::PassGraph(const SearchState& state, const Formulation& formulation) {
     const Problem& problem = state.problem();
-    IdVector<VariableId, SideId> behind(problem.domains.size()); // what lies after a variable
+    IdVector<VariableId, SideId> behind(problem.domains.size()); // the side behind each variable
     for (const CrossingId id : formulation.plainCrossings)
         for (const CrossingSide& side : problem.crossings[id].sides) {
             const Formulation::Columns& before = formulation.columnsOf[side.before];

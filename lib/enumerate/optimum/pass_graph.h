@@ -1,5 +1,5 @@
-/// \file Which particle passes which crossing, and where it arrives next: what cuts of the relaxation are
-/// found in.
+/// \file Which particle passes which crossing and where it arrives next: the graph in which cuts of the
+/// relaxation are found.
 #pragma once
 
 #include "enumerate/optimum/formulation.h"
@@ -8,26 +8,26 @@
 
 namespace qm {
 
-/// Of all crossings where the rules hold as they stand for both lines: each may be passed and stopped at from
-/// both sides. The two lines of a crossing stand one after the other.
+/// Covers the plain crossings of a formulation, where particles may pass and stop on both lines. The two
+/// sides of a crossing have successive ids.
 class PassGraph {
 public:
     using SideId = Id<struct PassSideTag>;
-    static constexpr std::size_t directions = 2; ///< the particle from before, the particle from after
+    static constexpr std::size_t directions = 2; ///< 0: the particle from before, 1: the particle from after
 
-    /// One line at a crossing.
+    /// One line at a crossing; all arrays are by direction, and their entries may be none.
     struct Side {
-        std::array<ColumnId, directions> arrives; ///< the particle walks the arc that leads here; maybe none
-        std::array<ColumnId, directions> passes;  ///< it walks the next one as well; maybe none
-        std::array<SideId, directions> next;      ///< where it arrives then; none if that is no such crossing
-        VariableId before;                        ///< the arc before, which orders the sides of one line
+        std::array<ColumnId, directions> arrives; ///< 1 if the particle walks the arc to the crossing
+        std::array<ColumnId, directions> passes;  ///< 1 if it also walks the arc that leads on
+        std::array<SideId, directions> next;      ///< where it arrives next, if that crossing is plain
+        VariableId before; ///< the variable before the crossing; orders the sides of a line
     };
 
-    /// \param state        that of the formulation
+    /// \param state  the one that the formulation was made from
     PassGraph(const SearchState& state, const Formulation& formulation);
 
     [[nodiscard]] const IdVector<SideId, Side>& sides() const { return sides_; }
-    /// The other line.
+    /// The other line at the same crossing.
     [[nodiscard]] static SideId across(SideId side) { return SideId(side.idx() ^ 1U); }
 
 private:

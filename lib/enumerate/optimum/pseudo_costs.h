@@ -1,5 +1,5 @@
-/// \file What earlier branchings tell about later ones: reliability branching
-/// (docs/METHOD.md#achterberg-2005).
+/// \file Pseudo-costs for reliability branching: the effect of earlier branchings, to predict that of later
+/// ones (docs/METHOD.md#achterberg-2005).
 #pragma once
 
 #include "enumerate/optimum/tuning.h"
@@ -9,7 +9,7 @@
 
 namespace qm {
 
-/// Mean growth of the bound per unit that a column is moved, up to 1 or down to 0.
+/// For every column the mean growth of the bound per unit that the column is moved, up to 1 or down to 0.
 class PseudoCosts {
 public:
     explicit PseudoCosts(const ColumnValues& costs) : up_(costs.size()), down_(costs.size()) {}
@@ -23,13 +23,13 @@ public:
         }
     }
 
-    /// How much is gained by branching on a column with this value.
+    /// The predicted gain of branching on a column with this value.
     [[nodiscard]] double score(ColumnId column, double value) const {
         return std::max(rate(up_[column]) * (1 - value), BranchingTuning::minGrowth) *
                std::max(rate(down_[column]) * value, BranchingTuning::minGrowth);
     }
 
-    /// How many branchings it has learnt from, on the side with fewer.
+    /// The number of branchings learnt from, on the side with fewer.
     [[nodiscard]] int trust(ColumnId column) const {
         return std::min(up_[column].count, down_[column].count);
     }
@@ -39,7 +39,7 @@ private:
         double sum = 0;
         int count = 0;
     };
-    /// For a column that was never tried, the mean of all.
+    /// The mean of a column; of all columns, if this one was never tried.
     [[nodiscard]] double rate(const Mean& mean) const {
         if (mean.count > 0) return mean.sum / mean.count;
         return all_.count > 0 ? all_.sum / all_.count : 1;

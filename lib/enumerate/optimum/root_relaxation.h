@@ -1,5 +1,5 @@
-/// \file What the relaxation says of the root of a search tree, kept to fix more there with every better
-/// graph (docs/METHOD.md#optimum).
+/// \file The relaxation at the root of a search tree, kept so that every better graph can fix more columns
+/// there (docs/METHOD.md#optimum).
 #pragma once
 
 #include "enumerate/optimum/part_search.h"
@@ -11,32 +11,33 @@
 
 namespace qm {
 
-/// The root of the search of one part: its state, and the last relaxed solution there.
+/// The root of the search tree of one part: its state, and its last relaxed solution.
 class RootRelaxation {
 public:
     explicit RootRelaxation(PartSearch& part) : part_(part), state_(part.columns.mark()) {}
 
-    /// Solves the root's relaxation nearly, by gradients, and lets the simplex method begin there: from afar
-    /// it would take too long.
-    /// \return a bound
+    /// Solves the root's relaxation approximately by gradients, and starts the simplex method from there,
+    /// which would take too long otherwise.
+    /// \return a lower bound
     [[nodiscard]] double startByGradients();
 
-    /// Whether a solution was remembered.
+    /// Whether a solution has been remembered.
     [[nodiscard]] bool isKnown() const { return !values_.empty(); }
-    /// Takes the state for the root's, and the solution that the relaxation has just found for that of the
-    /// root.
+    /// Stores the current state as the root's state, and the relaxation's last solution as the root's
+    /// solution.
     void remember(double bound);
-    /// The value of each of the part's variables, in the last solution that was remembered or found by
-    /// gradients; empty if there was none.
+    /// The relaxed value of each of the part's variables, from the solution remembered last or else from
+    /// gradients; empty if there is neither.
     [[nodiscard]] const std::vector<double>& presence() const { return presence_; }
-    /// What gradients found, once; nothing if they were not asked.
+    /// Hands over the solution found by gradients, which can be taken once; nothing if gradients were not
+    /// used.
     [[nodiscard]] std::optional<RelaxedProgram> takeNear() { return std::exchange(near_, std::nullopt); }
-    /// Brings the root's state back.
+    /// Returns to the root's state.
     void restore() { part_.columns.undo(state_); }
-    /// A better graph lets more be fixed at the root, for good.
-    /// \return false if nothing cheaper is left
+    /// Fixes more columns at the root, for good, if a better graph is known.
+    /// \return false if no cheaper graph is left
     bool tighten();
-    /// Solves the tightened root again, in few iterations or not at all.
+    /// Solves the tightened root again, if that takes few iterations.
     [[nodiscard]] Relaxation::Result solveAgain();
 
 private:
@@ -44,12 +45,12 @@ private:
 
     PartSearch& part_;
     ColumnState::Mark state_;
-    double bound_ = 0; ///< with values and reduced costs
+    double bound_ = 0; ///< of the remembered solution
     ColumnValues values_;
     ColumnValues reducedCosts_;
     Relaxation::Basis basis_;
     std::vector<double> presence_;
-    std::optional<RelaxedProgram> near_;                      ///< what gradients say of the root
+    std::optional<RelaxedProgram> near_;                      ///< the solution found by gradients
     double cutoff_ = std::numeric_limits<double>::infinity(); ///< at the last tightening
 };
 

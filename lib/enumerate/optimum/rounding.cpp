@@ -6,7 +6,7 @@
 namespace qm {
 namespace {
 
-/// Takes everything above the threshold in, the surest values first, and follows every conclusion.
+/// Sets values above the threshold to in and others to out, the surest first, and draws all conclusions.
 void roundAt(PartSearch& part, double threshold) {
     std::vector<std::pair<double, VariableId>> order;
     for (const VariableId variable : part.variables)

@@ -5,14 +5,14 @@
 
 namespace qm {
 
-/// Takes the relaxed solution if it is integral and obeys all rules.
+/// Offers the relaxed solution as a graph if it is integral and obeys all rules.
 bool acceptIntegral(PartSearch& part);
 
-/// Rounds the relaxed solution to the nearer value, and again up: without rule 3 the latter always gives a
-/// graph.
+/// Rounds the relaxed solution to the nearer value; for T-meshes also all fractions up, which always gives a
+/// T-mesh.
 void roundRelaxed(PartSearch& part);
 
-/// Two graphs without the relaxation, which may take long: one with as many arcs as fit, one with as few.
+/// Makes two graphs without the relaxation, which may take long: one with as many arcs as fit, one with few.
 void guessGraphs(PartSearch& part);
 
 } // namespace qm

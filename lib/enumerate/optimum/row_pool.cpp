@@ -8,13 +8,13 @@
 namespace qm {
 namespace {
 
-/// A row is broken by more than this.
+/// A row counts as violated from this excess on.
 constexpr double broken = 1e-6;
 
-/// Of rows that a start from afar takes in at once: the solver is slow with many, and few of them bind.
+/// Least dual of rows that are given to the solver at once: it is slow with many, and few of them bind.
 constexpr double minDual = 1e-3;
 
-/// As the solver writes what is infinite.
+/// The value with Clp's own infinity.
 double bounded(double value) {
     return std::isinf(value) ? std::copysign(COIN_DBL_MAX, value) : value;
 }
@@ -32,7 +32,7 @@ void RowPool::giveFirst(ClpSimplex& solver, const ColumnState& state) {
     std::vector<std::size_t> first;
     for (std::size_t id = 0; id < rows_.size(); ++id)
         if (rows_[id].columns.size() == 2) first.push_back(id);
-    if (first.empty()) // the solver does not like to have none
+    if (first.empty()) // the solver needs at least one row
         for (std::size_t id = 0; id < rows_.size(); ++id)
             first.push_back(id);
     give(solver, first, state);

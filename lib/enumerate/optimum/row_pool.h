@@ -1,8 +1,8 @@
-/// \file The rows of a relaxation, of which the solver has only those that matter
+/// \file All rows of a relaxation, of which the solver has only those that matter
 /// (docs/METHOD.md#particle-program).
 ///
-/// Most rows never bind. The solver gets a row when a solution breaks it, and may lose it again when it does
-/// not bind.
+/// Most rows never bind. The solver gets a row when a solution violates it, and may lose it again when it
+/// does not bind.
 #pragma once
 
 #include "enumerate/optimum/open_row.h"
@@ -15,43 +15,43 @@ namespace qm {
 
 class RowPool {
 public:
-    /// \param formulation  outlives this; its rows are taken up by `takeUp`
+    /// \param formulation  must outlive this; `takeUp` reads its rows
     explicit RowPool(const Formulation& formulation) : formulation_(&formulation) {}
 
-    /// Takes up the rows that the formulation has got since the last time, but for those that hold whatever
-    /// the open columns are, or have one open column only.
-    /// \param numberOf  of every column of the formulation: its number in the solver, if it is open
+    /// Adds the rows that the formulation got since the last call, except rows that hold for all values of
+    /// their open columns or have only one.
+    /// \param numberOf  for every open column of the formulation, its number in the solver
     void takeUp(const ColumnState& state, const IdVector<ColumnId, int>& numberOf);
 
-    /// All rows that may matter, whether the solver has them or not.
+    /// All rows that may matter, in the solver or not.
     [[nodiscard]] const std::vector<OpenRow>& rows() const { return rows_; }
-    /// Of every row of the solver: its number in `rows`.
+    /// For every row of the solver, its number in `rows`.
     [[nodiscard]] const std::vector<std::size_t>& inSolver() const { return inSolver_; }
 
-    /// Gives the solver rows to begin with: those that tie two columns, or all, if there are none of them.
+    /// Gives the solver its first rows: those with two columns, or all rows if there are none of these.
     void giveFirst(ClpSimplex& solver, const ColumnState& state);
-    /// Gives it the rows that its solution breaks.
+    /// Gives the solver the rows that its solution violates.
     /// \return whether there are any
     bool giveBroken(ClpSimplex& solver, const ColumnState& state);
-    /// Gives it the rows whose dual is not small.
+    /// Gives the solver the rows with a large dual.
     /// \param duals  of all rows
     void giveTight(ClpSimplex& solver, const ColumnState& state, const IdVector<RowId, double>& duals);
-    /// Takes those that do not bind from it, but for rows of two columns.
+    /// Takes rows that do not bind from the solver, except rows with two columns.
     void takeIdle(ClpSimplex& solver);
 
-    /// Lets the lower sides of its rows be what they are in the state.
+    /// Sets the lower limits of the solver's cover rows to those of the state.
     void setSides(ClpSimplex& solver, const ColumnState& state) const;
-    /// The solver's duals of all rows; 0 where it does not have the row.
+    /// The solver's duals of all rows; 0 for rows that the solver does not have.
     [[nodiscard]] std::vector<double> duals(const ClpSimplex& solver) const;
 
 private:
     void give(ClpSimplex& solver, const std::vector<std::size_t>& rows, const ColumnState& state);
 
     const Formulation* formulation_;
-    RowId next_{0}; ///< the first of the formulation that is not taken up
+    RowId next_{0}; ///< the formulation's first row that has not been read
     std::vector<OpenRow> rows_;
     std::vector<std::size_t> inSolver_;
-    std::vector<bool> isInSolver_; ///< of every one of `rows_`
+    std::vector<bool> isInSolver_; ///< for every row of `rows_`
 };
 
 } // namespace qm

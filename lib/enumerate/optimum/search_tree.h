@@ -1,4 +1,4 @@
-/// \file The tree of a branch and bound: the decisions that lead to every node, and which nodes wait
+/// \file The tree of a branch and bound: the decisions that lead to each node, and the open nodes
 /// (docs/METHOD.md#optimum).
 #pragma once
 
@@ -18,18 +18,18 @@ public:
     struct OpenNode {
         double bound;
         NodeId node;
-        /// The queue hands out the lowest bound first, and among equal bounds the youngest node.
+        /// Orders the queue such that the lowest bound comes first, and among equal bounds the youngest node.
         bool operator<(const OpenNode& other) const {
             return bound != other.bound ? bound > other.bound : node < other.node;
         }
     };
 
-    /// \param parent  none for the root, whose decision is not looked at
+    /// \param parent  none for the root, whose decision is ignored
     NodeId add(NodeId parent, const Decision& decision) {
         nodes_.push_back({parent, decision});
         return nodes_.nextId() - 1;
     }
-    /// Of all nodes, open or not.
+    /// The number of all nodes, open or closed.
     [[nodiscard]] std::size_t size() const { return nodes_.size(); }
     [[nodiscard]] bool isRoot(NodeId node) const { return !nodes_[node].parent.valid(); }
     /// The decisions from the root down to a node.
@@ -43,7 +43,7 @@ public:
 
     void open(NodeId node, double bound) { queue_.push({bound, node}); }
     [[nodiscard]] bool allClosed() const { return queue_.empty(); }
-    /// The open node of the lowest bound; there must be one.
+    /// The open node with the lowest bound; there must be an open node.
     [[nodiscard]] const OpenNode& next() const { return queue_.top(); }
     void closeNext() { queue_.pop(); }
     void closeAll() { queue_ = {}; }

@@ -6,7 +6,7 @@
 namespace qm {
 namespace {
 
-constexpr double rounding = 1e-9; // of sums of capacities around 1
+constexpr double rounding = 1e-9; // for sums of capacities around 1
 
 } // namespace
 
@@ -43,7 +43,7 @@ void SmallestCut::findLevels(std::size_t source) {
         }
 }
 
-/// Along edges that lead one level on; no deeper than there are nodes, which are few.
+/// Pushes flow along edges to the next level. The recursion is as deep as there are levels, which are few.
 double SmallestCut::push(std::size_t node, std::size_t sink, double max) {
     if (node == sink) return max;
     for (std::size_t& k = next_[node]; k < edgesOf_[node].size(); ++k) {

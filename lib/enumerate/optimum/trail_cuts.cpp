@@ -27,7 +27,7 @@ public:
     std::vector<Formulation::Row> run() {
         std::vector<Formulation::Row> rows;
         for (const Arrival& arrival : arrivals()) {
-            if (isCut_[arrival.crossing]) continue; // most likely found again
+            if (isCut_[arrival.crossing]) continue; // would most likely yield the same row again
             collect(arrival.crossing);
             chooseInner();
             if (auto row = cutFrom(arrival.column); !row.columns.empty()) rows.push_back(std::move(row));
@@ -42,17 +42,18 @@ private:
         ColumnId column;
         std::size_t crossing;
     };
-    /// One of the four ways to pass a crossing of the region.
+    /// A possible pass of a crossing of the region: one particle on one line.
     struct Pass {
         std::size_t place;
         ColumnId column;
-        std::size_t next; ///< the place where it leads; nowhere if that is not in the region
+        std::size_t next; ///< the place of the next crossing; `nowhere` if that is not in the region
         bool inner = false;
     };
 
     [[nodiscard]] double value(ColumnId column) const { return column.valid() ? values_[column] : 0; }
 
-    /// Those that are worth a search, the surest first: where a particle goes on, the next one is as good.
+    /// The arrivals that are worth a search, those of highest value first. An arrival that passes in full is
+    /// left out, because the next crossing serves as well.
     [[nodiscard]] std::vector<Arrival> arrivals() const {
         std::vector<Arrival> found;
         for (const SideId side : sides_.ids())
@@ -76,7 +77,7 @@ private:
             }
     }
 
-    /// The nearest crossings that a trail may come to, and all passes of these.
+    /// Collects the nearest crossings that a trail may reach, and all their passes.
     void collect(std::size_t start) {
         region_.assign(1, start);
         placeOf_[start] = 0;
@@ -96,7 +97,7 @@ private:
                                  [this](const Pass& pass) { return values_[pass.column]; });
     }
 
-    /// As many passes within the region as make no loop, those of high value first.
+    /// Chooses passes inside the region that form no cycle, those of highest value first.
     void chooseInner() {
         AcyclicGraph loopless(region_.size());
         for (Pass& pass : passes_)
@@ -104,7 +105,7 @@ private:
                          loopless.add(pass.place, pass.next);
     }
 
-    /// \return a row without columns if none is broken
+    /// \return a row without columns if the arrival yields no violated row
     [[nodiscard]] Formulation::Row cutFrom(ColumnId arrival) {
         const std::size_t sink = region_.size();
         SmallestCut cut(region_.size() + 1);
@@ -113,7 +114,7 @@ private:
         cut.find(0, sink);
         Formulation::Row row{{arrival}, {-1}, 0, infinity};
         double sum = -values_[arrival];
-        AcyclicGraph loopless(region_.size()); // within the set some more may be without loops
+        AcyclicGraph loopless(region_.size()); // inside the cut's set, more passes may fit without a cycle
         for (const Pass& pass : passes_)
             if (pass.inner && cut.isBefore(pass.place) && cut.isBefore(pass.next))
                 loopless.add(pass.place, pass.next);
@@ -133,10 +134,10 @@ private:
     const IdVector<SideId, PassGraph::Side>& sides_;
     const ColumnValues& values_;
     const double price_;
-    std::vector<std::size_t> region_;  ///< crossings, by place
-    std::vector<std::size_t> placeOf_; ///< of every crossing
-    std::vector<Pass> passes_;         ///< of the region
-    std::vector<bool> isCut_;          ///< of every crossing: it is in the set of a row
+    std::vector<std::size_t> region_;  ///< the crossings of the region, by place
+    std::vector<std::size_t> placeOf_; ///< the place of every crossing; `nowhere` outside the region
+    std::vector<Pass> passes_;         ///< all passes of the region
+    std::vector<bool> isCut_;          ///< crossings that are in the set of a row already
 };
 
 } // namespace

@@ -22,7 +22,7 @@ bool hasSourceAtEnd(const ProblemInput& input, LineId line) {
     return input.graph.lines[line.idx()].backward && input.walkers.end(line);
 }
 
-/// From the first free arc to the last; `last` is negative if there is none.
+/// The stretch from the first free arc to the last; `last` is negative if there is none.
 LineStretch wholeStretch(const ProblemInput& input, LineId id) {
     const Line& line = input.graph.lines[id.idx()];
     LineStretch stretch;
@@ -73,7 +73,7 @@ std::vector<LineStretch> stretchesOf(const ProblemInput& input, LineId line) {
 ArcState domainOf(const ProblemInput& input, LineId id, const LineStretch& stretch, int position) {
     const Line& line = input.graph.lines[id.idx()];
     const ArcId arc = line.firstArc + position;
-    // A track that goes on beyond the stretch without a source of its own must be reached from here.
+    // If a track goes on beyond the stretch without a source of its own, its particle must come through here.
     const bool mustCover =
         (stretch.beforeIn && !stretch.beforeAnchored) || (stretch.afterIn && !stretch.afterAnchored);
     const bool unreachable = !stretch.beforeAnchored && !stretch.afterAnchored && !mustCover;

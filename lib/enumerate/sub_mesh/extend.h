@@ -1,4 +1,5 @@
-/// \file Going straight on until the first track: always a valid end for a particle (docs/METHOD.md#merging).
+/// \file Letting a particle go straight on to the first track, which is always valid
+/// (docs/METHOD.md#merging).
 #pragma once
 
 #include "enumerate/state/problem.h"
@@ -10,7 +11,7 @@ namespace qm {
 /// One of the particles of a line.
 struct Particle {
     LineId line;
-    bool fromEnd = false; ///< it starts at the line's end and walks towards its beginning
+    bool fromEnd = false; ///< whether it starts at the line's end and walks towards the beginning
 
     bool operator==(const Particle&) const = default;
     bool operator<(const Particle& other) const {
@@ -18,27 +19,28 @@ struct Particle {
     }
 };
 
-/// Walks the particle on from where its track ends: to the first junction where both arcs of the crossing
+/// Lets the particle walk on from the end of its track: to the first junction where both arcs of the crossing
 /// line are present, to its opposite's track, to the end of its line, or over an arc into an open junction.
-/// \param present  of every arc; changed
+/// \param present  for every arc, whether it is present; changed
 /// \param open     junctions where the walk may end unfinished
-/// \return the arcs added
+/// \return the number of arcs added
 int extendParticle(const ArcGraph& graph, Particle particle, std::vector<bool>& present,
                    const OpenJunctions& open = {});
 
-/// Walks the free particles on until none is left, always the one whose new arcs cost the least, of equal
-/// ones the first. Walks of particles that a new track crosses get shorter; no others are looked at again.
-/// \return how many were walked on
+/// Lets free particles walk on until none is left; next is always the one whose new arcs cost least, and
+/// among equal costs the first. When a new track crosses the way of free particles, their walks get shorter;
+/// no other walks are computed again.
+/// \return the number of particles that have walked on
 std::size_t extendCheapestFirst(const ArcGraph& graph, const std::vector<double>& arcCosts,
                                 std::vector<bool>& present);
 
-/// Whether the particle's track ends unfinished: at a junction that is not passed by the other line (rule 2).
+/// Whether the particle's track ends unfinished, at a junction that the other line does not pass (rule 2).
 [[nodiscard]] bool isFree(const ArcGraph& graph, Particle particle, const std::vector<bool>& present);
 
 /// The particles whose tracks end unfinished.
 [[nodiscard]] std::vector<Particle> freeParticles(const ArcGraph& graph, const std::vector<bool>& present);
 
-/// The junction where the particle's track ends; invalid at the line's far end or before its first arc.
+/// The junction where the particle's track ends; none at the line's far end and before its first arc.
 [[nodiscard]] JunctionId crashJunction(const ArcGraph& graph, Particle particle,
                                        const std::vector<bool>& present);
 

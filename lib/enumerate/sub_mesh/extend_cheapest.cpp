@@ -7,7 +7,7 @@
 namespace qm {
 namespace {
 
-/// What free particles would walk, kept up to date while others walk.
+/// Keeps the arcs that each free particle would walk up to date while others walk.
 class Extender {
 public:
     Extender(const ArcGraph& graph, const std::vector<double>& arcCosts, std::vector<bool>& present)
@@ -38,7 +38,7 @@ public:
 private:
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-    /// The arcs begin .. end - 1 of a particle's walk, counted from its source.
+    /// The arcs `begin` to `end` - 1 of a particle's way, counted from its source.
     struct Plan {
         int begin = 0;
         int end = 0;
@@ -60,7 +60,7 @@ private:
         while (plan.end < way.arcCount() && !way.blocked(plan.end, present_) &&
                !present_[way.arc(plan.end).idx()]);
         plan.cost = 0;
-        // In the arcs' own order, so that equal walks cost the same from both ends.
+        // In the line's order, so that the walks of both particles over the same arcs cost exactly the same.
         for (int k = 0; k < plan.end - plan.begin; ++k)
             plan.cost += arcCosts_[way.arc(particles_[i].fromEnd ? plan.end - 1 - k : plan.begin + k).idx()];
         queue_.emplace(plan.cost, i);
@@ -71,7 +71,7 @@ private:
             if (i != none && plans_[i].free) plan(i);
     }
 
-    /// A walk over the junctions at the ends of a new arc may stop there now.
+    /// Plans the walks over both ends of a new arc again, because they may stop there now.
     void reconsiderBeside(ArcId arc) {
         const Line& line = graph_.lineOf(arc);
         reconsiderAt(graph_.junctionAfter[arc.idx()], arc);
@@ -88,7 +88,7 @@ private:
                     if (i != none && plans_[i].free && reaches(i, crossing)) plan(i);
     }
 
-    /// Whether an arc is one that the particle would walk or the last that it has walked.
+    /// Whether the particle would walk an arc, or has walked it last.
     [[nodiscard]] bool reaches(std::size_t i, ArcId arc) const {
         const Line& line = graph_.lines[particles_[i].line.idx()];
         const int position = arc.value() - line.firstArc.value();
@@ -101,8 +101,8 @@ private:
     std::vector<bool>& present_;
     std::vector<Particle> particles_;
     std::vector<Plan> plans_;                        ///< of every particle
-    std::vector<std::array<std::size_t, 2>> ofLine_; ///< its free particles, from begin and from end
-    std::set<std::pair<double, std::size_t>> queue_; ///< free particles by cost
+    std::vector<std::array<std::size_t, 2>> ofLine_; ///< of every line: from begin and from end
+    std::set<std::pair<double, std::size_t>> queue_; ///< free particles, cheapest walk first
 };
 
 } // namespace

@@ -1,4 +1,4 @@
-/// \file The way of a particle along its line.
+/// \file The arcs and junctions on the way of a particle along its line.
 #pragma once
 
 #include "enumerate/sub_mesh/extend.h"
@@ -7,30 +7,30 @@
 
 namespace qm {
 
-/// Walks along a line from one of its ends.
+/// Walks a line from one of its ends.
 class LineWalk {
 public:
     LineWalk(const ArcGraph& graph, Particle particle)
         : graph_(graph), line_(graph.lines[particle.line.idx()]), fromEnd_(particle.fromEnd) {}
 
     [[nodiscard]] int arcCount() const { return line_.arcCount; }
-    /// The arc after `walked` arcs.
+    /// The arc that follows after `walked` arcs.
     [[nodiscard]] ArcId arc(int walked) const {
         return ArcId(line_.firstArc.value() + (fromEnd_ ? line_.arcCount - 1 - walked : walked));
     }
-    /// The junction reached after `walked` arcs, at least one; invalid at the far end.
+    /// The junction reached after `walked` arcs, at least one; none at the far end.
     [[nodiscard]] JunctionId junction(int walked) const {
         if (walked >= line_.arcCount) return {};
         return graph_.junctionAfter[fromEnd_ ? arc(walked).idx() : arc(walked - 1).idx()];
     }
-    /// Arcs present from the start on.
+    /// The number of arcs that are present without interruption from the start on.
     [[nodiscard]] int covered(const std::vector<bool>& present) const {
         int count = 0;
         while (count < line_.arcCount && present[arc(count).idx()])
             ++count;
         return count;
     }
-    /// Both arcs of the line that crosses at the junction reached are present.
+    /// Whether both arcs of the crossing line are present at the junction reached.
     [[nodiscard]] bool blocked(int walked, const std::vector<bool>& present) const {
         const JunctionId id = junction(walked);
         if (!id.valid()) return false;

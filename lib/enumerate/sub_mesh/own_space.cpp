@@ -43,7 +43,7 @@ private:
         }
     }
 
-    /// Up to here lines and arcs name the junctions of the whole space.
+    /// Copies the junctions on the copied lines, which refer to junctions of the whole space until then.
     void addJunctions() {
         std::vector<JunctionId> met;
         forEachNamed([&](JunctionId& junction) { met.push_back(junction); });
@@ -70,7 +70,7 @@ private:
         Junction own = junction;
         for (ArcId& arc : own.arcs)
             if (arc.valid()) arc = arcOf_[arc];
-        // Of two lines only the second is left.
+        // If only the second of the two lines was copied, it becomes the first.
         if (!own.seeded && !own.arcs[0].valid() && !own.arcs[2].valid()) {
             std::swap(own.arcs[0], own.arcs[1]);
             std::swap(own.arcs[2], own.arcs[3]);
@@ -82,7 +82,7 @@ private:
     const ArcGraph& whole_;
     SubMeshId subMesh_;
     SearchSpace part_;
-    SparseIndex<ArcId, ArcId> arcOf_; ///< in the part
+    SparseIndex<ArcId, ArcId> arcOf_; ///< from arcs of the whole space to those of the copy
 };
 
 } // namespace

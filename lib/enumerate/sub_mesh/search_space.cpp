@@ -40,7 +40,7 @@ std::vector<ArcState> demandsOf(const QuadMesh& mesh, const BaseComplex& complex
         if (mesh.is_boundary(edge))
             throw Error(nameOf(mesh, edge), "it is forbidden, but it lies on the mesh boundary",
                         "take it out of /constraints/forbidden");
-        demand(edge, ArcState::out); // where no separatrix runs it is absent anyway
+        demand(edge, ArcState::out); // edges without a separatrix are absent anyway
     }
     return demands;
 }
@@ -154,7 +154,7 @@ void goStraight(const SearchSpace& space, SubMeshId subMesh, std::vector<bool>& 
         if (space.arcBegins[line.firstArc.idx()] == subMesh) own.push_back({id, false});
         if (line.backward && space.arcEnds[line.lastArc().idx()] == subMesh) own.push_back({id, true});
     }
-    // Nobody is idle: all of these are in before anyone passes a seed.
+    // No particle is idle, so all first arcs must be present before a particle passes a seed.
     for (const Particle particle : own) {
         const Line& line = space.graph.lines[particle.line.idx()];
         present[(particle.fromEnd ? line.lastArc() : line.firstArc).idx()] = true;

@@ -1,4 +1,4 @@
-/// \file What all searches of one model share, and the problem of a single sub-mesh
+/// \file The data that all searches on one model share, and the problem of a single sub-mesh
 /// (docs/METHOD.md#sub-meshes).
 #pragma once
 
@@ -14,11 +14,11 @@ namespace qm {
 struct SearchSpace {
     ArcGraph graph;
     std::vector<double> arcCosts;
-    std::vector<ArcState> demands;    ///< of every arc: what the constraints say; empty if there are none
-    std::vector<SubMeshId> arcBegins; ///< sub-mesh of the vertex where an arc begins, in its line's direction
-    std::vector<SubMeshId> arcEnds;   ///< likewise where it ends
+    std::vector<ArcState> demands;    ///< constraint on every arc; empty without constraints
+    std::vector<SubMeshId> arcBegins; ///< sub-mesh of the vertex where each arc begins on its line
+    std::vector<SubMeshId> arcEnds;   ///< likewise where each arc ends
     std::vector<SubMeshId> junctionLabels;
-    /// Of a sub-mesh, the lines with a source in it, ascending; those without any are left out.
+    /// The lines with a source in each sub-mesh, ascending; no entry for sub-meshes without sources.
     std::unordered_map<SubMeshId, std::vector<LineId>> linesOf;
     double cornerCost = 0; ///< of every corner of a segment
 };
@@ -28,10 +28,10 @@ struct SearchSpace {
                                           const std::vector<double>& edgeCosts, const SubMeshes& subMeshes,
                                           const Constraints& constraints, double cornerCost = 0);
 
-/// The cost of the arcs of a graph and of the corners that depend on them.
+/// The cost of a graph: of its arcs, and of the corners at junctions.
 [[nodiscard]] double costOf(const SearchSpace& space, const std::vector<bool>& present);
 
-/// Appends the arcs that a particle can walk in a sub-mesh: from position `from`, counted from its source, up
+/// Appends the arcs that a particle can walk in a sub-mesh, from position `from`, counted from its source, up
 /// to and including the arc that leaves the sub-mesh.
 void appendWalk(const SearchSpace& space, LineId line, bool fromEnd, int from, SubMeshId subMesh,
                 std::vector<ArcId>& arcs);
@@ -42,17 +42,17 @@ void appendWalk(const SearchSpace& space, LineId line, bool fromEnd, int from, S
 /// The arcs that the particles of a sub-mesh can walk before they leave it.
 [[nodiscard]] std::vector<ArcId> ownArcs(const SearchSpace& space, SubMeshId subMesh);
 
-/// The particles that start in a sub-mesh, and those on some other lines that have walked already.
+/// The particles that start in a sub-mesh, and those of the lines in `others` that have walked already.
 [[nodiscard]] Walkers walkersOf(const SearchSpace& space, SubMeshId subMesh, const std::vector<bool>& present,
                                 const std::vector<LineId>& others = {});
 
-/// A search in one sub-mesh: the given arcs are free, every other arc stays as it is in `present`. Tracks may
-/// end unfinished at the first vertex outside. Takes time linear in what `makeProblem` looks at.
+/// The problem of one sub-mesh: the given arcs are free, and all others are fixed as in `present`. Tracks may
+/// end unfinished at the first vertex outside. Time is linear in what `makeProblem` visits.
 [[nodiscard]] Problem subMeshProblem(const SearchSpace& space, SubMeshId subMesh,
                                      const std::vector<ArcId>& freeArcs, const std::vector<bool>& present);
 
-/// Makes a graph without a search: every particle of the sub-mesh goes straight on in turn, to the first
-/// track or the first vertex outside. That is always valid.
+/// Makes a graph without a search: every particle of the sub-mesh in turn goes straight on to the first track
+/// or to the first vertex outside. The result is always valid.
 void goStraight(const SearchSpace& space, SubMeshId subMesh, std::vector<bool>& present);
 
 } // namespace qm

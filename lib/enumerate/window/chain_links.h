@@ -1,4 +1,4 @@
-/// \file Which chains cross each other, and clusters of them.
+/// \file Which chains cross each other, and clusters of chains that cross often.
 #pragma once
 
 #include "enumerate/state/problem.h"
@@ -11,19 +11,19 @@ class ChainLinks {
 public:
     explicit ChainLinks(const Problem& problem);
 
-    /// The chains that cross this one, ascending; itself among them if it crosses itself.
+    /// The chains that cross a chain, ascending; includes the chain itself if it crosses itself.
     [[nodiscard]] const std::vector<ChainId>& neighbours(ChainId chain) const { return neighbours_[chain]; }
 
-    /// Grows a cluster from a chain: the chain that crosses the cluster most often for its length comes next,
-    /// until the cluster has this many variables.
-    /// \param weights  of every chain: a factor that makes it come earlier
+    /// Grows a cluster from a chain until it has at least this many variables. Next comes always the chain
+    /// with the most crossings with the cluster, relative to its length.
+    /// \param weights  of every chain; the higher, the earlier it is added
     [[nodiscard]] std::vector<ChainId> cluster(ChainId chain, std::size_t variables,
                                                const IdVector<ChainId, double>& weights) const;
 
 private:
-    IdVector<ChainId, int> lengths_; ///< variables
+    IdVector<ChainId, int> lengths_; ///< number of variables of every chain
     IdVector<ChainId, std::vector<ChainId>> neighbours_;
-    IdVector<ChainId, std::vector<int>> crossings_; ///< how many with each neighbour
+    IdVector<ChainId, std::vector<int>> crossings_; ///< number of crossings with each neighbour
 };
 
 } // namespace qm

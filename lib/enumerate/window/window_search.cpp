@@ -15,12 +15,13 @@ namespace qm {
 namespace {
 
 struct Tuning {
-    /// Windows searched from the same graph, maybe at the same time. Fixed, so that the result does not
+    /// Windows searched from the same graph, possibly in parallel. A constant, so that the result does not
     /// depend on the number of threads; more would waste searches on a graph that is no longer the best.
     static constexpr std::size_t batch = 8;
-    /// Nodes of a patient search grow by this factor when no window of any size helps.
+    /// In a patient search, the limit of trees grows by this factor when no window of any size helps.
     static constexpr std::size_t growthOfTrees = 4;
-    /// What every arc adds to the disagreement of its chain: chains that agree follow last, long ones first.
+    /// Added to a chain's disagreement for every arc, so that chains without disagreement come last, longest
+    /// first.
     static constexpr double slight = 0.01;
 };
 
@@ -34,8 +35,8 @@ bool isValid(const Problem& problem, const Assignment& graph) {
     return true;
 }
 
-/// Whether the arcs are a valid graph that is cheaper than another. Arcs that share a variable might differ:
-/// they were found in a problem in which they did not share it.
+/// Whether arcs form a valid graph that is cheaper than another one. Arcs that share a variable may differ,
+/// because they were found in a problem in which they did not share it; then they are no graph.
 bool improves(const Problem& problem, const Assignment& before, const std::vector<bool>& present) {
     const Assignment graph = assignmentOf(problem, present);
     return costOf(problem, graph) < costOf(problem, before) - Incumbents::tolerance &&
@@ -71,15 +72,15 @@ private:
     struct Window {
         ChainId chain;
         std::vector<ChainId> chains;
-        std::vector<ArcValue> values; ///< of the arcs of its chains; empty unless they are cheaper
-        bool complete = false;        ///< its search ended with a proof
+        std::vector<ArcValue> values; ///< new values of its arcs; empty unless a cheaper graph was found
+        bool complete = false;        ///< whether the search ended with a proof
     };
 
     [[nodiscard]] bool isOver() const {
         return result_.windows >= options_.maxWindows || control_.stopRequested();
     }
 
-    /// Searches windows of one size, then of twice that size, and so on.
+    /// Searches windows of one size until none helps, then of twice the size, and so on.
     void growWindows(std::size_t smallest) {
         const std::size_t max = std::min<std::size_t>(options_.maxVariables, whole_.arcs.size());
         for (size_ = std::min(smallest, max); !isOver(); size_ = std::min(2 * size_, max)) {
@@ -90,7 +91,7 @@ private:
         }
     }
 
-    /// How much the graph and the relaxed solution disagree about every chain.
+    /// For every chain, how much the graph and the relaxed solution disagree.
     [[nodiscard]] IdVector<ChainId, double> disagreements() const {
         IdVector<ChainId, double> sums(whole_.chains.size(), 1);
         if (options_.relaxed.empty()) return sums;
@@ -103,8 +104,8 @@ private:
         return sums;
     }
 
-    /// Searches all windows of a size in which something has changed since.
-    /// \return whether one improved
+    /// Searches all windows of the current size that have changed since their last search.
+    /// \return whether a window improved the graph
     bool pass() {
         const std::size_t before = result_.improvements;
         const IdVector<ChainId, double> weights = disagreements();
@@ -137,14 +138,14 @@ private:
         windows.clear();
     }
 
-    /// The arcs of a chain are free in its windows.
+    /// Visits all arcs of a chain.
     template <class Visit> void forEachArc(ChainId chain, const Visit& visit) const {
         for (const VariableId v : whole_.chains[chain].variables())
             for (int k = 0; k < whole_.arcs[v].count; ++k)
                 visit(whole_.arcs[v].first + k);
     }
 
-    /// The search of a window: everything outside stays as it is, so that little of the mesh remains.
+    /// The problem of a window; everything outside is fixed, so the problem is small.
     [[nodiscard]] Problem problemOf(const Window& window) const {
         std::vector<ArcId> arcs;
         std::vector<LineId> lines;
@@ -173,7 +174,7 @@ private:
                 window.values.push_back({problem.arcs[v].first + k, found.graphs.front()[v] == 1});
     }
 
-    /// Takes the window's arcs over, unless an earlier window of the batch forbids it.
+    /// Adopts the window's new values, unless those of an earlier window of the batch rule them out.
     void accept(const Window& window, bool first) {
         std::unordered_set<ArcId> changes;
         for (const ArcValue& value : window.values)
@@ -208,12 +209,12 @@ private:
     const WindowOptions& options_;
     const Control& control_;
     ChainLinks links_;
-    IdVector<ChainId, std::size_t> changed_;  ///< when a chain or one that crosses it changed last
-    IdVector<ChainId, std::size_t> searched_; ///< when the window around a chain was searched last
+    IdVector<ChainId, std::size_t> changed_;  ///< last time at which a chain or one that crosses it changed
+    IdVector<ChainId, std::size_t> searched_; ///< last time at which the window around a chain was searched
     std::size_t clock_ = 1;
     std::size_t nodes_;
-    std::size_t size_ = 0;            ///< of the windows that are being searched
-    std::optional<std::size_t> hard_; ///< the first size at which a search ended without a proof
+    std::size_t size_ = 0;            ///< of the windows being searched
+    std::optional<std::size_t> hard_; ///< the first window size at which a search ended without a proof
     WindowResult result_;
 };
 

@@ -1,7 +1,7 @@
-/// \file Improving a graph by searching one window of it after another (docs/METHOD.md#windows).
+/// \file Improves a graph by searching one window after another (docs/METHOD.md#windows).
 ///
-/// A window is a line and those that cross it most; all others stay as they are. Lines on which the graph and
-/// the relaxed solution disagree come first. Windows grow when none of a size improves anything.
+/// A window is a chain and those that cross it most; all others stay fixed. Chains on which the graph and the
+/// relaxed solution disagree come first. Windows grow when none of their size improves the graph.
 #pragma once
 
 #include "base/control.h"
@@ -14,28 +14,29 @@
 namespace qm {
 
 struct WindowOptions {
-    std::size_t minVariables = 60; ///< of the smallest windows
-    /// Of the largest windows; a single line may have more.
+    std::size_t minVariables = 60; ///< size of the smallest windows
+    /// Size of the largest windows; a single chain may be larger.
     std::size_t maxVariables = std::numeric_limits<std::size_t>::max();
-    std::size_t maxWindows = std::numeric_limits<std::size_t>::max(); ///< in all
-    std::size_t nodes = 50;      ///< of the search tree of one window, at first
-    bool patient = false;        ///< when no window helps any more, begin again with larger trees
-    std::vector<double> relaxed; ///< value of every arc in the relaxed solution; empty if there is none
-    /// Told the arcs of every cheaper graph.
+    std::size_t maxWindows = std::numeric_limits<std::size_t>::max(); ///< most windows to search in total
+    std::size_t nodes = 50;      ///< limit of the search tree of one window, at first
+    bool patient = false;        ///< start again with larger search trees when no window helps any more
+    std::vector<double> relaxed; ///< value of every arc in the relaxed solution; empty if unknown
+    /// Called with the arcs of every cheaper graph.
     std::function<void(const std::vector<bool>& present)> improved = [](const std::vector<bool>&) {};
 };
 
 struct WindowResult {
-    std::vector<bool> present;    ///< of every arc
+    std::vector<bool> present;    ///< for every arc, whether the graph has it
     std::size_t windows = 0;      ///< searched
-    std::size_t improvements = 0; ///< of them, those that led to a cheaper graph
+    std::size_t improvements = 0; ///< windows that led to a cheaper graph
 };
 
-/// Ends when no window improves the graph (patient: when none could), or when `control.stopRequested`. The
-/// graph is valid at every step and its cost never rises. The result does not depend on `control.jobs`. What
-/// a window takes beside its search is linear in its lines and those across them.
-/// \param input    the whole search; its free arcs are those that windows are made of
-/// \param present  the arcs of a graph that is valid in it
+/// Ends when no window improves the graph, even with larger trees if `patient`, or when
+/// `control.stopRequested`. The graph is valid at every step and its cost never rises. The result does not
+/// depend on `control.jobs`. Apart from its search, a window takes time linear in its lines and those that
+/// cross them.
+/// \param input    the whole search; windows consist of its free arcs
+/// \param present  the arcs of a graph that is valid in `input`
 [[nodiscard]] WindowResult improveByWindows(const ProblemInput& input, const std::vector<bool>& present,
                                             const WindowOptions& options, const Control& control = {});
 
