@@ -1,4 +1,4 @@
-/// \file The free particles of a layout that changes, by the sub-mesh where they wait
+/// \file The free particles of a changing layout, by the sub-mesh where their tracks end
 /// (docs/METHOD.md#merging).
 #pragma once
 
@@ -13,26 +13,26 @@ namespace qm {
 
 class FreeParticles {
 public:
-    /// Both arguments outlive this.
+    /// Both arguments must outlive this.
     FreeParticles(const SearchSpace& space, const std::vector<bool>& present);
 
-    /// Those whose tracks end in a sub-mesh, by line, the one from its beginning first.
+    /// The free particles whose tracks end in a sub-mesh, ordered by line, the one from its beginning first.
     [[nodiscard]] const std::set<Particle>& in(SubMeshId subMesh) const;
     [[nodiscard]] std::size_t count() const { return count_; }
 
-    /// Looks again at the particles that arcs which have come or gone can concern: those of their lines and
-    /// of the lines across.
+    /// Examines again the particles that changed arcs may affect: those on the arcs' own lines and on the
+    /// lines that cross them.
     void update(const std::vector<ArcId>& changed);
 
 private:
     void place(Particle particle);
-    /// The sub-mesh where it waits, or none.
+    /// The sub-mesh where a particle waits; none if the particle is not free.
     [[nodiscard]] SubMeshId subMeshOf(Particle particle) const;
 
     const SearchSpace& space_;
     const std::vector<bool>& present_;
     std::unordered_map<SubMeshId, std::set<Particle>> waiting_; ///< by sub-mesh
-    std::vector<SubMeshId> placeOf_;                            ///< of the two particles of every line
+    std::vector<SubMeshId> placeOf_;                            ///< sub-mesh of both particles of every line
     std::size_t count_ = 0;
 };
 

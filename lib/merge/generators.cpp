@@ -30,7 +30,7 @@ public:
           arcOfEdge_(arcsOfEdges(mesh, space.graph, complex)), present_(space.graph.arcs.size(), false),
           free_(space, present_) {}
 
-    /// PMG: searches sub-meshes that no arc joins at the same time, the others one after the other.
+    /// PMG: sub-meshes that no arc joins are searched at the same time, all others one after the other.
     void partial() {
         double done = 0;
         for (const auto& group : separateGroups()) {
@@ -45,7 +45,7 @@ public:
         result_.freeAfterPartial = free_.count();
     }
 
-    /// CMG: until no particle is free, or a configuration repeats.
+    /// CMG: rounds until no particle is free or a configuration repeats.
     void complete(int maxRounds) {
         while (static_cast<int>(result_.rounds) < maxRounds && !repeats() && free_.count() > 0 &&
                !control_.stopRequested()) {
@@ -58,11 +58,11 @@ public:
         control_.progress(1);
     }
 
-    /// Nothing may be asked for afterwards.
+    /// Hands over the result; the generator must not be used afterwards.
     [[nodiscard]] GeneratedGraph take() { return {std::move(present_), std::move(result_)}; }
 
 private:
-    /// Sub-meshes in groups whose members no arc joins: greedy colouring in the order of their ids.
+    /// Groups of sub-meshes that no arc joins, by greedy colouring in the order of ids.
     [[nodiscard]] std::vector<std::vector<SubMeshId>> separateGroups() const {
         IdVector<SubMeshId, std::set<SubMeshId>> neighbours(at(subMeshes_.count));
         for (std::size_t arc = 0; arc < space_.arcBegins.size(); ++arc) {
@@ -92,7 +92,7 @@ private:
         change(arcs);
     }
 
-    /// Arcs that are there go, others come. No arc is given twice.
+    /// Flips the presence of arcs, none of which is given twice.
     void change(const std::vector<ArcId>& arcs) {
         for (const ArcId arc : arcs)
             present_[arc.idx()].flip();
@@ -100,7 +100,7 @@ private:
         if (!rounds_.empty()) rounds_.back().insert(rounds_.back().end(), arcs.begin(), arcs.end());
     }
 
-    /// Whether the arcs are as they were before one of the rounds.
+    /// Whether the present arcs are the same as before one of the rounds.
     [[nodiscard]] bool repeats() const {
         std::unordered_set<ArcId> differing;
         for (std::size_t round = rounds_.size(); round-- > 0;) {
@@ -111,7 +111,7 @@ private:
         return false;
     }
 
-    /// Where free particles that came in may go on.
+    /// The arcs that free particles may walk in a sub-mesh which they have entered.
     [[nodiscard]] std::vector<ArcId> enteringWalks(SubMeshId subMesh) const {
         std::vector<ArcId> arcs;
         for (const Particle particle : free_.in(subMesh)) {
@@ -121,7 +121,8 @@ private:
         return arcs;
     }
 
-    /// \return the arcs that it adds
+    /// PMG for one sub-mesh.
+    /// \return the arcs to be added
     [[nodiscard]] std::vector<ArcId> searchPartial(SubMeshId subMesh) const {
         std::vector<ArcId> arcs = enteringWalks(subMesh);
         const auto& graphs = enumeration_.subMeshes[subMesh].graphs;
@@ -139,7 +140,7 @@ private:
         return straightArcs(subMesh, arcs);
     }
 
-    /// Of the given arcs those that particles walk which only go straight on.
+    /// The given arcs that are walked if every particle goes straight on.
     [[nodiscard]] std::vector<ArcId> straightArcs(SubMeshId subMesh, std::vector<ArcId> arcs) const {
         std::vector<bool> straight = present_;
         goStraight(space_, subMesh, straight);
@@ -152,8 +153,8 @@ private:
                     "no motorcycle graph obeys the constraints", "take some out of /constraints");
     }
 
-    /// Searches with these arcs free.
-    /// \return the arcs that come or go; none if nothing is valid
+    /// Searches the sub-mesh with these arcs free.
+    /// \return the arcs whose presence changes; nothing if there is no valid graph
     [[nodiscard]] std::optional<std::vector<ArcId>> changesOf(SubMeshId subMesh,
                                                               const std::vector<ArcId>& arcs) const {
         const Problem problem = subMeshProblem(space_, subMesh, arcs, present_);
@@ -179,7 +180,7 @@ private:
         }
     }
 
-    /// Extends what is still free straight on, the cheapest first.
+    /// Extends the remaining free particles straight on, the cheapest first.
     void extendRest() {
         result_.searches = searches_;
         result_.extended = extendCheapestFirst(space_.graph, space_.arcCosts, present_);
@@ -195,7 +196,7 @@ private:
     const std::vector<ArcId> arcOfEdge_;
     std::vector<bool> present_;
     FreeParticles free_;
-    std::vector<std::vector<ArcId>> rounds_; ///< the arcs that came or went in each, as often as they did
+    std::vector<std::vector<ArcId>> rounds_; ///< arcs changed in every round, once per change
     mutable std::atomic<std::size_t> searches_ = 0;
     MergeResult result_;
 };

@@ -1,5 +1,5 @@
-/// \file The partial and the complete generator: from the graphs of the sub-meshes to one graph in which no
-/// particle is free (docs/METHOD.md#merging).
+/// \file The partial and the complete generator: they turn the graphs of the sub-meshes into one graph
+/// without free particles (docs/METHOD.md#merging).
 #pragma once
 
 #include "base/control.h"
@@ -12,14 +12,15 @@
 namespace qm {
 
 struct GeneratedGraph {
-    std::vector<bool> present; ///< of every arc
-    MergeResult figures;       ///< what the generators count
+    std::vector<bool> present; ///< for every arc, whether the graph has it
+    MergeResult figures;       ///< the generators' counters
 };
 
-/// PMG, then CMG, and straight on what they leave free. The result does not depend on `control.jobs`.
-/// \param complexityLimit  chi: a closed set of linked particles at least this complex is reduced
-/// \param maxRounds  of CMG
-/// \throw Error  if no graph of a sub-mesh obeys the constraints
+/// Runs PMG, then CMG, and extends the remaining free particles straight on. The result does not depend on
+/// `control.jobs`.
+/// \param complexityLimit  chi: fewer particles are taken if a closed set of linked ones is this complex
+/// \param maxRounds        of CMG
+/// \throw Error  if no graph of some sub-mesh obeys the constraints
 [[nodiscard]] GeneratedGraph generateGraph(const QuadMesh& mesh, const BaseComplex& complex,
                                            const SearchSpace& space, const Enumeration& enumeration,
                                            const SubMeshes& subMeshes, double complexityLimit, int maxRounds,

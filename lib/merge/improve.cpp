@@ -18,27 +18,27 @@ namespace qm {
 namespace {
 
 struct Tuning {
-    /// Of the time, for the search of the whole: it gives bound and graph, so it gets the most. Where parts
-    /// are large, their root may take all, as no bound is known before.
+    /// Share of the time for the search of the whole mesh, which gives both bound and graph. If parts are
+    /// large, their root may take all of the time, because there is no bound before.
     static constexpr double shareOfTree = 0.55;
-    /// Of the time, for windows that a single thread searches before it begins with the whole.
+    /// Share of the time for the windows that a single thread searches before the whole mesh.
     static constexpr double shareOfFirst = 0.2;
-    /// Of the time; where one thread does everything, from here on the bound is improved, not the graph,
-    /// which gains little by then.
+    /// Share of the time after which a single thread improves the bound and no longer the graph, which gains
+    /// little by then.
     static constexpr double shareOfGraph = 0.65;
-    /// Variables of a part of which only the root is searched: the simplex method alone would take half a
-    /// minute.
+    /// From this number of variables on, only the root of a part is searched: the simplex method alone would
+    /// take half a minute.
     static constexpr std::size_t large = 15000;
-    /// Variables of the largest windows that the search of the whole waits for: at least `fastWindow`, and
-    /// one in `fastShare` of all, or in large parts, once they have been relaxed, in `relaxedShare`. Such
-    /// windows take a small part of what the search itself takes.
+    /// Size of the largest windows that the search of the whole mesh waits for: at least `fastWindow`
+    /// variables, one in `fastShare` of all, or one in `relaxedShare` after the relaxation of large parts.
+    /// Such windows take little of the time of the search itself.
     static constexpr std::size_t fastWindow = 500;
     static constexpr std::size_t fastShare = 8;
     static constexpr std::size_t relaxedShare = 2;
-    /// Variables of a window as hard as a sub-mesh, by the sub-mesh's quasi-complexity: log2 of the stops of
-    /// a line that is as long as they usually are.
+    /// Variables of a window per unit of a sub-mesh's quasi-complexity, so that both are equally hard: about
+    /// log2 of the candidate stops on a line of usual length.
     static constexpr double variablesPerBit = 6;
-    /// Windows that move cuts take a fraction of a second, and all of them a few seconds.
+    /// Limits for the windows that move cuts: each takes a fraction of a second, and all take a few seconds.
     static constexpr double maxCutWindow = 1000;
     static constexpr std::size_t maxCutWindows = 2000;
 };
@@ -47,7 +47,7 @@ ProblemInput wholeInput(const SearchSpace& space) {
     return {space.graph, space.arcCosts, {}, space.demands, {}, {}, space.cornerCost};
 }
 
-/// What is known of a graph that becomes cheaper, for those who wait.
+/// The known cost and bound of a graph while it is being improved, for callers who want to follow.
 class Known {
 public:
     Known(const Control& control, const KnownCost& tell, double cost)
@@ -55,7 +55,7 @@ public:
 
     void cost(double cost) { cost_ = cost; }
     void bound(double bound) { bound_ = bound; }
-    /// Tells what is known whenever it is asked whether to stop.
+    /// A control that reports the known cost and bound whenever it is asked whether to stop.
     [[nodiscard]] Control control() const {
         Control control = control_;
         control.stopRequested = [this] {
@@ -72,19 +72,19 @@ private:
     std::atomic<double> bound_ = -std::numeric_limits<double>::infinity();
 };
 
-/// One graph that becomes cheaper, by a search of the whole and by windows.
+/// Makes one graph cheaper, by a search of the whole mesh and by windows.
 class Improver {
 public:
-    /// \param counters  what to count windows and improvements in
+    /// \param counters  its numbers of windows and improvements are updated
     Improver(const SearchSpace& space, std::vector<bool> present, Improvement& counters, Known& known)
         : space_(space), input_(wholeInput(space)), problem_(makeProblem(input_)),
           present_(std::move(present)), counters_(counters), known_(known) {}
 
     [[nodiscard]] bool isLarge() const { return problem_.arcs.size() >= Tuning::large; }
 
-    /// Searches the whole, and windows of the graph at hand at the same time.
-    /// \param first  of these windows
-    /// \return with the bound
+    /// Searches the whole mesh, and at the same time windows of the present graph.
+    /// \param first  control of the windows that are searched before the relaxation is known
+    /// \return includes the lower bound
     OptimumResult searchTree(const Control& control, const Control& first) {
         OptimumOptions options;
         options.start = assignmentOf(problem_, present_);
@@ -104,7 +104,7 @@ public:
         return found;
     }
 
-    /// \param relaxed  of every variable, or empty
+    /// \param relaxed  relaxed value of every variable; may be empty
     void searchWindows(const IdVector<VariableId, double>& relaxed, WindowOptions options,
                        const Control& control) {
         options.relaxed = relaxedArcs(relaxed);
@@ -118,21 +118,21 @@ public:
     [[nodiscard]] const std::vector<bool>& present() const { return present_; }
 
 private:
-    /// Goes on with a graph if it is cheaper.
+    /// Adopts a graph if it is cheaper.
     void take(const Assignment& graph) {
         if (costOf(problem_, graph) >= costOf(problem_, assignmentOf(problem_, present_))) return;
         apply(problem_, graph, present_);
         known_.cost(costOf(space_, present_));
     }
 
-    /// Windows that are small enough for the tree to wait for them.
+    /// Options for windows that are small enough for the tree search to wait for them.
     [[nodiscard]] WindowOptions fastWindows(std::size_t share) const {
         WindowOptions options;
         options.maxVariables = std::max(Tuning::fastWindow, problem_.arcs.size() / share);
         return options;
     }
 
-    /// The same of every arc.
+    /// The relaxed value of every arc.
     [[nodiscard]] std::vector<double> relaxedArcs(const IdVector<VariableId, double>& relaxed) const {
         if (relaxed.empty()) return {};
         std::vector<double> values(space_.graph.arcs.size(), 0);
@@ -149,7 +149,7 @@ private:
     Known& known_;
 };
 
-/// What the decomposition adds to the bounds of the parts.
+/// The sum of what the decomposition bound adds to the bounds of the parts.
 double boundGain(const std::vector<OpenPart>& parts, const Deadline& end, const Control& control,
                  const std::function<void(double)>& tell) {
     double gain = 0;
@@ -174,7 +174,7 @@ Improvement improveGraph(const QuadMesh& mesh, const BaseComplex& complex,
     Improvement result;
     Improver improver(space, presentArcs(mesh, complex, space.graph, graph.tracks), result, known);
     const double shareOfTree = improver.isLarge() ? 1 : Tuning::shareOfTree;
-    const bool together = telling.jobs > 1; // windows and bounds, to the end
+    const bool together = telling.jobs > 1; // whether windows and bounds are computed at the same time
     const Deadline end(telling, seconds), tree(telling, shareOfTree * seconds),
         first(telling, (together ? shareOfTree : Tuning::shareOfFirst) * seconds),
         windows(telling, together ? seconds : Tuning::shareOfGraph * seconds);
@@ -190,7 +190,7 @@ Improvement improveGraph(const QuadMesh& mesh, const BaseComplex& complex,
             [&] {
                 WindowOptions allSizes;
                 allSizes.patient = true;
-                // Nothing else may be left to do.
+                // Without open parts there is no bound to improve, and windows get all of the time.
                 Control ofWindows = (found.openParts.empty() ? end : windows).control();
                 if (together) ofWindows.jobs -= telling.jobs / 2;
                 improver.searchWindows(found.relaxed, allSizes, ofWindows);
@@ -210,7 +210,7 @@ Improvement improveGraph(const QuadMesh& mesh, const BaseComplex& complex,
 }
 
 double boundBelow(double lowerBound, double cost) {
-    // The bound sums what the search summed, in another order than the tracks' costs.
+    // The bound adds the same costs in another order than the tracks' costs do.
     const double rounding = 1e-6 * (1 + std::abs(cost));
     if (lowerBound > cost + rounding)
         throw std::logic_error("a lower bound of " + std::to_string(lowerBound) +

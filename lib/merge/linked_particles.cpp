@@ -10,13 +10,13 @@
 namespace qm {
 namespace {
 
-/// Collects stretches of lines inside a sub-mesh.
+/// Collects the arcs inside a sub-mesh that may change.
 class Closure {
 public:
     Closure(const SearchSpace& space, const std::vector<bool>& present, SubMeshId subMesh)
         : space_(space), present_(present), subMesh_(subMesh) {}
 
-    /// The way of a free particle from its crash point on, up to the arc that leaves the sub-mesh.
+    /// Adds the way of a free particle from its crash point up to the arc that leaves the sub-mesh.
     void addFree(Particle particle) {
         const Line& line = space_.graph.lines[particle.line.idx()];
         int walked = 0;
@@ -28,12 +28,12 @@ public:
         std::vector<ArcId> walk;
         appendWalk(space_, particle.line, particle.fromEnd, walked, subMesh_, walk);
         for (const ArcId step : walk) {
-            if (present_[step.idx()]) break; // the opposite's track
+            if (present_[step.idx()]) break; // the track of the opposite particle
             take(step);
         }
     }
 
-    /// Follows the links of everything taken so far.
+    /// Follows the links of all arcs collected so far.
     /// \return whether anything was added
     bool addLinked() {
         std::vector<ArcId> found;
@@ -69,7 +69,7 @@ private:
         return space_.arcBegins[arc.idx()] == subMesh_ || space_.arcEnds[arc.idx()] == subMesh_;
     }
 
-    /// The present arcs of other lines, and of the same line further on, at both ends of an arc.
+    /// The present arcs that meet an arc at its two ends, of other lines and of its own.
     [[nodiscard]] std::vector<ArcId> crossingTracks(ArcId arc) const {
         std::vector<ArcId> result;
         const Line& line = space_.graph.lineOf(arc);
@@ -84,7 +84,7 @@ private:
         return result;
     }
 
-    /// All of a line inside the sub-mesh around one of its arcs.
+    /// Adds the part of a line that lies inside the sub-mesh around one of its arcs.
     void addStretch(ArcId arc) {
         if (taken_.contains(arc)) return;
         const Line& line = space_.graph.lineOf(arc);
@@ -98,7 +98,8 @@ private:
             if (!leavesPresent(ArcId(k))) take(ArcId(k));
     }
 
-    /// A track over the cut stays, because this search cannot change how it goes on outside.
+    /// Whether a track crosses the cut here. Such arcs stay, because this search cannot change the track
+    /// outside.
     [[nodiscard]] bool leavesPresent(ArcId arc) const {
         return present_[arc.idx()] && space_.arcBegins[arc.idx()] != space_.arcEnds[arc.idx()];
     }

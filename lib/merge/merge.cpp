@@ -20,7 +20,7 @@ bool obeys(const SearchSpace& space, const std::vector<bool>& present) {
     return true;
 }
 
-/// A T-mesh is searched on the whole mesh, so there is nothing to merge.
+/// The graph of a T-mesh enumeration; it covers the whole mesh, so there is nothing to merge.
 MergeResult wholeGraph(const Enumeration& enumeration) {
     const SubMeshGraphs& found = enumeration.subMeshes.front();
     if (found.graphs.empty())
@@ -53,7 +53,7 @@ MergeResult mergeGraphs(const QuadMesh& mesh, const BaseComplex& complex,
             result.plain = true;
         }
     }
-    // Particles that are extended straight on pay no heed to the constraints.
+    // Free particles are extended straight on without regard to the constraints.
     if (!obeys(space, present))
         throw Error(
             "/constraints", "no graph that obeys them was found one sub-mesh after the other",
@@ -66,7 +66,7 @@ MergeResult mergeGraphs(const QuadMesh& mesh, const BaseComplex& complex,
     }
     result.graph = graphOf(mesh, complex, space.graph, present, costs);
     result.costBefore = result.graph.cost;
-    // If segments cost something, the bound is none of G_T, which sums the edges alone.
+    // If segments have a cost, the bound includes it and is no bound of G_T, which sums over edges only.
     const bool bounds = enumeration.cost.terms.segments == 0;
     if (subMeshes.count == 1 && bounds) result.lowerBound = enumeration.subMeshes.front().lowerBound;
     const bool proven = result.lowerBound && result.graph.cost <= *result.lowerBound + Incumbents::tolerance;

@@ -1,4 +1,4 @@
-/// \file From the graphs of the sub-meshes to one motorcycle graph of the whole mesh
+/// \file Merging the graphs of the sub-meshes into one motorcycle graph of the whole mesh
 /// (docs/METHOD.md#merging).
 #pragma once
 
@@ -9,29 +9,29 @@
 namespace qm {
 
 struct MergeOptions {
-    int maxRounds = 100; ///< passes of the complete generator before free particles are simply extended
-    double improve = 0;  ///< seconds to improve the complete graph
+    int maxRounds = 100; ///< rounds of the complete generator before free particles are extended straight on
+    double improve = 0;  ///< seconds for improving the complete graph
 };
 
 struct MergeResult {
     MotorcycleGraph graph;
-    std::optional<double> lowerBound; ///< for the whole mesh, if one is known
-    std::size_t rounds = 0;           ///< passes of the complete generator
-    std::size_t searches = 0;         ///< sub-mesh searches in both generators
+    std::optional<double> lowerBound; ///< for the whole mesh, if known
+    std::size_t rounds = 0;           ///< of the complete generator
+    std::size_t searches = 0;         ///< searches of sub-meshes in both generators
     std::size_t freeAfterPartial = 0; ///< free particles left by the partial generator
-    std::size_t linked = 0;           ///< linked particles that took part in a search, in all
-    std::size_t extended = 0;         ///< free particles that had to be extended straight on
-    bool plain = false;               ///< the plain motorcycle graph was cheaper than the merged one
-    double costBefore = 0;            ///< of the complete graph before it was improved
+    std::size_t linked = 0;           ///< linked particles that took part in searches, in total
+    std::size_t extended = 0;         ///< free particles that were extended straight on
+    bool plain = false;               ///< whether the plain motorcycle graph was cheaper than the merged one
+    double costBefore = 0;            ///< of the complete graph, before it was improved
     std::size_t windows = 0;          ///< searched to improve it
-    std::size_t improvements = 0;     ///< of them, those that made it cheaper
+    std::size_t improvements = 0;     ///< windows that made it cheaper
 };
 
-/// PMG, then CMG until no particle is free, then improvements if there is time. Always ends in a valid
-/// motorcycle graph of the whole mesh.
-/// \param enumeration  its first graph of every sub-mesh is the starting point; its cost options are used
-/// \param tell  told what is known while it improves
-/// \param complexityLimit  chi: a closed set of linked particles at least this complex is reduced
+/// Runs PMG, then CMG until no particle is free, then improves the graph if there is time for it. The result
+/// is always a valid motorcycle graph of the whole mesh.
+/// \param enumeration      the first graph of every sub-mesh is the starting point; its cost options apply
+/// \param tell             called with the known cost and bound during the improvement
+/// \param complexityLimit  chi: fewer particles are taken if a closed set of linked ones is this complex
 [[nodiscard]] MergeResult mergeGraphs(const QuadMesh& mesh, const BaseComplex& complex,
                                       const std::vector<double>& dihedralAngles, const SubMeshes& subMeshes,
                                       const Enumeration& enumeration, const Constraints& constraints,

@@ -16,11 +16,11 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Sets of columns that rows tie together; every column is in one.
+/// A partition of the columns into sets whose columns are tied by rows.
 struct Clusters {
     std::vector<std::vector<ColumnId>> members;
     IdVector<ColumnId, std::size_t> clusterOf;
-    IdVector<ColumnId, ColumnId> indexOf; ///< among its cluster's members
+    IdVector<ColumnId, ColumnId> indexOf; ///< of every column in its cluster
 };
 
 class ClusterBuilder {
@@ -37,7 +37,7 @@ public:
         Clusters clusters;
         for (const ColumnId column : taken_.ids())
             if (!taken_[column]) clusters.members.push_back(grow(column));
-        // Clusters that are solved fast leave their time to the others.
+        // Easy clusters come first, so that the time which they do not need is left for the others.
         std::ranges::stable_sort(clusters.members, {}, [this](const auto& members) {
             return std::ranges::count_if(members,
                                          [this](ColumnId c) { return isFractional(relaxed_.values[c]); });
@@ -57,15 +57,16 @@ private:
     struct Waiting {
         double gain;
         ColumnId column;
-        /// The queue hands out the largest gain first, and of equal ones the first column.
+        /// Orders the queue such that the largest gain comes first, and among equal gains the first column.
         bool operator<(const Waiting& other) const {
             return gain != other.gain ? gain < other.gain : column > other.column;
         }
     };
 
-    /// Adds the column with the closest ties to the cluster next. Rows with large duals tie closest.
+    /// Grows a cluster by adding the column that is tied to it most closely; large duals make rows tie
+    /// closely.
     std::vector<ColumnId> grow(ColumnId start) {
-        constexpr double dualWeight = 20; // against the mere number of rows
+        constexpr double dualWeight = 20; // relative to the number of rows
         std::vector<ColumnId> cluster, touched;
         std::priority_queue<Waiting> waiting;
         waiting.push({0, start});
@@ -91,11 +92,11 @@ private:
     const RelaxedProgram& relaxed_;
     std::size_t columns_;
     IdVector<ColumnId, std::vector<RowId>> rowsOf_;
-    ColumnValues gains_; ///< of columns that wait: how closely they are tied
+    ColumnValues gains_; ///< for waiting columns, how closely they are tied to the cluster
     IdVector<ColumnId, bool> taken_;
 };
 
-/// The program with the rows between clusters in its costs.
+/// The program without the rows between clusters, which are moved into its costs.
 class Decomposition {
 public:
     Decomposition(const RelaxedProgram& relaxed, std::size_t columns)
@@ -109,7 +110,7 @@ public:
 
     [[nodiscard]] std::size_t size() const { return clusters_.members.size(); }
 
-    /// \return how much the integer optima of the clusters exceed the relaxed bounds
+    /// \return the sum by which the integer optima of the clusters exceed their relaxed bounds
     double gain(double seconds, const Control& control) const {
         const Deadline end(control, seconds);
         const Control limited = end.control();
@@ -136,13 +137,14 @@ private:
             return;
         }
         const double dual = relaxed_.duals[id], side = dual > 0 ? row.lower : row.upper;
-        if (dual == 0 || std::isinf(side)) return; // a dual of the wrong sign is the solver's noise
+        // With a dual of the wrong sign, which is noise of the solver.
+        if (dual == 0 || std::isinf(side)) return;
         constant_ += dual * side;
         for (std::size_t k = 0; k < row.columns.size(); ++k)
             costs_[row.columns[k]] -= dual * row.weights[k];
     }
 
-    /// What the duals of the rows inside prove; the relaxed optimum itself if they are optimal.
+    /// The bound that the duals of a cluster's rows prove; the relaxed optimum itself if they are optimal.
     [[nodiscard]] double relaxedBoundOf(std::size_t cluster) const {
         IdVector<RowId, double> duals;
         for (const RowId row : rowsOf_[cluster])
@@ -174,7 +176,7 @@ private:
     const Clusters clusters_;
     ColumnValues costs_;
     double constant_;
-    std::vector<std::vector<RowId>> rowsOf_; ///< of every cluster, those inside
+    std::vector<std::vector<RowId>> rowsOf_; ///< for every cluster, the rows inside it
     std::vector<double> relaxedBounds_;      ///< of every cluster
 };
 

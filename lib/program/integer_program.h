@@ -1,4 +1,4 @@
-/// \file A linear program in binary variables.
+/// \file Linear programs in binary variables.
 #pragma once
 
 #include "base/id_vector.h"
@@ -19,19 +19,19 @@ struct IntegerProgram {
         double lower = 0;
         double upper = 0;
 
-        /// Weights of the same column add up.
+        /// Adds to the weight of a column.
         void add(ColumnId column, double weight);
     };
-    ColumnValues costs; ///< of every column; all are 0 or 1
+    ColumnValues costs; ///< of every column; columns are 0 or 1
     IdVector<RowId, Row> rows;
 
     /// \param values  of every column
     [[nodiscard]] double cost(const ColumnValues& values) const;
-    /// Whether they obey all rows, but for rounding.
+    /// Whether the values satisfy all rows, up to rounding.
     [[nodiscard]] bool allows(const ColumnValues& values) const;
 };
 
-/// A relaxed value closer to 0 or 1 than this is taken for it.
+/// Relaxed values closer than this to 0 or 1 count as integral.
 constexpr double integral = 1e-6;
 
 [[nodiscard]] constexpr bool isFractional(double value) {

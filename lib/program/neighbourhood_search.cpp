@@ -23,7 +23,7 @@ public:
     [[nodiscard]] std::size_t columns() const { return program_.costs.size(); }
     [[nodiscard]] const ColumnValues& values() const { return values_; }
 
-    /// The columns nearest to the sources.
+    /// The columns nearest to the sources, which are among them.
     [[nodiscard]] std::vector<ColumnId> around(const std::vector<ColumnId>& sources, std::size_t size) const {
         IdVector<ColumnId, bool> seen(columns(), false);
         std::vector<ColumnId> found;
@@ -40,7 +40,8 @@ public:
         return found;
     }
 
-    /// \return whether the values became better
+    /// Solves the program for the free columns.
+    /// \return whether the values were improved
     bool solve(const std::vector<ColumnId>& free, double seconds, const Control& control) {
         ColumnValues start;
         start.reserve(free.size());
@@ -51,7 +52,7 @@ public:
         const ProgramSolution solution = solveProgram(part, start, {seconds, options_.nodes}, control);
         if (!solution.values) return false;
         const double after = part.cost(*solution.values);
-        constexpr double rounding = 1e-9; // of sums of costs
+        constexpr double rounding = 1e-9; // for sums of costs
         if (after > before - rounding) return false;
         for (std::size_t k = 0; k < free.size(); ++k)
             values_[free[k]] = (*solution.values)[ColumnId(k)];
@@ -59,7 +60,7 @@ public:
     }
 
 private:
-    /// The program in which all other columns keep their values.
+    /// The program for the free columns, in which all other columns keep their values.
     IntegerProgram restrictedTo(const std::vector<ColumnId>& free) {
         IntegerProgram part;
         std::vector<RowId> rows;
@@ -97,7 +98,7 @@ private:
     const NeighbourhoodOptions& options_;
     ColumnValues values_;
     IdVector<ColumnId, std::vector<RowId>> rowsOf_;
-    IdVector<ColumnId, ColumnId> place_; ///< in the part that is being made; none elsewhere
+    IdVector<ColumnId, ColumnId> place_; ///< index in the part being built; otherwise none
 };
 
 } // namespace

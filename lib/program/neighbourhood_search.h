@@ -1,4 +1,4 @@
-/// \file Making a solution of an integer program better, a neighbourhood of columns at a time: large
+/// \file Improving a solution of an integer program, one neighbourhood of columns at a time: large
 /// neighbourhood search (docs/METHOD.md#shaw-1998).
 #pragma once
 
@@ -11,21 +11,21 @@
 
 namespace qm {
 
-/// All limits but `seconds` count, so that without it the result is the same on every machine.
+/// All limits except `seconds` are counts, so without that one the result is the same on every machine.
 struct NeighbourhoodOptions {
-    double seconds = std::numeric_limits<double>::infinity(); ///< in all; then the best so far is returned
-    int nodes = 100;                                          ///< of branch and bound, for one neighbourhood
-    std::size_t columns = 250;                                ///< of a neighbourhood at first
-    std::size_t longRow = 40;  ///< a row of more columns makes no neighbours of them
-    int patience = 12;         ///< neighbourhoods in vain before they grow
-    std::uint32_t seed = 5489; ///< of the places where neighbourhoods lie
+    double seconds = std::numeric_limits<double>::infinity(); ///< in total; the best so far is returned
+    int nodes = 100;           ///< limit of branch and bound for one neighbourhood
+    std::size_t columns = 250; ///< of a neighbourhood at first
+    std::size_t longRow = 40;  ///< rows with more columns do not make them neighbours
+    int patience = 12;         ///< neighbourhoods without success before they grow
+    std::uint32_t seed = 5489; ///< for the choice of neighbourhoods
 };
 
-/// For programs that are too large to be solved at once. A neighbourhood holds the columns nearest to one
-/// column, or to all columns of one group; two columns of one row are one step apart. All others keep their
-/// values while it is solved.
-/// Neighbourhoods grow when they no longer help, up to the whole program.
-/// \param values   obey all rows; the result does too, and never costs more
+/// For programs that are too large to be solved at once. A neighbourhood contains the columns nearest to one
+/// column or to all columns of a group, where columns that share a row are one step apart. All other columns
+/// keep their values while it is solved. When neighbourhoods no longer help, they grow, up to the whole
+/// program.
+/// \param values   must satisfy all rows; so does the result, whose cost is never higher
 /// \param groups   columns that tend to change together
 [[nodiscard]] ColumnValues improveByNeighbourhoods(const IntegerProgram& program, ColumnValues values,
                                                    const std::vector<std::vector<ColumnId>>& groups,

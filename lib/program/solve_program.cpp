@@ -18,7 +18,7 @@
 namespace qm {
 namespace {
 
-/// Seconds; the solver knows no infinity.
+/// Seconds; the solver does not accept infinity.
 constexpr double noLimit = 1e9;
 
 class StopHandler : public CbcEventHandler {
@@ -57,7 +57,7 @@ void load(const IntegerProgram& program, OsiClpSolverInterface& solver) {
         solver.setInteger(column.value());
 }
 
-/// A bound that takes no row into account.
+/// A lower bound that ignores all rows.
 double boundOfColumns(const IntegerProgram& program) {
     return std::accumulate(program.costs.begin(), program.costs.end(), 0.0,
                            [](double sum, double cost) { return sum + std::min(cost, 0.0); });
@@ -68,8 +68,8 @@ double maxCost(const IntegerProgram& program) {
                            [](double sum, double cost) { return sum + std::max(cost, 0.0); });
 }
 
-/// CBC would not look at the clock before the relaxation is solved.
-/// \return whether it is
+/// Solves the relaxation. CBC would not check the time before it is solved.
+/// \return whether it was solved to optimality
 bool relax(OsiClpSolverInterface& solver, double seconds) {
     ClpSimplex& simplex = *solver.getModelPtr();
     simplex.setMaximumWallSeconds(seconds);
@@ -83,7 +83,7 @@ bool relax(OsiClpSolverInterface& solver, double seconds) {
 
 ProgramSolution solveProgram(const IntegerProgram& program, const ColumnValues& start,
                              const ProgramLimits& limits, const Control& control) {
-    if (program.costs.empty()) return {ColumnValues{}, 0, true}; // CBC proves nothing about nothing
+    if (program.costs.empty()) return {ColumnValues{}, 0, true}; // CBC reports no proof for an empty program
     const Deadline end(control, limits.seconds);
     OsiClpSolverInterface solver;
     load(program, solver);
@@ -97,7 +97,7 @@ ProgramSolution solveProgram(const IntegerProgram& program, const ColumnValues& 
         model.setBestSolution(start.data(), static_cast<int>(start.size()), program.cost(start));
     const std::string seconds = std::to_string(std::min(end.secondsLeft(), noLimit));
     const std::string nodes = std::to_string(limits.nodes);
-    // CBC's own presolve crashes when it is interrupted.
+    // Interrupting CBC's own presolve makes it crash.
     const char* arguments[] = {"cbc",  "-log",          "0",         "-timeMode",   "elapsed",
                                "-sec", seconds.c_str(), "-maxNodes", nodes.c_str(), "-preprocess",
                                "off",  "-solve",        "-quit"};
@@ -120,11 +120,11 @@ double boundProgram(const IntegerProgram& program, double seconds, const Control
     const Deadline end(control, seconds);
     OsiClpSolverInterface solver;
     load(program, solver);
-    // The clock ends the first relaxation, but no later one: CBC takes a node whose relaxation was not
-    // finished for one without solutions, and would prove what is not so.
+    // The time limit may end the first relaxation but no later one: CBC takes a node whose relaxation was not
+    // finished for infeasible, and would report a false proof.
     if (!relax(solver, seconds)) return nothing;
-    // Not CbcMain1, which keeps its parameters in globals. Cuts and heuristics only cost time in programs
-    // this small.
+    // CbcMain1 is not used because it keeps its parameters in globals; its cuts and heuristics would only
+    // cost time in programs this small.
     CbcModel model(solver);
     model.setLogLevel(0);
     model.solver()->setHintParam(OsiDoReducePrint, true);

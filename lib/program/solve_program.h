@@ -1,4 +1,4 @@
-/// \file Integer programs, solved by CBC.
+/// \file Solving integer programs with CBC.
 #pragma once
 
 #include "base/control.h"
@@ -10,23 +10,24 @@
 namespace qm {
 
 struct ProgramSolution {
-    std::optional<ColumnValues> values; ///< 0 or 1 of every column; none if nothing was found
-    double lowerBound = 0;              ///< of the costs
+    std::optional<ColumnValues> values; ///< every column is 0 or 1; nothing if no solution was found
+    double lowerBound = 0;              ///< of the cost
     bool proven = false;
 };
 
 struct ProgramLimits {
     double seconds = std::numeric_limits<double>::infinity();
-    int nodes = std::numeric_limits<int>::max(); ///< of branch and bound
+    int nodes = std::numeric_limits<int>::max(); ///< limit of branch and bound
 };
 
-/// Minimises the costs; stops at a limit with the best so far, or soon after `control.stopRequested`.
-/// \param start  values to begin with that obey all rows; may be empty
+/// Minimises the cost. Stops at a limit, or soon after `control.stopRequested`, with the best solution so
+/// far.
+/// \param start  values that satisfy all rows, to begin with; may be empty
 [[nodiscard]] ProgramSolution solveProgram(const IntegerProgram& program, const ColumnValues& start,
                                            const ProgramLimits& limits, const Control& control = {});
 
-/// A lower bound of the cost, which is the minimum itself if there is time enough; minus infinity if there
-/// was none. May run on several threads.
+/// A lower bound of the cost: the minimum itself if there is enough time, minus infinity if there is too
+/// little. May be called on several threads at the same time.
 /// \pre the program has a solution
 [[nodiscard]] double boundProgram(const IntegerProgram& program, double seconds, const Control& control = {});
 

@@ -1,4 +1,4 @@
-/// \file A sparse matrix, row by row, for methods whose time is that of multiplying by it.
+/// \file A sparse matrix stored by rows, for methods that mainly multiply by it.
 #pragma once
 
 #include "program/integer_program.h"
@@ -9,25 +9,26 @@
 
 namespace qm {
 
-/// Compressed sparse rows. Indices and weights are short, so that less memory has to be read; weights are
-/// rounded to single precision.
+/// Compressed sparse rows. Indices and weights are short, so that less memory is read; weights are rounded to
+/// single precision.
 class SparseRows {
 public:
     SparseRows() = default;
     /// The weights of a program's rows.
     explicit SparseRows(const IntegerProgram& program);
 
-    /// Adds an entry to the row at the end.
+    /// Adds an entry to the last row.
     void add(std::size_t column, double weight) {
         columns_.push_back(static_cast<std::uint32_t>(column));
         weights_.push_back(static_cast<float>(weight));
     }
-    /// Ends that row: the next entry begins another one.
+    /// Ends the last row; the next entry begins another one.
     void endRow() { starts_.push_back(static_cast<std::uint32_t>(columns_.size())); }
 
-    /// How many rows there are.
+    /// The number of rows.
     [[nodiscard]] std::size_t size() const { return starts_.size() - 1; }
 
+    /// The product of a row and a vector.
     /// \param values  of every column
     [[nodiscard]] double product(std::size_t row, const std::vector<double>& values) const {
         double sum = 0;
@@ -36,15 +37,15 @@ public:
         return sum;
     }
 
-    /// Of the absolute weights in a row.
+    /// The sum of the absolute weights in a row.
     [[nodiscard]] double absoluteSum(std::size_t row) const;
 
-    /// The same matrix, column by column.
-    /// \param columns  how many there are
+    /// The transposed matrix.
+    /// \param columns  the number of columns
     [[nodiscard]] SparseRows transposed(std::size_t columns) const;
 
 private:
-    std::vector<std::uint32_t> starts_{0}; ///< of every row, and the end
+    std::vector<std::uint32_t> starts_{0}; ///< where each row begins, and the end
     std::vector<std::uint32_t> columns_;
     std::vector<float> weights_;
 };

@@ -9,7 +9,7 @@
 namespace qm {
 namespace {
 
-/// Maximal rows of quads, each next to the last across the opposite edge. Every edge lies across one of them.
+/// Maximal strips of quads, each joined to the next across opposite edges. Every edge lies across one strip.
 class Strips {
 public:
     explicit Strips(const QuadMesh& mesh) : mesh_(mesh), stripOf_(mesh.n_edges(), none) {
@@ -18,14 +18,14 @@ public:
         for (const FaceId face : mesh.faces()) {
             const HalfedgeId first = mesh.halfedge_handle(face);
             const std::size_t along = across(first), other = across(mesh.next_halfedge_handle(first));
-            if (along == other) closed_[along] = false; // it crosses itself, as no annulus does
+            if (along == other) closed_[along] = false; // a strip that crosses itself lies in no annulus
         }
     }
 
     [[nodiscard]] std::size_t size() const { return edges_.size(); }
     [[nodiscard]] bool isClosed(std::size_t strip) const { return closed_[strip]; }
     [[nodiscard]] const std::vector<EdgeId>& edges(std::size_t strip) const { return edges_[strip]; }
-    /// The strip that an edge lies across.
+    /// The strip that crosses an edge.
     [[nodiscard]] std::size_t across(HalfedgeId halfedge) const {
         return stripOf_[at(mesh_.edge_handle(halfedge))];
     }
@@ -40,7 +40,7 @@ private:
         if (!closed_.back()) (void)walkFrom(mesh_.opposite_halfedge_handle(start));
     }
 
-    /// \return whether the walk came back
+    /// \return whether the walk returned to its start
     bool walkFrom(HalfedgeId start) {
         HalfedgeId entering = start;
         do {
@@ -53,7 +53,7 @@ private:
     }
 
     void take(EdgeId edge) {
-        if (stripOf_[at(edge)] != none) return; // the edge in the middle of an open strip
+        if (stripOf_[at(edge)] != none) return; // the edge in the middle of an open strip is met twice
         stripOf_[at(edge)] = edges_.size() - 1;
         edges_.back().push_back(edge);
     }
@@ -94,7 +94,7 @@ public:
     }
 
 private:
-    /// What a closed line has on both sides, and on itself.
+    /// The strips on both sides of a closed line, and the arcs on the line.
     struct Side {
         std::array<std::size_t, 2> strips{};
         std::vector<ArcId> arcs;
@@ -125,7 +125,7 @@ private:
         return strip;
     }
 
-    /// Nothing ever lies between the two. A band that meets itself so goes round a torus.
+    /// Joins two strips that nothing ever separates. A band joined to itself in this way goes round a torus.
     void unite(const std::array<std::size_t, 2>& strips) {
         const std::size_t one = root(strips[0]), other = root(strips[1]);
         endless_[one] = endless_[one] || endless_[other] || one == other;
@@ -136,7 +136,7 @@ private:
     const std::vector<ArcId>& arcOf_;
     Strips strips_;
     std::vector<std::size_t> parent_;
-    std::vector<bool> endless_; ///< of a band's root
+    std::vector<bool> endless_; ///< for the root of every band: it goes round a torus
 };
 
 } // namespace

@@ -1,8 +1,8 @@
-/// \file Where annuli can come to lie, so that a program can count them (docs/METHOD.md#layout).
+/// \file The places where annuli may lie, so that a program can count them (docs/METHOD.md#pruning-program).
 ///
-/// An annulus is a stack of closed strips of quads: no border crosses them, and none lies between two of
-/// them. So annuli are counted by strips that no border crosses, less the places where two of these lie side
-/// by side without a border. Strips that nothing ever divides make up one band.
+/// An annulus is a stack of closed strips of quads that no border crosses or separates. So the number of
+/// annuli is the number of strips that no border crosses, less the number of places where two of these lie
+/// side by side without a border between them. Strips that no arc ever separates make up one band.
 #pragma once
 
 #include "base/ids.h"
@@ -13,20 +13,21 @@
 
 namespace qm {
 
-/// Bands are numbered from 0.
+/// The bands and their joints; bands are numbered from 0.
 struct AnnulusBands {
-    /// Of every band: the arcs that cross it, ascending. While all of them are out it lies in one annulus.
+    /// For every band, the arcs that cross it, ascending. If all of them are out, the band lies in an
+    /// annulus.
     std::vector<std::vector<ArcId>> across;
-    /// A closed line between two bands, or with the same band on both sides. While its arcs are out and no
-    /// arc crosses the bands, both lie in the same annulus, or a single one is a torus.
+    /// A closed line between two bands, or with the same band on both sides. If its arcs are out and no arc
+    /// crosses the bands, both bands lie in the same annulus, or the single band is a torus.
     struct Joint {
         std::array<std::size_t, 2> bands;
-        std::vector<ArcId> arcs; ///< ascending
+        std::vector<ArcId> arcs; ///< on the line, ascending
     };
     std::vector<Joint> joints;
 };
 
-/// \param arcOf  the arc over every edge; invalid where there is none
+/// \param arcOf  the arc on every edge; none for edges without an arc
 [[nodiscard]] AnnulusBands annulusBands(const QuadMesh& mesh, const std::vector<ArcId>& arcOf);
 
 } // namespace qm

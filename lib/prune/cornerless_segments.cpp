@@ -11,7 +11,7 @@
 namespace qm {
 namespace {
 
-/// The column is 1 unless an arc is in.
+/// Adds a row: the column is 1 unless one of the arcs is in.
 void requireSome(GridProgram& grids, const std::vector<ArcId>& arcs, ColumnId column) {
     IntegerProgram::Row row{{column}, {1}, 1, std::numeric_limits<double>::infinity()};
     for (const ArcId arc : arcs)
@@ -20,16 +20,16 @@ void requireSome(GridProgram& grids, const std::vector<ArcId>& arcs, ColumnId co
     grids.program.rows.push_back(std::move(row));
 }
 
-/// The column is 0 if an arc is in.
+/// Adds rows: the column is 0 if one of the arcs is in.
 void excludeAll(GridProgram& grids, const std::vector<ArcId>& arcs, ColumnId column) {
     for (const ArcId arc : arcs)
         grids.program.rows.push_back({{column, GridProgram::columnOf(arc)}, {1, 1}, 0, 1});
 }
 
-/// What a component without sources consists of.
+/// The faces and arcs of a component without sources of separatrices.
 struct SourcelessComponent {
     std::vector<FaceId> faces;
-    std::vector<ArcId> arcs; ///< of lines from seeds
+    std::vector<ArcId> arcs; ///< on lines that begin at seeds
 };
 
 std::vector<SourcelessComponent> sourcelessComponents(const QuadMesh& mesh, const BaseComplex& complex,
@@ -57,7 +57,7 @@ std::vector<SourcelessComponent> sourcelessComponents(const QuadMesh& mesh, cons
 
 void addAnnuli(const QuadMesh& mesh, const std::vector<ArcId>& arcOf, GridProgram& grids) {
     const AnnulusBands bands = annulusBands(mesh, arcOf);
-    std::vector<ColumnId> columns; // of every band: 1 if it lies in an annulus
+    std::vector<ColumnId> columns; // for every band, 1 if it lies in an annulus
     for (const std::vector<ArcId>& across : bands.across) {
         columns.push_back(grids.addIndicator({across, false}, 4));
         requireSome(grids, across, columns.back());
@@ -82,7 +82,8 @@ void addSeedLines(const QuadMesh& mesh, const BaseComplex& complex, const ArcGra
         const std::vector<HalfedgeId> line = seedLine(mesh, faces, dihedralAngles);
         for (const HalfedgeId halfedge : line)
             cost += edgeCosts[at(mesh.edge_handle(halfedge))];
-        // A loop makes an annulus of a torus, or two of one; a line from border to border a grid of one.
+        // A loop turns a torus into one annulus, or one annulus into two; a line between borders makes one
+        // grid.
         const bool loop = !mesh.is_boundary(mesh.from_vertex_handle(line.front()));
         const ColumnId column = grids.addIndicator({arcs, false}, loop ? 4 : 0, cost);
         requireSome(grids, arcs, column);

@@ -1,4 +1,4 @@
-/// \file What can be had for how many segments: layouts of which none is as good as another in everything
+/// \file The front of pruned layouts: those of which none is as good as another in everything
 /// (docs/METHOD.md#pruning-program).
 #pragma once
 
@@ -7,19 +7,19 @@
 
 namespace qm {
 
-/// A layout by its figures. One is as good as another if its segments, its G_T and its captured sharpness all
-/// are, but for rounding of the costs.
+/// The figures of a layout. One layout is as good as another if its number of segments, its G_T and its
+/// captured sharpness all are, up to rounding.
 struct FrontPoint {
-    double beta = 0; ///< the price of a segment at which it was found
+    double beta = 0; ///< price of a segment for which the layout was found
     std::size_t segments = 0;
     double cost = 0; ///< G_T
     double capturedSharpness = 0;
     double objectiveBound = 0; ///< no layout has a lower G_T + beta * segments
-    bool proven = false;       ///< it attains the bound
+    bool proven = false;       ///< the layout attains the bound
 };
 
-/// Adds a point unless one of the front is as good; it takes the place of all that it is as good as.
-/// \param front  no point is as good as another
+/// Adds a point unless another one is as good, and removes all points that the new one is as good as.
+/// \param front  no point of it is as good as another
 void addToFront(std::vector<FrontPoint>& front, const FrontPoint& point);
 
 } // namespace qm

@@ -1,4 +1,4 @@
-/// \file Layouts as solutions of the pruning program, and back (docs/METHOD.md#pruning-program).
+/// \file Turning layouts into solutions of the pruning program, and back (docs/METHOD.md#pruning-program).
 #pragma once
 
 #include "prune/grid_program.h"
@@ -7,16 +7,16 @@
 
 namespace qm {
 
-/// All columns' values for a layout.
+/// The values of all columns for a layout.
 /// \param grids   the program of `graph`, likewise below
-/// \param layout  of the same base complex. The line of a component that no arc is left in is left out where
-///                it lies on no arc
+/// \param layout  of the same base complex; the line that a component without arcs was given is ignored if it
+/// lies on no arc
 /// \throw Error  if other tracks are not made of whole arcs, see `presentArcs`
 [[nodiscard]] ColumnValues valuesOf(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
                                     const GridProgram& grids, const Layout& layout);
 
-/// The same arcs, with the indicators that follow from them. A solver may leave an indicator that costs
-/// nothing at any value that the rows allow.
+/// The values with the same arcs, and indicators that follow from the arcs. A solver may leave an indicator
+/// without cost at any value that the rows allow.
 [[nodiscard]] ColumnValues completed(const GridProgram& grids, const ArcGraph& graph,
                                      const ColumnValues& solved);
 
@@ -26,7 +26,7 @@ namespace qm {
                               const ColumnValues& values, const std::vector<double>& dihedralAngles,
                               const std::vector<double>& edgeCosts);
 
-/// Of every line: the columns of its arcs, in their order.
+/// For every line, the columns of its arcs in their order.
 [[nodiscard]] std::vector<std::vector<ColumnId>> columnsOfLines(const ArcGraph& graph);
 
 } // namespace qm

@@ -15,7 +15,7 @@ namespace {
 
 enum class Fate { keep, notQuadrilateral, notSmooth, removed };
 
-/// Candidates in decreasing order of cost, ties by id.
+/// The candidates in decreasing order of cost; ties are in the order of ids.
 std::vector<std::size_t> candidates(const Layout& layout, double eta) {
     std::vector<std::size_t> order;
     for (std::size_t t = 0; t < layout.tracks.size(); ++t)
@@ -27,7 +27,7 @@ std::vector<std::size_t> candidates(const Layout& layout, double eta) {
 
 constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
-/// The rank of the candidate that every edge is part of, or `none`.
+/// For every edge, the rank of the candidate that contains it, or `none`.
 std::vector<std::size_t> rankOfEdges(const QuadMesh& mesh, const Layout& layout,
                                      const std::vector<std::size_t>& order) {
     std::vector<std::size_t> rankOf(mesh.n_edges(), none);
@@ -46,9 +46,9 @@ Fate judge(Removal& removal, const Track& track, const std::vector<double>& dihe
     return Fate::removed;
 }
 
-/// Tries the candidates again and again until none can be removed. A kept one is tried again only after
-/// something beside it has been removed: until then the outcome is the same.
-/// \return what becomes of every track
+/// Tries the candidates until none can be removed. A candidate that was kept is tried again only after a
+/// track beside it has been removed, because the outcome would be the same before.
+/// \return the fate of every track
 std::vector<Fate> decide(const QuadMesh& mesh, const Layout& layout,
                          const std::vector<double>& dihedralAngles, const PruneOptions& options,
                          const Control& control) {

@@ -12,24 +12,24 @@
 namespace qm {
 
 enum class PruneMethod {
-    greedy, ///< the paper's: whole tracks, the most expensive first
-    optimum ///< the cheapest layout of grids, proven if there is time
+    greedy, ///< the paper's method: whole tracks, the most expensive first
+    optimum ///< the cheapest layout of grids, with a proof if there is time
 };
 
 struct PruneOptions {
     PruneMethod method = PruneMethod::greedy;
-    double eta = 1;      ///< greedy: tracks that cost more than this are removed; -3 suits soft models
-    bool smooth = true;  ///< apply the smoothness criterion
-    double maxTurn = 25; ///< P, degrees: the most that the boundary may turn where a removed track ended
-    /// Degrees that a corner keeps beside a side that passes straight through an extraordinary vertex.
+    double eta = 1;      ///< greedy: tracks that cost more than this are candidates; -3 suits soft models
+    bool smooth = true;  ///< whether the smoothness criterion applies
+    double maxTurn = 25; ///< P, degrees: the largest turn of the boundary where a removed track ended
+    /// Least degrees of a corner beside a side that passes straight through an extraordinary vertex.
     double minCorner = 25;
-    double beta = 1; ///< optimum: the price of a segment
-    /// optimum: as few segments as can be, and only then the lowest G_T; then beta does not count
+    double beta = 1; ///< optimum: price of a segment
+    /// Optimum: minimises the number of segments first and G_T second; beta is not used.
     bool fewestPatches = false;
-    /// optimum: at most so many segments, whatever they cost; then beta does not count
+    /// Optimum: the largest number of segments, whatever their cost; beta is not used.
     double maxSegments = std::numeric_limits<double>::infinity();
-    double timeLimit = 60; ///< optimum and front: seconds for all together
-    bool front = false;    ///< list what can be had for how many segments
+    double timeLimit = 60; ///< optimum and front: seconds in total
+    bool front = false;    ///< whether to find the front of layouts
 };
 
 struct PruneResult {
@@ -37,18 +37,18 @@ struct PruneResult {
     std::size_t removedTracks = 0;
     std::size_t keptNotQuadrilateral = 0; ///< candidates kept because a segment would lose its four corners
     std::size_t keptNotSmooth = 0;        ///< candidates kept because of the smoothness criterion
-    /// Optimum: no layout has a lower G_T + beta * segments; or a lower G_T, if the number of segments is
-    /// limited; or a lower number, if that is to be as low as can be.
+    /// Optimum: no layout has a lower G_T + beta * segments. If the number of segments is limited, a bound of
+    /// G_T; if it is minimised, a bound of the number.
     std::optional<double> objectiveBound;
-    bool proven = false;           ///< optimum: the layout attains the bound
+    bool proven = false;           ///< optimum: whether the layout attains the bound
     std::vector<FrontPoint> front; ///< if asked for
 };
 
-/// Greedy: candidates in decreasing order of cost, ties by id; a track goes if every segment stays a grid
-/// with four corners. A removal may make others possible, so candidates are tried again in the same order
-/// until none can be removed any more. Transversals are no candidates, and an annulus stays one. The test of
-/// one track takes time linear in its length and looks at its own vertices only.
-/// \param layout  as `buildLayout` makes it
+/// Greedy: candidates in decreasing order of cost, ties by id; a track is removed if every segment stays a
+/// grid with four corners. A removal may make others possible, so candidates are tried again in the same
+/// order until none can be removed. Transversals are no candidates, and annuli stay annuli. The test of a
+/// track looks at its own vertices only, in time linear in its length.
+/// \param layout  as made by `buildLayout`
 [[nodiscard]] PruneResult pruneLayout(const QuadMesh& mesh, const Layout& layout,
                                       const std::vector<double>& dihedralAngles,
                                       const std::vector<double>& edgeCosts, const PruneOptions& options,

@@ -15,12 +15,12 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Tuning {
-    /// A price beyond which only the number of segments counts.
+    /// The price of a segment when only the number of segments counts.
     static constexpr double dearest = std::numeric_limits<double>::max();
-    static constexpr double highestPrice = 1024;        ///< a layout of few segments is looked for up to here
-    static constexpr double priceGrowth = 4;            ///< ... in few steps, each of which is a search
-    static constexpr double shareOfApproach = 1.0 / 12; ///< of the time, for each of them: six take half
-    static constexpr double rounding = 1e-9;            ///< of numbers of segments, which are sums of corners
+    static constexpr double highestPrice = 1024; ///< last price in the search for a layout of few segments
+    static constexpr double priceGrowth = 4;     ///< factor between two prices; each of them is a search
+    static constexpr double shareOfApproach = 1.0 / 12; ///< of the time, for each price: six take half of it
+    static constexpr double rounding = 1e-9; ///< for numbers of segments, which are sums of corners
 };
 
 } // namespace
@@ -57,7 +57,7 @@ PruningSearch::Found PruningSearch::findFewest(double seconds) {
     prepare(numbers, Tuning::dearest);
     Found fewest = solve(numbers, infinity, proofEnd);
     if (!fewest.proven) {
-        // Most neighbours of a layout have as many segments; G_T tells which of them lead on.
+        // Most neighbours of a layout have the same number of segments, so G_T guides the search among them.
         improveAt(Tuning::highestPrice, seconds / 2);
         Found better = solve(numbers, infinity, end);
         better.lowerBound = std::max(fewest.lowerBound, better.lowerBound);
@@ -89,14 +89,14 @@ IntegerProgram::Row PruningSearch::limitOn(double segments) const {
     return row;
 }
 
-/// Makes solutions known to begin with.
-/// \param worth  of a segment
+/// Finds solutions to start from.
+/// \param worth  price of a segment
 void PruningSearch::prepare(const IntegerProgram& program, double worth) {
     removeTracks(layout_, worth);
     removeTracks(layoutOf(*bestKnown(program, infinity)), worth);
 }
 
-/// Adds what greedy removal makes of a layout when a segment costs so much: each removed track saves one.
+/// Adds the result of greedy removal at a given price of a segment; each removed track saves one segment.
 void PruningSearch::removeTracks(const Layout& layout, double worth) {
     PruneOptions greedy = options_;
     greedy.eta = -worth;
@@ -105,8 +105,8 @@ void PruningSearch::removeTracks(const Layout& layout, double worth) {
     if (grids_.program.allows(values)) known_.push_back(std::move(values));
 }
 
-/// Looks for a first layout of so few segments, by making them dearer and dearer. Takes at most half of the
-/// time.
+/// Looks for a layout with at most so many segments by raising their price step by step. Takes at most half
+/// of the time.
 void PruningSearch::approach(double maxSegments, const Deadline& end) {
     const double seconds = end.secondsLeft() * Tuning::shareOfApproach;
     for (double beta = 1; beta <= Tuning::highestPrice && !bestKnown(grids_.program, maxSegments);
@@ -114,7 +114,7 @@ void PruningSearch::approach(double maxSegments, const Deadline& end) {
         improveAt(beta, seconds);
 }
 
-/// Adds what neighbourhoods make of the best layout when a segment costs so much.
+/// Improves the best layout by neighbourhoods at a given price of a segment, and adds the result.
 void PruningSearch::improveAt(double beta, double seconds) {
     const IntegerProgram program = programFor({beta});
     known_.push_back(improved(program, *bestKnown(program, infinity), seconds));
@@ -127,7 +127,7 @@ ColumnValues PruningSearch::improved(const IntegerProgram& program, ColumnValues
                                              {.seconds = seconds}, control_));
 }
 
-/// The cheapest of the solutions that were found so far.
+/// The cheapest solution found so far that has at most `maxSegments` segments.
 std::optional<ColumnValues> PruningSearch::bestKnown(const IntegerProgram& program,
                                                      double maxSegments) const {
     const ColumnValues* best = nullptr;

@@ -1,4 +1,4 @@
-/// \file The search for solutions of the pruning program: greedy removal, CBC and neighbourhoods together
+/// \file The search for solutions of the pruning program, by greedy removal, CBC and neighbourhoods
 /// (docs/METHOD.md#pruning-program).
 #pragma once
 
@@ -13,20 +13,20 @@
 
 namespace qm {
 
-/// What a search minimises: G_T + beta * segments, with at most so many segments.
+/// What a search minimises: G_T + beta * segments, with at most `maxSegments` segments.
 struct PruningAim {
     double beta = 0; ///< price of a segment
     double maxSegments = std::numeric_limits<double>::infinity();
 };
 
-/// Searches for one aim after another. Whatever is found for one is where the searches for the next begin.
+/// Searches for one aim after another. Every search begins with the solutions found by earlier ones.
 class PruningSearch {
 public:
     /// All references must outlive the object.
-    /// \param layout          solutions begin with it, and are never worse
+    /// \param layout          the starting point; results are never worse
     /// \param dihedralAngles  by edge, radians; like the costs
-    /// \param options         the smoothness criterion; the rest is not looked at
-    /// \throw Error  if the layout's tracks are not made of arcs
+    /// \param options         only the smoothness criterion is used
+    /// \throw Error  if the layout's tracks are not made of whole arcs
     PruningSearch(const QuadMesh& mesh, const BaseComplex& complex, const Layout& layout,
                   const std::vector<double>& dihedralAngles, const std::vector<double>& edgeCosts,
                   const PruneOptions& options, const Control& control);
@@ -34,13 +34,13 @@ public:
     struct Found {
         ColumnValues values;
         double lowerBound = 0; ///< of what was minimised
-        bool proven = false;   ///< nothing lower exists
+        bool proven = false;   ///< no lower value exists
     };
 
-    /// \throw Error  if nothing was found with so few segments
+    /// \throw Error  if no layout with so few segments was found
     [[nodiscard]] Found findCheapest(const PruningAim& aim, double seconds);
 
-    /// As few segments as can be, whatever they cost; the bound is of their number.
+    /// Minimises the number of segments, whatever they cost; the bound is a bound of that number.
     [[nodiscard]] Found findFewest(double seconds);
 
     [[nodiscard]] double segments(const ColumnValues& values) const { return grids_.segments(values); }
@@ -70,7 +70,7 @@ private:
     const Control& control_;
     ArcGraph graph_;
     GridProgram grids_;
-    std::vector<ColumnValues> known_; ///< all solutions found so far, whatever they cost
+    std::vector<ColumnValues> known_; ///< all solutions found so far, whatever their cost
 };
 
 } // namespace qm

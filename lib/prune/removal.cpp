@@ -53,7 +53,7 @@ Removal::Sector Removal::sectorAt(HalfedgeId leaving) const {
     return sector;
 }
 
-/// A straight or convex border there, or an ordinary vertex inside a segment.
+/// Whether a segment has a straight or convex border here, or an ordinary vertex inside.
 bool Removal::properAt(HalfedgeId leaving) const {
     const Sector sector = sectorAt(leaving);
     return sector.quads <= 2 || (sector.quads == 8 && !isBorder(sector.left));
@@ -69,7 +69,7 @@ Removal::Pairs Removal::joinedPairs(const Track& track) {
     const VertexId first = mesh_.from_vertex_handle(track.halfedges.front()),
                    last = mesh_.to_vertex_handle(track.halfedges.back());
     Pairs pairs;
-    bool newPiece = first != last || hasBorder(first); // else the last piece goes on here
+    bool newPiece = first != last || hasBorder(first); // otherwise the last piece continues here
     for (const HalfedgeId halfedge : track.halfedges) {
         if (newPiece)
             pairs.push_back(
@@ -81,7 +81,7 @@ Removal::Pairs Removal::joinedPairs(const Track& track) {
 }
 
 bool Removal::joinsForest(const Track& track) {
-    SparseDisjointSets joined; // segments that this removal would join, before it is certain
+    SparseDisjointSets joined; // segments joined by this removal, which may not happen
     const Pairs pairs = joinedPairs(track);
     if (pairs.empty()) return false; // a loop with annuli on both sides
     return std::ranges::all_of(pairs,

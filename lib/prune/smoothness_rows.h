@@ -1,5 +1,4 @@
-/// \file What must stay so that borders stay smooth, as rows of the pruning program
-/// (docs/METHOD.md#pruning, smoothness).
+/// \file Rows of the pruning program that keep borders smooth (docs/METHOD.md#pruning, smoothness).
 #pragma once
 
 #include "layout/layout.h"
@@ -9,26 +8,26 @@
 
 namespace qm {
 
-/// Finds what a removal from a layout would spoil. What the layout spoils already may stay so.
+/// Forbids removals from a layout that violate the smoothness criterion. Places where the layout itself
+/// violates it may stay as they are.
 class SmoothnessRows {
 public:
-    /// \param arcOf           of every edge; invalid where no line runs
+    /// \param arcOf           the arc on every edge; none for edges without a line
     /// \param dihedralAngles  by edge, radians
     /// All references must outlive the object.
     SmoothnessRows(const QuadMesh& mesh, const std::vector<ArcId>& arcOf,
                    const std::vector<double>& dihedralAngles, const Layout& layout,
                    const Smoothness& smoothness);
 
-    /// Whether a border that leaves an extraordinary vertex must stay, because its neighbours would become
-    /// one border with a sharp turn.
-    /// \param before, after  its neighbours, with a quad between it and each of them
+    /// Whether a border that leaves an extraordinary vertex must stay, because without it its two neighbours
+    /// would form one border with a sharp turn.
+    /// \param before, after  the neighbouring borders, each with one quad between it and `leaving`
     [[nodiscard]] bool mustStay(HalfedgeId before, HalfedgeId leaving, HalfedgeId after) const;
 
-    /// Corners at an extraordinary vertex keep their room, see `roomAt`.
+    /// Adds rows that leave the corners at an extraordinary vertex their room, see `roomAt`.
     void keepRoom(VertexId vertex, GridProgram& grids) const;
 
-    /// Where a track of the layout ends on another border that turns there, the track stays as long as that
-    /// border does.
+    /// Adds rows that keep a track as long as the border exists on which it ends, if that border turns there.
     void keepEnds(GridProgram& grids) const;
 
 private:
@@ -41,7 +40,7 @@ private:
     const std::vector<double>& dihedralAngles_;
     const Layout& layout_;
     Smoothness smoothness_;
-    std::vector<bool> inLayout_; ///< of every edge: on a track that is no transversal
+    std::vector<bool> inLayout_; ///< whether an edge lies on a track, transversals apart
 };
 
 } // namespace qm

@@ -1,4 +1,4 @@
-/// \file By how much a border turns at a vertex (docs/METHOD.md#pruning, smoothness).
+/// \file The angle by which a border turns at a vertex (docs/METHOD.md#pruning, smoothness).
 #pragma once
 
 #include "mesh/quad_mesh.h"
@@ -8,7 +8,7 @@
 
 namespace qm {
 
-/// Angle in degrees, 0 to 180, between coming in over one edge and going on over the other.
+/// The angle in degrees, 0 to 180, between arriving over one edge and leaving over the other.
 /// \param left, right  halfedges that leave the vertex
 [[nodiscard]] inline double turnBetween(const QuadMesh& mesh, HalfedgeId left, HalfedgeId right) {
     const Point vertex = mesh.point(mesh.from_vertex_handle(left));

@@ -9,10 +9,10 @@
 namespace qm {
 namespace {
 
-/// Radians: edges of larger dihedral angles end a tangent plane.
+/// Radians: edges with larger dihedral angles separate tangent planes.
 constexpr double sharp = 0.6;
 
-/// Beside a folded quad there is no telling, and the sharper rule is that of one tangent plane.
+/// Beside a folded quad the angle is unreliable, so the edge counts as smooth, which is the stricter rule.
 bool isSharp(const QuadMesh& mesh, const std::vector<double>& dihedralAngles, HalfedgeId halfedge) {
     const EdgeId edge = mesh.edge_handle(halfedge);
     if (mesh.is_boundary(edge)) return true;
@@ -20,14 +20,14 @@ bool isSharp(const QuadMesh& mesh, const std::vector<double>& dihedralAngles, Ha
            !isFolded(mesh, mesh.opposite_face_handle(halfedge));
 }
 
-/// \param total  degrees of all faces together
+/// \param total  sum of the angles of all faces, degrees
 std::size_t maxMissing(std::size_t faces, double total, double minCorner) {
     constexpr double halfTurn = 180;
     std::size_t missing = 0;
     for (std::size_t passing = 1; 2 * passing <= faces; ++passing) {
         const std::size_t corners = faces - 2 * passing;
         const double rest = total - static_cast<double>(passing) * halfTurn;
-        // Without corners it is a matter of how far the one side turns.
+        // Without corners, the remaining angle is that by which the one side turns.
         const double angle = corners > 0 ? rest / static_cast<double>(corners) : halfTurn / 2;
         if (angle < minCorner || angle > halfTurn - minCorner || rest < -halfTurn / 2) break;
         missing = passing;
@@ -51,7 +51,7 @@ std::vector<RoomSector> roomAt(const QuadMesh& mesh, const std::vector<double>& 
     std::vector<RoomSector> sectors;
     for (std::size_t s = 0; s < ends.size(); ++s) {
         const std::size_t end = s + 1 < ends.size() ? ends[s + 1] : ends.front() + count;
-        if (mesh.is_boundary(edges[ends[s]])) continue; // nothing lies beyond it
+        if (mesh.is_boundary(edges[ends[s]])) continue; // there are no faces beyond it
         RoomSector sector;
         double total = 0;
         for (std::size_t k = ends[s]; k < end; ++k) {

@@ -1,4 +1,4 @@
-/// \file How much may be removed at an extraordinary vertex (docs/METHOD.md#pruning, smoothness).
+/// \file How many borders may be removed at an extraordinary vertex (docs/METHOD.md#pruning, smoothness).
 #pragma once
 
 #include "mesh/quad_mesh.h"
@@ -8,19 +8,20 @@
 
 namespace qm {
 
-/// Consecutive edges that leave a vertex inside one tangent plane: between two sharp ones, or all of them.
+/// Consecutive edges that leave a vertex inside one tangent plane: those between two sharp edges, or all
+/// edges.
 struct RoomSector {
     std::vector<HalfedgeId> edges;
-    std::size_t maxMissing = 0; ///< so many of them need be no borders, if no two neighbours are
+    std::size_t maxMissing = 0; ///< so many edges need not be borders, if no two of them are neighbours
 };
 
-/// Where a border ends, a patch's side passes straight through the vertex and takes half a turn of its
-/// tangent plane. What is left is for the corners of the other patches, which share it evenly: each is to get
-/// `minCorner` degrees at least, and as much less than half a turn at most. Without a smooth tangent plane,
-/// between sharp edges (the mesh boundary is one), there is as much as the mesh has.
+/// Where a border ends, the side of a patch passes straight through the vertex and takes half a turn of its
+/// tangent plane. The corners of the other patches share the rest evenly. Each of them must have at least
+/// `minCorner` degrees, and at most 180 less that. Between two sharp edges (or the mesh boundary) there is no
+/// common tangent plane, and the angles are those of the mesh.
 /// \param dihedralAngles  by edge index, radians
-/// \param vertex  extraordinary
-/// \param minCorner  0 to 90; 0: as many may be missing as there are
+/// \param vertex          extraordinary
+/// \param minCorner       0 to 90; 0 allows any number of missing borders
 [[nodiscard]] std::vector<RoomSector> roomAt(const QuadMesh& mesh, const std::vector<double>& dihedralAngles,
                                              VertexId vertex, double minCorner);
 
