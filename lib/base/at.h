@@ -1,4 +1,4 @@
-/// \file Numbers, enumerators and ids as indices and sizes of arrays: `angles[at(edge)]`.
+/// \file Conversion of numbers, enumerators and ids to indices and sizes of arrays: `angles[at(edge)]`.
 #pragma once
 
 #include <concepts>
@@ -14,7 +14,7 @@ requires std::signed_integral<Index> || std::is_enum_v<Index>
     return static_cast<std::size_t>(index);
 }
 
-/// \param id  of an element of a mesh; valid
+/// \param id  a valid id of a mesh element
 template <class Handle>
 requires requires(const Handle& id) {
     { id.idx() } -> std::same_as<int>;

@@ -5,7 +5,7 @@
 
 namespace qm {
 
-/// Graph counts pass 2^64.
+/// Numbers of graphs exceed 2^64.
 using BigCount = boost::multiprecision::cpp_int;
 
 } // namespace qm

@@ -1,17 +1,18 @@
-/// \file What a long computation may ask of its caller: to show progress, whether to stop, how many threads.
+/// \file What a long computation needs from its caller: a place to report progress, requests to stop, a
+/// number of threads.
 #pragma once
 
 #include <functional>
 
 namespace qm {
 
-/// Passed by value; every member may be left as it is.
+/// Passed by value; every member has a usable default.
 struct Control {
-    /// Called now and then with the fraction done, 0 to 1; from one thread at a time.
+    /// Called now and then with the fraction done, 0 to 1; never by two threads at the same time.
     std::function<void(double fraction)> progress = [](double) {};
-    /// Asked now and then; true means: return the best result so far.
+    /// Called now and then; if it returns true, the computation returns its best result so far.
     std::function<bool()> stopRequested = [] { return false; };
-    /// Threads to use at most. Results do not depend on it, unless they are stopped.
+    /// The most threads to use. Results do not depend on it, unless the computation is stopped.
     unsigned jobs = 1;
 };
 

@@ -1,4 +1,4 @@
-/// \file A caller's control with a time limit.
+/// \file Adding a time limit to a caller's control.
 #pragma once
 
 #include "base/control.h"
@@ -10,7 +10,7 @@
 
 namespace qm {
 
-/// Outlives the controls that it makes; they may be used on several threads.
+/// Must outlive the controls that it makes; these may be used on several threads.
 class Deadline {
 public:
     /// \param seconds  from now on; more than a year means no limit
@@ -20,7 +20,7 @@ public:
             end_ = steady_clock::now() + duration_cast<steady_clock::duration>(duration<double>(seconds));
     }
 
-    /// Stops when the caller asks for it or the time is up; shows no progress.
+    /// Requests to stop when the caller does or when the time is up; reports no progress.
     [[nodiscard]] Control control() const {
         Control control;
         control.jobs = control_.jobs;
@@ -28,7 +28,7 @@ public:
         return control;
     }
 
-    /// Not negative.
+    /// Never negative.
     [[nodiscard]] double secondsLeft() const {
         using namespace std::chrono;
         if (!end_) return std::numeric_limits<double>::infinity();

@@ -1,5 +1,5 @@
-/// \file Whole numbers of any size as decimal digits, for those who only hand them on: big_count.h takes the
-/// compiler long.
+/// \file Whole numbers of any size as decimal digits, for code that only passes them on: big_count.h is slow
+/// to compile.
 #pragma once
 
 #include <span>
@@ -7,7 +7,7 @@
 
 namespace qm {
 
-/// The product of numbers without a sign; 1 of none.
+/// The product of non-negative numbers; 1 if there are none.
 [[nodiscard]] std::string decimalProduct(std::span<const std::string> factors);
 
 } // namespace qm

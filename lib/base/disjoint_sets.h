@@ -1,4 +1,4 @@
-/// \file Sets of numbers that grow together.
+/// \file A partition of numbers whose sets can be joined: union-find.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace qm {
 
-/// The numbers from 0 on, each in a set of its own at first. A set is known by its lowest number.
+/// The numbers from 0 on, at first each in a set of its own. A set is represented by its lowest number.
 class DisjointSets {
 public:
     explicit DisjointSets(std::size_t count) : parent_(count) {
@@ -26,7 +26,8 @@ public:
         parent_[high] = low;
     }
 
-    /// Puts a number into a set of its own again, as all others of its set must be before any is asked for.
+    /// Puts a number back into a set of its own. All other members of its old set must be isolated, too,
+    /// before `find` is called for any of them.
     void isolate(std::size_t k) { parent_[k] = k; }
 
 private:

@@ -1,5 +1,5 @@
-/// \file The text files that are compiled into the library. Sources with these functions are made by
-/// scripts/embed.
+/// \file The text files that are compiled into the library. scripts/embed generates the sources of these
+/// functions.
 #pragma once
 
 #include <span>
@@ -12,7 +12,7 @@ struct EmbeddedText {
     std::string_view text;
 };
 
-// All of a kind, ordered by name:
+// Each returns all files of a kind, ordered by name.
 
 [[nodiscard]] std::span<const EmbeddedText> embeddedSchemas();        ///< of schemas
 [[nodiscard]] std::span<const EmbeddedText> embeddedPageParts();      ///< of lib/view/page, and three.js

@@ -1,4 +1,4 @@
-/// \file The one exception of the library: something the user can understand and mend.
+/// \file The one exception of the library, for errors that the user can understand and mend.
 #pragma once
 
 #include <stdexcept>
@@ -7,10 +7,10 @@
 namespace qm {
 
 /// Bad input or an impossible request. The text reads `place: what. remedy`; the tool that catches it puts
-/// its own name and the file in front. Everything else that is thrown is a fault of the program.
+/// its own name and the file in front. Any other exception is a fault of the program.
 class Error : public std::runtime_error {
 public:
-    /// \param place   where it is wrong: "line 12", "face 7", a JSON pointer; may be empty
+    /// \param place   where the error is: "line 12", "face 7", a JSON pointer; may be empty
     /// \param what    what is wrong, lower case, without a full stop
     /// \param remedy  what the user can do about it, a sentence without a full stop; may be empty
     Error(const std::string& place, const std::string& what, const std::string& remedy = {})

@@ -1,4 +1,4 @@
-/// \file Arrays that take the ids of their elements for indices, so that no number has to be cast.
+/// \file Arrays indexed by the ids of their elements, so that no number has to be cast.
 #pragma once
 
 #include "base/ids.h"
@@ -10,7 +10,7 @@
 
 namespace qm {
 
-/// The ids from one to before another, in order.
+/// The ids from one up to but not including another, in order.
 template <class Key> class IdRange {
 public:
     class Iterator {
@@ -41,7 +41,7 @@ private:
     Key end_;
 };
 
-/// A vector in all but the type of its index.
+/// A vector that differs from std::vector only in the type of its index.
 template <class Key, class Value> class IdVector : public std::vector<Value> {
     using Base = std::vector<Value>;
 
@@ -53,7 +53,7 @@ public:
     [[nodiscard]] decltype(auto) operator[](Key id) const { return Base::operator[](id.idx()); }
 
     [[nodiscard]] IdRange<Key> ids() const { return {Key(0), nextId()}; }
-    /// Of the element that is appended next.
+    /// The id that the next appended element will have.
     [[nodiscard]] Key nextId() const { return Key(this->size()); }
 };
 

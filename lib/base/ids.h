@@ -1,4 +1,4 @@
-/// \file Typed indices: an arc cannot be passed where a junction is meant.
+/// \file Typed indices, so that an arc cannot be passed where a junction is expected.
 #pragma once
 
 #include <compare>
@@ -8,7 +8,7 @@
 
 namespace qm {
 
-/// A position in the array of one kind of element. Negative means "none".
+/// The index of an element in the array of its kind. Negative means "none".
 template <class Tag> class Id {
 public:
     constexpr Id() = default;
@@ -18,11 +18,11 @@ public:
 
     [[nodiscard]] constexpr bool valid() const { return value_ >= 0; }
     [[nodiscard]] constexpr int value() const { return value_; }
-    /// The index into the element's array; the id must be valid.
+    /// The index as a size; the id must be valid.
     [[nodiscard]] constexpr std::size_t idx() const { return static_cast<std::size_t>(value_); }
 
     constexpr auto operator<=>(const Id&) const = default; // NOLINT(modernize-use-nullptr): no pointer
-    /// The id so many places further on, or back.
+    /// The id so many places later or earlier.
     [[nodiscard]] constexpr Id operator+(int places) const { return Id(value_ + places); }
     [[nodiscard]] constexpr Id operator-(int places) const { return Id(value_ - places); }
 

@@ -1,12 +1,12 @@
-/// \file What a long search tells those who wait for it.
+/// \file How a long search reports its progress in cost and bound.
 #pragma once
 
 #include <functional>
 
 namespace qm {
 
-/// Told now and then, from any thread, what the best result so far costs and a bound of what any costs: minus
-/// infinity if nothing is known.
+/// Called now and then, from any thread, with the cost of the best result so far and with a lower bound of
+/// all costs; the bound is minus infinity while none is known.
 using KnownCost = std::function<void(double cost, double lowerBound)>;
 
 } // namespace qm

@@ -5,7 +5,8 @@ namespace qm {
 
 struct Length {
     double value = 0;
-    bool percent = true; ///< of the diagonal of the mesh's bounding box; else in the mesh's unit
+    /// Whether it is relative to the bounding box's diagonal; otherwise in the mesh's unit.
+    bool percent = true;
 
     [[nodiscard]] double length(double diagonal) const { return percent ? value / 100 * diagonal : value; }
     friend bool operator==(const Length&, const Length&) = default;

@@ -1,4 +1,4 @@
-/// \file Numbers as text: the shortest that reads back as the same number, whatever the locale.
+/// \file Numbers as text: the shortest text that reads back as the same number, in any locale.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 namespace qm {
 
 /// Appends a finite number.
-/// \param format  of std::to_chars, for other texts than the shortest
+/// \param format  of std::to_chars, for texts other than the shortest
 template <class Number, class... Format>
 void appendNumber(std::string& text, Number value, Format... format) {
     std::array<char, 40> buffer; // enough for any 64-bit integer and, unless it is fixed, any double
@@ -25,7 +25,7 @@ template <class Number> [[nodiscard]] std::string numberText(Number value) {
     return text;
 }
 
-/// For people: whole numbers in full, others to so many digits.
+/// A number for people to read: whole numbers in full, others with so many significant digits.
 [[nodiscard]] inline std::string roundedText(double value, int digits = 6) {
     constexpr double longest = 1e15;
     std::string text;
@@ -36,12 +36,12 @@ template <class Number> [[nodiscard]] std::string numberText(Number value) {
     return text;
 }
 
-/// As documents write zero: without its sign, so that a number keeps its text when other programs rewrite it.
+/// Turns -0 into 0, so that a number keeps its text when other programs rewrite a document.
 [[nodiscard]] inline double withoutSignOfZero(double value) {
     return value == 0 ? 0.0 : value;
 }
 
-/// Reads a whole text as a number; false if it is anything else, or not finite.
+/// Reads a whole text as a finite number; false if it is anything else.
 template <class Number> [[nodiscard]] bool parseNumber(std::string_view text, Number& value) {
     const char* end = text.data() + text.size();
     const auto [stop, failure] = std::from_chars(text.data(), end, value);

@@ -1,4 +1,4 @@
-/// \file Independent pieces of work on several threads.
+/// \file Running independent pieces of work on several threads.
 #pragma once
 
 #include <algorithm>
@@ -13,20 +13,20 @@
 
 namespace qm {
 
-/// As many threads as wanted, or fewer where the system gives no more.
+/// Starts the wanted number of threads, or fewer if the system has no more.
 template <class Function> std::vector<std::jthread> startThreads(std::size_t wanted, const Function& work) {
     std::vector<std::jthread> threads;
     threads.reserve(wanted);
     try {
         while (threads.size() < wanted)
             threads.emplace_back(work);
-    } catch (const std::system_error&) { // of memory, or of processes
+    } catch (const std::system_error&) { // not enough memory or processes
     }
     return threads;
 }
 
-/// One piece of work that is done while the caller does something else, if it may use two threads; otherwise
-/// at once.
+/// A piece of work that runs while the caller does something else, if two threads are allowed; otherwise it
+/// runs at once.
 class Ahead {
 public:
     template <class Function> Ahead(unsigned jobs, const Function& work) {
@@ -44,7 +44,7 @@ public:
     Ahead(const Ahead&) = delete;
     Ahead& operator=(const Ahead&) = delete;
 
-    /// Until it is done; passes on what it throws.
+    /// Waits for the end of the work, and throws what it threw.
     void wait() {
         threads_.clear();
         if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
@@ -55,10 +55,9 @@ private:
     std::vector<std::jthread> threads_;
 };
 
-/// Calls f(0) ... f(count - 1), each once, on at most `jobs` threads, the caller's among them. The order is
-/// open, so f must write only to what belongs to its index; then the result does not depend on `jobs`. If
-/// calls throw, the exception of the lowest index that threw is passed on, and calls not yet begun may be
-/// left out.
+/// Calls f(0) ... f(count - 1), each once, on at most `jobs` threads including the caller's. The order is not
+/// defined, so f must write only to what belongs to its index; then the result does not depend on `jobs`. If
+/// calls throw, the exception with the lowest index is thrown on, and calls not yet begun may be left out.
 template <class Function> void parallelFor(std::size_t count, unsigned jobs, const Function& f) {
     std::atomic<std::size_t> next{0};
     std::atomic<bool> failed{false};
@@ -90,7 +89,7 @@ template <class Function> void parallelFor(std::size_t count, unsigned jobs, con
     if (failure) std::rethrow_exception(failure);
 }
 
-/// The same where every call is a small piece of work: many in a row on one thread.
+/// The same for many small calls, which are grouped into blocks.
 template <class Function> void parallelForMany(std::size_t count, unsigned jobs, const Function& f) {
     constexpr std::size_t block = 2048;
     parallelFor((count + block - 1) / block, jobs, [&](std::size_t number) {

@@ -1,4 +1,4 @@
-/// \file Sets of numbers that grow together, where few of very many numbers do.
+/// \file Union-find over many numbers of which few are ever joined.
 #pragma once
 
 #include <unordered_map>
@@ -6,10 +6,10 @@
 
 namespace qm {
 
-/// Any numbers, each in a set of its own at first; memory depends on those that have been joined.
+/// Any numbers, at first each in a set of its own; memory is linear in the numbers that have been joined.
 class SparseDisjointSets {
 public:
-    /// A member that is the same for all of a set until the set grows.
+    /// A representative of the member's set, which may change when the set grows.
     [[nodiscard]] int find(int member) {
         int root = member;
         for (auto up = parent_.find(root); up != parent_.end(); up = parent_.find(root))
@@ -19,7 +19,7 @@ public:
         return root;
     }
 
-    /// \return false if both were in one set already
+    /// \return false if both are in one set already
     bool join(int a, int b) {
         const int from = find(a), to = find(b);
         if (from != to) parent_[from] = to;
@@ -27,7 +27,7 @@ public:
     }
 
 private:
-    std::unordered_map<int, int> parent_; ///< of all but the roots
+    std::unordered_map<int, int> parent_; ///< parent of every member except roots
 };
 
 } // namespace qm

@@ -5,7 +5,8 @@
 namespace qm {
 namespace {
 
-/// One line for every opposite pair that can meet, and one for every other separatrix.
+/// One line for every pair of opposite separatrices whose particles can meet, and one for every other
+/// separatrix.
 std::vector<Line> findLines(const BaseComplex& complex) {
     std::vector<Line> lines;
     for (std::size_t i = 0; i < complex.separatrices.size(); ++i) {
@@ -76,7 +77,8 @@ private:
         return line.length < complex_.separatrices[line.forward.idx()].halfedges.size();
     }
 
-    /// A seed's arcs come first, whatever the order of the lines; their ids follow when its lines are split.
+    /// Marks a seed's junction. Its own arcs come first, whatever the order of the lines; they are set when
+    /// its lines are split.
     void seedJunction(Seed seed) {
         const JunctionId junction = junctionAt_[at(mesh_.from_vertex_handle(seed.direction))];
         if (junction.valid()) graph_.junctions[junction.idx()].seeded = true;
@@ -109,16 +111,17 @@ private:
         }
     }
 
-    /// A line that passes a junction takes the next free pair; at a seed the first pair is the seed's.
+    /// Enters a line that passes a junction into the next free pair of arcs; at a seed the first pair is the
+    /// seed's.
     static void pass(Junction& junction, ArcId before) {
         const bool second = junction.seeded || junction.arcs[0].valid();
         junction.arcs[second ? 1 : 0] = before;
         junction.arcs[second ? 3 : 2] = ArcId(before.value() + 1);
     }
 
-    /// An end of a line at a seed's junction is one of the seed's two arcs. Extraordinary vertices and
-    /// boundary vertices, the other ends of lines, bear no junction.
-    /// \return the junction
+    /// Enters the end of a line at a seed as one of the seed's two arcs. Other ends, at extraordinary
+    /// vertices or on the boundary, have no junction.
+    /// \return the junction; none if there is none
     JunctionId attachToSeed(VertexId end, ArcId arc) {
         const JunctionId junction = junctionAt_[at(end)];
         if (!junction.valid()) return {};

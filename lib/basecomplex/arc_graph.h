@@ -1,4 +1,5 @@
-/// \file The base complex as arcs and junctions: what the search works on (docs/METHOD.md#arc-rules).
+/// \file The base complex as arcs and junctions, the form on which the search works
+/// (docs/METHOD.md#arc-rules).
 #pragma once
 
 #include "base/ids.h"
@@ -12,17 +13,17 @@
 
 namespace qm {
 
-/// An undirected separatrix, or, where its two particles can never meet because each is stopped by its own
-/// track before, the reach of one of them. Its arcs are consecutive: firstArc .. firstArc + arcCount - 1, in
+/// A separatrix without direction; or, if its two particles can never meet because each is stopped by its own
+/// track before, the reach of one of them. Its arcs are consecutive: firstArc to firstArc + arcCount - 1, in
 /// the direction of `forward`.
 struct Line {
-    SeparatrixId forward;                 ///< of the two directions the one with the lower id
-    std::optional<SeparatrixId> backward; ///< its opposite; none if only one particle runs on the line
+    SeparatrixId forward;                 ///< the one of the two directions with the lower id
+    std::optional<SeparatrixId> backward; ///< the opposite; none if only one particle runs on the line
     std::size_t length = 0;               ///< halfedges
     ArcId firstArc;
     int arcCount = 0;
-    JunctionId beginsAt = {}; ///< where it begins at a seed that another line crosses
-    JunctionId endsAt = {};   ///< likewise, or where it ends at its own track
+    JunctionId beginsAt = {}; ///< if the line begins at a seed that another line crosses
+    JunctionId endsAt = {};   ///< if it ends at such a seed, or at its own track
 
     [[nodiscard]] ArcId lastArc() const { return ArcId(firstArc.value() + arcCount - 1); }
 };
@@ -30,18 +31,19 @@ struct Line {
 /// The part of a line between successive stops.
 struct Arc {
     LineId line;
-    int begin = 0; ///< half-open range of halfedges of the line's forward separatrix
+    int begin = 0; ///< half-open range of the halfedges of the line's forward separatrix
     int end = 0;
 };
 
-/// Where a particle may stop between the ends of a line: a regular vertex where two lines cross, or, when the
-/// mesh is cut, a vertex beside the cut. `arcs[0]` and `arcs[2]` go straight on through each other, and so do
-/// `arcs[1]` and `arcs[3]`. Where no line crosses, these two are invalid; where a line ends at its own track,
-/// arcs[3] is.
+/// A place between the ends of a line where a particle may stop: a regular vertex where two lines cross, or,
+/// if the mesh is cut, a vertex beside the cut. `arcs[0]` and `arcs[2]` are opposite each other, and so are
+/// `arcs[1]` and `arcs[3]`. If no line crosses, the latter two are invalid; if a line ends at its own track,
+/// only arcs[3] is.
 struct Junction {
     VertexId vertex;
     std::array<ArcId, 4> arcs;
-    /// A feature seed: arcs[0] and arcs[2] start here. Both are in every graph and never meet head-on here.
+    /// Whether this is a feature seed: arcs[0] and arcs[2] start here, are in every graph, and never meet
+    /// head-on here.
     bool seeded = false;
 
     [[nodiscard]] bool crossed() const { return arcs[1].valid(); }
@@ -57,7 +59,7 @@ struct ArcGraph {
     [[nodiscard]] const Line& lineOf(ArcId arc) const { return lines[arcs[arc.idx()].line.idx()]; }
 };
 
-/// \param complex  the base complex whose separatrices become lines, in the order of their lower ids
+/// \param complex  its separatrices become lines, in the order of their lower ids
 /// \param labels   sub-mesh of every vertex; both ends of an edge between two sub-meshes become stops. May be
 /// empty.
 [[nodiscard]] ArcGraph buildArcGraph(const QuadMesh& mesh, const BaseComplex& complex,
@@ -67,11 +69,11 @@ struct ArcGraph {
 [[nodiscard]] std::span<const HalfedgeId> halfedgesOf(const ArcGraph& graph, const BaseComplex& complex,
                                                       ArcId arc);
 
-/// The arc of every edge; invalid where no line runs.
+/// The arc on every edge; none for edges without a line.
 [[nodiscard]] std::vector<ArcId> arcsOfEdges(const QuadMesh& mesh, const ArcGraph& graph,
                                              const BaseComplex& complex);
 
-/// Sum of a value per edge over every arc.
+/// For every arc, the sum of a value over its edges.
 [[nodiscard]] std::vector<double> sumOverArcs(const QuadMesh& mesh, const ArcGraph& graph,
                                               const BaseComplex& complex, const std::vector<double>& perEdge);
 

@@ -17,8 +17,8 @@ HalfedgeId opposite(const QuadMesh& mesh, HalfedgeId halfedge) {
     return mesh.opposite_halfedge_handle(halfedge);
 }
 
-/// First halfedges of all separatrices, in their final order, and the halfedges that arrive at a seed on its
-/// line.
+/// The first halfedges of all separatrices, in their final order, and which halfedges arrive at a seed on its
+/// own line.
 struct Starts {
     std::vector<HalfedgeId> halfedges;
     std::vector<bool> arrivesAtSeed;
@@ -77,12 +77,12 @@ void linkOpposites(const QuadMesh& mesh, std::vector<Separatrix>& separatrices) 
     }
 }
 
-/// Vertices of a path met so far, forgotten in constant time when the next path begins.
+/// The vertices visited by the present path; starting another path forgets them in constant time.
 class Visits {
 public:
     explicit Visits(std::size_t vertices) : lastPath_(vertices, -1) {}
     void nextPath() { ++path_; }
-    /// \return whether this path has been here before
+    /// \return whether the path has visited the vertex before
     bool visit(VertexId vertex) { return std::exchange(lastPath_[at(vertex)], path_) == path_; }
 
 private:
@@ -94,7 +94,8 @@ void measureReach(const QuadMesh& mesh, Separatrix& separatrix, Visits& visits) 
     visits.nextPath();
     visits.visit(mesh.from_vertex_handle(separatrix.halfedges.front()));
     separatrix.reach = separatrix.halfedges.size();
-    // The last vertex is an end: returning to one's own source is no crossing, arriving at one's own seed is.
+    // The last vertex is an end. A path that returns to its own source does not cross itself; one that
+    // arrives at its own seed does.
     for (std::size_t k = 1; k < separatrix.halfedges.size(); ++k)
         if (visits.visit(mesh.from_vertex_handle(separatrix.halfedges[k]))) {
             separatrix.selfCrossing = true;
@@ -104,7 +105,7 @@ void measureReach(const QuadMesh& mesh, Separatrix& separatrix, Visits& visits) 
 }
 
 std::size_t countJunctions(const QuadMesh& mesh, const BaseComplex& complex) {
-    std::vector<int> passes(mesh.n_vertices(), 0); // undirected lines that pass a vertex
+    std::vector<int> passes(mesh.n_vertices(), 0); // number of undirected lines that pass each vertex
     const auto pass = [&](HalfedgeId from) { ++passes[at(mesh.from_vertex_handle(from))]; };
     for (const Seed seed : complex.seeds)
         pass(seed.direction);
@@ -112,7 +113,7 @@ std::size_t countJunctions(const QuadMesh& mesh, const BaseComplex& complex) {
         const Separatrix& separatrix = complex.separatrices[i];
         const std::size_t length = separatrix.halfedges.size();
         const bool twice =
-            separatrix.opposite && separatrix.opposite->idx() < i; // counted from the other end
+            separatrix.opposite && separatrix.opposite->idx() < i; // counted from the other end already
         const std::size_t counted = twice ? complex.separatrices[separatrix.opposite->idx()].reach : 0;
         for (std::size_t k = 1; k < length && k <= separatrix.reach && length - k > counted; ++k)
             pass(separatrix.halfedges[k]);

@@ -11,8 +11,8 @@ namespace {
 
 constexpr int unknown = std::numeric_limits<int>::max();
 
-/// Edges from a centre to the border of its cell: in a grid of quads, cells of this radius have about
-/// 3/4 (radius + 1)^2 vertices.
+/// The radius of a cell, in edges. In a grid of quads, cells of this radius have about 3/4 (radius + 1)^2
+/// vertices.
 int radiusFor(std::size_t vertices) {
     constexpr double share = 0.75;
     const double wanted = static_cast<double>(vertices) / (share * CoarseGeodesics::wantedCells);
@@ -40,8 +40,8 @@ void CoarseGeodesics::coarsen(const std::vector<VertexId>& vertices) {
     front_.emplace(points, ties, onlyOne_);
 }
 
-/// A vertex that no cell has reached becomes a centre, and takes what is nearer to it than to the centres
-/// before it.
+/// Every vertex that no cell has reached becomes a centre, and takes all vertices that are nearer to it than
+/// to earlier centres.
 void CoarseGeodesics::makeCells(const std::vector<VertexId>& vertices) {
     const int radius = radiusFor(vertices.size());
     centres_.clear();
@@ -70,7 +70,7 @@ void CoarseGeodesics::growCell(VertexId centre, int radius) {
     }
 }
 
-/// Of the quads that a vertex is the lowest corner of, among those in its sub-mesh.
+/// Adds the ties of all quads in the vertex's sub-mesh whose lowest corner is this vertex.
 void CoarseGeodesics::addTies(VertexId vertex, std::vector<Tie>& ties) const {
     const SubMeshId subMesh = labels_[at(vertex)];
     const int own = cellOf_[at(vertex)];

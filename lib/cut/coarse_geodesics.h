@@ -1,4 +1,4 @@
-/// \file Geodesic distances on a large sub-mesh, by way of a coarser mesh (docs/METHOD.md#mesh-cut).
+/// \file Geodesic distances on a large sub-mesh, computed on a coarser mesh (docs/METHOD.md#mesh-cut).
 #pragma once
 
 #include "base/at.h"
@@ -8,29 +8,30 @@
 
 namespace qm {
 
-/// The vertices of a sub-mesh fall into cells around some of them, the centres: each belongs to the centre
-/// that is the fewest edges away, and centres are more than a few edges apart. A quad with corners in several
-/// cells ties their centres; a front over these is some hundred times as fast as one over the vertices. A
-/// vertex is as far as its own centre or one beside it, and from there on straight. The error is a few per
-/// cent of a cell's width for every cell on the way: a cut, which follows distances about half way between
-/// its terminals, hardly moves.
+/// The vertices of a sub-mesh are divided into cells around some of them, the centres: every vertex belongs
+/// to the centre that is the fewest edges away, and centres are more than a few edges apart. A quad with
+/// corners in several cells ties their centres; a front over the centres is some hundred times as fast as one
+/// over the vertices. The distance of a vertex is that of its own or a neighbouring centre, plus a straight
+/// line from there. The error is a few per cent of a cell's width for every cell on the way, which hardly
+/// moves a cut, as it runs about half way between its terminals.
 class CoarseGeodesics : public SurfaceDistances {
 public:
-    /// About so many cells are made, however large the sub-mesh.
+    /// About this many cells are made, however large the sub-mesh is.
     static constexpr double wantedCells = 5000;
 
     /// \param labels  sub-mesh of every vertex; may change between calls
     CoarseGeodesics(const QuadMesh& mesh, const std::vector<SubMeshId>& labels);
 
-    /// Turns to another sub-mesh. Takes time linear in it.
-    /// \param vertices  all of one sub-mesh
+    /// Prepares for another sub-mesh, in time linear in its size.
+    /// \param vertices  all vertices of one sub-mesh
     void coarsen(const std::vector<VertexId>& vertices);
 
-    /// \pre all are among the vertices that were coarsened last
+    /// \pre all vertices belong to the sub-mesh coarsened last
     std::vector<double> between(VertexId source, const std::vector<VertexId>& targets) override;
 
 private:
-    using Tie = std::array<int, 4>; ///< cells around a quad, the last one repeated if there are fewer
+    /// Cells at the corners of a quad; if there are fewer than four, the last one is repeated.
+    using Tie = std::array<int, 4>;
 
     void makeCells(const std::vector<VertexId>& vertices);
     void growCell(VertexId centre, int radius);
@@ -44,8 +45,8 @@ private:
     std::vector<int> steps_;  ///< edges from every vertex to its centre
     std::vector<int> cellOf_; ///< of every vertex
     std::vector<VertexId> centres_;
-    std::vector<std::vector<int>> around_; ///< of every cell: itself and its neighbours, ascending
-    std::vector<SubMeshId> onlyOne_;       ///< of every cell
+    std::vector<std::vector<int>> around_; ///< of every cell, itself and its neighbours, ascending
+    std::vector<SubMeshId> onlyOne_;       ///< label of every cell, all equal
     std::optional<Geodesics> front_;
 };
 

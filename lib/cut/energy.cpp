@@ -10,7 +10,7 @@
 namespace qm {
 namespace {
 
-/// Larger weights than this mean "infinite"; sums of them stay finite.
+/// Upper limit of weights, which stands for infinity but still gives finite sums.
 constexpr double largestWeight = 1e100;
 
 std::vector<double> sharpestAtVertices(const QuadMesh& mesh, const std::vector<double>& angles) {
@@ -40,7 +40,7 @@ CutProblem Energy::operator()(const std::vector<VertexId>& vertices,
     for (std::size_t k = 0; k < vertices.size(); ++k)
         node_[at(vertices[k])] = static_cast<int>(k);
     std::vector<double> nearness =
-        distances.between(terminals.source, vertices); // D(S, p); D(T, p) is the rest
+        distances.between(terminals.source, vertices); // D(S, p); D(T, p) is 1 less this
     const std::vector<double> fromSink = distances.between(terminals.sink, vertices);
     for (std::size_t k = 0; k < vertices.size(); ++k) {
         const double fromSource = nearness[k], sum = fromSource + fromSink[k];
@@ -57,7 +57,7 @@ CutProblem Energy::operator()(const std::vector<VertexId>& vertices,
         nearnessOf(vertex) = 0;
 
     problem.costs.reserve(vertices.size());
-    problem.edges.reserve(2 * vertices.size()); // as many as in a grid
+    problem.edges.reserve(2 * vertices.size()); // as many as a grid has
     for (const double value : nearness)
         problem.costs.push_back({penalty(value), penalty(1 - value)});
     for (const VertexId vertex : vertices)
@@ -67,7 +67,7 @@ CutProblem Energy::operator()(const std::vector<VertexId>& vertices,
     return problem;
 }
 
-/// G_p.
+/// The penalty G_p as a function of D(L, p).
 double Energy::penalty(double nearness) const {
     const auto& [low, high] = std::pair(options_.lowPenalty, options_.highPenalty);
     if (nearness <= options_.nearLimit) return high;
@@ -75,9 +75,9 @@ double Energy::penalty(double nearness) const {
     return low + (high - low) * ((options_.farLimit - nearness) / (options_.farLimit - options_.nearLimit));
 }
 
-/// A cut across a feature severs few edges that touch it, one that runs alongside severs one per step. The
-/// weight is of the size of the high penalty, because less would not move a cut from where the penalties put
-/// it.
+/// The weight of an edge of the mesh. A cut across a feature severs few edges that touch the feature; one
+/// alongside it severs an edge at every step. The weight is as large as the high penalty, because a smaller
+/// one would not move a cut away from where the penalties put it.
 double Energy::capacity(VertexId a, VertexId b) const {
     if (sharpest_.empty()) return options_.lambda;
     const double rightAngles = std::max(sharpest_[at(a)], sharpest_[at(b)]) / (std::numbers::pi / 2);

@@ -11,19 +11,19 @@
 
 namespace qm {
 
-/// Sets up E(L) = sum of G_p(L_p) + lambda * (edges whose ends differ) for one sub-mesh after the other. When
-/// features are to be avoided, an edge with a sharp edge at one of its ends counts 1 + Wh * theta / (pi / 2)
-/// times, theta being the angle of the sharpest there; at a right angle that is as much as a misplaced vertex
-/// costs.
+/// Sets up E(L) = sum of G_p(L_p) + lambda * (edges whose ends differ) for one sub-mesh after another. If
+/// features are to be avoided, the weight of an edge is multiplied by 1 + Wh * theta / (pi / 2), where theta
+/// is the sharpest dihedral angle at either end; at a right angle the edge costs as much as a misplaced
+/// vertex.
 class Energy {
 public:
     /// \param labels  sub-mesh of every vertex; may change between calls
     Energy(const QuadMesh& mesh, const std::vector<double>& dihedralAngles, const CutOptions& options,
            const std::vector<SubMeshId>& labels);
 
-    /// \param vertices       of the sub-mesh: they become the nodes, in this order
-    /// \param extraordinary  vertices among them
-    /// \param distances      on the same labels
+    /// \param vertices       of the sub-mesh; they become the nodes, in this order
+    /// \param extraordinary  the extraordinary ones of these vertices
+    /// \param distances      for the same labels
     [[nodiscard]] CutProblem operator()(const std::vector<VertexId>& vertices,
                                         const std::vector<VertexId>& extraordinary,
                                         const TerminalPair& terminals, SurfaceDistances& distances);
@@ -35,8 +35,9 @@ private:
     const QuadMesh& mesh_;
     CutOptions options_;
     const std::vector<SubMeshId>& labels_;
-    std::vector<double> sharpest_; ///< edge at every vertex; empty unless features are to be avoided
-    std::vector<int> node_;        ///< of every vertex of the sub-mesh at hand
+    /// Largest dihedral angle at every vertex; empty unless features are avoided.
+    std::vector<double> sharpest_;
+    std::vector<int> node_; ///< of every vertex of the present sub-mesh
 };
 
 } // namespace qm

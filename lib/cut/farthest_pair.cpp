@@ -10,11 +10,11 @@ namespace qm {
 namespace {
 
 constexpr float unbounded = std::numeric_limits<float>::infinity();
-/// With so many sweeps the pair is exact, as it usually is by then; each one more allows it to be so much
-/// nearer, as a share, that few follow.
+/// Up to this many sweeps the result is exact, which usually suffices. Each further sweep allows an error of
+/// another one per cent, so that few follow.
 constexpr std::size_t exactSweeps = 24;
 constexpr double slackPerSweep = 0.01;
-/// With at most this many candidates a bound is kept for every pair; with more, one for every candidate.
+/// Up to this many candidates, a bound is kept for every pair; with more, one for every candidate.
 constexpr std::size_t pairLimit = 2048;
 
 class Search {
@@ -61,15 +61,15 @@ private:
         if (paired_) boundPairs(distances);
     }
 
-    /// A pair must be farther apart than this to be worth looking for.
+    /// The distance that a pair must exceed to be worth looking for.
     [[nodiscard]] float threshold() const {
         const double slack =
             sweeps_ <= exactSweeps ? 0 : slackPerSweep * static_cast<double>(sweeps_ - exactSweeps);
         return static_cast<float>(longest_ * (1 + slack));
     }
 
-    /// Drops the vertex just swept, whose farthest partner is known now, and those that are too near to all
-    /// others.
+    /// Drops the vertex just swept, whose farthest partner is known now, and all vertices that are too near
+    /// to all others.
     void dropHopeless(std::size_t swept) {
         const float enough = threshold();
         const auto hopeless = [&](std::size_t k) { return k == swept || upper_[k] <= enough; };
@@ -88,7 +88,7 @@ private:
     }
 
     void boundPairs(const std::vector<double>& distances) {
-        for (std::size_t k = 0; k < open_.size(); ++k) { // the lower half: pairs have no direction
+        for (std::size_t k = 0; k < open_.size(); ++k) { // each pair once
             const std::size_t i = open_[k];
             float* bounds = &pairs_[row_[i] * rows_];
             for (std::size_t l = 0; l < k; ++l) {
@@ -98,9 +98,9 @@ private:
         }
     }
 
-    /// The open vertex with the largest number of partners that may be farther away than the farthest pair so
-    /// far; in the first sweeps, the one with the largest bound. The number of vertices if there is none.
-    /// Vertices without such partners are dropped: they get no new ones, and are nobody's.
+    /// The open vertex with the most partners that may be farther away than the farthest pair known; in the
+    /// first sweeps, the one with the largest bound; the number of vertices if there is none. Vertices
+    /// without such partners are dropped, because they can neither get new ones nor be a partner.
     [[nodiscard]] std::size_t promising() {
         std::size_t best = vertices_.size(), kept = 0;
         float bestValue = 0;
@@ -118,7 +118,7 @@ private:
         return best;
     }
 
-    /// Of every open vertex, if bounds are kept for pairs.
+    /// For every open vertex, the number of its partners that may be far enough away.
     [[nodiscard]] std::vector<std::size_t> countPartners() const {
         std::vector<std::size_t> partners(open_.size(), 0);
         if (!paired_) return partners;
@@ -136,11 +136,11 @@ private:
 
     const std::vector<VertexId>& vertices_;
     SurfaceDistances& distances_;
-    std::vector<float> upper_;      ///< bound on the distance to the farthest partner
-    std::vector<std::size_t> open_; ///< those that may be one of the farthest pair and were not swept
-    std::map<std::size_t, std::vector<double>> swept_; ///< the first sweeps, by where they began
+    std::vector<float> upper_;      ///< upper bound of the distance to the farthest partner
+    std::vector<std::size_t> open_; ///< vertices not yet swept that may belong to the farthest pair
+    std::map<std::size_t, std::vector<double>> swept_; ///< distances of the first sweeps, by starting vertex
     bool paired_ = false;
-    std::vector<std::size_t> row_; ///< of an open vertex, in the bounds for pairs
+    std::vector<std::size_t> row_; ///< row of an open vertex in the bounds for pairs
     std::size_t rows_ = 0;
     std::vector<float> pairs_;
     FarthestPair best_;

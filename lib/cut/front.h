@@ -1,4 +1,4 @@
-/// \file The vertices that a front has reached, the nearest first.
+/// \file The queue of a front: vertices that have been reached, the nearest first.
 #pragma once
 
 #include <algorithm>
@@ -9,8 +9,9 @@
 
 namespace qm {
 
-/// A priority queue of distances that mostly grow: what is far is only put into steps, and the nearest step
-/// alone is a heap. The order is that of distances, and of equal ones that of ranks, whatever the steps.
+/// A priority queue for distances that mostly grow. Far entries are only sorted into buckets ("steps"), and
+/// only the nearest bucket is a heap. Entries are ordered by distance, and among equal distances by rank,
+/// whatever the width of the buckets.
 class Front {
 public:
     struct Entry {
@@ -23,10 +24,10 @@ public:
         }
     };
 
-    /// \param step  how far distances usually differ from one vertex to the next; not negative
+    /// \param step  the usual difference of distance between neighbouring vertices; not negative
     explicit Front(double step) : stepsPerLength_(step > 0 ? 1 / step : 0) {}
 
-    /// \pre the distance is not negative; it may be less than what has been taken
+    /// \pre the distance is not negative; it may be below that of entries already taken
     void push(const Entry& entry) {
         const double steps = entry.distance * stepsPerLength_;
         const std::size_t step = steps < maxSteps ? static_cast<std::size_t>(steps) : maxSteps;
@@ -49,7 +50,7 @@ public:
         return true;
     }
 
-    /// \pre it is not empty, and this has been asked for
+    /// \pre `empty` has been called since the last change, and was false
     Entry pop() {
         std::ranges::pop_heap(near_, std::greater{});
         const Entry entry = near_.back();
@@ -58,12 +59,12 @@ public:
     }
 
 private:
-    static constexpr std::size_t maxSteps = 1U << 16U; ///< what is farther is one step
+    static constexpr std::size_t maxSteps = 1U << 16U; ///< all farther entries share one bucket
 
     double stepsPerLength_;
-    std::size_t current_ = 0; ///< the step of the nearest
+    std::size_t current_ = 0; ///< the bucket of the nearest entry
     std::vector<Entry> near_;
-    std::vector<std::vector<Entry>> far_; ///< of every step beyond
+    std::vector<std::vector<Entry>> far_; ///< the buckets beyond
 };
 
 } // namespace qm

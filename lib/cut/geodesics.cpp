@@ -32,7 +32,7 @@ std::vector<std::array<int, 4>> quadsOf(const QuadMesh& mesh) {
     return quads;
 }
 
-/// How far distances usually differ between the two ends of an edge.
+/// The usual difference of distance between the two ends of an edge.
 double stepOf(const std::vector<Point>& points, const std::vector<std::array<int, 4>>& quads) {
     double sum = 0;
     for (const auto& quad : quads)
@@ -41,7 +41,7 @@ double stepOf(const std::vector<Point>& points, const std::vector<std::array<int
     return quads.empty() ? 0 : sum / (16 * static_cast<double>(quads.size()));
 }
 
-/// Morton's curve through the bounding box of some points.
+/// Morton's curve through the bounding box of a set of points.
 class SpaceCurve {
 public:
     explicit SpaceCurve(const std::vector<Point>& points) {
@@ -110,8 +110,7 @@ Geodesics::Geodesics(const std::vector<Point>& points, const std::vector<std::ar
             cornersAround_[next[at(quads_[quad].corners[k])]++] = 4 * quad + k;
 }
 
-/// Along a curve through space that stays close to where it is, so that a front finds in the cache what it
-/// needs.
+/// Numbers the vertices along a space-filling curve, so that neighbours are close in memory.
 std::vector<int> Geodesics::numberNodes(const std::vector<Point>& points) {
     std::vector<std::pair<std::uint64_t, int>> places;
     places.reserve(points.size());
@@ -166,7 +165,7 @@ void Geodesics::forget() {
     touched_.clear();
 }
 
-/// Improves the open vertices of all quads around a vertex whose distance has become final.
+/// Updates the open vertices of all quads around a vertex whose distance has become final.
 void Geodesics::spread(int node, SubMeshId subMesh) {
     for (std::uint32_t k = firstCorner_[at(node)]; k < firstCorner_[at(node) + 1]; ++k) {
         const Quad& quad = quads_[cornersAround_[k] / 4];
@@ -199,9 +198,9 @@ void Geodesics::reach(const Quad& quad, unsigned from, unsigned to, SubMeshId su
     target.distance = best;
 }
 
-/// Unfolds the triangle and the virtual source that has the known distances to a and b, with a at the origin
-/// and b on the x axis; infinity if the straight way from that source does not lead between them, or is no
-/// shorter than the limit.
+/// The distance of the target across a triangle. Unfolds the triangle with a at the origin and b on the x
+/// axis, and finds the virtual source with the known distances to a and b. Infinity if the straight line from
+/// there does not pass between a and b, or is no shorter than the limit.
 double Geodesics::across(const Quad& quad, unsigned a, unsigned b, unsigned target, double limit) const {
     constexpr double rounding =
         1e-12; // of the squares below: what is no shorter by more may be dropped early
@@ -213,10 +212,11 @@ double Geodesics::across(const Quad& quad, unsigned a, unsigned b, unsigned targ
     if (sourceSquare < 0) return infinity;
     const double x = (toA * toA - toB * toB + length * length) / (2 * length);
     const double aside = (x - sourceX) * (x - sourceX), limitSquare = limit * limit;
-    if ((aside + sourceSquare) * (1 - rounding) >= limitSquare) return infinity; // without any root
+    // Spares the square roots below.
+    if ((aside + sourceSquare) * (1 - rounding) >= limitSquare) return infinity;
     const double y = std::sqrt(std::max(toA * toA - x * x, 0.0));
     const double sourceY = std::sqrt(sourceSquare), height = y + sourceY;
-    const double crossing = sourceX * y + x * sourceY; // times the height
+    const double crossing = sourceX * y + x * sourceY; // multiplied by the height
     if (height == 0 || crossing < 0 || crossing > length * height) return infinity;
     const double square = aside + height * height;
     return square < limitSquare ? std::sqrt(square) : infinity;

@@ -15,31 +15,31 @@
 
 namespace qm {
 
-/// Distances over the surface from a vertex, by advancing a front: a vertex is reached over an edge, a quad's
-/// diagonal, or across a triangle from the virtual source of two vertices reached before. On flat parts that
-/// is the straight distance but for rounding. On curved ones it is too short or too long by one per cent on
-/// average and several at most, the less the finer the mesh; only between near neighbours in a quad that is
-/// sheared beyond 45 degrees is it worse. It is no exact metric: there and back may differ as much.
+/// Distances over the surface from a vertex, by advancing a front. A vertex is reached over an edge, over a
+/// quad's diagonal, or across a triangle from the virtual source of two vertices reached before. On flat
+/// parts this is the straight distance up to rounding. On curved parts the error is one per cent on average
+/// and several at most, and less on finer meshes; it is larger only between close neighbours in quads sheared
+/// beyond 45 degrees. The distance is no exact metric: both directions may differ by as much.
 class Geodesics : public SurfaceDistances {
 public:
     /// \param labels  sub-mesh of every vertex; may change between calls
     Geodesics(const QuadMesh& mesh, const std::vector<SubMeshId>& labels);
 
-    /// The same on any quads. Of a triangle or an edge, the last corner is repeated.
-    /// \param quads  positions of their corners among the points
+    /// The same for any quads. A triangle or an edge repeats its last corner.
+    /// \param quads  indices of their corners in `points`
     Geodesics(const std::vector<Point>& points, const std::vector<std::array<int, 4>>& quads,
               const std::vector<SubMeshId>& labels);
 
-    /// Distance from the source of every vertex of the source's sub-mesh, infinity for all vertices that
-    /// cannot be reached inside it. Valid until the next call.
+    /// The distance of every vertex of the source's sub-mesh from the source; infinity for vertices that
+    /// cannot be reached inside the sub-mesh. Valid until the next call.
     const std::vector<double>& from(VertexId source) { return from(std::array{Start{source.idx(), 0}}); }
 
-    /// Where a front begins, and how far from the source that is.
+    /// A vertex where a front begins, and its distance from the source.
     struct Start {
         int vertex;
         double distance;
     };
-    /// The same from several vertices of one sub-mesh, at least one.
+    /// The same from several vertices of one sub-mesh; at least one.
     const std::vector<double>& from(std::span<const Start> starts);
 
     std::vector<double> between(VertexId source, const std::vector<VertexId>& targets) override;
@@ -56,7 +56,7 @@ private:
         double distance;
         int vertex;
         bool final;
-        bool improved; ///< since the last vertex became final
+        bool improved; ///< whether it was, since the last vertex became final
     };
 
     [[nodiscard]] std::vector<int> numberNodes(const std::vector<Point>& points);
@@ -69,14 +69,15 @@ private:
     [[nodiscard]] const Node& nodeAt(int node) const { return nodes_[at(node)]; }
 
     const std::vector<SubMeshId>& labels_;
-    std::vector<Node> nodes_; ///< the vertices in an order that has neighbours close to each other
+    std::vector<Node> nodes_; ///< vertices in an order that keeps neighbours close together
     std::vector<int> nodeOf_; ///< of every vertex
-    std::vector<Quad> quads_; ///< in the same order
-    std::vector<std::uint32_t> firstCorner_;   ///< of every node, in cornersAround_; and the end
+    std::vector<Quad> quads_; ///< in the order of the nodes
+    /// Index of every node's first entry in cornersAround_, and the end.
+    std::vector<std::uint32_t> firstCorner_;
     std::vector<std::uint32_t> cornersAround_; ///< 4 * quad + corner
     std::vector<double> distance_;             ///< of every vertex
     std::vector<int> touched_;                 ///< nodes with a distance
-    std::vector<int> improved_;                ///< nodes that have become nearer, to be queued
+    std::vector<int> improved_;                ///< nodes that have become nearer and must be queued
     Front front_;
 };
 

@@ -43,7 +43,7 @@ SubMesh Measure::operator()(const std::vector<std::size_t>& separatrices,
         last = source;
         reach.push_back(reachInside(i, labels));
         const Separatrix& separatrix = complex_.separatrices[i];
-        // What the opposite has walked inside as well counts once.
+        // The part that the opposite walks inside as well is counted once only.
         std::size_t counted = 0;
         if (separatrix.opposite && separatrix.opposite->idx() < i &&
             labels[at(sourceOf(separatrix.opposite->idx()))] == subMesh)

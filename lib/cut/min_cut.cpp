@@ -2,7 +2,7 @@
 
 #include "base/at.h"
 
-// GCC 12 takes an empty boost::optional inside the graph's edge iterators for an uninitialised one.
+// GCC 12 reports an empty boost::optional inside the graph's edge iterators as uninitialised.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif
@@ -21,7 +21,7 @@ struct Neighbour {
     double capacity;
 };
 
-/// Fixes what is certain. Open nodes keep label -1 and take over the pull of their fixed neighbours.
+/// Fixes the labels that are certain. Open nodes have label -1, and take over the pull of fixed neighbours.
 class Fixing {
 public:
     explicit Fixing(const CutProblem& problem)
@@ -75,8 +75,8 @@ private:
 
     std::vector<std::array<double, 2>> costs_;
     std::vector<int> labels_;
-    std::vector<double> slack_;               ///< capacity to neighbours that are open
-    std::vector<std::size_t> firstNeighbour_; ///< of every node, and the end
+    std::vector<double> slack_;               ///< capacity to open neighbours
+    std::vector<std::size_t> firstNeighbour_; ///< of every node, in neighbours_; and the end
     std::vector<Neighbour> neighbours_;
     std::vector<int> pending_;
 };

@@ -1,4 +1,4 @@
-/// \file Distances over the surface inside one sub-mesh, however they are found.
+/// \file Interface for distances over the surface inside one sub-mesh.
 #pragma once
 
 #include "mesh/quad_mesh.h"
@@ -14,8 +14,8 @@ public:
     SurfaceDistances& operator=(const SurfaceDistances&) = delete;
     virtual ~SurfaceDistances() = default;
 
-    /// Distance from the source to each of some vertices of its sub-mesh, in their order; infinity to those
-    /// that cannot be reached inside it.
+    /// The distances from the source to some vertices of its sub-mesh, in their order; infinity for vertices
+    /// that cannot be reached inside the sub-mesh.
     [[nodiscard]] virtual std::vector<double> between(VertexId source,
                                                       const std::vector<VertexId>& targets) = 0;
 };

@@ -39,13 +39,13 @@ std::vector<TerminalPair> irregular(const QuadMesh& mesh, const std::vector<Vert
     TerminalPair result;
     for (std::size_t k = 0; k < members.size(); ++k)
         result.groups[pair.fromFirst[k] <= pair.fromSecond[k] ? 0 : 1].push_back(members[k]);
-    if (result.groups[1].empty()) return {}; // all in one place
+    if (result.groups[1].empty()) return {}; // all members are in one place
     result.source = centre(mesh, vertices, result.groups[0]);
     result.sink = centre(mesh, vertices, result.groups[1]);
     return {std::move(result)};
 }
 
-/// Directions spread evenly over half a sphere.
+/// Directions spread evenly over a half-sphere.
 std::vector<Point> directions(int count) {
     std::vector<Point> result;
     const double golden = std::numbers::pi * (3 - std::sqrt(5.0));
@@ -82,7 +82,8 @@ std::vector<TerminalPair> farthest(const QuadMesh& mesh, const std::vector<Verte
                 a = first;
                 b = second;
             }
-    // The directions may have missed a pair: go on from either end until each is the farthest from the other.
+    // The directions may miss a pair, so the search goes on until each end is the farthest vertex from the
+    // other.
     for (int settled = 0; settled < 2; std::swap(a, b)) {
         const VertexId c = farthestFrom(mesh, vertices, a);
         const bool farther = distance(a, c) > distance(a, b);

@@ -1,4 +1,4 @@
-/// \file Where a two-way cut starts from (docs/METHOD.md#mesh-cut).
+/// \file Choice of the terminals of a two-way cut (docs/METHOD.md#mesh-cut).
 #pragma once
 
 #include "cut/cut.h"
@@ -9,24 +9,24 @@
 
 namespace qm {
 
-/// Source and sink of a cut, which differ, and what is to stay together on either side.
+/// The source and the sink of a cut, which differ, and the vertices that must stay on either side.
 struct TerminalPair {
     VertexId source;
     VertexId sink;
-    /// The source's and the sink's group, unless both are empty: then every extraordinary vertex belongs to
-    /// the nearer terminal.
+    /// The groups of the source and of the sink. If both are empty, every extraordinary vertex belongs to the
+    /// nearer terminal.
     std::array<std::vector<VertexId>, 2> groups;
 };
 
-/// Irregular: p1 and p2 are the two extraordinary vertices farthest apart over the surface; the others form
-/// groups by the nearer of the two; a terminal is the vertex nearest in space to the mean of its group. Where
-/// there are fewer than two extraordinary vertices, feature seeds count as such. Farthest: the two vertices
-/// farthest apart in space, to within one per cent, and neither has another vertex farther away. Box: the
-/// vertices nearest to the centres of two opposite walls of the bounding box, for each axis.
+/// Irregular: p1 and p2 are the two extraordinary vertices farthest apart over the surface; all others form
+/// groups by the nearer of the two; a terminal is the vertex nearest in space to the mean of its group. With
+/// fewer than two extraordinary vertices, feature seeds take their place. Farthest: the two vertices farthest
+/// apart in space, within one per cent; neither has another vertex farther away. Box: for each axis, the
+/// vertices nearest to the centres of two opposite walls of the bounding box.
 /// \param vertices       of the sub-mesh, connected, ascending
 /// \param extraordinary  vertices among them, ascending
 /// \param seeds          vertices among them, ascending
-/// \return the pairs to try; none if the terminals coincide, or there are no two vertices for groups
+/// \return the pairs to try; none if the terminals coincide, or if there are not two vertices for groups
 [[nodiscard]] std::vector<TerminalPair> chooseTerminals(const QuadMesh& mesh,
                                                         const std::vector<VertexId>& vertices,
                                                         const std::vector<VertexId>& extraordinary,

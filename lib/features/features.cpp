@@ -12,7 +12,7 @@
 namespace qm {
 namespace {
 
-/// Finds the curves of one line after the other.
+/// Finds the curves of each line.
 class Finder {
 public:
     Finder(const QuadMesh& mesh, const std::vector<double>& angles, const FeatureOptions& options)
@@ -26,7 +26,7 @@ public:
         measure(line);
         const int length = static_cast<int>(line.halfedges.size());
         const int begin = line.closed ? firstBlunt(line) : 0;
-        if (begin == length) { // a closed loop that is sharp all the way round
+        if (begin == length) { // a closed line that is sharp all round
             if (isLong(line, 0, length)) curves_.push_back({line.halfedges, VertexId()});
             return;
         }
@@ -51,8 +51,8 @@ private:
         return angles_[at(mesh_.edge_handle(halfedge))] > options_.rho;
     }
 
-    /// Where the walk round a closed line may begin without dividing a run; its length if there is no such
-    /// place.
+    /// The position at which the walk round a closed line can begin without dividing a run; the line's length
+    /// if there is none.
     [[nodiscard]] int firstBlunt(const MeshLine& line) const {
         int k = 0;
         while (k < static_cast<int>(line.halfedges.size()) && sharp(line, k))
@@ -75,8 +75,8 @@ private:
                isFar(mesh_.to_vertex_handle(line.halfedges.back()), end, length);
     }
 
-    /// Of the edges from one position on the line to another; positions go on behind the end of a closed
-    /// line.
+    /// The length of the edges between two positions on the line; on a closed line, positions continue beyond
+    /// its end.
     [[nodiscard]] double lengthOf(const MeshLine& line, int begin, int end) const {
         const auto lengthUpTo = [&](int position) {
             const std::size_t k = at(position);
@@ -112,12 +112,12 @@ private:
     const FeatureOptions& options_;
     double minLength_ = 0;
     double minDistance_ = 0;
-    std::vector<double> lengthUpTo_; ///< of the line that is searched: from its beginning to every position
+    std::vector<double> lengthUpTo_; ///< of the present line, from its beginning to every position
     std::vector<FeatureCurve> curves_;
 };
 
-/// Gives the curve the admissible seed nearest to its middle.
-/// \return false if it has none
+/// Sets the curve's seed to the admissible vertex nearest to its middle.
+/// \return false if no vertex is admissible
 bool placeSeed(const QuadMesh& mesh, FeatureCurve& curve, std::vector<bool>& taken) {
     const std::vector<VertexId> vertices = verticesAlong(mesh, curve.halfedges);
     const int middle = static_cast<int>(curve.halfedges.size()) / 2;

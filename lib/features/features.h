@@ -10,19 +10,19 @@
 namespace qm {
 
 struct FeatureOptions {
-    double rho = 0.45; ///< every edge of a curve is sharper than this, radians
-    // Ends are measured along the line to the next extraordinary vertex.
-    Length minLength{3, true};   ///< a curve is at least this long
-    Length minDistance{1, true}; ///< its ends are at least this far from any extraordinary vertex
-    int tau = 6;                 ///< a curve has at least this many edges
-    int zeta = 1;                ///< its ends are more than this many edges from any extraordinary vertex
+    double rho = 0.45; ///< least dihedral angle of the edges of a curve, radians
+    // Distances of ends are measured along the line to the next extraordinary vertex.
+    Length minLength{3, true};   ///< least length of a curve
+    Length minDistance{1, true}; ///< least distance of its ends from extraordinary vertices
+    int tau = 6;                 ///< least number of edges of a curve
+    int zeta = 1;                ///< its ends are more than this many edges away from extraordinary vertices
 };
 
 /// A run of sharp edges along one mesh line. A closed loop repeats its first vertex at the end.
 struct FeatureCurve {
     std::vector<HalfedgeId> halfedges;
-    /// Where its two particles start: the middle vertex, or the nearest to it along the curve that is
-    /// interior, regular and no other curve's seed.
+    /// Where the curve's two particles start: the middle vertex, or the nearest one along the curve that is
+    /// interior, regular and no seed of another curve.
     VertexId seed;
 };
 
@@ -30,9 +30,9 @@ struct Features {
     std::vector<FeatureCurve> curves;
 };
 
-/// Finds all maximal curves, in time linear in the mesh; ordered by their lowest edge index. An end that no
-/// extraordinary vertex follows along the line, because the boundary comes first or the line is closed, is
-/// infinitely far from any. A curve without a vertex that may be its seed is left out.
+/// Finds all maximal curves, in time linear in the mesh, ordered by their lowest edge index. If the line
+/// beyond an end is closed or reaches the boundary first, the end counts as infinitely far from extraordinary
+/// vertices. A curve without an admissible seed is left out.
 [[nodiscard]] Features findFeatures(const QuadMesh& mesh, const std::vector<double>& dihedralAngles,
                                     const FeatureOptions& options);
 

@@ -1,4 +1,4 @@
-/// \file What a person demands of the graphs: "this edge must be a patch boundary", "none here".
+/// \file Constraints on graphs by a person: edges that must be patch boundaries, or must not be.
 #pragma once
 
 #include "mesh/quad_mesh.h"
@@ -8,11 +8,12 @@
 
 namespace qm {
 
-/// Mesh edges by kind. An edge on no separatrix can be neither required nor forbidden, and has no weight.
+/// Mesh edges by kind of constraint. An edge that lies on no separatrix can be neither required nor
+/// forbidden, and its weight has no effect.
 struct Constraints {
     std::vector<EdgeId> required;
     std::vector<EdgeId> forbidden;
-    std::vector<std::pair<EdgeId, double>> weights; ///< what an edge costs beyond the other terms
+    std::vector<std::pair<EdgeId, double>> weights; ///< added to the cost of each edge by the term *custom*
 };
 
 } // namespace qm

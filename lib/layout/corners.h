@@ -1,5 +1,5 @@
-/// \file The corners of the segments between tracks (docs/METHOD.md#cost): corners of faces that have a track
-/// or the mesh boundary on both sides.
+/// \file Corners of segments (docs/METHOD.md#cost): corners of faces with a track or the mesh boundary on
+/// both sides.
 #pragma once
 
 #include "base/id_vector.h"
@@ -10,18 +10,18 @@
 
 namespace qm {
 
-/// Counts them in graphs of sub-meshes.
+/// Counts corners of segments in graphs of sub-meshes.
 class Corners {
 public:
-    /// Takes time linear in the mesh. Both arguments outlive this.
+    /// Time is linear in the mesh. Both arguments must outlive this.
     Corners(const QuadMesh& mesh, const SubMeshes& subMeshes);
 
-    /// Those that all graphs of a sub-mesh have: at its extraordinary vertices and the convex ones of its
-    /// boundary.
+    /// The number of corners that all graphs of a sub-mesh have: those at its extraordinary vertices and at
+    /// convex vertices of its boundary.
     [[nodiscard]] std::size_t sure(SubMeshId subMesh) const { return sure_[subMesh]; }
 
-    /// The sure ones, those at the other vertices of the sub-mesh, and two where a track ends on the mesh
-    /// boundary, be it past the cut. Takes time linear in the tracks.
+    /// The number of all corners: the sure ones, those at the other vertices of the sub-mesh, and two for
+    /// every track that ends on the mesh boundary, even beyond the cut. Time is linear in the tracks.
     [[nodiscard]] std::size_t between(const std::vector<Track>& tracks, SubMeshId subMesh) const;
 
 private:

@@ -9,11 +9,12 @@
 namespace qm {
 namespace {
 
-/// Searches tell costs apart whose sums differ by a small number, and solvers of linear programs bear no huge
-/// ones.
+/// Searches tell sums of costs apart that differ by a small number, and linear programs cannot be solved with
+/// huge costs.
 void requireExactSums(const std::vector<double>& costs, double costOfSegment) {
-    constexpr double largest = 1e15; // beyond it doubles have less than one decimal
-    double sum = std::abs(costOfSegment) * static_cast<double>(costs.size()); // there are fewer segments
+    constexpr double largest = 1e15; // above it doubles have less than one decimal
+    // There are fewer segments than edges.
+    double sum = std::abs(costOfSegment) * static_cast<double>(costs.size());
     for (const double cost : costs)
         sum += std::abs(cost);
     if (!(sum <= largest))
@@ -21,9 +22,9 @@ void requireExactSums(const std::vector<double>& costs, double costOfSegment) {
                     "Take smaller numbers for --alpha, --cost and weights under /constraints");
 }
 
-/// What lengths add to the costs of edges.
+/// Adds the term of the edges' lengths to the costs.
 void addLengths(const QuadMesh& mesh, double factor, std::vector<double>& costs) {
-    constexpr double minLength = 1e-5; // a hundred times what searches tell apart
+    constexpr double minLength = 1e-5; // a hundred times the least difference that searches tell apart
     double longest = 0;
     for (const EdgeId edge : mesh.edges()) {
         if (mesh.is_boundary(edge)) continue;

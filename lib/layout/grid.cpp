@@ -15,7 +15,7 @@ namespace {
                 "the tracks are no motorcycle graph; search again");
 }
 
-/// Index of the halfedge on the loop with which side 0 begins.
+/// The index of the halfedge in the loop with which side 0 begins.
 std::size_t firstSide(const QuadMesh& mesh, const BorderLoop& loop) {
     const std::size_t length = loop.halfedges.size();
     std::size_t best = length;

@@ -64,8 +64,8 @@ private:
         if (!transversal) layout_.cost += track.cost;
     }
 
-    /// With none of them inside, a region without reflex corners is a grid with four corners, an annulus or a
-    /// torus, and every line through it is straight.
+    /// A region without extraordinary vertices inside and without reflex corners is a grid with four corners,
+    /// an annulus or a torus, and every line through it is straight.
     void requireBorderAtEveryExtraordinaryVertex() const {
         for (const VertexId vertex : extraordinaryVertices(mesh_))
             if (std::ranges::none_of(mesh_.voh_range(vertex),
@@ -96,7 +96,8 @@ private:
         return std::ranges::all_of(loop.quads, [](int quads) { return quads == 2; });
     }
 
-    /// A whole component that no particle entered: a torus, or an annulus between two mesh boundaries.
+    /// Whether a region is a whole component that no particle entered: a torus, or an annulus between
+    /// boundaries.
     bool hasNoTrack(const Region& region) const {
         return std::ranges::all_of(region.loops, [this](const BorderLoop& loop) {
             return std::ranges::all_of(
@@ -104,7 +105,7 @@ private:
         });
     }
 
-    /// Straight across an annulus from one loop; ties go to the lowest vertex.
+    /// The cheapest straight path across an annulus from one loop; ties go to the lowest vertex.
     std::vector<HalfedgeId> cheapestTransversal(const BorderLoop& loop) const {
         std::vector<HalfedgeId> best;
         const auto key = [&](const std::vector<HalfedgeId>& path) {

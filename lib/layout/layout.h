@@ -1,4 +1,4 @@
-/// \file The layout: tracks, and the segments they cut the mesh into (docs/METHOD.md#layout).
+/// \file The layout: tracks, and the segments into which they cut the mesh (docs/METHOD.md#layout).
 #pragma once
 
 #include "layout/motorcycle_graph.h"
@@ -17,10 +17,10 @@ struct LayoutTrack {
     bool transversal = false;
 };
 
-/// A grid of a x b quads. Walking its border counter-clockwise, with the faces on the left, side 0 leads from
-/// corner 0 to corner 1 in a edges, side 1 on to corner 2 in b edges, and so on. A side lists its vertices
-/// with both corners. Face (i, j), column i along side 0, row j away from it, is faces[j * a + i]. In an
-/// annulus that a transversal has split, two opposite sides are the same path.
+/// A grid of a x b quads. Counter-clockwise along its border, with the faces on the left, side 0 leads from
+/// corner 0 to corner 1 over a edges, side 1 on to corner 2 over b edges, and so on. A side lists its
+/// vertices including both corners. Face (i, j), in column i along side 0 and in row j away from it, is
+/// faces[j * a + i]. In an annulus split by a transversal, two opposite sides are the same path.
 struct Segment {
     std::array<int, 2> size{};
     std::array<VertexId, 4> corners;
@@ -29,17 +29,17 @@ struct Segment {
 };
 
 struct Layout {
-    double cost = 0; ///< G_T: sum over the tracks that are no transversals
+    double cost = 0; ///< G_T: sum over all tracks except transversals
     std::optional<double> lowerBound;
     std::vector<LayoutTrack> tracks;
-    std::vector<Segment> segments; ///< every quad lies in exactly one; ordered by their lowest face
+    std::vector<Segment> segments; ///< every quad lies in exactly one segment; ordered by lowest face
 };
 
-/// Cuts the mesh along the tracks. Gives a component without any track a seed at its most curved edge, and
-/// splits every annulus by the cheapest straight transversal (docs/METHOD.md#layout), adding both to the
-/// tracks. Linear in the mesh.
-/// \param edgeCosts  by edge index, for the cost of added tracks
-/// \throw Error  if a segment is not a grid with four corners: the tracks are no motorcycle graph
+/// Cuts the mesh along the tracks. A component without tracks gets the mesh line through its most curved
+/// edge, and every annulus is split by its cheapest straight transversal (docs/METHOD.md#layout); both are
+/// added to the tracks. Time is linear in the mesh.
+/// \param edgeCosts  by edge index, for the costs of added tracks
+/// \throw Error  if some segment is not a grid with four corners, so that the tracks are no motorcycle graph
 [[nodiscard]] Layout buildLayout(const QuadMesh& mesh, std::span<const Track> tracks,
                                  const std::vector<double>& dihedralAngles,
                                  const std::vector<double>& edgeCosts);

@@ -7,7 +7,7 @@
 namespace qm {
 namespace {
 
-/// Gives every crossing to one of its lines such that no line gets two: an orientation of a pseudo-forest
+/// Assigns every crossing to one of its lines such that no line gets two: an orientation of a pseudo-forest
 /// (docs/METHOD.md#hakimi-1965).
 class Meetings {
 public:
@@ -24,12 +24,12 @@ public:
             if (crossed(graph.junctions[j], present)) addCrossing(JunctionId(j));
     }
 
-    /// The arc after which the particles of each line meet; invalid where they need not.
+    /// For every line the arc after which its particles meet; none if they need not meet.
     std::vector<ArcId> assign() {
         for (std::size_t line = 0; line < crossingsOf_.size(); ++line)
             waiting_.emplace_back(line);
         settleLeaves();
-        // Only cycles are left: either way round serves.
+        // Only cycles remain, where both directions are valid.
         for (std::size_t c = 0; c < crossings_.size(); ++c)
             if (!crossings_[c].settled) {
                 settle(c, 0);
@@ -40,7 +40,7 @@ public:
 
 private:
     struct Side {
-        LineId line; ///< invalid if it cannot be cracked
+        LineId line; ///< none if the line cannot be cracked
         ArcId before;
     };
     struct PlusCrossing {
@@ -75,15 +75,15 @@ private:
         PlusCrossing& plus = crossings_[crossing];
         plus.settled = true;
         const Side& chosen = plus.sides[available(plus.sides[side]) ? side : 1 - side];
-        if (!available(chosen)) return; // not a valid graph: the caller's business
+        if (!available(chosen)) return; // the graph is not valid, which the caller must rule out
         meetingOf_[chosen.line.idx()] = chosen.before;
         for (const std::size_t other : crossingsOf_[chosen.line.idx()])
             for (const Side& neighbour : crossings_[other].sides)
                 if (neighbour.line.valid()) waiting_.push_back(neighbour.line);
     }
 
-    /// A crossing that has only one available line is given to it; a line that has only one open crossing
-    /// gets it.
+    /// Assigns every crossing with only one available line to that line, and to every line with only one open
+    /// crossing that crossing.
     void settleLeaves() {
         while (!waiting_.empty()) {
             const LineId line = waiting_.back();

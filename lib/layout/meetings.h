@@ -1,4 +1,4 @@
-/// \file Where the two particles of a line meet head-on, so that crossings have their cracks
+/// \file Where the two particles of a line meet head-on, so that every crossing has its crack
 /// (docs/METHOD.md#cracks).
 #pragma once
 
@@ -9,11 +9,11 @@
 
 namespace qm {
 
-/// At a crossing whose four arcs are all present one of the two lines must crack (rule 4): its particles meet
-/// there. A line is given to one crossing at most.
-/// \param present  of every arc: a valid graph
+/// At a crossing whose four arcs are all present, one of the two lines must be cracked (rule 4): its
+/// particles meet there. A line is cracked at one crossing at most.
+/// \param present  for every arc, whether a valid graph has it
 /// \param walkers  which particles take part
-/// \return of every line, the arc after which its particles meet; invalid where they need not
+/// \return for every line, the arc after which its particles meet; none if they need not meet
 [[nodiscard]] std::vector<ArcId> headOnMeetings(const ArcGraph& graph, const std::vector<bool>& present,
                                                 const Walkers& walkers);
 

@@ -1,4 +1,4 @@
-/// \file Tracks and motorcycle graphs as geometry: what the search hands on (docs/METHOD.md#valid-tracks).
+/// \file Tracks and motorcycle graphs as geometry, the result of the search (docs/METHOD.md#valid-tracks).
 #pragma once
 
 #include "mesh/quad_mesh.h"
@@ -11,7 +11,7 @@ namespace qm {
 /// The path of one particle, from its source to its crash point.
 struct Track {
     std::vector<HalfedgeId> halfedges; ///< consecutive, at least one
-    double cost = 0;                   ///< F(T): sum of its edges' costs
+    double cost = 0;                   ///< F(T): sum of the costs of its edges
 };
 
 /// Tracks that together leave only four-sided segments. No edge lies on two of them.

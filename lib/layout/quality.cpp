@@ -7,7 +7,7 @@
 namespace qm {
 namespace {
 
-/// Share of the sharp edges' angles that borders of segments follow; 1 where nothing is sharp.
+/// The share of the sharp edges' angles that lies on tracks; 1 if no edge is sharp.
 double capturedSharpness(const QuadMesh& mesh, const Layout& layout, const std::vector<double>& angles,
                          double rho) {
     double all = 0, captured = 0;
@@ -18,11 +18,11 @@ double capturedSharpness(const QuadMesh& mesh, const Layout& layout, const std::
             const double angle = angles[at(mesh.edge_handle(halfedge))];
             if (angle > rho) captured += angle;
         }
-    // The two sums are made in another order, so rounding may put the part above the whole.
+    // The two sums add in different orders, so rounding may lift the part above the whole.
     return all > 0 ? std::min(captured / all, 1.0) : 1;
 }
 
-/// Vertices strictly inside a side of one segment that are a corner of another.
+/// The number of vertices strictly inside a side of one segment that are a corner of another.
 std::size_t countTJoints(const QuadMesh& mesh, const Layout& layout) {
     std::vector<bool> corner(mesh.n_vertices(), false), counted(mesh.n_vertices(), false);
     for (const Segment& segment : layout.segments)

@@ -1,4 +1,4 @@
-/// \file Regions: what the tracks leave connected, and their borders (docs/METHOD.md#layout).
+/// \file Regions: faces that tracks leave connected, and their borders (docs/METHOD.md#layout).
 #pragma once
 
 #include "base/at.h"
@@ -8,9 +8,9 @@
 
 namespace qm {
 
-/// A closed walk along a region's border with the region on its left. quads[k] tells how many of the
-/// region's quads lie between halfedge k and the next: 1 is a convex corner, 2 is straight on, more is a
-/// reflex corner.
+/// A closed walk along a region's border with the region on its left. quads[k] is the number of the region's
+/// quads between halfedge k and the next one: 1 at a convex corner, 2 where the border goes straight on, more
+/// at a reflex corner.
 struct BorderLoop {
     std::vector<HalfedgeId> halfedges;
     std::vector<int> quads;
@@ -18,8 +18,8 @@ struct BorderLoop {
     [[nodiscard]] std::size_t corners() const;
 };
 
-/// Faces joined by edges that are neither tracks nor mesh boundary. A region may lie on both sides of an edge
-/// and come to a vertex several times.
+/// Faces joined by edges that are neither tracks nor mesh boundary. A region may lie on both sides of an
+/// edge, and may come to a vertex several times.
 struct Region {
     std::vector<FaceId> faces; ///< ascending
     std::vector<BorderLoop> loops;
@@ -37,13 +37,13 @@ private:
     std::vector<bool> border_;
 };
 
-/// Finds regions; keeps its marks from one search to the next, so that a search takes time linear in the
-/// faces that it is asked about, whatever the size of the mesh.
+/// Finds regions. Marks are kept from one search to the next, so that a search takes time linear in the faces
+/// it is given, whatever the size of the mesh.
 class RegionFinder {
 public:
     RegionFinder(const QuadMesh& mesh, const Borders& borders);
 
-    /// The regions that some faces fall into, ordered by their lowest face.
+    /// The regions that a set of faces consists of, ordered by their lowest face.
     /// \param faces  ascending; a union of regions
     [[nodiscard]] std::vector<Region> find(const std::vector<FaceId>& faces);
 

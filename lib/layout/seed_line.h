@@ -1,4 +1,4 @@
-/// \file The line that a component without any source gets (docs/METHOD.md#layout).
+/// \file The line that becomes the first track of a component without sources (docs/METHOD.md#layout).
 #pragma once
 
 #include "mesh/quad_mesh.h"
@@ -8,9 +8,9 @@
 
 namespace qm {
 
-/// The whole mesh line over the most curved interior edge of some faces, ties by the lowest: a loop, or from
-/// boundary to boundary.
-/// \param faces  at least one, of a component whose vertices are all regular
+/// The whole mesh line over the most curved interior edge of some faces; ties go to the lowest edge. It is a
+/// loop, or leads from boundary to boundary.
+/// \param faces  at least one, in a component whose vertices are all regular
 [[nodiscard]] std::vector<HalfedgeId> seedLine(const QuadMesh& mesh, std::span<const FaceId> faces,
                                                const std::vector<double>& dihedralAngles);
 

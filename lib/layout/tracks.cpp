@@ -18,15 +18,15 @@ Track trackOf(const QuadMesh& mesh, std::span<const HalfedgeId> path, const std:
     return track;
 }
 
-/// How far the two particles of a line have walked. On a line with a gap they do not meet.
+/// The number of arcs that the two particles of a line have walked. If the line has a gap, they do not meet.
 struct Coverage {
-    int fromBegin = 0; ///< arcs that the particle from the line's beginning has walked
-    int fromEnd = 0;   ///< arcs that the particle from its end has walked
+    int fromBegin = 0; ///< by the particle from the line's beginning
+    int fromEnd = 0;   ///< by the particle from the line's end
 };
 
-/// The coverage of every line. A line that is covered throughout is walked by the particle from its
-/// beginning, unless a crossing needs a head-on meeting on it (rule 4): then both meet there.
-/// \param present  of every arc; every line's present arcs are a run from each of its sources
+/// The coverage of every line. A line that is covered from end to end is walked by the particle from its
+/// beginning, unless a crossing needs a head-on meeting there (rule 4).
+/// \param present  of every arc; the present arcs of a line form a run from each of its sources
 /// \param walkers  which particles take part
 std::vector<Coverage> coverLines(const ArcGraph& graph, const std::vector<bool>& present,
                                  const Walkers& walkers) {
@@ -102,7 +102,7 @@ MotorcycleGraph tMeshOf(const QuadMesh& mesh, const BaseComplex& complex, const 
 std::vector<ArcId> coveredArcs(const QuadMesh& mesh, const ArcGraph& graph,
                                const std::vector<ArcId>& arcOfEdge, const std::vector<Track>& tracks) {
     const auto edgeOf = [&](HalfedgeId halfedge) { return mesh.edge_handle(halfedge).idx(); };
-    std::vector<std::pair<ArcId, int>> edges; // and the arc of each
+    std::vector<std::pair<ArcId, int>> edges; // each with its arc
     for (const Track& track : tracks)
         for (const HalfedgeId halfedge : track.halfedges)
             edges.emplace_back(arcOfEdge[at(edgeOf(halfedge))], edgeOf(halfedge));

@@ -1,4 +1,4 @@
-/// \file From arcs to particles: who walked what (docs/METHOD.md#cracks).
+/// \file From the arcs of a graph to the tracks of particles (docs/METHOD.md#cracks).
 #pragma once
 
 #include "basecomplex/arc_graph.h"
@@ -9,24 +9,24 @@
 
 namespace qm {
 
-/// The tracks of a graph, by line, with their costs; particles that do not move have none.
+/// The tracks of a graph with their costs, by line; particles that do not move have none.
 [[nodiscard]] MotorcycleGraph graphOf(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
                                       const std::vector<bool>& present, const std::vector<double>& edgeCosts,
                                       const Walkers& walkers = {});
 
-/// The same for rules 1 and 2 alone: every run of arcs on a line is a track, and begins at a source if it
-/// touches one.
+/// The same for T-meshes, where only rules 1 and 2 hold: every run of arcs on a line is a track, and begins
+/// at a source if it touches one.
 [[nodiscard]] MotorcycleGraph tMeshOf(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
                                       const std::vector<bool>& present, const std::vector<double>& edgeCosts);
 
-/// The arcs that tracks cover together, ascending; two that meet head-on may do so inside an arc.
+/// The arcs that tracks cover, ascending. An arc may be covered by two tracks that meet head-on inside it.
 /// \param arcOfEdge  the arc of every edge
-/// \throw Error  if an edge of a track is on no arc that is covered throughout
+/// \throw Error  if an edge of a track lies on no arc that is covered entirely
 [[nodiscard]] std::vector<ArcId> coveredArcs(const QuadMesh& mesh, const ArcGraph& graph,
                                              const std::vector<ArcId>& arcOfEdge,
                                              const std::vector<Track>& tracks);
 
-/// The same, of every arc whether it is covered.
+/// The same, as whether each arc is covered.
 /// \throw Error  likewise
 [[nodiscard]] std::vector<bool> presentArcs(const QuadMesh& mesh, const BaseComplex& complex,
                                             const ArcGraph& graph, const std::vector<Track>& tracks);

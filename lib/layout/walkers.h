@@ -1,4 +1,4 @@
-/// \file Which particles take part.
+/// \file The particles that take part in a search.
 #pragma once
 
 #include "base/ids.h"
@@ -12,17 +12,18 @@ namespace qm {
 struct LineWalkers {
     bool fromBegin = false;
     bool fromEnd = false;
-    /// Of a line whose two particles leave the sub-mesh over the same vertex outside, and can only meet
-    /// there: the last arc that the particle from its beginning can walk. None of other lines.
+    /// If both particles of a line leave the sub-mesh over the same vertex outside, they can only meet there;
+    /// then this is the last arc that the particle from the line's beginning can walk. None for other lines.
     ArcId meeting = {};
 };
 
-/// Of every line, in memory that depends on those only whose particles take part.
+/// Which particles of every line take part, in memory that is linear in the number of lines with such
+/// particles.
 class Walkers {
 public:
-    /// All particles.
+    /// All particles take part.
     Walkers() = default;
-    /// Those of the given lines, and no others.
+    /// Only particles of the given lines take part.
     explicit Walkers(std::unordered_map<LineId, LineWalkers> ofLine) : ofLine_(std::move(ofLine)) {}
 
     [[nodiscard]] ArcId meeting(LineId line) const { return of(line).meeting; }
