@@ -1,4 +1,4 @@
-/// \file Where a mesh ends: its holes, and the outer rim of an open sheet.
+/// \file The boundary of a mesh as loops: its holes, and the outer rim of an open sheet.
 #pragma once
 
 #include "mesh/quad_mesh.h"
@@ -10,12 +10,13 @@ namespace qm {
 
 /// A closed path of boundary edges.
 struct BoundaryLoop {
-    VertexId vertex; ///< the lowest on it
+    VertexId vertex; ///< the lowest vertex of the loop
     std::size_t edges = 0;
     double length = 0; ///< in the mesh's unit
 };
 
-/// All of them, the longest first, those of one length by their vertex. Linear in the mesh, but for sorting.
+/// All boundary loops, the longest first; loops of one length are in the order of their vertices. Linear in
+/// the mesh, apart from sorting.
 [[nodiscard]] std::vector<BoundaryLoop> boundaryLoops(const QuadMesh& mesh);
 
 } // namespace qm

@@ -1,11 +1,11 @@
-/// \file The size of a mesh.
+/// \file The bounding box of a mesh.
 #pragma once
 
 #include "mesh/quad_mesh.h"
 
 namespace qm {
 
-/// The smallest box along the axes that holds all vertices that a face uses.
+/// The smallest axis-parallel box that contains all vertices used by faces.
 struct BoundingBox {
     Point low{0, 0, 0};
     Point high{0, 0, 0};

@@ -9,7 +9,8 @@ VertexId vertexAt(std::int64_t index) {
     return VertexId(static_cast<int>(index));
 }
 
-/// The halfedge of every side; edges are numbered as the faces first meet them.
+/// Adds all edges, numbered in the order in which faces meet them.
+/// \return the halfedge of every side
 std::vector<HalfedgeId> addEdges(QuadMesh& mesh, const Soup& soup, const std::vector<Side>& twins) {
     std::vector<HalfedgeId> halfedges(twins.size());
     for (Side side = 0; side < twins.size(); ++side)
@@ -30,7 +31,8 @@ void addFaces(QuadMesh& mesh, const std::vector<HalfedgeId>& halfedges) {
     }
 }
 
-/// A vertex on the boundary has one halfedge there that leaves it, which OpenMesh wants to be its own.
+/// Links the halfedges along the boundary. OpenMesh requires that the halfedge of a boundary vertex is the
+/// one that leaves it along the boundary.
 void linkBoundary(QuadMesh& mesh, const std::vector<Side>& twins, const std::vector<HalfedgeId>& halfedges) {
     std::vector<HalfedgeId> boundary;
     for (Side side = 0; side < twins.size(); ++side)
@@ -44,7 +46,7 @@ void linkBoundary(QuadMesh& mesh, const std::vector<Side>& twins, const std::vec
 } // namespace
 
 QuadMesh buildMesh(const Soup& soup) {
-    // The validated soup has all neighbours already; add_face would look for them again, around each vertex.
+    // Validation has found all neighbours already; add_face would search for them again around each vertex.
     const std::vector<Side> twins = validateSoup(soup);
     QuadMesh mesh;
     mesh.reserve(soup.points.size(), twins.size() / 2 + 1, soup.faceCount());

@@ -1,4 +1,4 @@
-/// \file From lists of points and quads to a mesh.
+/// \file Building a mesh from lists of points and quads.
 #pragma once
 
 #include "mesh/soup.h"

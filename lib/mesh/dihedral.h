@@ -7,12 +7,12 @@
 
 namespace qm {
 
-/// Unsigned dihedral angle of every edge, in radians, 0 to pi, by edge index; 0 on the mesh boundary and
-/// beside a face without a normal. A quad's normal averages the unit normals of its two triangles, split
-/// along the diagonal from the face's first vertex; a triangle without area has none.
+/// The unsigned dihedral angle of every edge, in radians, 0 to pi, by edge index; 0 on the mesh boundary and
+/// beside a face without a normal. The normal of a quad is the mean of the unit normals of its two triangles,
+/// split along the diagonal from the face's first vertex; a triangle without area has none.
 [[nodiscard]] std::vector<double> dihedralAngles(const QuadMesh& mesh);
 
-/// The paper's weights of the cost.
+/// The weights of the paper's cost.
 struct CostOptions {
     double alpha = 0.4;   ///< penalty of a flat edge
     double epsilon = 0.2; ///< an edge is flat below this angle, radians; 1.0 suits models with sharp edges

@@ -4,7 +4,7 @@
 namespace qm {
 namespace {
 
-/// Vertices where more than two quads meet at an edge.
+/// The vertices of edges at which more than two quads meet.
 std::vector<bool> crowdedVertices(const Soup& soup, const SoupEdges& edges) {
     std::vector<bool> crowded(soup.points.size(), false);
     for (std::size_t k = 0; k < edges.count(); ++k)
@@ -16,7 +16,7 @@ std::vector<bool> crowdedVertices(const Soup& soup, const SoupEdges& edges) {
 
 std::size_t copyPoint(Soup& soup, std::size_t point) {
     const std::size_t number = soup.pointNumber(point);
-    // Messages go on to speak of the vertex in the file.
+    // Messages still name the vertex of the file.
     if (soup.pointNumbers.empty())
         for (std::size_t k = 0; k < soup.points.size(); ++k)
             soup.pointNumbers.push_back(static_cast<std::uint32_t>(soup.pointNumber(k)));
@@ -34,14 +34,14 @@ void forEachFan(const std::vector<Side>& twins, const std::function<void(std::sp
     std::vector<Side> fan;
     const auto walk = [&](Side start) {
         fan.clear();
-        // From every corner the next one around its vertex lies before its quad's previous side.
+        // The next corner around the vertex belongs to the quad across this quad's previous side.
         for (Side corner = start; corner != none && !seen[corner]; corner = twins[previousSide(corner)]) {
             seen[corner] = true;
             fan.push_back(corner);
         }
         visit(fan);
     };
-    for (Side corner = 0; corner < none; ++corner) // open fans from where they begin
+    for (Side corner = 0; corner < none; ++corner) // an open fan begins at a side without a twin
         if (twins[corner] == none) walk(corner);
     for (Side corner = 0; corner < none; ++corner)
         if (!seen[corner]) walk(corner);

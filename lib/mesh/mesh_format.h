@@ -1,4 +1,4 @@
-/// \file The file formats that meshes come in.
+/// \file The file formats of meshes.
 #pragma once
 
 #include <optional>
@@ -8,10 +8,10 @@ namespace qm {
 
 enum class MeshFormat { obj, off, ply, stl };
 
-/// What the ending of a file's name says.
+/// The format that a file name's extension stands for.
 [[nodiscard]] std::optional<MeshFormat> formatOfName(std::string_view name);
 
-/// What the first word says. Binary STL has none.
+/// The format that the first word of a file stands for. Binary STL begins with no such word.
 [[nodiscard]] std::optional<MeshFormat> formatOfBytes(std::string_view bytes);
 
 } // namespace qm

@@ -9,14 +9,14 @@
 namespace qm {
 
 /// A maximal straight path over interior edges. Open lines end at extraordinary or boundary vertices; closed
-/// ones meet neither.
+/// lines contain neither.
 struct MeshLine {
     std::vector<HalfedgeId> halfedges;
     bool closed = false;
 };
 
-/// Visits every line once, and with them every interior edge: first the open ones by their first vertex, then
-/// the closed ones by their lowest edge. Linear in the mesh.
+/// Visits every line once, and so every interior edge: first open lines, by their first vertex, then closed
+/// lines, by their lowest edge. Linear in the mesh.
 void forEachMeshLine(const QuadMesh& mesh, const std::function<void(const MeshLine&)>& visit);
 
 } // namespace qm

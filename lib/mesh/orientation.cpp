@@ -6,7 +6,7 @@ namespace {
 
 enum class Turn : signed char { unknown, kept, reversed };
 
-/// Goes through the component of a quad, breadth first, and turns what disagrees with it.
+/// Orients each component by breadth-first search from one quad, marking the quads that disagree with it.
 class Spreading {
 public:
     Spreading(const Soup& soup, const std::vector<Side>& twins)

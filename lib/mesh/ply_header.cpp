@@ -77,7 +77,7 @@ private:
     }
 
     [[nodiscard]] PlyType readType(std::string_view word) const {
-        // Each type has two names; they alternate in the order of the types.
+        // Each type has two names, listed in pairs in the order of PlyType.
         constexpr std::array<std::string_view, 16> names{
             "char", "int8",  "uchar", "uint8",  "short", "int16",   "ushort", "uint16",
             "int",  "int32", "uint",  "uint32", "float", "float32", "double", "float64"};

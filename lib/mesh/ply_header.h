@@ -1,4 +1,4 @@
-/// \file The header of a PLY file: which elements it holds, and how they are stored.
+/// \file The header of a PLY file: the elements of the file and how they are stored.
 #pragma once
 
 #include "mesh/text_lines.h"
@@ -14,7 +14,7 @@ enum class PlyFormat { ascii, littleEndian, bigEndian };
 
 enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 
-/// What a property is for a mesh.
+/// The meaning of a property for a mesh.
 enum class PlyRole { other, x, y, z, corners };
 
 struct PlyProperty {
@@ -34,9 +34,9 @@ struct PlyHeader {
     std::vector<PlyElement> elements; ///< in the order in which they are stored
 };
 
-/// Vertices have places and faces have corners.
-/// \param lines  at the beginning; afterwards the body follows
-/// \throw Error  naming the line
+/// Reads a header, in which vertices must have coordinates and faces must have corners.
+/// \param lines  at the beginning of the file; afterwards at the beginning of the body
+/// \throw Error  with the number of the line
 [[nodiscard]] PlyHeader readPlyHeader(TextLines& lines);
 
 } // namespace qm

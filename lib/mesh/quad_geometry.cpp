@@ -6,7 +6,7 @@
 namespace qm {
 namespace {
 
-/// The vector times a power of two, which is exact, if its fourth power might leave the range otherwise.
+/// The vector, multiplied by a power of two if its fourth power would overflow or underflow; this is exact.
 Point scaled(const Point& vector) {
     constexpr double small = 1e-70, large = 1e70;
     const double size = std::max({std::abs(vector[0]), std::abs(vector[1]), std::abs(vector[2])});
@@ -16,14 +16,14 @@ Point scaled(const Point& vector) {
             std::scalbn(vector[2], exponent)};
 }
 
-/// Of unit length; none for a vector without length.
+/// The vector scaled to unit length; none for a vector of length zero.
 std::optional<Point> unit(const Point& vector) {
     const Point direction = scaled(vector);
     const double length = direction.norm();
     return length > 0 ? std::optional(direction / length) : std::nullopt;
 }
 
-/// Along the normal; zero for a triangle without area.
+/// A vector along the normal of a triangle; zero for a triangle without area.
 Point crossProduct(const Point& a, const Point& b, const Point& c) {
     return scaled(b - a) % scaled(c - a);
 }
@@ -32,7 +32,7 @@ Point crossProduct(const Point& a, const Point& b, const Point& c) {
 
 std::array<VertexId, 4> cornersOf(const QuadMesh& mesh, FaceId face) {
     std::array<VertexId, 4> corners;
-    HalfedgeId halfedge = mesh.halfedge_handle(face); // points to the face's first vertex
+    HalfedgeId halfedge = mesh.halfedge_handle(face); // whose target is the face's first vertex
     for (VertexId& corner : corners) {
         corner = mesh.to_vertex_handle(halfedge);
         halfedge = mesh.next_halfedge_handle(halfedge);

@@ -1,4 +1,4 @@
-/// \file The mesh type, defined here and nowhere else, and its element handles.
+/// \file The mesh type and the handles of its elements, the only place where they are defined.
 #pragma once
 
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
@@ -16,9 +16,9 @@ struct QuadMeshTraits : OpenMesh::DefaultTraits {
     FaceAttributes(OpenMesh::Attributes::None);
 };
 
-/// An oriented 2-manifold whose faces are all quads (docs/METHOD.md#words), as `readMesh` guarantees it.
-/// Vertices and faces are numbered as in the file; isolated vertices are kept. A face's first vertex in the
-/// file is the vertex that its halfedge points to.
+/// An oriented 2-manifold whose faces are all quads (docs/METHOD.md#words); `readMesh` guarantees this.
+/// Vertices and faces are numbered as in the file; isolated vertices are kept. The halfedge of a face points
+/// to the first vertex of the face in the file.
 using QuadMesh = OpenMesh::PolyMesh_ArrayKernelT<QuadMeshTraits>;
 
 using VertexId = OpenMesh::VertexHandle;

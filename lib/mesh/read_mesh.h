@@ -1,8 +1,7 @@
 /// \file Reading a quad mesh from the bytes of a file.
 ///
-/// OBJ, OFF and PLY. OpenMesh's own readers hand points over in single precision, drop or split what they
-/// cannot represent, take what is left of a file that was cut off, and name no lines. So the formats are read
-/// here, and OpenMesh holds the mesh.
+/// OBJ, OFF and PLY. The formats are read here because OpenMesh's own readers return points in single
+/// precision, drop or split what they cannot represent, accept truncated files, and name no lines in errors.
 #pragma once
 
 #include "mesh/quad_mesh.h"
@@ -13,7 +12,7 @@
 namespace qm {
 
 struct ReadOptions {
-    bool repair = false; ///< mend what can be mended without guessing
+    bool repair = false; ///< repair defects that can be repaired without guessing
 };
 
 struct ReadResult {
@@ -21,8 +20,8 @@ struct ReadResult {
     RepairReport repair;
 };
 
-/// \param name  of the file; its extension tells the format, and where it has none the first word does
-/// \throw Error  naming the first offending line, face, edge or vertex
+/// \param name  of the file; its extension determines the format, or, if there is none, the first word
+/// \throw Error  with the first offending line, face, edge or vertex
 [[nodiscard]] ReadResult readMesh(std::string_view bytes, std::string_view name,
                                   const ReadOptions& options = {});
 

@@ -23,7 +23,7 @@ public:
     }
 
 private:
-    /// What follows the three coordinates, weights or colours, is passed over.
+    /// Reads three coordinates; weights or colours after them are ignored.
     void readPoint() {
         const std::uint32_t line = lines_.lineNumber();
         Point point;
@@ -56,7 +56,7 @@ private:
                         cutOff);
     }
 
-    /// "7", "7/1", "7//2", "7/1/2", counted from 1, or back from the last vertex if negative.
+    /// Reads "7", "7/1", "7//2" or "7/1/2"; numbers count from 1 or, if negative, back from the last vertex.
     std::int64_t cornerOf(std::string_view word) const {
         const auto index = parseNumber<std::int64_t>(word.substr(0, word.find('/')));
         if (!index || *index == 0)

@@ -18,12 +18,12 @@ public:
         const std::size_t points = readCount("vertices");
         const std::uint32_t line = lines_.lineNumber();
         const std::size_t faces = readCount("faces");
-        // The number of edges says nothing and may be missing, unless every count has a line of its own.
+        // The number of edges is not needed, and may be missing unless every count has a line of its own.
         if (lines_.lineNumber() != line || !lines_.lineIsEmpty()) lines_.wordAnywhere();
-        // Elements begin on lines of their own, so that colours can be told from them; but some files have
-        // no lines at all.
+        // Usually every element has a line of its own, so that colours can be recognised; some files have no
+        // line breaks at all.
         hasLines_ = lines_.lineIsEmpty();
-        // Every number takes two bytes at least: a count beyond that must not be allocated.
+        // Every number takes at least two bytes, which limits the memory that a wrong count can claim.
         soup_.points.reserve(std::min(points, size_ / 6));
         soup_.corners.reserve(4 * std::min(faces, size_ / 8));
         for (std::size_t k = 0; k < points; ++k)
@@ -35,8 +35,8 @@ public:
     }
 
 private:
-    /// OFF with any of ST, C and N before it, for texture, colours and normals; "4" and "n" change the
-    /// dimension. The word may be missing.
+    /// Reads the optional word OFF, with any of ST, C and N before it for texture, colours and normals; "4"
+    /// and "n" change the dimension.
     void readHeader() {
         const std::string_view word = lines_.wordAnywhere();
         if (parseNumber<std::int64_t>(word)) {
@@ -74,7 +74,7 @@ private:
         if (hasLines_) lines_.nextLine();
     }
 
-    /// Three numbers; what else is on the line of the last of them, colours say, is passed over.
+    /// Reads three coordinates; the rest of the line, such as colours, is ignored.
     void readPoint(std::size_t announced) {
         Point point;
         beginElement();
@@ -118,7 +118,7 @@ private:
         return *index;
     }
 
-    /// More faces than announced would be lost without a word.
+    /// Throws if more elements follow than announced, because they would be lost.
     void checkEnd(std::size_t announced) {
         beginElement();
         if (!lines_.wordAnywhere().empty())

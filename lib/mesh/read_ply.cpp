@@ -13,18 +13,18 @@
 namespace qm {
 namespace {
 
-/// Numbers one after the other, as the header's format has them.
+/// Reads one number after another, in the format given by the header.
 class Values {
 public:
     Values() = default;
     Values(const Values&) = delete;
     Values& operator=(const Values&) = delete;
     virtual ~Values() = default;
-    /// Nothing at the end of the file.
+    /// The next number; nothing at the end of the file.
     virtual std::optional<double> next(PlyType type) = 0;
-    /// Nothing but white space is left.
+    /// Whether only white space is left.
     virtual bool atEnd() = 0;
-    /// 0 if there are no lines.
+    /// The number of the present line; 0 in binary files.
     [[nodiscard]] virtual std::uint32_t line() const { return 0; }
 };
 
@@ -122,7 +122,7 @@ private:
         if (values_->line() > 0) soup_.pointLines.push_back(values_->line());
     }
 
-    /// \return the place, if it is a vertex; corners go to the soup
+    /// \return the point, if the element is a vertex; corners are added to the soup
     Point readElement(const PlyElement& element, std::size_t k) {
         Point point(0, 0, 0);
         for (const PlyProperty& property : element.properties) {
@@ -158,8 +158,8 @@ private:
     }
 
     std::int64_t indexOf(double value, const PlyElement& element, std::size_t k) const {
-        constexpr double largest = 1e15; // beyond the number of vertices of any file
-        if (value != std::floor(value))  // true of nan too
+        constexpr double largest = 1e15; // above the number of vertices in any file
+        if (value != std::floor(value))  // also true for nan
             throw Error(placeOf(element, k), "a vertex index is no whole number", "Mend the face");
         return static_cast<std::int64_t>(std::clamp(value, -largest, largest));
     }

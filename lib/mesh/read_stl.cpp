@@ -14,13 +14,13 @@ namespace {
 
 constexpr const char* cutOff = "The file seems to be cut off: get it whole";
 
-/// Some programs write in capitals.
+/// Compares words regardless of case, because some programs write capitals.
 bool isWord(std::string_view word, std::string_view keyword) {
     return std::ranges::equal(word, keyword, {},
                               [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
 }
 
-/// Little-endian, whatever the machine.
+/// Reads a little-endian number on any machine.
 template <class Number> Number numberAt(std::string_view bytes, std::size_t at) {
     std::array<char, sizeof(Number)> raw;
     std::memcpy(raw.data(), bytes.data() + at, sizeof(Number));
@@ -28,10 +28,10 @@ template <class Number> Number numberAt(std::string_view bytes, std::size_t at) 
     return std::bit_cast<Number>(raw);
 }
 
-constexpr std::size_t headerSize = 84; // 80 bytes of any text, then the number of facets
+constexpr std::size_t headerSize = 84; // 80 bytes of arbitrary text and the number of facets
 constexpr std::size_t facetSize = 50;  // normal, three points, two bytes of attributes
 
-/// Where the facets of a binary file should end.
+/// The size of a binary file according to its number of facets.
 std::size_t announcedSize(std::string_view bytes) {
     return headerSize + facetSize * std::size_t{numberAt<std::uint32_t>(bytes, headerSize - 4)};
 }
@@ -60,7 +60,7 @@ Soup readBinary(std::string_view bytes) {
     return soup;
 }
 
-/// Reads "solid", facets and "endsolid", as often as they come. Names and normals are passed over.
+/// Reads any number of solids, each with its facets. Names and normals are ignored.
 class TextStl {
 public:
     explicit TextStl(std::string_view text) : lines_(text) {}
@@ -75,7 +75,7 @@ public:
 
 private:
     void readSolid() {
-        lines_.nextLine(); // the rest of the line is its name
+        lines_.nextLine(); // skips the name of the solid
         std::string_view word = lines_.wordAnywhere();
         for (; isWord(word, "facet"); word = lines_.wordAnywhere())
             readFacet();
@@ -126,7 +126,7 @@ private:
     Soup soup_;
 };
 
-/// Binary files may begin with "solid" too: then their size tells, or bytes that no text has.
+/// Binary files may begin with "solid", too; they are recognised by their size, or by bytes that no text has.
 bool isText(std::string_view bytes) {
     if (!isWord(TextLines(bytes).wordAnywhere(), "solid")) return false;
     if (bytes.size() >= headerSize && announcedSize(bytes) == bytes.size()) return false;

@@ -11,7 +11,7 @@
 namespace qm {
 namespace {
 
-/// For every point the first one with the same coordinates.
+/// For every point, the first point with the same coordinates.
 std::vector<std::uint32_t> firstEqual(const std::vector<Point>& points) {
     struct Entry {
         Point point;
@@ -35,7 +35,7 @@ std::vector<std::uint32_t> firstEqual(const std::vector<Point>& points) {
     return first;
 }
 
-/// Numbers the points anew as triangles first use them.
+/// Numbers the points in the order in which triangles first use them.
 class Builder {
 public:
     explicit Builder(const Soup& soup)

@@ -7,12 +7,12 @@
 
 namespace qm {
 
-/// STL, PLY, OBJ or OFF. Polygons of more corners become fans. Points with equal coordinates become one, so
-/// that facets of an STL are neighbours; triangles that have one point twice, and points that no triangle
-/// uses, are left out. Takes n log n time.
-/// \param name  of the file; its extension tells the format, and where it has none the first word does
-/// \throw Error  naming the place, if the file is not whole, holds no triangle or one without area only, or a
-/// number that is none
+/// Reads STL, PLY, OBJ or OFF. Polygons with more corners are divided into fans. Points with equal
+/// coordinates are merged, so that facets of an STL file are neighbours; triangles that use a point twice,
+/// and unused points, are dropped. Takes n log n time.
+/// \param name  of the file; its extension determines the format, or, if there is none, the first word
+/// \throw Error  with the place, if the file is truncated, contains an invalid number, or has no triangle
+/// with an area
 [[nodiscard]] Triangles readTriangles(std::string_view bytes, std::string_view name);
 
 } // namespace qm

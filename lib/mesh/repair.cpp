@@ -51,14 +51,14 @@ std::size_t orient(Soup& soup) {
                     "Moebius strip",
                     "Cut it open");
     for (std::size_t k = 0; k < orientation.reversed.size(); ++k)
-        if (orientation.reversed[k]) // the first vertex stays the first
+        if (orientation.reversed[k]) // keeps the first vertex first
             std::swap(soup.corners[4 * k + 1], soup.corners[4 * k + 3]);
     return countIn(orientation.reversed, true);
 }
 
-/// Whether all that was done is to weld fans that touch, such as an earlier repair has split, and to split
-/// them again.
-/// \param copies  vertices that splitting has made
+/// Whether all that the repair did was to weld touching fans, such as those split by an earlier repair, and
+/// to split them again.
+/// \param copies  number of vertices added by splitting
 bool onlySplitsWelds(const Soup& original, const RepairReport& report, std::size_t copies) {
     if (copies == 0 || copies != report.weldedVertices) return false;
     if (report.degenerateFaces + report.duplicateFaces + report.flippedFaces > 0) return false;

@@ -1,4 +1,4 @@
-/// \file Mending what can be mended without guessing.
+/// \file Repairing defects of a mesh that can be repaired without guessing.
 #pragma once
 
 #include "mesh/soup.h"
@@ -6,9 +6,9 @@
 namespace qm {
 
 struct RepairReport {
-    std::size_t weldedVertices = 0;  ///< vertices taken out because another lies at the same place
-    std::size_t degenerateFaces = 0; ///< faces taken out because a vertex occurs twice in them
-    std::size_t duplicateFaces = 0;  ///< faces taken out because another has the same vertices
+    std::size_t weldedVertices = 0;  ///< vertices dropped because another lies at the same place
+    std::size_t degenerateFaces = 0; ///< faces dropped because a vertex occurs twice in them
+    std::size_t duplicateFaces = 0;  ///< faces dropped because another has the same vertices
     std::size_t flippedFaces = 0;    ///< faces whose orientation was reversed
     std::size_t splitVertices = 0;   ///< vertices where several fans of faces met
 
@@ -17,13 +17,13 @@ struct RepairReport {
     }
 };
 
-/// Drops degenerate and duplicate faces, a quad and its reverse among them; welds vertices at the same place
-/// along borders; collapses quads with two opposite corners at the same place; and orients every component
-/// as most of its faces are (see `weld.h`, `orientation.h`). Where several fans of faces meet at a vertex,
-/// each gets a vertex of its own (see `fans.h`). Vertices and faces keep their order, a face its first
-/// vertex. Isolated vertices stay. Whether the result is a mesh is for `validateSoup` to say.
+/// Drops degenerate and duplicate faces, including a quad and its reverse; welds vertices at the same place
+/// along borders; collapses quads with two opposite corners at the same place; orients every component like
+/// the majority of its faces; and gives every fan of faces at a vertex its own vertex (see `soup_repairs.h`).
+/// Vertices and faces keep their order, and faces their first vertex. Isolated vertices stay. `validateSoup`
+/// must check whether the result is a mesh.
 /// \param soup  quads with indices in range and finite coordinates
-/// \throw Error  if the surface has one side only, or no face is left
+/// \throw Error  if the surface is one-sided, or no face is left
 RepairReport repairSoup(Soup& soup);
 
 } // namespace qm

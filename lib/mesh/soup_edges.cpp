@@ -8,7 +8,7 @@
 namespace qm {
 
 SoupEdges findEdges(const Soup& soup) {
-    // Bucket the sides by their lower vertex, then sort within the buckets, which are small: linear.
+    // Linear time: sorts the sides into buckets by their lower vertex, then within these small buckets.
     const auto sideCount = static_cast<Side>(soup.corners.size());
     const auto ends = [&](Side side) { return std::minmax({sideFrom(soup, side), sideTo(soup, side)}); };
     std::vector<std::size_t> bucketBegin(soup.points.size() + 2, 0);
@@ -16,7 +16,7 @@ SoupEdges findEdges(const Soup& soup) {
         ++bucketBegin[at(ends(side).first) + 2];
     for (std::size_t k = 2; k < bucketBegin.size(); ++k)
         bucketBegin[k] += bucketBegin[k - 1];
-    std::vector<std::pair<std::int64_t, Side>> sorted(sideCount); // by higher vertex, then side
+    std::vector<std::pair<std::int64_t, Side>> sorted(sideCount); // higher vertex and side
     for (Side side = 0; side < sideCount; ++side) {
         const auto [lower, higher] = ends(side);
         sorted[bucketBegin[at(lower) + 1]++] = {higher, side};
@@ -24,7 +24,7 @@ SoupEdges findEdges(const Soup& soup) {
     SoupEdges edges;
     edges.sides.reserve(sideCount);
     edges.begin.reserve(sideCount / 2 + 1);
-    for (std::size_t k = 0; k < soup.points.size(); ++k) { // counting has moved each begin to the next one's
+    for (std::size_t k = 0; k < soup.points.size(); ++k) { // each begin has moved to the next one's place
         const auto at = [&](std::size_t i) { return sorted.begin() + static_cast<std::ptrdiff_t>(i); };
         const auto begin = at(bucketBegin[k]), end = at(bucketBegin[k + 1]);
         std::sort(begin, end);

@@ -1,4 +1,4 @@
-/// \file Which sides of a soup's quads lie on the same edge.
+/// \file Finding the sides of a soup's quads that lie on the same edge.
 #pragma once
 
 #include "mesh/soup.h"
@@ -23,18 +23,19 @@ struct SoupEdges {
     }
 };
 
-// Of a soup whose polygons are all quads with indices in range:
+// For soups whose polygons are all quads with indices in range.
 
 [[nodiscard]] SoupEdges findEdges(const Soup& soup);
 
-/// For every side the other one on its edge; none on the boundary and where more than two meet.
+/// For every side, the other one on its edge; none on the boundary, and if more than two sides share the
+/// edge.
 [[nodiscard]] std::vector<Side> twinSides(const Soup& soup, const SoupEdges& edges);
 
 [[nodiscard]] inline std::int64_t sideFrom(const Soup& soup, Side side) {
     return soup.corners[side];
 }
 
-/// The side after it, or before it, in the same quad.
+/// The next or the previous side in the same quad.
 [[nodiscard]] constexpr Side nextSide(Side side) {
     return (side & ~3U) | ((side + 1) & 3U);
 }

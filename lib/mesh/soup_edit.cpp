@@ -7,7 +7,7 @@
 namespace qm {
 namespace {
 
-/// Numbers in the file, from now on written down one by one.
+/// Extends a list of numbers in the file, which may be implicit, to the given length.
 void writeDown(std::vector<std::uint32_t>& numbers, std::size_t count) {
     for (std::size_t k = numbers.size(); k < count; ++k)
         numbers.push_back(static_cast<std::uint32_t>(k));
@@ -31,7 +31,7 @@ std::size_t keepFaces(Soup& soup, const std::vector<bool>& kept) {
     auto corners = soup.corners.begin();
     for (std::size_t k = 0; k < kept.size(); ++k) {
         if (!kept[k]) continue;
-        corners = std::ranges::copy(soup.face(k), corners).out; // moves down, never up
+        corners = std::ranges::copy(soup.face(k), corners).out; // never moves corners towards the end
         moveEntry(soup.faceLines, k, faces);
         moveEntry(soup.faceNumbers, k, faces);
         soup.faceBegins[++faces] = positionIn(soup.corners, corners);

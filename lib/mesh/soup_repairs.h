@@ -1,5 +1,5 @@
-/// \file What repairs a soup of quads, step by step, each in a source of its own: fans, orientation, weld,
-/// soup_edit.
+/// \file The single steps of repairing a soup of quads; each is implemented in a file of its own: fans,
+/// orientation, weld, soup_edit.
 #pragma once
 
 #include "mesh/soup_edges.h"
@@ -14,58 +14,58 @@ namespace qm {
 
 // ---- soup_edit.cpp
 
-/// Keeps the faces whose entry is true, in their order.
-/// \return how many went
+/// Keeps the faces marked true, in their order.
+/// \return the number of faces removed
 std::size_t keepFaces(Soup& soup, const std::vector<bool>& kept);
 
-/// Replaces every vertex k by vertex `target[k]`, which is not above k and its own target. Replaced ones
-/// go; the others move up in their order.
-/// \return how many went
+/// Replaces every vertex k by vertex `target[k]`, which must not be above k and must be its own target.
+/// Removes the replaced vertices; all others keep their order.
+/// \return the number of vertices removed
 std::size_t mergePoints(Soup& soup, const std::vector<std::size_t>& target);
 
 // ---- orientation.cpp
 
 struct Orientation {
-    /// For every quad whether it must be reversed so that neighbours agree: the fewer of each component, and
-    /// if it is a tie, not the component's first.
+    /// For every quad, whether it must be reversed so that neighbours agree: the minority in each component,
+    /// or, in a tie, the quads that disagree with the component's first.
     std::vector<bool> reversed;
-    /// The first quad that cannot agree with all its neighbours: the surface has one side only.
+    /// The first quad that cannot agree with all its neighbours, if the surface is one-sided.
     std::optional<std::size_t> contradiction;
 };
 
-/// Quads are neighbours where just two meet at an edge.
-/// \param twins  see `twinSides`
+/// Two quads are neighbours if they are the only ones at an edge.
+/// \param twins  the result of `twinSides`
 [[nodiscard]] Orientation findOrientation(const Soup& soup, const std::vector<Side>& twins);
 
 // ---- fans.cpp
 
-/// Visits every fan once: a maximal run of quads around a vertex, each beside the next. Open fans come first,
-/// then those that are closed.
+/// Visits every fan once: a maximal sequence of quads around a vertex, each beside the next. Open fans come
+/// first, then closed ones.
 /// \param twins  of a consistently oriented soup (see `twinSides`)
-/// \param visit  takes the corners of the fan, which are all at one vertex
+/// \param visit  receives the corners of the fan, which all lie at one vertex
 void forEachFan(const std::vector<Side>& twins, const std::function<void(std::span<const Side>)>& visit);
 
-/// Gives every fan but the first at its vertex a vertex of its own, at the same place, behind all others.
-/// Vertices on edges of more than two quads are left alone.
-/// \return how many vertices had several fans
+/// Gives every fan except the first one at a vertex its own copy of the vertex, appended at the end. Vertices
+/// on edges of more than two quads are left alone.
+/// \return the number of vertices that had several fans
 std::size_t splitFans(Soup& soup);
 
-// ---- weld.cpp: of a soup whose polygons are quads of four different vertices, with indices in range and
-// finite coordinates. Two points lie at the same place if no coordinate differs by more than 1e-9 of the
-// longest side of the faces' bounding box.
+// ---- weld.cpp: for soups of quads with four different vertices, indices in range and finite coordinates.
+// Two points lie at the same place if no coordinate differs by more than 1e-9 of the longest side of the
+// faces' bounding box.
 
-/// For every vertex the lowest one it may be welded to: at the same place, both on the border of some
-/// face that has no neighbour there, and not the two ends of a side. Vertices that lie at one place for
-/// another reason, interior ones say, are left alone: welding them would only make the surface worse.
+/// For every vertex, the lowest vertex to which it may be welded: at the same place, both on a border, and
+/// not the two ends of a side. Vertices that share a place for another reason, such as interior ones, are
+/// left alone, because welding them would only damage the surface.
 [[nodiscard]] std::vector<std::size_t> weldTargets(const Soup& soup);
 
-/// Quads to be collapsed because two opposite corners, at least one of them interior, lie at the same place.
+/// The quads to collapse because two opposite corners, at least one of them interior, lie at the same place.
 struct Collapses {
     std::vector<bool> faceStays;
-    std::vector<std::size_t> target; ///< for every vertex the one it becomes
+    std::vector<std::size_t> target; ///< for every vertex, its replacement
 };
 
-/// Only where the surface stays a manifold, and no two next to each other.
+/// Only collapses that keep the surface a manifold, and no two next to each other.
 [[nodiscard]] Collapses findCollapses(const Soup& soup);
 
 } // namespace qm

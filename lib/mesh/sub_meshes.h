@@ -1,4 +1,4 @@
-/// \file Which sub-mesh every vertex of a mesh belongs to (docs/METHOD.md#mesh-cut).
+/// \file The sub-mesh that every vertex of a mesh belongs to (docs/METHOD.md#mesh-cut).
 #pragma once
 
 #include "base/at.h"
@@ -9,7 +9,7 @@
 
 namespace qm {
 
-/// The whole mesh is one sub-mesh unless it says otherwise.
+/// The sub-meshes of a mesh; by default, the whole mesh is the only one.
 struct SubMeshes {
     std::vector<SubMeshId> labels; ///< of every vertex; empty if there is only one sub-mesh
     int count = 1;

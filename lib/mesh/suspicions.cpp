@@ -10,7 +10,7 @@
 namespace qm {
 namespace {
 
-/// Vertices that lie where an earlier one does: how many, and the first with its like.
+/// The number of vertices at the place of an earlier one, and the first such pair.
 struct Coincident {
     std::size_t count = 0;
     VertexId first, earlier;

@@ -1,4 +1,4 @@
-/// \file What is valid but looks like a mistake.
+/// \file Warnings about meshes that are valid but look like a mistake.
 #pragma once
 
 #include "mesh/quad_mesh.h"
@@ -8,8 +8,8 @@
 
 namespace qm {
 
-/// One sentence with figures and places for each of: coincident vertices, quads without area, more than ten
-/// components, more than one extraordinary vertex in ten.
+/// One sentence, with figures and places, for each of these: coincident vertices, quads without area, more
+/// than ten components, more than one extraordinary vertex in ten.
 [[nodiscard]] std::vector<std::string> suspicions(const QuadMesh& mesh);
 
 } // namespace qm

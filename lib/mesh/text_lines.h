@@ -1,4 +1,4 @@
-/// \file Words of a text, line by line, without copying.
+/// \file Reading a text word by word and line by line, without copying.
 #pragma once
 
 #include <charconv>
@@ -11,14 +11,13 @@
 
 namespace qm {
 
-/// Walks through a text. Lines end with LF, CRLF or CR, whichever the first one ends with; '#' begins a
-/// comment.
+/// Walks through a text. Lines end with LF, CRLF or CR, whichever ends the first line; '#' begins a comment.
 class TextLines {
 public:
     explicit TextLines(std::string_view text) : rest_(text), lineEnd_(lineEndOf(text)) {}
 
-    /// Goes to the next line; after the last one there is an empty one.
-    /// \param continued  a backslash at the end joins it with the one after
+    /// Goes to the next line; after the last one follows an empty line.
+    /// \param continued  whether a backslash at its end joins it with the line after it
     bool nextLine(bool continued = false) {
         const bool found = !rest_.empty();
         takeLine(continued);
@@ -45,7 +44,7 @@ public:
         return found;
     }
 
-    /// No word is left on this line.
+    /// Whether no word is left on this line.
     bool lineIsEmpty() {
         while (!line_.empty() && isBlank(line_.front()))
             line_.remove_prefix(1);
@@ -54,9 +53,9 @@ public:
 
     [[nodiscard]] std::uint32_t lineNumber() const { return number_; }
     [[nodiscard]] std::string place() const { return "line " + std::to_string(number_); }
-    /// The line was the last one and no line end followed it.
+    /// Whether this is the last line and has no line end.
     [[nodiscard]] bool unfinished() const { return unfinished_; }
-    /// What follows this line.
+    /// The text after this line.
     [[nodiscard]] std::string_view rest() const { return rest_; }
 
 private:
@@ -90,8 +89,8 @@ private:
     bool unfinished_ = false;
 };
 
-/// The whole word as a number; nan and inf are numbers here. What is too large for the type becomes its
-/// largest value, for floating point infinity. Nothing if it is no number.
+/// The whole word as a number, which may be nan or inf; nothing if it is no number. A value out of range
+/// becomes the type's largest value, or infinity for floating point.
 template <class Number> std::optional<Number> parseNumber(std::string_view word) {
     if (word.starts_with('+')) {
         word.remove_prefix(1);
@@ -106,15 +105,15 @@ template <class Number> std::optional<Number> parseNumber(std::string_view word)
     if constexpr (std::is_integral_v<Number>) {
         return word.starts_with('-') ? Limits::min() : Limits::max();
     } else {
-        // Too large or too small: the wider type tells, and beyond that the sign of the exponent.
+        // The value is too large or too small: try the wider type, then the sign of the exponent.
         long double wide = 0;
         if (std::from_chars(word.data(), last, wide).ec == std::errc())
-            return static_cast<Number>(wide); // rounds to zero, or to infinity below
+            return static_cast<Number>(wide); // rounds to zero or to infinity
         return word.find("e-") == word.npos && word.find("E-") == word.npos ? Limits::infinity() : Number{};
     }
 }
 
-/// The beginning of a word, in quotes, for messages; bytes that are no printable ASCII become '?'.
+/// The beginning of a word in quotes, for messages; bytes other than printable ASCII become '?'.
 [[nodiscard]] std::string quoted(std::string_view word);
 
 } // namespace qm

@@ -18,7 +18,7 @@ bool isRegular(const QuadMesh& mesh, VertexId vertex) {
 }
 
 std::vector<VertexId> extraordinaryVertices(const QuadMesh& mesh) {
-    // One pass over the edges is several times faster than going around every vertex.
+    // A single pass over the edges is several times faster than a walk around every vertex.
     std::vector<unsigned> edges(mesh.n_vertices(), 0);
     for (const EdgeId edge : mesh.edges())
         for (const unsigned side : {0U, 1U})

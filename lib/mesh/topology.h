@@ -1,4 +1,4 @@
-/// \file Regularity, and walking straight on (docs/METHOD.md#words).
+/// \file Regular vertices, and walking straight on (docs/METHOD.md#words).
 #pragma once
 
 #include "mesh/quad_mesh.h"
@@ -7,30 +7,29 @@
 
 namespace qm {
 
-/// Interior with four edges, or on the boundary with one or two faces. Isolated vertices count as regular: no
-/// line reaches them.
+/// Whether a vertex is interior with four edges, or on the boundary with one or two faces. Isolated vertices
+/// count as regular, because no line reaches them.
 [[nodiscard]] bool isRegular(const QuadMesh& mesh, VertexId vertex);
 
 /// All vertices that are not regular, ascending.
 [[nodiscard]] std::vector<VertexId> extraordinaryVertices(const QuadMesh& mesh);
 
-/// The halfedge that goes on across the vertex that `halfedge` points to. That vertex must be interior and
-/// regular.
+/// The halfedge that continues `halfedge` straight across its end, which must be an interior regular vertex.
 [[nodiscard]] inline HalfedgeId straightOn(const QuadMesh& mesh, HalfedgeId halfedge) {
     return mesh.next_halfedge_handle(mesh.opposite_halfedge_handle(mesh.next_halfedge_handle(halfedge)));
 }
 
-/// True where a line may be continued with `straightOn`: the vertex is interior and regular.
+/// Whether `straightOn` applies at a vertex: it is interior and regular.
 [[nodiscard]] inline bool continuesStraight(const QuadMesh& mesh, VertexId vertex) {
     return !mesh.is_boundary(vertex) && isRegular(mesh, vertex);
 }
 
-/// The vertices along consecutive halfedges: one more than halfedges; empty for none.
+/// The vertices along consecutive halfedges, one more than there are halfedges; empty if there are none.
 [[nodiscard]] std::vector<VertexId> verticesAlong(const QuadMesh& mesh,
                                                   const std::vector<HalfedgeId>& halfedges);
 
-/// The connected component of every vertex, numbered from 0 in the order of the lowest vertex. Isolated
-/// vertices are components of their own.
+/// The connected component of every vertex; components are numbered from 0 in the order of their lowest
+/// vertices. Isolated vertices are components of their own.
 struct Components {
     std::vector<int> ofVertex;
     int count = 0;

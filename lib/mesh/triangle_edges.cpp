@@ -12,12 +12,12 @@
 namespace qm {
 namespace {
 
-/// One side of a triangle, by the lower of its points first.
+/// A side of a triangle, with the lower of its two points first.
 struct TriangleSide {
     int low = 0;
     int high = 0;
     bool ascends = false;
-    // NOLINTNEXTLINE(modernize-use-nullptr): the 0 is the compiler's
+    // NOLINTNEXTLINE(modernize-use-nullptr): the compiler generates this 0
     auto operator<=>(const TriangleSide&) const = default;
     [[nodiscard]] bool sameEdge(const TriangleSide& other) const {
         return low == other.low && high == other.high;
@@ -42,7 +42,7 @@ std::string placeOf(const Triangles& triangles, const TriangleSide& side) {
            ")";
 }
 
-/// Edges where something is wrong: the first of them, and how many.
+/// The first edge with a certain fault, and the number of such edges.
 struct Fault {
     TriangleSide first;
     std::size_t sides = 0;
@@ -56,7 +56,7 @@ struct Fault {
     }
 };
 
-/// Counts the connected parts that edges form.
+/// Counts the connected components of a set of edges.
 class EdgeParts {
 public:
     explicit EdgeParts(std::size_t points) : sets_(points), used_(points, false) {}

@@ -1,4 +1,4 @@
-/// \file Is a surface of triangles a manifold, and where does it end?
+/// \file Checking that a surface of triangles is a manifold, and counting its boundary loops.
 #pragma once
 
 #include "mesh/triangles.h"
@@ -7,10 +7,10 @@
 
 namespace qm {
 
-/// Checks that at most two triangles meet at every edge, and that they are oriented alike. Takes n log n
-/// time.
+/// Checks that at most two triangles meet at every edge, and that neighbours are oriented alike. Takes n log
+/// n time.
 /// \return the number of boundary loops; loops that touch count as one
-/// \throw Error  with the place of the first such edge, and how many there are
+/// \throw Error  with the first faulty edge and the number of such edges
 std::size_t validateTriangleEdges(const Triangles& triangles);
 
 } // namespace qm

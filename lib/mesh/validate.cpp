@@ -26,7 +26,7 @@ std::string edgePlace(const Soup& soup, Side side) {
 }
 
 void checkSize(const Soup& soup) {
-    constexpr std::size_t max = std::size_t{1} << 29; // halfedges and sides are numbered in 32 bits
+    constexpr std::size_t max = std::size_t{1} << 29; // sides and halfedges have 32-bit numbers
     if (soup.faceCount() == 0) throw Error("", "it holds no faces", "Is it cut off, or another format?");
     if (std::max(soup.corners.size() / 4, soup.points.size()) > max)
         throw Error("", "it holds more than " + std::to_string(max) + " faces or vertices",
@@ -98,12 +98,14 @@ void checkRepeatedVertices(const Soup& soup) {
     }
 }
 
-/// Equal faces share their edges, so it is enough to compare the few at each edge.
+/// Throws if a face occurs twice. Equal faces share their edges, so only the few faces at an edge are
+/// compared.
 void checkDuplicateFaces(const Soup& soup, const SoupEdges& edges) {
     std::vector<std::pair<std::array<std::int64_t, 4>, std::size_t>> faces;
     for (std::size_t k = 0; k < edges.count(); ++k) {
         const auto sides = edges.edge(k);
-        // Two that run opposite ways may lie back to back; if they are more than that, an edge tells.
+        // Two sides that run in opposite directions may belong to quads back to back. If those are
+        // duplicates, another edge shows it.
         if (sides.size() < 2 || (sides.size() == 2 && sideFrom(soup, sides[0]) != sideFrom(soup, sides[1])))
             continue;
         faces.clear();

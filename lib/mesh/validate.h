@@ -1,4 +1,4 @@
-/// \file What a soup must be to become a quad mesh (docs/METHOD.md#words).
+/// \file The conditions for turning a soup into a quad mesh (docs/METHOD.md#words).
 #pragma once
 
 #include "mesh/soup_edges.h"
@@ -7,21 +7,21 @@
 
 namespace qm {
 
-/// What surfaces of any polygons need: at least one face, three sides or more, indices in range, coordinates
-/// that are numbers and not too large to be squared.
-/// \throw Error  naming the first offending face or vertex, with its line where there is one
+/// Checks what surfaces of any polygons need: at least one face, at least three sides per face, indices in
+/// range, coordinates that are finite and small enough to be squared.
+/// \throw Error  with the first offending face or vertex, and its line if there are lines
 void validatePolygons(const Soup& soup);
 
-/// What cannot be mended: at least one face, quads only, indices in range, coordinates that are numbers
-/// and not too large to be squared.
-/// \throw Error  naming the first offending face or vertex, with its line where there is one
+/// Checks what cannot be repaired: at least one face, quads only, indices in range, coordinates that are
+/// finite and small enough to be squared.
+/// \throw Error  with the first offending face or vertex, and its line if there are lines
 void validateElements(const Soup& soup);
 
-/// The elements, then: no repeated vertex in a face, no face twice, at most two faces at an edge, consistent
-/// orientation, one fan of faces at every vertex. Two quads back to back that close a component are no
-/// duplicates.
-/// \return for every side the one that runs the opposite way, or none on the boundary (see `twinSides`)
-/// \throw Error  naming the first offending face, edge or vertex, with its line where there is one
+/// Checks the elements, and then: no repeated vertex in a face, no duplicate faces, at most two faces at an
+/// edge, consistent orientation, one fan of faces at every vertex. Two quads back to back that form a closed
+/// component are no duplicates.
+/// \return for every side, the opposite one on the same edge; none on the boundary (see `twinSides`)
+/// \throw Error  with the first offending face, edge or vertex, and its line if there are lines
 std::vector<Side> validateSoup(const Soup& soup);
 
 /// The corners of a quad in ascending order.

@@ -30,7 +30,7 @@ double toleranceOf(const Soup& soup) {
     return 1e-9 * (high - low).max();
 }
 
-/// The sides that leave each vertex.
+/// The sides that begin at each vertex.
 class Stars {
 public:
     explicit Stars(const Soup& soup) : begin_(soup.points.size() + 2, 0), sides_(soup.corners.size()) {
@@ -60,14 +60,14 @@ std::vector<bool> borderVertices(const Soup& soup) {
     return border;
 }
 
-/// Points in a tree, each with its number.
+/// A search tree of points with their numbers.
 class PointTree {
 public:
     PointTree(const std::vector<Point>& points, double tolerance) : points_(points), tolerance_(tolerance) {}
 
     void add(std::size_t k) { tree_.insert({treePoint(points_[k]), k}); }
 
-    /// The lowest point at the place of point k that is accepted, or k.
+    /// The lowest accepted point at the place of point k; k itself if there is none.
     template <class Accept> [[nodiscard]] std::size_t find(std::size_t k, const Accept& accept) const {
         const Point reach(tolerance_, tolerance_, tolerance_);
         const Box box(treePoint(points_[k] - reach), treePoint(points_[k] + reach));
@@ -96,7 +96,7 @@ std::vector<std::size_t> identity(std::size_t count) {
     return target;
 }
 
-/// Decides about the quads one by one; vertices of faces around a collapsed one are out of bounds after.
+/// Decides quad by quad. Vertices of the faces around a collapsed quad are excluded from further collapses.
 class Collapser {
 public:
     explicit Collapser(const Soup& soup)
@@ -113,14 +113,15 @@ public:
     }
 
 private:
-    /// \param side  leaves one of the two corners
+    /// \param side  begins at one of the two opposite corners
     [[nodiscard]] bool canCollapse(Side side) const {
         const std::size_t a = cornerAt(soup_, side), c = cornerAt(soup_, side ^ 2U);
         return (soup_.points[a] - soup_.points[c]).max_abs() <= tolerance_ && !touched_[a] && !touched_[c] &&
                !(border_[a] && border_[c]) && shareOnly(side, a, c);
     }
 
-    /// The two vertices have no face in common but this one, and no neighbours but its other corners.
+    /// Whether the two vertices share no face except this one, and no neighbours except its other two
+    /// corners.
     [[nodiscard]] bool shareOnly(Side side, std::size_t a, std::size_t c) const {
         std::vector<std::size_t> around;
         for (const Side out : stars_.of(a)) {

@@ -19,7 +19,7 @@ void appendPoint(std::string& text, const Point& point) {
     text += '\n';
 }
 
-/// \param first  the number of the first point
+/// \param first  the number of the first point in the format
 void appendCorners(std::string& text, std::span<const std::int64_t> corners, std::int64_t first) {
     for (const std::int64_t corner : corners) {
         text += ' ';

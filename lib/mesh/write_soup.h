@@ -1,4 +1,4 @@
-/// \file Writing polygons as the formats that can be read.
+/// \file Writing polygons in the formats that can be read.
 #pragma once
 
 #include "mesh/mesh_format.h"
@@ -9,12 +9,12 @@
 
 namespace qm {
 
-/// OBJ and OFF are text in which coordinates have the fewest digits that read back exactly, PLY is binary
-/// with double precision, STL is binary with single precision.
-/// \param soup  its indices are in range; for STL all polygons are triangles
+/// OBJ and OFF are text whose coordinates have the fewest digits that read back exactly; PLY is binary with
+/// double precision; STL is binary with single precision.
+/// \param soup  indices must be in range; for STL all polygons must be triangles
 [[nodiscard]] std::string writeSoup(const Soup& soup, MeshFormat format);
 
-/// With the mesh's numbering, faces with their first vertex first.
+/// The faces of a mesh with its numbering; each begins with its first vertex.
 [[nodiscard]] Soup soupOf(const QuadMesh& mesh);
 [[nodiscard]] Soup soupOf(const Triangles& triangles);
 
