@@ -9,8 +9,8 @@ namespace qm {
 /// \param complex  without seeds
 [[nodiscard]] Json baseComplexToJson(const QuadMesh& mesh, const BaseComplex& complex);
 
-/// The base complex follows from the mesh; it is computed anew and must agree.
-/// \throw Error  with the pointer of the first difference
+/// Computes the base complex anew from the mesh; the section must agree with it.
+/// \throw Error  with the JSON pointer of the first difference
 void verifyBaseComplex(const QuadMesh& mesh, const BaseComplex& complex, const JsonPlace& section);
 
 } // namespace qm

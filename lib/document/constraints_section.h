@@ -1,4 +1,4 @@
-/// \file The section `constraints`, which people write.
+/// \file The section `constraints`, which is written by people.
 #pragma once
 
 #include "basecomplex/base_complex.h"
@@ -7,9 +7,8 @@
 
 namespace qm {
 
-/// Every edge must lie on a separatrix; required edges on the mesh boundary are left out, because they are
-/// patch boundaries anyway. No edge may be required and forbidden at once, or have
-/// two weights.
+/// Every edge must lie on a separatrix; required edges on the mesh boundary are ignored, because they are
+/// patch boundaries anyway. No edge may be both required and forbidden, or have two weights.
 /// \param complex  with the feature seeds
 [[nodiscard]] Constraints readConstraints(const QuadMesh& mesh, const BaseComplex& complex,
                                           const JsonPlace& section);

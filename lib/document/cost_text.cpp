@@ -7,8 +7,8 @@ namespace {
 
 constexpr CostTerms noTerms{0, 0, 0, 0};
 
-/// One summand with its sign.
-/// \return whether it is one
+/// Reads one term.
+/// \return false if the text is no term
 bool addTerm(std::string_view text, double sign, CostTerms& terms) {
     double weight = 1;
     if (const std::size_t star = text.find('*'); star != std::string_view::npos) {
@@ -24,7 +24,7 @@ bool addTerm(std::string_view text, double sign, CostTerms& terms) {
     return known;
 }
 
-/// A sign that joins terms is not that of an exponent, as in 1e-3.
+/// The end of a term: the next sign that does not belong to an exponent, as in 1e-3.
 std::size_t endOfTerm(std::string_view text, std::size_t begin) {
     for (std::size_t k = begin + 1; k < text.size(); ++k) {
         const bool exponent = (text[k - 1] == 'e' || text[k - 1] == 'E') && k >= 2 &&

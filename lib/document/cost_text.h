@@ -1,4 +1,4 @@
-/// \file A cost as people write it: "dihedral+0.5*segments".
+/// \file A cost as text: "dihedral+0.5*segments".
 #pragma once
 
 #include "layout/cost.h"
@@ -11,8 +11,8 @@ namespace qm {
 /// Terms with weight 0 are left out; "0" if all are.
 [[nodiscard]] std::string costText(const CostTerms& terms);
 
-/// A sum of terms, each a name or "number*name"; what is not named has weight 0.
-/// \return what is wrong with the text, or empty
+/// Reads a sum of terms, each "name" or "number*name"; all other terms get weight 0.
+/// \return what is wrong with the text; empty if nothing is
 [[nodiscard]] std::string parseCost(std::string_view text, CostTerms& terms);
 
 /// Calls f(name, weight) for every term.

@@ -24,7 +24,7 @@ Json cutToJson(const Cut& cut) {
 
 namespace {
 
-/// Options of which a document written by hand may lack all but chi.
+/// Reads the options; in a document written by hand, all except chi may be missing.
 CutOptions readOptions(const JsonPlace& section) {
     CutOptions options;
     describe(options, [&section](const char* name, auto& value, const Range& range, const char*) {

@@ -15,7 +15,7 @@ namespace {
 constexpr std::array<Kind, 6> allKinds{Kind::basecomplex, Kind::features, Kind::cut,
                                        Kind::enumeration, Kind::layout,   Kind::surfaces};
 
-/// The tools of the pipe in their order.
+/// The tools of the pipe, in order.
 constexpr std::array<std::string_view, 7> tools{"qm-basecomplex", "qm-features", "qm-cut",    "qm-enum",
                                                 "qm-merge",       "qm-prune",    "qm-bspline"};
 
@@ -70,7 +70,7 @@ void putSection(Document& document, StageEntry entry) {
     for (const Kind later : allKinds)
         if (later > entry.kind) root.erase(sectionOf(later));
 
-    // A tool that ran before is replaced; pruning alone builds on what pruning left.
+    // The entry of an earlier run of the same tool is replaced; only pruning adds to earlier pruning.
     const std::size_t rank = rankOf(entry.tool);
     const std::size_t first = entry.tool == "qm-prune" ? rank + 1 : rank;
     Json history = Json::array();
@@ -90,7 +90,7 @@ std::string printDocument(Document document) {
 
     auto& members = document.root.get_ref<Json::object_t&>();
     Json::object_t ordered;
-    const auto move = [&ordered](auto& member) { // without a search for the key
+    const auto move = [&ordered](auto& member) { // spares the search for the key
         ordered.Json::object_t::Container::emplace_back(member.first, std::move(member.second));
     };
     for (const std::string& key : keys)

@@ -1,4 +1,4 @@
-/// \file A document as a whole: from bytes and back, and what every stage does to it.
+/// \file A document as a whole: reading, writing, and adding the section of a stage.
 #pragma once
 
 #include "document/json.h"
@@ -12,9 +12,9 @@ namespace qm {
 
 struct Document {
     Json root;
-    std::string path = "-"; ///< where it came from; "-" is standard input
+    std::string path = "-"; ///< the file it was read from; "-" is standard input
 
-    /// A section that must be there.
+    /// The section that a kind adds; throws if it is missing.
     [[nodiscard]] JsonPlace section(Kind kind) const { return JsonPlace(root)[sectionOf(kind)]; }
     [[nodiscard]] bool has(Kind kind) const { return root.contains(sectionOf(kind)); }
 };
@@ -22,30 +22,31 @@ struct Document {
 /// The version of the format.
 constexpr int formatVersion = 1;
 
-/// Reads and checks everything that a schema can say.
-/// \throw FileError  with line and column, or the JSON pointer of the place
+/// Reads a document and checks it against its schema.
+/// \throw FileError  with line and column, or with the JSON pointer of the place
 [[nodiscard]] Document parseDocument(std::string_view bytes, const std::string& path);
 
-/// \throw Error  if the document has not come far enough for a tool that reads this kind
+/// \return the kind of the document
+/// \throw Error  if it comes before `earliest` in the pipe
 [[nodiscard]] Kind requireKind(const Document& document, Kind earliest);
 
-/// A new document, with nothing but kind and version.
+/// A new document with only kind and version.
 [[nodiscard]] Document newDocument(Kind kind);
 
-/// What a tool adds.
+/// A section to be added to a document, and its entry in the history.
 struct StageEntry {
-    Kind kind;        ///< whose section it writes
+    Kind kind;        ///< the kind whose section it is
     std::string tool; ///< for the history
     Json options;     ///< likewise
     Json section;
 };
 
-/// Writes a section, in place of the one that was there; drops the sections of all later kinds, and their
-/// tools from the history. Keys that no tool knows are kept.
+/// Adds a section or replaces it. Drops the sections of all later kinds, and their tools from the history.
+/// Unknown keys are kept.
 void putSection(Document& document, StageEntry entry);
 
-/// With the keys in their fixed order: kind, version, mesh, history, constraints, the sections in the order
-/// of the pipe, and then all others as they stood.
+/// The text of a document. Keys are in a fixed order: kind, version, mesh, history, constraints, the sections
+/// in the order of the pipe, then all others in their present order.
 [[nodiscard]] std::string printDocument(Document document);
 
 } // namespace qm

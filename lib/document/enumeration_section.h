@@ -8,11 +8,11 @@
 
 namespace qm {
 
-/// The separatrix of a base complex that begins with a halfedge.
+/// Finds the separatrix of a base complex that begins with a given halfedge.
 class SeparatrixIndex {
 public:
     SeparatrixIndex(const QuadMesh& mesh, const BaseComplex& complex);
-    /// Invalid if there is none.
+    /// The separatrix; none if no separatrix begins with the halfedge.
     [[nodiscard]] SeparatrixId startingWith(HalfedgeId halfedge) const { return starts_[at(halfedge)]; }
 
 private:

@@ -33,7 +33,7 @@ void verifySeed(const QuadMesh& mesh, const FeatureCurve& curve, const JsonPlace
                    "Choose another vertex of the curve");
 }
 
-/// Marks where curves have been; complains of what two have in common.
+/// Marks the edges and seeds of the curves read so far; throws if two curves share one.
 class Claims {
 public:
     explicit Claims(const QuadMesh& mesh) : mesh_(mesh), edges_(mesh.n_edges()), seeds_(mesh.n_vertices()) {}

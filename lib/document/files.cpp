@@ -12,7 +12,7 @@ namespace qm {
 
 namespace {
 
-/// Far above any real mesh; below what an endless stream would take from the machine.
+/// Far above the size of any real mesh, and small enough that an endless stream does not exhaust memory.
 constexpr std::size_t maxBytes = std::size_t{4} << 30;
 
 class Descriptor {
@@ -56,7 +56,7 @@ std::string readFile(const std::string& path) {
     std::string bytes;
     std::size_t used = 0;
     if (S_ISREG(status.st_mode) && status.st_size > 0 && at(status.st_size) <= maxBytes)
-        bytes.resize(at(status.st_size) + 1); // one more, to meet the end in one read
+        bytes.resize(at(status.st_size) + 1); // one more byte, so that a single read meets the end
     while (true) {
         if (used == bytes.size()) bytes.resize(std::max<std::size_t>(2 * used, 1 << 16));
         const ssize_t count = read(file.number(), bytes.data() + used, bytes.size() - used);

@@ -1,4 +1,4 @@
-/// \file Reading whole files, and errors that name the file they are about.
+/// \file Reading whole files, and errors that name the file.
 #pragma once
 
 #include "base/error.h"
@@ -7,14 +7,14 @@
 
 namespace qm {
 
-/// The text reads `file: place: what. remedy`. A tool puts nothing but its own name in front.
+/// An error whose text reads `file: place: what. remedy`. Tools put only their own name in front.
 class FileError : public Error {
 public:
     FileError(const std::string& file, const std::string& what, const std::string& remedy = {})
         : Error(file, what, remedy) {}
 };
 
-/// Calls f; an Error that names no file gets this one.
+/// Calls f; an Error that names no file becomes a FileError of this file.
 template <class Function> decltype(auto) inFile(const std::string& file, Function&& f) {
     try {
         return f();
@@ -25,14 +25,14 @@ template <class Function> decltype(auto) inFile(const std::string& file, Functio
     }
 }
 
-/// False of folders, pipes and devices, and of what is not there.
+/// False for folders, pipes and devices, and if there is no such file.
 [[nodiscard]] bool isRegularFile(const std::string& path);
 
 /// The bytes of a file; "-" is standard input.
 /// \throw FileError  if it cannot be read, is a folder or a device, or larger than any document or mesh can be
 [[nodiscard]] std::string readFile(const std::string& path);
 
-/// How messages call a file: its path, or "standard input".
+/// The name of a file in messages: its path, or "standard input".
 [[nodiscard]] std::string displayName(const std::string& path);
 
 } // namespace qm

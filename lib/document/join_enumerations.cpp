@@ -15,7 +15,7 @@ Json& sectionOfPart(Document& document) {
     return document.root[sectionOf(Kind::enumeration)];
 }
 
-/// What is left of a document when what its own search found is taken out.
+/// What a part's own search found, taken out of its document.
 struct Found { // NOLINT(bugprone-exception-escape): Json's constructors throw, but not these
     std::string path;
     std::int64_t number = 0;
@@ -47,7 +47,7 @@ public:
     }
 
 private:
-    /// What is left is the same in all parts.
+    /// Takes the findings of a part out of its document; the rest of the document is the same for all parts.
     Found takeOut(Document& document) {
         const JsonPlace place = document.section(Kind::enumeration);
         const auto part = place.find("part");
@@ -90,7 +90,7 @@ private:
         return decimalProduct(counts);
     }
 
-    /// Dealt out again one after the other.
+    /// Merges the sub-meshes, which were dealt out to the parts in turn.
     Json::array_t subMeshes() {
         std::size_t total = 0;
         for (const Found& part : found_)
@@ -108,7 +108,7 @@ private:
 
     std::vector<Document> parts_;
     std::vector<Found> found_;
-    std::int64_t of_ = 0; ///< how many parts there are
+    std::int64_t of_ = 0; ///< number of parts
 };
 
 } // namespace

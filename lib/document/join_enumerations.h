@@ -1,4 +1,4 @@
-/// \file One document from the parts that several runs of a search have made.
+/// \file Joining the partial documents of several runs of a search.
 #pragma once
 
 #include "document/document.h"
@@ -7,9 +7,10 @@
 
 namespace qm {
 
-/// The document that one run would have written for all sub-meshes, to the byte.
-/// \param parts  of kind enumeration with a `part`, in any order
-/// \throw FileError  if one is no part, or differs from the first in more than what was found, or one is missing
+/// The document that a single run over all sub-meshes would have written, byte by byte.
+/// \param parts  documents of kind enumeration that have a `part`, in any order
+/// \throw FileError  if one has no part or differs from the first in more than its findings, or one is
+/// missing
 [[nodiscard]] Document joinEnumerations(std::vector<Document> parts);
 
 } // namespace qm

@@ -1,4 +1,4 @@
-/// \file JSON as the documents use it: reading strictly, writing for people.
+/// \file JSON as used by documents: strict reading, readable writing.
 #pragma once
 
 #include "document/json_fwd.h"
@@ -12,17 +12,18 @@ namespace qm {
 
 using JsonPointer = Json::json_pointer;
 
-/// Time linear in the text, also for objects with many keys.
-/// \throw Error  at line and column: if the text is empty or no JSON, is not UTF-8, has a key twice in one
+/// Reads a value, in time linear in the text even for objects with many keys.
+/// \throw Error  with line and column, if the text is empty, no JSON or not UTF-8, has a key twice in one
 /// object, or is nested more than 100 deep
 [[nodiscard]] Json parseJson(std::string_view text);
 
-/// Whatever fits in 100 columns stands on one line; lists of numbers that do not are filled line by line, all
-/// else has one element per line, indented by two blanks. Numbers are the shortest that read back the same.
+/// A value that fits into 100 columns stands on one line. Longer lists of numbers are filled line by line;
+/// everything else has one element per line, indented by two spaces. Numbers are the shortest that read back
+/// the same.
 /// \throw std::logic_error  if a number is not finite
 [[nodiscard]] std::string printJson(const Json& value);
 
-/// The same without line breaks at all.
+/// The same on a single line.
 [[nodiscard]] std::string printJsonLine(const Json& value);
 
 } // namespace qm

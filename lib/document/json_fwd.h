@@ -1,5 +1,4 @@
-/// \file The type of JSON values, for those who only hand them on: the library behind it takes long to
-/// compile.
+/// \file The type of JSON values, for code that only passes them on: the library itself is slow to compile.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -1,4 +1,4 @@
-/// \file A value of a document together with its JSON pointer, so that every complaint names its place.
+/// \file A value in a document together with its JSON pointer, so that every error message names its place.
 #pragma once
 
 #include "base/at.h"
@@ -12,8 +12,8 @@
 
 namespace qm {
 
-/// Every function throws Error with the pointer of the place if the value is not what is asked for. The value
-/// must outlive the place.
+/// Every function throws Error with the pointer of the place if the value is not of the required form. The
+/// value must outlive the place.
 class JsonPlace {
 public:
     explicit JsonPlace(const Json& value, JsonPointer pointer = JsonPointer())
@@ -23,9 +23,9 @@ public:
     [[nodiscard]] const JsonPointer& pointer() const { return pointer_; }
     [[nodiscard]] bool isNull() const { return value_->is_null(); }
 
-    /// A member that must be there.
+    /// A member, which must exist.
     [[nodiscard]] JsonPlace operator[](const char* key) const;
-    /// A member that may be missing.
+    /// A member, if it exists.
     [[nodiscard]] std::optional<JsonPlace> find(const char* key) const;
     /// An element of an array.
     [[nodiscard]] JsonPlace operator[](std::size_t index) const;
@@ -35,14 +35,14 @@ public:
 
     [[nodiscard]] bool boolean() const;
     [[nodiscard]] const std::string& text() const;
-    /// Finite.
+    /// A finite number.
     [[nodiscard]] double number() const;
-    /// A number that may be null.
+    /// A finite number, or nothing for null.
     [[nodiscard]] std::optional<double> numberOrNull() const;
     [[nodiscard]] std::int64_t whole(std::int64_t min = std::numeric_limits<std::int64_t>::min(),
                                      std::int64_t max = std::numeric_limits<std::int64_t>::max()) const;
-    /// All elements of an array of whole numbers from 0 to `count` - 1.
-    /// \param what  "vertex": for messages
+    /// All elements of an array, which must be whole numbers from 0 to `count` - 1.
+    /// \param what  the kind of element for messages, such as "vertex"
     [[nodiscard]] std::vector<int> indices(std::size_t count, const char* what) const;
 
     [[noreturn]] void fail(const std::string& what, const std::string& remedy = {}) const;
@@ -54,8 +54,8 @@ private:
     JsonPointer pointer_;
 };
 
-/// Compares two values. Numbers are equal by value, and keys that are only in `actual` do not count.
-/// \return the pointer of the first difference below `pointer`, if there is any
+/// Compares two values. Numbers are compared by value, and keys that only `actual` has are ignored.
+/// \return the pointer of the first difference, which begins with `pointer`; nothing if there is none
 [[nodiscard]] std::optional<JsonPointer> firstDifference(const Json& expected, const Json& actual,
                                                          const JsonPointer& pointer = JsonPointer());
 

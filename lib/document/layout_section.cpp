@@ -102,7 +102,7 @@ void verifyCost(const JsonPlace& place, double cost) {
         given->fail("is not " + std::to_string(cost) + ", the sum over the edges", remake);
 }
 
-/// Tracks with their costs, no edge on two of them or on the boundary.
+/// Reads the tracks and checks their costs; no edge may lie on two tracks or on the boundary.
 std::vector<LayoutTrack> readTracks(const QuadMesh& mesh, const std::vector<double>& edgeCosts,
                                     const JsonPlace& list) {
     (void)verifyDistinctIds(list);

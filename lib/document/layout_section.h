@@ -8,21 +8,21 @@
 
 namespace qm {
 
-/// Tracks, segments, costs and figures of quality.
-/// \param rho  above this dihedral angle an edge counts as sharp, radians
+/// Writes tracks, segments, costs and figures of quality.
+/// \param rho  edges with larger dihedral angles count as sharp, radians
 [[nodiscard]] Json layoutToJson(const QuadMesh& mesh, const Layout& layout,
                                 const std::vector<double>& dihedralAngles, double rho);
 
-/// Figures of the tools, for the section's keys `merge` and `prune`.
+/// The tools' figures, for the keys `merge` and `prune` of the section.
 [[nodiscard]] Json mergeFigures(const MergeResult& result);
 [[nodiscard]] Json pruneFigures(const PruneResult& result);
 
-/// Tracks may have been edited. They are the truth: segments are made anew from them, and those that are
-/// given must agree. Costs that are given must be what the edges add up to.
+/// Reads a layout. Tracks may have been edited and are authoritative: segments are made anew from them, and
+/// the section's segments, if present, must agree. Costs in the section must equal the sums over edges.
 [[nodiscard]] Layout readLayout(const QuadMesh& mesh, const std::vector<double>& dihedralAngles,
                                 const std::vector<double>& edgeCosts, const JsonPlace& section);
 
-/// Whether the section says all that `layoutToJson` would, in the same words.
+/// Whether the section contains everything that `layoutToJson` would write, in the same form.
 [[nodiscard]] bool layoutIsWhole(const QuadMesh& mesh, const Layout& layout, const Json& section);
 
 } // namespace qm

@@ -10,7 +10,8 @@ namespace qm {
 
 [[nodiscard]] std::string lengthText(const Length& length);
 
-/// Reads a whole text; false, with `length` as it was, if it is no number from 0 with or without %.
+/// Reads a whole text as a number, not negative, with or without %. If it is anything else, returns false and
+/// leaves `length` unchanged.
 [[nodiscard]] bool parseLength(std::string_view text, Length& length);
 
 } // namespace qm

@@ -11,7 +11,7 @@ namespace qm {
 
 namespace {
 
-/// Looks around both ends in step, so that a vertex with very many edges costs no more than its neighbour.
+/// Walks around both ends in step, so that a vertex with very many edges costs no more than its neighbour.
 HalfedgeId halfedgeBetween(const QuadMesh& mesh, VertexId from, VertexId to) {
     auto forth = mesh.cvoh_iter(from);
     auto back = mesh.cvoh_iter(to);

@@ -1,4 +1,4 @@
-/// \file Vertices and paths of a mesh, as documents list them.
+/// \file Vertices and paths of a mesh in the form in which documents list them.
 #pragma once
 
 #include "document/json_place.h"
@@ -11,14 +11,14 @@
 namespace qm {
 
 [[nodiscard]] VertexId vertexAt(const QuadMesh& mesh, const JsonPlace& place);
-/// A vertex or null.
+/// A vertex; nothing for null.
 [[nodiscard]] std::optional<VertexId> vertexOrNullAt(const QuadMesh& mesh, const JsonPlace& place);
 
 /// The halfedges along a list of at least two vertices.
-/// \throw Error  with the pointer of the first vertex that no edge joins to the one before it
+/// \throw Error  with the pointer of the first vertex that is no neighbour of the one before it
 [[nodiscard]] std::vector<HalfedgeId> pathAt(const QuadMesh& mesh, const JsonPlace& place);
 
-/// \throw Error  with the pointer of the first vertex where the path does not run straight on over an
+/// \throw Error  with the pointer of the first vertex at which the path does not go straight on over an
 /// interior regular vertex
 void requireStraight(const QuadMesh& mesh, const std::vector<HalfedgeId>& path, const JsonPlace& place);
 
@@ -27,7 +27,7 @@ void requireStraight(const QuadMesh& mesh, const std::vector<HalfedgeId>& path, 
 /// The vertices along consecutive halfedges.
 [[nodiscard]] Json pathNumbers(const QuadMesh& mesh, std::span<const HalfedgeId> path);
 
-/// Sum of a value per edge along a path.
+/// The sum of a value per edge along a path.
 [[nodiscard]] double sumAlong(const QuadMesh& mesh, std::span<const HalfedgeId> path,
                               const std::vector<double>& perEdge);
 

@@ -10,7 +10,7 @@
 namespace qm {
 namespace {
 
-/// How many letters must be put in, taken out or changed.
+/// The number of letters to insert, delete or replace to turn one word into the other.
 std::size_t editDistance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> row(b.size() + 1);
     std::iota(row.begin(), row.end(), 0);
@@ -45,7 +45,7 @@ private:
         return *node;
     }
 
-    /// Whether there may be objects in what obeys this rule: long lists of numbers are not visited.
+    /// Whether values of this rule may contain objects; long lists of numbers need not be visited.
     [[nodiscard]] bool hasKeys(const Json& rule) const {
         const Json& here = resolved(rule);
         return here.contains("properties") || (here.contains("items") && hasKeys(here.at("items")));
@@ -67,7 +67,7 @@ private:
 
     void compare(const std::string& key, const Json& value, const Json& known, const JsonPointer& pointer) {
         constexpr std::size_t near = 2;
-        std::size_t nearest = std::min(near, (key.size() - 1) / 2) + 1; // of a short key, less
+        std::size_t nearest = std::min(near, (key.size() - 1) / 2) + 1; // fewer letters for short keys
         std::string meant;
         for (const auto& [name, rule] : known.items()) {
             const std::size_t distance = editDistance(key, name);

@@ -1,4 +1,4 @@
-/// \file Keys of a document that no tool reads, but that look like one that is read.
+/// \file Unknown keys of a document that look like misspelt known keys.
 #pragma once
 
 #include "document/json.h"
@@ -8,8 +8,8 @@
 
 namespace qm {
 
-/// A sentence with the JSON pointer for every key that the schema does not know and that is at most two
-/// letters from one that it knows and that is missing there. Other keys are people's own.
+/// One sentence, with the JSON pointer, for every unknown key that is at most two letters away from a known
+/// key that is missing in the same object. All other unknown keys are allowed.
 /// \param kind  of the document, such as "layout"
 [[nodiscard]] std::vector<std::string> misspeltKeys(const Json& root, const std::string& kind);
 

@@ -1,8 +1,8 @@
-/// \file What an option of a tool is: a name, a member, what it may be, a help text.
+/// \file The description of a tool's option: its name, the member it sets, its values, its help text.
 ///
 /// Every options struct has one table of its options, a function template `describe(options, visitor)` in
-/// options.h beside this file. Command lines, --help, --json-usage and the history in the documents are all
-/// made from that table. Defaults are the struct's member initialisers and stand nowhere else.
+/// options.h. Command lines, --help, --json-usage and the history in documents are all derived from that
+/// table. Defaults are the struct's member initialisers, and are stated nowhere else.
 ///
 /// A name is the long flag without its dashes: "max-turn". A `bool` that is true by default has the flag
 /// "no-NAME".
@@ -16,16 +16,16 @@
 
 namespace qm {
 
-/// The values that a number may have, both ends included. An infinite end is no limit.
+/// The allowed values of a number, including both ends. An infinite end means no limit.
 struct Range {
     double min = -std::numeric_limits<double>::infinity();
     double max = std::numeric_limits<double>::infinity();
 };
 
-/// "0 to 3.14", "at least 1"; empty if any number will do.
+/// "0 to 3.14", "at least 1"; empty if there is no limit.
 [[nodiscard]] std::string rangeText(const Range& range);
 
-/// One value of an enumeration as users write it.
+/// A value of an enumeration with its name on the command line.
 template <class Enum> struct Choice {
     Enum value;
     std::string_view name;
@@ -42,7 +42,7 @@ template <class Enum> [[nodiscard]] std::string_view choiceName(Enum value) {
     return {};
 }
 
-/// The value of that name, written to `value`; false if there is none.
+/// Finds the value with a name; false if there is none.
 template <class Enum> [[nodiscard]] bool choiceValue(std::string_view name, Enum& value) {
     for (const Choice<Enum>& choice : Choices<Enum>::all) {
         if (choice.name != name) continue;
@@ -52,7 +52,7 @@ template <class Enum> [[nodiscard]] bool choiceValue(std::string_view name, Enum
     return false;
 }
 
-/// "max-turn" as a key of a document: "maxTurn".
+/// The key of an option in documents: "maxTurn" for "max-turn".
 [[nodiscard]] std::string keyOf(std::string_view optionName);
 
 } // namespace qm

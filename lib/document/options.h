@@ -57,12 +57,13 @@ template <> struct Choices<Fit> {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double smallestPositive = std::numeric_limits<double>::denorm_min();
-constexpr double maxCount = 1e9; ///< of anything that a user may ask for
-/// Of a segment: beyond it the solver's precision ends, and nothing but their number counts anyway.
+constexpr double maxCount = 1e9; ///< limit of any count that a user can ask for
+/// Price of a segment. Above it the solver is not precise enough, and only the number of segments counts
+/// anyway.
 constexpr double highestPrice = 1e4;
 
-/// When options have an effect. Every call names some of them, says what they need, and whether that holds
-/// with the present values. Options that no call names always have one.
+/// The conditions under which options have an effect. Every call lists some options, says in words what they
+/// need, and whether that is true at present. Options that are not listed always have an effect.
 template <class Options, class Visitor> void conditions(const Options&, Visitor&&) {}
 
 template <class Visitor> void describe(FeatureOptions& options, Visitor&& option) {

@@ -1,4 +1,4 @@
-/// \file Options as a document records them.
+/// \file Options in the form in which documents record them.
 #pragma once
 
 #include "document/json.h"
@@ -10,8 +10,8 @@
 
 namespace qm {
 
-/// All options of a struct as they are in effect, by their keys; null for an infinite number, which is no
-/// limit.
+/// All options of a struct with their present values, by key; an infinite number, which means no limit,
+/// becomes null.
 template <class Options> [[nodiscard]] Json optionsToJson(Options options) {
     Json json = Json::object();
     describe(options, [&json](const char* name, const auto& value, const Range&, const char*) {

@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::size_t maxDepth = 100;
 
-/// Builds the value from the parser's events. The library's own builder would keep the last of duplicate
-/// keys, and look through all keys of an object for every key.
+/// Builds a value from the parser's events. The library's own builder would keep the last of duplicate keys,
+/// and search all keys of an object for every new key.
 class Builder {
 public:
     using number_integer_t = Json::number_integer_t;
@@ -40,7 +40,7 @@ public:
 
     Json result;
     std::string problem;
-    std::size_t position = 0; ///< of the problem in the text; 0 if only its pointer is known
+    std::size_t position = 0; ///< byte position of the problem; 0 if only its pointer is known
     JsonPointer pointer;
 
 private:
@@ -48,8 +48,8 @@ private:
         bool isObject = false;
         Json::array_t elements;
         Json::object_t members;
-        std::string key;                       ///< of the next member
-        std::unordered_set<std::string> known; ///< keys of a large object
+        std::string key;                       ///< key of the next member
+        std::unordered_set<std::string> known; ///< only for large objects
     };
 
     bool open(bool isObject) {
@@ -68,7 +68,7 @@ private:
             return true;
         }
         Level& level = levels_.back();
-        if (level.isObject) // the base class' function does not search for the key
+        if (level.isObject) // the base class's function does not search for the key
             level.members.Json::object_t::Container::emplace_back(std::move(level.key),
                                                                   std::forward<Value>(value));
         else
@@ -102,7 +102,7 @@ bool Builder::key(string_t& key) {
     return isNew || fail("this key occurs twice in one object");
 }
 
-/// The library's message without exception number, position, and whatever would make it long.
+/// The library's message, shortened, without its exception number and position.
 std::string reason(std::string message) {
     constexpr std::size_t longest = 200;
     constexpr std::array<std::string_view, 4> marks{"] ", "parse error at ", ": ",
@@ -119,7 +119,7 @@ bool Builder::parse_error(std::size_t where, const std::string&, const nlohmann:
     return fail("is no JSON: " + reason(exception.what()));
 }
 
-/// Where the byte stands, counted from 1.
+/// Line and column of a byte, which is counted from 1.
 std::string lineAndColumn(std::string_view text, std::size_t position) {
     const std::string_view before = text.substr(0, position == 0 ? 0 : position - 1);
     const auto line = std::count(before.begin(), before.end(), '\n') + 1;

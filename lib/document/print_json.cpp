@@ -54,8 +54,8 @@ class Printer {
 public:
     explicit Printer(std::string& text) : text_(text) {}
 
-    /// On one line.
-    /// \return false, with a part of it written, if it does not fit before `limit`
+    /// Writes a value on one line.
+    /// \return false if it does not fit before `limit`; then a part of it has been written
     bool inOneLine(const Json& value, std::size_t limit) {
         if (value.is_object()) return inOneLine(value.get_ref<const Json::object_t&>(), limit);
         if (value.is_array()) return inOneLine(value.get_ref<const Json::array_t&>(), limit);
@@ -64,10 +64,10 @@ public:
     }
 
     /// \param column  where the value begins
-    /// \param indent  of the line it begins on
+    /// \param indent  indentation of the line on which the value begins
     void pretty(const Json& value, std::size_t column, std::size_t indent) {
         const std::size_t start = text_.size();
-        // One more column for the comma after it.
+        // Leaves one column for a comma.
         if (!value.is_structured() || value.empty()) {
             inOneLine(value, std::string::npos);
         } else if (column + 1 >= lineWidth || !inOneLine(value, start + lineWidth - column - 1)) {
@@ -130,7 +130,7 @@ private:
         text_ += '[';
         const std::size_t inner = indent + indentWidth;
         std::size_t lineStart = text_.size();
-        bool filling = false; // the line holds scalars only
+        bool filling = false; // the present line holds scalars only
         for (auto value = array.begin(); value != array.end(); ++value) {
             if (value != array.begin()) text_ += ',';
             if (value->is_structured()) {

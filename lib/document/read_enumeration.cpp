@@ -15,7 +15,7 @@ namespace qm {
 namespace {
 
 std::optional<std::string> readCount(const JsonPlace& place) {
-    constexpr std::size_t maxDigits = 100000; // others convert it, which takes quadratic time
+    constexpr std::size_t maxDigits = 100000; // longer numbers take other programs quadratic time to convert
     if (place.isNull()) return {};
     const std::string& text = place.text();
     const bool digits = std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
@@ -56,7 +56,7 @@ public:
     }
 
 private:
-    /// A cost that is given must be that which the edges have.
+    /// Checks that a cost, if given, equals the sum over the edges.
     static void verifyCost(const JsonPlace& place, const std::optional<double>& cost) {
         const std::optional<JsonPlace> given = place.find("cost");
         if (!given) return;
@@ -130,8 +130,7 @@ private:
                 vertices.failAt(k + 1, "the edge to this vertex lies on no separatrix");
     }
 
-    /// Where a line leaves a sub-mesh and comes back over the same vertex, one track may cover both
-    /// stretches.
+    /// If a line leaves a sub-mesh and returns over the same vertex, one track may cover both stretches.
     void verifyStartsInside(const JsonPlace& vertices, const std::vector<HalfedgeId>& path,
                             SubMeshId id) const {
         if (context_.subMeshes.of(mesh_.from_vertex_handle(path.front())) != id)
@@ -143,8 +142,8 @@ private:
     GraphClass graphClass_;
     SeparatrixIndex ofBaseComplex_;
     SeparatrixIndex ofComplex_;
-    std::vector<bool> onLine_;       ///< edges of separatrices
-    std::optional<Corners> corners_; ///< where they cost something
+    std::vector<bool> onLine_;       ///< of every edge, whether it lies on a separatrix
+    std::optional<Corners> corners_; ///< only if corners have a cost
 };
 
 } // namespace

@@ -10,7 +10,7 @@
 
 namespace qm {
 
-/// The cost that the search used.
+/// The cost that the search minimised.
 [[nodiscard]] GraphCost readCost(const JsonPlace& section);
 
 struct EnumerationContext {
@@ -22,9 +22,9 @@ struct EnumerationContext {
     const SubMeshes& subMeshes;
 };
 
-/// Graphs may have been edited: every track must be the beginning of a separatrix that starts in its
-/// sub-mesh, or, in class tmesh, a stretch of one, and no edge may lie on two tracks of a graph. Costs are
-/// added up anew; those that are given must agree.
+/// Reads an enumeration. Graphs may have been edited: every track must be the beginning of a separatrix that
+/// starts in its sub-mesh or, in class tmesh, a stretch of one, and no edge may lie on two tracks of a graph.
+/// Costs are computed anew; costs in the section must agree.
 [[nodiscard]] Enumeration readEnumeration(const EnumerationContext& context, const JsonPlace& section);
 
 } // namespace qm

@@ -14,13 +14,13 @@ bool exists(const std::string& path) {
     return access(path.c_str(), F_OK) == 0;
 }
 
-/// Where the file may be, the likeliest place first.
+/// The paths to try, the most likely first.
 std::vector<std::string> candidates(const std::string& recorded, const std::string& documentPath) {
     std::vector<std::string> paths{recorded};
     if (documentPath == "-") return paths;
     const std::string folder = documentPath.substr(0, documentPath.rfind('/') + 1);
     if (recorded.front() != '/' && !folder.empty()) paths.push_back(folder + recorded);
-    // Whoever passes on a document puts the file beside it.
+    // People who pass on a document put the file beside it.
     paths.push_back(folder + recorded.substr(recorded.rfind('/') + 1));
     return paths;
 }
@@ -39,7 +39,7 @@ ReferencedFile findReferencedFile(const JsonPlace& section, const std::string& d
         section["path"].fail("is no name of a file", remedy);
 
     const std::string subject = "the " + words.noun + " that " + displayName(documentPath) + " refers to";
-    std::string changed; // a file of that name with other contents
+    std::string changed; // a file with this name and other contents
     const std::vector<std::string> paths =
         givenPath.empty() ? candidates(recorded, documentPath) : std::vector<std::string>{givenPath};
     for (const std::string& path : paths) {

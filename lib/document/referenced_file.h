@@ -1,4 +1,4 @@
-/// \file Files that documents refer to: where they are, and proof that they are still the same.
+/// \file Files that documents refer to: finding them, and checking that they have not changed.
 #pragma once
 
 #include "document/json_place.h"
@@ -8,21 +8,21 @@
 namespace qm {
 
 struct ReferencedFile {
-    std::string path; ///< that it was read from
+    std::string path; ///< the path it was read from
     std::string bytes;
 };
 
-/// How messages speak of it.
+/// Words for messages about such a file.
 struct ReferenceWords {
     std::string noun;       ///< "mesh"
-    std::string option;     ///< with which a user names the file
-    std::string makingAnew; ///< what there is to do if the file has changed, a beginning of a sentence
+    std::string option;     ///< the option with which a user can name the file
+    std::string makingAnew; ///< what to do if the file has changed; the beginning of a sentence
 };
 
-/// \param section  with the path and the SHA-256 that are recorded
-/// \param documentPath  "-" if the document came from standard input; else the file may lie beside it
-/// \param givenPath  the file to use instead of the one that is recorded; empty: none
-/// \throw FileError  if there is no such file, or it is another one
+/// \param section       contains the recorded path and SHA-256
+/// \param documentPath  "-" for standard input; otherwise the file may lie beside the document
+/// \param givenPath     the file to use instead of the recorded one; may be empty
+/// \throw FileError  if there is no such file, or its contents differ
 [[nodiscard]] ReferencedFile findReferencedFile(const JsonPlace& section, const std::string& documentPath,
                                                 const std::string& givenPath, const ReferenceWords& words);
 

@@ -15,15 +15,16 @@ Json embedded(const std::string& file) {
     throw std::logic_error("there is no schema " + file);
 }
 
-/// Gathers all definitions that a schema refers to, in whichever file, and makes the references local.
+/// Collects all definitions that a schema refers to, in any file, and makes the references local.
 class Bundler {
 public:
     explicit Bundler(const std::string& file) : file_(file), root_(embedded(file)) { files_[file] = root_; }
 
-    /// Leaves a key out of the bundle.
+    /// Removes a key from the bundle.
     void forget(const char* key) { root_.erase(key); }
 
-    /// Ends with an insertion, which tells every member again what it is a member of: erasing forgets that.
+    /// Erasing a member invalidates what members know about their parent; the insertion at the end restores
+    /// it.
     Json bundle() {
         forget("definitions");
         localise(root_, file_);
@@ -54,7 +55,7 @@ private:
     void include(const std::string& file, const std::string& name) {
         if (definitions_.contains(name)) return;
         if (!files_.contains(file)) files_[file] = embedded(file);
-        definitions_[name] = nullptr; // its place; a definition may refer to itself
+        definitions_[name] = nullptr; // reserves the name, because a definition may refer to itself
         Json definition = files_.at(file).at("definitions").at(name);
         localise(definition, file);
         definitions_[name] = std::move(definition);

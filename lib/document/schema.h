@@ -8,15 +8,14 @@
 
 namespace qm {
 
-/// Begins a reference to a definition in the same schema.
+/// The beginning of a reference to a definition in the same schema.
 inline constexpr std::string_view localReference = "#/definitions/";
 
-/// The schema of a kind of document, complete in itself: what it takes from other schemas is among its
-/// definitions.
-/// \throw std::logic_error  if there is no such kind, or a schema refers to what does not exist
+/// The complete schema of a kind of document; its definitions include those it uses from other schemas.
+/// \throw std::logic_error  if there is no such kind, or if a schema refers to a missing definition
 [[nodiscard]] Json bundledSchema(const std::string& kind);
 
-/// The same without its `$id`: nothing is to be fetched by that name.
+/// The same without its `$id`, so that nothing is fetched by that name.
 [[nodiscard]] Json namelessSchema(const std::string& kind);
 
 /// The whole schema as text.

@@ -19,14 +19,14 @@ const Json& resolved(const Json& schema, const Json* node) {
     return *node;
 }
 
-/// A place in a document, with what the schema says about it.
+/// A place in a document, and the sub-schema for it.
 struct Place {
     JsonPointer pointer;
     const Json* value = nullptr;
-    Json rule; ///< the sub-schema, with the description of whoever refers to it
+    Json rule; ///< with the description of the schema that refers to it
 };
 
-/// Follows Valijson's context, "[key]" or "[position among the shown elements]" per step.
+/// Follows the context of Valijson's error: "[key]" or "[position among the shown elements]" for every step.
 Place follow(const Json& root, const Json& schema, const std::vector<std::string>& context) {
     Place place{JsonPointer(), &root, schema};
     const Json* rule = &schema;
@@ -70,7 +70,7 @@ std::string withSmallStart(std::string text) {
     return text;
 }
 
-/// What is wrong, in the words of this schema where that is simple, else in Valijson's.
+/// What is wrong: in our own words for simple rules, otherwise in Valijson's.
 std::string problemAt(const Place& place, const std::string& description) {
     const auto ruleSays = [&](const char* keyword, const char* mention) {
         return place.rule.contains(keyword) && description.find(mention) != std::string::npos;

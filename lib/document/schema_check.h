@@ -1,4 +1,4 @@
-/// \file Whether a document keeps to a schema, and what is wrong otherwise, in words.
+/// \file Checking documents against schemas, with error messages in words.
 #pragma once
 
 #include "document/json_fwd.h"
@@ -8,10 +8,10 @@
 namespace qm {
 
 /// Checks a document against the schema of its kind.
-/// \throw Error  with the JSON pointer of the first place that is wrong
+/// \throw Error  with the JSON pointer of the first violation
 void validateAgainstSchema(const Json& root, const std::string& kind);
 
-/// Checks a value against any schema. For tests, and for schemas of schemas.
+/// Checks a value against any schema; for tests, and for schemas of schemas.
 void validate(const Json& root, const Json& schema);
 
 } // namespace qm

@@ -36,7 +36,7 @@ Object::const_iterator Object::find(const std::string& key) const {
 }
 
 bool FrozenValue::equalTo(const valijson::adapters::Adapter& other, bool strict) const {
-    return Adapter(value_).equalTo(other, strict); // NOLINT(clang-analyzer-*): the library's own branches
+    return Adapter(value_).equalTo(other, strict); // NOLINT(clang-analyzer-*): branches of the library
 }
 
 Value::Value() {

@@ -1,8 +1,8 @@
-/// \file A document as Valijson sees it.
+/// \file A view of a document for Valijson.
 ///
-/// Valijson visits every element of every array at several microseconds each, and reports one error per
-/// element. This view keeps both in bounds: of a long array of numbers it shows three at most (see
-/// `shown_elements.h`), and nothing more after the first error.
+/// Valijson visits every element of every array, which takes several microseconds each, and reports one error
+/// per element. This view limits both: it shows at most three elements of a long array of numbers (see
+/// `shown_elements.h`), and nothing after the first error.
 #pragma once
 
 #include "base/at.h"
@@ -26,7 +26,7 @@ namespace schema_view {
 
 class Adapter;
 
-/// A value, and where errors are collected.
+/// A value, and the place where errors are collected.
 struct Place {
     const Json* value = nullptr;
     const valijson::ValidationResults* results = nullptr;
@@ -66,7 +66,7 @@ public:
         : place_(place), shown_(shownElements(place.value->get_ref<const Json::array_t&>())) {}
     [[nodiscard]] const_iterator begin() const { return {this, 0}; }
     [[nodiscard]] const_iterator end() const { return {this, shown_.size()}; }
-    /// Of the whole array, for limits on its length.
+    /// The size of the whole array, for limits on its length.
     [[nodiscard]] std::size_t size() const { return place_.value == nullptr ? 0 : place_.value->size(); }
 
 private:
@@ -117,7 +117,7 @@ private:
     Json value_;
 };
 
-/// What BasicAdapter asks of a value.
+/// The interface that BasicAdapter requires of a value.
 class Value {
 public:
     Value();
@@ -155,7 +155,7 @@ class Adapter : public valijson::adapters::BasicAdapter<Adapter, Array, ObjectMe
 public:
     Adapter() = default;
     explicit Adapter(Place place) : BasicAdapter(Value(place)) {}
-    /// Without a limit to errors, for the schemas themselves.
+    /// For the schemas themselves: without a limit on errors.
     explicit Adapter(const Json& value) : Adapter(Place{&value, nullptr}) {}
 };
 
@@ -163,7 +163,7 @@ public:
 
 } // namespace qm
 
-/// How Valijson's schema parser finds the type of a schema's document.
+/// Tells Valijson's schema parser the type of a schema's document.
 template <> struct valijson::adapters::AdapterTraits<qm::schema_view::Adapter> {
     using DocumentType = qm::Json;
     static std::string adapterName() { return "quadmesh"; }

@@ -1,5 +1,5 @@
-/// \file The first thing in a value that breaks a schema, as Valijson tells it. Reading a schema stands in a
-/// source of its own, `schema_parse.cpp`, because both take long to compile.
+/// \file The first violation of a schema, as reported by Valijson. Reading a schema is in a source of its
+/// own, `schema_parse.cpp`, because both are slow to compile.
 #pragma once
 
 #include "document/json_fwd.h"
@@ -14,17 +14,17 @@ class Schema;
 
 namespace qm {
 
-/// \param compiled  new; what the schema says is put into it
+/// \param compiled  a new schema, to be filled
 void parseSchema(const Json& schema, valijson::Schema& compiled);
 
 struct SchemaViolation {
-    /// The way from the root to the place: "[key]" or "[position among the shown elements]" for every step
-    /// but the first, which is the root itself.
+    /// The path from the root to the place: "[key]" or "[position among the shown elements]" for every step
+    /// except the first, which is the root itself.
     std::vector<std::string> context;
     std::string description; ///< in Valijson's words
 };
 
-/// None if the value keeps to the schema.
+/// The first violation; nothing if the value conforms to the schema.
 [[nodiscard]] std::optional<SchemaViolation> firstViolation(const Json& root, const Json& schema);
 
 } // namespace qm

@@ -1,4 +1,4 @@
-/// \file The fingerprint that ties a document to its mesh.
+/// \file The hash by which a document identifies its mesh.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-/// \file The elements of an array that a schema check looks at.
+/// \file The elements of an array that are checked against a schema.
 #pragma once
 
 #include "document/json.h"
@@ -8,9 +8,9 @@
 
 namespace qm {
 
-/// Their positions: all of a short array, and of one that holds anything but numbers; of a long list of
-/// numbers the first that is not whole, the smallest, and the largest. As long as schemas ask of such numbers
-/// nothing but a type and limits, all are valid if these are.
+/// The positions of these elements: all of a short array, or of one with elements other than numbers; of a
+/// long list of numbers, the first one that is not whole, the smallest, and the largest. As long as schemas
+/// restrict such numbers by type and limits only, all are valid if these are.
 [[nodiscard]] std::vector<std::size_t> shownElements(const Json::array_t& array);
 
 } // namespace qm

@@ -1,4 +1,4 @@
-/// \file The figures of a summary as JSON, and what they need of a document.
+/// \file The figures of a summary as JSON, and the options they depend on.
 #pragma once
 
 #include "document/json_place.h"
@@ -10,11 +10,11 @@
 
 namespace qm {
 
-/// The options of the fit that a document's history names; the defaults if it names none.
+/// The options of the fit according to a document's history; the defaults if it has no fit.
 [[nodiscard]] FitOptions recordedFit(const JsonPlace& history);
 
-/// \param name, unit, seconds  as of `summaryText`
-/// \param unmet  sentences of `unmetLimits`
+/// \param name, unit, seconds  as for `summaryText`
+/// \param unmet  the sentences of `unmetLimits`
 [[nodiscard]] Json summaryToJson(const Summary& summary, const std::string& name, const std::string& unit,
                                  std::optional<double> seconds, const std::vector<std::string>& unmet);
 

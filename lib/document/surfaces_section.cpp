@@ -12,7 +12,7 @@ namespace qm {
 
 namespace {
 
-/// The figures of a deviation by their keys: one list for writing and reading.
+/// Visits the figures of a deviation with their keys; used for both writing and reading.
 template <class DeviationType, class Visitor> void visitFigures(DeviationType& deviation, Visitor&& figure) {
     figure("max", deviation.max);
     figure("rms", deviation.rms);
@@ -42,7 +42,7 @@ Json deviationToJson(const Deviation& deviation) {
     return json;
 }
 
-/// The same for a scan.
+/// The same for the figures of a scan.
 template <class Figures, class Visitor> void visitScan(Figures& scan, Visitor&& figure) {
     figure("coverage", scan.coverage);
     figure("noise", scan.noise);
@@ -122,8 +122,8 @@ Deviation readDeviation(const JsonPlace& place) {
     return deviation;
 }
 
-/// \param count  control points in this direction
-/// \param size  of the segment, in edges
+/// \param count  number of control points in this direction
+/// \param size   of the segment, in edges
 std::vector<double> readKnots(const JsonPlace& place, int degree, int count, int size) {
     const std::size_t due = at(count) + at(degree) + 1;
     if (place.size() != due)

@@ -8,20 +8,20 @@
 
 namespace qm {
 
-/// The file that a scan came from.
+/// The file of a scan.
 struct ScanFile {
     std::string path;
     std::string sha256;
 };
 
-/// Patch and parameters of a place, and the point there.
+/// A place on a surface: patch, parameters and point.
 [[nodiscard]] Json placeToJson(const LayoutPlace& place, const Point& point);
 
-/// \param scan  of surfaces that were fitted to one
+/// \param scan  the scan that the surfaces were fitted to, if any
 [[nodiscard]] Json surfacesToJson(const Surfaces& surfaces, const ScanFile& scan = {});
 
-/// Patches may have been edited: there must be one for every segment, with as many knots as its control
-/// points and degrees need, in order, and with the segment's grid as their domain.
+/// Reads surfaces. Patches may have been edited: there must be one for every segment, with as many ascending
+/// knots as its control points and degrees require, and with the segment's grid as its domain.
 /// \param sizes  of the segments
 [[nodiscard]] Surfaces readSurfaces(const QuadMesh& mesh, const std::vector<std::array<int, 2>>& sizes,
                                     const JsonPlace& section);

@@ -1,4 +1,4 @@
-/// \file The version of the suite, as the documents' history records it.
+/// \file The version of the suite, recorded in the history of documents.
 #pragma once
 
 #include <string>

@@ -15,7 +15,7 @@ std::optional<std::int64_t> wholeNumber(const Json& value) {
         return static_cast<std::int64_t>(number);
     }
     case Json::value_t::number_float: {
-        constexpr double limit = 9007199254740992; // 2^53: every whole number up to here is a double
+        constexpr double limit = 9007199254740992; // 2^53: all whole numbers up to here are exact doubles
         const double number = value.get<double>();
         if (!(std::abs(number) <= limit) || number != std::floor(number)) return {};
         return static_cast<std::int64_t>(number);

@@ -8,7 +8,7 @@
 
 namespace qm {
 
-/// A whole number, however it is written, that a 64-bit integer can hold.
+/// The value as a 64-bit integer if it is whole, however it is written; otherwise nothing.
 [[nodiscard]] std::optional<std::int64_t> wholeNumber(const Json& value);
 
 } // namespace qm
