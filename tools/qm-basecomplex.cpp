@@ -1,4 +1,4 @@
-/// \file qm-basecomplex: from a quad mesh to the first document of a pipe, with the mesh's base complex.
+/// \file qm-basecomplex: makes the first document of a pipe from a quad mesh, with its base complex.
 #include "basecomplex/base_complex.h"
 #include "cli/mesh_input.h"
 #include "cli/tool.h"

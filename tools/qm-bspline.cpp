@@ -1,4 +1,4 @@
-/// \file qm-bspline: a bicubic B-spline patch for every segment.
+/// \file qm-bspline: fits a bicubic B-spline patch to every segment.
 #include "bspline/fit.h"
 #include "cli/fit_stage.h"
 

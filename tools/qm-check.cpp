@@ -1,4 +1,5 @@
-/// \file qm-check: is a document true of its mesh? Only reading is shared with the tools that made it.
+/// \file qm-check: checks whether a document is true of its mesh. Only reading is shared with the other
+/// tools.
 #include "check/check_document.h"
 #include "check/check_history.h"
 #include "check/print_report.h"
@@ -11,7 +12,7 @@
 #include <algorithm>
 
 namespace {
-/// Points and faces as the mesh file lists them.
+/// The points and faces of a mesh as its file lists them.
 qm::check::CheckedMesh pointsAndFaces(const qm::QuadMesh& mesh) {
     qm::check::CheckedMesh result;
     for (const auto vertex : mesh.vertices())

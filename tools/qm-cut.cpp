@@ -1,4 +1,4 @@
-/// \file qm-cut: minimum cuts divide the mesh into sub-meshes that can be searched one by one.
+/// \file qm-cut: divides the mesh by minimum cuts into sub-meshes that can be searched one by one.
 #include "cli/stage.h"
 #include "cut/cut.h"
 #include "document/cut_section.h"

@@ -1,4 +1,4 @@
-/// \file qm-enum: search the motorcycle graphs of every sub-mesh.
+/// \file qm-enum: searches the motorcycle graphs of every sub-mesh.
 #include "cli/enumeration_tool.h"
 #include "cli/stage.h"
 #include "document/enumeration_section.h"

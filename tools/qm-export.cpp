@@ -1,4 +1,4 @@
-/// \file qm-export: layouts and surfaces as STEP, IGES, OBJ, PLY and glTF.
+/// \file qm-export: writes layouts and surfaces as STEP, IGES, OBJ, PLY and glTF.
 #include "cli/export_choices.h"
 #include "cli/stage.h"
 

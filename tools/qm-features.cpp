@@ -1,4 +1,4 @@
-/// \file qm-features: curves along sharp edges become sources of particles.
+/// \file qm-features: makes curves along sharp edges sources of particles.
 #include "cli/feature_choices.h"
 #include "cli/stage.h"
 #include "document/features_section.h"

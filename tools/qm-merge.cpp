@@ -1,4 +1,4 @@
-/// \file qm-merge: the graphs of the sub-meshes become one layout of the whole mesh.
+/// \file qm-merge: merges the graphs of the sub-meshes into one layout of the whole mesh.
 #include "cli/stage.h"
 #include "document/features_section.h"
 #include "document/layout_section.h"
@@ -23,7 +23,7 @@ int main(int argc, char** argv) {
                     model.constraints, chi, options, tool.control("merging"), tool.sayingKnown());
                 qm::Layout layout =
                     qm::buildLayout(model.mesh, merged.graph.tracks, model.dihedralAngles, model.edgeCosts);
-                // The loops that components without sources get are in every layout.
+                // Every layout also has the lines that components without sources get.
                 if (merged.lowerBound)
                     layout.lowerBound = *merged.lowerBound + layout.cost - merged.graph.cost;
                 tool.count("segments", static_cast<double>(layout.segments.size()));

@@ -1,4 +1,4 @@
-/// \file qm-prune: boundaries that follow nothing are removed.
+/// \file qm-prune: removes boundaries that follow no feature.
 #include "cli/prune_messages.h"
 #include "cli/stage.h"
 #include "document/features_section.h"

@@ -1,4 +1,4 @@
-/// \file qm-remesh: quads from the triangles of a scan, by QuadriFlow as it stands in Blender.
+/// \file qm-remesh: makes quads from the triangles of a scan, by QuadriFlow as included in Blender.
 #include "cli/quadriflow.h"
 #include "cli/tool.h"
 #include "mesh/read_triangles.h"

@@ -1,4 +1,4 @@
-/// \file qm-shape: sample meshes, and scans of them.
+/// \file qm-shape: makes sample meshes, and scans of them.
 #include "cli/shape_request.h"
 #include "document/options.h"
 

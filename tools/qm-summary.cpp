@@ -1,4 +1,4 @@
-/// \file qm-summary: the figures of a document that somebody who needs its surfaces asks for.
+/// \file qm-summary: prints the most important figures of a document for users of its surfaces.
 #include "cli/export_choices.h"
 #include "cli/stage.h"
 #include "document/summary_json.h"

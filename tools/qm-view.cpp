@@ -1,4 +1,4 @@
-/// \file qm-view: documents as a page to look at, or as a picture.
+/// \file qm-view: shows documents as a page or as a picture.
 #include "cli/browser.h"
 #include "cli/output_file.h"
 #include "cli/viewed_document.h"

@@ -21,13 +21,13 @@ std::vector<std::string> commandLine(const char* browser, const TemporaryFolder&
     std::vector<std::string> words = {
         browser, "--headless", "--no-first-run", "--disable-background-networking", "--disable-extensions",
         "--hide-scrollbars", "--force-device-scale-factor=1",
-        // Drawn by the processor, so that it looks the same everywhere; and put together by it, which is
-        // quicker then by a sixth.
+        // Rendering and compositing in software gives the same picture everywhere, and is a sixth faster
+        // together.
         "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-gpu-compositing",
         "--user-data-dir=" + folder.file("profile"),
         "--window-size=" + std::to_string(width) + "," + std::to_string(height),
         "--screenshot=" + folder.file("picture.png")};
-    if (geteuid() == 0) words.emplace_back("--no-sandbox"); // Chromium refuses to start otherwise
+    if (geteuid() == 0) words.emplace_back("--no-sandbox"); // Chromium does not start otherwise
     words.push_back("file://" + folder.file("page.html"));
     return words;
 }

@@ -1,4 +1,4 @@
-/// \file Pictures of pages, taken by a headless Chromium where there is one.
+/// \file Pictures of pages, taken by a headless Chromium if one is installed.
 #pragma once
 
 #include <string>
@@ -6,9 +6,9 @@
 
 namespace qm {
 
-/// A PNG picture of a page as it looks once it is loaded.
+/// A PNG picture of a page after it has loaded.
 /// \param width, height  in pixels
-/// \throw Error  if no browser is installed, or it makes no picture
+/// \throw Error  if no browser is installed, or if it takes no picture
 [[nodiscard]] std::string photographPage(std::string_view page, int width, int height);
 
 } // namespace qm

@@ -1,4 +1,4 @@
-/// \file Other programs that a tool sets to work, and the folder that it hands them files in.
+/// \file Running other programs, and temporary folders for their files.
 #pragma once
 
 #include <chrono>
@@ -9,7 +9,7 @@
 
 namespace qm {
 
-/// While it lives signals wait, so that nothing is left behind; a child is ended at once when one does.
+/// Blocks signals during its lifetime, so that nothing is left behind; a waiting signal ends a child at once.
 class HeldSignals {
 public:
     HeldSignals();
@@ -17,7 +17,7 @@ public:
     HeldSignals(const HeldSignals&) = delete;
     HeldSignals& operator=(const HeldSignals&) = delete;
 
-    /// What the process blocked before.
+    /// The signals that were blocked before.
     [[nodiscard]] const sigset_t& before() const { return before_; }
     [[nodiscard]] static bool oneWaits();
 
@@ -25,11 +25,11 @@ private:
     sigset_t before_;
 };
 
-/// A new folder, which goes with all that is in it.
+/// A new folder, which is removed together with its contents.
 class TemporaryFolder {
 public:
-    /// \param prefix  of its name
-    /// \throw Error  if it cannot be made
+    /// \param prefix  of the folder's name
+    /// \throw Error  if the folder cannot be made
     explicit TemporaryFolder(const std::string& prefix);
     ~TemporaryFolder();
     TemporaryFolder(const TemporaryFolder&) = delete;
@@ -40,11 +40,11 @@ private:
     std::string path_;
 };
 
-/// Runs a program, which is looked for in PATH, without input, until it ends, a signal comes, or patience is
+/// Runs a program, which is found by PATH, without input, until it ends, a signal arrives, or `patience` is
 /// over.
-/// \param words  the program and its arguments
-/// \param output  the file that takes what it prints
-/// \param patience  none: for as long as it takes
+/// \param words     the program and its arguments
+/// \param output    the file for what the program prints
+/// \param patience  no limit if empty
 /// \return false if there is no such program
 [[nodiscard]] bool runProgram(std::vector<std::string> words, const HeldSignals& signals,
                               const std::string& output = "/dev/null",

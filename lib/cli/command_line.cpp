@@ -17,14 +17,14 @@ void parse(CLI::App& app, int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ArgumentMismatch& error) {
-        const std::string what = error.what(); // "--output: 1 required FILE missing"
+        const std::string what = error.what(); // such as "--output: 1 required FILE missing"
         throw UsageError(what.substr(0, what.find(':')) + ": its value is missing");
     } catch (const CLI::ParseError& error) {
         throw UsageError(withSmallStart(error.what()));
     }
 }
 
-/// Takes what is left: operands, and words that look like options until "--" says that none follow.
+/// Collects the remaining words: operands, and unknown options until "--" ends the options.
 void takeOperands(const std::vector<std::string>& words, CommandLine& line) {
     bool operandsOnly = false;
     for (const std::string& word : words) {

@@ -1,4 +1,4 @@
-/// \file What the declarations of a tool demand of a command line that has been taken apart.
+/// \file Checks of a parsed command line against the declarations of a tool.
 #pragma once
 
 #include "cli/command_line.h"
@@ -11,18 +11,18 @@
 
 namespace qm {
 
-/// Options that have an effect only if something holds.
+/// Options that have an effect only under a condition.
 struct OptionCondition {
     std::vector<std::string> names;
-    std::string what; ///< ends the sentence "has no effect without"
+    std::string what; ///< completes the sentence "has no effect without"
     std::function<bool()> holds;
 };
 
-/// Gives words to the variables of the operands, in their order.
+/// Assigns words to the operands' variables, in order.
 /// \param declared  the operands
-/// \param targets   the variable of each; it keeps its value if there is no word for it
-/// \param more      takes the words that are left; null if there may be none
-/// \throw UsageError  if there are too many words, one is empty, or a required one is missing
+/// \param targets   the variable of each operand; unchanged if there is no word for it
+/// \param more      receives the remaining words; null if none are allowed
+/// \throw UsageError  if there are too many words, or one is empty or required but missing
 void assignOperands(const std::vector<std::string>& words, const std::vector<Operand>& declared,
                     const std::vector<std::string*>& targets, std::vector<std::string>* more);
 

@@ -1,5 +1,4 @@
-/// \file What a tool says on standard error while it runs: messages and a progress bar, which gives way to
-/// them.
+/// \file Output of a running tool on standard error: messages, and a progress bar that makes room for them.
 #pragma once
 
 #include "base/known_cost.h"
@@ -14,22 +13,22 @@ namespace qm {
 
 class Console {
 public:
-    /// \param options  `quiet` and `verbose` as they are when something is said; must outlive this
+    /// \param options  must outlive this; its `quiet` and `verbose` apply as they are at each message
     Console(const std::string& tool, const GeneralOptions& options) : tool_(tool), options_(options) {}
 
-    /// One line, `tool: message`, whatever the options.
+    /// Prints one line, `tool: message`, with any options.
     void say(const std::string& message) const;
-    /// Not with --quiet.
+    /// Prints a message, unless --quiet is given.
     void warn(const std::string& message) const;
-    /// With --verbose only.
+    /// Prints a message if --verbose is given.
     void note(const std::string& message) const;
-    /// Says every few seconds what a search tells it; none with --quiet.
+    /// A function that prints the known cost and bound every few seconds; empty with --quiet.
     [[nodiscard]] KnownCost sayingKnown() const;
 
-    /// Begins a bar, in the place of the one before. The bar appears after two seconds.
-    /// \return shows the fraction done; none with --quiet, and where standard error is no terminal
+    /// Starts a progress bar in place of the previous one. It appears after two seconds.
+    /// \return a function that updates the bar; empty with --quiet, and if standard error is no terminal
     [[nodiscard]] std::function<void(double fraction)> showProgress(const std::string& label);
-    /// Takes the bar away before something else is written to the terminal.
+    /// Removes the bar before other output to the terminal.
     void hideProgress() const;
 
 private:

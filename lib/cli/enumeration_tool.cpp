@@ -24,7 +24,7 @@ void verifyFile(const Tool& tool, const std::string& option, const std::string& 
         throw UsageError("--" + option + " and --output name the same file");
 }
 
-/// "I/N", of sub-meshes that are searched.
+/// Reads "I/N", which part of the sub-meshes is to be searched.
 Part readPart(const std::string& text) {
     constexpr int maxParts = 1000000;
     const auto slash = text.find('/');

@@ -1,4 +1,4 @@
-/// \file What qm-enum may be asked for besides its options.
+/// \file Requests to qm-enum other than the options of the search.
 #pragma once
 
 #include "cli/tool.h"
@@ -11,30 +11,33 @@
 namespace qm {
 
 struct EnumerationRequests {
-    std::string allGraphs;  ///< file for every graph; empty: none
-    std::string bestGraphs; ///< file for the best graphs, which the document then does not hold
+    std::string allGraphs;  ///< file for all graphs; empty if not asked for
+    std::string bestGraphs; ///< file for the best graphs, which the document then does not contain
     bool requireComplete = false;
     bool requireOptimal = false;
     std::string part;                      ///< "I/N"
-    bool join = false;                     ///< the inputs are parts, to be united
-    std::vector<std::string> furtherParts; ///< besides the input
+    bool join = false;                     ///< whether the inputs are parts to be joined
+    std::vector<std::string> furtherParts; ///< inputs after the first
 };
 
 void declareRequests(Tool& tool, EnumerationRequests& requests, EnumerationOptions& options);
 
-/// Unites the parts that are the tool's input.
+/// Joins the parts that are the tool's input.
 /// \return the exit status
 int joinParts(const Tool& tool, const EnumerationRequests& requests);
 
-/// What the search is to keep for the document: only the best graph where all of them go to a file.
+/// The options of the search for the document, which keeps only the best graph if all best graphs go to a
+/// file.
 [[nodiscard]] EnumerationOptions forDocument(const EnumerationOptions& options,
                                              const EnumerationRequests& requests);
 
-/// If it was asked for, writes every graph, or the best, as one line of JSON: {"subMesh", "cost", "tracks"}.
+/// Writes every graph, or the best ones, to a file if asked for; one line of JSON each: {"subMesh", "cost",
+/// "tracks"}.
 void streamGraphs(const Tool& tool, const Model& model, const EnumerationOptions& options,
                   const EnumerationRequests& requests);
 
-/// The exit status: `exitUnmet` if the search is not what was required. Warns of a search that a limit ended.
+/// The exit status: `exitUnmet` if the result does not meet the requirements. Warns if a limit ended the
+/// search.
 [[nodiscard]] int judge(const Tool& tool, const Enumeration& enumeration,
                         const EnumerationRequests& requests);
 

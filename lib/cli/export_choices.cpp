@@ -18,8 +18,8 @@
 namespace qm {
 namespace {
 
-/// A mesh is too small where what STEP takes for one point is a larger share of its diagonal than surfaces
-/// may be away from the mesh.
+/// If the distance within which STEP identifies points is a larger share of the mesh's diagonal than this,
+/// the mesh is too small.
 constexpr double smallestShare = 1e-3;
 
 } // namespace
@@ -32,7 +32,7 @@ ExportFormat exportFormat(NamedFormat format, const std::string& outputPath) {
     std::string ending = format == NamedFormat::ending
                              ? std::filesystem::path(outputPath).extension().string()
                              : "." + std::string(choiceName(format));
-    for (char& letter : ending) // many programs write them large
+    for (char& letter : ending) // many programs write extensions in capitals
         if (letter >= 'A' && letter <= 'Z') letter += 'a' - 'A';
     const auto found = ofEnding.find(ending);
     if (found == ofEnding.end())

@@ -1,4 +1,4 @@
-/// \file What the options of qm-export may say.
+/// \file The values of qm-export's options, and their meaning.
 #pragma once
 
 #include "document/kind.h"
@@ -13,7 +13,7 @@ namespace qm {
 class Tool;
 struct Model;
 
-/// What --format may say: a format, or that the output's name tells it.
+/// The values of --format: a format, or to use the extension of the output's name.
 enum class NamedFormat { ending, step, iges, obj, ply, glb };
 
 template <> struct Choices<NamedFormat> {
@@ -39,23 +39,25 @@ template <> struct Choices<ColourBy> {
         Choice<ColourBy>{ColourBy::deviation, "deviation", "blue to red by the surface's largest deviation"}};
 };
 
-/// \throw UsageError  if neither the option nor the output's name tells the format
+/// \throw UsageError  if neither the option nor the output's name determines the format
 [[nodiscard]] ExportFormat exportFormat(NamedFormat format, const std::string& outputPath);
 
-/// Tells the tool which options have an effect on which formats only.
+/// Declares which options have an effect on some formats only.
 void declareNeeds(Tool& tool, const ExportOptions& options, const NamedFormat& format);
 
-/// When a file says that it was made.
-/// \param text  a date, with or without a time of day, UTC: "2026-11-22T10:00:00"; or "mesh" for when the mesh's
-/// file was changed last
-/// \throw Error  if it is none of them, or the mesh's file is gone
+/// The date that an exported file states.
+/// \param text  a date, with or without a time of day, UTC: "2026-11-22T10:00:00"; or "mesh" for the time at
+/// which the mesh's file was last changed
+/// \throw Error  if the text is neither, or if the mesh's file is missing
 [[nodiscard]] std::string exportDate(const std::string& text, const std::string& meshPath);
 
-/// What a document must hold. Quads need no surfaces, unless they are coloured by them.
+/// The kind that a document must have. Quads need no surfaces, unless these determine their colours.
 [[nodiscard]] Kind neededKind(const ExportOptions& options);
 
-/// Counts what a shape has, and warns of all that keeps it from being a solid that other programs take.
-/// \return false  if they will hardly take it: it has faults or gaps, or is too small for the format
+/// Adds the figures of a shape to the statistics, and warns of everything that keeps it from being a usable
+/// solid.
+/// \return false  if other programs will hardly accept it: it has faults or gaps, or is too small for the
+/// format
 [[nodiscard]] bool reportShape(Tool& tool, const ShapeReport& shape, const Model& model, LengthUnit unit);
 
 } // namespace qm

@@ -1,4 +1,4 @@
-/// \file What the options of qm-features mean together.
+/// \file The combined effect of qm-features' options.
 #pragma once
 
 #include "features/features.h"
@@ -9,10 +9,9 @@ namespace qm {
 
 class Tool;
 
-/// Where limits are given in edges alone, as in the paper, those in lengths do not apply; and `--min-angle`
-/// sets `--rho`.
-/// \param minAngle  "25" or "25deg"; empty if it was not given
-/// \throw UsageError  if the angle is none from 0 to 180, or was given twice
+/// Limits in edges alone, as in the paper, switch off the limits in lengths; `--min-angle` sets `--rho`.
+/// \param minAngle  "25" or "25deg"; empty if not given
+/// \throw UsageError  if the angle is not from 0 to 180, or was given by both options
 void settleFeatureOptions(const Tool& tool, const std::string& minAngle, FeatureOptions& options);
 
 } // namespace qm

@@ -11,15 +11,15 @@
 namespace qm {
 namespace {
 
-/// One of the layouts to choose from.
+/// One of the layouts to choose from, with its fit.
 struct Candidate {
     RankedLayout layout;
     std::string path;
-    Document document; ///< of the best one alone
-    Surfaces surfaces; ///< likewise
+    Document document; ///< only of the best layout
+    Surfaces surfaces; ///< only of the best layout
 };
 
-/// \param model  what the stage has read
+/// \param model  read by the stage
 Candidate fitted(const Tool& tool, Stage& stage, const Model& model, const FitOptions& options,
                  const ScanInput& scan) {
     Candidate candidate;
@@ -32,7 +32,7 @@ Candidate fitted(const Tool& tool, Stage& stage, const Model& model, const FitOp
     return candidate;
 }
 
-/// The best first; the others keep their figures alone.
+/// Fits and ranks all layouts, best first; all but the best keep only their figures.
 std::vector<Candidate> ranked(const Tool& tool, Stage& stage, const Model& first, const FitOptions& options,
                               const std::vector<std::string>& furtherFiles, const ScanInput& scan) {
     std::vector<Candidate> candidates;

@@ -1,4 +1,4 @@
-/// \file The options that all tools have.
+/// \file The options shared by all tools.
 #pragma once
 
 #include "cli/option_record.h"
@@ -10,11 +10,11 @@ namespace qm {
 
 struct GeneralOptions {
     std::string output = "-";
-    unsigned jobs; ///< as many as processors, unless told otherwise
+    unsigned jobs; ///< by default the number of processors
     bool quiet = false;
     bool verbose = false;
     bool stats = false;
-    // What is printed instead of running the tool:
+    // Information to be printed instead of running the tool:
     bool help = false;
     bool version = false;
     bool schema = false;
@@ -24,9 +24,9 @@ struct GeneralOptions {
     [[nodiscard]] bool asksAboutTheTool() const { return help || version || schema || usage; }
 };
 
-/// In the order of --help.
+/// The general options in the order of --help.
 /// \param values  set by the options; must outlive them
-/// \param hasOutput, hasSchema  whether the tool writes something, and whether that is a document
+/// \param hasOutput, hasSchema  whether the tool writes output, and whether that is a document
 [[nodiscard]] std::vector<OptionRecord> describeGeneral(GeneralOptions& values, bool hasOutput,
                                                         bool hasSchema);
 

@@ -1,4 +1,5 @@
-/// \file One motorcycle graph as one line of JSON, written straight away: lists may hold billions of them.
+/// \file One motorcycle graph as one line of JSON, written without a JSON value, because lists may hold
+/// billions of graphs.
 #pragma once
 
 #include "document/enumeration_section.h"
@@ -7,7 +8,8 @@
 
 namespace qm {
 
-/// Appends {"subMesh", "cost", "tracks"}, as `printJsonLine` writes it with the members of `graphToJson`.
+/// Appends {"subMesh", "cost", "tracks"}, exactly as `printJsonLine` would write the members of
+/// `graphToJson`.
 void appendGraphLine(const QuadMesh& mesh, const SeparatrixIndex& baseComplex, SubMeshId subMesh,
                      const MotorcycleGraph& graph, std::string& text);
 

@@ -1,4 +1,4 @@
-/// \file What a long search says while it runs.
+/// \file Messages about the intermediate results of a long search.
 #pragma once
 
 #include <atomic>
@@ -10,7 +10,7 @@ namespace qm {
 /// "cost 12.5, at least 12.1, gap 0.4"
 [[nodiscard]] std::string knownText(double cost, double lowerBound);
 
-/// Lets a report through every few seconds; for any number of threads.
+/// Limits reports to one every few seconds; may be used on several threads.
 class LastReport {
 public:
     [[nodiscard]] bool isDue();

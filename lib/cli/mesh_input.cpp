@@ -18,7 +18,7 @@ std::string folderWithSlash(const std::string& path) {
     return path.substr(0, path.rfind('/') + 1);
 }
 
-/// "part.repaired.obj" for "meshes/part.off".
+/// The name of a repaired mesh: "part.repaired.obj" for "meshes/part.off".
 std::string repairedName(const std::string& path) {
     if (path == "-") return "mesh.repaired.obj";
     const std::string name = path.substr(folderWithSlash(path).size());
@@ -72,7 +72,7 @@ MeshInput readMeshInput(const Tool& tool, bool repair) {
     writeFile(folder + name, repaired);
     tool.protect(folder + name);
     tool.warn(tool.inputName() + ": " + summaryOf(read.repair) + ". The mesh is now " + folder + name);
-    // What later tools will read, so that both agree to the last bit.
+    // Reads the file as later tools will, so that both meshes agree exactly.
     ReadResult again = readMesh(repaired, name, {});
     Json section = meshToJson(name, repaired, again.mesh);
     return {std::move(again.mesh), std::move(section)};

@@ -1,4 +1,4 @@
-/// \file Reading the mesh that a pipe begins with.
+/// \file Reading the mesh at the beginning of a pipe.
 #pragma once
 
 #include "cli/tool.h"
@@ -9,13 +9,13 @@ namespace qm {
 
 struct MeshInput {
     QuadMesh mesh;
-    Json section; ///< `mesh` of the new document
+    Json section; ///< the section `mesh` of the new document
 };
 
-/// Reads the tool's input as a mesh; warns of what is suspicious.
-/// \param repair  mend what can be mended, say what was done, and write the mended mesh to NAME.repaired.obj
-/// beside the tool's output (in the working directory if that is standard output); the document then refers
-/// to that file by its name. A mesh that needs no mending is left as it is.
+/// Reads the tool's input as a mesh, and warns if it looks like a mistake.
+/// \param repair  repair what can be repaired, report the repairs, and write the mesh to NAME.repaired.obj
+/// beside the tool's output (in the working directory for standard output); the document then refers to that
+/// file by name. A mesh without defects is left as it is.
 [[nodiscard]] MeshInput readMeshInput(const Tool& tool, bool repair);
 
 } // namespace qm

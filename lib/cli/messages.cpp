@@ -16,12 +16,12 @@ void printMessage(const std::string& message) {
         if (byte < 0x20 || byte == 0x7f || (byte > 0x7f && !readable)) c = '?';
     }
     line += '\n';
-    // Where standard error is closed there is nobody to tell.
+    // If standard error is closed, the message is lost.
     [[maybe_unused]] const ssize_t ignored = write(STDERR_FILENO, line.data(), line.size());
 }
 
 void openStandardStreams() {
-    // Opened the wrong way round, so that reading and writing fail as they would have.
+    // Opened in the wrong direction, so that reading and writing fail as on a closed stream.
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
         if (fcntl(stream, F_GETFD) == -1)
             while (true) {

@@ -1,4 +1,4 @@
-/// \file An option bound to a variable, in the form that parser, --help and --json-usage share.
+/// \file An option bound to a variable, in the form used by the parser, --help and --json-usage.
 #pragma once
 
 #include "base/length.h"
@@ -17,20 +17,20 @@ struct CostTerms;
 struct OptionRecord {
     enum class Type { flag, integer, number, choice, text };
 
-    std::string name;        ///< long flag without dashes; "no-" included
-    std::string shortName;   ///< one letter, or empty
-    std::string placeholder; ///< "N", "FILE"; empty for a flag
+    std::string name;        ///< long name without dashes, but with "no-"
+    std::string shortName;   ///< one letter; may be empty
+    std::string placeholder; ///< such as "N" or "FILE"; empty for a flag
     std::string help;
-    std::string group; ///< heading in --help
+    std::string group; ///< its heading in --help
     Type type = Type::text;
-    Range range;                                              ///< of numbers
-    std::vector<std::pair<std::string, std::string>> choices; ///< name and help of each
-    std::vector<std::string> suggestions; ///< of texts: parts of a list that are worth offering
-    std::string defaultText;              ///< empty: none
+    Range range;                                              ///< for numbers
+    std::vector<std::pair<std::string, std::string>> choices; ///< name and help of each choice
+    std::vector<std::string> suggestions;                     ///< for texts: parts of a list worth suggesting
+    std::string defaultText;                                  ///< empty if there is none
     /// Sets the variable.
-    /// \return what is wrong with the text, or empty
+    /// \return what is wrong with the text; empty if nothing is
     std::function<std::string(const std::string& text)> assign;
-    std::function<std::string()> show; ///< the variable's present value
+    std::function<std::string()> show; ///< the present value of the variable
 };
 
 [[nodiscard]] OptionRecord makeOption(const std::string& name, bool& value, const Range& range,
@@ -49,7 +49,7 @@ struct OptionRecord {
                                           const std::string& placeholder, const std::string& help);
 [[nodiscard]] OptionRecord makeOption(const std::string& name, CostTerms& value, const Range& range,
                                       const std::string& help);
-/// The part of an enumeration's record that does not depend on its type.
+/// The record of an enumeration, apart from what depends on its type.
 [[nodiscard]] OptionRecord makeChoiceOption(const std::string& name, const std::string& help,
                                             std::vector<std::pair<std::string, std::string>> choices,
                                             std::function<bool(std::string_view)> assign,

@@ -32,7 +32,7 @@ std::string folderOf(const std::string& path) {
     return slash == 0 ? "/" : path.substr(0, slash);
 }
 
-/// The file that a link leads to, so that the link itself is not replaced.
+/// The target of a link, so that the link itself is not replaced.
 std::string followLinks(const std::string& path) {
     const std::unique_ptr<char, decltype(&std::free)> real(realpath(path.c_str(), nullptr), &std::free);
     return real ? std::string(real.get()) : path;
@@ -45,7 +45,7 @@ std::vector<std::string>& protectedFiles() {
 
 bool isProtected(const std::string& path) {
     const auto isSame = [&path](const std::string& other) {
-        std::error_code notThere; // then it is not the same
+        std::error_code notThere; // a missing file is not the same
         return std::filesystem::equivalent(path, other, notThere);
     };
     return std::any_of(protectedFiles().begin(), protectedFiles().end(), isSame);
@@ -79,7 +79,8 @@ OutputFile::OutputFile(const std::string& path) : name_(path == "-" ? "standard 
 
 void OutputFile::openBeside() {
     temporary_ = target_ + ".XXXXXX";
-    // A signal between making the file and registering it would leave it behind.
+    // Without signals in between: one that came after making the file and before registering it would leave
+    // it behind.
     sigset_t all;
     sigset_t before;
     sigfillset(&all);
@@ -130,7 +131,7 @@ void OutputFile::flush() {
 
 void OutputFile::commit() {
     flush();
-    // Some file systems report only here that there was no room. Standard output stays open for others.
+    // Some file systems report a lack of space only on closing. Standard output itself stays open.
     const int last = descriptor_ == STDOUT_FILENO ? dup(descriptor_) : descriptor_;
     descriptor_ = -1;
     if (last < 0 || close(last) != 0) fail();

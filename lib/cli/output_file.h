@@ -1,4 +1,4 @@
-/// \file Output that appears whole or not at all.
+/// \file Output files that appear complete or not at all.
 #pragma once
 
 #include <string>
@@ -6,13 +6,12 @@
 
 namespace qm {
 
-/// A file that is written beside its final place and moved there by `commit`; if that is never called,
-/// nothing remains, not even after a signal. Standard output ("-") and what is no regular file, such as a
-/// device or a named pipe, is written directly. What was there before keeps its permissions; links are
-/// followed.
+/// A file that is written beside its final place and moved there by `commit`; without that nothing remains,
+/// even after a signal. Standard output ("-") and anything that is no regular file, such as a device or a
+/// named pipe, is written directly. A replaced file keeps its permissions; links are followed.
 class OutputFile {
 public:
-    /// \throw FileError  if it cannot be written
+    /// \throw FileError  if the file cannot be written
     explicit OutputFile(const std::string& path);
     ~OutputFile();
     OutputFile(const OutputFile&) = delete;
@@ -28,17 +27,18 @@ private:
     [[noreturn]] void fail();
 
     std::string name_;      ///< for messages
-    std::string target_;    ///< where it will be; empty if it is written directly
-    std::string temporary_; ///< where it is meanwhile
+    std::string target_;    ///< final place; empty if written directly
+    std::string temporary_; ///< place before `commit`
     std::string buffer_;
     int descriptor_ = -1;
 };
 
-/// From now on no output takes the place of this file, by whatever name or link: the result refers to it.
-/// \param path  "-" is the file that standard input comes from, if any
+/// From now on no output may replace this file, by any name or link, because the result refers to it.
+/// \param path  "-" stands for the file that standard input comes from, if any
 void protectFromOutput(const std::string& path);
 
-/// Fails now, with the message that would come at the end, if the path cannot become a file. Creates nothing.
+/// Throws at once, with the message that would come at the end, if no file can be written at the path.
+/// Creates nothing.
 void verifyWritable(const std::string& path);
 
 /// Writes a whole file.

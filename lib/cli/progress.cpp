@@ -35,7 +35,7 @@ std::string durationText(double seconds) {
 std::string progressText(const std::string& label, double fraction, double secondsSoFar,
                          std::size_t columns) {
     constexpr std::size_t width = 24;
-    constexpr double longest = 1e6; // seconds; more is a guess not worth showing
+    constexpr double longest = 1e6; // seconds; longer estimates are not worth showing
     fraction = std::isfinite(fraction) ? std::clamp(fraction, 0.0, 1.0) : 0;
     const auto filled = static_cast<std::size_t>(fraction * static_cast<double>(width));
     std::string text = label + " [" + std::string(filled, '=') + std::string(width - filled, ' ') + "] " +

@@ -6,8 +6,8 @@
 
 namespace qm {
 
-/// A line on standard error with the fraction done and the time that is left, if the work goes on as it did
-/// so far. It appears after two seconds and vanishes with the object.
+/// A line on standard error with the fraction done and an estimate of the time left. It appears after two
+/// seconds and disappears with the object.
 class Progress {
 public:
     explicit Progress(std::string label);
@@ -17,7 +17,7 @@ public:
 
     /// \param fraction  0 to 1
     void show(double fraction);
-    /// Takes the line away, for a message; the next `show` brings it back.
+    /// Removes the line to make room for a message; the next `show` brings it back.
     void hide();
 
 private:

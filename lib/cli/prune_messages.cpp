@@ -15,8 +15,8 @@ double objectiveOf(const PruneOptions& options, const Layout& layout) {
     return layout.cost + (std::isfinite(options.maxSegments) ? 0 : options.beta * segments);
 }
 
-/// Three digits are enough to judge it by.
-/// \return "proven", or how far from a proof it is
+/// The distance from a proof, with three decimals, which suffice to judge it.
+/// \return "proven", or by how much the layout may be above the best
 std::string proofText(bool proven, double objective, double bound) {
     if (proven) return "proven";
     const double digits = 1000;

@@ -1,4 +1,4 @@
-/// \file What qm-prune says about its proofs.
+/// \file Messages of qm-prune about its proofs.
 #pragma once
 
 #include "cli/tool.h"
@@ -6,7 +6,7 @@
 
 namespace qm {
 
-/// Warns of layouts that are not proven to be the best, and notes all of a front.
+/// Warns of layouts that are not proven optimal, and notes every layout of a front.
 void reportProofs(const Tool& tool, const PruneOptions& options, const PruneResult& pruned);
 
 } // namespace qm

@@ -22,7 +22,7 @@ namespace {
 
 constexpr int maxAttempts = 3;
 
-/// Moves a box about the origin, and scales it to length 1.
+/// Moves the centre of a box to the origin, and scales the box to length 1.
 class UnitBox {
 public:
     explicit UnitBox(const std::vector<Point>& points) {
@@ -65,7 +65,7 @@ void runBlender(const TemporaryFolder& folder, const HeldSignals& signals, const
         throw Error("", "Blender makes the quads, and is not there", "Install Debian's package blender");
 }
 
-/// What QuadriFlow made, or why that is no quad mesh.
+/// A result of QuadriFlow, or the reason why it is no quad mesh.
 struct Attempt {
     std::optional<Remeshed> result;
     std::string problem;

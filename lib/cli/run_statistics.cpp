@@ -25,7 +25,7 @@ std::string RunStatistics::line(const std::string& tool) const {
     for (const auto& [counter, value] : counters_)
         stats["counters"][counter] = value;
     std::string text = printJsonLine(stats);
-    text.pop_back(); // its end of line
+    text.pop_back(); // the line end
     return text;
 }
 

@@ -1,4 +1,4 @@
-/// \file The figures of --stats: time, memory, and what a tool counts.
+/// \file The figures of --stats: time, memory, and counters of the tool.
 #pragma once
 
 #include <chrono>
@@ -8,13 +8,13 @@
 
 namespace qm {
 
-/// Of a run that begins when this is made.
+/// The figures of a run, which begins when this object is made.
 class RunStatistics {
 public:
     void count(const std::string& counter, double value) { counters_.emplace_back(counter, value); }
-    /// Time that was spent reading the input: in a pipe that is mostly waiting for the tool before.
+    /// Adds time spent on reading input, which in a pipe is mostly waiting for the previous tool.
     void addReading(std::chrono::duration<double> time) { reading_ += time; }
-    /// All figures up to now as one line of JSON, without its end.
+    /// All figures up to now as one line of JSON, without a line end.
     [[nodiscard]] std::string line(const std::string& tool) const;
 
 private:

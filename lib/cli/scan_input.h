@@ -1,4 +1,4 @@
-/// \file Reading the scan that surfaces are fitted to.
+/// \file Reading the scan to which surfaces are fitted.
 #pragma once
 
 #include "bspline/reference/triangle_surface.h"
@@ -12,17 +12,17 @@
 namespace qm {
 
 struct ScanInput {
-    std::optional<TriangleSurface> surface; ///< empty: no scan was named
+    std::optional<TriangleSurface> surface; ///< empty if no scan was given
     ScanFile file;
 };
 
 /// \param path  empty if there is no scan
-/// \throw FileError  if it is no scan, or not whole
+/// \throw FileError  if the file is no scan, or is truncated
 [[nodiscard]] ScanInput readScanInput(const Tool& tool, const std::string& path);
 
-/// The scan that a document's surfaces were fitted to. Empty if it is not there any more, which is told.
-/// \param path  to use instead of the one that is recorded; empty: none
-/// \throw FileError  if a path is given that is another file
+/// The scan to which a document's surfaces were fitted. Empty if it no longer exists, which is reported.
+/// \param path  the file to use instead of the recorded one; may be empty
+/// \throw FileError  if a path is given and the file differs from the recorded one
 [[nodiscard]] std::optional<TriangleSurface> readRecordedScan(const Tool& tool, const Document& document,
                                                               const std::string& path);
 

@@ -1,4 +1,4 @@
-/// \file What qm-shape is asked for: a sample mesh or a scan of one.
+/// \file Requests to qm-shape: a sample mesh, or a scan of one.
 #pragma once
 
 #include "base/length.h"
@@ -14,7 +14,7 @@
 
 namespace qm {
 
-/// What --format may say: a format, or that the output's name tells it.
+/// The values of --format: a format, or to use the extension of the output's name.
 enum class NamedMeshFormat { ending, obj, off, ply, stl };
 
 template <> struct Choices<NamedMeshFormat> {
@@ -31,26 +31,26 @@ template <> struct Choices<NamedMeshFormat> {
 struct ShapeRequest {
     std::string name;
     ShapeOptions shape;
-    bool list = false; ///< of the names, instead of a mesh
-    int scan = 0;      ///< about how many triangles; 0: quads
+    bool list = false; ///< list the names instead of making a mesh
+    int scan = 0;      ///< approximate number of triangles; 0 for quads
     Length noise;
     NamedMeshFormat format = NamedMeshFormat::ending;
 };
 
-/// Tells the tool which options have no effect without others.
+/// Declares which options have no effect without others.
 void declareNeeds(Tool& tool, const ShapeRequest& request);
 
-/// \throw UsageError  if options contradict each other, before anything is made
+/// \throw UsageError  if options contradict each other; called before anything is made
 void verify(const Tool& tool, const ShapeRequest& request);
 
 [[nodiscard]] std::vector<std::string> namesOfShapes();
 
-/// A line for every shape, below a heading.
+/// One line for every shape, below a heading.
 [[nodiscard]] std::string listOfShapes();
 
 [[nodiscard]] Soup makeRequested(const ShapeRequest& request);
 
-/// The bytes of a file in the format that is asked for.
+/// The contents of a file in the requested format.
 [[nodiscard]] std::string writeRequested(const Soup& soup, const ShapeRequest& request,
                                          std::string_view outputPath);
 

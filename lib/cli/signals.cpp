@@ -17,7 +17,7 @@ namespace qm {
 
 namespace {
 
-// What a signal handler may touch: lock-free flags and memory that never moves.
+// Data that a signal handler may touch: lock-free flags, and memory that never moves.
 struct TemporaryFile {
     std::atomic<bool> inUse{false};
     std::array<char, PATH_MAX> path{};
@@ -25,7 +25,7 @@ struct TemporaryFile {
 std::array<TemporaryFile, 4> temporaryFiles;
 std::atomic<bool> deferring{false};
 std::atomic<bool> interrupted{false};
-std::atomic<long> interruptedAt{0}; ///< seconds of a clock that only goes forward
+std::atomic<long> interruptedAt{0}; ///< seconds of a monotonic clock
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<long>::is_always_lock_free);
 
 long secondsNow() {
@@ -34,8 +34,8 @@ long secondsNow() {
     return static_cast<long>(now.tv_sec);
 }
 
-/// timeout(1) and batch systems send their signal to the process and to its group: that is one wish, not two.
-/// The limit on processor time repeats its own every second.
+/// timeout(1) and batch systems send their signal both to the process and to its group, which counts as one
+/// request. The limit on processor time repeats its signal every second.
 bool mayGoOn(int signal) {
     if (!deferring || (signal != SIGINT && signal != SIGTERM && signal != SIGXCPU)) return false;
     if (!interrupted.exchange(true)) interruptedAt = secondsNow();
@@ -51,13 +51,14 @@ extern "C" void onSignal(int signal) {
     if (mayGoOn(signal)) return;
     removeTemporaryFiles();
     std::signal(signal, SIG_DFL);
-    raise(signal); // pending until this handler returns, then it ends the process with the right status
+    raise(signal); // pending until this handler returns, and then ends the process with the right status
 }
 
 std::terminate_handler otherwise = nullptr;
-std::string outOfMemory; ///< the line for it, made while there is memory
+std::string outOfMemory; ///< the message, made while there is memory
 
-/// Libraries take memory where nothing may be thrown any more, as the destructor of a JSON value does.
+/// Libraries allocate memory even where exceptions are not allowed, such as in the destructor of a JSON
+/// value.
 [[noreturn]] void onTerminate() {
     try {
         if (const std::exception_ptr last = std::current_exception()) std::rethrow_exception(last);
@@ -80,7 +81,7 @@ void watchMemory(const std::string& tool) {
 }
 
 void watchSignals() {
-    std::signal(SIGXFSZ, SIG_IGN); // writing beyond the limit on file sizes fails, and that is told
+    std::signal(SIGXFSZ, SIG_IGN); // writing beyond the limit on file sizes then fails, which is reported
     for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXCPU, SIGQUIT}) {
         struct sigaction before {};
         if (sigaction(signal, nullptr, &before) != 0 || before.sa_handler == SIG_IGN) continue;

@@ -1,5 +1,5 @@
-/// \file What the tools of the pipe have in common: a document comes in, one section is added, a document
-/// goes out.
+/// \file The common part of the tools in the pipe: they read a document, add one section, and write the
+/// document.
 #pragma once
 
 #include "cli/tool.h"
@@ -13,37 +13,37 @@
 
 namespace qm {
 
-/// Declares operand, --mesh and, if it writes documents, -o and --schema; then reads and writes for the body.
-/// Must live until the body has run.
+/// Declares the operand, --mesh and, if the tool writes documents, -o and --schema; then reads and writes for
+/// the tool's body. Must live until the body has run.
 class Stage {
 public:
     /// A tool that writes a document.
-    /// \param reads  what the body needs of the document (see `readModel`)
+    /// \param reads     what the body needs of the document (see `readModel`)
     /// \param earliest  the kind that the document must have at least
-    /// \param writes  the kind of the result
+    /// \param writes    the kind of the result
     Stage(Tool& tool, Kind reads, Kind earliest, Kind writes);
-    /// A tool that only reads documents; what it writes is declared with `Tool::writes`.
+    /// A tool that only reads documents; its output is declared with `Tool::writes`.
     Stage(Tool& tool, Kind reads, Kind earliest);
     Stage(const Stage&) = delete;
     Stage& operator=(const Stage&) = delete;
 
     /// Reads the document and its mesh.
     [[nodiscard]] const Model& read() { return read(earliest_, reads_); }
-    /// Where options decide what is needed.
+    /// The same for tools whose options determine what is needed.
     [[nodiscard]] const Model& read(Kind needed) { return read(needed, needed); }
-    /// The same with all sections that the document has, whatever its kind.
+    /// The same with all sections of the document, whatever its kind.
     [[nodiscard]] const Model& readWhole();
-    /// Reads another document instead, of the same mesh as one that was read before.
-    /// \throw FileError  if its mesh has other bytes
+    /// Replaces the document by another one, whose mesh must be that of a document read before.
+    /// \throw FileError  if the bytes of its mesh differ
     [[nodiscard]] const Model& readAnother(const std::string& path, const Document& before);
     [[nodiscard]] const Document& document() const { return document_; }
 
-    /// The document, to come back to it when others have been read.
+    /// Hands over the document, so that `resume` can return to it after others have been read.
     [[nodiscard]] Document release() { return std::move(document_); }
     void resume(Document document) { document_ = std::move(document); }
 
-    /// Puts the section into the document and writes that. The document must have been read before, and
-    /// cannot be read again.
+    /// Adds the section to the document, which must have been read, and writes it. The document cannot be
+    /// read again afterwards.
     template <class Options> void write(const Options& options, Json&& section) {
         writeSection(optionsToJson(options), std::move(section));
     }

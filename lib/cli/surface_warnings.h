@@ -1,4 +1,4 @@
-/// \file What somebody should know of surfaces before using them, on standard error.
+/// \file Warnings about defects of surfaces, on standard error.
 #pragma once
 
 #include "bspline/splines/surfaces.h"
@@ -7,10 +7,10 @@ namespace qm {
 
 class Tool;
 
-/// Patches are farther apart than what STEP takes for one point.
+/// Warns if patches are farther apart than the distance within which STEP identifies points.
 void warnOfGaps(const Tool& tool, const Surfaces& surfaces);
 
-/// Pieces of patches may fold over: how many, and where in the patch that has more than any other.
+/// Warns if patches may fold over: how many pieces of them, and where in the patch with the most.
 void warnOfFolds(const Tool& tool, const Surfaces& surfaces);
 
 } // namespace qm

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t lineWidth = 96;
 constexpr std::size_t helpColumn = 26;
 
-/// Words in lines of at most `lineWidth`, each after the first behind `indent` blanks.
+/// Breaks words into lines of at most `lineWidth` columns; all lines but the first are indented.
 std::string wrapped(const std::string& text, std::size_t indent, std::size_t column) {
     std::istringstream words(text);
     std::string result;
@@ -41,7 +41,7 @@ std::string flagsOf(const OptionRecord& option) {
     return flags;
 }
 
-/// Help with choices, range and default.
+/// The help text with choices, range and default.
 std::string explanation(const OptionRecord& option) {
     std::string text = option.help;
     std::string facts;
@@ -55,7 +55,7 @@ std::string explanation(const OptionRecord& option) {
     return facts.empty() ? text : text + " (" + facts + ")";
 }
 
-/// The help begins in its own column, after at least two blanks, or on the next line.
+/// The help text begins in its own column, after at least two spaces, or on the next line.
 std::string entry(const std::string& flags, const std::string& text) {
     std::string line = flags;
     if (line.size() + 2 > helpColumn)

@@ -1,4 +1,4 @@
-/// \file What a tool says about itself: --help for people, --json-usage for programs.
+/// \file The description of a tool: --help for people, --json-usage for programs.
 #pragma once
 
 #include "cli/option_record.h"
@@ -12,10 +12,10 @@ struct Operand {
     std::string name; ///< "DOCUMENT"
     std::string help;
     bool required = false;
-    std::vector<std::string> suggestions{}; ///< worth offering; others may be given
+    std::vector<std::string> suggestions{}; ///< values to suggest; others are allowed
 };
 
-/// Everything that is declared about a tool.
+/// All declarations of a tool.
 struct Usage {
     std::string tool;
     std::string summary; ///< one sentence
@@ -23,13 +23,13 @@ struct Usage {
     std::vector<Operand> operands;
     std::vector<OptionRecord> options; ///< in the order of --help
     std::vector<std::string> examples;
-    std::string writes; ///< what the output is; empty if there is none
-    std::string schema; ///< kind of document that is written; may be empty
+    std::string writes; ///< the output; empty if there is none
+    std::string schema; ///< the kind of document written; may be empty
 };
 
 [[nodiscard]] std::string helpText(const Usage& usage);
 [[nodiscard]] std::string jsonUsage(const Usage& usage);
-/// "qm-enum (quadmesh) 1.0.0" and what it was built with.
+/// The version, such as "qm-enum (quadmesh) 1.0.0", and what the tool was built with.
 [[nodiscard]] std::string versionText(const std::string& tool);
 
 } // namespace qm

@@ -72,7 +72,7 @@ std::vector<Scene> ViewedDocuments::forPage() const {
 
 std::vector<Scene> ViewedDocuments::forPicture(int width, int height) const {
     constexpr std::size_t fewest = 10'000;
-    constexpr std::size_t pixels = 36; // for every point: what lies between is shaded smoothly
+    constexpr std::size_t pixels = 36; // per point: what lies between points is shaded smoothly
     const std::size_t all = at(width) * at(height);
     return scenes(std::clamp(all / pixels, fewest, Viewed::usualPoints));
 }

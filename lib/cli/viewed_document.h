@@ -1,4 +1,4 @@
-/// \file From documents to the scenes that qm-view shows.
+/// \file The scenes that qm-view makes of documents.
 #pragma once
 
 #include "bspline/reference/triangle_surface.h"
@@ -13,21 +13,21 @@
 
 namespace qm {
 
-/// The tool's document and, to the left of it, perhaps another one.
+/// The tool's document and, if given, another one to its left.
 class ViewedDocuments {
 public:
-    /// Reads them.
-    /// \param other  the file of the other one; empty: there is none
-    /// \param reference  the scan of the tool's document, if not where that says; may be empty
-    /// \param unit  of the meshes
+    /// Reads the documents.
+    /// \param other      the file of the other document; empty if there is none
+    /// \param reference  the scan of the tool's document, if not the recorded one; may be empty
+    /// \param unit       of the meshes
     ViewedDocuments(const Tool& tool, Stage& stage, const std::string& other, const std::string& reference,
                     LengthUnit unit);
     ViewedDocuments(const ViewedDocuments&) = delete;
     ViewedDocuments& operator=(const ViewedDocuments&) = delete;
 
-    /// A scene for each.
+    /// One scene for every document.
     [[nodiscard]] std::vector<Scene> forPage() const;
-    /// The same with no more points than a picture of so many pixels shows.
+    /// The same with no more points than a picture with so many pixels can show.
     [[nodiscard]] std::vector<Scene> forPicture(int width, int height) const;
 
 private:

@@ -1,5 +1,5 @@
-/// \file Time of every stage's kernel, by the number of quads. `make bench only=cut` runs those whose name
-/// matches.
+/// \file Benchmarks of every stage's kernel by the number of quads. `make bench only=cut` runs those whose
+/// names match.
 
 #include "basecomplex/arc_graph.h"
 #include "bench/staircase.h"
@@ -14,7 +14,7 @@
 namespace qm::bench {
 namespace {
 
-/// What the stages hand on, for a staircase.
+/// The inputs and outputs of the stages for a staircase.
 struct Model {
     QuadMesh mesh;
     std::vector<double> angles = dihedralAngles(mesh);
@@ -94,7 +94,7 @@ void layout(benchmark::State& state) {
     setSize(state, model.mesh);
 }
 
-// Stairs and refinement: 540, 12,960 and 98,010 quads.
+// Arguments are stairs and refinement; the meshes have 540, 12,960 and 98,010 quads.
 #define QM_KERNEL(function)                                                                                  \
     BENCHMARK(function)->Args({4, 3})->Args({5, 12})->Args({5, 33})->Unit(benchmark::kMillisecond)
 

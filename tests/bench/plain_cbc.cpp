@@ -63,7 +63,7 @@ private:
         return terms;
     }
 
-    /// The sum is at least `lower`; columns may occur more than once.
+    /// Adds the row sum >= `lower`; columns may occur more than once.
     void addRow(const Terms& terms, double lower) {
         std::vector<std::pair<int, double>> sums;
         for (const auto& term : terms) {
@@ -99,7 +99,7 @@ private:
         if (problem_.gaps) addRow(passes, walls - 1);
     }
 
-    /// A track that ends here needs both arcs of the other line.
+    /// Adds a row: a track that ends here needs an arc of the other line.
     void addEnd(VariableId ends, VariableId absent, VariableId support) {
         Terms terms = present(support, 1);
         for (const auto& term : present(absent, 1))
@@ -122,7 +122,7 @@ private:
     }
 
     const Problem& problem_;
-    IdVector<VariableId, std::pair<int, int>> columns_; ///< from before, from after; -1 for none
+    IdVector<VariableId, std::pair<int, int>> columns_; ///< from before and from after; -1 for none
     std::vector<double> costs_;
     std::vector<int> rowOf_;
     std::vector<int> columnOf_;

@@ -11,10 +11,10 @@
 namespace qm::bench {
 namespace {
 
-constexpr int width = 3;  ///< of a bar
-constexpr int height = 2; ///< of the ring
+constexpr int width = 3;  ///< of a bar, in cells
+constexpr int height = 2; ///< of a bar, in cells
 constexpr std::array hole{2, 1};
-constexpr int twist = 2; ///< by so many vertices
+constexpr int twist = 2; ///< of one bar: vertices by which the cut ends are shifted
 
 testing::Cells ring() {
     testing::Cells cells;
@@ -24,7 +24,7 @@ testing::Cells ring() {
     return cells;
 }
 
-/// The vertices around the bar at the lower side, where it begins, one after the other.
+/// The vertices around the bar at its beginning, in order.
 std::vector<int> section(const check::CheckedMesh& mesh) {
     std::vector<std::array<double, 3>> places;
     places.reserve(2 * at(width + height));
@@ -44,7 +44,7 @@ std::vector<int> section(const check::CheckedMesh& mesh) {
     return vertices;
 }
 
-/// Between the section and the next one.
+/// Whether a quad lies between the section and the next one.
 bool isBehindSection(const check::CheckedMesh& mesh, const std::array<int, 4>& quad) {
     return std::ranges::all_of(quad, [&](int vertex) {
         const auto& point = mesh.points[at(vertex)];

@@ -5,12 +5,11 @@
 
 namespace qm::bench {
 
-/// A slab with cubes on it here and there, all alike: the number of graphs grows by a factor of 48 or so for
-/// each.
+/// A slab with equal cubes on it at some distance; each cube multiplies the number of graphs by about 48.
 [[nodiscard]] QuadMesh studs(int count);
 
-/// A torus as the paper's: 16 extraordinary vertices, 32 undirected separatrices, 68 vertices of the base
-/// complex. It is a square ring of square bars, one of which is cut through and joined again with a twist.
+/// A torus like the paper's, with 16 extraordinary vertices, 32 undirected separatrices and 68 vertices of
+/// the base complex: a square ring of square bars, one of which is cut and joined again with a twist.
 [[nodiscard]] QuadMesh paperTorus();
 
 } // namespace qm::bench

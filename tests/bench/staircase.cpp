@@ -11,7 +11,7 @@ namespace {
 
 using Lattice = std::array<int, 3>;
 
-/// The unit cells (x, y, z) below a sloping plane.
+/// Whether the unit cell (x, y, z) lies below a sloping plane.
 bool isSolid(int steps, const Lattice& cell) {
     const auto [x, y, z] = cell;
     return x >= 0 && y >= 0 && z >= 0 && x + y + z < steps;
@@ -21,7 +21,7 @@ class Surface {
 public:
     explicit Surface(int refinement) : refinement_(refinement) {}
 
-    /// The square with this lowest corner, spanned by two axes; `flipped` turns it over.
+    /// Adds a square given by its lowest corner and two axes; `flipped` reverses its orientation.
     void addSquare(const Lattice& corner, int axisU, int axisV, bool flipped) {
         for (int j = 0; j < refinement_; ++j)
             for (int i = 0; i < refinement_; ++i) {

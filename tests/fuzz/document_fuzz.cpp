@@ -1,5 +1,5 @@
-/// \file A true document, edited at random, is refused with an Error or can be worked on; and the checker has
-/// an answer to it in any case. The bytes say where to edit and how.
+/// \file A true document with random edits is either refused with an Error or can be worked on, and the
+/// checker copes with it in any case. The fuzzer's bytes choose the edits.
 #include "base/error.h"
 #include "check/check_document.h"
 #include "check/read_document.h"
@@ -25,13 +25,13 @@ using qm::Json;
 
 constexpr std::size_t kinds = static_cast<std::size_t>(qm::Kind::surfaces) + 1;
 
-/// The fuzzer's bytes, one after the other; zeros when they are used up.
+/// Reads the fuzzer's bytes one after another, and zeros after their end.
 class Choices {
 public:
     Choices(const std::uint8_t* data, std::size_t size) : next_(data), end_(data + size) {}
     [[nodiscard]] bool left() const { return next_ != end_; }
     std::size_t byte() { return left() ? *next_++ : 0; }
-    /// \return less than the count, or 0
+    /// \return a number below the count, or 0
     std::size_t below(std::size_t count) {
         const std::size_t number = count > 256 ? byte() << 8U | byte() : byte();
         return count == 0 ? 0 : number % count;
@@ -42,14 +42,14 @@ private:
     const std::uint8_t* end_;
 };
 
-/// Some value within a value.
+/// A random value inside a value.
 Json& within(Json& value, Choices& choices) {
     if (value.empty() || !value.is_structured() || choices.below(8) == 7) return value;
     return within(*std::next(value.begin(), static_cast<std::ptrdiff_t>(choices.below(value.size()))),
                   choices);
 }
 
-/// Kind, version and history have few values that mean anything.
+/// A random section; kind, version and history are left out, because they have few meaningful values.
 Json& place(Json& root, Choices& choices) {
     std::vector<std::string> sections{"mesh", "constraints"};
     for (std::size_t kind = 0; kind < kinds; ++kind)
@@ -58,7 +58,7 @@ Json& place(Json& root, Choices& choices) {
     return within(root[sections[choices.below(sections.size())]], choices);
 }
 
-/// What a person may demand before the search.
+/// Adds constraints, as a person may before the search.
 void demand(Json& root) {
     const Json& separatrices = root["baseComplex"]["separatrices"];
     const Json first = {{"vertices", separatrices[0]["vertices"]}};
@@ -68,7 +68,8 @@ void demand(Json& root) {
     root["constraints"]["weights"] = Json::array({weight});
 }
 
-/// JSON for Modern C++ with diagnostics loses track of parents when it erases a key.
+/// Copies a value without one key. Erasing the key would break the parent links of JSON for Modern C++'s
+/// diagnostics.
 Json without(const Json& value, std::size_t index) {
     Json rest = value.type();
     for (auto entry = value.begin(); entry != value.end(); ++entry) {
@@ -139,7 +140,7 @@ qm::check::CheckedMesh checkedMesh(const qm::QuadMesh& mesh) {
     return result;
 }
 
-/// What the next stages make of it.
+/// Runs the next stages on a document.
 void workOn(const qm::Document& document, const qm::Model& model) {
     qm::EnumerationOptions options;
     options.constraints = model.constraints;
@@ -154,10 +155,10 @@ void workOn(const qm::Document& document, const qm::Model& model) {
                         qm::sharpAngle(document.root));
 }
 
-/// A document and what qm-check knows of its mesh.
+/// A document, and qm-check's model of its mesh.
 struct Sample {
     explicit Sample(qm::Kind kind) {
-        // The checker measures surfaces all over, which takes most of a run unless they are few and small.
+        // Measuring surfaces takes most of a run unless they are few and small.
         const bool small = kind == qm::Kind::surfaces;
         const qm::QuadMesh quads =
             qm::testing::dividedCubes(small ? qm::testing::box(2, 1, 1) : qm::testing::bump(), small ? 1 : 3);
@@ -195,7 +196,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const qm::Model model = qm::readWholeModel(document);
         workOn(document, model);
     } catch (const qm::Error&) {
-        // Refused, as most edits should be.
+        // Refused, as most edited documents should be.
     }
     return 0;
 }

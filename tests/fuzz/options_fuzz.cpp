@@ -1,6 +1,6 @@
-/// \file Any words, read as a command line of a tool, are refused with one sentence or set its options to
-/// values in their ranges; and what is shown of an option sets it to the same again. The first byte chooses
-/// the options, lines are words.
+/// \file Any words, read as a command line, are either refused with one sentence or set options to values in
+/// their ranges; and the text shown for an option sets it to the same value again. The first byte chooses the
+/// options, every line is a word.
 #include "base/error.h"
 #include "cli/command_line.h"
 #include "cli/export_choices.h"
@@ -32,7 +32,7 @@ std::vector<std::string> linesOf(std::string_view text) {
     return lines;
 }
 
-/// A refusal is a sentence, and everything else has left the options as they can be.
+/// Checks that a refusal is a sentence, and that options otherwise have allowed values.
 void exercise(std::vector<std::string> words, const std::vector<qm::OptionRecord>& options) {
     words.insert(words.begin(), "tool");
     std::vector<char*> pointers;
@@ -64,12 +64,12 @@ template <class Options> void exerciseTable(const std::vector<std::string>& word
         options.push_back(qm::makeOption(name, value, range, help));
     });
     exercise(words, options);
-    // What a document remembers can be written and read.
+    // The document's record of the options can be written and read.
     const qm::Json json = qm::optionsToJson(values);
     require(qm::Json::parse(qm::printJson(json)) == json);
 }
 
-/// Texts that tools take apart themselves.
+/// Tries the texts that tools parse themselves.
 void exerciseTexts(const std::vector<std::string>& words) {
     const auto refusable = [](const auto& read) {
         try {

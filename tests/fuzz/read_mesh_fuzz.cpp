@@ -1,4 +1,4 @@
-/// \file Any bytes, read as each of the formats, are refused with an Error or give a mesh that can be written
+/// \file Any bytes, read in each format, are either refused with an Error or give a mesh that can be written
 /// and read again. The first byte chooses the format and whether to repair.
 #include "base/error.h"
 #include "mesh/dihedral.h"
@@ -40,7 +40,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     try {
         exercise(qm::readMesh(bytes, names[data[0] & 3U], {.repair = (data[0] & 4U) != 0}).mesh);
     } catch (const qm::Error&) {
-        // Refused, as most bytes should be.
+        // Refused, as most inputs should be.
     }
     return 0;
 }

@@ -1,4 +1,4 @@
-/// \file Any bytes, read as each of the formats, are refused with an Error or give triangles that can be
+/// \file Any bytes, read in each format, are either refused with an Error or give triangles that can be
 /// written and read again. The first byte chooses the format.
 #include "base/error.h"
 #include "bspline/reference/triangle_surface.h"
@@ -33,7 +33,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     try {
         exercise(qm::readTriangles(bytes, names[data[0] & 3U]));
     } catch (const qm::Error&) {
-        // Refused, as most bytes should be.
+        // Refused, as most inputs should be.
     }
     return 0;
 }

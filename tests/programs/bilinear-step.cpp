@@ -1,7 +1,7 @@
-/// \file A quad mesh as the plainest STEP file there is: one bilinear face for every quad, to compare with.
+/// \file Writes a quad mesh as the plainest STEP file, with one bilinear face for every quad, for comparison.
 /// usage: bilinear-step MESH.obj FILE.step
 ///
-/// Takes what qm-export writes as OBJ: lines of vertices and quads, no more. Shares no code with qm-export.
+/// Reads OBJ as written by qm-export: only lines of vertices and of quads. Shares no code with qm-export.
 #include <BRep_Builder.hxx>
 #include <Geom2d_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
@@ -71,7 +71,7 @@ public:
     }
 
 private:
-    /// An edge on one side of the unit square, from its lower to its higher vertex, over its length.
+    /// An edge as used by a face, on one side of the unit square, from its lower to its higher vertex.
     TopoDS_Shape use(std::size_t from, std::size_t to, std::size_t side, const TopoDS_Face& face) {
         static const std::array<gp_Pnt2d, 5> square{gp_Pnt2d(0, 0), gp_Pnt2d(1, 0), gp_Pnt2d(1, 1),
                                                     gp_Pnt2d(0, 1), gp_Pnt2d(0, 0)};

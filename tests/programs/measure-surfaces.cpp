@@ -1,10 +1,10 @@
-/// \file Measures a document's surfaces by means of its own: one line of JSON.
+/// \file Measures a document's surfaces independently of the library, and prints one line of JSON.
 /// usage: measure-surfaces DOCUMENT [MESH]
 ///
-/// Surfaces are evaluated by the checker's recursion; the reference is the Catmull-Clark limit through the
-/// vertices by plain uniform subdivision (`measure/subdivision.h`), with creases at borders above the
-/// document's rho. Nothing is shared with lib/bspline. Lengths are shares of the bounding box's diagonal,
-/// angles degrees. What lies within one edge of a folded or flat quad counts as `besideBad`.
+/// Surfaces are evaluated by the checker's recursion. The reference is the Catmull-Clark limit surface
+/// through the vertices by plain uniform subdivision (`measure/subdivision.h`), with creases at borders above
+/// the document's rho. Nothing is shared with lib/bspline. Lengths are shares of the bounding box's diagonal,
+/// angles are in degrees. Places within one edge of a folded or flat quad count as `besideBad`.
 #include "check/angles.h"
 #include "check/check_segments.h"
 #include "check/distance.h"
@@ -53,7 +53,7 @@ double degreesBetween(const Place& a, const Place& b) {
     return std::atan2(std::sqrt(dot(both, both)), dot(a, b) + 0.0) * 180 / std::numbers::pi;
 }
 
-/// The largest and the root mean square of what was added.
+/// The largest and the root mean square of a set of values.
 struct Spread {
     double largest = 0;
     double squares = 0;
@@ -132,7 +132,8 @@ private:
         diagonal_ = distance(low, high);
     }
 
-    /// Quads that look another way at one of their corners, or nowhere, and the vertices within an edge.
+    /// Finds bad quads, whose normal at some corner is reversed or missing, and the vertices within an edge
+    /// of one.
     void findBad() {
         std::vector<char> touched(mesh_.points.size());
         for (const auto& quad : mesh_.quads) {
@@ -190,7 +191,7 @@ private:
         }
     }
 
-    /// A quad as its patch sees it: lattice points of the limit, row by row from the patch's own corner.
+    /// The lattice points of a quad in the order of its patch: row by row from the patch's own corner.
     [[nodiscard]] std::vector<Place> turnedLattice(int face, const Place& corner) const {
         std::vector<Place> lattice = limit_[index(face)];
         constexpr std::size_t width = perQuad + 1;
@@ -262,7 +263,7 @@ private:
                                         cross(minus(corners[2], corners[0]), minus(corners[3], corners[1]))));
     }
 
-    /// At lattice point (i, j).
+    /// The bilinear interpolation of four corners at lattice point (i, j).
     [[nodiscard]] static Place bilinear(const std::array<Place, 4>& corners, std::size_t i, std::size_t j) {
         const double s = static_cast<double>(i) / perQuad;
         const double t = static_cast<double>(j) / perQuad;
@@ -273,7 +274,8 @@ private:
         return point;
     }
 
-    /// From a point to its patch; to those beside it as well where that would be farther than any so far.
+    /// The distance from a point to its patch, or to a neighbouring patch if the former would be the largest
+    /// so far.
     [[nodiscard]] double fromSurfaces(std::size_t p, const std::array<double, 2>& parameters,
                                       const Place& point, int face, double farthest) const {
         double nearest = distanceToPatch(part_.patches[p], parameters, point);
@@ -290,7 +292,7 @@ private:
         return nearest;
     }
 
-    /// Corners of patches sharper than 15 degrees or flatter than 165 where those of the mesh are not.
+    /// Measures corners of patches below 15 or above 165 degrees where the mesh's own corner is in between.
     void measureCorners(std::size_t p) {
         const auto& segment = layout_.segments[p];
         const double a = segment.size[0];
@@ -311,7 +313,8 @@ private:
         }
     }
 
-    /// Patches whose vertices lie within 0.015 % of the diagonal of a plane: how far normals tilt from it.
+    /// Measures how far normals tilt in patches whose vertices lie within 0.015 % of the diagonal from a
+    /// plane.
     void measureFlatness(std::size_t p) {
         const auto& segment = layout_.segments[p];
         Place normal{};
@@ -355,8 +358,8 @@ private:
     const SurfacesPart& part_;
     Angles angles_;
     std::vector<std::vector<BorderPlace>> borders_;
-    std::vector<char> sharp_; ///< by edge
-    std::vector<char> bad_;   ///< by vertex: of a bad quad, or within one edge
+    std::vector<char> sharp_; ///< of every edge
+    std::vector<char> bad_;   ///< of every vertex: of a bad quad, or within one edge of one
     LimitLattices limit_;
     double diagonal_ = 1;
     double gap_ = 0;

@@ -1,8 +1,8 @@
-/// \file What OpenCASCADE makes of a STEP file when it reads it back: one line of JSON.
+/// \file Reads a STEP file back with OpenCASCADE, and prints one line of JSON about the result.
 /// usage: read-step FILE
 ///
-/// {"faces", "shells", "solids", "valid", "closed"}: `valid` by BRepCheck, `closed` if every edge has a face
-/// on both sides. Shares no code with qm-export.
+/// {"faces", "shells", "solids", "valid", "closed"}: `valid` is BRepCheck's verdict, `closed` is true if
+/// every edge has a face on both sides. Shares no code with qm-export.
 #include <BRepCheck_Analyzer.hxx>
 #include <BRep_Tool.hxx>
 #include <IFSelect_ReturnStatus.hxx>

@@ -1,5 +1,5 @@
-// A finer mesh: `refine MESH N` splits every quad into N x N on its bilinear surface, `refine MESH smooth`
-// makes one step of Catmull and Clark's subdivision. Writes OBJ to standard output.
+// Refines a mesh: `refine MESH N` splits every quad into N x N on its bilinear surface; `refine MESH smooth`
+// makes one step of Catmull-Clark subdivision. Writes OBJ to standard output.
 #include "base/at.h"
 #include "base/error.h"
 #include "mesh/build_mesh.h"
@@ -26,7 +26,7 @@ using qm::QuadMesh;
 using qm::VertexId;
 
 struct Grids {
-    std::vector<Point> points; ///< the mesh's vertices, then those on edges, then those inside quads
+    std::vector<Point> points; ///< vertices of the mesh, then points on edges, then points inside quads
     std::vector<std::array<int, 4>> quads;
 };
 
@@ -87,7 +87,7 @@ private:
     Grids result_;
 };
 
-/// Moves the points of quads split in two to where Catmull and Clark have them.
+/// Moves the points of quads split in two to their places under Catmull-Clark subdivision.
 void smooth(const QuadMesh& mesh, Grids& grids) {
     const std::size_t vertices = mesh.n_vertices();
     const std::vector<Point> flat = grids.points;

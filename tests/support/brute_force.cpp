@@ -13,7 +13,7 @@ std::size_t index(int i) {
     return static_cast<std::size_t>(i);
 }
 
-/// What a coordinate that may not be chosen yet says about a junction.
+/// What is known about a condition while some coordinates are not chosen yet.
 enum class Answer { no, maybe, yes };
 
 Answer either(Answer a, Answer b) {
@@ -46,8 +46,8 @@ private:
     [[nodiscard]] const Way& way(int w) const { return network_.ways[index(w)]; }
     [[nodiscard]] int x(int w) const { return x_[index(w)]; }
 
-    /// Ways that meet come close to each other, so that a contradiction shows early. Lines without junctions
-    /// are walked by the first of their two particles.
+    /// Orders the ways such that ways that meet are close together, and contradictions show early. Lines
+    /// without junctions are walked by the first of their two particles.
     void orderWays() {
         std::vector<char> seen(network_.ways.size(), 0);
         for (int start = 0; start < static_cast<int>(network_.ways.size()); ++start) {
@@ -70,7 +70,7 @@ private:
         }
     }
 
-    /// The opposite of a way, and all that cross it.
+    /// The opposite of a way, and all ways that cross it.
     [[nodiscard]] std::vector<int> neighbours(int w) const {
         std::vector<int> found;
         if (way(w).opposite >= 0) found.push_back(way(w).opposite);
@@ -96,7 +96,7 @@ private:
         x_[index(w)] = notChosen;
     }
 
-    /// False if the chosen coordinates break a rule for this way, whatever the others will be.
+    /// False if the coordinates chosen so far break a rule for this way, whatever the others will be.
     [[nodiscard]] bool possible(int w) const {
         return x(w) == notChosen || (overlapFree(w) && crossingFree(w) && busy(w) && stopped(w));
     }

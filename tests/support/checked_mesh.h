@@ -1,4 +1,4 @@
-/// \file A mesh as the checker sees it.
+/// \file Conversion of a mesh to the checker's own type.
 #pragma once
 
 #include "check/neighbourhoods.h"

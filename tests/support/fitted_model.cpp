@@ -57,7 +57,7 @@ FittedModel torus(const std::vector<std::array<int, 4>>& rectangles) {
             segment.corners[k] = segment.sides[k].front();
         model.layout.segments.push_back(segment);
     }
-    const std::vector<double> angles(model.mesh.n_edges(), 0.1); // coarse, but smooth
+    const std::vector<double> angles(model.mesh.n_edges(), 0.1); // coarse but smooth
     model.surfaces = fitSurfaces(model.mesh, model.layout, angles, FitOptions());
     return model;
 }
@@ -88,7 +88,7 @@ FittedModel glued(const Grid& grid, int turned) {
         for (std::size_t k = 0; k < 4; ++k)
             segment.corners[k] = segment.sides[k].front();
     }
-    const std::vector<double> angles(model.mesh.n_edges(), 0.1); // coarse, but smooth
+    const std::vector<double> angles(model.mesh.n_edges(), 0.1); // coarse but smooth
     model.surfaces = fitSurfaces(model.mesh, model.layout, angles, FitOptions());
     return model;
 }

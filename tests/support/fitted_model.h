@@ -1,4 +1,4 @@
-/// \file Small meshes with layouts and surfaces for what is done with surfaces.
+/// \file Small meshes with layouts and surfaces, for tests of code that uses surfaces.
 #pragma once
 
 #include "bspline/fit.h"
@@ -15,31 +15,31 @@ struct FittedModel {
     Surfaces surfaces;
 };
 
-/// A grid fitted by rectangles.
+/// A grid whose segments are rectangles, with fitted surfaces.
 [[nodiscard]] FittedModel fitted(const Grid& grid, const std::vector<Rectangle>& rectangles,
                                  const FitOptions& options);
 
-/// Options of a fit that has the vertices exactly, and gaps.
+/// Options of a fit that interpolates the vertices, and leaves gaps.
 [[nodiscard]] FitOptions interpolating();
 
-/// A wavy sheet, 10 x 8 quads, and three rectangles on it that make a T-joint.
+/// A wavy sheet of 10 x 8 quads, and three rectangles on it with a T-joint.
 [[nodiscard]] Grid sheet();
 [[nodiscard]] std::vector<Rectangle> tJoint();
 
-/// A torus of 16 x 12 quads as one patch whose sides meet, or as several; closed either way.
+/// A closed torus of 16 x 12 quads with one patch, whose sides meet, or with several.
 [[nodiscard]] FittedModel torus(const std::vector<std::array<int, 4>>& rectangles);
 
-/// A grid of which vertices at the same place are the same, as one patch.
+/// A grid in which vertices at the same place are identified, as one patch.
 /// \param turned  as in Rectangle
 [[nodiscard]] FittedModel glued(const Grid& grid, int turned);
 
-/// A strip that goes round in a loop until it passes its own beginning: like the letter rho.
+/// A strip that forms a loop and then continues along its own beginning, like the letter rho.
 [[nodiscard]] Grid loop();
 
-/// A strip that winds round a cylinder, side by side.
+/// A strip that winds round a cylinder and joins itself side by side.
 [[nodiscard]] Grid helix();
 
-/// A sheet whose side 0 is folded: its two ends are one line, its middle the rim of a hole.
+/// A sheet whose side 0 is folded: both ends of the side are one line, and its middle is the rim of a hole.
 [[nodiscard]] Grid pocket();
 
 } // namespace qm::test

@@ -7,7 +7,7 @@ int vertexNumber(const Grid& grid, int i, int j) {
     return grid.wrapped ? j * grid.columns + i % grid.columns : j * (grid.columns + 1) + i;
 }
 
-/// From a place in a turned rectangle to the grid's column and row.
+/// Column and row of the grid for a place in a turned rectangle.
 std::array<int, 2> unturned(const Rectangle& r, int i, int j, int extra) {
     const int width = r.i1 - r.i0 - extra;
     const int height = r.j1 - r.j0 - extra;

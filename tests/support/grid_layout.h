@@ -1,4 +1,4 @@
-/// \file Test meshes that are one big grid, and layouts of them that are given as rectangles.
+/// \file Test meshes that are one grid, and layouts of them given as rectangles.
 #pragma once
 
 #include "layout/layout.h"
@@ -9,8 +9,8 @@
 
 namespace qm::test {
 
-/// columns x rows quads; vertex (i, j) lies at place(i, j) and has number j * (columns + 1) + i, or in a
-/// grid whose last column of vertices is its first, j * columns + i.
+/// A mesh of columns x rows quads. Vertex (i, j) lies at place(i, j) and has number j * (columns + 1) + i; if
+/// the last column of vertices is the first one, j * columns + i.
 struct Grid {
     int columns = 1;
     int rows = 1;
@@ -20,8 +20,8 @@ struct Grid {
 
 [[nodiscard]] QuadMesh makeMesh(const Grid& grid);
 
-/// The quads of columns [i0, i1) and rows [j0, j1) of a grid; `turned` quarter turns say which of its sides
-/// is side 0.
+/// The quads in columns [i0, i1) and rows [j0, j1) of a grid; `turned` is the number of quarter turns that
+/// determine which of its sides is side 0.
 struct Rectangle {
     int i0 = 0;
     int j0 = 0;

@@ -10,7 +10,7 @@ namespace qm::testing {
 
 namespace {
 
-/// By edge: on how many tracks it lies, the mesh boundary counting as one.
+/// For every edge, the number of tracks on it; the mesh boundary counts as one.
 std::vector<int> timesOnBorder(const QuadMesh& mesh, const Layout& layout) {
     std::vector<int> times(mesh.n_edges(), 0);
     for (const EdgeId edge : mesh.edges())

@@ -1,4 +1,4 @@
-/// \file Is a layout what its contract says? Tried with nothing but the mesh and the lists in the layout.
+/// \file Checking the contract of a layout, using only the mesh and the layout's own lists.
 #pragma once
 
 #include "layout/layout.h"
@@ -9,12 +9,12 @@
 namespace qm::testing {
 
 /// Looks for an edge on two tracks, a track on the mesh boundary, a segment whose faces, vertices, corners
-/// and sides are not one grid or not bordered by tracks and the boundary alone, a quad in no segment or in
-/// two, segments out of order, and a wrong cost.
-/// \return the first fault, empty if there is none
+/// and sides do not form one grid or are not bordered by tracks and boundary only, a quad in no segment or in
+/// two, segments in the wrong order, and a wrong cost.
+/// \return the first fault; empty if there is none
 [[nodiscard]] std::string layoutFault(const QuadMesh& mesh, const Layout& layout);
 
-/// The tracks that are no transversals.
+/// The tracks that are not transversals.
 [[nodiscard]] std::vector<Track> properTracks(const Layout& layout);
 
 } // namespace qm::testing

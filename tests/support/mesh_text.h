@@ -1,4 +1,4 @@
-/// \file Looking into meshes, and making the bytes of mesh files.
+/// \file Inspecting meshes, and making the bytes of mesh files.
 #pragma once
 
 #include "mesh/quad_mesh.h"
@@ -12,21 +12,21 @@ namespace qm::testing {
 using FaceIndices = std::array<int, 4>;
 
 [[nodiscard]] std::vector<Point> pointsOf(const QuadMesh& mesh);
-/// The corners of every face, beginning with the first of the file.
+/// The corners of every face, beginning with its first vertex in the file.
 [[nodiscard]] std::vector<FaceIndices> facesOf(const QuadMesh& mesh);
 
 /// The largest distance between points with the same number.
 [[nodiscard]] double largestDistance(const QuadMesh& a, const QuadMesh& b);
 
-/// Fails the test unless all links between halfedges, edges, faces and vertices fit, every face is a quad,
-/// every vertex has one fan and boundary vertices know it.
+/// Fails the test unless all links between halfedges, edges, faces and vertices agree, every face is a quad,
+/// and every vertex has one fan, with its boundary halfedge if it lies on the boundary.
 void expectConsistent(const QuadMesh& mesh);
 
-/// Bytes of a binary file of either byte order.
+/// Builds binary files of either byte order.
 class BinaryText {
 public:
     explicit BinaryText(bool littleEndian) : littleEndian_(littleEndian) {}
-    /// \param type  "uchar", "int16", "float" and so on, as PLY names them
+    /// \param type  in PLY's names: "uchar", "int16", "float" and so on
     void put(const std::string& type, double value);
 
     std::string bytes;

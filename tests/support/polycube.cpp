@@ -15,7 +15,7 @@ namespace {
 
 using Position = std::array<int, 3>;
 
-/// Numbers lattice points in the order of their first use.
+/// Numbers lattice points in the order in which they are first used.
 class Builder {
 public:
     explicit Builder(double unit) : unit_(unit) {}
@@ -53,7 +53,7 @@ check::CheckedMesh polycube(const Cells& cells, int n) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
             for (const int side : {0, 1}) {
                 if (solid.contains(moved(cell, axis, side == 1 ? 1 : -1))) continue;
-                // u, v and the outward normal are right-handed.
+                // u, v and the outward normal form a right-handed system.
                 const std::size_t u = (axis + (side == 1 ? 1 : 2)) % 3;
                 const std::size_t v = (axis + (side == 1 ? 2 : 1)) % 3;
                 for (int i = 0; i < n; ++i) {
@@ -124,7 +124,7 @@ check::CheckedMesh tube(int a, int b) {
 }
 
 check::CheckedMesh glued(int squares, const std::vector<std::array<int, 2>>& pairs, int n) {
-    // Lattice point (i, j) of a square; point k of side s, counted counter-clockwise.
+    // The number of lattice point (i, j) of a square, and of the k-th point on side s, counter-clockwise.
     const auto point = [&](int square, int i, int j) { return (square * (n + 1) + j) * (n + 1) + i; };
     const auto onSide = [&](int side, int k) {
         const std::array<std::array<int, 2>, 4> places{{{k, 0}, {n, k}, {n - k, n}, {0, n - k}}};

@@ -1,4 +1,4 @@
-/// \file The layout that makes a segment of every quad.
+/// \file The layout in which every quad is a segment.
 #pragma once
 
 #include "layout/layout.h"
@@ -6,7 +6,7 @@
 
 namespace qm::testing {
 
-/// Segment k is face k, its first corner where the face's own halfedge begins.
+/// Segment k is face k; its first corner is where the face's own halfedge begins.
 [[nodiscard]] Layout segmentPerQuad(const QuadMesh& mesh);
 
 } // namespace qm::testing

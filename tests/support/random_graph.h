@@ -1,4 +1,4 @@
-/// \file Random meshes with random seeds and random motorcycle graphs: what layouts are tried on.
+/// \file Random meshes, seeds and motorcycle graphs for tests of layouts.
 #pragma once
 
 #include "basecomplex/arc_graph.h"
@@ -14,15 +14,15 @@ namespace qm::testing {
 
 [[nodiscard]] QuadMesh quadMesh(const check::CheckedMesh& mesh);
 
-/// A small mesh: some cubes, squares in the plane with holes, a torus, a tube, or squares glued together in
-/// any way. Nothing if what was drawn is no mesh.
+/// A small mesh: cubes, squares of the plane with holes, a torus, a tube, or squares glued together at
+/// random. Nothing if the random choice is no mesh.
 [[nodiscard]] std::optional<QuadMesh> randomMesh(std::mt19937& random);
 
 /// Up to `max` seeds at regular vertices.
 [[nodiscard]] std::vector<Seed> randomSeeds(const QuadMesh& mesh, std::size_t max, std::mt19937& random);
 
-/// The tracks of particles that take a random time for every edge and stop where somebody has been: every
-/// motorcycle graph can come out, not only the plain one.
+/// The tracks of particles that take a random time for every edge and stop where another one has been. Every
+/// motorcycle graph is possible, not only the plain one.
 [[nodiscard]] std::vector<Track> randomGraph(const QuadMesh& mesh, const BaseComplex& complex,
                                              const std::vector<double>& edgeCosts, std::mt19937& random);
 

@@ -1,4 +1,4 @@
-/// \file Random search problems with many of their graphs: what relaxations and rows are tried on.
+/// \file Random search problems and many of their graphs, for tests of relaxations and rows.
 #pragma once
 
 #include "enumerate/state/assignment.h"
@@ -12,12 +12,12 @@ namespace qm::testing {
 /// A whole mesh as a search problem.
 struct RandomProblem {
     ArcGraph graph;
-    std::vector<double> costs; ///< of arcs
+    std::vector<double> costs; ///< of every arc
     std::optional<Problem> problem;
     std::vector<Assignment> graphs; ///< all, or the first 300
 };
 
-/// \return nothing if what was drawn is no mesh
+/// \return nothing if the random choice is no mesh
 [[nodiscard]] std::optional<RandomProblem> randomProblem(unsigned number);
 
 [[nodiscard]] std::vector<VariableId> freeVariables(const SearchState& state);

@@ -23,8 +23,7 @@ namespace qm::testing {
 
 namespace {
 
-/// The longest straight line between regular interior vertices that begins at a vertex, as a curve with a
-/// seed.
+/// A curve with a seed: the longest straight line from some vertex over regular interior vertices.
 Features oneCurve(const QuadMesh& mesh) {
     for (const HalfedgeId start : mesh.halfedges()) {
         FeatureCurve curve;
@@ -50,7 +49,7 @@ void put(Document& document, Kind kind, const std::string& tool, Json options, J
     putSection(document, {kind, tool, std::move(options), std::move(section)});
 }
 
-/// Without what it says of its mesh file.
+/// A document without its section on the mesh file.
 Document makeDocument(Kind kind, const QuadMesh& mesh) {
     const std::vector<double> angles = dihedralAngles(mesh);
     const BaseComplex baseComplex = buildBaseComplex(mesh);
@@ -124,7 +123,7 @@ std::string TemporaryFolder::write(const std::string& name, const std::string& b
 Document sampleDocument(const TemporaryFolder& folder, Kind kind, const QuadMesh& mesh) {
     const std::string bytes = writeObj(mesh);
     const QuadMesh read = readMesh(bytes, "mesh.obj").mesh;
-    static std::map<Kind, Document> usual; // most tests take the same mesh: its surfaces are fitted once
+    static std::map<Kind, Document> usual; // most tests use the same mesh, so its surfaces are fitted once
     const bool isUsual = &mesh == &sampleMesh();
     if (isUsual && !usual.contains(kind)) usual[kind] = makeDocument(kind, read);
     Document document = isUsual ? usual[kind] : makeDocument(kind, read);

@@ -1,5 +1,4 @@
-/// \file A document of every kind of a small mesh, made by the modules themselves: what the tests of reading
-/// and writing take apart.
+/// \file Documents of every kind for a small mesh, made by the library, for tests of reading and writing.
 #pragma once
 
 #include "base/error.h"
@@ -12,13 +11,13 @@
 
 namespace qm::testing {
 
-/// The surface of cubes, each of its squares divided into n x n quads.
+/// The surface of cubes, with every square divided into n x n quads.
 [[nodiscard]] QuadMesh dividedCubes(const Cells& cells, int n);
-/// A slab of cubes with one more on top, its squares divided: 12 extraordinary vertices, some ordinary
-/// junctions.
+/// A slab of cubes with another one on top, all squares divided: it has 12 extraordinary vertices and some
+/// ordinary junctions.
 [[nodiscard]] const QuadMesh& sampleMesh();
 
-/// A folder that vanishes with the object.
+/// A folder that is removed together with the object.
 class TemporaryFolder {
 public:
     TemporaryFolder();
@@ -34,8 +33,8 @@ private:
     std::string path_;
 };
 
-/// All sections up to the kind; features with one curve, the mesh cut in two halves. The mesh file is
-/// `mesh.obj` in the folder, and the document knows it by its whole path.
+/// A document with all sections up to the kind; its features have one curve, and the mesh is cut into two
+/// halves. The mesh file is `mesh.obj` in the folder, to which the document refers by its full path.
 [[nodiscard]] Document sampleDocument(const TemporaryFolder& folder, Kind kind,
                                       const QuadMesh& mesh = sampleMesh());
 

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
 
-/// The six faces of the box from the origin to a corner, without holes.
+/// The six faces of the box from the origin to the given corner, without holes.
 std::vector<FlatFace> boxFaces(const Point& corner) {
     std::vector<FlatFace> faces;
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -20,7 +20,7 @@ std::vector<FlatFace> boxFaces(const Point& corner) {
     return faces;
 }
 
-/// Puts vertical holes into the faces at the top and the bottom, and adds their walls.
+/// Adds vertical holes to the faces at the top and at the bottom, and their walls.
 std::vector<std::variant<Revolved, FlatFace>> withHoles(const std::vector<FlatFace>& faces,
                                                         const std::vector<std::array<double, 2>>& centres,
                                                         double radius, const std::vector<Revolved>& walls) {

@@ -1,4 +1,4 @@
-/// \file The files of real meshes that some tests use where they are at hand.
+/// \file Files of real meshes, which some tests use if they are available.
 #pragma once
 
 #include <optional>
@@ -7,13 +7,13 @@
 
 namespace qm::testing {
 
-/// All bytes of a file of the folder that QM_SHARED_MESHES names, else ../shared/meshes; nothing if it is not
-/// there.
-/// \param name  "dev/rod.obj"
+/// The contents of a file in the folder named by QM_SHARED_MESHES, or in ../shared/meshes; nothing if there
+/// is no such file.
+/// \param name  such as "dev/rod.obj"
 [[nodiscard]] std::optional<std::string> sharedFile(const std::string& name);
 
-/// Names of the files of a subfolder, in alphabetical order; none if it is not there.
-/// \param folder  "dev"
+/// The names of the files in a subfolder, in alphabetical order; none if there is no such folder.
+/// \param folder  such as "dev"
 [[nodiscard]] std::vector<std::string> sharedFiles(const std::string& folder);
 
 } // namespace qm::testing

@@ -1,4 +1,4 @@
-/// \file The real meshes that some tests use where they are at hand.
+/// \file Real meshes, which some tests use if they are available.
 #pragma once
 
 #include "check/neighbourhoods.h"
@@ -8,9 +8,9 @@
 
 namespace qm::testing {
 
-/// A mesh of the folder that QM_SHARED_MESHES names, else ../shared/meshes beside the repository; nothing if
-/// it is not there.
-/// \param name  "dev/rod.obj"
+/// A mesh in the folder named by QM_SHARED_MESHES, or in ../shared/meshes beside the repository; nothing if
+/// there is no such file.
+/// \param name  such as "dev/rod.obj"
 [[nodiscard]] std::optional<check::CheckedMesh> sharedMesh(const std::string& name);
 
 } // namespace qm::testing

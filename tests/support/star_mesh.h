@@ -5,9 +5,9 @@
 
 namespace qm::testing {
 
-/// Quads around vertex 0, in the plane z = 0, counter-clockwise; vertex 1 + k ends the k-th edge that leaves
-/// it.
-/// \param turn  degrees that they fill together; 360: they close
+/// Quads around vertex 0 in the plane z = 0, counter-clockwise; vertex 1 + k is the end of the k-th edge that
+/// leaves vertex 0.
+/// \param turn  the angle that all quads fill together, in degrees; at 360 they form a closed fan
 [[nodiscard]] QuadMesh star(int quads, double turn = 360);
 
 } // namespace qm::testing

@@ -1,4 +1,4 @@
-/// \file Numbers at equal distances, to evaluate something at.
+/// \file Equally spaced numbers at which to evaluate something.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-/// \file Tracks and edges by the numbers of their vertices, and numbers from handles.
+/// \file Tracks and edges given by vertex numbers, and numbers of handles.
 #pragma once
 
 #include "layout/motorcycle_graph.h"
@@ -10,16 +10,16 @@ namespace qm::testing {
 
 using Path = std::vector<int>;
 
-/// \param path  vertices that edges join
+/// \param path  vertices, each joined to the next by an edge
 [[nodiscard]] Track trackAlong(const QuadMesh& mesh, const Path& path, double cost = 0);
 
-/// A value for every edge of the mesh, `rest` but for the edges along some paths.
+/// A value for every edge of the mesh: `rest`, except on the edges along some paths.
 class PerEdge {
 public:
     PerEdge(const QuadMesh& mesh, double rest) : mesh_(mesh), values_(mesh.n_edges(), rest) {}
 
     PerEdge& along(const Path& path, double value);
-    operator const std::vector<double>&() const { return values_; } // NOLINT: that is what it is
+    operator const std::vector<double>&() const { return values_; } // NOLINT: implicit on purpose
 
 private:
     const QuadMesh& mesh_;
@@ -36,7 +36,7 @@ template <class Handles> [[nodiscard]] Path numbers(const Handles& handles) {
 /// The vertices of a track.
 [[nodiscard]] Path pathOf(const QuadMesh& mesh, const Track& track);
 
-/// Columns x rows squares of the plane; vertex (i, j) has number j * (columns + 1) + i.
+/// A mesh of columns x rows squares in the plane; vertex (i, j) has number j * (columns + 1) + i.
 [[nodiscard]] QuadMesh rectangle(int columns, int rows);
 
 } // namespace qm::testing

@@ -42,7 +42,7 @@ BaseComplexPart baseComplexOf(const Neighbourhoods& around) {
     return part;
 }
 
-/// Every track of a vector of coordinates.
+/// The tracks that a vector of coordinates stands for.
 std::vector<TrackPart> tracksOf(const Neighbourhoods& around, const LineNetwork& network,
                                 const EdgeCosts& costs, const std::vector<int>& coordinates) {
     std::vector<TrackPart> tracks;
@@ -74,7 +74,7 @@ EnumerationPart::SubMesh graphsOf(const Neighbourhoods& around, const LineNetwor
     return subMesh;
 }
 
-/// The step after `step` counter-clockwise around the face to its left.
+/// The step that follows `step` counter-clockwise around the face on its left.
 int nextAround(const CheckedMesh& mesh, const Neighbourhoods& around, int step) {
     const auto& quad = mesh.quads[index(around.leftFace(step))];
     const auto here = std::find(quad.begin(), quad.end(), around.to(step)) - quad.begin();
@@ -92,7 +92,7 @@ std::vector<LayoutPart::Segment> segmentsBetween(const CheckedMesh& mesh, const 
     std::vector<char> done(mesh.quads.size(), 0);
     std::vector<LayoutPart::Segment> segments;
     for (int first = 0; first < around.steps(); ++first) {
-        // A corner: this side of the face is border, and so is the one before it.
+        // A corner begins here if this side of the face and the one before it are on the border.
         if (around.leftFace(first) < 0 || done[index(around.leftFace(first))]) continue;
         if (!isBorder(first) || !isBorder(next(next(next(first))))) continue;
         LayoutPart::Segment segment;

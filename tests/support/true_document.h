@@ -1,4 +1,4 @@
-/// \file Documents that are true of a small mesh by construction: what the tests of the checker then spoil.
+/// \file Documents that are true of a small mesh by construction, which tests of the checker then falsify.
 #pragma once
 
 #include "check/checked_document.h"
@@ -9,19 +9,19 @@
 namespace qm::testing {
 
 struct DocumentRecipe {
-    std::vector<std::vector<int>> curves; ///< feature curves, seeded at their second vertex
+    std::vector<std::vector<int>> curves; ///< feature curves; each has its seed at the second vertex
     std::vector<int> labels;              ///< sub-mesh of every vertex; empty for no cut
     int subMeshes = 1;
 };
 
-/// Base complex, features, cut, all graphs by brute force, the layout of the cheapest graph (of the whole
-/// mesh, if it was cut), and bilinear patches. Only for meshes on which every component has a source and no
-/// graph leaves an annulus.
+/// A document with base complex, features, cut, all graphs by brute force, the layout of the cheapest graph
+/// (of the whole mesh, even if it is cut), and bilinear patches. Only for meshes on which every component has
+/// a source and no graph leaves an annulus.
 [[nodiscard]] check::CheckedDocument trueDocument(const check::CheckedMesh& mesh,
                                                   const DocumentRecipe& recipe = {});
 
-/// The segments that a set of edges cuts the mesh into, each starting at a convex corner.
-/// \param border  by edge, without the mesh boundary
+/// The segments into which a set of edges cuts the mesh, each starting at a convex corner.
+/// \param border  for every edge, whether it is in the set; the mesh boundary need not be
 [[nodiscard]] std::vector<check::LayoutPart::Segment> segmentsBetween(const check::CheckedMesh& mesh,
                                                                       const check::Neighbourhoods& around,
                                                                       const std::vector<char>& border);

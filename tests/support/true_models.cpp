@@ -15,7 +15,7 @@ using namespace check;
 
 namespace {
 
-/// Left and right half of a mesh.
+/// Labels of the left and the right half of a mesh.
 std::vector<int> halves(const CheckedMesh& mesh, double x) {
     std::vector<int> labels;
     for (const auto& point : mesh.points)
@@ -23,7 +23,7 @@ std::vector<int> halves(const CheckedMesh& mesh, double x) {
     return labels;
 }
 
-/// States that all is perfect, and promises nothing else.
+/// A model whose surfaces claim to have no errors, and promise nothing else.
 Model stating(Model model) {
     SurfacesPart& surfaces = *model.document.surfaces;
     const SurfacesPart::Figures nothing{0, 0, 0, 0, std::nullopt, 0};

@@ -1,4 +1,4 @@
-/// \file Small meshes with true documents, and what a report says of them when they are spoilt.
+/// \file Small meshes with true documents, and assertions on the reports about falsified ones.
 #pragma once
 
 #include "check/check_document.h"
@@ -16,29 +16,29 @@ struct Model {
     check::CheckedDocument document;
 };
 
-/// The true document of a mesh, whose surfaces are stated to interpolate and to be watertight.
+/// The true document of a mesh, whose surfaces claim to interpolate and to be watertight.
 [[nodiscard]] Model make(check::CheckedMesh mesh, const DocumentRecipe& recipe = {});
 
 [[nodiscard]] check::CheckedMesh twoHoles();
 [[nodiscard]] check::CheckedMesh corner();
 
-/// Two holes, cut into a left and a right half.
+/// A plane with two holes, cut into a left and a right half.
 [[nodiscard]] Model cut();
-/// A torus with the layout that its most curved line and a transversal give.
+/// A torus with the layout given by its most curved line and a transversal.
 [[nodiscard]] Model torusModel();
 [[nodiscard]] Model cornerModel();
 [[nodiscard]] Model twoHolesModel();
-/// These state that all is perfect, and promise nothing else.
+/// The surfaces of these models claim to have no errors, and promise nothing else.
 [[nodiscard]] Model statingModel();
 [[nodiscard]] Model statingTorus();
-/// A hole, and a feature curve that crosses a line of it.
+/// A plane with a hole, and a feature curve that crosses a line from the hole.
 [[nodiscard]] Model seededModel();
 
 [[nodiscard]] check::LayoutPart& layout(check::CheckedDocument& document);
-/// A track that ends where another passes, and has more than one arc.
+/// A track of more than one arc that ends where another one passes.
 [[nodiscard]] check::TrackPart& crashing(check::CheckedDocument& document);
 
-/// All violations, for messages.
+/// All violations of a report as text, for messages.
 [[nodiscard]] std::string listed(const check::Report& report);
 [[nodiscard]] ::testing::AssertionResult found(const check::Report& report, const std::string& pointer,
                                                const std::string& rule);

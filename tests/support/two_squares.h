@@ -1,4 +1,5 @@
-/// \file Two squares as a mesh file of every format, and what is read of such files or said of spoilt ones.
+/// \file Two squares as mesh files of every format, and checks of what is read from them or of error
+/// messages.
 #pragma once
 
 #include "mesh/quad_mesh.h"
@@ -11,10 +12,10 @@ namespace qm::testing {
 
 [[nodiscard]] QuadMesh read(const std::string& text, const std::string& name);
 
-/// What is said of bytes that must be refused.
+/// The error message for bytes that must be refused.
 [[nodiscard]] std::string refusal(const std::string& text, const std::string& name);
 
-/// A message contains all the parts, begins with one that has '^' before it, and lacks those with '!'.
+/// Whether a message contains all parts, begins with the part after a '^', and lacks the parts after a '!'.
 template <class... Parts>
 [[nodiscard]] ::testing::AssertionResult says(const std::string& message, const Parts&... parts) {
     for (const std::string& part : {std::string(parts)...}) {
@@ -32,14 +33,14 @@ template <class... Parts>
 [[nodiscard]] std::string twoOff();
 [[nodiscard]] std::string twoPlyHeader();
 [[nodiscard]] std::string twoPly();
-/// In binary PLY, with whatever else a file may hold.
-/// \param coordinate, index  types, as PLY names them
+/// The squares in binary PLY; with `extras`, together with everything else that a file may contain.
+/// \param coordinate, index  types, in PLY's names
 [[nodiscard]] std::string binaryPly(bool little, const std::string& coordinate, const std::string& index,
                                     bool extras);
 
 void expectTwoSquares(const std::string& text, const std::string& name);
 
-/// \param what  every occurrence is replaced
+/// \param what  replaced wherever it occurs
 [[nodiscard]] std::string replaced(std::string text, const std::string& what, const std::string& by);
 
 } // namespace qm::testing
