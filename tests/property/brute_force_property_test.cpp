@@ -1,5 +1,5 @@
-// The search against trying everything, by code that shares nothing with it, on random small meshes: the same
-// number of graphs, the same minimum, the same best ones.
+// Compares the search on random small meshes with trying everything, by code that shares nothing with it: the
+// number of graphs, the minimum and the best graphs must agree.
 #include "base/at.h"
 #include "basecomplex/arc_graph.h"
 #include "enumerate/diagram/count_graphs.h"
@@ -19,13 +19,13 @@ constexpr int wanted = 200;
 constexpr std::size_t best = 9;
 constexpr std::uint64_t maxSteps = 10000;
 
-/// Of the edge between two vertices: any function that both programs can compute.
+/// The cost of the edge between two vertices: any function that both programs can compute.
 double costOf(int one, int other) {
     const auto [less, more] = std::minmax(one, other);
     return std::sin(12.9898 * less + 78.233 * more + 1);
 }
 
-/// What all graphs cost, ascending; nothing where trying everything would take too long.
+/// The costs of all graphs, ascending; nothing if trying everything would take too long.
 std::optional<std::vector<double>> triedOut(const QuadMesh& mesh) {
     const check::Neighbourhoods around(checkedMesh(mesh));
     check::EdgeCosts costs{std::vector(static_cast<std::size_t>(around.edges()), 0.0), {}};

@@ -1,5 +1,5 @@
-// What the search does where the relaxation leaves much in doubt: lines that cross each other all over a
-// torus, and that cost something everywhere.
+// Searches where the relaxation leaves much undecided: lines that cross each other all over a torus, with
+// positive costs everywhere.
 #include "enumerate/optimum/optimum.h"
 #include "enumerate/paper/plain_graph.h"
 #include "enumerate/sub_mesh/search_space.h"
@@ -24,7 +24,7 @@ struct Torus {
     ArcGraph graph;
     Problem problem;
     Assignment plain;   ///< the plain motorcycle graph
-    double minCost = 0; ///< cost of all graphs
+    double minCost = 0; ///< least cost of all graphs
 };
 
 Torus drawTorus(unsigned number) {
@@ -92,7 +92,7 @@ TEST(HardSearchProperty, DecompositionBoundsLieBetweenTheRelaxationAndTheOptimum
     EXPECT_GT(raised, 3U);
 }
 
-/// The bound of a search for which all parts are large, with the optima of those that it leaves open.
+/// The bound of a search that treats all parts as large, improved by the optima of the parts left open.
 double boundWithOpenParts(const OptimumResult& found) {
     double bound = found.lowerBound;
     for (const OpenPart& part : found.openParts)

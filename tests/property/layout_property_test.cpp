@@ -22,7 +22,7 @@ struct Case {
     std::vector<Track> tracks;
 };
 
-/// A random case; about one in four drawn meshes is none.
+/// A random case; nothing if the random mesh is none, as in about one case of four.
 std::optional<Case> randomCase(unsigned number) {
     std::mt19937 random(number);
     std::optional<QuadMesh> mesh = randomMesh(random);
@@ -47,14 +47,15 @@ std::size_t addedTo(const Layout& layout, std::size_t given) {
     return layout.tracks.size() - given;
 }
 
-/// The tracks of a layout that are no transversals, but for one.
+/// The tracks of a layout, without transversals and without one of the tracks.
 std::vector<Track> tracksWithout(const Layout& layout, std::size_t left) {
     Layout smaller = layout;
     smaller.tracks.erase(smaller.tracks.begin() + static_cast<std::ptrdiff_t>(left));
     return properTracks(smaller);
 }
 
-/// Takes the track out and looks at the whole mesh: every segment is a grid, and no annulus came or went.
+/// Removes a track and checks the whole mesh: every segment must be a grid, and the annuli must stay the
+/// same.
 bool removable(const Case& drawn, const Layout& layout, std::size_t t) {
     const std::vector<Track> rest = tracksWithout(layout, t);
     try {
@@ -101,7 +102,7 @@ TEST_P(RandomLayout, LocalTestOfARemovalAgreesWithTheWholeMesh) {
     });
 }
 
-/// The same greedy choice by building the whole layout anew for every question.
+/// The same greedy choice, building the whole layout anew for every test.
 std::vector<Track> pruneSlowly(const Case& drawn, Layout layout) {
     for (bool changed = true; changed;) {
         changed = false;

@@ -1,4 +1,4 @@
-// The plain motorcycle graph of random meshes against rules A1 to A4 and the rules on arcs.
+// Checks the plain motorcycle graph of random meshes against rules A1 to A4 and the arc rules.
 #include "base/at.h"
 #include "check/check_graph.h"
 #include "enumerate/paper/plain_graph.h"
@@ -22,7 +22,7 @@ std::vector<check::ReadTrack> read(const QuadMesh& mesh, const check::Neighbourh
     return result;
 }
 
-/// Every rule that the graph breaks, one a line.
+/// All rules that the graph breaks, one per line.
 std::string brokenRules(const QuadMesh& mesh, const std::vector<Seed>& seeds,
                         const std::vector<Track>& tracks) {
     const check::Neighbourhoods around(checkedMesh(mesh));

@@ -1,4 +1,4 @@
-// Pruning as an integer program against trying every set of arcs, and against the greedy removal.
+// Compares the pruning program with trying every set of arcs, and with greedy removal.
 #include "base/at.h"
 #include "basecomplex/arc_graph.h"
 #include "enumerate/paper/plain_graph.h"
@@ -27,7 +27,7 @@ struct Case {
     Layout layout;
 };
 
-/// \param curves  feature curves at most
+/// \param curves  largest number of feature curves
 std::optional<Case> drawCase(unsigned number, std::size_t curves) {
     std::mt19937 random(number);
     std::optional<QuadMesh> mesh = randomMesh(random);
@@ -62,7 +62,7 @@ PruneResult pruneCase(const Case& drawn, const Layout& layout, const PruneOption
     return prune(drawn.mesh, drawn.complex, layout, drawn.angles, drawn.costs, options, rho);
 }
 
-/// Every layout that some set of arcs makes.
+/// The layouts of all sets of arcs that make one.
 std::vector<Layout> allLayouts(const Case& drawn, const ArcGraph& graph) {
     std::vector<Layout> layouts;
     for (unsigned bits = 0; bits >> graph.arcs.size() == 0; ++bits) {
@@ -76,13 +76,13 @@ std::vector<Layout> allLayouts(const Case& drawn, const ArcGraph& graph) {
         }
         try {
             layouts.push_back(buildLayout(drawn.mesh, tracks, drawn.angles, drawn.costs));
-        } catch (const std::exception&) { // no grids
+        } catch (const std::exception&) { // some segment is no grid
         }
     }
     return layouts;
 }
 
-/// Few arcs, so that all their sets can be tried.
+/// A case with few arcs, so that all sets of arcs can be tried.
 std::optional<Case> drawSmallCase(unsigned number, std::size_t curves) {
     std::optional<Case> drawn = drawCase(number, curves);
     if (!drawn) return std::nullopt;
@@ -118,7 +118,7 @@ TEST_P(AllSetsOfArcs, HaveNoneThatIsBetterThanTheOptimum) {
     EXPECT_GT(annuli, 3U);
 }
 
-/// Whether the corners at all extraordinary vertices keep so many degrees.
+/// Whether the corners at all extraordinary vertices have at least so many degrees.
 bool hasRoom(const Case& drawn, const Layout& layout, double minCorner) {
     std::vector<bool> onTrack(drawn.mesh.n_edges());
     for (const LayoutTrack& track : layout.tracks)
@@ -267,7 +267,7 @@ TEST(PruneProperty, NothingOnTheFrontIsBeaten) {
     EXPECT_GT(several, 2U);
 }
 
-/// Items of which two out of three neighbours are wanted: a ring that is larger than the first
+/// A ring of items, where at least two out of three neighbours must be taken; larger than the first
 /// neighbourhoods.
 IntegerProgram largeRing(int size) {
     IntegerProgram ring;
@@ -296,7 +296,7 @@ TEST(PruneProperty, NeighbourhoodsFollowTheirSeed) {
     const IntegerProgram ring = largeRing(700);
     const ColumnValues all(ring.costs.size(), 1);
     const auto improved = [&](std::uint32_t seed) {
-        Control control; // ends after a few neighbourhoods
+        Control control; // stops after a few neighbourhoods
         control.stopRequested = [asked = 0]() mutable { return ++asked > 20; };
         return improveByNeighbourhoods(ring, all, {}, {.columns = 30, .seed = seed}, control);
     };
@@ -305,14 +305,14 @@ TEST(PruneProperty, NeighbourhoodsFollowTheirSeed) {
 }
 
 TEST(PruneProperty, ALimitOfNodesEndsASearch) {
-    // Two of an odd number all around: of such a sum neither relaxation nor cuts know that it cannot be met.
+    // Even weights never add up to an odd number, but neither the relaxation nor cuts can tell.
     IntegerProgram uneven;
     uneven.costs.assign(15, 1);
     uneven.rows.resize(1, {{}, std::vector<double>(15, 2), 15, 15});
     const auto columns = uneven.costs.ids();
     uneven.rows.front().columns.assign(columns.begin(), columns.end());
     const ProgramSolution whole = solveProgram(uneven, {}, {}), cut = solveProgram(uneven, {}, {.nodes = 3});
-    EXPECT_GT(whole.lowerBound, 15); // no values cost so much: there are none
+    EXPECT_GT(whole.lowerBound, 15); // above every cost, because there is no solution
     EXPECT_LT(cut.lowerBound, 15);
 }
 

@@ -1,4 +1,4 @@
-// The searches against each other, and against trying everything, on random meshes with random seeds and
+// Compares the searches with each other and with trying everything, on random meshes with random seeds and
 // costs.
 #include "base/at.h"
 #include "base/error.h"
@@ -47,7 +47,7 @@ struct Case {
     Problem problem;
 };
 
-/// Nothing where what was drawn is no mesh.
+/// A random case; nothing if the random choice is no mesh.
 std::optional<Case> drawCase(unsigned number) {
     std::mt19937 random(number);
     std::optional<QuadMesh> mesh = randomMesh(random);
@@ -71,7 +71,7 @@ std::vector<bool> presentIn(const Case& drawn, const Assignment& assignment) {
     return present;
 }
 
-/// All graphs by the search, or nothing if they are too many.
+/// All graphs found by the search; nothing if there are too many.
 std::optional<std::set<Assignment>> allGraphs(const Problem& problem) {
     std::set<Assignment> graphs;
     bool twice = false;
@@ -120,7 +120,7 @@ std::vector<bool> edgesOf(const Case& drawn, const Assignment& graph) {
     return edges;
 }
 
-/// Corners of faces that have such an edge, or the mesh boundary, on both sides.
+/// The number of corners of faces with a marked or boundary edge on both sides.
 std::size_t countCorners(const QuadMesh& mesh, const std::vector<bool>& edges) {
     const auto bounds = [&](HalfedgeId halfedge) {
         const EdgeId edge = mesh.edge_handle(halfedge);
@@ -197,7 +197,7 @@ TEST(SearchProperty, ADiagramHoldsEveryGraphOnce) {
     EXPECT_GT(compared, cases / 2);
 }
 
-/// What is left to decide is compared far from the decisions: rare mistakes need many tries.
+/// States are told apart by what remains undecided; mistakes in this are rare, so many cases are tried.
 TEST(SearchProperty, ADiagramCountsManyCases) {
     for (unsigned number = cases; number < 20 * cases; ++number) {
         const auto drawn = drawCase(number);
@@ -210,7 +210,7 @@ TEST(SearchProperty, ADiagramCountsManyCases) {
     }
 }
 
-/// Pearson's statistic over all graphs of a case, against its mean plus six standard deviations.
+/// Pearson's statistic over all graphs of a case must be below its mean plus six standard deviations.
 TEST(SearchProperty, DrawnGraphsAreUniform) {
     int tested = 0;
     for (unsigned number = 0; number < cases && tested < 5; ++number) {
@@ -275,7 +275,7 @@ TEST(SearchProperty, TheOptimumAndTheBestAreThoseOfAllGraphs) {
             }
 }
 
-/// How many coordinate vectors there are: the naive algorithm tries each.
+/// The number of coordinate vectors, all of which the naive algorithm tries.
 double vectorsOf(const Problem& problem) {
     double product = 1;
     for (const Course& course : findCourses(problem))
@@ -310,7 +310,7 @@ TEST(SearchProperty, ThePapersAlgorithmsFindTheSameGraphs) {
     }
 }
 
-/// Random labels are the hardest cuts there are: particles leave and enter everywhere.
+/// Random labels make the hardest cuts: particles leave and enter sub-meshes everywhere.
 TEST(SearchProperty, MergingEndsInAValidGraphWhateverTheCut) {
     int cutMeshes = 0;
     for (unsigned number = 0; number < cases; ++number) {
@@ -377,9 +377,9 @@ TEST(SearchProperty, WindowsImproveAndLargeOnesReachTheOptimum) {
         WindowOptions few;
         few.maxWindows = 0;
         EXPECT_EQ(improve(few, {}), start);
-        WindowOptions all; // one window holds everything
+        WindowOptions all; // one window contains everything
         all.minVariables = drawn->problem.domains.size();
-        all.nodes = 1; // a root may not be enough, but patience is
+        all.nodes = 1; // too few for some windows, unless the search is patient
         all.patient = true;
         if (drawn->problem.chains.size() > 1 && independentParts(state).size() == 1) {
             EXPECT_NEAR(costs(improve(all, {})), minCost, 1e-6) << "case " << number;
@@ -389,7 +389,7 @@ TEST(SearchProperty, WindowsImproveAndLargeOnesReachTheOptimum) {
     EXPECT_GT(fellShort, 0U) << "small windows always reached the optimum: the cases are too easy";
 }
 
-/// Windows are searched eight at a time: a later one may have been made void by an earlier one.
+/// Windows are searched eight at a time, so an earlier one may invalidate a later one.
 TEST(SearchProperty, ManyWindowsTogetherLeaveAValidGraph) {
     std::size_t improvements = 0;
     for (unsigned seed = 0; seed < 30; ++seed) {

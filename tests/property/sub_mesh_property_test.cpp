@@ -1,4 +1,5 @@
-// What searches of sub-meshes look at, against the same on the whole mesh: random meshes, seeds and cuts.
+// Compares searches in the search space of a sub-mesh with the same in that of the whole mesh: random meshes,
+// seeds and cuts.
 #include "base/at.h"
 #include "enumerate/enumerate.h"
 #include "enumerate/state/assignment.h"
@@ -27,7 +28,7 @@ struct Case {
     SearchSpace space;
 };
 
-/// Random labels are the hardest cuts there are: particles leave and enter everywhere.
+/// Random labels make the hardest cuts: particles leave and enter sub-meshes everywhere.
 std::optional<Case> drawCase(std::mt19937& random) {
     std::optional<QuadMesh> mesh = randomMesh(random);
     if (!mesh) return std::nullopt;
@@ -44,8 +45,8 @@ std::optional<Case> drawCase(std::mt19937& random) {
     return drawn;
 }
 
-/// Calls a test with every case that can be drawn, and with the numbers that it was drawn by.
-/// \param firstSeed  for a test of its own
+/// Calls a test with every case that is a mesh, and with the random numbers used for it.
+/// \param firstSeed  different for every test
 template <class Test> void forEachCase(unsigned firstSeed, const Test& test) {
     for (unsigned number = 0; number < cases; ++number) {
         SCOPED_TRACE(number);
@@ -55,7 +56,7 @@ template <class Test> void forEachCase(unsigned firstSeed, const Test& test) {
     }
 }
 
-/// All that a search knows of a problem, but for the ids of arcs.
+/// All numbers of a problem, except the ids of arcs.
 using Numbers = std::vector<double>;
 Numbers numbersOf(const Problem& problem) {
     Numbers numbers(problem.costs.begin(), problem.costs.end());

@@ -14,7 +14,8 @@ namespace {
 
 constexpr double sharp = 1, flat = 0, dear = 1, cheap = -1;
 
-// Five quads around and three along: vertices 0 to 4 at one end, 5 to 9 next, ..., 15 to 19 at the other.
+// A tube of five quads around and three along: vertices 0 to 4 at one end, 5 to 9 next, and 15 to 19 at the
+// other.
 class Tube : public ::testing::Test {
 protected:
     Layout build(const std::vector<Track>& tracks, const PerEdge& angles, const PerEdge& costs) {
@@ -125,8 +126,8 @@ TEST(Torus, IsCutAlongOneLineAndAcross) {
 }
 
 TEST(Torus, ATwistedOneIsCutWhereItsLinesEnd) {
-    // A strip of 6 x 2 squares whose upper side is glued to the lower one two squares further on: the lines
-    // across do not close after one turn.
+    // A strip of 6 x 2 squares whose upper side is glued to its lower side, shifted by two squares, so that
+    // lines across do not close after one turn.
     check::CheckedMesh listed;
     for (int j = 0; j < 3; ++j)
         for (int i = 0; i < 6; ++i)
@@ -162,7 +163,8 @@ TEST(Components, AreCutEachForItself) {
     const Layout layout = buildLayout(mesh, {}, none, none);
     EXPECT_EQ(layoutFault(mesh, layout), "");
     EXPECT_EQ(layout.segments.size(), 3U);
-    // One on the tube, which has one row and no ring inside; two on the torus; none on the rectangle.
+    // The tube, which has one row of quads and no ring inside, gets one track, the torus two, the rectangle
+    // none.
     EXPECT_EQ(layout.tracks.size(), 3U);
 }
 

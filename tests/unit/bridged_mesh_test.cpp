@@ -14,13 +14,13 @@ namespace {
 
 using test::Grid;
 
-constexpr int folded = 3; // the vertex (3, 3) of eight columns and seven rows
+constexpr int folded = 3; // both coordinates of the folded vertex, in eight columns and seven rows
 
 VertexId vertexAt(int i, int j) {
     return VertexId(j * 9 + i);
 }
 
-/// A sheet in which one vertex lies at the parameters of another place.
+/// A sheet in which one vertex is at the place of other parameters.
 Grid sheet(double i, double j, const std::function<Point(double, double)>& place) {
     return {8, 7, [=](double u, double v) { return u == folded && v == folded ? place(i, j) : place(u, v); }};
 }
@@ -88,7 +88,7 @@ TEST(BridgedMesh, ContinuesTheSurfaceAround) {
 }
 
 TEST(BridgedMesh, LeavesCreasesAndWhatHidesThem) {
-    // The folded vertex lies on a ridge; the creases beside folded quads may be due to these.
+    // The folded vertex lies on a ridge; the creases beside its quads may be due to the fold.
     const QuadMesh mesh = test::makeMesh(sheet(4.5, 3, overRoof));
     std::vector<bool> isCrease;
     for (const double angle : dihedralAngles(mesh))

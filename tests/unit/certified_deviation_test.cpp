@@ -53,7 +53,8 @@ struct Pair {
     [[nodiscard]] PairedSurfaces paired() const { return {layout, patches, references, borders}; }
 };
 
-/// The distance of many points of one surface from the other, found by search from the same parameters.
+/// The largest distance from one surface to the other, measured at many points by a search from their
+/// parameters.
 double sampledMaximum(const PairedSurfaces& surfaces, std::size_t patch, int perEdge) {
     FootSearch search(surfaces);
     const auto extent = surfaces.extent(patch);
@@ -91,7 +92,7 @@ TEST(CertifiedDeviation, ClosesAroundTheTrueMaximum) {
 }
 
 TEST(CertifiedDeviation, IsNotMisledBySlidingParameters) {
-    // The same plane at other parameters, a cylinder that slides along itself, and both lifted a little.
+    // A cylinder whose points are shifted along it, with the same and with a slightly larger radius.
     for (const double lift : {0.0, 0.01}) {
         const auto tube = [&](double radius, double shift) {
             return [=](double i, double j) {
@@ -102,7 +103,7 @@ TEST(CertifiedDeviation, IsNotMisledBySlidingParameters) {
         const auto moved = tube(10 + lift, 0.1);
         const Pair pair{{16, 6, tube(10, 0)}, {{0, 0, 8, 6}, {8, 0, 16, 6, 2}}, moved};
         const PairedSurfaces surfaces = pair.paired();
-        // The second patch begins where both meet again at neither end.
+        // At the border of the patches, i = 8, equal parameters do not give equal points.
         const auto deviation = certifiedDeviation(surfaces, 0, {.effort = 200});
         const double sampled = sampledMaximum(surfaces, 0, 40);
         EXPECT_GE(deviation.upper, 0.999999 * sampled);
@@ -114,7 +115,7 @@ TEST(CertifiedDeviation, IsNotMisledBySlidingParameters) {
 TEST(CertifiedDeviation, LooksLittleAtPlanesHoweverTheirParametersRun) {
     const auto plane = [](double i, double j) { return Point(i, j, 2); };
     const auto twisted = [](double i, double j) {
-        constexpr double waves = std::numbers::pi / 4; // they vanish on the border
+        constexpr double waves = std::numbers::pi / 4; // zero on the border
         return Point(i + 0.3 * std::sin(waves * i) * std::cos(0.8 * j),
                      j + 0.3 * std::sin(waves * j) * std::sin(0.9 * i), 2);
     };
@@ -129,7 +130,7 @@ TEST(CertifiedDeviation, LooksLittleAtPlanesHoweverTheirParametersRun) {
 }
 
 TEST(CertifiedDeviation, FindsASpikeBetweenSamples) {
-    // One double step between grid lines that no sample at halves of edges sees.
+    // A double step between grid lines, which samples at half edges do not see.
     Pair pair{{8, 8, wave}, {{0, 0, 8, 8}}, wave};
     Patch& patch = pair.patches[0];
     const auto before = certifiedDeviation(pair.paired(), 0, {});
@@ -168,7 +169,7 @@ TEST(Folds, AreNotSeenWhereOnlyTheReferenceTurnsOver) {
     const auto plane = [](double i, double j) { return Point(i, j, 0.1 * i * j); };
     Pair pair{{6, 6, plane}, {{0, 0, 6, 6}}, plane};
     ReferenceGrid& reference = pair.references[0];
-    for (int j = 9; j < 12; ++j) // within a quad: the reference goes forward, back and forward again
+    for (int j = 9; j < 12; ++j) // inside a quad: the reference turns back and forward again
         for (const int i : {9, 11})
             reference.points[at(j * 25 + i)] += Point(i == 9 ? 0.7 : -0.7, 0, 0);
     const SurfacePoint there = reference.evaluate(2.5, 2.5);

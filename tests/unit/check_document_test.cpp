@@ -1,4 +1,4 @@
-// True documents pass; of each rule there is one that breaks it, and the place is named.
+// True documents pass; for every rule there is a document that breaks it, and the place is named.
 #include "base/error.h"
 #include "check/check_document.h"
 #include "support/true_models.h"
@@ -37,7 +37,7 @@ INSTANTIATE_TEST_SUITE_P(Check, TrueDocument,
                                            Named{"seeded", seededModel}),
                          [](const auto& each) { return std::string(each.param.name); });
 
-// ---- Spoilt ones.
+// ---- Falsified documents.
 
 struct Spoilt {
     const char* name;
@@ -232,7 +232,7 @@ INSTANTIATE_TEST_SUITE_P(
                "/layout/segments/0", "border"},
         Spoilt{"required", cornerModel,
                [](Doc& d) {
-                   // The other graphs have edges that the layout lacks.
+                   // The other graphs have edges that are not in the layout.
                    std::vector<std::vector<int>> paths;
                    for (const auto& track : first(d).graphs[3].tracks) paths.push_back(track.vertices);
                    d.constraints = {paths, {}, {}};
@@ -338,7 +338,7 @@ INSTANTIATE_TEST_SUITE_P(
                "/surfaces/patches/1", "watertight"}),
     nameOf);
 
-/// Lifts the first patch by this at x = 0, and by so much more for every unit of x.
+/// Lifts the first patch by `height` at x = 0, and by `slope` more per unit of x.
 void lift(Doc& d, double height, double slope) {
     for (auto& point : patch(d).controlPoints)
         point[2] += height + slope * point[0];
@@ -383,7 +383,7 @@ INSTANTIATE_TEST_SUITE_P(
                "/surfaces/deviation/maxFromVertices", "deviation"}),
     nameOf);
 
-/// How often edges are on sides of segments.
+/// For every edge, the number of sides of segments on it.
 std::map<std::pair<int, int>, int> borders(const LayoutPart& part) {
     std::map<std::pair<int, int>, int> count;
     for (const LayoutPart::Segment& segment : part.segments)
@@ -423,7 +423,7 @@ TEST(CheckFigures, NormalsAreComparedAcrossSmoothBordersOnly) {
         if (times == 2) model.document.surfaces->creases->push_back({edge.first, edge.second});
     const Report report = checkDocument(model.mesh, model.document);
     EXPECT_TRUE(report.ok()) << listed(report);
-    model.document.surfaces->creases.reset(); // nobody knows what is smooth
+    model.document.surfaces->creases.reset(); // it is not known which borders are smooth
     EXPECT_TRUE(checkDocument(model.mesh, model.document).ok());
 }
 

@@ -30,14 +30,14 @@ TEST(BilinearQuad, IsNotConvexWithAReflexCorner) {
 /// Samples above the unit square of a surface whose normals are given.
 bool folds(const std::function<Vector(double, double)>& normalAt) {
     std::vector<SurfacePoint> points;
-    // A quad before the tested one and one behind it: their samples do not count.
+    // Samples of the quads before and behind the tested one do not count.
     constexpr int width = 3 * samplesPerEdge + 1;
     for (int j = 0; j <= samplesPerEdge; ++j)
         for (int i = 0; i < width; ++i) {
             const double s = static_cast<double>(i) / samplesPerEdge - 1;
             const double t = static_cast<double>(j) / samplesPerEdge;
             const Vector normal = s < 0 || s > 1 ? Vector{0, 0, -1} : normalAt(s, t);
-            // Two tangents whose product is the normal, which has no second component.
+            // Two tangents whose product is the normal, whose second component is zero.
             SurfacePoint point;
             point.alongU = {normal[2], 0, -normal[0]};
             point.alongV = {0, 1, 0};
@@ -77,7 +77,7 @@ TEST(CheckFolds, LeaveTheCornersOut) {
 TEST(CheckFolds, AskNothingOfAQuadThatLiesAgainstAnother) {
     CheckedMesh mesh = plane({"xx"});
     const auto lies = [&](double degrees) {
-        // The second square turned about the edge that it shares with the first.
+        // Turns the second square about the edge that it shares with the first.
         for (Place& point : mesh.points)
             if (point[0] != 1 && point[0] != 0)
                 point = {1 + leaning(degrees)[2], point[1], leaning(degrees)[0]};

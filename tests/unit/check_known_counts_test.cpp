@@ -1,4 +1,4 @@
-// Base complexes and counts of graphs of real meshes, known from elsewhere.
+// Base complexes and numbers of graphs of real meshes, known from other sources.
 #include "support/brute_force.h"
 #include "support/shared_meshes.h"
 
@@ -21,9 +21,9 @@ struct Complex {
 struct Graphs {
     const char* name;
     std::size_t graphs;
-    std::uint64_t vectors; ///< valid ones, without those that differ in who walks an uncrossed line only
+    std::uint64_t vectors; ///< valid ones; vectors that differ only in who walks an uncrossed line count once
     int uncrossedLines;
-    double cost; ///< of the cheapest
+    double cost; ///< of the cheapest graph
 };
 
 void PrintTo(const Complex& known, std::ostream* out) {

@@ -1,4 +1,4 @@
-// The checker's reader takes any JSON and invents nothing.
+// The checker's reader accepts any JSON and invents nothing.
 #include "check/check_history.h"
 #include "check/read_document.h"
 
@@ -74,7 +74,7 @@ TEST(CheckReadDocument, ReadsNoIndexThatIsNone) {
               (std::vector<int>{-1, -1, -1, -1, -1, -1, 8, -1}));
 }
 
-/// Calls f with the document spoilt at every place in every way.
+/// Calls f with the document falsified at every place in every way.
 void spoilEverywhere(Json& root, Json& place, const std::function<void()>& f) {
     for (const char* text : {"null", "-1", "1e400", "\"x\"", "[]", "{}", "[[[]]]", "true"}) {
         const Json kept = std::exchange(place, Json::parse(text, nullptr, false));

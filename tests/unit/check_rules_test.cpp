@@ -1,4 +1,4 @@
-// The two sets of rules, each broken by hand, and each against the other on many small meshes.
+// Breaks each of the two sets of rules by hand, and compares the two on many small meshes.
 #include "base/error.h"
 #include "check/arc_rules.h"
 #include "check/track_rules.h"
@@ -20,7 +20,7 @@ std::size_t index(int i) {
     return static_cast<std::size_t>(i);
 }
 
-/// Two holes side by side: four pairs of lines cross, and every line ends at the boundary.
+/// A plane with two holes side by side: four pairs of lines cross, and every line ends at the boundary.
 CheckedMesh twoHoles() {
     return plane({"xxxxxx", "x..xxx", "xxxx.x", "xxxxxx"});
 }
@@ -99,7 +99,7 @@ TEST(CheckTrackRules, SeeADanglingEnd) {
         for (std::size_t w = 0; w < graph.coordinates.size(); ++w) {
             const Way& way = lines.network.ways[w];
             if (graph.coordinates[w] != way.length() || way.length() == 1) continue;
-            // A track that all others crash into, cut short where one of them ends.
+            // A track on which all others end, cut short where one of them does.
             auto x = graph.coordinates;
             x[w] = way.length() - 1;
             const Rules rules = rulesBroken(lines, x);
@@ -206,7 +206,7 @@ TEST(CheckArcRules, SeeDeadEnds) {
 }
 
 TEST(CheckArcRules, SeeTwoGaps) {
-    // A long line over four others; those are all in, so that every arc of it may be absent.
+    // A long line that crosses four others, all of which are in, so that every arc of it may be absent.
     const Lines lines(polycube(bump()));
     ArcSets arcs(lines);
     for (const Arc& arc : arcs.free)
@@ -296,7 +296,7 @@ TEST(CheckRules, AgreeOnPolycubes) {
             const Neighbourhoods around(mesh);
             tried += expectSameGraphs(Lines(mesh, randomSeeds(around, random, i % 3)));
         } catch (const Error&) {
-            continue; // cubes that touch in an edge only
+            continue; // cubes that touch only in an edge
         }
         if (HasFailure()) FAIL() << "mesh " << i;
     }
@@ -347,7 +347,7 @@ TEST(CheckRules, AgreeWhereLinesCrossThemselves) {
             for (const Way& way : lines.network.ways)
                 selfCrossing += way.selfCrossing();
         } catch (const Error&) {
-            continue; // two sides of one corner glued together
+            continue; // two sides of one corner are glued together
         }
         if (HasFailure()) FAIL() << "mesh " << i;
     }

@@ -1,4 +1,4 @@
-// What the checker asks of components without sources, and of transversals.
+// The checker's rules for components without sources and for transversals.
 #include "check/check_transversals.h"
 #include "check/sourceless.h"
 #include "support/polycube.h"
@@ -24,7 +24,7 @@ CheckedMesh together(CheckedMesh mesh, const CheckedMesh& other) {
     return mesh;
 }
 
-/// The track along some vertices.
+/// The track along a path of vertices.
 ReadTrack trackAlong(const Neighbourhoods& around, std::size_t rank, const std::vector<int>& vertices) {
     ReadTrack track;
     track.rank = rank;

@@ -104,7 +104,7 @@ TEST(CheckDistance, ToAPatch) {
 }
 
 TEST(CheckDistance, LeavesACornerAlongEitherSide) {
-    // Without its sides, what is nearest on this sheared quad would lie beyond two of them; it lies on one.
+    // The plane of this sheared quad has a nearest point beyond two of its sides; the quad's own lies on one.
     const CheckedMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0.2, 0.6, 0}, {-0.8, 0.6, 0}}, {{0, 1, 2, 3}}};
     EXPECT_NEAR(distanceToFace(mesh, 0, {1, 1}, {0.1, 1.6, 0}), 1, 1e-12);
     const CheckedMesh mirrored{{{0, 0, 0}, {0, 1, 0}, {0.6, 0.2, 0}, {0.6, -0.8, 0}}, {{0, 1, 2, 3}}};

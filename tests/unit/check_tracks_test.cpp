@@ -1,4 +1,4 @@
-// Tracks moved so that one rule after the other (docs/METHOD.md#valid-tracks) breaks.
+// Tracks moved such that they break one rule after another (docs/METHOD.md#valid-tracks).
 #include "base/at.h"
 #include "support/polycube.h"
 #include "support/true_models.h"
@@ -50,7 +50,7 @@ TEST(CheckTracks, SeesATrackThatPassesThroughAnother) {
 }
 
 TEST(CheckTracks, LetsAPrunedLayoutLackTracks) {
-    // The hole of a frame gives eight tracks; without two that face each other all is still grids.
+    // The hole of a frame gives eight tracks; without two opposite ones all segments are still grids.
     Model model = make(plane({"xxx", "x.x", "xxx"}));
     model.document.surfaces.reset();
     LayoutPart& part = layout(model.document);
@@ -80,7 +80,7 @@ TEST(CheckTracks, LetsAPrunedLayoutLackTracks) {
     part.tracks[0].vertices = {0, 1};
     EXPECT_TRUE(
         found(checkDocument(model.mesh, model.document), "/layout/tracks/0/vertices/0", "track inside"));
-    const auto& path = part.tracks[1].vertices; // and back again
+    const auto& path = part.tracks[1].vertices; // there and back
     part.tracks[0].vertices = {path[0], path[1], path[0]};
     EXPECT_TRUE(
         found(checkDocument(model.mesh, model.document), "/layout/tracks/0/vertices/1", "track straight"));

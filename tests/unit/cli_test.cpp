@@ -1,4 +1,4 @@
-/// \file The parts of the command line that need no process of their own; tests/cli has the rest.
+/// \file Parts of the command line that need no process of their own; tests/cli tests the rest.
 #include "base/error.h"
 #include "cli/command_line_rules.h"
 #include "cli/console.h"
@@ -143,7 +143,7 @@ TEST(Usage, HelpAndJsonSayTheSame) {
     EXPECT_EQ(json["examples"], usage.examples);
 }
 
-/// What is said of a wrong command line; empty if it is right.
+/// The error message for a wrong command line; empty if it is right.
 std::string usageError(const std::function<void()>& read) {
     try {
         read();
@@ -226,8 +226,8 @@ TEST(Console, SaysWhatTheOptionsAllow) {
     EXPECT_TRUE(console.showProgress("working") == nullptr);
 }
 
-/// Runs a tool in this process with output to a file.
-/// \return its status
+/// Runs a tool in this process, with its output in a file.
+/// \return its exit status
 int runWith(std::vector<std::string> words, const std::function<qm::ToolBody(qm::Tool&)>& declare) {
     std::vector<char*> argv;
     argv.reserve(words.size() + 1);

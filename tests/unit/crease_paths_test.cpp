@@ -9,7 +9,7 @@
 namespace qm {
 namespace {
 
-/// Of a sample part with a segment for every quad.
+/// The paths of a sample part in which every quad is a segment.
 std::vector<std::vector<VertexId>> paths(const char* name, int resolution) {
     const QuadMesh mesh = makeShape(name, {.resolution = resolution});
     const Layout layout = testing::segmentPerQuad(mesh);

@@ -35,8 +35,8 @@ CutProblem problemOf(const QuadMesh& mesh, const std::vector<VertexId>& extraord
     return problemOf(mesh, extraordinary, terminals, options, std::vector<double>(mesh.n_edges(), 0));
 }
 
-/// E(L) as docs/METHOD.md#mesh-cut states it, in a plane, where the distances are straight. nullopt: D by the
-/// distances.
+/// E(L) as stated in docs/METHOD.md#mesh-cut, in a plane, where distances are straight; with nullopt, D
+/// follows from the distances.
 double statedEnergy(const QuadMesh& mesh, VertexId source, VertexId sink,
                     const std::map<VertexId, int>& groups, const CutOptions& o,
                     const std::vector<int>& labels) {
@@ -96,7 +96,7 @@ TEST(CutEnergy, SendsExtraordinaryVerticesToTheNearerTerminalIfThereAreNoGroups)
     const CutProblem problem = problemOf(mesh, {VertexId(2), VertexId(4)}, {VertexId(0), VertexId(6), {}});
     EXPECT_EQ(problem.costs[2], (std::array<double, 2>{1, 80}));
     EXPECT_EQ(problem.costs[4], (std::array<double, 2>{80, 1}));
-    // The middle, D = 0.5, is as dear on either side; a step beside it is not.
+    // In the middle, at D = 0.5, both sides cost the same; one step beside it they do not.
     EXPECT_EQ(problem.costs[3], (std::array<double, 2>{1, 1}));
     EXPECT_EQ(problem.costs[0], (std::array<double, 2>{1, 80}));
 }

@@ -33,7 +33,7 @@ Cut cutAt(const QuadMesh& mesh, const CutOptions& options, std::span<const Seed>
     return cutMesh(mesh, buildBaseComplex(mesh, seeds), dihedralAngles(mesh), options, control);
 }
 
-/// U and n_j are what the checker, which traces lines of its own, makes of the labels.
+/// U and n_j must equal what the checker, which traces its own lines, computes from the labels.
 void expectTrueFigures(const QuadMesh& mesh, std::span<const Seed> seeds,
                        const std::vector<SubMeshId>& labels, const IdVector<SubMeshId, SubMesh>& subMeshes) {
     const check::Neighbourhoods around(checkedMesh(mesh));
@@ -52,7 +52,8 @@ void expectTrueFigures(const QuadMesh& mesh, std::span<const Seed> seeds,
     }
 }
 
-/// Every vertex has a label, every label a vertex, and sub-meshes come in the order of their lowest vertices.
+/// Every vertex must have a label and every label a vertex, and sub-meshes are ordered by their lowest
+/// vertices.
 void expectProperLabels(const QuadMesh& mesh, const Cut& cut) {
     ASSERT_EQ(cut.labels.size(), mesh.n_vertices());
     SubMeshId next(0);
@@ -82,7 +83,7 @@ std::size_t junctions(const Cut& cut) {
     return sum;
 }
 
-/// Two bumps on either end of a slab: 32 extraordinary vertices, many junctions.
+/// A slab with two bumps at each end: 32 extraordinary vertices and many junctions.
 check::CheckedMesh twoBumps(int n) {
     Cells cells = box(8, 3, 1);
     cells.push_back({1, 1, 1});
@@ -118,12 +119,11 @@ TEST(Measure, OfTheWholeMeshIsThatOfTheBaseComplex) {
 }
 
 TEST(Measure, CountsNeighbouringVerticesAsStopsAndNothingBeyond) {
-    // An L of 5 squares and more: vertex 3 squares meet at is extraordinary; its two lines run through a
-    // plane.
+    // An L-shaped plane. The vertex where three squares meet is extraordinary; its two lines cross the plane.
     const QuadMesh mesh = quadMesh(plane({"xxxx", "xxxx", "xx..", "xx.."}));
     const BaseComplex complex = buildBaseComplex(mesh);
     ASSERT_EQ(complex.extraordinaryVertices.size(), 1U);
-    // One particle goes each way; nothing crosses: U = 0, however the mesh is divided.
+    // One particle runs each way and nothing crosses, so U = 0 for every division of the mesh.
     for (const int wall : {0, 1, 2}) {
         std::vector<SubMeshId> labels;
         for (const VertexId vertex : mesh.vertices())
@@ -144,7 +144,7 @@ TEST(Measure, AgreesWithTheCheckerOnAnyLabels) {
         const std::vector<Seed> seeds = randomSeeds(*mesh, 3, random);
         const BaseComplex complex = buildBaseComplex(*mesh, seeds);
         const int count = 1 + round % 4;
-        // Random blots: every vertex takes the label of a random centre nearby in number.
+        // Every vertex gets the label of a random centre with a similar number, which makes random patches.
         std::vector<SubMeshId> labels(mesh->n_vertices());
         std::uniform_int_distribution<int> any(0, count - 1), run(1, 12);
         for (std::size_t k = 0; k < labels.size();)
@@ -190,7 +190,7 @@ TEST(Cut, MakesEverySubMeshSimpleEnough) {
 }
 
 TEST(Cut, DividesADumbbellInTheMiddle) {
-    // Two bumpy ends and a long bar: the terminals are at the ends, so the cut is across the bar's middle.
+    // A long bar with bumps at both ends: the terminals are at the ends, so the cut crosses the middle.
     Cells cells = box(3, 3, 1);
     for (const auto& cell : box(3, 3, 1))
         cells.push_back({cell[0] + 12, cell[1], 0});
@@ -206,7 +206,7 @@ TEST(Cut, DividesADumbbellInTheMiddle) {
     }
     const double whole = maxComplexity(cutAt(mesh, cutOptions(1e9)));
     for (const Terminals kind : {Terminals::irregular, Terminals::farthest}) {
-        const Cut cut = cutAt(mesh, cutOptions(whole, kind)); // U >= chi holds for the whole alone
+        const Cut cut = cutAt(mesh, cutOptions(whole, kind)); // U >= chi holds for the whole mesh only
         ASSERT_EQ(cut.subMeshes.size(), 2U);
         for (const VertexId vertex : mesh.vertices()) {
             const double x = mesh.point(vertex)[0];
@@ -230,7 +230,7 @@ TEST(Cut, EndsWhateverChiIs) {
 }
 
 TEST(Cut, KeepsWhatGetsNoSimplerAndReportsIt) {
-    // On the smallest of meshes no cut helps: the particles can stop past it as well.
+    // On this smallest mesh no cut helps, because particles can stop beyond it as well.
     const QuadMesh mesh = quadMesh(polycube(bump(), 1));
     const Cut whole = cutAt(mesh, cutOptions(1e9));
     const Cut cut = cutAt(mesh, cutOptions(0));
@@ -254,7 +254,7 @@ TEST(Cut, IsTheSameEveryTimeAndWithAnyNumberOfThreads) {
 }
 
 TEST(Cut, GivesComponentsWithParticlesSubMeshesOfTheirOwn) {
-    // Three with particles, two without any.
+    // Three components with particles, and two without.
     const QuadMesh mesh = quadMesh(
         together({torus(4, 4), twoBumps(2), polycube(bump(), 2), torus(5, 3), polycube(box(1, 1, 1), 2)}));
     const Components parts = components(mesh);
@@ -276,7 +276,7 @@ TEST(Cut, PassesOverIsolatedVertices) {
     check::CheckedMesh list = twoBumps(3);
     for (const double place : {-5.0, 0.3, 50.0})
         list.points.push_back({place, place, place});
-    for (auto& quad : list.quads) // one of them first
+    for (auto& quad : list.quads) // the first is one of them
         for (int& corner : quad)
             ++corner;
     list.points.insert(list.points.begin(), {9, 9, 9});
@@ -303,7 +303,7 @@ TEST(Cut, OfMeshesWithoutParticlesIsOneSubMesh) {
 }
 
 TEST(Cut, TakesSeedsAsTerminalsOnlyWhereThereIsNothingElse) {
-    // A torus has no extraordinary vertex: its particles start from seeds.
+    // A torus has no extraordinary vertex; its particles start at seeds.
     const QuadMesh mesh = quadMesh(torus(40, 12));
     std::vector<Seed> seeds;
     for (const int vertex : {0, 65, 133, 210, 290, 377}) {
@@ -365,7 +365,7 @@ TEST(Cut, ReportsProgressUpToTheEnd) {
         EXPECT_TRUE(fraction >= 0 && fraction <= 1);
 }
 
-/// Quads with a sharp edge on one side of the cut and the opposite edge on the other.
+/// The number of quads with a sharp edge on one side of the cut and the opposite edge on the other.
 std::size_t stepsAlongFeatures(const QuadMesh& mesh, const std::vector<double>& angles,
                                const std::vector<SubMeshId>& labels) {
     std::size_t steps = 0;

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Two squares that meet at an angle along the y axis; 0 is flat.
+/// Two squares that meet at an angle along the y axis; at angle 0 they are flat.
 QuadMesh hinge(double angle, double size = 1) {
     const double c = size * std::cos(angle), s = size * std::sin(angle);
     return buildMesh({{0, 0, 0}, {0, size, 0}, {-size, size, 0}, {-size, 0, 0}, {c, 0, s}, {c, size, s}},
@@ -35,7 +35,7 @@ TEST(Dihedral, IsTheAngleBetweenTheFacesWhicheverWayTheyTurn) {
         EXPECT_NEAR(angleOfHinge(hinge(angle)), angle, 1e-12);
         EXPECT_NEAR(angleOfHinge(hinge(-angle)), angle, 1e-12);
     }
-    EXPECT_NEAR(angleOfHinge(hinge(pi - 1e-9)), pi - 1e-9, 1e-12); // exact where a cosine would not be
+    EXPECT_NEAR(angleOfHinge(hinge(pi - 1e-9)), pi - 1e-9, 1e-12); // exact, unlike a cosine
     EXPECT_NEAR(angleOfHinge(hinge(1e-9)), 1e-9, 1e-15);
 }
 
@@ -67,7 +67,7 @@ TEST(Dihedral, OfABentQuadUsesBothTriangles) {
 }
 
 TEST(Dihedral, SplitsAtTheFirstVertexOfTheFile) {
-    // Listed from the next corner, the other diagonal is bent: the triangles' normals differ.
+    // From the next corner, the quad is split along its other diagonal, where the triangles' normals differ.
     const QuadMesh mesh = buildMesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 1}, {0, 1, 0}}, {{1, 2, 3, 0}});
     const auto [first, second] = triangleNormals(mesh, FaceId(0));
     EXPECT_NEAR((first.value() - Point(-1, -1, 1) / std::sqrt(3.0)).norm(), 0, 1e-15);
@@ -82,7 +82,7 @@ TEST(Dihedral, TakesTheOtherTriangleWhereOneHasNoArea) {
 }
 
 TEST(Dihedral, IsZeroBesideAFaceWithoutNormal) {
-    // The second quad is a segment.
+    // The second quad has no area.
     const QuadMesh mesh = buildMesh({{0, 0, 0}, {0, 1, 0}, {-1, 1, 1}, {-1, 0, 1}, {0, 2, 0}, {0, 3, 0}},
                                     {{0, 1, 2, 3}, {1, 0, 4, 5}});
     EXPECT_FALSE(hasArea(mesh, FaceId(1)));
@@ -95,7 +95,7 @@ TEST(EdgeCosts, PenaliseFlatEdges) {
     const std::vector<double> costs = edgeCosts({0, 0.19, 0.2, 1.5}, {.alpha = 0.4, .epsilon = 0.2});
     EXPECT_DOUBLE_EQ(costs[0], 0.4);
     EXPECT_DOUBLE_EQ(costs[1], 0.21);
-    EXPECT_DOUBLE_EQ(costs[2], -0.2); // only below epsilon
+    EXPECT_DOUBLE_EQ(costs[2], -0.2); // not below epsilon
     EXPECT_DOUBLE_EQ(costs[3], -1.5);
     EXPECT_DOUBLE_EQ(edgeCosts({0.5}, {.alpha = 0, .epsilon = 1})[0], -0.5);
 }

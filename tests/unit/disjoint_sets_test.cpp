@@ -1,4 +1,4 @@
-/// \file Sets that are joined, and taken apart again.
+/// \file Joining sets, and taking them apart again.
 #include "base/disjoint_sets.h"
 
 #include <gtest/gtest.h>

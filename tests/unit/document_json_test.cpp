@@ -66,7 +66,7 @@ TEST(ParseJson, TakesLinearTimeForManyKeys) {
     text += "\"last\": 0}";
     const auto start = std::chrono::steady_clock::now();
     EXPECT_EQ(parseJson(text).size(), 200001U);
-    // A search through all keys for every key would take minutes.
+    // Searching all keys for every new key would take minutes.
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
 }
 

@@ -1,5 +1,5 @@
-/// \file From documents to structs: what is read is what was written, and every broken rule is named with its
-/// place.
+/// \file Reading the sections of documents: the result equals what was written, and every violation is
+/// reported with its place.
 #include "base/at.h"
 #include "base/error.h"
 #include "document/document.h"
@@ -26,7 +26,7 @@ using qm::testing::sampleDocument;
 
 class ModelTest : public testing::Test {
 protected:
-    /// The complaint about the section of a kind after an edit, without the name of the document.
+    /// The error message for the section of a kind after an edit, without the name of the document.
     template <class Edit> std::string complaint(Kind kind, Edit&& edit) {
         Document document = sampleDocument(folder, kind);
         edit(document.root);
@@ -175,7 +175,7 @@ TEST_F(ModelTest, ACurveMustRunStraightAlongAMeshLine) {
     EXPECT_TRUE(begins(withCurve({good[0], good[1], aside}, seed),
                        "/features/curves/0/vertices/1: the path turns at vertex " + std::to_string(good[1]) +
                            ". Straight on lies vertex " + std::to_string(good[2])));
-    // Over an extraordinary vertex.
+    // A curve over an extraordinary vertex.
     const qm::VertexId corner = qm::extraordinaryVertices(mesh).front();
     std::vector<int> around;
     for (const qm::VertexId next : mesh.vv_range(corner))
@@ -262,7 +262,7 @@ TEST_F(ModelTest, ConstraintsAreEdgesOfSeparatrices) {
     EXPECT_EQ(
         constrained({{"required", {{{"vertices", way}}}}, {"forbidden", {{{"vertices", {way[0], way[1]}}}}}}),
         "/constraints/forbidden/0/vertices/1: the edge to this vertex is both required and forbidden");
-    // An edge beside every separatrix.
+    // An edge that no separatrix touches.
     std::vector<bool> used(qm::testing::sampleMesh().n_vertices());
     for (const Json& separatrix : document.root["baseComplex"]["separatrices"])
         for (const int vertex : separatrix["vertices"])
@@ -278,7 +278,7 @@ TEST_F(ModelTest, ConstraintsAreEdgesOfSeparatrices) {
         const std::vector<int> curve = document.root["features"]["curves"][0]["vertices"];
         if (std::find(curve.begin(), curve.end(), a) != curve.end()) continue;
         const std::string message = constrained({{"forbidden", {{{"vertices", {a, b}}}}}});
-        if (message == "(nothing was thrown)") continue; // on the seed's line
+        if (message == "(nothing was thrown)") continue; // the edge lies on the seed's line
         EXPECT_TRUE(begins(
             message, "/constraints/forbidden/0/vertices/1: the edge to this vertex lies on no separatrix"))
             << message;
@@ -362,7 +362,7 @@ TEST_F(ModelTest, SegmentsFollowFromTheTracks) {
 }
 
 TEST_F(ModelTest, ATrackThatIsDeletedIsHonouredOrRefused) {
-    // Without its segments made anew, a layout that lacks a track is refused.
+    // If its segments are not made anew, a layout without one of its tracks is refused.
     const auto without = [this](std::size_t track, bool withSegments) {
         return complaint(Kind::layout, [&](Json& root) {
             root["layout"]["tracks"].erase(track);

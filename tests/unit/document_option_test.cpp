@@ -47,7 +47,8 @@ TEST(Options, RangesReadLikeText) {
     EXPECT_EQ(qm::rangeText({-qm::infinite, 2.5}), "at most 2.5");
 }
 
-/// Every option of every module: a default within its range, an explanation, and a name of its own.
+/// Checks for every option of a module that its default is allowed, its help is not empty, and its name is
+/// unique.
 template <class Options> void verifyTable(Options options) {
     std::set<std::string> names;
     qm::describe(options, [&](const char* name, auto& value, const Range& range, const char* help) {

@@ -17,7 +17,7 @@
 namespace qm {
 namespace {
 
-/// As remeshers do it: every vertex in the middle of itself and of what is around it.
+/// Moves every vertex to the mean of itself and its surroundings, as remeshers do.
 QuadMesh withCutOffCorners(QuadMesh mesh) {
     const QuadMesh before = mesh;
     for (const VertexId vertex : mesh.vertices()) {
@@ -71,7 +71,7 @@ TEST(DrawToScan, NoiseAndHolesOfTheScanChangeLittle) {
 
 TEST(DrawToScan, FoldedQuadsUnfold) {
     QuadMesh mesh = makeShape("sphere", {.resolution = 8});
-    // Swaps the ends of an edge.
+    // Exchanges the ends of an edge.
     const HalfedgeId edge = mesh.halfedge_handle(VertexId(0));
     const Point from = mesh.point(VertexId(0));
     mesh.set_point(VertexId(0), mesh.point(mesh.to_vertex_handle(edge)));
@@ -91,7 +91,7 @@ TEST(DrawToScan, FoldedQuadsUnfold) {
 }
 
 TEST(DrawToScan, WhatHangsOverASharpEdgeIsPulledBack) {
-    // Beyond the upper edge of a cube, in the plane of its upper side.
+    // A quad beyond the upper edge of a cube, in the plane of its upper side.
     QuadMesh mesh;
     std::vector<VertexId> corners;
     for (const auto& [x, y] : {std::pair(1.0, 0.4), {1.2, 0.4}, {1.2, 0.6}, {1.0, 0.6}})
@@ -100,7 +100,7 @@ TEST(DrawToScan, WhatHangsOverASharpEdgeIsPulledBack) {
     const TriangleSurface cube(makeScan("cube", 2000));
     std::size_t inside = 0;
     for (const ScanEquation& equation : scanEquations(mesh, cube, {}, 0.5, 1)) {
-        if (equation.vertices[2] == equation.vertices[3]) continue; // of the quad's sides
+        if (equation.vertices[2] == equation.vertices[3]) continue; // equation of a side of the quad
         ++inside;
         EXPECT_NEAR(std::abs(equation.direction[0]), 1, 1e-6);
         EXPECT_LT(equation.direction[0] * equation.distance, -0.03);
@@ -111,7 +111,7 @@ TEST(DrawToScan, WhatHangsOverASharpEdgeIsPulledBack) {
 TEST(DrawToScan, BoundariesGoToTheScansOwn) {
     QuadMesh mesh = makeShape("plate", {.resolution = 6});
     const QuadMesh before = mesh;
-    for (const VertexId vertex : mesh.vertices()) // some outside, some inside
+    for (const VertexId vertex : mesh.vertices()) // some vertices outside, some inside
         mesh.set_point(vertex, mesh.point(vertex) * (vertex.idx() % 2 == 0 ? 1.01 : 0.99));
     const QuadMesh drawn = drawToScan(mesh, makeScan("plate", 20000), {}, 1);
     const auto off = [&](const QuadMesh& of) {

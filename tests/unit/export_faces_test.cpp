@@ -47,7 +47,7 @@ TopoDS_Shape readBack(const FittedModel& model, const ExportOptions& options = {
     return reader.OneShape();
 }
 
-/// Every one once.
+/// All sub-shapes of a kind, each once.
 std::vector<TopoDS_Shape> all(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
     TopTools_IndexedMapOfShape found;
     TopExp::MapShapes(shape, kind, found);
@@ -86,7 +86,7 @@ double distance(const Patch& one, const Patch& other) {
     return largest;
 }
 
-/// One patch of a sheet with a sharp bend along a grid line, or with knots there as if it had one.
+/// One patch on a sheet with a sharp bend along a grid line, or with the same knots but no bend.
 FittedModel bentSheet(bool sharp) {
     const Grid grid{4, 2, [](double i, double j) { return Point(i, j, 0.1 * i * i); }};
     FittedModel model = fitted(grid, {{0, 0, 4, 2}}, FitOptions());
@@ -160,7 +160,7 @@ TEST(KnotRemoval, KeepsTheSurface) {
 }
 
 TEST(Edges, AreFoundSmoothByTheReader) {
-    // A roof whose ridge is sharp, and a seam along which nothing bends.
+    // A roof with a sharp ridge, and a seam without any bend.
     const Grid grid{8, 4, [](double i, double j) { return Point(i, j, 0.1 * i * i - std::abs(j - 2)); }};
     const FittedModel model = fitted(grid, {{0, 0, 8, 2}, {0, 2, 3, 4}, {3, 2, 8, 4}}, FitOptions());
     const ShapeReport report = *exportModel(model.mesh, model.layout, &model.surfaces, {}).shape;
@@ -194,7 +194,7 @@ TEST(Planes, AreExportedAsPlanes) {
     EXPECT_EQ(countSurfaces<Geom_Plane>(readBack(wavy)), 0);
 }
 
-/// A flat sheet of N x N squares, a patch each, of which some have a peak in the middle.
+/// A flat sheet of N x N squares with one patch each; those at the given places have a peak in the middle.
 FittedModel peaks(const std::vector<std::array<int, 2>>& places, int squaresAlong = 3) {
     const int size = 2 * squaresAlong;
     const auto isPeak = [=](double i, double j) {
@@ -258,7 +258,7 @@ ExportOptions analytic() {
     return options;
 }
 
-/// Half a cylinder and half of the ring that closes it above.
+/// Half of a cylinder, and half of the ring that closes it at the top.
 FittedModel cup() {
     const Grid grid{24, 6, [](double i, double j) {
                         const double angle = std::numbers::pi * i / 24;
@@ -318,7 +318,7 @@ INSTANTIATE_TEST_SUITE_P(
                     std::vector<std::array<int, 4>>{{0, 0, 9, 12}, {9, 0, 16, 4}, {9, 4, 16, 12}},
                     std::vector<std::array<int, 4>>{{3, 5, 11, 13}, {11, 5, 19, 13}, {3, 1, 19, 5}}));
 
-/// A sheet on a surface of revolution: distance from the axis by height.
+/// A sheet on a surface of revolution; its distance from the axis is a function of the height.
 FittedModel revolved(const std::function<double(double)>& radius, bool inwards) {
     const Grid grid{64, 16, [&](double i, double j) {
                         const double angle = (inwards ? -1 : 1) * 0.06 * i;

@@ -45,7 +45,7 @@ struct Made {
     ShapeReport report;
 };
 
-/// As qm-export does.
+/// Makes the shape of a model as qm-export does.
 Made shapeOf(const Model& model) {
     const FacePatches faces = separated(model.mesh, facePatches(model.layout, model.surfaces.patches), 1e-9);
     return {buildShape(makeBoundary(model.mesh, faces)).shape,
@@ -109,7 +109,8 @@ TEST(Shape, IsASolidIfTheMeshIsClosed) {
 TEST(Shape, TakesPatchesOfLowerDegrees) {
     const Grid ruled{10, 8, [](double i, double j) { return Point(i, j, std::sin(0.5 * i)); }};
     Model model = fitted(ruled, {{0, 0, 10, 8}}, test::interpolating());
-    for (Patch& patch : model.surfaces.patches) { // between the two curves that the others lie between, too
+    // Also those between the two curves that the others lie between.
+    for (Patch& patch : model.surfaces.patches) {
         patch = clamped(patch);
         const auto columns = static_cast<std::ptrdiff_t>(patch.count[0]);
         const double length = patch.knots[1].back();

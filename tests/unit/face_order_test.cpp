@@ -19,8 +19,8 @@ Handle(Geom_Surface) aCylinder() {
     return new Geom_CylindricalSurface(gp_Ax3(gp::XOY()), 1);
 }
 
-/// Faces side by side between two vertices, as slices of an apple's half: faces 0, 1, 2 ... of `numbers` with
-/// smooth edges between them, in one part in the order of their numbers.
+/// Faces side by side between two vertices, like slices of half an apple: faces 0, 1, 2 ... of `numbers`,
+/// with smooth edges between them, in one part, in the order of their numbers.
 Boundary slices(const Faces& numbers) {
     Boundary boundary;
     boundary.vertices.resize(2);
@@ -38,7 +38,7 @@ Boundary slices(const Faces& numbers) {
     return boundary;
 }
 
-/// Whether the faces that have come are side by side at any time.
+/// Whether the faces placed so far are side by side at any time.
 bool growsTogether(const Faces& order, const Faces& fan) {
     std::size_t first = fan.size();
     std::size_t last = 0;
@@ -66,7 +66,7 @@ TEST(FaceOrder, LetsFansGrowTogetherHoweverTheyAreNumbered) {
 
 TEST(FaceOrder, LeavesOtherFacesInTheirOrder) {
     Boundary boundary = slices({0, 2, 1, 3});
-    boundary.edges[2].isSmooth = false; // two fans of two faces: any order will do
+    boundary.edges[2].isSmooth = false; // two fans of two faces: any order is right
     orderFaces(boundary);
     EXPECT_EQ(boundary.parts[0].faces, (Faces{0, 1, 2, 3}));
 }
@@ -85,7 +85,8 @@ TEST(FaceOrder, HasPlanesBeforeCylinders) {
     boundary.faces[0].surface = aCylinder();
     boundary.faces[2].surface = aCylinder();
     orderFaces(boundary);
-    EXPECT_EQ(boundary.parts[0].faces, (Faces{1, 3, 0, 2})); // 0 comes between two, which cannot be helped
+    // 0 comes between two others, which is unavoidable.
+    EXPECT_EQ(boundary.parts[0].faces, (Faces{1, 3, 0, 2}));
 }
 
 TEST(FaceOrder, KeepsPartsApart) {

@@ -14,7 +14,7 @@
 namespace qm::testing {
 namespace {
 
-/// The same by sweeping from every vertex.
+/// The largest distance, found by sweeping from every vertex.
 double longestOfAll(const std::vector<VertexId>& vertices, Geodesics& geodesics) {
     double longest = 0;
     for (const VertexId from : vertices) {
@@ -62,7 +62,7 @@ TEST(FarthestPair, IsNearlyThatOfAllPairsOnAnySurface) {
     for (int round = 0; round < 60; ++round) {
         const std::optional<QuadMesh> mesh = randomMesh(random);
         if (!mesh || mesh->n_vertices() < 8) continue;
-        // What distances there and back differ by on such coarse meshes is all that may be lost.
+        // The result may be shorter only by what distances there and back differ on such coarse meshes.
         const std::vector<int> component = components(*mesh).ofVertex;
         const std::vector<SubMeshId> part(component.begin(), component.end());
         Geodesics geodesics(*mesh, part);

@@ -16,7 +16,8 @@ namespace {
 
 constexpr double sharp = 1;
 
-/// All edges sharper than 0.5, at least `tau` of them, more than `zeta` from sources.
+/// Options for curves of at least `tau` edges sharper than 0.5, with ends more than `zeta` edges from
+/// sources.
 FeatureOptions limits(int tau, int zeta) {
     return {0.5, {0, true}, {0, true}, tau, zeta};
 }
@@ -40,7 +41,7 @@ void expectOneCurve(const QuadMesh& mesh, const Features& features, const Path& 
     EXPECT_EQ(features.curves[0].seed.idx(), seed);
 }
 
-/// A row of vertices of a rectangle of so many columns.
+/// A part of a row of vertices in a rectangle with so many columns.
 Path row(int columns, int j, int first, int last) {
     Path path;
     for (int i = first; i <= last; ++i)
@@ -83,7 +84,7 @@ TEST(Features, AreFarFromExtraordinaryVerticesWhereTheBoundaryComesFirst) {
     expectOneCurve(mesh, findFeatures(mesh, angles, limits(8, 1000)), row(8, 1, 0, 8), 13);
 }
 
-/// A cube of 10 x 10 quads a side: its edges are lines of ten mesh edges between extraordinary vertices.
+/// A cube with 10 x 10 quads per side; its edges are lines of ten mesh edges between extraordinary vertices.
 struct Cube {
     QuadMesh mesh = quadMesh(polycube(box(1, 1, 1), 10));
     Path edge; ///< vertices
@@ -121,7 +122,7 @@ TEST(Features, DoNotEndAtExtraordinaryVertices) {
 TEST(Features, MayBeClosedLoops) {
     const QuadMesh mesh = quadMesh(torus(7, 5));
     {
-        // Any line of a torus is closed.
+        // All lines of a torus are closed.
         Path loop{0};
         HalfedgeId halfedge = mesh.halfedge_handle(VertexId(0));
         do {
@@ -134,7 +135,8 @@ TEST(Features, MayBeClosedLoops) {
         EXPECT_EQ(paths(mesh, whole)[0].front(), paths(mesh, whole)[0].back());
         EXPECT_EQ(whole.curves[0].halfedges.size(), static_cast<std::size_t>(length));
 
-        // One blunt edge, wherever it is, leaves one run that goes round past the loop's first vertex.
+        // A closed line with a single blunt edge, wherever it is, has one run, which passes the line's first
+        // vertex.
         for (int gap = 0; gap < length; ++gap) {
             const PerEdge angles =
                 PerEdge(mesh, 0).along(loop, sharp).along({loop[at(gap)], loop[at(gap) + 1]}, 0);
@@ -157,7 +159,7 @@ TEST(Features, TakeSeedsThatDiffer) {
 }
 
 TEST(Features, WithoutAPlaceForASeedAreLeftOut) {
-    const QuadMesh mesh = rectangle(1, 3); // every line across has boundary vertices only
+    const QuadMesh mesh = rectangle(1, 3); // lines across have boundary vertices only
     const PerEdge angles = PerEdge(mesh, 0).along({2, 3}, sharp);
     EXPECT_TRUE(findFeatures(mesh, angles, limits(1, 0)).curves.empty());
 }
@@ -166,13 +168,13 @@ TEST(Features, OfAMeshWithoutFacesAreNone) {
     EXPECT_TRUE(findFeatures(QuadMesh(), {}, limits(1, 0)).curves.empty());
 }
 
-/// The same by the letter of the method: from every edge, to either side, then on along the line.
+/// The same, following the method literally: from every edge to both sides along its line.
 class ByTheLetter {
 public:
     ByTheLetter(const QuadMesh& mesh, const std::vector<double>& angles, const FeatureOptions& options)
         : mesh_(mesh), angles_(angles), options_(options) {}
 
-    /// The edges of every curve, whether or not there is a place for its seed.
+    /// The edges of every curve, whether or not it has a vertex for a seed.
     std::set<std::set<int>> curves() const {
         std::set<std::set<int>> result;
         for (const EdgeId edge : mesh_.edges()) {
@@ -193,14 +195,14 @@ public:
 private:
     bool isSharp(EdgeId edge) const { return !mesh_.is_boundary(edge) && angles_[at(edge)] > options_.rho; }
 
-    /// Takes in the sharp edges ahead.
+    /// Adds the sharp edges ahead to the run.
     /// \return whether the end is far enough from extraordinary vertices
     bool extend(HalfedgeId halfedge, std::set<int>& run) const {
         for (;;) {
             if (!continuesStraight(mesh_, mesh_.to_vertex_handle(halfedge))) break;
             const HalfedgeId next = straightOn(mesh_, halfedge);
             if (!isSharp(mesh_.edge_handle(next))) break;
-            if (!run.insert(mesh_.edge_handle(next).idx()).second) return true; // all the way round
+            if (!run.insert(mesh_.edge_handle(next).idx()).second) return true; // all round a closed line
             halfedge = next;
         }
         double length = 0;
@@ -232,7 +234,7 @@ TEST(Features, AgreeWithTheLetterOfTheMethod) {
         for (const EdgeId edge : mesh->edges())
             angles[at(edge)] = mesh->is_boundary(edge) || angle(random) > share ? 0 : sharp;
         FeatureOptions options = limits(1 + round % 4, round % 3);
-        // No sum of edges' lengths is near these, which rounding could put on either side.
+        // These lengths are far from all sums of edge lengths, so rounding cannot decide.
         if (round % 2 == 0) options.minLength = {1.2345 * (round % 5), false};
         if (round % 7 < 3) options.minDistance = {0.98765 * (round % 7), false};
         const Features features = findFeatures(*mesh, angles, options);
@@ -253,7 +255,7 @@ TEST(Features, AgreeWithTheLetterOfTheMethod) {
             ASSERT_TRUE(continuesStraight(*mesh, curve.seed));
             ASSERT_TRUE(seeded.insert(curve.seed).second);
         }
-        // What is missing has no vertex for a seed.
+        // Missing curves have no vertex for a seed.
         for (const std::set<int>& edges : expected) {
             if (edgeSets.contains(edges)) continue;
             for (const int edge : edges)

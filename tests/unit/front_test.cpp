@@ -13,7 +13,7 @@ TEST(Front, HasTheOrderOfAHeapWhateverItsSteps) {
         std::mt19937 random(7);
         Front front(step);
         std::priority_queue<Front::Entry, std::vector<Front::Entry>, std::greater<>> heap;
-        for (int use = 0; use < 2; ++use) { // what was emptied can be used again
+        for (int use = 0; use < 2; ++use) { // an empty front can be used again
             const auto put = [&](double distance) {
                 const Front::Entry entry{distance, static_cast<int>(random() % 100),
                                          static_cast<int>(random() % 9)};
@@ -26,7 +26,7 @@ TEST(Front, HasTheOrderOfAHeapWhateverItsSteps) {
                 ASSERT_EQ(entry.distance, heap.top().distance);
                 ASSERT_EQ(entry.rank, heap.top().rank);
                 heap.pop();
-                // Ties, steps skipped, and now and then one that is nearer than what was taken.
+                // Includes ties, skipped steps, and sometimes an entry nearer than those taken already.
                 for (auto n = k < 4000 ? random() % 3 : 0; n > 0; --n)
                     put(std::max(0.0, entry.distance +
                                           static_cast<double>(static_cast<int>(random() % 50) - 5) / 100));

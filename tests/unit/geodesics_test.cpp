@@ -20,7 +20,7 @@ double norm(const Point& point) {
     return point.norm();
 }
 
-/// A square of size x size quads, each vertex moved.
+/// A square of size x size quads with its vertices moved to `place`.
 QuadMesh square(int size, const std::function<Point(double, double)>& place) {
     std::vector<Point> points;
     std::vector<std::array<int, 4>> quads;
@@ -34,7 +34,7 @@ QuadMesh square(int size, const std::function<Point(double, double)>& place) {
     return buildMesh(points, quads);
 }
 
-/// A sphere of radius 1: the cube from -1 to 1, blown up so that its grid lines are spread evenly.
+/// A sphere of radius 1: the cube from -1 to 1, projected such that its grid lines are evenly spread.
 QuadMesh sphere(int n) {
     check::CheckedMesh cube = polycube(box(1, 1, 1), n);
     for (auto& point : cube.points) {
@@ -52,7 +52,7 @@ struct Errors {
     double mean = 0;
 };
 
-/// Relative errors of the distances from some vertices to all.
+/// Relative errors of the distances from some vertices to all others.
 Errors errors(const QuadMesh& mesh, const std::function<double(const Point&, const Point&)>& exact) {
     const std::vector<SubMeshId> whole(mesh.n_vertices(), SubMeshId(0));
     Geodesics geodesics(mesh, whole);
@@ -91,7 +91,7 @@ TEST(Geodesics, AreExactInThePlane) {
 }
 
 TEST(Geodesics, AreExactOnWhatUnrollsIntoThePlane) {
-    // Folded along grid lines.
+    // A sheet folded along grid lines.
     const QuadMesh mesh =
         square(12, [](double i, double j) { return i <= 5 ? Point(i, j, 0) : Point(5, j, i - 5); });
     const auto unrolled = [](const Point& a, const Point& b) {
@@ -118,7 +118,7 @@ TEST(Geodesics, StayInTheirPart) {
     const std::vector<double>& distance = geodesics.from(VertexId(0));
     EXPECT_EQ(distance[5], infinity);
     EXPECT_DOUBLE_EQ(distance[4], 4);
-    // From (0, 0) around (5, 10) to (10, 0); what squeezes by may cut the corner by a quad.
+    // From (0, 0) around (5, 10) to (10, 0); the path may cut the corner by a quad.
     EXPECT_NEAR(distance[10], 2 * std::hypot(5, 10), 0.5);
     EXPECT_GE(distance[10], 2 * std::hypot(4, 9));
 }
@@ -129,7 +129,7 @@ TEST(Geodesics, ForgetWhatEarlierCallsFound) {
     Geodesics geodesics(mesh, part);
     EXPECT_DOUBLE_EQ(geodesics.from(VertexId(0))[24], std::hypot(4, 4));
     for (std::size_t k = 10; k < 25; ++k)
-        part[k] = SubMeshId(1); // the upper rows, from now on
+        part[k] = SubMeshId(1); // the upper rows from now on
     EXPECT_EQ(geodesics.from(VertexId(0))[24], infinity);
     EXPECT_DOUBLE_EQ(geodesics.from(VertexId(0))[9], std::hypot(4, 1));
     EXPECT_DOUBLE_EQ(geodesics.from(VertexId(24))[10], std::hypot(4, 2));
@@ -161,7 +161,7 @@ TEST(Geodesics, NeverBeatTheStraightWayNorLoseToTheEdges) {
         Geodesics geodesics(mesh, whole);
         const std::vector<double>& distance = geodesics.from(VertexId(0));
         for (const VertexId vertex : mesh.vertices()) {
-            // A quad that is not flat has two unfoldings, and a front may use either.
+            // A quad that is not flat can be unfolded in two ways, and a front may use either.
             EXPECT_GE(distance[at(vertex)], 0.9 * norm(mesh.point(vertex) - mesh.point(VertexId(0))));
             for (const VertexId next : mesh.vv_range(vertex))
                 EXPECT_LE(distance[at(next)],
@@ -187,7 +187,7 @@ std::vector<VertexId> verticesOf(const QuadMesh& mesh, const std::vector<SubMesh
     return vertices;
 }
 
-/// Errors of coarse distances, in shares of the longest, of some vertices to all.
+/// Errors of coarse distances from some vertices to all others, as shares of the largest distance.
 Errors coarseErrors(const QuadMesh& mesh, const std::function<double(const Point&, const Point&)>& exact) {
     const std::vector<SubMeshId> whole(mesh.n_vertices(), SubMeshId(0));
     const std::vector<VertexId> vertices = verticesOf(mesh, whole, 0);

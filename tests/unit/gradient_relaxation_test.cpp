@@ -12,7 +12,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A ring of this many columns, of two neighbours of which at least one is 1: relaxed, all are a half.
+/// A ring of columns in which at least one of two neighbours must be 1; the relaxation sets all to one half.
 IntegerProgram ring(std::size_t columns) {
     IntegerProgram program;
     program.costs.assign(columns, 1);
@@ -36,7 +36,7 @@ TEST(GradientRelaxation, KnowsEquationsAndUpperSides) {
     program.costs = ColumnValues(std::vector<double>{-3, -2, 1});
     program.rows.push_back({{ColumnId(0), ColumnId(1)}, {1, 1}, -infinity, 1.5});
     program.rows.push_back({{ColumnId(1), ColumnId(2)}, {1, -1}, 0, 0});
-    // (1, 0.5, 0.5) is cheapest.
+    // The cheapest solution is (1, 0.5, 0.5).
     const NearOptimum found = relaxByGradients(program, {100000, 1e-6});
     EXPECT_NEAR(found.lowerBound, -3.5, 1e-3);
     EXPECT_NEAR(program.cost(found.values), -3.5, 1e-2);
@@ -67,7 +67,7 @@ TEST(DualBound, ADualOfAnInfiniteSideProvesNothing) {
 TEST(DualBound, IsTheCostOfARelaxedOptimum) {
     const IntegerProgram program = ring(5);
     EXPECT_DOUBLE_EQ(dualBound(program, IdVector<RowId, double>(std::vector<double>(5, 0.5))), 2.5);
-    // Columns that would cost less than nothing are taken.
+    // Columns with negative reduced cost count with that cost.
     EXPECT_DOUBLE_EQ(dualBound(program, IdVector<RowId, double>(std::vector<double>(5, 0.75))), 1.25);
 }
 
@@ -92,7 +92,7 @@ TEST(SparseRows, MultiplyAsWrittenOut) {
 
 TEST(DecompositionBound, IsTrueWithAnyDuals) {
     RelaxedProgram relaxed;
-    relaxed.program = ring(101); // 51 columns at least
+    relaxed.program = ring(101); // an integral solution needs 51 columns
     relaxed.values.assign(101, 0.5);
     for (const double dual : {0.0, 0.1, 0.5, 0.7, 3.0}) {
         relaxed.duals.assign(101, dual);

@@ -1,4 +1,4 @@
-// The pruning program counts segments and their cost as the layout does, whatever arcs are in, and keeps what
+// For any set of arcs, the pruning program must count segments and cost as the layout does, and keep what
 // smooth borders need.
 #include "base/at.h"
 #include "prune/layout_values.h"
@@ -34,8 +34,8 @@ struct Pruning {
     GridProgram grids;
 };
 
-/// Tries sets of arcs; those that the program allows become layouts.
-/// \return how many were allowed
+/// Tries sets of arcs; makes a layout of each set that the program allows.
+/// \return the number of sets allowed
 std::size_t countAsLayoutsDo(const Pruning& pruning) {
     std::mt19937 random(2);
     std::size_t allowed = 0;
@@ -50,7 +50,7 @@ std::size_t countAsLayoutsDo(const Pruning& pruning) {
             layoutOf(pruning.mesh, pruning.complex, pruning.graph, values, pruning.angles, pruning.costs);
         EXPECT_NEAR(pruning.grids.segments(values), static_cast<double>(layout.segments.size()), 1e-9);
         EXPECT_NEAR(pruning.grids.program.cost(values), layout.cost, 1e-9);
-        // Without any arc a component gets a line, which may run along arcs.
+        // A component without arcs gets a line, which may run along arcs.
         if (std::ranges::count(present, true) == 0) continue;
         EXPECT_TRUE(valuesOf(pruning.mesh, pruning.complex, pruning.graph, pruning.grids, layout) == values);
     }
@@ -110,8 +110,8 @@ TEST(GridProgram, GroupsColumnsByLines) {
 }
 
 TEST(GridProgram, KeepsATrackWhoseEndWouldLeaveASharpTurn) {
-    // Three by two squares, folded by a right angle along the line 1-5-9. Its half 5-9 ends on the line 4-7,
-    // which turns over the fold.
+    // Three by two squares, folded at a right angle along the line 1-5-9. Its half 5-9 ends on the line 4-7,
+    // which turns at the fold.
     QuadMesh mesh = rectangle(3, 2);
     for (const VertexId vertex : mesh.vertices()) {
         const Point place = mesh.point(vertex);

@@ -1,5 +1,5 @@
-// No stage does more than so much more on a larger mesh. What is counted is memory taken, in bytes: whatever
-// copies or gathers something of the mesh for every element shows in it, on every machine alike.
+// The work of every stage must not grow much faster than the mesh. Allocated bytes are counted, because
+// anything that copies or collects parts of the mesh for every element shows in them, on every machine alike.
 #include "cut/cut.h"
 #include "enumerate/enumerate.h"
 #include "features/features.h"
@@ -22,7 +22,7 @@ namespace {
 std::atomic<std::size_t> bytesTaken = 0;
 }
 
-// With sanitizers GCC takes blocks that these functions make for those of the library's.
+// With sanitizers GCC takes blocks allocated by these functions for those of the library.
 #ifdef __GNUC__
 #pragma GCC diagnostic ignored "-Wmismatched-new-delete"
 #endif
@@ -47,7 +47,8 @@ void operator delete(void* place, std::size_t) noexcept {
 namespace qm::testing {
 namespace {
 
-/// The bytes that every stage takes for a solid of so many cubes, whose extraordinary vertices grow with it.
+/// The bytes that every stage allocates for a solid of so many cubes, whose extraordinary vertices grow with
+/// it.
 std::map<std::string, double> bytesOfStages(int voxels) {
     std::map<std::string, double> bytes;
     std::size_t before = 0;

@@ -10,7 +10,7 @@
 namespace qm {
 namespace {
 
-/// Over 5 x 3 quads, denser along u in the middle; all points have slid by (1, 0, 0).
+/// A lattice over 5 x 3 quads, denser along u in the middle; all targets have slid by (1, 0, 0).
 FitLattice slidLattice() {
     FitLattice lattice;
     lattice.targets.parameters = {std::vector<double>{0, 0.5, 1, 1.5, 2, 2.125, 2.25, 2.5, 3, 4, 5},

@@ -55,7 +55,7 @@ TEST(Layout, LeavesARectangleWhole) {
 }
 
 TEST(Layout, CutsAlongTheTracks) {
-    // Straight down, and from its middle to the right: a T.
+    // A track straight down and one from its middle to the right form a T.
     const QuadMesh mesh = rectangle(2, 2);
     const Layout layout = layoutAlong(mesh, {{1, 4, 7}, {4, 5}});
     EXPECT_EQ(layoutFault(mesh, layout), "");
@@ -82,8 +82,8 @@ TEST(Layout, HasASegmentForEverySideOfACube) {
 }
 
 TEST(Layout, HasSegmentsThatTouchThemselves) {
-    // Two rings around a torus and one line across, from one to the other and on to the first: its two
-    // segments have the same path as opposite sides, and each corner vertex twice.
+    // Two rings around a torus, and one line from the first ring across the second and back to the first.
+    // Both segments have the same path as two opposite sides, and each corner vertex twice.
     const QuadMesh mesh = quadMesh(torus(4, 4));
     const Layout layout = layoutAlong(mesh, {{0, 1, 2, 3, 0}, {8, 9, 10, 11, 8}, {1, 5, 9, 13, 1}});
     EXPECT_EQ(layoutFault(mesh, layout), "");
@@ -150,7 +150,7 @@ TEST(Layout, RefusesAnEdgeOnTwoTracks) {
 
 TEST(LayoutQuality, CountsAndMeasures) {
     const QuadMesh mesh = rectangle(4, 2);
-    // Down the second line, and from its middle to the right: 1 x 2, 3 x 1, 3 x 1.
+    // A track down the second line, and one from its middle to the right: segments of 1 x 2, 3 x 1 and 3 x 1.
     const Layout layout = layoutAlong(mesh, {{1, 6, 11}, {6, 7, 8, 9}});
     PerEdge angles(mesh, 0.1);
     angles.along({6, 7}, 1.0).along({8, 9}, 0.5).along({3, 8}, 1.5);

@@ -43,7 +43,7 @@ QuadMesh shape(const std::string& name, int resolution) {
     return makeShape(name, options);
 }
 
-/// Moves every vertex along its sphere or plane, so that no line is straight or evenly divided.
+/// Moves every vertex along its sphere or plane, so that no line remains straight or evenly divided.
 template <class Onto> QuadMesh stirred(QuadMesh mesh, double largest, const Onto& onto) {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> shift(-largest, largest);
@@ -55,7 +55,7 @@ template <class Onto> QuadMesh stirred(QuadMesh mesh, double largest, const Onto
     return mesh;
 }
 
-/// Root of the mean square, as the distance from the unit sphere may be here and there by chance.
+/// Root mean square distance from the unit sphere; single distances may be small by chance.
 double fromSphere(const MeshLattice& lattice) {
     double sum = 0;
     for (std::size_t k = 0; k < lattice.numbers().count(); ++k)
@@ -109,7 +109,7 @@ TEST(LeastBending, IsTheSameOnAnyNumberOfThreads) {
 }
 
 TEST(LeastBending, BelievesNoQuadsThatAreFarFromFlat) {
-    // All quads of this cube are bent by more than any tangent plane allows.
+    // All quads of this cube are bent too much for any tangent plane.
     const Sample sample(shape("sphere", 1));
     const MeshLattice bent = sample.bent();
     for (std::size_t k = 0; k < bent.numbers().count(); ++k)

@@ -1,4 +1,4 @@
-/// \file Control points are put into planes with as little change as equations allow.
+/// \file Moving control points into planes with the least change that equations allow.
 #include "bspline/fitting/least_change.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ namespace {
 using qm::LeastChange;
 using qm::PlaneDemand;
 
-/// Across the third axis.
+/// The plane perpendicular to the third axis at a height.
 qm::Plane level(double height) {
     return {{0, 0, 1}, height};
 }
@@ -23,7 +23,7 @@ Eigen::MatrixX3d threePoints() {
     return points;
 }
 
-/// The middle one of three points stays in the middle.
+/// The equation that keeps the middle one of three points in the middle.
 std::vector<qm::LinearForm> straight() {
     return {{{0, 1, 2}, {1, -2, 1}}};
 }
@@ -35,7 +35,7 @@ TEST(LeastChange, MovesWhatIsDemandedAndWhatEquationsTakeAlong) {
     const Eigen::MatrixX3d after = change.run(demands, before);
     EXPECT_NEAR(after(0, 2), 0, 1e-14);
     EXPECT_LT(change.violation(after - before), 1e-14);
-    // Of all ways to move the others by a and b with -0.5 - 2 a + b = 0, the one with the smallest squares.
+    // Of all changes a and b of the others with -0.5 - 2 a + b = 0, this one has the smallest sum of squares.
     EXPECT_NEAR(after(1, 2) - before(1, 2), -0.2, 1e-14);
     EXPECT_NEAR(after(2, 2) - before(2, 2), 0.1, 1e-14);
     EXPECT_EQ(after.leftCols(2), before.leftCols(2)) << "nothing moves along the plane";

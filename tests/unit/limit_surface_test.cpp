@@ -40,7 +40,7 @@ std::vector<bool> sharperThan(const QuadMesh& mesh, double angle) {
     return creases;
 }
 
-/// Largest distance of lattice points from a surface.
+/// The largest distance of lattice points from a surface.
 double largestError(const std::vector<ReferenceGrid>& grids,
                     const std::function<double(const Point&)>& distance) {
     double largest = 0;
@@ -58,7 +58,7 @@ double limitError(const std::string& shape, int resolution,
     return largestError(limitSurface(mesh, segmentPerQuad(mesh), noCreases(mesh), 4, 1), distance);
 }
 
-/// A fan of n quads around vertex 0, with a ring of quads around it, bent a little.
+/// A fan of n quads around vertex 0 inside a ring of quads, slightly bent.
 QuadMesh fan(int n) {
     QuadMesh mesh;
     const auto place = [](double radius, double angle) {
@@ -140,7 +140,7 @@ TEST(MeshLattice, IsTheBicubicSplineOfItsControlMeshWhereThatIsRegular) {
     patch.controlPoints = control.points;
     for (std::size_t side = 0; side < 2; ++side)
         for (int k = 0; k < patch.count[side] + 4; ++k)
-            patch.knots[side].push_back(k - 2); // control point k is above k
+            patch.knots[side].push_back(k - 2); // control point k lies above k
     for (const int steps : {2, 4, 8}) {
         MeshLattice lattice(mesh, control.points);
         while (lattice.squares() < steps)
@@ -159,8 +159,8 @@ TEST(MeshLattice, IsTheBicubicSplineOfItsControlMeshWhereThatIsRegular) {
     }
 }
 
-/// A sheet in which narrow columns follow wide ones: a spline through all of them turns back.
-/// \param bend  angle between one row of quads and the next
+/// A sheet in which narrow columns follow wide ones, where a spline through all vertices would turn back.
+/// \param bend  angle between successive rows of quads
 Grid unevenSheet(double bend) {
     const std::vector<double> columns{0, 1, 2, 2.02, 2.04, 3, 4};
     std::vector<Point> rows{Point(0, 0, 0)};
@@ -190,8 +190,8 @@ struct StarEdge {
     double angle; ///< degrees
 };
 
-/// Plane parallelograms around a vertex, the first faces, and a ring of quads around them.
-/// \param edges  from the middle, counter-clockwise
+/// Plane parallelograms around a vertex, which are the first faces, inside a ring of quads.
+/// \param edges  from the middle vertex, counter-clockwise
 QuadMesh starMesh(const std::vector<StarEdge>& edges) {
     const auto end = [&](std::size_t k) {
         const double angle = edges[k % edges.size()].angle * std::numbers::pi / 180;
@@ -217,8 +217,8 @@ QuadMesh starMesh(const std::vector<StarEdge>& edges) {
 }
 
 TEST(LimitSurface, DoesNotFoldAtFlatCornersOfPlaneQuads) {
-    // Corners of up to 141 degrees between edges of very different length: between the lattice's points the
-    // surface turned over there.
+    // Corners of up to 141 degrees between edges of very different lengths, where the surface once turned
+    // over between the lattice's points.
     const std::vector<std::vector<StarEdge>> stars{
         {{0.26, 0}, {1.12, 42}, {0.46, 183}, {0.24, 244}, {0.75, 315}},
         {{1.19, 0}, {0.27, 54}, {0.36, 127}, {1.16, 234}, {0.31, 321}},
@@ -237,7 +237,8 @@ TEST(LimitSurface, DoesNotFoldAtFlatCornersOfPlaneQuads) {
 }
 
 TEST(LimitSurface, BendsWhereItWouldHaveFolded) {
-    // Redrawn quads follow the others around the bend: their middle is off the facet as far as an arc is.
+    // Redrawn quads follow the others around the bend: their middle is as far from the facet as that of an
+    // arc.
     constexpr double bend = 0.2;
     const Grid grid = unevenSheet(bend);
     const QuadMesh mesh = test::makeMesh(grid);
@@ -350,7 +351,8 @@ TEST(LimitSurface, SegmentsMayBeTurnedInAnyWay) {
 }
 
 TEST(LimitSurface, StartsFromTheVerticesWhereNoControlMeshInterpolates) {
-    // Eight vertices of three edges each: singular, and this cube is warped so that nothing solves it.
+    // Eight vertices of three edges each make the system singular, and this cube is warped such that it has
+    // no solution.
     QuadMesh mesh = makeShape("cube", {1});
     mesh.set_point(VertexId(0), mesh.point(VertexId(0)) * 1.1 + Point(0.01, 0.1, 0));
     const auto rules = vertexRules(mesh, segmentPerQuad(mesh), noCreases(mesh));
@@ -365,7 +367,7 @@ TEST(LimitSurface, OneHopelessComponentSpoilsNoOther) {
     QuadMesh mesh = makeShape("cube", {1});
     mesh.set_point(VertexId(0), mesh.point(VertexId(0)) * 1.1 + Point(0.01, 0.1, 0));
     const QuadMesh sphere = makeShape("sphere", {4});
-    mesh.add_vertex({9, 9, 9}); // and one vertex alone
+    mesh.add_vertex({9, 9, 9}); // an isolated vertex
     const int first = static_cast<int>(mesh.n_vertices());
     for (const VertexId vertex : sphere.vertices())
         mesh.add_vertex(sphere.point(vertex) + Point(5, 0, 0));
@@ -394,7 +396,7 @@ TEST(LimitSurface, TakesQuadsWithoutArea) {
 // ------------------------------------------------------------------------------- stencils
 
 TEST(VertexStencil, TheLimitIsWhereManySubdivisionsEnd) {
-    // One ring around vertex 0 is subdivided by hand; with a crease along the first spoke or without.
+    // Subdivides one ring around vertex 0 by hand, with and without a crease along the first spoke.
     for (const bool dart : {false, true})
         for (const int n : {3, 4, 5, 8, 20}) {
             const QuadMesh mesh = fan(n);
@@ -470,7 +472,8 @@ TEST(VertexRules, CreasesThatTurnSharplyOrLeaveOneQuadBetweenThemMakeACorner) {
 TEST(VertexRules, ASideThatPassesKeepsTheCurveSmoothWhateverEndsThere) {
     const Grid sheet{4, 4, [](double i, double j) { return Point(i, j, 0); }};
     const QuadMesh mesh = test::makeMesh(sheet);
-    // The middle row of vertices is 10 ... 14; a crease runs along it, another ends on it at 12 from above.
+    // The middle row has the vertices 10 to 14; a crease runs along it, and another one ends on it at 12 from
+    // above.
     const std::vector<bool> creases = creaseAlong(mesh, {{10, 11}, {11, 12}, {12, 13}, {13, 14}, {12, 17}});
     const VertexRule passed = ruleAt(
         mesh, test::makeLayout(sheet, {{0, 0, 4, 2, 1}, {0, 2, 2, 4, 0}, {2, 2, 4, 4, 3}}), creases, 12);

@@ -10,10 +10,10 @@
 namespace qm::testing {
 namespace {
 
-/// One line of some arcs, with a source at its beginning and perhaps at its end.
+/// A line with the given arcs, a source at its beginning and possibly one at its end.
 class OneLine {
 public:
-    /// \param states  an arc each: 'x' is in, '-' is out, '.' is free
+    /// \param states  one character per arc: 'x' in, '-' out, '.' free
     explicit OneLine(const std::string& states, bool sourceAtEnd = false) {
         Line line;
         line.forward = SeparatrixId(0);
@@ -34,14 +34,15 @@ public:
         demands_ = std::move(demands);
         return *this;
     }
-    /// Lets both particles meet after an arc at the latest.
+    /// Lets both particles only meet after this arc.
     OneLine& meetAfter(int arc) {
         walkers_ = Walkers({{LineId(0), {true, true, ArcId(arc)}}});
         return *this;
     }
 
     [[nodiscard]] std::vector<LineStretch> stretches() const { return stretchesOf(input(), LineId(0)); }
-    /// The domains of all arcs of all stretches, as the states are written; from one to the next a blank.
+    /// The domains of all arcs of all stretches, in the notation of `states`; stretches are separated by a
+    /// space.
     [[nodiscard]] std::string domains() const {
         std::string text;
         for (const LineStretch& stretch : stretches()) {

@@ -1,4 +1,4 @@
-// Lists of graphs: each once, in one order whatever the number of threads, and ended when asked.
+// Lists of graphs contain each graph once, in the same order for any number of threads, and end when asked.
 #include "cli/graph_line.h"
 #include "enumerate/enumerate.h"
 #include "support/polycube.h"
@@ -58,7 +58,7 @@ TEST_F(ListGraphs, TheOrderDoesNotDependOnThreads) {
 TEST_F(ListGraphs, LinesAreThoseOfDocuments) {
     options.best = 3;
     const Enumeration found = enumerateGraphs(mesh, complex, angles, {}, options);
-    const BaseComplex none; // without it, every track begins at a source of its own
+    const BaseComplex none; // with it, every track would seem to begin at a source of its own
     for (const SeparatrixIndex& index : {separatrices, SeparatrixIndex(mesh, none)})
         for (const MotorcycleGraph& graph : found.subMeshes.front().graphs) {
             Json line{{"subMesh", 7}};

@@ -1,4 +1,4 @@
-// What is measured of finished surfaces.
+// Measurements of finished surfaces.
 #include "bspline/measure/border_measures.h"
 #include "bspline/measure/measure.h"
 #include "bspline/measure/scan_deviation.h"
@@ -25,7 +25,7 @@ Measurement measure(const QuadMesh& mesh, const Layout& layout, const std::vecto
 Grid plane() {
     return {8, 6, [](double i, double j) { return Point(i, j, 0); }};
 }
-/// Three rectangles that meet at a T-joint, each turned in another way.
+/// Three rectangles that meet at a T-joint, each turned differently.
 std::vector<test::Rectangle> tJoint() {
     return {{0, 0, 8, 3, 2}, {0, 3, 5, 6, 1}, {5, 3, 8, 6, 3}};
 }
@@ -67,7 +67,7 @@ TEST(Measure, FindsADisplacementTwoSidedAndRelative) {
 }
 
 TEST(Measure, SeesWhatHappensBetweenSamplesAtHalfEdges) {
-    // A patch with a knot at every eighth of an edge, one control point of which is off.
+    // A patch with a knot at every eighth of an edge and one displaced control point.
     const QuadMesh mesh = test::makeMesh({1, 1, [](double i, double j) { return Point(i, j, 0); }});
     const Layout layout = test::makeLayout({1, 1, plane().place}, {{0, 0, 1, 1}});
     Patch patch;
@@ -105,7 +105,7 @@ TEST(Measure, ComparesNormalsAcrossSmoothBordersOnly) {
 }
 
 TEST(Measure, FindsAnglesWithinPatches) {
-    // Linear between knots: a roof within one patch.
+    // A patch that is linear between knots: a roof.
     const Grid roof{2, 1, [](double i, double j) { return Point(i, j, -std::abs(i - 1)); }};
     const QuadMesh mesh = test::makeMesh(roof);
     const Layout layout = test::makeLayout(roof, {{0, 0, 2, 1}});
@@ -168,7 +168,7 @@ TEST(Measure, MeasuresFromAScan) {
     EXPECT_EQ(from(sheetAt(0.25, 9), 0.2).covered, 0);
 }
 
-/// Triangles of a hundredth of a quad, in a plane.
+/// A scan point among triangles of a hundredth of a quad, in a plane.
 ScanPoint ofManyTriangles(const Point& point) {
     constexpr double size = 0.01;
     const Point a(std::floor(point[0] / size) * size, std::floor(point[1] / size) * size, 0);

@@ -32,7 +32,7 @@ double minOverAllLabellings(const CutProblem& problem) {
     return min;
 }
 
-/// The least energy by augmenting paths in the whole graph, nothing fixed beforehand (Edmonds and Karp).
+/// The least energy by augmenting paths in the whole graph without fixing labels (Edmonds and Karp).
 class WholeGraph {
 public:
     explicit WholeGraph(const CutProblem& problem)
@@ -95,7 +95,7 @@ private:
     double pushed_ = 0;
 };
 
-/// A grid of nodes, as a mesh is. Strong costs fix most nodes beforehand, weak ones none.
+/// A grid of nodes, like a mesh. Strong preferences fix most nodes beforehand, weak ones none.
 CutProblem randomGrid(int columns, int rows, double strength, bool whole, std::mt19937& random) {
     std::uniform_real_distribution<double> cost(0, strength), capacity(0, 2);
     CutProblem problem;
@@ -132,7 +132,8 @@ TEST(MinCut, LosesNothingByFixingNodesBeforehand) {
 }
 
 TEST(MinCut, FollowsTheNeckBetweenTwoBodies) {
-    // Two groups of three that cling together, joined by one weak edge; only their first nodes care.
+    // Two groups of three strongly joined nodes, with a weak edge between the groups; only their first nodes
+    // have a preference.
     CutProblem problem;
     problem.costs = {{0, 9}, {0, 0}, {0, 0}, {9, 0}, {0, 0}, {0, 0}};
     problem.edges = {{0, 1, 5}, {1, 2, 5}, {2, 0, 5}, {3, 4, 5}, {4, 5, 5}, {5, 3, 5}, {2, 5, 1}};
@@ -141,7 +142,7 @@ TEST(MinCut, FollowsTheNeckBetweenTwoBodies) {
 
 TEST(MinCut, IsTheSameEveryTime) {
     std::mt19937 random(13);
-    // Equal weights: many labellings are equally good.
+    // With equal weights many labellings are optimal.
     CutProblem problem = randomGrid(12, 12, 1, true, random);
     problem.costs.front() = {0, 50};
     problem.costs.back() = {50, 0};

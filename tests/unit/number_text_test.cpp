@@ -1,4 +1,4 @@
-/// \file Numbers become text in one place.
+/// \file Conversion of numbers to text.
 #include "base/number_text.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The exact search against trying everything, on random problems small enough for that.
+// Compares the exact search with trying everything, on random problems that are small enough.
 #include "enumerate/optimum/optimum.h"
 #include "enumerate/state/depth_first.h"
 #include "program/integer_program.h"
@@ -25,7 +25,7 @@ struct Case {
     std::vector<Assignment> graphs; ///< of the whole problem, cheapest first
 };
 
-/// All graphs, cheapest first; nothing if they are too many.
+/// All graphs, cheapest first; nothing if there are too many.
 std::optional<std::vector<Assignment>> tryEverything(const Problem& problem) {
     std::vector<Assignment> graphs;
     const bool finished = forEachAssignment(
@@ -40,7 +40,7 @@ std::optional<std::vector<Assignment>> tryEverything(const Problem& problem) {
     return graphs;
 }
 
-/// Whole costs make many ties, others none.
+/// A random cost; whole numbers make many ties, others none.
 double drawCost(std::mt19937& random, bool whole) {
     return whole ? std::uniform_int_distribution(-2, 2)(random)
                  : std::uniform_real_distribution<double>(-1, 1)(random);
@@ -63,7 +63,8 @@ std::optional<Case> drawCase(unsigned number) {
     return drawn;
 }
 
-/// A window in one of the graphs: some arcs are free, the others stay; at some junctions tracks may end.
+/// A random window in one of the graphs: some arcs are free, all others fixed; at some junctions tracks may
+/// end.
 Problem drawWindow(const Case& drawn, std::mt19937& random) {
     std::vector<bool> present(drawn.graph.arcs.size(), false);
     const Assignment& graph = drawn.graphs[random() % drawn.graphs.size()];
@@ -145,7 +146,7 @@ TEST(Optimum, WindowsWithWallsAndOpenEnds) {
     int tried = 0;
     for (unsigned number = 0; number < cases; ++number) {
         const auto drawn = drawCase(number);
-        if (!drawn || !drawn->whole.gaps) continue; // a T-mesh may hold pieces that no particle reaches
+        if (!drawn || !drawn->whole.gaps) continue; // a T-mesh may contain pieces that no particle reaches
         SCOPED_TRACE(number);
         std::mt19937 random(number);
         for (int window = 0; window < 3; ++window) {

@@ -10,12 +10,13 @@
 namespace qm::testing {
 namespace {
 
-// Squares of the plane, seven columns of vertices and seven rows: (x, y) has number 10 y + x in these tests.
+// Squares of the plane with seven columns and seven rows of vertices; these tests number vertex (x, y) as 10
+// y + x.
 class PlainGraph : public ::testing::Test {
 protected:
     static int vertex(int number) { return number / 10 * 7 + number % 10; }
 
-    /// \param seeds  each from one vertex to the next in the direction of its first particle
+    /// \param seeds  for each, its vertex and the next one in the direction of its first particle
     std::vector<Path> race(const std::vector<std::array<int, 2>>& seeds) {
         std::vector<Seed> given;
         given.reserve(seeds.size());
@@ -62,8 +63,8 @@ TEST_F(PlainGraph, StopsAtASeed) {
 }
 
 TEST_F(PlainGraph, AtARightAngleTheClockwiseOneStops) {
-    // One comes from the left, one from below: the angle between where they were goes counter-clockwise from
-    // the left one to the lower one.
+    // One particle comes from the left and one from below; the angle between their last edges leads
+    // counter-clockwise from the left one to the lower one.
     const std::vector<Path> left = race({{31, 32}, {13, 23}});
     EXPECT_TRUE(contains(left, {31, 32, 33}));
     EXPECT_TRUE(contains(left, {13, 23, 33, 43, 53, 63}));
@@ -77,7 +78,7 @@ TEST_F(PlainGraph, HeadOnBothStop) {
     EXPECT_EQ(crossed.size(), 8U) << "all four of the inner ones meet at once";
     for (const Path& path : {Path{31, 32, 33}, Path{35, 34, 33}, Path{13, 23, 33}, Path{53, 43, 33}})
         EXPECT_TRUE(contains(crossed, path));
-    // The one from below comes later.
+    // The particle from below arrives later.
     const std::vector<Path> later = race({{41, 42}, {45, 44}, {13, 23}});
     for (const Path& path : {Path{41, 42, 43}, Path{45, 44, 43}, Path{13, 23, 33, 43}})
         EXPECT_TRUE(contains(later, path));
@@ -96,7 +97,7 @@ TEST_F(PlainGraph, HeadOnWhereNothingCrossesTheLowerOneTakesTheRest) {
     const std::vector<Path> edgeMeeting = race({{31, 32}, {34, 33}});
     EXPECT_TRUE(contains(edgeMeeting, {31, 32, 33, 34}));
     EXPECT_EQ(edgeMeeting.size(), 3U);
-    // Not further than to the next crossing: one from below has stopped at 34.
+    // The track is extended no farther than to the next crossing, as a particle from below has stopped at 34.
     const std::vector<Path> crossing = race({{31, 32}, {35, 34}, {24, 34}});
     for (const Path& path : {Path{31, 32, 33, 34}, Path{35, 34}, Path{24, 34}})
         EXPECT_TRUE(contains(crossing, path));

@@ -49,7 +49,8 @@ TEST(Prune, RemovesOnlyWhatCostsMoreThanEta) {
 }
 
 TEST(Prune, TakesTheDearerOfTwoAndOfEqualOnesTheFirst) {
-    // Squares left below, right below and left above of vertex 4, which is reflex: 1 and 3 lie on its lines.
+    // Squares at the lower left, lower right and upper left of vertex 4, which is reflex; 1 and 3 lie on its
+    // lines.
     const QuadMesh mesh =
         quadMesh({{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 1, 0}, {0, 2, 0}, {1, 2, 0}},
                   {{0, 1, 4, 3}, {1, 2, 5, 4}, {3, 4, 7, 6}}});
@@ -73,7 +74,7 @@ TEST(Prune, KeepsWhatHoldsAnotherTrackUp) {
 
 TEST(Prune, ComesBackToATrackThatHasBecomeFree) {
     const QuadMesh mesh = rectangle(4, 4);
-    // Each ends on the one before, and costs less.
+    // Each track ends on the previous one, and is cheaper.
     const std::vector<Track> stairs{trackAlong(mesh, {2, 7, 12, 17, 22}, 4),
                                     trackAlong(mesh, {12, 13, 14}, 3), trackAlong(mesh, {13, 18, 23}, 2),
                                     trackAlong(mesh, {18, 19}, 1)};
@@ -95,13 +96,14 @@ TEST(Prune, RemovesALineAcrossAnother) {
 }
 
 TEST(Prune, LeavesATJointOfACrossingOfThree) {
-    // Two tracks meet head-on where the third crosses; without one of them the other ends on the third.
+    // Two tracks meet head-on where the third one crosses; if one of them is removed, the other ends on the
+    // third.
     const QuadMesh mesh = rectangle(2, 2);
     const PruneResult result = prune(
         mesh, {trackAlong(mesh, {1, 4, 7}, 1), trackAlong(mesh, {3, 4}, 3), trackAlong(mesh, {5, 4}, 1)},
         bold(2));
     EXPECT_EQ(keptPaths(mesh, result), (std::vector<Path>{{1, 4, 7}, {5, 4}}));
-    // Where nothing crosses, the other would end in the open.
+    // If nothing crosses, the remaining track would have an open end.
     const PruneResult open = prune(mesh, {trackAlong(mesh, {3, 4}, 3), trackAlong(mesh, {5, 4}, 1)}, bold());
     EXPECT_EQ(open.keptNotQuadrilateral, 2U);
 }
@@ -111,7 +113,7 @@ TEST(Prune, KeepsALineWithOneSegmentOnBothSides) {
     const PruneResult result = prune(mesh, {trackAlong(mesh, {0, 4, 8})}, bold());
     EXPECT_EQ(result.removedTracks, 0U);
     EXPECT_EQ(result.keptNotQuadrilateral, 1U);
-    // Of two lines one can go.
+    // One of two crossing lines can be removed.
     EXPECT_EQ(prune(mesh, {trackAlong(mesh, {0, 4, 8}), trackAlong(mesh, {2, 6, 10})}, bold()).removedTracks,
               1U);
 }
@@ -136,9 +138,9 @@ TEST(Prune, RemovesALoopWithOneCrossing) {
 }
 
 TEST(Prune, RestsNothingOnATransversal) {
-    // Between the rings through 0 and 6 a track leads up column 1 and ends at 1; the transversal of the other
-    // half goes on from there, but will be drawn anew. Without the ring through 0 the track would end in the
-    // open.
+    // Between the rings through 0 and 6, a track leads up column 1 and ends at 1. The transversal of the
+    // other half continues from there, but will be drawn anew. Without the ring through 0 the track would
+    // have an open end.
     const QuadMesh mesh = quadMesh(torus(3, 3));
     const std::vector<Track> tracks{trackAlong(mesh, {1, 2, 0, 1}, 5), trackAlong(mesh, {6, 7, 8}),
                                     trackAlong(mesh, {6, 8}), trackAlong(mesh, {7, 4, 1})};
@@ -163,7 +165,7 @@ TEST(Prune, HandsOverWhatItHasWhenItIsStopped) {
     EXPECT_EQ(keptPaths(mesh, prune(mesh, tracks, bold(), control)), (std::vector<Path>{{3, 8}}));
 }
 
-// Two quads, folded along the edge between them, by some degrees at each end.
+// Two quads, folded along their common edge by the given degrees at each end.
 QuadMesh folded(double left, double right) {
     const auto tip = [](double degrees, double x) {
         const double angle = degrees * std::numbers::pi / 180;
@@ -201,7 +203,7 @@ TEST(PruneSmooth, LooksAtBothEnds) {
 }
 
 TEST(PruneSmooth, MeasuresAtAnExtraordinaryVertexToo) {
-    // All corners of a cube have three edges: without one the border turns by a right angle there.
+    // All corners of a cube have three edges; if one is removed, the border turns by a right angle there.
     const QuadMesh mesh = quadMesh(polycube(box(1, 1, 1), 2));
     const std::vector<double> angles = dihedralAngles(mesh), costs = edgeCosts(angles, {});
     const Layout layout =

@@ -43,7 +43,7 @@ TEST(Lagrange, IsExactForPolynomialsOfItsDegree) {
 }
 
 TEST(QuadBending, OfAPlaneAsksForNoTilts) {
-    // The lines of parameters turn and crowd, which is no bending.
+    // The parameter lines of this plane turn and crowd, which is no bending.
     const QuadSurface plane = sampled([](double u, double v) {
         return Eigen::Vector3d(u + 0.3 * u * v + 0.2 * v * v, v - 0.2 * u * u, 0.1 * v - 0.02 * u * u);
     });
@@ -59,7 +59,7 @@ TEST(QuadBending, OfAPlaneAsksForNoTilts) {
 TEST(QuadBending, IsLeastWhereTiltsTakeAwayWhatTiltsGave) {
     const TangentFrame frame = upright();
     const CornerFrames frames{&frame, &frame, &frame, nullptr};
-    // Its lines of parameters turn and crowd: only what is off the plane may count.
+    // The parameter lines of this surface turn and crowd; only its distance from the plane may count.
     const Surface flat = [](double u, double v) {
         return Eigen::Vector3d(2 * u + 0.2 * v + 0.3 * u * u + 0.1 * u * v, v - 0.2 * u * v, 0);
     };

@@ -1,4 +1,4 @@
-/// \file Layouts are ranked by what their surfaces take.
+/// \file Ranking of layouts by the size of their surfaces.
 #include "bspline/ranking.h"
 
 #include <gtest/gtest.h>

@@ -95,7 +95,7 @@ std::string objOf(const std::string& vertices, const std::string& faces) {
     return vertices + faces;
 }
 
-/// Vertices 1 to 12 of a 4 x 3 grid.
+/// Vertices 1 to 12 of a 4 x 3 grid of vertices.
 constexpr const char* gridPoints = "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\nv 3 1 0\n"
                                    "v 0 2 0\nv 1 2 0\nv 2 2 0\nv 3 2 0\n";
 
@@ -147,7 +147,7 @@ TEST(Refusal, OfADuplicateFace) {
     for (const std::string twin : {"1 2 6 5", "6 5 1 2"})
         EXPECT_TRUE(says(refusal(objOf(gridPoints, "f 1 2 6 5\nf 2 3 7 6\nf " + twin + "\n"), "a.obj"),
                          "^face 2 (line 15): it has the same vertices as face 0 (line 13)", "--repair"));
-    // The other way round it is one too, as soon as it has neighbours.
+    // The reversed quad is a duplicate, too, as soon as it has neighbours.
     EXPECT_TRUE(
         says(refusal(objOf(gridPoints, "f 1 2 6 5\nf 2 3 7 6\nf 5 6 2 1\n"), "a.obj"), "same vertices"));
     EXPECT_TRUE(says(refusal(objOf(gridPoints, "f 1 2 6 5\nf 1 2 6 5\n"), "a.obj"), "same vertices"));
@@ -168,7 +168,7 @@ TEST(Refusal, OfInconsistentOrientation) {
                      "--repair orients them"));
 }
 
-/// A ring of squares; the ends are joined after half a turn if it is to have one side only.
+/// A ring of squares, whose ends are joined with a half turn if it is to be one-sided.
 std::string ring(int squares, bool halfTurn) {
     std::string text;
     for (int k = 0; k < squares; ++k)
@@ -272,7 +272,7 @@ TEST(BuiltMesh, IsConsistent) {
 }
 
 TEST(BuiltMesh, HandlesAVertexOfHighValence) {
-    // A fan of 100,000 quads: going around the vertex for each of them would take minutes.
+    // A fan of 100,000 quads: a walk around the vertex for each of them would take minutes.
     constexpr int quads = 100'000;
     std::string text = "v 0 0 0\n";
     for (int k = 0; k < 2 * quads; ++k)
@@ -327,13 +327,13 @@ TEST(SharedMeshes, WithUnusualSyntaxAreTheSame) {
     if (!plain) GTEST_SKIP() << "no shared meshes";
     const QuadMesh expected = read(*plain, "a.obj"),
                    found = read(*testing::sharedFile("dev/awkward_valid.obj"), "a.obj");
-    EXPECT_LT(testing::largestDistance(found, expected), 1e-5); // it was written with fewer digits
+    EXPECT_LT(testing::largestDistance(found, expected), 1e-5); // its file has fewer digits
     EXPECT_EQ(facesOf(found), facesOf(expected));
 }
 
 // ------------------------------------------------------------------------------------------ mutated files
 
-/// Changes a few places: bytes, numbers, lines, the length.
+/// Changes a few places of a text: bytes, numbers, lines, the length.
 std::string mutated(std::string text, std::mt19937_64& engine) {
     const auto below = [&](std::size_t bound) { return engine() % std::max<std::size_t>(bound, 1); };
     const std::vector<std::string> words{
@@ -356,7 +356,7 @@ std::string mutated(std::string text, std::mt19937_64& engine) {
         case 4:
             text.erase(at, below(30));
             break;
-        default: // a piece of it again, elsewhere
+        default: // copies a piece to another place
             text.insert(at, text.substr(below(text.size() + 1), below(60)));
         }
     }

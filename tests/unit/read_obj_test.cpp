@@ -17,7 +17,7 @@ TEST(ReadObj, UnderstandsTextureAndNormalIndices) {
 
 TEST(ReadObj, UnderstandsRelativeIndices) {
     expectTwoSquares(replaced(twoObj(), "f 1 2 3 4\nf 2 5 6 3", "f -6 -5 -4 -3\nf -5/-1 -2 -1 -4"), "a.obj");
-    // They count from where the face stands.
+    // Negative numbers count back from the vertices before the face.
     const QuadMesh mesh =
         read("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf -4 -3 -2 -1\nv 2 0 0\nv 2 1 0\nf -5 -2 -1 -4\n", "");
     EXPECT_EQ(facesOf(mesh)[1], (FaceIndices{1, 4, 5, 2}));
@@ -43,7 +43,7 @@ TEST(ReadObj, JoinsContinuedLines) {
     expectTwoSquares(replaced(twoObj(), "f 1 2 3 4", "f 1 2 \\\n 3 \\\n4"), "a.obj");
     expectTwoSquares(replaced(twoObj(), "f 1 2 3 4", "f 1 2\\\r\n3 4"), "a.obj");
     expectTwoSquares(replaced(twoObj(), "v 2 0 0", "v 2 \\\n0 0"), "a.obj");
-    // A comment ends with its line, whatever its last character is.
+    // A comment ends with its line, even after a backslash.
     expectTwoSquares("# C:\\meshes\\\n" + twoObj(), "a.obj");
 }
 

@@ -1,5 +1,5 @@
-// Rows of the relaxation: what is left of them, what cuts are made with, and that every graph obeys these
-// whatever solution they cut off.
+// Rows of the relaxation: what remains of them when columns are fixed, the parts of the search for cuts, and
+// that every graph satisfies all cuts.
 #include "enumerate/optimum/acyclic_graph.h"
 #include "enumerate/optimum/odd_cycle_cuts.h"
 #include "enumerate/optimum/open_row.h"
@@ -25,7 +25,8 @@ TEST(AcyclicGraph, LeavesOutWhatWouldCloseALoop) {
     for (unsigned number = 0; number < 100; ++number) {
         std::mt19937 random(number);
         AcyclicGraph graph(nodes);
-        std::array<std::array<bool, nodes>, nodes> leads{}; // whether one node comes after another, or is it
+        // Whether a node reaches another one or is the same.
+        std::array<std::array<bool, nodes>, nodes> leads{};
         for (std::size_t k = 0; k < nodes; ++k)
             leads.at(k).at(k) = true;
         for (int edge = 0; edge < 60; ++edge) {
@@ -68,8 +69,7 @@ TEST(SmallestCut, IsTheSmallestOfAllCuts) {
     }
 }
 
-/// Values that break many rows: those of no solution. Trails are lost where values are small, cycles are
-/// broken where many are halves.
+/// Random values, which violate many rows. Small values lose trails; many halves violate odd cycles.
 ColumnValues drawValues(std::size_t columns, bool halves, std::mt19937& random) {
     ColumnValues values(columns);
     for (double& value : values)
@@ -80,7 +80,7 @@ ColumnValues drawValues(std::size_t columns, bool halves, std::mt19937& random) 
     return values;
 }
 
-/// Values of the whole formulation that agree with the state, 0 or 1 at random where it is free.
+/// Random values, 0 or 1, of all columns that agree with those fixed in the state.
 ColumnValues drawCompletion(const ColumnState& columns, std::size_t count, std::mt19937& random) {
     ColumnValues values(count);
     for (const ColumnId column : values.ids()) {

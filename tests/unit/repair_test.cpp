@@ -45,8 +45,8 @@ void expectReport(const RepairReport& report, std::size_t welded, std::size_t de
     EXPECT_EQ(report.changed(), welded + degenerate + duplicate + flipped > 0);
 }
 
-/// Every quad with four vertices of its own.
-/// \param shake  moves every coordinate by up to this much
+/// A mesh in which every quad has four vertices of its own.
+/// \param shake  largest random shift of a coordinate
 std::string unwelded(const QuadMesh& mesh, double shake = 0) {
     std::mt19937 engine(3);
     QuadMesh result;
@@ -76,7 +76,7 @@ std::string scaled(const QuadMesh& mesh, double factor) {
     return writeObj(result);
 }
 
-/// Edges, extraordinary vertices and components: what welding must bring back.
+/// Compares edges, extraordinary vertices and components, which welding must restore.
 void expectSameShape(const QuadMesh& found, const QuadMesh& expected) {
     EXPECT_EQ(found.n_vertices(), expected.n_vertices());
     EXPECT_EQ(found.n_edges(), expected.n_edges());
@@ -128,7 +128,7 @@ TEST(Repair, WeldsFarFromTheOrigin) {
 }
 
 TEST(Repair, KeepsTheOrderOfVertices) {
-    // A second square with its own copies of the shared vertices; a lonely vertex between them stays.
+    // A second square has its own copies of the shared vertices; an isolated vertex between them stays.
     const ReadResult result = repaired("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 0\n"
                                        "v 1 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nf 1 2 3 4\nf 6 7 8 9\n");
     expectReport(result.repair, 2, 0, 0, 0);
@@ -139,7 +139,7 @@ TEST(Repair, KeepsTheOrderOfVertices) {
 }
 
 TEST(Repair, WeldsNoInteriorVertices) {
-    // Two spheres that touch in a point: welding would make a vertex of two fans.
+    // Two spheres that touch in a point, where welding would make a vertex with two fans.
     QuadMesh mesh = makeShape("cube", {.resolution = 2});
     std::string text = writeObj(mesh);
     const auto count = mesh.n_vertices();
@@ -167,7 +167,8 @@ TEST(Repair, WeldsNoEndsOfASide) {
 }
 
 TEST(Repair, RefusesToCrowdAnEdge) {
-    // Three squares like pages of a book, in the words of the file though two vertices before went.
+    // Three squares like the pages of a book. The message uses the numbers of the file, although two earlier
+    // vertices are dropped.
     const std::string message =
         refusal("v 5 0 0\nv 6 0 0\nv 6 1 0\nv 5 1 0\nv 6 0 0\nv 7 0 0\nv 7 1 0\nv 6 1 0\n"
                 "v 0 0 0\nv 0 1 0\nv -1 1 0\nv -1 0 0\n"
@@ -223,8 +224,8 @@ TEST(Repair, DropsDuplicateFaces) {
     std::string text = writeObj(mesh);
     const auto face = facesOf(mesh)[5];
     const auto word = [&](int k) { return " " + std::to_string(face[at(k)] + 1); };
-    text += "f" + word(1) + word(2) + word(3) + word(0) + "\n"; // the same, turned
-    text += "f" + word(3) + word(2) + word(1) + word(0) + "\n"; // the other way round
+    text += "f" + word(1) + word(2) + word(3) + word(0) + "\n"; // the same face, turned
+    text += "f" + word(3) + word(2) + word(1) + word(0) + "\n"; // the same face, reversed
     const ReadResult result = repaired(text);
     expectReport(result.repair, 0, 0, 2, 0);
     EXPECT_EQ(facesOf(result.mesh), facesOf(mesh));
@@ -237,7 +238,7 @@ TEST(Repair, DropsDuplicatesThatWeldingMakes) {
     expectSameShape(result.mesh, mesh);
 }
 
-/// Reverses some faces of an OBJ text, keeping their first vertices.
+/// Reverses some faces of a mesh and keeps their first vertices; returns OBJ text.
 std::string flipped(const QuadMesh& mesh, const std::vector<bool>& which) {
     const std::string text = writeObj(mesh);
     std::string result = text.substr(0, text.find('f'));
@@ -268,7 +269,7 @@ TEST(Repair, OrientsAsMostFacesAre) {
 }
 
 TEST(Repair, OrientsEveryComponentByItself) {
-    // Most faces of the first are reversed, few of the second.
+    // In the first component most faces are reversed, in the second few.
     const std::string points = "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\nv 3 1 0\n";
     const std::string more = "v 0 0 9\nv 1 0 9\nv 2 0 9\nv 3 0 9\nv 0 1 9\nv 1 1 9\nv 2 1 9\nv 3 1 9\n";
     const ReadResult result = repaired(points + more +
@@ -302,7 +303,7 @@ TEST(Repair, RefusesASurfaceWithOneSide) {
 }
 
 TEST(Repair, IsQuickOnVerticesInOnePlace) {
-    // Everything in one point: no place to hide for a search that is not linear.
+    // All vertices in one point, which would slow down a search that is not linear.
     std::string text;
     for (int k = 0; k < 20'000; ++k)
         text += "v 1 1 1\nv 1 1 1\nv 1 1 1\nv 1 1 1\nf -4 -3 -2 -1\n";
@@ -319,7 +320,7 @@ TEST(Repair, OfSharedMeshes) {
     expectSameShape(welded.mesh, expected);
 
     const ReadResult turned = repaired(*testing::sharedFile("bad/flipped_faces.obj"));
-    EXPECT_LT(testing::largestDistance(turned.mesh, expected), 1e-5); // it was written with fewer digits
+    EXPECT_LT(testing::largestDistance(turned.mesh, expected), 1e-5); // its file has fewer digits
     auto cyclic = [](const QuadMesh& mesh) {
         auto faces = facesOf(mesh);
         for (auto& face : faces)
@@ -371,7 +372,7 @@ TEST(Repair, OfDamagedMeshesIsValidOrRefused) {
         }
         if (refusal(text) == "accepted") {
             const ReadResult result = repaired(text);
-            // What was mended needs no mending.
+            // A repaired mesh needs no further repair.
             EXPECT_FALSE(readMesh(writeObj(result.mesh), "a.obj", {.repair = true}).repair.changed());
             ++valid;
         }
@@ -380,7 +381,7 @@ TEST(Repair, OfDamagedMeshesIsValidOrRefused) {
 }
 
 TEST(Repair, SplitsVerticesWhereSeveralFansMeet) {
-    // Two squares that touch at vertex 3 (the third point), and a third one that touches there too.
+    // Two squares that touch at vertex 3 (the third point), and a third one that also touches there.
     const std::string text = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 1 0\nv 2 2 0\nv 1 2 0\n"
                              "v 0 1 1\nv 0 2 1\nv 1 2 1\nf 1 2 3 4\nf 3 5 6 7\nf 3 10 9 8\n";
     std::string problem;

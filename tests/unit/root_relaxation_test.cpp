@@ -1,4 +1,4 @@
-// The relaxation of a node and of the root, the pool of its rows, and a start that is nearly optimal.
+// The relaxations of nodes and of the root, the pool of rows, and a start near an optimum.
 #include "enumerate/optimum/near_start.h"
 #include "enumerate/optimum/node_relaxation.h"
 #include "enumerate/optimum/root_relaxation.h"
@@ -16,7 +16,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// The search of a whole problem as one part.
+/// A search that treats a whole problem as one part.
 struct WholeSearch {
     explicit WholeSearch(const Problem& problem)
         : state(problem), part(state, freeVariables(state), PartOptions{}, control) {}
@@ -24,7 +24,7 @@ struct WholeSearch {
     [[nodiscard]] double costOf(const Assignment& graph) const {
         return part.cost.of([&](VariableId variable) { return graph[variable] == 1; });
     }
-    /// Whether the graph has the values that the state has fixed.
+    /// Whether the graph agrees with all values fixed in the state.
     [[nodiscard]] bool allows(const Assignment& graph) const {
         return std::ranges::all_of(part.variables, [&](VariableId variable) {
             return state.isFree(variable) ||
@@ -37,7 +37,8 @@ struct WholeSearch {
     PartSearch part;
 };
 
-/// Calls with a search and the costs of its graphs, ascending; leaves out those with less than two graphs.
+/// Calls `test` with searches and the ascending costs of their graphs; skips searches with fewer than two
+/// graphs.
 template <class Function> int forEachSearch(const Function& test) {
     int searches = 0;
     for (unsigned number = 0; number < 150; ++number) {
@@ -166,7 +167,8 @@ TEST(RowPool, HasTheSolverObeyRowsThatItWasNotGiven) {
     EXPECT_GT(lazy, 5);
 }
 
-/// A ring of 101 columns, of two neighbours of which at least one is 1: relaxed, all are a half.
+/// A ring of 101 columns in which at least one of two neighbours must be 1; the relaxation sets all to one
+/// half.
 class NearStart : public ::testing::Test {
 protected:
     static constexpr int columns = 101;

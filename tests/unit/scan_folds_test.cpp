@@ -11,7 +11,7 @@
 namespace qm {
 namespace {
 
-/// A torus whose targets are its own points at first.
+/// A torus with targets, which are at first its own points.
 struct Targets {
     QuadMesh mesh = makeShape("torus", {.resolution = 2});
     Layout layout = testing::segmentPerQuad(mesh);
@@ -44,20 +44,20 @@ TEST(ScanFolds, NothingIsDroppedWhereNothingFolds) {
 
 TEST(ScanFolds, TargetsThatPassTheirNeighboursGoBackToTheSurface) {
     Targets targets;
-    constexpr std::size_t middle = 12; // of five by five points
+    constexpr std::size_t middle = 12; // of 5 x 5 points
     std::vector<Point>& points = targets.reference.grids[0].points;
     points[middle] = points[middle + 2] + (points[middle + 2] - points[middle + 1]);
     dropFolded(targets.lattice, targets.surface, targets.reference);
     EXPECT_EQ(points, targets.surface[0].points);
     EXPECT_EQ(targets.reference.weights[0][middle], 0);
     EXPECT_EQ(targets.reference.weights[0][0], 1);
-    // The cells before it are stretched, those behind it turn over.
+    // The cells before the moved target are stretched, those behind it are turned over.
     EXPECT_EQ(targets.dropped(), 6);
 }
 
 TEST(ScanFolds, PointsOnBordersGoBackOnBothSides) {
     Targets targets;
-    // A corner of the segment, wherever it is, moves far along its first border.
+    // Moves a corner of the segment far along its first border.
     const std::size_t corner = targets.lattice.numbers[0][0];
     const Point moved = targets.surface[0].points[3];
     std::size_t copies = 0;

@@ -15,7 +15,7 @@
 namespace qm {
 namespace {
 
-/// A coarse mesh of a sample part with a segment for every quad, and its limit surface.
+/// A coarse mesh of a sample part in which every quad is a segment, and its limit surface.
 struct Part {
     std::string name;
     QuadMesh mesh;
@@ -40,7 +40,7 @@ struct Part {
         return testing::trueSurface(name)->nearest(point).distance;
     }
 
-    /// Root mean square of the distances of weighted targets from the true surface.
+    /// Root mean square distance of weighted targets from the true surface.
     [[nodiscard]] double error(const ScanReference& reference) const {
         double sum = 0;
         double count = 0;
@@ -100,7 +100,7 @@ TEST(ScanReference, BordersAreTheSameOnBothSidesAndOnAnyNumberOfThreads) {
 
 TEST(ScanReference, HolesAreFilledFromAround) {
     const Part part("sphere", 8);
-    // The scan is larger than the mesh, and so must the targets be where it has a hole.
+    // The scan is larger than the mesh; so the targets must be, also where the scan has a hole.
     Triangles scan = makeScan("sphere", 60000);
     for (Point& point : scan.points)
         point *= 1.01;
@@ -136,7 +136,7 @@ TEST(ScanReference, TakesNoOtherSideOfAThinWall) {
     const Part part("cube", 6);
     const auto top = [](const Point& point) { return point[2] < 0.999; };
     ScanOptions options;
-    options.maxDistance = 5; // far enough for the opposite face
+    options.maxDistance = 5; // reaches the opposite face
     const ScanReference reference = part.against(without(makeScan("cube", 20000), top), options);
     for (std::size_t g = 0; g < reference.grids.size(); ++g)
         for (std::size_t k = 0; k < reference.weights[g].size(); ++k)
@@ -162,7 +162,7 @@ TEST(ScanReference, DoesNotMindHowTheScanIsOriented) {
 TEST(ScanReference, KeepsEdgesSharpThatTheScanHasRounded) {
     const Part part("cube", 6);
     Triangles scan = makeScan("cube", 60000);
-    for (Point& point : scan.points) { // everything near two faces or three is pulled in
+    for (Point& point : scan.points) { // pulls in all points near two or three faces
         double near = 0;
         for (const double coordinate : point)
             near += std::max(0.0, 1 - std::min(coordinate, 1 - coordinate) / 0.02);

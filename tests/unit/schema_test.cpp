@@ -1,4 +1,4 @@
-/// \file The schemas are valid, and documents of every kind keep to them.
+/// \file The schemas are valid, and documents of every kind conform to them.
 #include "base/embedded_text.h"
 #include "base/error.h"
 #include "document/json_place.h"
@@ -24,8 +24,8 @@ using qm::testing::sampleDocument;
 constexpr std::array<const char*, 6> kinds{"basecomplex", "features", "cut",
                                            "enumeration", "layout",   "surfaces"};
 
-/// What draft-07 allows, as far as our schemas use it; and no more, because validation looks at three numbers
-/// of a long list only, which is right for these keywords and not for all.
+/// The part of draft-07 that our schemas use, and nothing else: validation visits only three numbers of a
+/// long list, which is correct for these keywords but not for all.
 const char* const metaSchema = R"({
   "definitions": {
     "schema": {
@@ -92,7 +92,7 @@ TEST(Schemas, DescribeTheDocumentsThatTheToolsWrite) {
         const Json root = sampleDocument(folder, *qm::kindOfName(kind)).root;
         EXPECT_NO_THROW(qm::validateAgainstSchema(root, kind)) << kind;
         EXPECT_EQ(root.at("kind"), kind);
-        // Nothing that is required may be missing.
+        // Removing a required key must be noticed.
         const Json schema = qm::bundledSchema(kind);
         for (const Json& key : schema.at("required")) {
             Json less = root;
@@ -103,7 +103,7 @@ TEST(Schemas, DescribeTheDocumentsThatTheToolsWrite) {
     }
 }
 
-/// Every scalar of a document, replaced by an object, must be noticed unless the schema leaves it open.
+/// Replaces every scalar of a document by an object, which must be noticed unless the schema allows anything.
 void spoil(const Json& root, const Json& value, const Json::json_pointer& pointer,
            std::vector<std::string>& accepted) {
     if (value.is_structured()) {

@@ -35,7 +35,7 @@ bool isClosed(const QuadMesh& mesh) {
                         [&](EdgeId edge) { return mesh.is_boundary(edge); });
 }
 
-/// By the divergence theorem; positive if faces are counter-clockwise seen from outside.
+/// The enclosed volume by the divergence theorem; positive if faces are counter-clockwise seen from outside.
 double volume(const QuadMesh& mesh) {
     double six = 0;
     for (const auto& face : testing::facesOf(mesh)) {
@@ -77,7 +77,7 @@ TEST(Shapes, AreAllListedOnceInOrder) {
         names.emplace_back(kind.name);
     EXPECT_TRUE(std::ranges::is_sorted(names));
     EXPECT_EQ(std::set(names.begin(), names.end()).size(), names.size());
-    EXPECT_EQ(names.size(), expectedShapes().size() + 2); // and two random ones
+    EXPECT_EQ(names.size(), expectedShapes().size() + 2); // and two random shapes
 }
 
 TEST(Shapes, RaiseNoSuspicion) {
@@ -108,7 +108,7 @@ TEST(Shapes, HaveTheVolumeTheyShould) {
     EXPECT_NEAR(volume(makeShape("sphere", {.resolution = 40})), 4 * pi / 3, 0.005);
     EXPECT_NEAR(volume(makeShape("torus", {.resolution = 20})), 2 * pi * pi * 3, 0.2);
     EXPECT_NEAR(volume(makeShape("genus3", {.resolution = 20})), 27 - 3 * pi * 0.75 * 0.75, 0.02);
-    // What a fillet of radius f takes from a bore of radius r: two rings, by Pappus.
+    // The volume that a fillet of radius f removes around a bore of radius r: two rings, by Pappus's theorem.
     const double r = 0.6, f = 0.35, corner = f * f * (1 - pi / 4), centre = f * (10 - 3 * pi) / (12 - 3 * pi);
     const double rims = 2 * 2 * pi * corner * (r + f - (f - centre));
     const double block = volume(makeShape("block", {.resolution = 40}));
@@ -122,7 +122,7 @@ TEST(Shapes, BlockIsSharpOutsideAndSoftInside) {
     for (const EdgeId edge : mesh.edges()) {
         const double angle = angles[at(edge)];
         const Point middle = mesh.calc_edge_midpoint(edge);
-        int extremes = 0; // of the block's six sides, those that the edge lies on
+        int extremes = 0; // number of the block's six sides that contain the edge
         for (const unsigned axis : {0U, 1U, 2U})
             if (middle[axis] < 1e-9 || middle[axis] > (axis == 2 ? 2 : 3) - 1e-9) ++extremes;
         if (extremes >= 2) {
@@ -140,7 +140,7 @@ TEST(Shapes, SphereIsRound) {
 }
 
 TEST(Shapes, HelixHasThreadsThatWindManyTimes) {
-    // On the ring without boss one line in the direction of the rows passes through every vertex.
+    // On the ring without boss, a single line along the rows passes through all vertices.
     const QuadMesh mesh = makeShape("helix", {.resolution = 3});
     std::size_t longest = 0;
     for (const VertexId start : extraordinaryVertices(mesh))
@@ -178,7 +178,7 @@ TEST(Shapes, HaveAsManyQuadsAroundAsAskedFor) {
             testing::expectConsistent(mesh);
             EXPECT_EQ(extraordinaryVertices(mesh).size(), expectedShapes().at(name).extraordinary);
             const auto surface = testing::trueSurface(name);
-            int onCircle = 0; // where the part is cut by a plane that all of them have vertices in
+            int onCircle = 0; // vertices on the circle in which a plane cuts the part
             for (const VertexId vertex : mesh.vertices()) {
                 const Point& point = mesh.point(vertex);
                 EXPECT_LT(surface->nearest(point).distance, 1e-14);
@@ -187,7 +187,7 @@ TEST(Shapes, HaveAsManyQuadsAroundAsAskedFor) {
                          : std::abs(point[2]) < 1e-9 && std::hypot(point[0], point[1]) > 1 - 1e-9)
                     ++onCircle;
             }
-            // The sphere has its vertices off the equator where an odd number of rows lies beside it.
+            // The sphere has no vertices on the equator if an odd number of rows lies beside it.
             if (std::string(name) != "sphere" || around / 4 % 2 == 0) {
                 EXPECT_EQ(onCircle, around);
             }
@@ -214,8 +214,8 @@ TEST(TrueSurfaces, HoldAllVerticesOfTheirParts) {
 }
 
 TEST(TrueSurfaces, AreTheLimitOfFineMeshes) {
-    // Inside the faces, what a mesh is away from the surface falls with the square of its edges; the normals
-    // are those of its faces.
+    // Inside faces, the distance of a mesh from the surface falls with the square of its edges; the normals
+    // are those of the mesh's faces.
     for (const ShapeKind& kind : shapeKinds()) {
         const auto surface = testing::trueSurface(kind.name);
         if (!surface) continue;
@@ -326,10 +326,10 @@ TEST(VoxelSurface, OfABoxIsClosedAndOutward) {
 
 TEST(VoxelSurface, KnowsWhereItIsNoManifold) {
     EXPECT_TRUE(surfaceIsManifoldAt({{0, 0, 0}, {1, 0, 0}}, {0, 0, 0}));
-    EXPECT_FALSE(surfaceIsManifoldAt({{0, 0, 0}, {1, 1, 0}}, {0, 0, 0})); // a common edge alone
-    EXPECT_FALSE(surfaceIsManifoldAt({{0, 0, 0}, {1, 1, 1}}, {0, 0, 0})); // a common corner alone
+    EXPECT_FALSE(surfaceIsManifoldAt({{0, 0, 0}, {1, 1, 0}}, {0, 0, 0})); // only a common edge
+    EXPECT_FALSE(surfaceIsManifoldAt({{0, 0, 0}, {1, 1, 1}}, {0, 0, 0})); // only a common corner
     EXPECT_TRUE(surfaceIsManifoldAt({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, {0, 0, 0}));
-    // The outside pinched at the middle of a 2 x 2 x 2 block without two opposite voxels.
+    // A 2 x 2 x 2 block without two opposite voxels, so that the outside is pinched at the middle.
     Voxels pinched = voxelBox(2, 2, 2);
     pinched.erase({0, 0, 0});
     pinched.erase({1, 1, 1});

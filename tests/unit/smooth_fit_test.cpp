@@ -36,7 +36,7 @@ SmoothNetwork networkOf(const QuadMesh& mesh, const Layout& layout) {
     return buildNetwork(mesh, layout, dihedralAngles(mesh), 0.45);
 }
 
-/// A sheet that bends by a right angle at i = 4.
+/// A sheet with a right-angle bend at i = 4.
 Grid folded() {
     return {8, 6, [](double i, double j) { return Point(std::min(i, 4.0), j, std::max(i - 4, 0.0)); }};
 }
@@ -69,7 +69,7 @@ TEST(VertexFan, KnowsWhereSidesPassStraightThrough) {
 }
 
 TEST(Creases, ShortCurvesThatEndInNothingAreNoise) {
-    // A ridge along j = 3 from i = `from` to i = `to`, on a sheet whose two patches meet there.
+    // A sheet of two patches with a ridge along their border j = 3, from i = `from` to i = `to`.
     const auto creasesOf = [](double from, double to, double height) {
         const Grid grid{12, 6, [=](double i, double j) {
                             const bool isRidge = i > from && i < to;
@@ -91,7 +91,7 @@ TEST(Creases, ShortCurvesThatEndInNothingAreNoise) {
 }
 
 TEST(Creases, GoOnWhereTheyAreAlmostSharpAsFarAsTheNextOnes) {
-    // Angles along the border of two patches, from one side of a sheet to the other; rho is 0.6.
+    // The dihedral angles along the border of two patches are given; rho is 0.6.
     const auto creasesOf = [](const std::vector<double>& along) {
         const Grid grid{static_cast<int>(along.size()), 2, [](double i, double j) { return Point(i, j, 0); }};
         const QuadMesh mesh = test::makeMesh(grid);
@@ -161,7 +161,7 @@ TEST(Creases, OfACornerThatLeadNowhereOnlyTheSharpestCounts) {
 }
 
 TEST(VertexFan, RatiosAtCornersAgreeWithTheMeshsDirections) {
-    // A corner of a sheet where two quads meet, of 45 and 90 degrees, with edges of different lengths.
+    // A corner of a sheet with two quads at angles of 45 and 90 degrees and edges of different lengths.
     const Grid grid{2, 1, [](double i, double j) {
                         const std::array<std::array<Point, 3>, 2> places{
                             {{Point(1, 0, 0), Point(0, 0, 0), Point(-2, 2, 0)},
@@ -208,7 +208,8 @@ TEST(Gram, IntegratesProductsOfSplinesExactly) {
     for (const GramPiece& piece : pieces)
         quads.push_back(piece.quad);
     EXPECT_EQ(quads, (std::vector<std::size_t>{0, 1, 2, 2, 3}));
-    // Control points at the knots' means are the identity, whose slope is one and whose bend is none.
+    // With control points at the mean of their knots, the spline is the identity, with slope one and no
+    // bending.
     std::vector<double> identity;
     for (std::size_t k = 0; k + 4 < knots.size(); ++k)
         identity.push_back((knots[k + 1] + knots[k + 2] + knots[k + 3]) / 3);
@@ -304,14 +305,14 @@ TEST(SmoothSystem, FindsTheSamePatchWhileItsNeighboursStay) {
         for (std::size_t k = 0; k < all[free].controlPoints.size(); ++k)
             EXPECT_LT((patches[free].controlPoints[k] - all[free].controlPoints[k]).norm(), 1e-9);
     }
-    // Where those that stay no longer meet each other no patch can meet them all, however large it becomes.
+    // If the patches that stay do not meet each other, no patch can meet them all, however large it becomes.
     for (Point& point : all[1].controlPoints)
         point += Point(0, 0, 1);
     EXPECT_FALSE(solve({true, false, false}, all));
 }
 
 TEST(KnotPlan, ForcesDoubleKnotsWhereSmoothBordersTurnIntoCreases) {
-    // Sharp along j = 3 for i < 4, flat beyond.
+    // A crease along j = 3 for i < 4, which then ends.
     const Grid grid{
         8, 6, [](double i, double j) { return Point(i, j, std::max(0.0, 4 - i) * 0.4 * std::abs(j - 3)); }};
     const QuadMesh mesh = test::makeMesh(grid);
@@ -334,7 +335,7 @@ TEST(KnotPlan, HasIntervalsOfALengthAtLeast) {
     ReferenceGrid grid{.size = {2, 3}, .steps = 2};
     for (int j = 0; j <= 6; ++j)
         for (int i = 0; i <= 4; ++i)
-            grid.points.emplace_back(0.1 * i, 2.0 * j, 0); // edges of 0.2 and 4
+            grid.points.emplace_back(0.1 * i, 2.0 * j, 0); // edges of length 0.2 and 4
     const IntervalLengths lengths = shortestIntervals({grid}, 0.6);
     EXPECT_NEAR(lengths[0][0], 3, 1e-12);
     EXPECT_NEAR(lengths[0][1], 0.15, 1e-12);
@@ -350,7 +351,7 @@ TEST(KnotPlan, HasIntervalsOfALengthAtLeast) {
 }
 
 TEST(SoundFaces, AreFlatAndConvexAndHaveNoFoldBesideThem) {
-    const auto soundWith = [](const Point& moved) { // the vertex (3, 1) of a flat sheet
+    const auto soundWith = [](const Point& moved) { // moves vertex (3, 1) of a flat sheet
         const QuadMesh mesh = test::makeMesh(
             Grid{6, 2, [&](double i, double j) { return i == 3 && j == 1 ? moved : Point(i, j, 0); }});
         return soundFaces(mesh);
@@ -371,7 +372,7 @@ TEST(BilinearQuad, HasItsCornersAndTheirNormals) {
 }
 
 TEST(NormalLimits, AreWideOnlyWhereTheNormalTurnsUnevenly) {
-    // An arc of 12 degrees a step along u; a point in its middle may be off.
+    // An arc of 12 degrees per step along u, with one displaced point in its middle.
     const auto limitsWith = [](double off) {
         ReferenceGrid grid{.size = {8, 2}, .steps = 1};
         for (int j = 0; j <= 2; ++j)
@@ -443,7 +444,7 @@ TEST(SmoothFit, DoesNotDependOnWhereTheModelLies) {
     const Layout layout = testing::cheapestLayout(mesh);
     const Surfaces here = fitSurfaces(mesh, layout, dihedralAngles(mesh), {});
     QuadMesh far = mesh;
-    const Point moved(-4096, 2048, 8192); // hundreds of times its size
+    const Point moved(-4096, 2048, 8192); // hundreds of times the part's size
     for (const VertexId vertex : far.vertices())
         far.set_point(vertex, mesh.point(vertex) + moved);
     const Surfaces there = fitSurfaces(far, layout, dihedralAngles(far), {});
@@ -466,7 +467,7 @@ TEST(SmoothFit, DoesNotDependOnTheNumberOfThreads) {
 
 TEST(PlanePatches, ArePlaneToRoundingAndStillSmooth) {
     QuadMesh mesh = makeShape("block", {.resolution = 4});
-    // So that no plane is parallel to an axis.
+    // Rotates the part, so that no plane is parallel to an axis.
     for (const VertexId vertex : mesh.vertices()) {
         const Point at = mesh.point(vertex);
         mesh.set_point(vertex, {0.6 * at[0] - 0.8 * at[1], 0.64 * at[0] + 0.48 * at[1] - 0.6 * at[2],
@@ -478,7 +479,8 @@ TEST(PlanePatches, ArePlaneToRoundingAndStillSmooth) {
     EXPECT_LT(surfaces.deviation.largestNormalAngle, 1e-6);
     EXPECT_LE(surfaces.deviation.maxRelative, 0.001);
 
-    const auto offPlane = [](const std::vector<Point>& points) { // of the plane through three of them
+    // Largest distance from the plane through three of the points.
+    const auto offPlane = [](const std::vector<Point>& points) {
         const Point& origin = points.front();
         Point normal(0, 0, 0);
         for (const Point& a : points)

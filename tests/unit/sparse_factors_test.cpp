@@ -14,8 +14,8 @@ namespace {
 
 using Entries = std::vector<Eigen::Triplet<double>>;
 
-/// Of a square grid of unknowns, each tied to its neighbours, and of equations between some that are next to
-/// one another: quasi-definite.
+/// The quasi-definite matrix of a square grid of unknowns, each tied to its neighbours, with equations
+/// between some neighbours.
 Eigen::SparseMatrix<double> gridMatrix(int width, unsigned seed) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> weight(0.1, 2);

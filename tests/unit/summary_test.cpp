@@ -25,7 +25,7 @@ TEST(FigureText, PointsLeaveOutWhatRoundingLeft) {
     EXPECT_EQ(pointText({0, 0, 0}, 0), "(0, 0, 0)");
 }
 
-/// A closed mesh with surfaces that keep their tolerance.
+/// The summary of a closed mesh whose surfaces keep their tolerance.
 Summary good() {
     Summary summary = summarise(makeShape("cube"), nullptr, nullptr, {});
     summary.patches = 6;

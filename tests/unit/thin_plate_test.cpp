@@ -5,7 +5,7 @@
 namespace qm {
 namespace {
 
-/// Quads of one size.
+/// A grid of equal rectangles.
 ReferenceGrid rectangles(double u, double v) {
     ReferenceGrid grid;
     grid.size = {2, 3};

@@ -28,7 +28,7 @@ Triangles soup(std::mt19937& random, int triangles) {
     return result;
 }
 
-/// The distance to a triangle by trying many of its points.
+/// The distance to the nearest of many points on each triangle.
 double coarseDistance(const Triangles& triangles, const Point& point) {
     constexpr int parts = 60;
     double best = 1e9;

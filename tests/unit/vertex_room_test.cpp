@@ -57,7 +57,7 @@ TEST(VertexRoom, AnglesBesideFoldedQuadsAreNotBelieved) {
     QuadMesh mesh = star(6);
     const HalfedgeId first = spoke(mesh, 0);
     const VertexId outer = mesh.to_vertex_handle(mesh.next_halfedge_handle(first));
-    mesh.set_point(outer, (mesh.point(VertexId(1)) + mesh.point(VertexId(2))) / 2); // in a line with both
+    mesh.set_point(outer, (mesh.point(VertexId(1)) + mesh.point(VertexId(2))) / 2); // in line with both
     EXPECT_EQ(roomOf(mesh, 25, {first, spoke(mesh, 3)}).size(), 1U);
     EXPECT_EQ(roomOf(mesh, 25, {spoke(mesh, 2), spoke(mesh, 4)}).size(), 2U) << "others are";
 }

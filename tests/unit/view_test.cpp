@@ -24,7 +24,7 @@ test::Grid sheet() {
     return {10, 8, [](double i, double j) { return Point(i + 100, j, std::sin(0.5 * i)); }};
 }
 
-/// A sheet of three segments with a T-joint, with its surfaces.
+/// A sheet of three segments with a T-joint and surfaces.
 struct Sheet {
     QuadMesh mesh = test::makeMesh(sheet());
     Layout layout = test::makeLayout(sheet(), {{0, 0, 10, 3, 2}, {0, 3, 6, 8, 1}, {6, 3, 10, 8, 3}});
@@ -33,7 +33,7 @@ struct Sheet {
     Features features;
     Surfaces surfaces = fitSurfaces(mesh, layout, angles, {});
     double rho = 0.45;
-    std::optional<TriangleSurface> scan; ///< that the page is made with
+    std::optional<TriangleSurface> scan; ///< shown on the page, if any
 
     [[nodiscard]] Scene scene(unsigned jobs = 1) const {
         return buildScene({.title = "sheet",
@@ -95,7 +95,7 @@ TEST(View, DeviationIsThatWhichTheToleranceIsAbout) {
     EXPECT_EQ(tolerance.mapped.limit, 0.02);
 }
 
-/// Both halves of every quad, moved up, but for the quads of a corner.
+/// Both triangles of every quad, moved up; the quads at one corner are left out.
 TriangleSurface scanOf(const QuadMesh& mesh, double above) {
     Triangles triangles;
     for (const VertexId vertex : mesh.vertices())
@@ -148,7 +148,7 @@ TEST(View, NormalsAreComparedAcrossSmoothBordersOnly) {
     const Sheet sample;
     const Scene scene = sample.scene();
     const LineLayer& jumps = named(scene.lines, "jumps");
-    // Between the segments run 10 edges along one line and 5 along another.
+    // The borders between the segments have 10 edges along one line and 5 along another.
     EXPECT_EQ(jumps.items.count, 15U);
     for (const float angle : jumps.items.columns.back().values) {
         EXPECT_GE(angle, 0);
@@ -205,7 +205,7 @@ TEST(View, AllLayersAreKnownByName) {
 TEST(View, TwoScenesNeedTheLayersOfEither) {
     const Sheet sample;
     std::vector<Scene> scenes = {sample.scene(), sample.scene()};
-    scenes[0].faces.resize(2); // mesh and stripes
+    scenes[0].faces.resize(2); // mesh and stripes only
     PageOptions options;
     options.shown = {"zebra"};
     EXPECT_NO_THROW((void)printPage(scenes, options));
