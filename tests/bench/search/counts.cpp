@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t maxJunctions = 130;
 
-/// \return whether it is as known
+/// \return whether the count equals the known one
 bool printCount(const std::string& name, const QuadMesh& mesh, const std::string& known) {
     const BaseComplex complex = buildBaseComplex(mesh);
     const Problem problem = searchProblem(mesh, complex);

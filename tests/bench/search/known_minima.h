@@ -1,4 +1,4 @@
-/// \file Real meshes whose cheapest graphs are known from elsewhere.
+/// \file Real meshes whose cheapest graphs are known from other sources.
 #pragma once
 
 #include <cstddef>
@@ -10,16 +10,16 @@ struct KnownMinima {
     const char* mesh;
     std::size_t extraordinaryVertices;
     std::size_t ordinaryJunctions;
-    const char* graphs;      ///< how many; "" if only we know
+    const char* graphs;      ///< their number; "" if no other source gives it
     double minimum;          ///< G_T, to a millionth
     double minimumTMesh;     ///< likewise of class tmesh
     double precision = 2e-6; ///< of the minimum of class tmesh, relative if it was proven so only
 };
 
-/// Smallest first.
+/// The meshes, smallest first.
 [[nodiscard]] std::span<const KnownMinima> knownMinima();
 
-/// Larger ones, of which no minimum was known.
+/// Larger meshes whose minima were not known.
 [[nodiscard]] std::span<const char* const> hardMeshes();
 
 } // namespace qm::bench

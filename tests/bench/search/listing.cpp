@@ -11,16 +11,16 @@
 namespace qm::bench {
 namespace {
 
-constexpr double enough = 10; ///< seconds, after which a measurement is not repeated
+constexpr double enough = 10; ///< seconds; longer measurements are not repeated
 
-/// Looks at every graph.
-/// \return how many
+/// Visits every graph.
+/// \return the number of graphs
 std::uint64_t visitAll(const Problem& problem) {
     const auto diagram = buildDiagram(problem, diagramNodes);
     Assignment assignment = diagram->fixed;
     std::uint64_t graphs = 0;
     const auto visit = [&graphs](const Assignment& graph) {
-        asm volatile("" : : "g"(graph.data()) : "memory"); // its values count as read
+        asm volatile("" : : "g"(graph.data()) : "memory"); // makes the compiler keep the values
         return ++graphs > 0;
     };
     walkDiagram(*diagram, diagram->root, assignment, visit);
@@ -32,7 +32,7 @@ struct Written {
     std::uint64_t bytes = 0;
 };
 
-/// Writes every graph as a line of JSON, to nowhere.
+/// Writes every graph as a line of JSON and discards the text.
 Written writeAll(const QuadMesh& mesh, unsigned jobs) {
     const BaseComplex complex = buildBaseComplex(mesh);
     const SeparatrixIndex separatrices(mesh, complex);

@@ -1,7 +1,7 @@
-/// \file search-tables [REGEX]: what the search can do, as tables; only meshes whose name matches.
+/// \file search-tables [REGEX]: tables of the search's performance; only meshes whose names match.
 ///
-/// Environment: QM_SHARED_MESHES, the folder of real meshes; CBC_SECONDS, GAP_SECONDS and TORUS_SECONDS, the
-/// limits of what may take long (60; 0 leaves the table of gaps out).
+/// Environment: QM_SHARED_MESHES, the folder of real meshes; CBC_SECONDS, GAP_SECONDS and TORUS_SECONDS,
+/// limits for slow measurements (60; GAP_SECONDS = 0 leaves out the table of gaps).
 #include "bench/search/tables.h"
 
 #include <cstdio>

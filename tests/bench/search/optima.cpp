@@ -15,17 +15,17 @@
 namespace qm::bench {
 namespace {
 
-constexpr double agree = 1e-5;   ///< of costs that programs print or sum in different orders
-constexpr double minTime = 1e-3; ///< shorter times count as this in a ratio
+constexpr double agree = 1e-5;   ///< costs that programs print or add in different orders
+constexpr double minTime = 1e-3; ///< shorter times count as this long in ratios
 
-/// What was measured on one problem.
+/// The measurements of one problem.
 struct Row {
     double ours = 0; ///< seconds
     double cbc = 0;
     double cost = 0;
     bool proven = false;
     bool cbcProven = false;
-    bool agrees = true; ///< with CBC, if that proved its optimum
+    bool agrees = true; ///< whether CBC's optimum is the same, if proven
 };
 
 Row compare(const Problem& problem, double cbcSeconds) {
@@ -41,7 +41,7 @@ Row compare(const Problem& problem, double cbcSeconds) {
     return row;
 }
 
-/// Prints rows and remembers what to say at the end.
+/// Prints rows and collects the final remarks.
 class Table {
 public:
     explicit Table(const TableOptions& options) : options_(options) {

@@ -1,4 +1,4 @@
-/// \file Seconds that something takes.
+/// \file Measuring the time of a computation in seconds.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@ template <class Work> double secondsOf(const Work& work) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// The shortest of several times; once is enough for what takes longer than `enough` seconds.
+/// The shortest of several measurements; only one if it takes longer than `enough` seconds.
 template <class Work> double shortestOf(int times, double enough, const Work& work) {
     double shortest = std::numeric_limits<double>::infinity();
     for (int k = 0; k < times && (k == 0 || shortest < enough); ++k)

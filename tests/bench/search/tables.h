@@ -1,4 +1,4 @@
-/// \file The tables that show what the search can do. Each prints itself and its heading.
+/// \file Tables of the search's performance. Each function prints a table with its heading.
 #pragma once
 
 #include <regex>
@@ -6,27 +6,27 @@
 namespace qm::bench {
 
 struct TableOptions {
-    std::regex meshes;        ///< only those whose name it finds
-    double cbcSeconds = 60;   ///< after which plain CBC is ended
-    double gapSeconds = 60;   ///< for every hard mesh and class; 0: none of them
-    double torusSeconds = 60; ///< after which each of the paper's algorithms is ended
+    std::regex meshes;        ///< only those whose names match
+    double cbcSeconds = 60;   ///< limit for plain CBC
+    double gapSeconds = 60;   ///< for every hard mesh and class; 0 leaves them out
+    double torusSeconds = 60; ///< limit for each of the paper's algorithms
 };
 
-/// The proven optimum of whole meshes, both classes, beside plain CBC.
-/// \return whether every optimum is proven, and the known one
+/// The proven optima of whole meshes, for both classes, compared with plain CBC.
+/// \return whether every optimum is proven and equals the known one
 bool printOptima(const TableOptions& options);
 
-/// What is left between best graph and bound on meshes that are too hard to prove at once.
+/// The gaps between best graph and bound on meshes that are too hard for a quick proof.
 void printGaps(const TableOptions& options);
 
-/// Counts and their known values.
+/// Numbers of graphs, compared with known values.
 /// \return whether they agree
 bool printCounts(const TableOptions& options);
 
-/// How fast all graphs are visited and written, on one thread and on two.
+/// The speed of visiting and of writing all graphs, with one thread and with two.
 void printListing();
 
-/// The paper's torus: all graphs by ours, and by its algorithms.
+/// All graphs of the paper's torus, by this project's search and by the paper's algorithms.
 void printTorus(const TableOptions& options);
 
 } // namespace qm::bench

@@ -26,7 +26,7 @@ Place minus(const Place& a, const Place& b) {
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
-/// Radians by which a path turns that comes from a and goes on to b.
+/// The turn, in radians, of a path from a over `at` to b.
 double turn(const Place& a, const Place& at, const Place& b) {
     const Place in = minus(at, a);
     const Place out = minus(b, at);
@@ -35,11 +35,11 @@ double turn(const Place& a, const Place& at, const Place& b) {
         product / (std::hypot(in[0], in[1], in[2]) * std::hypot(out[0], out[1], out[2])), -1.0, 1.0));
 }
 
-/// A smooth vertex has no neighbours along a crease, a corner itself twice. A crease may end at a smooth
-/// vertex.
+/// The crease through a vertex. A smooth vertex has no neighbours along a crease, a corner has itself twice.
+/// A crease may end at a smooth vertex.
 struct Rule {
     std::array<int, 2> along{-1, -1};
-    int end = -1; ///< the neighbour from which a crease comes that ends here
+    int end = -1; ///< the neighbour on a crease that ends at this vertex
 
     [[nodiscard]] bool isSmooth() const { return along[0] < 0; }
 };
@@ -72,7 +72,8 @@ void findEdges(Mesh& mesh) {
     }
 }
 
-/// Of every vertex: how many edges, and sums over neighbours, and over the far corners of its quads.
+/// For every vertex, its number of edges, and the sums over its neighbours and over the far corners of its
+/// quads.
 struct Stars {
     explicit Stars(const Mesh& mesh)
         : valence(mesh.points.size()), near(mesh.points.size()), far(mesh.points.size()) {
@@ -90,9 +91,9 @@ struct Stars {
     std::vector<Place> far;
 };
 
-/// The weights of the limit of a vertex at which a crease ends: of itself, then of its neighbours from that
-/// of the crease on, then of the far corners between them. The row that the powers of the ring's subdivision
-/// matrix tend to.
+/// The limit mask of a vertex at which a crease ends: the weights of the vertex, of its neighbours beginning
+/// with that on the crease, and of the far corners between them. It is the row to which the powers of the
+/// ring's subdivision matrix converge.
 std::vector<double> endMask(std::size_t valence) {
     const std::size_t n = valence;
     const double count = static_cast<double>(n);
@@ -218,7 +219,7 @@ Mesh subdivided(const Mesh& mesh) {
         Place& point = result.points[index(v)];
         const double n = stars.valence[index(v)];
         if (rule.isSmooth() && n > 0) {
-            // The mean of the quads' centres holds near and far corners: (v n + 2 near + far) / 4n.
+            // The mean of the quads' centres includes near and far corners: (v n + 2 near + far) / 4n.
             addTo(point, (n - 3) / n + 1 / n + 1 / (4 * n), mesh.points[index(v)]);
             addTo(point, 1 / (n * n) + 2 / (4 * n * n), stars.near[index(v)]);
             addTo(point, 1 / (4 * n * n), stars.far[index(v)]);
@@ -229,7 +230,8 @@ Mesh subdivided(const Mesh& mesh) {
         }
         result.rules[index(v)] = rule;
     }
-    // Along a crease the next vertices are those of the edges, and sharp edges have sharp halves.
+    // The next neighbours along a crease are the points on its edges, and the halves of sharp edges are
+    // sharp.
     for (int e = 0; e < edges; ++e) {
         const auto& edge = mesh.edges[index(e)];
         for (std::size_t k = 0; k < 2; ++k) {
@@ -248,7 +250,7 @@ Mesh subdivided(const Mesh& mesh) {
     return result;
 }
 
-/// What curve of sharp edges passes a vertex, if any does.
+/// Finds the curve of sharp edges through each vertex, if there is one.
 class Rules {
 public:
     Rules(const CheckedMesh& mesh, const Neighbourhoods& around, const std::vector<char>& sharp,
@@ -288,7 +290,7 @@ private:
         return around_.boundary(step) || sharp_[index(around_.edge(step))] != 0;
     }
 
-    /// A side of a segment comes from a and goes on to b.
+    /// Notes that a side of a segment passes a vertex, from a to b.
     void pass(int a, int vertex, int b) {
         if (!isSharp(around_.stepBetween(vertex, a)) || !isSharp(around_.stepBetween(vertex, b))) return;
         const double angle =
@@ -305,7 +307,7 @@ private:
     std::vector<Rule> passing_;
 };
 
-/// Moves the vertices until their limits are where the mesh has them.
+/// Moves the vertices until their limits are at the vertices of the mesh.
 void interpolate(Mesh& mesh) {
     const std::vector<Place> targets = mesh.points;
     constexpr int rounds = 300;

@@ -1,5 +1,5 @@
-/// \file The Catmull-Clark limit through the vertices of a mesh, by plain uniform subdivision: nothing but
-/// the definition is shared with the library's own.
+/// \file The Catmull-Clark limit surface through the vertices of a mesh, by plain uniform subdivision. It
+/// shares only the definition with the library's own.
 #pragma once
 
 #include "check/checked_document.h"
@@ -18,13 +18,12 @@ constexpr int perQuad = 1 << levels; ///< lattice steps along an edge of the mes
 
 constexpr std::size_t latticeSize = std::size_t{perQuad + 1} * (perQuad + 1);
 
-/// Limit points above every quad: `latticeSize` of them, row by row from its first corner towards its
+/// Limit points above every quad: `latticeSize` of them, row by row from the quad's first corner towards its
 /// second.
 using LimitLattices = std::vector<std::vector<Place>>;
 
-/// \param sharp  by edge; the boundary of the mesh counts as sharp in any case
-/// \param layout  its sides say
-/// where a curve of sharp edges goes straight on
+/// \param sharp   by edge; the boundary of the mesh is always sharp
+/// \param layout  its sides determine where a curve of sharp edges goes straight on
 [[nodiscard]] LimitLattices limitThroughVertices(const qm::check::CheckedMesh& mesh,
                                                  const qm::check::Neighbourhoods& around,
                                                  const std::vector<char>& sharp,
