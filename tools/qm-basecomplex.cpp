@@ -10,15 +10,13 @@ int main(int argc, char** argv) {
     return qm::runTool(
         argc, argv, "qm-basecomplex", "Trace the separatrices of a quad mesh.",
         [&](qm::Tool& tool) -> qm::ToolBody {
-            tool.reads("MESH", "a mesh of quads in a file of type OBJ, OFF or PLY");
+            tool.reads("MESH", "a quad mesh in OBJ, OFF or PLY format");
             tool.writes("a document with the sections mesh and baseComplex");
             tool.schema(qm::kindName(qm::Kind::basecomplex));
-            tool.option(
-                "repair", repair,
-                "weld vertices at the same place, remove degenerate and duplicate faces, turn faces over "
-                "that disagree with most of their neighbours, split vertices where several fans of faces "
-                "meet; the mesh goes to NAME.repaired.obj beside the "
-                "document");
+            tool.option("repair", repair,
+                        "weld vertices at the same place, remove degenerate and duplicate faces, flip faces "
+                        "that disagree with most of their neighbours, split vertices where several fans of "
+                        "faces meet; the repaired mesh is written to NAME.repaired.obj beside the document");
             tool.example("qm-basecomplex part.obj -o part.basecomplex.json");
             tool.example(
                 "qm-basecomplex part.obj | qm-features | qm-cut | qm-enum | qm-merge | qm-prune | qm-bspline "

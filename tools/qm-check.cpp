@@ -32,11 +32,11 @@ int main(int argc, char** argv) {
     constexpr std::size_t linesShown = 20;
     return qm::runTool(argc, argv, "qm-check", "Verify a document against its mesh.", [&](qm::Tool& tool) {
         tool.explain(
-            "Everything is computed anew; only the reading of documents and meshes is shared with the "
-            "tools that made them. Each violation is a line with the JSON pointer of its place.");
+            "Everything is recomputed; only the reading of documents and meshes is shared with the tools "
+            "that made them. Each violation is reported in a line with the JSON pointer of its place.");
         tool.reads("DOCUMENT", "a document of any kind");
         tool.text("mesh", meshPath, "FILE", "the mesh, if it is not where the document says");
-        tool.writes("what was found true, and the verdict");
+        tool.writes("what was verified, and the verdict");
         tool.option("json", asJson, "write the report as JSON, with every violation");
         tool.example("qm-check part.layout.json");
         tool.example("qm-check --json part.surfaces.json | jq .ok");

@@ -12,9 +12,8 @@ int main(int argc, char** argv) {
         [&](qm::Tool& tool) -> qm::ToolBody {
             auto stage = std::make_shared<qm::Stage>(tool, qm::Kind::cut, qm::Kind::basecomplex,
                                                      qm::Kind::enumeration);
-            tool.explain(
-                "Without a section cut the whole mesh is searched at once. An interrupt ends the search "
-                "with the best graphs so far.");
+            tool.explain("A document without the section cut is searched as a whole. An interrupt ends the "
+                         "search with the best graphs so far.");
             tool.options(options);
             qm::declareRequests(tool, requests, options);
             tool.stopsGracefully();

@@ -12,28 +12,28 @@ int main(int argc, char** argv) {
         argc, argv, "qm-export", "Write a layout, or the surfaces fitted to it, for other programs.",
         [&](qm::Tool& tool) -> qm::ToolBody {
             auto stage = std::make_shared<qm::Stage>(tool, qm::Kind::surfaces, qm::Kind::layout);
-            tool.writes("the file for the other program");
-            tool.option("format", format, "what to write");
-            tool.option("unit", options.unit, "the mesh's unit, which STEP and IGES declare");
+            tool.writes("the exported file");
+            tool.option("format", format, "the output format");
+            tool.option("unit", options.unit, "the mesh's unit, as declared in STEP and IGES");
             tool.text("name", options.name, "NAME",
-                      "of the product in STEP and IGES, instead of the mesh file's");
-            tool.text(
-                "date", date, "DATE",
-                "of STEP and IGES, such as 2026-11-22 or 2026-11-22T10:00:00 (UTC), or mesh: when the mesh's "
-                "file was changed last; without it 1970-01-01, so that equal input gives equal bytes");
-            tool.option("colour", options.colour, "what colours in PLY and glTF mean");
+                      "name of the product in STEP and IGES, instead of the mesh file's name");
+            tool.text("date", date, "DATE",
+                      "date in STEP and IGES, such as 2026-11-22 or 2026-11-22T10:00:00 (UTC), or mesh: the "
+                      "date of the mesh file; by default 1970-01-01, so that equal input gives equal bytes");
+            tool.option("colour", options.colour, "meaning of the colours in PLY and glTF");
             tool.option("join", options.join,
-                        "neighbours that are one smooth surface, or in one plane, become one face");
+                        "merge neighbours that are one smooth surface, or lie in one plane, into one face");
             tool.option("analytic", options.analytic,
-                        "patches become cylinders, cones, spheres and tori where they are nothing else");
-            tool.option("analytic-tolerance", options.analyticTolerance, qm::Range{0, 100},
-                        "how far a patch may be from what takes its place, in per cent of the diagonal");
+                        "replace patches by cylinders, cones, spheres and tori where they match");
+            tool.option(
+                "analytic-tolerance", options.analyticTolerance, qm::Range{0, 100},
+                "largest distance of a patch from the surface that replaces it, in per cent of the diagonal");
             tool.explain(
-                "STEP and IGES need the surfaces of qm-bspline, which have no gaps unless they interpolate. "
-                "Faces become one shell, and a solid where the mesh is closed. Plane patches become planes. "
-                "A patch is cut where it is only C0, and where it touches itself. Exit status 3, with a "
-                "warning "
-                "that has figures: written, but patches are apart, or the mesh is too small for the format.");
+                "STEP and IGES need the surfaces of qm-bspline, which have no gaps unless fitted with --fit "
+                "interpolate. The faces form one shell, and a solid where the mesh is closed. Plane patches "
+                "become planes. Patches are split where they are only C0 or touch themselves. Exit status 3, "
+                "with figures in a warning: the file is written, but has gaps between patches or other "
+                "faults, or the mesh is too small for the format.");
             tool.example("qm-export part.surfaces.json -o part.step");
             tool.example("qm-bspline part.layout.json | qm-export --format iges -o part.igs");
             tool.example("qm-export --join --analytic part.surfaces.json -o part.step");

@@ -15,20 +15,20 @@ std::string loopsText(std::size_t count) {
 int main(int argc, char** argv) {
     qm::RemeshOptions options;
     return qm::runTool(
-        argc, argv, "qm-remesh", "Make a quad mesh of a surface of triangles, with Blender.",
+        argc, argv, "qm-remesh", "Make a quad mesh from a triangle mesh, with Blender.",
         [&](qm::Tool& tool) -> qm::ToolBody {
-            tool.reads("SCAN", "a surface of triangles in a file of type STL, PLY, OBJ or OFF");
-            tool.writes("a quad mesh, OBJ");
-            tool.explain(
-                "The work is QuadriFlow's, as it stands in Blender 3 and 4, which must be installed. "
-                "Where it fails or leaves holes, other seeds are tried.");
-            tool.option("quads", options.quads, qm::Range{8, 10'000'000}, "make about so many");
+            tool.reads("SCAN", "a triangle mesh in STL, PLY, OBJ or OFF format");
+            tool.writes("a quad mesh in OBJ format");
+            tool.explain("Uses QuadriFlow as built into Blender 3 and 4, which must be installed. Where it "
+                         "fails or leaves holes, other seeds are tried.");
+            tool.option("quads", options.quads, qm::Range{8, 10'000'000}, "approximate number of quads");
             tool.option("preserve-sharp", options.preserveSharp, {},
-                        "do not make edges follow the sharp edges of the scan");
+                        "do not align edges with the sharp edges of the scan");
             tool.option("draw", options.draw, {},
-                        "leave the vertices where QuadriFlow puts them, which cuts off edges and corners; "
-                        "else they are drawn to the scan");
-            tool.option("seed", options.seed, qm::Range{0, 1'000'000}, "another one, another mesh");
+                        "leave the vertices where QuadriFlow puts them, with edges and corners cut off, "
+                        "instead of drawing them to the scan");
+            tool.option("seed", options.seed, qm::Range{0, 1'000'000},
+                        "random seed; each gives another mesh");
             tool.example("qm-remesh scan.stl --quads 2000 -o part.obj");
             return [&] {
                 const qm::Triangles scan =

@@ -7,25 +7,25 @@ int main(int argc, char** argv) {
     using Limits = qm::ShapeLimits;
     return qm::runTool(
         argc, argv, "qm-shape", "Make a sample mesh, or a scan of one.", [&](qm::Tool& tool) -> qm::ToolBody {
-            tool.operand("NAME", request.name, "which mesh; --list shows them all", false,
+            tool.operand("NAME", request.name, "the name of a mesh; --list shows all of them", false,
                          qm::namesOfShapes());
             tool.writes("the mesh");
             tool.option("list", request.list,
-                        "list the meshes with their resolution and size, where nothing else is asked for");
+                        "list the meshes with their default resolution and number of quads");
             tool.option("resolution", request.shape.resolution, {0, Limits::maxResolution},
-                        "how fine: the number of quads grows with its square; 0 is the mesh's own");
-            tool.option(
-                "around", request.shape.around, {0, Limits::maxAround},
-                "quads around a cylinder, sphere, torus or tube instead; 0 leaves it to the resolution");
-            tool.option("seed", request.shape.seed, "another one, another random mesh and other noise");
+                        "resolution; the number of quads grows with its square. 0 is the mesh's default");
+            tool.option("around", request.shape.around, {0, Limits::maxAround},
+                        "instead, the number of quads around a cylinder, sphere, torus or tube; 0 leaves it "
+                        "to the resolution");
+            tool.option("seed", request.shape.seed, "random seed, of random meshes and of noise");
             tool.option("voxels", request.shape.voxels, {1, Limits::maxVoxels},
-                        "how many cubes a random mesh is made of");
+                        "number of cubes in a random mesh");
             tool.option("scan", request.scan, {0, Limits::maxTriangles},
-                        "make about so many triangles, as a scanner does, instead of quads; 0 makes quads");
+                        "make a scan of about this many triangles instead of quads; 0 makes quads");
             tool.option("noise", request.noise, {qm::smallestPositive, qm::infinite},
-                        "of a scan: standard deviation of its points from the surface, a length or, with %, "
-                        "a share of the diagonal of the bounding box");
-            tool.option("format", request.format, "of the output");
+                        "noise of a scan: standard deviation of its points from the surface, as a length or, "
+                        "with %, as a share of the bounding box's diagonal");
+            tool.option("format", request.format, "output format");
             qm::declareNeeds(tool, request);
             tool.example("qm-shape --list");
             tool.example("qm-shape bracket -o bracket.obj");

@@ -20,20 +20,21 @@ int main(int argc, char** argv) {
     bool asJson = false;
     qm::Limits limits;
     return qm::runTool(
-        argc, argv, "qm-summary", "Say in a few lines how good a result is.",
+        argc, argv, "qm-summary", "Report in a few lines how good a result is.",
         [&](qm::Tool& tool) -> qm::ToolBody {
             auto stage = std::make_shared<qm::Stage>(tool, qm::Kind::basecomplex, qm::Kind::basecomplex);
             tool.writes("the summary");
-            tool.explain("Exit status 3, with a line for each, if a limit is not met: the tolerance of the "
-                         "fit, those of the options, and that a closed mesh becomes a solid.");
+            tool.explain(
+                "If a limit is missed, a line says so, and the exit status is 3. The limits are the "
+                "tolerance of the fit, those given as options, and that a closed mesh becomes a solid.");
             tool.option("max-patches", maxPatches, qm::Range{1, qm::maxCount},
-                        "how many patches are allowed");
+                        "largest number of patches allowed");
             tool.option("max-normal-angle", limits.maxNormalAngle, qm::Range{0, 180},
-                        "how far normals of smooth surfaces may jump across smooth borders, degrees");
+                        "largest angle allowed between normals across smooth borders, in degrees");
             tool.option("unit", unit, "the mesh's unit");
             tool.option("seconds", seconds, qm::Range{0, qm::infinite},
-                        "that it took, to be told with the rest");
-            tool.option("json", asJson, "as JSON");
+                        "the time that the run took, to be included in the summary");
+            tool.option("json", asJson, "write the summary as JSON");
             tool.example("qm-summary part.surfaces.json");
             tool.example("qm-summary --json --max-patches 200 part.pruned.json | jq .patches");
             return [&, stage] {

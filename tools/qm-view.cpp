@@ -8,30 +8,31 @@ int main(int argc, char** argv) {
     std::string png, size = "1200x900", show, from = "1,-1.5,0.9", up = "0,0,1", section, compare, reference;
     qm::LengthUnit unit = qm::LengthUnit::mm;
     bool key = true;
-    return qm::runTool(argc, argv, "qm-view", "Show a document as a page to look at.", [&](qm::Tool& tool) {
+    return qm::runTool(argc, argv, "qm-view", "Show a document as a page or picture.", [&](qm::Tool& tool) {
         auto stage = std::make_shared<qm::Stage>(tool, qm::Kind::basecomplex, qm::Kind::basecomplex);
         tool.writes("one HTML page that needs no other file and no network");
-        tool.explain(
-            "What each stage found is a layer that is switched on and off; what is pointed at is named by "
-            "its number in the document. Layers of faces, one at a time: " +
-            qm::joinedNames(qm::faceLayerNames) +
-            ". Lines and points: " + qm::joinedNames(qm::lineLayerNames) +
-            ". Zebra stripes are reflected ones, mean and gauss are curvatures, tolerance is pass or fail, "
-            "scan is the distance from the scan's triangles, jumps are those of normals across smooth "
-            "borders.");
-        tool.text("show", show, "LAYER,...", "layers that are on at first, such as segments,borders",
+        tool.explain("The results of each stage are layers that can be switched on and off; pointing at an "
+                     "element shows its number in the document. Layers of faces, one at a time: " +
+                     qm::joinedNames(qm::faceLayerNames) +
+                     ". Lines and points: " + qm::joinedNames(qm::lineLayerNames) +
+                     ". Layer zebra shows reflected stripes, mean and gauss show curvatures, tolerance shows "
+                     "pass or fail, scan the distance from the scan's triangles, jumps the angles between "
+                     "normals across smooth borders.");
+        tool.text("show", show, "LAYER,...", "layers shown initially, such as segments,borders",
                   qm::allLayerNames());
         tool.text("compare", compare, "DOCUMENT",
-                  "another one, to the left of the first, seen by one camera");
+                  "show another document to the left of the first, with the same camera");
         tool.text("reference", reference, "FILE",
                   "the scan that the surfaces were fitted to, if it is not where the document says");
         tool.text("view", from, "X,Y,Z", "look from this direction");
-        tool.text("up", up, "X,Y,Z", "what is up");
-        tool.text("section", section, "AXIS:SHARE", "cut the model open there, such as x:0.5");
+        tool.text("up", up, "X,Y,Z", "the upward direction");
+        tool.text("section", section, "AXIS:SHARE",
+                  "cut the model open at this share of its extent, such as x:0.5");
         tool.option("unit", unit, "the mesh's unit");
-        tool.text("png", png, "FILE", "write a picture, taken by Chromium; the page only if -o is given too");
-        tool.text("size", size, "WxH", "of the picture, in pixels");
-        tool.option("key", key, {}, "a picture of the model alone, without what its colours stand for");
+        tool.text("png", png, "FILE",
+                  "write a picture, rendered by Chromium; the page is written only if -o is given, too");
+        tool.text("size", size, "WxH", "size of the picture, in pixels");
+        tool.option("key", key, {}, "leave the colour key out of the picture");
         tool.example("qm-view part.layout.json -o part.html");
         tool.example("qm-view --show cuts,submeshes,separatrices part.cut.json > part.html");
         tool.example("qm-view --compare part.layout.json part.surfaces.json --show zebra > both.html");

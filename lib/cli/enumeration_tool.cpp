@@ -81,19 +81,19 @@ void writeGraphs(const Tool& tool, const Model& model, const EnumerationOptions&
 } // namespace
 
 void declareRequests(Tool& tool, EnumerationRequests& requests, EnumerationOptions& options) {
-    tool.text("part", requests.part, "I/N",
-              "search only the I-th sub-mesh and every N-th after it, so that N runs at the same time share "
-              "the work");
-    tool.option("join", requests.join,
-                "unite the parts that such runs have written, given as DOCUMENTs, to what one run would have "
-                "written");
+    tool.text(
+        "part", requests.part, "I/N",
+        "search only the I-th sub-mesh and every N-th after it, so that N parallel runs share the work");
+    tool.option(
+        "join", requests.join,
+        "join the results of such runs, given as DOCUMENTs, into what a single run would have written");
     tool.readsMore(requests.furtherParts);
     tool.text("all", requests.allGraphs, "FILE",
-              "write every graph to this file, one line of JSON each; - means standard output, and "
-              "then needs --output for the document");
-    tool.text(
-        "list", requests.bestGraphs, "FILE",
-        "write the --best graphs to this file likewise, the cheapest first; the document keeps only one");
+              "write every graph to this file, one line of JSON each; - is standard output, and requires "
+              "--output for the document");
+    tool.text("list", requests.bestGraphs, "FILE",
+              "write the --best graphs to this file in the same way, the cheapest first; the document keeps "
+              "only one");
     tool.option("require-complete", requests.requireComplete,
                 "exit with status 3 if a limit ended the search");
     tool.option("require-optimal", requests.requireOptimal,

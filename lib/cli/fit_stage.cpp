@@ -65,11 +65,11 @@ Json rankingToJson(const std::vector<Candidate>& candidates) {
 
 void declareRequests(Tool& tool, FitRequests& requests, const FitOptions& options) {
     tool.text("reference", requests.reference, "FILE",
-              "with --fit smooth: a scan to fit to, triangles as STL, PLY, OBJ or OFF, instead of the "
-              "smooth surface through the mesh's vertices");
+              "with --fit smooth: fit to this scan (triangles as STL, PLY, OBJ or OFF) instead of the smooth "
+              "surface through the mesh's vertices");
     tool.option("rank", requests.rank,
-                "fit every DOCUMENT, layouts of the same mesh, and write the one that keeps the tolerance "
-                "with the fewest control points");
+                "fit every DOCUMENT, all layouts of the same mesh, and write the one that keeps the "
+                "tolerance with the fewest control points");
     tool.readsMore(requests.furtherFiles);
     tool.needs({"reference", "rank"}, "--fit smooth", [&options] { return options.fit == Fit::smooth; });
     tool.verify([&requests] {

@@ -27,16 +27,15 @@ std::vector<OptionRecord> describeGeneral(GeneralOptions& values, bool hasOutput
     options.push_back(withShort(
         "j",
         makeOption("jobs", values.jobs, Range{1, maxJobs},
-                   "threads to use; results do not depend on it, but for those that a limit of time ends")));
+                   "number of threads; results do not depend on it, unless a time limit ends the work")));
     options.back().defaultText = "as many as processors";
     options.push_back(
         withShort("q", makeOption("quiet", values.quiet, {}, "errors only: no warnings, no progress bar")));
-    options.push_back(withShort(
-        "v", makeOption("verbose", values.verbose, {}, "say which settings are in effect, and more")));
-    options.push_back(makeOption(
-        "stats", values.stats, {},
-        "time, its own and that of reading the input, memory and counters as one line of JSON on standard "
-        "error"));
+    options.push_back(
+        withShort("v", makeOption("verbose", values.verbose, {}, "report the settings in effect, and more")));
+    options.push_back(makeOption("stats", values.stats, {},
+                                 "write time (the tool's own, and that of reading the input), memory and "
+                                 "counters to standard error as one line of JSON"));
     if (hasSchema)
         options.push_back(
             makeOption("schema", values.schema, {}, "print the JSON schema of the document that is written"));

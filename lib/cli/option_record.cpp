@@ -40,7 +40,9 @@ OptionRecord makeNumber(const std::string& name, Number& value, Range range, con
         const auto number = static_cast<double>(value);
         return std::isfinite(number) ? numberText(number) : std::string();
     };
-    result.defaultText = show();
+    // A default that cannot be given stands for none.
+    if (const auto number = static_cast<double>(value); number >= range.min && number <= range.max)
+        result.defaultText = show();
     result.show = show;
     result.assign = [&value, range](const std::string& text) {
         return assignNumber(text, range, whole, value);

@@ -44,15 +44,15 @@ template <> struct Choices<GraphClass> {
     static constexpr std::array all{
         Choice<GraphClass>{GraphClass::motorcycle, "motorcycle", "every track begins at a source"},
         Choice<GraphClass>{GraphClass::tmesh, "tmesh",
-                           "tracks may begin and end on others, of the whole mesh only: often much cheaper"}};
+                           "tracks may begin and end on others; often much cheaper, for whole meshes only"}};
 };
 
 template <> struct Choices<Fit> {
     static constexpr std::array all{
         Choice<Fit>{Fit::smooth, "smooth",
-                    "watertight, smooth across all borders that are no creases, within the tolerance"},
+                    "watertight, smooth across all borders that are not creases, within the tolerance"},
         Choice<Fit>{Fit::interpolate, "interpolate",
-                    "the paper's: through every vertex, every patch by itself"}};
+                    "the paper's fit, through every vertex, each patch separately"}};
 };
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -68,54 +68,57 @@ template <class Options, class Visitor> void conditions(const Options&, Visitor&
 
 template <class Visitor> void describe(FeatureOptions& options, Visitor&& option) {
     option("rho", options.rho, Range{0, std::numbers::pi},
-           "every edge of a curve has a dihedral angle above this, radians");
+           "edges of a curve have a dihedral angle above this, in radians");
     option("min-length", options.minLength, Range{0, infinite},
-           "a curve is at least this long, in the mesh's unit or, with %, as a share of the bounding box's "
+           "minimum length of a curve, in the mesh's unit or, with %, as a share of the bounding box's "
            "diagonal");
     option("min-distance", options.minDistance, Range{0, infinite},
-           "the ends of a curve are at least this far, along its line, from every extraordinary vertex");
-    option(
-        "tau", options.tau, Range{1, maxCount},
-        "a curve has at least this many edges; 15 is the paper's, and then --min-length is 0 unless given");
+           "minimum distance, along its line, of the ends of a curve from every extraordinary vertex");
+    option("tau", options.tau, Range{1, maxCount},
+           "minimum number of edges of a curve; the paper uses 15. With this option --min-length is 0 unless "
+           "given");
     option("zeta", options.zeta, Range{0, maxCount},
            "the ends of a curve are more than this many edges, along its line, from every extraordinary "
-           "vertex; 30 is the paper's, and then --min-distance is 0 unless given");
+           "vertex; the paper uses 30. With this option --min-distance is 0 unless given");
 }
 
 template <class Visitor> void describe(CutOptions& options, Visitor&& option) {
-    option("chi", options.chi, Range{0, infinite}, "cut a sub-mesh while its quasi-complexity reaches this");
-    option("terminals", options.terminals, Range{}, "source and sink of every cut");
+    option("chi", options.chi, Range{0, infinite},
+           "cut a sub-mesh as long as its quasi-complexity is at least this");
+    option("terminals", options.terminals, Range{}, "how the source and sink of every cut are chosen");
     option("lambda", options.lambda, Range{0, infinite}, "weight of cutting a mesh edge");
     option("high-penalty", options.highPenalty, Range{0, infinite},
-           "Wh, the cost of giving a vertex that is near one terminal to the other");
+           "Wh, the cost of assigning a vertex near one terminal to the other");
     option("low-penalty", options.lowPenalty, Range{0, infinite},
-           "Wl, the cost of giving a vertex to a terminal that it is near");
-    option("near-limit", options.nearLimit, Range{0, 1}, "m1, up to this nearness the high penalty holds");
-    option("far-limit", options.farLimit, Range{0, 1}, "m2, above this nearness the low penalty holds");
+           "Wl, the cost of assigning a vertex to a terminal that it is near");
+    option("near-limit", options.nearLimit, Range{0, 1},
+           "m1, the nearness up to which the high penalty applies");
+    option("far-limit", options.farLimit, Range{0, 1},
+           "m2, the nearness above which the low penalty applies");
     option("avoid-features", options.avoidFeatures, Range{}, "make cutting across sharp edges dearer");
 }
 
 template <class Visitor> void describe(EnumerationOptions& options, Visitor&& option) {
     option("alpha", options.cost.alpha, Range{}, "penalty of a flat edge");
     option("epsilon", options.cost.epsilon, Range{0, std::numbers::pi},
-           "an edge is flat below this dihedral angle, radians; 1 suits models with sharp edges");
+           "edges with a dihedral angle below this, in radians, are flat; 1 suits models with sharp edges");
     option("cost", options.cost.terms, Range{},
-           "what to minimise, a sum such as dihedral+0.5*segments of the terms dihedral (of edges, with "
-           "alpha and "
-           "epsilon), length (of edges), segments (their number) and custom (what the document gives edges)");
-    option("class", options.graphClass, Range{}, "which graphs");
-    option("method", options.method, Range{}, "how to search");
-    option("best", options.best, Range{1, maxCount}, "keep this many graphs of every sub-mesh, the cheapest");
-    option("count", options.count, Range{},
-           "count the graphs of every sub-mesh exactly: those up to --max-cost");
+           "the cost to minimise: a sum, such as dihedral+0.5*segments, of the terms dihedral (angles of "
+           "edges, with alpha and epsilon), length (of edges), segments (their number) and custom (weights "
+           "of edges in the document)");
+    option("class", options.graphClass, Range{}, "the class of graphs to search");
+    option("method", options.method, Range{}, "the search method");
+    option("best", options.best, Range{1, maxCount},
+           "keep this many of the cheapest graphs of every sub-mesh");
+    option("count", options.count, Range{}, "count the graphs of every sub-mesh exactly, up to --max-cost");
     option("sample", options.sample, Range{0, maxCount},
-           "draw this many graphs of every sub-mesh, each as likely as any other");
-    option("seed", options.seed, Range{0, maxCount}, "of the draws: another one draws other graphs");
-    option("max-cost", options.maxCost, Range{}, "only graphs up to this cost in every sub-mesh");
+           "draw this many graphs of every sub-mesh at random, all equally likely");
+    option("seed", options.seed, Range{0, maxCount}, "seed of --sample");
+    option("max-cost", options.maxCost, Range{}, "consider only graphs up to this cost in every sub-mesh");
     option("time-limit", options.timeLimit, Range{0, infinite},
-           "stop after this many seconds with the best so far");
+           "stop after this many seconds with the best result so far");
     option("gap", options.gap, Range{0, infinite},
-           "stop a sub-mesh when its cost is at most this much above the lower bound");
+           "end the search of a sub-mesh when its cost is at most this much above the lower bound");
 }
 
 template <class Visitor> void conditions(const EnumerationOptions& options, Visitor&& needs) {
@@ -129,29 +132,31 @@ template <class Visitor> void conditions(const EnumerationOptions& options, Visi
 
 template <class Visitor> void describe(MergeOptions& options, Visitor&& option) {
     option("max-rounds", options.maxRounds, Range{0, maxCount},
-           "passes of the complete generator before free particles are simply extended");
+           "passes of the complete generator before the remaining free particles are extended straight on");
     option("improve", options.improve, Range{0, infinite},
-           "improve the layout for up to this many seconds, and bound what the best one costs");
+           "improve the layout for up to this many seconds, and compute a lower bound of the best layout's "
+           "cost");
 }
 
 template <class Visitor> void describe(PruneOptions& options, Visitor&& option) {
-    option("method", options.method, Range{}, "what to remove");
+    option("method", options.method, Range{}, "how to choose what is removed");
     option("eta", options.eta, Range{}, "remove tracks that cost more than this; -3 suits soft models");
-    option("smooth", options.smooth, Range{}, "leave out the smoothness criterion");
+    option("smooth", options.smooth, Range{}, "do not apply the smoothness criterion");
     option("max-turn", options.maxTurn, Range{0, 180},
-           "P, the most that the boundary may turn where a removed track ended, degrees");
+           "P, the largest angle by which a boundary may turn where a removed track ended, in degrees");
     option("min-corner", options.minCorner, Range{0, 90},
-           "the least that a corner keeps beside a side that passes straight through an extraordinary "
-           "vertex, degrees; 0 as in the paper");
+           "the smallest angle that a corner keeps beside a side that passes straight through an "
+           "extraordinary vertex, in degrees; 0 as in the paper");
     option("beta", options.beta, Range{0, highestPrice}, "with --method optimum: the price of a segment");
     option("fewest-patches", options.fewestPatches, Range{},
-           "with --method optimum: as few segments as can be, and only then the lowest G_T");
+           "with --method optimum: minimise the number of segments first, then G_T");
     option("max-segments", options.maxSegments, Range{0, infinite},
-           "with --method optimum: the cheapest layout of so many segments at most, instead of their price");
+           "with --method optimum: find the cheapest layout with at most this many segments, instead of "
+           "pricing them");
     option("time-limit", options.timeLimit, Range{0, infinite},
-           "with --method optimum or --front: stop after this many seconds with the best so far");
+           "with --method optimum or --front: stop after this many seconds with the best result so far");
     option("front", options.front, Range{},
-           "list which numbers of segments, G_T and captured sharpness can be had, for prices of 1/16 to 64");
+           "list the best trade-offs between segments, G_T and captured sharpness, for prices of 1/16 to 64");
 }
 
 template <class Visitor> void conditions(const PruneOptions& options, Visitor&& needs) {
@@ -166,15 +171,13 @@ template <class Visitor> void conditions(const PruneOptions& options, Visitor&& 
 }
 
 template <class Visitor> void describe(FitOptions& options, Visitor&& option) {
-    option("fit", options.fit, Range{}, "how surfaces follow the mesh");
+    option("fit", options.fit, Range{}, "how surfaces are fitted to the mesh");
     option("tolerance", options.tolerance, Range{smallestPositive, infinite},
-           "with --fit smooth: the largest distance between the surfaces and what they are fitted to (the "
-           "smooth "
-           "surface through the mesh's vertices, or the scan, beside its noise), in the mesh's unit, or with "
-           "% as "
-           "a share of the bounding box's diagonal");
+           "with --fit smooth: the largest distance between the surfaces and their reference (the smooth "
+           "surface through the mesh's vertices; or the scan, whose noise is allowed in addition), in the "
+           "mesh's unit or, with %, as a share of the bounding box's diagonal");
     option("rho", options.rho, Range{0, std::numbers::pi},
-           "a border edge is smooth up to this dihedral angle, radians");
+           "borders are smooth up to this dihedral angle, in radians");
 }
 
 template <class Visitor> void conditions(const FitOptions& options, Visitor&& needs) {

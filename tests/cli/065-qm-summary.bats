@@ -28,6 +28,12 @@ figures() { run --separate-stderr qm-summary --json "$@"; }
     assert_equal "$(jq -c '[.patches, .surfaces, .solid]' <<<"$output")" '[null,null,false]'
 }
 
+@test "a limit that is off unless given shows no default" {
+    run qm-summary --json-usage
+    assert_equal "$(jq -c '.options[] | select(.name == "--max-patches") | has("default")' <<<"$output")" false
+    assert_equal "$(jq '.options[] | select(.name == "--max-normal-angle").default' <<<"$output")" 1
+}
+
 @test "boundary loops are listed, the longest first" {
     figures "$(stage basecomplex plate)"
     jq -e '.boundaryLoops | length == 2 and .[0].length > .[1].length and all(.edges > 3)' <<<"$output"
