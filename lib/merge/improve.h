@@ -3,10 +3,10 @@
 
 #include "base/control.h"
 #include "base/known_cost.h"
-#include "enumerate/sub_mesh/search_space.h"
-#include "enumerate/window/window_search.h"
-#include "layout/motorcycle_graph.h"
+#include "layout/constraints.h"
+#include "layout/tracks.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace qm {
@@ -35,11 +35,5 @@ struct Improvement {
 /// A lower bound without the rounding errors that may lift it above the cost.
 /// \throw std::logic_error  if the bound is clearly above the cost, which is a fault of its computation
 [[nodiscard]] double boundBelow(double lowerBound, double cost);
-
-/// Searches windows that are no harder than a sub-mesh, wherever the cut runs, up to a limit of their number.
-/// \param present     the arcs of a valid graph of the whole mesh
-/// \param complexity  chi of the sub-meshes
-[[nodiscard]] WindowResult moveCuts(const SearchSpace& space, const std::vector<bool>& present,
-                                    double complexity, const Control& control = {});
 
 } // namespace qm

@@ -6,6 +6,7 @@
 #include "layout/tracks.h"
 #include "merge/generators.h"
 #include "merge/improve.h"
+#include "merge/move_cuts.h"
 
 #include <algorithm>
 #include <utility>

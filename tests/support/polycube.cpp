@@ -159,4 +159,18 @@ check::CheckedMesh glued(int squares, const std::vector<std::array<int, 2>>& pai
     return mesh;
 }
 
+check::CheckedMesh together(const std::vector<check::CheckedMesh>& parts) {
+    check::CheckedMesh result;
+    for (const check::CheckedMesh& part : parts) {
+        const int base = static_cast<int>(result.points.size());
+        result.points.insert(result.points.end(), part.points.begin(), part.points.end());
+        for (auto quad : part.quads) {
+            for (int& corner : quad)
+                corner += base;
+            result.quads.push_back(quad);
+        }
+    }
+    return result;
+}
+
 } // namespace qm::testing

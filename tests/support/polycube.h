@@ -38,4 +38,7 @@ using Cells = std::vector<std::array<int, 3>>;
 /// otherwise
 [[nodiscard]] check::CheckedMesh glued(int squares, const std::vector<std::array<int, 2>>& pairs, int n);
 
+/// Several meshes as one, their vertices and faces one after the other.
+[[nodiscard]] check::CheckedMesh together(const std::vector<check::CheckedMesh>& parts);
+
 } // namespace qm::testing

@@ -12,18 +12,6 @@ namespace {
 
 using namespace check;
 
-/// Two meshes beside each other.
-CheckedMesh together(CheckedMesh mesh, const CheckedMesh& other) {
-    const int begin = static_cast<int>(mesh.points.size());
-    mesh.points.insert(mesh.points.end(), other.points.begin(), other.points.end());
-    for (auto quad : other.quads) {
-        for (int& vertex : quad)
-            vertex += begin;
-        mesh.quads.push_back(quad);
-    }
-    return mesh;
-}
-
 /// The track along a path of vertices.
 ReadTrack trackAlong(const Neighbourhoods& around, std::size_t rank, const std::vector<int>& vertices) {
     ReadTrack track;
@@ -42,7 +30,7 @@ std::vector<std::string> placesOf(const Report& report, const std::string& rule)
 }
 
 TEST(CheckSourceless, KnowsWhereParticlesStart) {
-    const CheckedMesh mesh = together(polycube(box(1, 1, 1)), torus(4, 3));
+    const CheckedMesh mesh = together({polycube(box(1, 1, 1)), torus(4, 3)});
     const Neighbourhoods around(mesh);
     const std::vector<int> components = sourcelessComponents(around, traceLines(around, {}).front());
     for (int vertex = 0; vertex < around.vertices(); ++vertex)

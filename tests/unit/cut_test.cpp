@@ -92,20 +92,6 @@ check::CheckedMesh twoBumps(int n) {
     return polycube(cells, n);
 }
 
-check::CheckedMesh together(const std::vector<check::CheckedMesh>& parts) {
-    check::CheckedMesh result;
-    for (const check::CheckedMesh& part : parts) {
-        const int base = static_cast<int>(result.points.size());
-        result.points.insert(result.points.end(), part.points.begin(), part.points.end());
-        for (auto quad : part.quads) {
-            for (int& corner : quad)
-                corner += base;
-            result.quads.push_back(quad);
-        }
-    }
-    return result;
-}
-
 TEST(Measure, OfTheWholeMeshIsThatOfTheBaseComplex) {
     const QuadMesh mesh = quadMesh(polycube(bump(), 3));
     const BaseComplex complex = buildBaseComplex(mesh);

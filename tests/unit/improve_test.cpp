@@ -1,8 +1,19 @@
+#include "enumerate/paper/plain_graph.h"
+#include "layout/tracks.h"
+#include "merge/graph_improver.h"
 #include "merge/improve.h"
+#include "merge/move_cuts.h"
+#include "support/polycube.h"
+#include "support/random_graph.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <random>
 #include <stdexcept>
+#include <vector>
 
 namespace qm {
 namespace {
@@ -17,6 +28,68 @@ TEST(BoundBelow, IsAFaultWhereAGraphIsCheaper) {
     EXPECT_THROW((void)boundBelow(208.46, 205.11), std::logic_error);
     EXPECT_THROW((void)boundBelow(5.001, 5), std::logic_error);
     EXPECT_THROW((void)boundBelow(1e50, 5), std::logic_error);
+}
+
+/// A part with random costs and its plain motorcycle graph.
+struct PlainCase {
+    explicit PlainCase(unsigned number) : mesh(testing::quadMesh(testing::polycube(testing::bump(), 3))) {
+        std::mt19937 random(number);
+        complex = buildBaseComplex(mesh, testing::randomSeeds(mesh, 6, random));
+        std::uniform_real_distribution<double> cost(-1, 2);
+        costs.resize(mesh.n_edges());
+        std::ranges::generate(costs, [&] { return cost(random); });
+        space = makeSearchSpace(mesh, complex, costs, {}, {});
+        present = presentArcs(mesh, complex, space.graph, plainMotorcycleGraph(mesh, complex, costs).tracks);
+    }
+
+    QuadMesh mesh;
+    BaseComplex complex;
+    std::vector<double> costs;
+    SearchSpace space;
+    std::vector<bool> present;
+};
+
+TEST(MoveCuts, MakesGraphsCheaperAndLeavesThemValid) {
+    int cheaper = 0;
+    for (unsigned number = 0; number < 20; ++number) {
+        const PlainCase plain(number);
+        const WindowResult moved = moveCuts(plain.space, plain.present, 40);
+        EXPECT_TRUE(testing::isMotorcycleGraph(plain.space.graph, moved.present)) << number;
+        const double before = costOf(plain.space, plain.present), after = costOf(plain.space, moved.present);
+        EXPECT_LE(after, before + 1e-9) << number;
+        cheaper += after < before - 1e-9 ? 1 : 0;
+    }
+    EXPECT_GT(cheaper, 5);
+}
+
+TEST(GraphImprover, TellsOfEveryCheaperGraphAndEndsWithTheOptimum) {
+    for (unsigned number = 0; number < 10; ++number) {
+        const PlainCase plain(number);
+        double toldCost = 0, toldBound = 0;
+        const KnownCost tell = [&](double cost, double lowerBound) {
+            toldCost = cost;
+            toldBound = lowerBound;
+        };
+        const Control control;
+        KnownSoFar known(control, tell, costOf(plain.space, plain.present));
+        EXPECT_FALSE(known.control().stopRequested());
+        EXPECT_EQ(toldCost, costOf(plain.space, plain.present));
+        EXPECT_EQ(toldBound, -std::numeric_limits<double>::infinity());
+
+        GraphImprover improver(plain.space, plain.present, known);
+        EXPECT_FALSE(improver.isLarge());
+        improver.searchWindows({}, {}, control);
+        EXPECT_GT(improver.windows(), 0U);
+        EXPECT_LE(improver.improvements(), improver.windows());
+        const OptimumResult found = improver.searchTree(control, control);
+        EXPECT_TRUE(found.complete);
+        EXPECT_TRUE(testing::isMotorcycleGraph(plain.space.graph, improver.present()));
+        EXPECT_NEAR(costOf(plain.space, improver.present()), found.lowerBound, 1e-6);
+        known.setBound(found.lowerBound);
+        EXPECT_FALSE(known.control().stopRequested());
+        EXPECT_NEAR(toldCost, found.lowerBound, 1e-6);
+        EXPECT_EQ(toldBound, found.lowerBound);
+    }
 }
 
 } // namespace

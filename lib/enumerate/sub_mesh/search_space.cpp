@@ -79,6 +79,10 @@ SearchSpace makeSearchSpace(const QuadMesh& mesh, const BaseComplex& complex,
     return space;
 }
 
+ProblemInput wholeInput(const SearchSpace& space) {
+    return {space.graph, space.arcCosts, {}, space.demands, {}, {}, space.cornerCost};
+}
+
 double costOf(const SearchSpace& space, const std::vector<bool>& present) {
     double cost = 0;
     for (std::size_t arc = 0; arc < present.size(); ++arc)

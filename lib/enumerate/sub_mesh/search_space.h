@@ -28,6 +28,10 @@ struct SearchSpace {
                                           const std::vector<double>& edgeCosts, const SubMeshes& subMeshes,
                                           const Constraints& constraints, double cornerCost = 0);
 
+/// A search of the whole mesh: all arcs are free.
+/// \param space  must outlive the result
+[[nodiscard]] ProblemInput wholeInput(const SearchSpace& space);
+
 /// The cost of a graph: of its arcs, and of the corners at junctions.
 [[nodiscard]] double costOf(const SearchSpace& space, const std::vector<bool>& present);
 

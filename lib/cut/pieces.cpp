@@ -1,0 +1,71 @@
+#include "cut/pieces.h"
+
+#include "base/at.h"
+#include "mesh/topology.h"
+
+namespace qm {
+
+PieceDivision::PieceDivision(const QuadMesh& mesh, const BaseComplex& complex)
+    : mesh_(mesh), complex_(complex), measure_(mesh, complex), labels_(mesh.n_vertices(), SubMeshId(0)) {}
+
+Piece PieceDivision::whole() {
+    Piece piece;
+    piece.label = SubMeshId(0);
+    for (const VertexId vertex : mesh_.vertices())
+        if (!mesh_.is_isolated(vertex)) piece.vertices.push_back(vertex);
+    for (std::size_t i = 0; i < complex_.separatrices.size(); ++i)
+        piece.separatrices.push_back(i);
+    measure(piece);
+    return piece;
+}
+
+std::vector<Piece> PieceDivision::divide(const Piece& piece, const std::vector<int>& partOf, int count) {
+    std::vector<Piece> parts(at(count));
+    std::vector<std::size_t> sizes(parts.size(), 0);
+    for (const int part : partOf)
+        ++sizes[at(part)];
+    const SubMeshId first = nextLabel_;
+    nextLabel_ = first + count;
+    for (int part = 0; part < count; ++part) {
+        Piece& made = parts[at(part)];
+        made.label = first + part;
+        made.vertices.reserve(sizes[at(part)]);
+        made.measures.source = piece.measures.source;
+        made.measures.sink = piece.measures.sink;
+    }
+    for (std::size_t k = 0; k < piece.vertices.size(); ++k) {
+        Piece& part = parts[at(partOf[k])];
+        labels_[at(piece.vertices[k])] = part.label;
+        part.vertices.push_back(piece.vertices[k]);
+    }
+    for (const std::size_t i : piece.separatrices)
+        parts[at(labels_[at(sourceOf(i))].value() - first.value())].separatrices.push_back(i);
+    for (Piece& part : parts)
+        measure(part);
+    return parts;
+}
+
+void PieceDivision::restore(const Piece& piece) {
+    for (const VertexId vertex : piece.vertices)
+        labels_[at(vertex)] = piece.label;
+}
+
+PieceSources PieceDivision::sourcesOf(const Piece& piece) const {
+    PieceSources sources;
+    VertexId last;
+    for (const std::size_t i : piece.separatrices) {
+        const VertexId source = sourceOf(i);
+        if (source != last)
+            (isRegular(mesh_, source) ? sources.seeds : sources.extraordinary).push_back(source);
+        last = source;
+    }
+    return sources;
+}
+
+void PieceDivision::measure(Piece& piece) {
+    const SubMesh measured = measure_(piece.separatrices, labels_, piece.label);
+    piece.measures.quasiComplexity = measured.quasiComplexity;
+    piece.measures.ordinaryJunctions = measured.ordinaryJunctions;
+}
+
+} // namespace qm

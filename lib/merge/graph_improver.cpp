@@ -1,0 +1,83 @@
+#include "merge/graph_improver.h"
+
+#include "base/parallel.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace qm {
+namespace {
+
+struct Tuning {
+    /// From this number of variables on, only the root of a part is searched.
+    static constexpr std::size_t large = 15000;
+    /// Size of the largest windows that the search of the whole mesh waits for: at least `fastWindow`
+    /// variables, one in `fastShare` of all, or one in `relaxedShare` after the relaxation of large parts.
+    /// Such windows take little of the time of the search itself.
+    static constexpr std::size_t fastWindow = 500;
+    static constexpr std::size_t fastShare = 8;
+    static constexpr std::size_t relaxedShare = 2;
+};
+
+} // namespace
+
+GraphImprover::GraphImprover(const SearchSpace& space, std::vector<bool> present, KnownSoFar& known)
+    : space_(space), input_(wholeInput(space)), problem_(makeProblem(input_)), present_(std::move(present)),
+      known_(known) {}
+
+bool GraphImprover::isLarge() const {
+    return problem_.arcs.size() >= Tuning::large;
+}
+
+OptimumResult GraphImprover::searchTree(const Control& control, const Control& ofFirstWindows) {
+    OptimumOptions options;
+    options.start = assignmentOf(problem_, present_);
+    options.large = Tuning::large;
+    options.keepOpenParts = true;
+    Ahead windows(control.jobs, [&] { searchWindows({}, fastWindows(Tuning::fastShare), ofFirstWindows); });
+    options.polish = [&](const Assignment& graph, const IdVector<VariableId, double>& relaxed) {
+        windows.wait();
+        take(graph);
+        searchWindows(relaxed, fastWindows(isLarge() ? Tuning::relaxedShare : Tuning::fastShare), control);
+        return assignmentOf(problem_, present_);
+    };
+    OptimumResult found = findOptimum(problem_, options, control);
+    windows.wait();
+    if (!found.graphs.empty()) take(found.graphs.front());
+    return found;
+}
+
+void GraphImprover::searchWindows(const IdVector<VariableId, double>& relaxed, WindowOptions options,
+                                  const Control& control) {
+    options.relaxed = relaxedArcs(relaxed);
+    options.improved = [&](const std::vector<bool>& present) { known_.setCost(costOf(space_, present)); };
+    WindowResult windows = improveByWindows(input_, present_, options, control);
+    present_ = std::move(windows.present);
+    windows_ += windows.windows;
+    improvements_ += windows.improvements;
+}
+
+/// Adopts a graph if it is cheaper.
+void GraphImprover::take(const Assignment& graph) {
+    if (costOf(problem_, graph) >= costOf(problem_, assignmentOf(problem_, present_))) return;
+    apply(problem_, graph, present_);
+    known_.setCost(costOf(space_, present_));
+}
+
+/// Options for windows that are small enough for the tree search to wait for them.
+WindowOptions GraphImprover::fastWindows(std::size_t share) const {
+    WindowOptions options;
+    options.maxVariables = std::max(Tuning::fastWindow, problem_.arcs.size() / share);
+    return options;
+}
+
+/// The relaxed value of every arc.
+std::vector<double> GraphImprover::relaxedArcs(const IdVector<VariableId, double>& relaxed) const {
+    if (relaxed.empty()) return {};
+    std::vector<double> values(space_.graph.arcs.size(), 0);
+    for (const VariableId v : problem_.variables())
+        std::fill_n(values.begin() + problem_.arcs[v].first.value(), problem_.arcs[v].count, relaxed[v]);
+    return values;
+}
+
+} // namespace qm

@@ -1,0 +1,57 @@
+/// \file Making one graph of the whole mesh cheaper, by a search of the whole mesh and by windows
+/// (docs/METHOD.md#improvement).
+#pragma once
+
+#include "base/control.h"
+#include "enumerate/optimum/optimum.h"
+#include "enumerate/sub_mesh/search_space.h"
+#include "enumerate/window/window_search.h"
+#include "merge/known_so_far.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace qm {
+
+/// The graph is valid at every step, and its cost never rises.
+class GraphImprover {
+public:
+    /// \param present  the arcs of a valid graph
+    /// \param known    gets the cost of every cheaper graph
+    /// The space and `known` must outlive the object.
+    GraphImprover(const SearchSpace& space, std::vector<bool> present, KnownSoFar& known);
+
+    /// Whether the problem has so many variables that only its root is searched: the simplex method alone
+    /// would take half a minute.
+    [[nodiscard]] bool isLarge() const;
+
+    /// Searches the whole mesh, and at the same time windows of the present graph.
+    /// \param control         of the search of the whole mesh
+    /// \param ofFirstWindows  of the windows that are searched before the relaxation is known
+    /// \return includes the lower bound
+    OptimumResult searchTree(const Control& control, const Control& ofFirstWindows);
+
+    /// \param relaxed  the relaxed value of every variable, as `searchTree` returns it; may be empty
+    void searchWindows(const IdVector<VariableId, double>& relaxed, WindowOptions options,
+                       const Control& control);
+
+    [[nodiscard]] const std::vector<bool>& present() const { return present_; }
+    /// How many windows were searched, and how many of them made the graph cheaper.
+    [[nodiscard]] std::size_t windows() const { return windows_; }
+    [[nodiscard]] std::size_t improvements() const { return improvements_; }
+
+private:
+    void take(const Assignment& graph);
+    [[nodiscard]] WindowOptions fastWindows(std::size_t share) const;
+    [[nodiscard]] std::vector<double> relaxedArcs(const IdVector<VariableId, double>& relaxed) const;
+
+    const SearchSpace& space_;
+    const ProblemInput input_;
+    const Problem problem_;
+    std::vector<bool> present_;
+    KnownSoFar& known_;
+    std::size_t windows_ = 0;
+    std::size_t improvements_ = 0;
+};
+
+} // namespace qm

@@ -1,0 +1,40 @@
+/// \file The known cost and bound of a graph while it is being improved, for callers who want to follow.
+#pragma once
+
+#include "base/control.h"
+#include "base/known_cost.h"
+
+#include <atomic>
+#include <limits>
+
+namespace qm {
+
+/// A cost and a lower bound that any thread may set.
+class KnownSoFar {
+public:
+    /// \param tell  called from any thread; may be empty
+    /// Both arguments must outlive the object.
+    KnownSoFar(const Control& control, const KnownCost& tell, double cost)
+        : control_(control), tell_(tell), cost_(cost) {}
+
+    void setCost(double cost) { cost_ = cost; }
+    void setBound(double bound) { bound_ = bound; }
+
+    /// A control that reports the known cost and bound whenever it is asked whether to stop.
+    [[nodiscard]] Control control() const {
+        Control control = control_;
+        control.stopRequested = [this] {
+            if (tell_) tell_(cost_, bound_);
+            return control_.stopRequested();
+        };
+        return control;
+    }
+
+private:
+    const Control& control_;
+    const KnownCost& tell_;
+    std::atomic<double> cost_;
+    std::atomic<double> bound_ = -std::numeric_limits<double>::infinity();
+};
+
+} // namespace qm

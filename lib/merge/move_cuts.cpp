@@ -1,0 +1,26 @@
+#include "merge/move_cuts.h"
+
+#include <algorithm>
+
+namespace qm {
+namespace {
+
+/// Variables of a window per unit of a sub-mesh's quasi-complexity, so that both are equally hard: about log2
+/// of the candidate stops on a line of usual length.
+constexpr double variablesPerBit = 6;
+/// Limits: each window takes a fraction of a second, and all take a few seconds.
+constexpr double maxVariables = 1000;
+constexpr std::size_t maxWindows = 2000;
+
+} // namespace
+
+WindowResult moveCuts(const SearchSpace& space, const std::vector<bool>& present, double complexity,
+                      const Control& control) {
+    WindowOptions options;
+    options.minVariables = options.maxVariables =
+        static_cast<std::size_t>(std::clamp(variablesPerBit * complexity, 1.0, maxVariables));
+    options.maxWindows = maxWindows;
+    return improveByWindows(wholeInput(space), present, options, control);
+}
+
+} // namespace qm
