@@ -5,11 +5,10 @@
 #include "bspline/splines/clamped_patch.h"
 #include "export/curve_on_surface.h"
 #include "export/geometry.h"
-#include "export/simple_surface.h"
+#include "export/simple_faces.h"
 
 #include <Precision.hxx>
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 namespace qm {
@@ -39,39 +38,26 @@ double controlLength(const Geom_BSplineCurve& curve) {
     return length;
 }
 
-/// Of the mesh's quads, times six: negative if they look inwards.
-double signedVolume(const QuadMesh& mesh, const Segment& segment, const Point& origin) {
-    double sum = 0;
-    for (const FaceId face : segment.faces) {
-        std::vector<Point> corners;
-        for (const VertexId vertex : mesh.fv_range(face))
-            corners.push_back(mesh.point(vertex) - origin);
-        for (std::size_t k = 2; k < corners.size(); ++k)
-            sum += corners[0] | (corners[k - 1] % corners[k]);
-    }
-    return sum;
-}
-
 /// The boundary in the making.
 class Maker {
 public:
     Maker(const QuadMesh& mesh, const FacePatches& faces, const std::vector<double>& simplify)
-        : mesh_(mesh), layout_(faces.layout), patches_(faces.patches), simplify_(simplify),
-          resolution_(resolution(mesh)), shared_(shareEdges(mesh, faces.layout, faces.patches)),
-          borders_(faces.patches.size()), isCommon_(mesh.n_vertices()) {
-        for (const double tolerance : simplify)
-            reach_ = std::max(reach_, 4 * tolerance);
+        : mesh_(mesh), layout_(faces.layout), patches_(faces.patches), resolution_(resolution(mesh)),
+          flatness_(std::max(resolution_ / 2, planeTolerance * boundingBoxDiagonal(mesh))),
+          shared_(shareEdges(mesh, faces.layout, faces.patches)),
+          simple_(faces.patches, shared_, {flatness_, resolution_, simplify, smoothAngle}),
+          borders_(faces.patches.size()) {
+        simple_.moveVertices(shared_);
     }
 
     Boundary make() {
         result_.resolution = resolution_;
-        result_.flatness = std::max(resolution_ / 2, planeTolerance * boundingBoxDiagonal(mesh_));
+        result_.flatness = flatness_;
         makeFaces();
-        if (reach_ > 0) moveVertices();
         for (const SharedEdge& edge : shared_.edges)
             makeEdge(edge);
         makeVertices();
-        makeParts();
+        result_.parts = boundaryParts(mesh_, layout_, shared_);
         return std::move(result_);
     }
 
@@ -79,9 +65,6 @@ private:
     [[nodiscard]] double toleranceFor(double gap) const { return std::max(gapMargin * gap, resolution_); }
 
     void makeFaces() {
-        for (const Patch& patch : patches_)
-            simple_.push_back(planeOf(patch, result_.flatness));
-        if (reach_ > 0) recogniseSimple();
         for (std::size_t k = 0; k < patches_.size(); ++k) {
             const auto& found = simple_[k];
             const Handle(Geom_Surface) surface =
@@ -89,58 +72,6 @@ private:
             result_.faces.push_back(
                 {surface, found && found->reversed, found.has_value(), {shared_.ofPatch[k]}});
         }
-    }
-
-    /// Where faces are not exact planes.
-    void recogniseSimple() {
-        std::vector<double> tolerances = simplify_;
-        for (std::size_t k = 0; k < patches_.size(); ++k)
-            if (simple_[k]) tolerances[k] = 0;
-        std::vector<std::array<std::size_t, 2>> neighbours;
-        for (const SharedEdge& edge : shared_.edges)
-            if (edge.places.size() == 2 && edge.angle < smoothAngle)
-                neighbours.push_back({edge.places[0].patch, edge.places[1].patch});
-        auto found = simpleSurfacesOf(patches_, tolerances, neighbours);
-        for (std::size_t k = 0; k < patches_.size(); ++k)
-            if (!simple_[k]) simple_[k] = std::move(found[k]);
-    }
-
-    /// Vertices of simple faces get on all of these.
-    void moveVertices() {
-        std::vector<std::vector<std::size_t>> facesAt(mesh_.n_vertices());
-        for (const SharedEdge& edge : shared_.edges)
-            for (const VertexId vertex : {edge.start, edge.end})
-                for (const auto& [patch, side, position] : edge.places)
-                    if (auto& faces = facesAt[at(vertex)];
-                        simple_[patch] && std::ranges::find(faces, patch) == faces.end())
-                        faces.push_back(patch);
-        for (std::size_t v = 0; v < facesAt.size(); ++v) {
-            if (facesAt[v].size() < 2) continue;
-            std::vector<SimpleSurface> surfaces;
-            for (const std::size_t face : facesAt[v])
-                surfaces.push_back(*simple_[face]);
-            const gp_Pnt before = place(shared_.vertexPoint[v]);
-            const gp_Pnt after = commonPoint(before, surfaces);
-            if (!(after.Distance(before) <= reach_)) continue;
-            shared_.vertexPoint[v] = fromPlace(after);
-            isCommon_[v] = true;
-        }
-    }
-
-    /// Where its two simple faces meet; none if that is not near the patches' border.
-    [[nodiscard]] Handle(Geom_BSplineCurve)
-        exactCurve(const SharedEdge& edge, const Handle(Geom_BSplineCurve) & border) const {
-        if (edge.places.size() < 2 || !isCommon_[at(edge.start)] || !isCommon_[at(edge.end)]) return nullptr;
-        const auto& one = simple_[edge.places[0].patch];
-        const auto& other = simple_[edge.places[1].patch];
-        if (!one || !other) return nullptr;
-        const std::array ends{place(shared_.vertexPoint[at(edge.start)]),
-                              place(shared_.vertexPoint[at(edge.end)])};
-        auto curve = commonCurve(border, ends, {*one, *other}, resolution_);
-        for (int k = curve->FirstUKnotIndex(); k <= curve->LastUKnotIndex(); ++k)
-            if (!(curve->Value(curve->Knot(k)).Distance(border->Value(curve->Knot(k))) <= reach_))
-                return nullptr;
-        return curve;
     }
 
     /// Made once, as one side may be many edges.
@@ -166,7 +97,8 @@ private:
         BoundaryEdge& made = result_.edges.emplace_back();
         made.curve =
             splineCurve(restricted(border(at.patch, at.side), at.position, at.position + edge.length));
-        if (const auto exact = exactCurve(edge, made.curve); !exact.IsNull()) made.curve = exact;
+        if (const auto exact = simple_.exactCurve(edge, shared_, made.curve); !exact.IsNull())
+            made.curve = exact;
         double gap = edge.gap;
         result_.largestGap = std::max(result_.largestGap, gap);
         if (controlLength(*made.curve) < resolution_) ++result_.lostEdges;
@@ -206,33 +138,14 @@ private:
             }
     }
 
-    void makeParts() {
-        const auto component = patchComponents(shared_);
-        std::vector<double> volume;
-        for (std::size_t k = 0; k < component.size(); ++k) {
-            if (component[k] == result_.parts.size()) {
-                result_.parts.push_back({{}, true, false});
-                volume.push_back(0);
-            }
-            result_.parts[component[k]].faces.push_back(k);
-            volume[component[k]] += signedVolume(mesh_, layout_.segments[k], mesh_.point(VertexId(0)));
-        }
-        for (const SharedEdge& edge : shared_.edges)
-            if (edge.places.size() < 2) result_.parts[component[edge.places.front().patch]].closed = false;
-        for (std::size_t k = 0; k < volume.size(); ++k)
-            result_.parts[k].inward = result_.parts[k].closed && volume[k] < 0;
-    }
-
     const QuadMesh& mesh_;
     const Layout& layout_;
     const std::vector<Patch>& patches_;
-    const std::vector<double>& simplify_;
     double resolution_;
+    double flatness_;
     SharedEdges shared_;
-    std::vector<std::array<SplineCurve, 4>> borders_;  ///< of the sides; empty until they are needed
-    std::vector<std::optional<SimpleSurface>> simple_; ///< of faces that need no control points
-    double reach_ = 0;           ///< how far an edge may move to be where simple surfaces meet
-    std::vector<bool> isCommon_; ///< by vertex: it is on all simple faces there
+    SimpleFaces simple_;
+    std::vector<std::array<SplineCurve, 4>> borders_; ///< of the sides; empty until they are needed
     Boundary result_;
 };
 

@@ -1,6 +1,7 @@
 /// \file Surfaces as a boundary representation: vertices, edges and faces that share them, as plain lists.
 #pragma once
 
+#include "export/boundary_parts.h"
 #include "export/face_patches.h"
 #include "export/shared_edges.h"
 #include "mesh/quad_mesh.h"
@@ -35,13 +36,6 @@ struct BoundaryFace {
     bool isSimple = false; ///< a plane, cylinder, cone, sphere or torus
     /// The outline, counter-clockwise, seen from outside; then holes, clockwise.
     std::vector<std::vector<EdgeUse>> loops;
-};
-
-/// Faces that hang together.
-struct BoundaryPart {
-    std::vector<std::size_t> faces;
-    bool closed = false;
-    bool inward = false; ///< closed, and its faces look to the inside: all of them are to be turned over
 };
 
 struct Boundary {

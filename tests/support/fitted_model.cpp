@@ -128,4 +128,15 @@ FitOptions interpolating() {
     return options;
 }
 
+FittedModel cup() {
+    const Grid grid{24, 6, [](double i, double j) {
+                        const double angle = std::numbers::pi * i / 24;
+                        const double radius = j < 3 ? 2 : 2 - 0.4 * (j - 3);
+                        return Point(radius * std::cos(angle), radius * std::sin(angle), std::min(j, 3.0));
+                    }};
+    FitOptions exact;
+    exact.tolerance = {0.01, true};
+    return fitted(grid, {{0, 0, 24, 3}, {0, 3, 24, 6}}, exact);
+}
+
 } // namespace qm::test

@@ -42,4 +42,7 @@ struct FittedModel {
 /// A sheet whose side 0 is folded: both ends of the side are one line, and its middle is the rim of a hole.
 [[nodiscard]] Grid pocket();
 
+/// Half a cylinder and half of the ring that closes it above, a patch each.
+[[nodiscard]] FittedModel cup();
+
 } // namespace qm::test

@@ -1,0 +1,87 @@
+// Faces that need no control points, and faces that hang together.
+#include "bspline/splines/clamped_patch.h"
+#include "bspline/splines/spline_curve.h"
+#include "export/boundary_parts.h"
+#include "export/curve_on_surface.h"
+#include "export/face_patches.h"
+#include "export/geometry.h"
+#include "export/simple_faces.h"
+#include "support/fitted_model.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace qm {
+namespace {
+
+using test::cup;
+using test::FittedModel;
+
+/// The faces of a model and the edges that they share.
+struct SharedFaces {
+    explicit SharedFaces(const FittedModel& model)
+        : faces(facePatches(model.layout, model.surfaces.patches)),
+          shared(shareEdges(model.mesh, faces.layout, faces.patches)) {}
+    FacePatches faces;
+    SharedEdges shared;
+};
+
+TEST(SimpleFaces, MeetInExactCurves) {
+    const FittedModel model = cup();
+    SharedFaces made(model);
+    const SimpleFaces simple(made.faces.patches, made.shared, {1e-6, 1e-7, {0.01, 0.01}, 0.57});
+    SimpleFaces moved = simple;
+    moved.moveVertices(made.shared);
+    for (std::size_t face = 0; face < 2; ++face)
+        ASSERT_TRUE(simple[face]) << face;
+    std::size_t exact = 0;
+    for (const SharedEdge& edge : made.shared.edges) {
+        const BorderPlace& place = edge.places.front();
+        const auto border = splineCurve(restricted(borderCurve(made.faces.patches[place.patch], place.side),
+                                                   place.position, place.position + edge.length));
+        EXPECT_TRUE(simple.exactCurve(edge, made.shared, border).IsNull()) << "no vertex has been moved";
+        const auto curve = moved.exactCurve(edge, made.shared, border);
+        EXPECT_EQ(curve.IsNull(), edge.places.size() < 2);
+        if (curve.IsNull()) continue;
+        ++exact;
+        for (const std::size_t face : {edge.places[0].patch, edge.places[1].patch})
+            EXPECT_LT(curveOnSurface(curve, *simple[face]).gap, 1e-7);
+    }
+    EXPECT_EQ(exact, 1U);
+}
+
+TEST(SimpleFaces, AreNothingButPlanesUnlessMoreIsAllowed) {
+    const FittedModel model = cup();
+    SharedFaces made(model);
+    SimpleFaces simple(made.faces.patches, made.shared, {1e-3, 1e-7, {}, 0.57});
+    EXPECT_FALSE(simple[0]) << "a cylinder";
+    EXPECT_TRUE(simple[1]);
+    const std::vector<Point> before = made.shared.vertexPoint;
+    simple.moveVertices(made.shared);
+    EXPECT_EQ(made.shared.vertexPoint, before);
+}
+
+TEST(BoundaryParts, AreClosedAndLookInwardsOrNot) {
+    const FittedModel open = cup();
+    const SharedFaces cupFaces(open);
+    const auto sheet = boundaryParts(open.mesh, cupFaces.faces.layout, cupFaces.shared);
+    ASSERT_EQ(sheet.size(), 1U);
+    EXPECT_EQ(sheet[0].faces, (std::vector<std::size_t>{0, 1}));
+    EXPECT_FALSE(sheet[0].closed || sheet[0].inward);
+
+    FittedModel closed = test::torus({{0, 0, 8, 12}, {8, 0, 16, 12}});
+    const SharedFaces ring(closed);
+    const auto parts = [&] { return boundaryParts(closed.mesh, ring.faces.layout, ring.shared); };
+    ASSERT_EQ(parts().size(), 1U);
+    EXPECT_TRUE(parts()[0].closed);
+    const bool inward = parts()[0].inward;
+    for (const VertexId vertex : closed.mesh.vertices()) {
+        const Point point = closed.mesh.point(vertex);
+        closed.mesh.set_point(vertex, {point[0], point[1], -point[2]});
+    }
+    EXPECT_NE(parts()[0].inward, inward) << "its mirror image";
+}
+
+} // namespace
+} // namespace qm
