@@ -1,7 +1,9 @@
+#include "base/at.h"
+#include "bspline/fitting/elimination_tree.h"
 #include "bspline/fitting/sparse_factors.h"
+#include "bspline/fitting/supernodes.h"
 
 #include <Eigen/LU>
-#include <Eigen/OrderingMethods>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -82,28 +84,89 @@ TEST(SparseFactors, TakeMatricesWithoutAnyTies) {
     EXPECT_EQ(SparseFactors(Eigen::SparseMatrix<double>(0, 0), 2).solve(Eigen::MatrixX3d(0, 3)).rows(), 0);
 }
 
-TEST(EliminationPlan, PartsNeedNothingOfOneAnother) {
-    const Eigen::SparseMatrix<double> lower = gridMatrix(30, 5);
-    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> inverse;
-    Eigen::AMDOrdering<int>()(lower.selfadjointView<Eigen::Lower>(), inverse);
-    Eigen::SparseMatrix<double> upper(lower.rows(), lower.cols());
-    upper.selfadjointView<Eigen::Upper>() =
-        lower.selfadjointView<Eigen::Lower>().twistedBy(inverse.inverse());
-    const EliminationPlan plan = planElimination(upper);
-    EXPECT_GT(plan.rest(), 3);
-    EXPECT_FALSE(plan.columns.back().empty());
-    std::size_t columns = 0;
-    for (std::size_t part = 0; part < plan.columns.size(); ++part)
-        for (const int column : plan.columns[part]) {
-            ++columns;
-            EXPECT_EQ(plan.part[static_cast<std::size_t>(column)], static_cast<int>(part));
-            const int parent = plan.parent[static_cast<std::size_t>(column)];
-            if (parent == EliminationPlan::none) continue;
-            EXPECT_GT(parent, column);
-            const int above = plan.part[static_cast<std::size_t>(parent)];
-            EXPECT_TRUE(above == static_cast<int>(part) || above == plan.rest());
+Eigen::SparseMatrix<double> inOrder(const Eigen::SparseMatrix<double>& lower, const Permutation& order) {
+    Eigen::SparseMatrix<double> ordered(lower.rows(), lower.cols());
+    ordered.selfadjointView<Eigen::Lower>() = lower.selfadjointView<Eigen::Lower>().twistedBy(order);
+    return ordered;
+}
+
+TEST(EliminationTree, HasSubtreesInARowAndTheFactorsEntries) {
+    const Eigen::SparseMatrix<double> lower = gridMatrix(12, 4);
+    const EliminationTree tree = eliminationTree(lower);
+    const auto size = static_cast<int>(lower.rows());
+    const Eigen::SparseMatrix<double> ordered = inOrder(lower, tree.order);
+    const Eigen::SparseMatrix<double> whole = ordered.selfadjointView<Eigen::Lower>();
+    // The factor of a matrix of ones has entries wherever one may be.
+    Eigen::MatrixXi factor = Eigen::MatrixXd(whole).cwiseAbs().cwiseSign().cast<int>();
+    for (int k = 0; k < size; ++k)
+        for (int i = k + 1; i < size; ++i)
+            if (factor(i, k) != 0)
+                factor.row(i).tail(size - k) =
+                    factor.row(i).tail(size - k).cwiseMax(factor.row(k).tail(size - k));
+    std::vector<int> subtree(at(size), 1);
+    for (int k = 0; k < size; ++k) {
+        const Eigen::VectorXi below = factor.col(k).tail(size - k - 1);
+        EXPECT_EQ(tree.entries[at(k)], below.sum());
+        const int parent = tree.parent[at(k)];
+        if (parent == EliminationTree::none) {
+            EXPECT_EQ(below.sum(), 0);
+            continue;
         }
-    EXPECT_EQ(columns, static_cast<std::size_t>(lower.rows()));
+        Eigen::Index first = 0;
+        EXPECT_EQ(below.maxCoeff(&first), 1);
+        EXPECT_EQ(parent, k + 1 + static_cast<int>(first));
+        subtree[at(parent)] += subtree[at(k)];
+    }
+    for (int k = 1; k < size; ++k)
+        EXPECT_TRUE(subtree[at(k)] == 1 || tree.parent[at(k - 1)] == k) << k;
+}
+
+TEST(Supernodes, HoldTheMatrixAndPassTheirRowsOn) {
+    const Eigen::SparseMatrix<double> lower = gridMatrix(40, 5);
+    const EliminationTree tree = eliminationTree(lower);
+    const Eigen::SparseMatrix<double> ordered = inOrder(lower, tree.order);
+    const std::vector<Supernode> supernodes = planSupernodes(tree, ordered).nodes;
+    EXPECT_LT(supernodes.size(), at(lower.rows()) / 3); // as columns alone they would be slow
+    int next = 0;
+    for (std::size_t k = 0; k < supernodes.size(); ++k) {
+        const Supernode& supernode = supernodes[k];
+        EXPECT_EQ(supernode.begin, next);
+        next = supernode.end;
+        EXPECT_TRUE(std::ranges::is_sorted(supernode.rows));
+        for (int column = supernode.begin; column < supernode.end; ++column)
+            for (Eigen::SparseMatrix<double>::InnerIterator it(ordered, column); it; ++it)
+                EXPECT_TRUE(it.row() < supernode.end ||
+                            std::ranges::binary_search(supernode.rows, static_cast<int>(it.row())));
+        EXPECT_EQ(supernode.parent == EliminationTree::none, supernode.rows.empty());
+        if (supernode.rows.empty()) continue;
+        const Supernode& parent = supernodes[at(supernode.parent)];
+        EXPECT_EQ(std::ranges::count(parent.children, static_cast<int>(k)), 1);
+        for (std::size_t row = 0; row < supernode.rows.size(); ++row) {
+            const int place = supernode.inParent[row];
+            EXPECT_EQ(supernode.rows[row], place < parent.columns()
+                                               ? parent.begin + place
+                                               : parent.rows[at(place - parent.columns())]);
+        }
+    }
+    EXPECT_EQ(next, lower.rows());
+}
+
+TEST(Supernodes, PartsNeedNothingOfOneAnother) {
+    const Eigen::SparseMatrix<double> lower = gridMatrix(60, 5);
+    const EliminationTree tree = eliminationTree(lower);
+    const Supernodes plan = planSupernodes(tree, inOrder(lower, tree.order));
+    EXPECT_GT(plan.parts.size(), 3U);
+    EXPECT_FALSE(plan.parts.back().empty());
+    std::vector<std::size_t> partOf(plan.nodes.size(), plan.parts.size());
+    for (std::size_t part = 0; part < plan.parts.size(); ++part)
+        for (const int supernode : plan.parts[part])
+            partOf[at(supernode)] = part;
+    EXPECT_EQ(std::ranges::count(partOf, plan.parts.size()), 0);
+    for (std::size_t k = 0; k < plan.nodes.size(); ++k) {
+        const int parent = plan.nodes[k].parent;
+        const std::size_t above = parent == EliminationTree::none ? partOf[k] : partOf[at(parent)];
+        EXPECT_TRUE(above == partOf[k] || above + 1 == plan.parts.size());
+    }
 }
 
 } // namespace

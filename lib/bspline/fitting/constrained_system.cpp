@@ -64,7 +64,7 @@ ConstrainedSystem::ConstrainedSystem(std::size_t unknowns, Entries entries,
     matrix_ = lower.selfadjointView<Eigen::Lower>();
     for (Eigen::Index k = unknowns_; k < whole; ++k)
         lower.coeffRef(k, k) = -relaxation;
-    factors_.emplace(std::move(lower), jobs_);
+    factors_.emplace(lower, jobs_);
 }
 
 /// What a solution leaves of the right-hand side and of the equations' constants; all, if there is none yet.

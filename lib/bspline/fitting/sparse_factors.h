@@ -1,7 +1,7 @@
 /// \file The factors L D L' of a sparse symmetric matrix, made and applied on several threads.
 #pragma once
 
-#include "bspline/fitting/elimination_plan.h"
+#include "bspline/fitting/supernodes.h"
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -11,32 +11,24 @@
 
 namespace qm {
 
-/// Row by row (docs/METHOD.md#davis-2006), in an order that keeps the factors sparse
-/// (docs/METHOD.md#amestoy-2004). Eigen does the same on one thread. Results do not depend on the threads.
+/// The multifrontal method (docs/METHOD.md#duff-1983), in an order that keeps the factors sparse
+/// (docs/METHOD.md#amestoy-2004). Results do not depend on the number of threads.
 class SparseFactors {
 public:
     /// \param lower  the lower half of the matrix, row >= column; every principal minor is regular, as in
     ///               quasi-definite matrices
-    SparseFactors(Eigen::SparseMatrix<double> lower, unsigned jobs);
+    SparseFactors(const Eigen::SparseMatrix<double>& lower, unsigned jobs);
 
     [[nodiscard]] Eigen::MatrixX3d solve(const Eigen::MatrixX3d& rightHandSide) const;
 
 private:
-    using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
-
-    class Elimination;
-
-    void forward(std::size_t part, Rows& x, Rows& sums) const;
-    void backward(std::size_t part, Rows& x) const;
+    void forward(std::size_t supernode, Eigen::MatrixX3d& x, std::vector<Eigen::MatrixX3d>& passedOn) const;
+    void backward(std::size_t supernode, Eigen::MatrixX3d& x) const;
 
     unsigned jobs_;
-    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order_;
-    EliminationPlan plan_;
-    std::vector<std::vector<int>> outside_; ///< by part: rows of the rest that it has entries in, ascending
-    std::vector<std::size_t> inside_;       ///< by column: where entries in rows outside its part begin
-    std::vector<int> rows_;                 ///< by entry; outside the part: as an index of its outside rows
-    std::vector<double> values_;            ///< by entry
-    std::vector<double> diagonal_;
+    Permutation order_;
+    Supernodes plan_;
+    std::vector<Eigen::MatrixXd> columns_; ///< by supernode: of L below the diagonal, which is D's
 };
 
 } // namespace qm

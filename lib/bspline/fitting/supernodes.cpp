@@ -1,0 +1,162 @@
+#include "bspline/fitting/supernodes.h"
+
+#include "base/at.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <utility>
+
+namespace qm {
+namespace {
+
+/// A part has at most this share of the work: small enough for several threads, and large enough to leave
+/// little for the rest.
+constexpr double maxShare = 0.2;
+
+/// The columns of a supernode, while it grows.
+struct Run {
+    int begin;
+    int end;
+    double entries; ///< of the factor in its columns, the diagonal's included
+};
+
+/// Dense kernels are fast enough to pay for some zeros: the smaller a supernode is, the more of them
+/// (docs/METHOD.md#ashcraft-1989).
+bool isWorthZeros(double columns, double shareOfZeros) {
+    struct Limit {
+        double columns;
+        double share;
+    };
+    constexpr std::array limits{Limit{4, 1}, Limit{16, 0.8}, Limit{48, 0.1}};
+    for (const auto& [most, share] : limits)
+        if (columns <= most) return shareOfZeros <= share;
+    return shareOfZeros <= 0.05;
+}
+
+/// Joins columns that have the same rows, and then every run to its last child, as long as that is worth it.
+std::vector<Run> mergedColumns(const EliminationTree& tree) {
+    const auto rowsBelow = [&](const Run& run) { return tree.entries[at(run.end - 1)]; };
+    std::vector<Run> runs;
+    const int size = static_cast<int>(tree.parent.size());
+    for (int begin = 0, end = 0; begin < size; begin = end) {
+        Run run{begin, begin, 0};
+        do {
+            run.entries += 1 + tree.entries[at(end)];
+            run.end = ++end;
+        } while (end < size && tree.parent[at(end - 1)] == end &&
+                 tree.entries[at(end - 1)] == tree.entries[at(end)] + 1);
+        while (!runs.empty()) {
+            const Run& child = runs.back();
+            const int parent = tree.parent[at(child.end - 1)];
+            if (parent == EliminationTree::none || parent >= run.end) break;
+            const double columns = run.end - child.begin;
+            const double dense = columns * (columns + 1) / 2 + columns * rowsBelow(run);
+            const double entries = run.entries + child.entries;
+            if (!isWorthZeros(columns, 1 - entries / dense)) break;
+            run.begin = child.begin;
+            run.entries = entries;
+            runs.pop_back();
+        }
+        runs.push_back(run);
+    }
+    return runs;
+}
+
+/// Rows of the matrix and of the children below a supernode's columns.
+void findRows(const Eigen::SparseMatrix<double>& lower, const std::vector<Supernode>& supernodes,
+              Supernode& supernode) {
+    for (int column = supernode.begin; column < supernode.end; ++column)
+        for (Eigen::SparseMatrix<double>::InnerIterator it(lower, column); it; ++it)
+            if (it.row() >= supernode.end) supernode.rows.push_back(static_cast<int>(it.row()));
+    for (const int child : supernode.children)
+        std::ranges::copy_if(supernodes[at(child)].rows, std::back_inserter(supernode.rows),
+                             [&](int row) { return row >= supernode.end; });
+    std::ranges::sort(supernode.rows);
+    const auto repeated = std::ranges::unique(supernode.rows);
+    supernode.rows.erase(repeated.begin(), repeated.end());
+    supernode.rows.shrink_to_fit();
+}
+
+std::vector<int> placesIn(const Supernode& parent, const std::vector<int>& rows) {
+    std::vector<int> places;
+    places.reserve(rows.size());
+    auto next = parent.rows.begin();
+    for (const int row : rows) {
+        if (row < parent.end) {
+            places.push_back(row - parent.begin);
+            continue;
+        }
+        while (*next != row)
+            ++next;
+        places.push_back(parent.columns() + static_cast<int>(next - parent.rows.begin()));
+    }
+    return places;
+}
+
+/// Collects the largest subtrees that stay below the limit into parts, as many in each as fit.
+std::vector<std::vector<int>> divided(const std::vector<Supernode>& supernodes) {
+    std::vector<double> work(supernodes.size()); // of the subtree below each supernode
+    double total = 0;
+    for (std::size_t k = 0; k < supernodes.size(); ++k) {
+        const double height = supernodes[k].height();
+        const double own = supernodes[k].columns() * height * height;
+        total += own;
+        work[k] += own;
+        if (supernodes[k].parent != EliminationTree::none) work[at(supernodes[k].parent)] += work[k];
+    }
+    const double limit = maxShare * total;
+
+    constexpr int inRest = -1;
+    std::vector<int> part(supernodes.size(), inRest);
+    int parts = 0;
+    double filled = 0;
+    for (std::size_t k = supernodes.size(); k-- > 0;) {
+        if (work[k] > limit) continue;
+        const int parent = supernodes[k].parent;
+        if (parent != EliminationTree::none && part[at(parent)] != inRest) {
+            part[k] = part[at(parent)];
+            continue;
+        }
+        if (parts == 0 || filled + work[k] > limit) {
+            filled = 0;
+            ++parts;
+        }
+        filled += work[k];
+        part[k] = parts - 1;
+    }
+    std::vector<std::vector<int>> result(at(parts) + 1);
+    for (std::size_t k = 0; k < supernodes.size(); ++k)
+        result[at(part[k] == inRest ? parts : part[k])].push_back(static_cast<int>(k));
+    return result;
+}
+
+} // namespace
+
+Supernodes planSupernodes(const EliminationTree& tree, const Eigen::SparseMatrix<double>& lower) {
+    Supernodes plan;
+    std::vector<int> supernodeOf(tree.parent.size());
+    for (const Run& run : mergedColumns(tree)) {
+        Supernode supernode;
+        supernode.begin = run.begin;
+        supernode.end = run.end;
+        std::fill(supernodeOf.begin() + run.begin, supernodeOf.begin() + run.end,
+                  static_cast<int>(plan.nodes.size()));
+        plan.nodes.push_back(std::move(supernode));
+    }
+    for (std::size_t k = 0; k < plan.nodes.size(); ++k) {
+        Supernode& supernode = plan.nodes[k];
+        findRows(lower, plan.nodes, supernode);
+        if (supernode.rows.empty()) continue;
+        supernode.parent = supernodeOf[at(supernode.rows.front())];
+        plan.nodes[at(supernode.parent)].children.push_back(static_cast<int>(k));
+    }
+    for (Supernode& supernode : plan.nodes)
+        if (supernode.parent != EliminationTree::none)
+            supernode.inParent = placesIn(plan.nodes[at(supernode.parent)], supernode.rows);
+    plan.parts = divided(plan.nodes);
+    return plan;
+}
+
+} // namespace qm
