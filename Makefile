@@ -143,6 +143,9 @@ $(O)/%.o: %.cpp $(O)/flags
 	@mkdir -p $(@D)
 	$(call quietly,compile,$<) $(compile) -MMD -MP -c $< -o $@
 
+# A sixth less time to compile, and tests run as fast: what takes time is in the library.
+$(unit_tests) $(properties): compile += $(if $(filter release,$(config)),-O1)
+
 $(O)/gen/schemas.cpp: $(schemas) scripts/embed
 	@mkdir -p $(@D)
 	$(call quietly,embed,$@) scripts/embed embeddedSchemas $(schemas) > $@

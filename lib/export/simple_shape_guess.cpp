@@ -2,7 +2,6 @@
 
 #include "export/small_matrices.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -26,7 +25,7 @@ Vector3d directionOfMinSpread(const std::vector<Vector3d>& vectors, const Vector
     Matrix3d sum = Matrix3d::Zero();
     for (const Vector3d& vector : vectors)
         sum += (vector - from) * (vector - from).transpose();
-    return Eigen::SelfAdjointEigenSolver<Matrix3d>(sum).eigenvectors().col(0);
+    return minEigenvector(sum);
 }
 
 SimpleShape firstPlane(const OrientedPoints& cloud) {
