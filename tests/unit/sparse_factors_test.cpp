@@ -125,27 +125,28 @@ TEST(Supernodes, HoldTheMatrixAndPassTheirRowsOn) {
     const Eigen::SparseMatrix<double> lower = gridMatrix(40, 5);
     const EliminationTree tree = eliminationTree(lower);
     const Eigen::SparseMatrix<double> ordered = inOrder(lower, tree.order);
-    const std::vector<Supernode> supernodes = planSupernodes(tree, ordered).nodes;
-    EXPECT_LT(supernodes.size(), at(lower.rows()) / 3); // as columns alone they would be slow
+    const Supernodes plan = planSupernodes(tree, ordered);
+    EXPECT_LT(plan.nodes.size(), at(lower.rows()) / 3); // as columns alone they would be slow
     int next = 0;
-    for (std::size_t k = 0; k < supernodes.size(); ++k) {
-        const Supernode& supernode = supernodes[k];
-        EXPECT_EQ(supernode.begin, next);
-        next = supernode.end;
-        EXPECT_TRUE(std::ranges::is_sorted(supernode.rows));
-        for (int column = supernode.begin; column < supernode.end; ++column)
+    for (std::size_t k = 0; k < plan.nodes.size(); ++k) {
+        const Supernode& node = plan.nodes[k];
+        const auto rows = plan.rowsOf(node);
+        EXPECT_EQ(node.begin, next);
+        next = node.end;
+        EXPECT_TRUE(std::ranges::is_sorted(rows));
+        for (int column = node.begin; column < node.end; ++column)
             for (Eigen::SparseMatrix<double>::InnerIterator it(ordered, column); it; ++it)
-                EXPECT_TRUE(it.row() < supernode.end ||
-                            std::ranges::binary_search(supernode.rows, static_cast<int>(it.row())));
-        EXPECT_EQ(supernode.parent == EliminationTree::none, supernode.rows.empty());
-        if (supernode.rows.empty()) continue;
-        const Supernode& parent = supernodes[at(supernode.parent)];
+                EXPECT_TRUE(it.row() < node.end ||
+                            std::ranges::binary_search(rows, static_cast<int>(it.row())));
+        EXPECT_EQ(node.parent == EliminationTree::none, rows.empty());
+        if (rows.empty()) continue;
+        const Supernode& parent = plan.nodes[at(node.parent)];
         EXPECT_EQ(std::ranges::count(parent.children, static_cast<int>(k)), 1);
-        for (std::size_t row = 0; row < supernode.rows.size(); ++row) {
-            const int place = supernode.inParent[row];
-            EXPECT_EQ(supernode.rows[row], place < parent.columns()
-                                               ? parent.begin + place
-                                               : parent.rows[at(place - parent.columns())]);
+        for (std::size_t row = 0; row < rows.size(); ++row) {
+            const int place = plan.placesOf(node)[row];
+            EXPECT_EQ(rows[row], place < parent.columns()
+                                     ? parent.begin + place
+                                     : plan.rowsOf(parent)[at(place - parent.columns())]);
         }
     }
     EXPECT_EQ(next, lower.rows());

@@ -69,13 +69,15 @@ double LeastChange::violation(const Eigen::MatrixX3d& change) const {
 Eigen::MatrixX3d LeastChange::change(const std::vector<PlaneDemand>& demands,
                                      const Eigen::MatrixX3d& points) const {
     constexpr int maxIterations = 60;
-    constexpr double enough = 1e-15; // of the size of the points
+    constexpr double enough = 1e-15;    // of the size of the points
+    constexpr double worthwhile = 1e-7; // of what is missing: drafts give no more digits, the next pass does
     const double size = largestDistance(points);
     Eigen::VectorXd residual = missingHeights(demands, points);
     Eigen::VectorXd pressure = Eigen::VectorXd::Zero(residual.size());
     Eigen::VectorXd direction = residual;
     double square = residual.squaredNorm();
-    for (int k = 0; k < maxIterations && residual.lpNorm<Eigen::Infinity>() > enough * size; ++k) {
+    const double limit = std::max(enough * size, worthwhile * residual.lpNorm<Eigen::Infinity>());
+    for (int k = 0; k < maxIterations && residual.lpNorm<Eigen::Infinity>() > limit; ++k) {
         const Eigen::VectorXd effect =
             heights(demands, allowed(spread(demands, direction, unknowns_), Accuracy::draft));
         const double curvature = direction.dot(effect);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <span>
 #include <utility>
 
 namespace qm {
@@ -14,31 +15,33 @@ namespace {
 using Eigen::Index;
 
 /// The matrix's entries in a supernode's columns, and zeros.
-DenseFront loaded(const Eigen::SparseMatrix<double>& lower, const Supernode& supernode) {
-    const auto size = static_cast<Index>(supernode.rows.size());
+DenseFront loaded(const Eigen::SparseMatrix<double>& lower, const Supernode& supernode,
+                  std::span<const int> rows) {
+    const auto size = static_cast<Index>(rows.size());
     DenseFront dense{Eigen::MatrixXd::Zero(supernode.height(), supernode.columns()),
                      Eigen::MatrixXd::Zero(size, size)};
     for (int column = supernode.begin; column < supernode.end; ++column)
         for (Eigen::SparseMatrix<double>::InnerIterator it(lower, column); it; ++it) {
             const int row = static_cast<int>(it.row());
-            const Index place = row < supernode.end
-                                    ? row - supernode.begin
-                                    : supernode.columns() + (std::ranges::lower_bound(supernode.rows, row) -
-                                                             supernode.rows.begin());
+            const Index place =
+                row < supernode.end
+                    ? row - supernode.begin
+                    : supernode.columns() + (std::ranges::lower_bound(rows, row) - rows.begin());
             dense.columns(place, column - supernode.begin) += it.value();
         }
     return dense;
 }
 
 /// Adds the Schur complement that a child leaves.
-void add(const Supernode& child, const Eigen::MatrixXd& complement, DenseFront& dense) {
+/// \param places  by row of the complement
+void add(std::span<const int> places, const Eigen::MatrixXd& complement, DenseFront& dense) {
     const Index columns = dense.columns.cols();
     for (Index j = 0; j < complement.cols(); ++j) {
-        const Index column = child.inParent[at(j)];
+        const Index column = places[at(j)];
         auto target = column < columns ? dense.columns.col(column) : dense.rest.col(column - columns);
         const Index shift = column < columns ? 0 : columns;
         for (Index i = j; i < complement.rows(); ++i)
-            target[child.inParent[at(i)] - shift] += complement(i, j);
+            target[places[at(i)] - shift] += complement(i, j);
     }
 }
 
@@ -50,17 +53,23 @@ SparseFactors::SparseFactors(const Eigen::SparseMatrix<double>& lower, unsigned 
     Eigen::SparseMatrix<double> ordered(lower.rows(), lower.cols());
     ordered.selfadjointView<Eigen::Lower>() = lower.selfadjointView<Eigen::Lower>().twistedBy(order_);
     plan_ = planSupernodes(tree, ordered);
-    columns_.resize(plan_.nodes.size());
+    starts_.assign(1, 0);
+    for (const Supernode& node : plan_.nodes) {
+        starts_.push_back(starts_.back() + at(node.height()) * at(node.columns()));
+        maxHeight_ = std::max<Index>(maxHeight_, node.height());
+    }
+    values_.resize(starts_.back());
     std::vector<Eigen::MatrixXd> complements(plan_.nodes.size());
     const auto eliminate = [&](int number, unsigned threads) {
         const Supernode& supernode = plan_.nodes[at(number)];
-        DenseFront dense = loaded(ordered, supernode);
+        DenseFront dense = loaded(ordered, supernode, plan_.rowsOf(supernode));
         for (const int child : supernode.children) {
-            add(plan_.nodes[at(child)], complements[at(child)], dense);
+            add(plan_.placesOf(plan_.nodes[at(child)]), complements[at(child)], dense);
             complements[at(child)].resize(0, 0);
         }
         eliminateColumns(dense, threads);
-        columns_[at(number)] = std::move(dense.columns);
+        std::ranges::copy(dense.columns.reshaped(),
+                          values_.begin() + static_cast<std::ptrdiff_t>(starts_[at(number)]));
         complements[at(number)] = std::move(dense.rest);
     };
     parallelFor(plan_.parts.size() - 1, jobs_, [&](std::size_t part) {
@@ -71,67 +80,69 @@ SparseFactors::SparseFactors(const Eigen::SparseMatrix<double>& lower, unsigned 
         eliminate(supernode, jobs_);
 }
 
-/// \param passedOn  by supernode: what its columns take from its rows on the right-hand side
-void SparseFactors::forward(std::size_t number, Eigen::MatrixX3d& x,
-                            std::vector<Eigen::MatrixX3d>& passedOn) const {
+/// Takes what a supernode's columns leave of the right-hand side.
+/// \param own       at least as high as the supernode; its contents do not matter
+/// \param passedOn  what every supernode's columns take from its rows, one after another
+void SparseFactors::forward(std::size_t number, Rows& x, Rows& own, Rows& passedOn) const {
     const Supernode& supernode = plan_.nodes[number];
-    const Eigen::MatrixXd& columns = columns_[number];
-    Eigen::MatrixX3d own = Eigen::MatrixX3d::Zero(supernode.height(), 3);
-    own.topRows(supernode.columns()) = x.middleRows(supernode.begin, supernode.columns());
-    for (const int child : supernode.children) {
-        Eigen::MatrixX3d& sums = passedOn[at(child)];
-        for (Index row = 0; row < sums.rows(); ++row)
-            own.row(plan_.nodes[at(child)].inParent[at(row)]) += sums.row(row);
-        sums.resize(0, 3);
-    }
+    const auto columns = columnsOf(number);
     const Index width = columns.cols();
-    const Index below = columns.rows() - width;
-    // One by one: products of matrices as narrow as three columns would copy the factors first.
-    for (Index k = 0; k < 3; ++k) {
-        auto top = own.col(k).head(width);
-        columns.topRows(width).triangularView<Eigen::UnitLower>().solveInPlace(top);
-        own.col(k).tail(below).noalias() -= columns.bottomRows(below) * top;
+    const Index height = columns.rows();
+    own.topRows(width) = x.middleRows(supernode.begin, width);
+    own.middleRows(width, height - width).setZero();
+    for (const int child : supernode.children) {
+        Index row = plan_.nodes[at(child)].firstRow;
+        for (const int place : plan_.placesOf(plan_.nodes[at(child)]))
+            own.row(place) += passedOn.row(row++);
     }
-    x.middleRows(supernode.begin, supernode.columns()) = own.topRows(supernode.columns());
-    passedOn[number] = own.bottomRows(own.rows() - supernode.columns());
+    for (Index k = 0; k < width; ++k) {
+        const Eigen::RowVector3d known = own.row(k);
+        const double* column = columns.col(k).data();
+        for (Index row = k + 1; row < height; ++row)
+            own.row(row) -= column[row] * known;
+    }
+    x.middleRows(supernode.begin, width) = own.topRows(width);
+    passedOn.middleRows(supernode.firstRow, height - width) = own.middleRows(width, height - width);
 }
 
-void SparseFactors::backward(std::size_t number, Eigen::MatrixX3d& x) const {
+void SparseFactors::backward(std::size_t number, Rows& x, Rows& own) const {
     const Supernode& supernode = plan_.nodes[number];
-    const Eigen::MatrixXd& columns = columns_[number];
-    Eigen::MatrixX3d own(supernode.height(), 3);
-    own.topRows(supernode.columns()) =
-        columns.diagonal().cwiseInverse().asDiagonal() * x.middleRows(supernode.begin, supernode.columns());
-    for (std::size_t k = 0; k < supernode.rows.size(); ++k)
-        own.row(supernode.columns() + static_cast<Index>(k)) = x.row(supernode.rows[k]);
+    const auto columns = columnsOf(number);
     const Index width = columns.cols();
-    const Index below = columns.rows() - width;
-    for (Index k = 0; k < 3; ++k) {
-        auto top = own.col(k).head(width);
-        top.noalias() -= columns.bottomRows(below).transpose() * own.col(k).tail(below);
-        columns.topRows(width).transpose().triangularView<Eigen::UnitUpper>().solveInPlace(top);
+    const Index height = columns.rows();
+    Index next = width;
+    for (const int row : plan_.rowsOf(supernode))
+        own.row(next++) = x.row(row);
+    for (Index k = width; k-- > 0;) {
+        Eigen::RowVector3d sum = x.row(supernode.begin + k) / columns(k, k);
+        const double* column = columns.col(k).data();
+        for (Index row = k + 1; row < height; ++row)
+            sum -= column[row] * own.row(row);
+        own.row(k) = sum;
     }
-    x.middleRows(supernode.begin, supernode.columns()) = own.topRows(supernode.columns());
+    x.middleRows(supernode.begin, width) = own.topRows(width);
 }
 
 Eigen::MatrixX3d SparseFactors::solve(const Eigen::MatrixX3d& rightHandSide) const {
     const std::size_t rest = plan_.parts.size() - 1;
-    Eigen::MatrixX3d x = order_ * rightHandSide;
-    std::vector<Eigen::MatrixX3d> passedOn(plan_.nodes.size());
+    Rows x = order_ * rightHandSide;
+    Rows passedOn(static_cast<Index>(plan_.rows.size()), 3);
     const auto goUp = [&](std::size_t part) {
+        Rows own(maxHeight_, 3);
         for (const int supernode : plan_.parts[part])
-            forward(at(supernode), x, passedOn);
+            forward(at(supernode), x, own, passedOn);
     };
     const auto goDown = [&](std::size_t part) {
+        Rows own(maxHeight_, 3);
         const std::vector<int>& supernodes = plan_.parts[part];
         for (std::size_t k = supernodes.size(); k-- > 0;)
-            backward(at(supernodes[k]), x);
+            backward(at(supernodes[k]), x, own);
     };
     parallelFor(rest, jobs_, goUp);
     goUp(rest);
     goDown(rest);
     parallelFor(rest, jobs_, goDown);
-    return order_.inverse() * x;
+    return order_.inverse() * Eigen::MatrixX3d(x);
 }
 
 } // namespace qm

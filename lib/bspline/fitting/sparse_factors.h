@@ -22,13 +22,22 @@ public:
     [[nodiscard]] Eigen::MatrixX3d solve(const Eigen::MatrixX3d& rightHandSide) const;
 
 private:
-    void forward(std::size_t supernode, Eigen::MatrixX3d& x, std::vector<Eigen::MatrixX3d>& passedOn) const;
-    void backward(std::size_t supernode, Eigen::MatrixX3d& x) const;
+    [[nodiscard]] Eigen::Map<const Eigen::MatrixXd> columnsOf(std::size_t supernode) const {
+        const Supernode& node = plan_.nodes[supernode];
+        return {&values_[starts_[supernode]], node.height(), node.columns()};
+    }
+
+    using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
+
+    void forward(std::size_t number, Rows& x, Rows& own, Rows& passedOn) const;
+    void backward(std::size_t number, Rows& x, Rows& own) const;
 
     unsigned jobs_;
     Permutation order_;
     Supernodes plan_;
-    std::vector<Eigen::MatrixXd> columns_; ///< by supernode: of L below the diagonal, which is D's
+    Eigen::Index maxHeight_ = 0;      ///< of supernodes
+    std::vector<std::size_t> starts_; ///< by supernode: of its values, and their end
+    std::vector<double> values_;      ///< columns of L below the diagonal, which is D's; by supernode
 };
 
 } // namespace qm

@@ -29,7 +29,7 @@ bool isWorthZeros(double columns, double shareOfZeros) {
         double columns;
         double share;
     };
-    constexpr std::array limits{Limit{4, 1}, Limit{16, 0.8}, Limit{48, 0.1}};
+    constexpr std::array limits{Limit{4, 0.5}, Limit{16, 0.3}, Limit{48, 0.1}};
     for (const auto& [most, share] : limits)
         if (columns <= most) return shareOfZeros <= share;
     return shareOfZeros <= 0.05;
@@ -64,35 +64,35 @@ std::vector<Run> mergedColumns(const EliminationTree& tree) {
     return runs;
 }
 
-/// Rows of the matrix and of the children below a supernode's columns.
-void findRows(const Eigen::SparseMatrix<double>& lower, const std::vector<Supernode>& supernodes,
-              Supernode& supernode) {
-    for (int column = supernode.begin; column < supernode.end; ++column)
+/// Appends the rows of the matrix and of the children below a supernode's columns.
+void appendRows(const Eigen::SparseMatrix<double>& lower, Supernode& node, Supernodes& plan) {
+    std::vector<int> rows;
+    for (int column = node.begin; column < node.end; ++column)
         for (Eigen::SparseMatrix<double>::InnerIterator it(lower, column); it; ++it)
-            if (it.row() >= supernode.end) supernode.rows.push_back(static_cast<int>(it.row()));
-    for (const int child : supernode.children)
-        std::ranges::copy_if(supernodes[at(child)].rows, std::back_inserter(supernode.rows),
-                             [&](int row) { return row >= supernode.end; });
-    std::ranges::sort(supernode.rows);
-    const auto repeated = std::ranges::unique(supernode.rows);
-    supernode.rows.erase(repeated.begin(), repeated.end());
-    supernode.rows.shrink_to_fit();
+            if (it.row() >= node.end) rows.push_back(static_cast<int>(it.row()));
+    for (const int child : node.children)
+        std::ranges::copy_if(plan.rowsOf(plan.nodes[at(child)]), std::back_inserter(rows),
+                             [&](int row) { return row >= node.end; });
+    std::ranges::sort(rows);
+    node.firstRow = static_cast<int>(plan.rows.size());
+    std::ranges::unique_copy(rows, std::back_inserter(plan.rows));
+    node.rowEnd = static_cast<int>(plan.rows.size());
 }
 
-std::vector<int> placesIn(const Supernode& parent, const std::vector<int>& rows) {
-    std::vector<int> places;
-    places.reserve(rows.size());
-    auto next = parent.rows.begin();
-    for (const int row : rows) {
+void appendPlaces(const Supernode& node, Supernodes& plan) {
+    if (node.parent == EliminationTree::none) return;
+    const Supernode& parent = plan.nodes[at(node.parent)];
+    auto next = plan.rowsOf(parent).begin();
+    int place = parent.columns();
+    for (const int row : plan.rowsOf(node)) {
         if (row < parent.end) {
-            places.push_back(row - parent.begin);
+            plan.inParent.push_back(row - parent.begin);
             continue;
         }
-        while (*next != row)
-            ++next;
-        places.push_back(parent.columns() + static_cast<int>(next - parent.rows.begin()));
+        for (; *next != row; ++next)
+            ++place;
+        plan.inParent.push_back(place);
     }
-    return places;
 }
 
 /// Collects the largest subtrees that stay below the limit into parts, as many in each as fit.
@@ -146,15 +146,15 @@ Supernodes planSupernodes(const EliminationTree& tree, const Eigen::SparseMatrix
         plan.nodes.push_back(std::move(supernode));
     }
     for (std::size_t k = 0; k < plan.nodes.size(); ++k) {
-        Supernode& supernode = plan.nodes[k];
-        findRows(lower, plan.nodes, supernode);
-        if (supernode.rows.empty()) continue;
-        supernode.parent = supernodeOf[at(supernode.rows.front())];
-        plan.nodes[at(supernode.parent)].children.push_back(static_cast<int>(k));
+        Supernode& node = plan.nodes[k];
+        appendRows(lower, node, plan);
+        if (plan.rowsOf(node).empty()) continue;
+        node.parent = supernodeOf[at(plan.rowsOf(node).front())];
+        plan.nodes[at(node.parent)].children.push_back(static_cast<int>(k));
     }
-    for (Supernode& supernode : plan.nodes)
-        if (supernode.parent != EliminationTree::none)
-            supernode.inParent = placesIn(plan.nodes[at(supernode.parent)], supernode.rows);
+    plan.inParent.reserve(plan.rows.size());
+    for (const Supernode& node : plan.nodes)
+        appendPlaces(node, plan);
     plan.parts = divided(plan.nodes);
     return plan;
 }

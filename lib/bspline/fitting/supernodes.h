@@ -1,11 +1,12 @@
 /// \file Groups of columns that are eliminated together, as one dense front (docs/METHOD.md#duff-1983).
 #pragma once
 
+#include "base/at.h"
 #include "bspline/fitting/elimination_tree.h"
 
 #include <Eigen/SparseCore>
 
-#include <cstddef>
+#include <span>
 #include <vector>
 
 namespace qm {
@@ -14,20 +15,29 @@ namespace qm {
 struct Supernode {
     int begin = 0; ///< of its columns, in the order of elimination
     int end = 0;
-    std::vector<int> rows;              ///< below its columns, ascending
+    int firstRow = 0; ///< of those below its columns, in the list of all supernodes' rows
+    int rowEnd = 0;
     int parent = EliminationTree::none; ///< the supernode that its rows contribute to
-    std::vector<int> inParent; ///< by row: its place in the parent, whose columns come before its rows
     std::vector<int> children;
 
     [[nodiscard]] int columns() const { return end - begin; }
-    [[nodiscard]] int height() const { return columns() + static_cast<int>(rows.size()); }
+    [[nodiscard]] int height() const { return columns() + rowEnd - firstRow; }
 };
 
 struct Supernodes {
     std::vector<Supernode> nodes; ///< children before their parents
+    std::vector<int> rows;        ///< of all supernodes, one after another; ascending in each
+    std::vector<int> inParent;    ///< by row: its place in the parent, whose columns come before its rows
     /// Numbers of supernodes, ascending. All parts but the last are whole subtrees, which need nothing of one
     /// another; the last is the top of the tree. The division depends on the matrix alone.
     std::vector<std::vector<int>> parts;
+
+    [[nodiscard]] std::span<const int> rowsOf(const Supernode& node) const {
+        return std::span(rows).subspan(at(node.firstRow), at(node.rowEnd - node.firstRow));
+    }
+    [[nodiscard]] std::span<const int> placesOf(const Supernode& node) const {
+        return std::span(inParent).subspan(at(node.firstRow), at(node.rowEnd - node.firstRow));
+    }
 };
 
 /// \param lower  the lower half of the matrix in the tree's order
