@@ -53,6 +53,18 @@ protected:
     FitLattice lattice_;
 };
 
+TEST_F(LatticeErrors, FoldsCountAsErrorsButNotAsDistances) {
+    Patch patch = lifted(0.05);
+    EXPECT_NEAR(latticeErrors(lattice_, patch, 0.1).max(), 0.5, 1e-12);
+    for (Point& point : patch.controlPoints)
+        point[0] = 1 - point[0]; // mirrored: its normals point down
+    for (std::size_t k = 0; k < 9; ++k)
+        lattice_.reference[k][0] = 1 - lattice_.reference[k][0];
+    const PatchErrors folded = latticeErrors(lattice_, patch, 0.1);
+    EXPECT_NEAR(folded.max(), 2, 1e-12);
+    EXPECT_NEAR(folded.maxDistance(), 0.5, 1e-12);
+}
+
 TEST_F(LatticeErrors, TargetsStayOnTheReferenceWithoutSlack) {
     slideTargets(raisedInTheMiddle(0.001), 0, lattice_);
     EXPECT_NEAR(height(4), 0, 1e-5);

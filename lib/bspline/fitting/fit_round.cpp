@@ -1,17 +1,13 @@
 #include "bspline/fitting/fit_round.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 namespace qm {
 
 double missedBy(const PatchErrors& errors) {
     constexpr double foldsAlone = 0.05;
-    double farthest = 0;
-    for (const double distance : errors.signedDistance)
-        farthest = std::max(farthest, std::abs(distance));
-    if (farthest > 1) return farthest - 1;
+    if (const double farthest = errors.maxDistance(); farthest > 1) return farthest - 1;
     return errors.max() > 1 ? foldsAlone : 0;
 }
 

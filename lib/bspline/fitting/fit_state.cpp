@@ -245,7 +245,7 @@ bool FitState::tighten(const FitRound& round) {
     for (std::size_t k = 0; k < sources_.size(); ++k) {
         const double found = round.distances[k];
         const double told = errors_[k].max();
-        if (found <= 1 || found <= agreement * (1 + missed_[k]) || !(told > 0)) continue;
+        if (found <= 1 || found <= agreement * errors_[k].maxDistance() || !(told > 0)) continue;
         scale_[k] *= reserve * found / std::min(told, 1.0);
         changed = true;
     }

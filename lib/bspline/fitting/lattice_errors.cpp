@@ -66,6 +66,13 @@ double PatchErrors::max() const {
     return std::ranges::max(error);
 }
 
+double PatchErrors::maxDistance() const {
+    double max = 0;
+    for (const double distance : signedDistance)
+        max = std::max(max, std::abs(distance));
+    return max;
+}
+
 double distance(const FitLattice& lattice, std::size_t point, const Point& offset) {
     const Point& axis = lattice.axes[point];
     switch (lattice.freedom[point]) {

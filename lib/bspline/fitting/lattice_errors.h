@@ -16,6 +16,7 @@ struct PatchErrors {
     std::vector<double> error;          ///< its magnitude; where the patch is folded, at least 2
 
     [[nodiscard]] double max() const;
+    [[nodiscard]] double maxDistance() const; ///< whether the patch is folded or not
 };
 
 /// How far the points of a patch are from the reference's points with the same parameters, not counting what
