@@ -1,6 +1,7 @@
 #include "bspline/fitting/fit_state.h"
 
 #include "base/parallel.h"
+#include "bspline/fitting/border_knots.h"
 #include "bspline/fitting/continuity_equations.h"
 #include "bspline/fitting/free_unknowns.h"
 #include "bspline/fitting/initial_knots.h"
@@ -18,8 +19,12 @@
 namespace qm {
 namespace {
 
-/// A spline is farther from a function than single cubics over its intervals, by this share.
-constexpr double cubicsShare = 0.2;
+/// How far single cubics between the first knots may be from the reference, in tolerances: a spline with
+/// these knots is farther away.
+struct FirstKnots {
+    static constexpr double ofPatches = 0.2;
+    static constexpr double ofBorders = 0.4;
+};
 
 /// Errors that removals may come to; what is near 1 comes back.
 constexpr double removalLimit = 0.9;
@@ -51,7 +56,9 @@ FitState::FitState(const QuadMesh& mesh, const Layout& layout, const SmoothNetwo
         const ReferenceGrid& grid = *sources_[k].grid;
         plates_.push_back(isSoft[k] ? softPlates(grid.size) : thinPlates(grid, options.tolerance));
     }
-    insertInitialKnots(layout, lattices_, normalLimits_, map_, cubicsShare * options.tolerance, plan_);
+    insertInitialKnots(layout, lattices_, normalLimits_, map_, FirstKnots::ofPatches * options.tolerance,
+                       plan_);
+    insertBorderKnots(layout, lattices_, normalLimits_, FirstKnots::ofBorders * options.tolerance, plan_);
     plan_.endAtFirstKnots();
 }
 

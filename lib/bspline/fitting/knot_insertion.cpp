@@ -81,10 +81,22 @@ private:
         if (worst.error <= limits_[patch]) return;
         constexpr double negligible = 0.5; // of the other direction's variation
         const auto varied = variation(cell, lattices_[patch], errors_[patch]);
-        for (std::size_t d = 0; d < 2; ++d)
-            if (varied[d] >= negligible * varied[1 - d] ||
-                cell.length(1 - d) <= plan_.minInterval(patch, 1 - d))
-                divideAlong(patch, d, cell, worst);
+        const auto canDivide = [&](std::size_t d) { return cell.length(d) > plan_.minInterval(patch, d); };
+        // A border follows the reference better only by knots along it.
+        const auto helps = [&](std::size_t d) {
+            const bool isAlong = isOnBorder(patch, d, worst);
+            const bool isAcross = isOnBorder(patch, 1 - d, worst);
+            if (isAlong != isAcross && !worst.isFolded) return isAlong;
+            return varied[d] >= negligible * varied[1 - d];
+        };
+        for (const std::size_t d : {0U, 1U})
+            if (helps(d) || !canDivide(1 - d)) divideAlong(patch, d, cell, worst);
+    }
+
+    /// Whether a place is on one of the sides along a direction.
+    [[nodiscard]] bool isOnBorder(std::size_t patch, std::size_t direction, const WorstPoint& worst) const {
+        const double across = worst.at[1 - direction];
+        return across == 0 || across == layout_.segments[patch].size[1 - direction];
     }
 
     /// Divides the cell, or what its neighbours have beside it where that is longer.

@@ -11,9 +11,9 @@
 namespace qm {
 
 /// Divides the knot intervals in which an error is above 1, and halves the reach of tangent ratios beside
-/// such places; along a border the interval of the side that has the longer one, for only knots of both sides
-/// serve the border. Places with errors far below their neighbourhood's are left for later: they may be due
-/// to those.
+/// such places. Where the largest error is on a border, the border is divided, on the side with the longer
+/// interval: only knots that both sides have bring it nearer. Patches whose errors are far below those of
+/// their neighbours are left for later, as these may be the cause.
 /// \param spaces  of the fit that has the errors
 /// \return false if there was nothing to do, or nothing could be done
 [[nodiscard]] bool refine(const Layout& layout, const std::vector<FitLattice>& lattices,

@@ -33,10 +33,12 @@ WorstPoint worstIn(const KnotCell& cell, const FitLattice& lattice, const PatchE
     WorstPoint worst;
     for (std::size_t j = range.begin[1]; j < range.end[1]; ++j)
         for (std::size_t i = range.begin[0]; i < range.end[0]; ++i) {
-            const double error = errors.error[j * lattice.columns() + i];
+            const std::size_t point = j * lattice.columns() + i;
+            const double error = errors.error[point];
             if (error <= worst.error) continue;
             worst.error = error;
             worst.at = {lattice.targets.parameters[0][i], lattice.targets.parameters[1][j]};
+            worst.isFolded = error > std::abs(errors.signedDistance[point]);
         }
     return worst;
 }

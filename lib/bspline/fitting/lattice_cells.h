@@ -33,6 +33,7 @@ struct LatticeRange {
 struct WorstPoint {
     double error = 0;
     std::array<double, 2> at{};
+    bool isFolded = false;
 };
 
 [[nodiscard]] WorstPoint worstIn(const KnotCell& cell, const FitLattice& lattice, const PatchErrors& errors);
