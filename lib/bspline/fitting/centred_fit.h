@@ -1,12 +1,12 @@
-/// \file Fits of models that lie far from the origin.
+/// \file The fit of models that lie far from the origin.
 #pragma once
 
 #include "bspline/fitting/smooth_fit.h"
 
 namespace qm {
 
-/// `fitSmooth`, with the model at the origin meanwhile if that is farther away than the model is large:
-/// coordinates that are large beside it leave too few digits for patches that meet exactly.
+/// Calls `fitSmooth`; a model that is farther from the origin than it is large is moved to the origin
+/// meanwhile. Otherwise its coordinates would leave too few digits for patches to meet exactly.
 [[nodiscard]] std::vector<Patch> fitCentred(const QuadMesh& mesh, const Layout& layout,
                                             const SmoothNetwork& network, const FitTarget& reference,
                                             const SmoothFitOptions& options, const Verification& verify = {},

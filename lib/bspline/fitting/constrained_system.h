@@ -1,5 +1,5 @@
-/// \file A quadratic form minimised under linear equations (docs/METHOD.md#smooth-fit): factors of a
-/// quasi-definite matrix (docs/METHOD.md#vanderbei-1995) in an order that keeps them sparse
+/// \file Minimises a quadratic form under linear equations (docs/METHOD.md#smooth-fit): factorises a
+/// quasi-definite matrix (docs/METHOD.md#vanderbei-1995) in an order that keeps the factors sparse
 /// (docs/METHOD.md#amestoy-2004).
 #pragma once
 
@@ -15,28 +15,27 @@
 
 namespace qm {
 
-/// How well a system is solved.
+/// The accuracy of a solution.
 enum class Accuracy {
-    draft,   ///< one step, good enough to go on from
+    draft,   ///< one step of refinement
     rounding ///< the equations hold up to rounding
 };
 
-/// Factorised once, solved for any number of right-hand sides.
+/// A system that is factorised once and solved for any number of right-hand sides.
 class ConstrainedSystem {
 public:
-    /// \param entries    of the symmetric positive definite matrix, row >= column; equal places add up
-    /// \param equations  every form is to be its constant; they may depend on one another
-    /// \param constants  a row for every equation; without any row they are zero
+    /// \param entries    of the symmetric positive definite matrix, row >= column; entries of the same place are added
+    /// \param equations  each form must equal its constant; equations may depend on one another
+    /// \param constants  one row per equation; without rows they are zero
     ConstrainedSystem(std::size_t unknowns, std::vector<Eigen::Triplet<double>> entries,
                       const std::vector<LinearForm>& equations, const Eigen::MatrixX3d& constants,
                       unsigned jobs);
 
-    /// Makes a solution that of the minimum of x'Hx / 2 - x'b under the equations, for each column of b. They
-    /// hold up to rounding, unless a draft will do.
-    /// \param solution  where to begin, with the multipliers of the equations; empty to begin with nothing
+    /// Turns a solution into the minimiser of x'Hx / 2 - x'b under the equations, for each column of b.
+    /// \param solution  the values to start from, including the multipliers of the equations; may be empty
     void improve(const Eigen::MatrixX3d& rightHandSide, Accuracy accuracy, Eigen::MatrixX3d& solution) const;
 
-    /// By how much a solution, with or without multipliers, misses an equation, at most, in the metric of the
+    /// The largest violation of an equation by a solution, with or without multipliers, in the metric of the
     /// form.
     [[nodiscard]] double violation(const Eigen::MatrixX3d& solution) const;
 
@@ -46,8 +45,8 @@ private:
 
     Eigen::Index unknowns_;
     unsigned jobs_ = 1;
-    Eigen::MatrixX3d constants_;                          ///< of the equations
-    Eigen::SparseMatrix<double, Eigen::RowMajor> matrix_; ///< of unknowns and multipliers, both halves
+    Eigen::MatrixX3d constants_;                          ///< the right-hand sides of the equations
+    Eigen::SparseMatrix<double, Eigen::RowMajor> matrix_; ///< of unknowns and multipliers; both halves
     std::optional<SparseFactors> factors_;
 };
 

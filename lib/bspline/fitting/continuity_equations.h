@@ -1,4 +1,4 @@
-/// \file All equations of a layout's surfaces together.
+/// \file The continuity equations of all surfaces of a layout.
 #pragma once
 
 #include "bspline/network/border_strip.h"
@@ -10,13 +10,13 @@
 
 namespace qm {
 
-/// C0 along all stretches, G1 along all smooth runs: each form is to be 0, for every coordinate.
-/// \param isFree  by patch: those between patches that are not are left out
+/// C0 along all stretches and G1 along all smooth runs: each form must be 0 in every coordinate.
+/// \param isFree  by patch; equations between patches that are not free are left out
 [[nodiscard]] std::vector<LinearForm> continuityEquations(const Layout& layout, const SmoothNetwork& network,
                                                           const std::vector<PatchSpace>& spaces,
                                                           const std::vector<bool>& isFree);
 
-/// Control points of all patches.
+/// The number of control points of all patches.
 [[nodiscard]] std::size_t unknownsOf(const std::vector<PatchSpace>& spaces);
 
 } // namespace qm

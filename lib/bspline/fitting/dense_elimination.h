@@ -1,20 +1,20 @@
-/// \file Elimination of the first columns of a dense symmetric matrix.
+/// \file Eliminates the first columns of a dense symmetric matrix.
 #pragma once
 
 #include <Eigen/Core>
 
 namespace qm {
 
-/// A symmetric matrix in two pieces, of which the lower halves count: its first columns, and what is below
-/// and to the right of them.
+/// A symmetric matrix in two pieces: its first columns, and the rest below and to the right of them. Only the
+/// lower halves are used.
 struct DenseFront {
     Eigen::MatrixXd columns; ///< as high as the whole matrix
     Eigen::MatrixXd rest;    ///< square
 };
 
-/// Makes the first columns those of the factors L and D of L D L': the diagonal holds D, and L has ones
-/// there. The rest becomes the Schur complement. Every leading minor of the first columns must be regular.
-/// \param jobs  threads, if the matrix is large; the result does not depend on them
+/// Replaces the first columns by those of the factors L and D of L D L', with D on the diagonal, where L has
+/// ones, and the rest by the Schur complement. Every leading minor of the first columns must be regular.
+/// \param jobs  threads, used if the matrix is large; the result does not depend on their number
 void eliminateColumns(DenseFront& front, unsigned jobs);
 
 } // namespace qm

@@ -10,17 +10,17 @@ namespace qm {
 
 using Permutation = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int>;
 
-/// Eliminating a column changes only columns on its way to the root.
+/// Eliminating a column changes only the columns on its path to the root.
 struct EliminationTree {
     static constexpr int none = -1;
 
-    Permutation order;        ///< from places in the matrix to columns in the order of elimination
-    std::vector<int> parent;  ///< by column; larger than the column, or none at a root
-    std::vector<int> entries; ///< by column: of the factor, below the diagonal
+    Permutation order;        ///< maps the matrix's columns to their places in the order of elimination
+    std::vector<int> parent;  ///< by column; larger than the column, or `none` at a root
+    std::vector<int> entries; ///< by column: number of entries of the factor below the diagonal
 };
 
-/// An order that keeps the factor sparse (docs/METHOD.md#amestoy-2004) and in which every subtree is a range
-/// of columns that ends with its root.
+/// Finds an order that keeps the factor sparse (docs/METHOD.md#amestoy-2004) and in which every subtree is a
+/// range of columns that ends with its root.
 /// \param lower  the lower half of the matrix, row >= column
 [[nodiscard]] EliminationTree eliminationTree(const Eigen::SparseMatrix<double>& lower);
 

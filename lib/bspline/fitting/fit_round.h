@@ -1,4 +1,4 @@
-/// \file What a round of fitting has come to, and which of two is better.
+/// \file The result of one round of fitting, and which of two results is better.
 #pragma once
 
 #include "bspline/fitting/fit_lattice.h"
@@ -13,10 +13,11 @@
 
 namespace qm {
 
-/// By what rounds are compared.
+/// The values by which rounds are compared.
 struct RoundScore {
-    bool keeps = false; ///< the tolerance, but where it is given up
-    double missed = 0;  ///< of all patches, whatever is given up: the largest counts most
+    bool keeps = false; ///< whether the tolerance is kept, apart from cells that are given up
+    double missed =
+        0; ///< how much is missed in all, cells that are given up included; the largest counts most
     std::size_t controlPoints = 0;
 
     bool operator==(const RoundScore&) const = default;
@@ -24,23 +25,24 @@ struct RoundScore {
 
 struct FitRound {
     RoundScore score;
-    std::vector<Patch> patches; ///< none: there was no round yet
+    std::vector<Patch> patches; ///< empty before the first round
     std::optional<KnotPlan> plan;
     std::vector<std::shared_ptr<const LatticeProgress>>
-        lattices;                  ///< by patch; rounds share them: they are large
-    std::vector<double> distances; ///< by patch, in tolerances, where they have been verified
+        lattices;                  ///< by patch; shared between rounds, because they are large
+    std::vector<double> distances; ///< by patch, in tolerances, if they have been verified
 };
 
-/// By how much a patch is farther away than allowed, in tolerances; folds alone count little.
+/// By how much a patch exceeds the tolerance, in tolerances; a patch that is only folded counts a little.
 [[nodiscard]] double missedBy(const PatchErrors& errors);
 
-/// \param missed  by patch
+/// \param missed  by patch, see `missedBy`
 [[nodiscard]] RoundScore scoreOf(const std::vector<double>& missed, bool keeps,
                                  const std::vector<Patch>& patches);
 
-/// Within the tolerance the fewest control points are best, else the smallest errors.
-/// \param keepsFirst  whether to keep the tolerance but for cells that are given up is better than not to,
-/// however much is missed there
+/// Compares two rounds: among those that keep the tolerance the one with fewer control points is better,
+/// otherwise the one with smaller errors.
+/// \param keepsFirst  whether a round that keeps the tolerance, apart from cells that are given up, is always better
+/// than one that does not
 [[nodiscard]] bool isBetter(const RoundScore& one, const RoundScore& other, bool keepsFirst);
 
 } // namespace qm

@@ -1,4 +1,4 @@
-/// \file Where a fit stands: its knots, the patches that were fitted with them, and how far these are away.
+/// \file The state of a fit: its knots, the patches fitted with them, and their distances from the reference.
 #pragma once
 
 #include "bspline/fitting/fit_lattice.h"
@@ -20,54 +20,55 @@ namespace qm {
 
 struct SmoothFitOptions;
 
-/// The steps that a fit is made of. Errors are in tolerances: more than 1 is too far away.
+/// The steps of a fit. Errors are in tolerances: values above 1 are too large.
 class FitState {
 public:
-    /// Begins with the fewest knots that are likely to do, and without patches. What is passed must outlive
-    /// it.
-    /// \param isSoft  patches that are to follow the reference rather than be fair
+    /// Begins with the fewest knots that are likely to suffice, and without patches. The arguments must
+    /// outlive it.
+    /// \param isSoft  by patch: whether it follows the reference more closely at the cost of fairness
     FitState(const QuadMesh& mesh, const Layout& layout, const SmoothNetwork& network,
              const FitTarget& reference, const SmoothFitOptions& options, const std::vector<bool>& isSoft,
              unsigned jobs);
 
-    /// Solves for what has changed, with what lies around it, or for all.
-    /// \param slides  how often the targets move in between
+    /// Solves for the patches that have changed and those around them, or for all.
+    /// \param slides  number of times that the targets slide in between
     void solve(int slides, bool forAll);
 
-    [[nodiscard]] double worst() const { return worst_; }   ///< error of all patches
-    [[nodiscard]] double excess() const { return excess_; } ///< what patches err above 1, in sum
+    [[nodiscard]] double worst() const { return worst_; }   ///< largest error of all patches
+    [[nodiscard]] double excess() const { return excess_; } ///< sum over the patches of their error above 1
 
-    /// What this has come to.
+    /// The score of the present patches.
     [[nodiscard]] RoundScore score() const;
-    /// \param isKept  for restoring it; else without the lattices, which are large
+    /// \param isKept  whether it may be restored; otherwise the lattices, which are large, are left out
     [[nodiscard]] FitRound round(bool isKept);
     /// Goes back to an earlier round.
     void restore(const FitRound& round);
 
-    /// Gives points that are too far away more weight, so that the largest error counts and not the mean.
-    /// \return false if no weight can grow any more
+    /// Increases the weights of points that are too far away, so that the largest error decides and not the
+    /// mean.
+    /// \return false if no weight may grow any more
     bool weighWhatIsMissed();
-    /// Divides knot intervals where points are too far away.
+    /// Divides knot intervals in which points are too far away.
     /// \return false if there was nothing to divide
     bool refine();
-    /// Where nothing else helps, sliding may have led astray: forbids it there.
-    /// \return false if that has been done
+    /// Where nothing else has helped, sliding may be the cause: stops it there.
+    /// \return false if it was stopped there before
     bool stopSliding();
-    /// \return false if that has been done
+    /// \return false if it was allowed before
     bool allowShorterIntervals() { return plan_.allowShorter(); }
-    /// From now on errors count no more in the cells where nothing helps. The worst are given up first: what
-    /// is bad beside them may be due to them.
+    /// From now on ignores the errors of cells in which nothing has helped. The worst are given up first,
+    /// since they may be the cause of errors beside them.
     void giveUp();
-    /// The same where patches are folded, but near enough.
+    /// Gives up cells that are folded but near enough.
     void giveUpFolds();
-    /// Removes knots that can be done without.
-    /// \return how many
+    /// Removes knots that are not needed.
+    /// \return the number of knots removed
     std::size_t removeKnots();
 
-    /// Errors of patches that are farther away than their lattices tell count so much more from now on that
-    /// the largest is what was found.
+    /// Where a verification found a patch farther away than its lattice shows, scales the errors of this
+    /// patch from now on so that the largest equals what was found.
     /// \param round  the present one, with verified distances
-    /// \return false if there are none
+    /// \return false if there is no such patch
     bool tighten(const FitRound& round);
 
 private:
@@ -91,15 +92,17 @@ private:
     std::vector<NormalLimits> normalLimits_;
     std::vector<std::vector<ThinPlate>> plates_; ///< by patch and quad
     std::vector<FitLattice> lattices_;
-    std::vector<std::shared_ptr<const LatticeProgress>> kept_; ///< by patch: its lattice's; or none yet
+    std::vector<std::shared_ptr<const LatticeProgress>>
+        kept_; ///< by patch: a shared copy of its lattice's progress, if the lattice has not changed since
     std::vector<PatchSpace> spaces_;
     std::vector<Patch> patches_;
     std::vector<PatchErrors> errors_;
     std::vector<GivenUpCells> givenUp_;
-    std::vector<bool> reweighed_;       ///< by patch: since the last solution
-    std::vector<SmoothRun> solvedRuns_; ///< of the last solution
-    std::vector<double> missed_; ///< by patch: how much its largest error is above 1, whatever is given up
-    std::vector<double> scale_;  ///< by patch: how much its errors count
+    std::vector<bool> reweighed_;       ///< by patch: whether weights have changed since the last solution
+    std::vector<SmoothRun> solvedRuns_; ///< the runs with the tangent ratios of the last solution
+    std::vector<double>
+        missed_; ///< by patch: by how much its largest error exceeds 1, including what is given up
+    std::vector<double> scale_; ///< by patch: factor of its errors
     double worst_ = 0;
     double excess_ = 0;
 };

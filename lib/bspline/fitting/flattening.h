@@ -1,4 +1,4 @@
-/// \file Putting plane patches into their planes.
+/// \file Moves the control points of plane patches into their planes.
 #pragma once
 
 #include "bspline/fitting/plane_patches.h"
@@ -12,11 +12,11 @@
 
 namespace qm {
 
-/// Puts all control points of such patches into their planes, and changes what is near as little as the
-/// continuity equations demand (docs/METHOD.md#plane-patches). Planes that cannot all be had with those
-/// around are left out.
-/// \param spaces  of the patches
-/// \param jobs  threads; the result does not depend on them
+/// Moves all control points of the patches that have a plane into it, and changes the patches around them as
+/// little as the continuity equations require (docs/METHOD.md#plane-patches). A plane that contradicts its
+/// neighbours is dropped.
+/// \param spaces  the spline spaces of the patches
+/// \param jobs    threads; the result does not depend on their number
 void flatten(const Layout& layout, const SmoothNetwork& network, const std::vector<PatchSpace>& spaces,
              std::vector<std::optional<Plane>> planes, std::vector<Patch>& patches, unsigned jobs);
 

@@ -1,4 +1,4 @@
-/// \file A part of the unknowns of a layout's surfaces: those of some patches, while the others stay.
+/// \file The unknowns of those patches that are solved for, while all other patches stay as they are.
 #pragma once
 
 #include "bspline/network/border_strip.h"
@@ -9,11 +9,11 @@
 
 namespace qm {
 
-/// The patches that some have borders with, and theirs, so many times, and these themselves.
+/// Adds to a set of patches those that share a border with one of them, `rings` times.
 [[nodiscard]] std::vector<bool> withNeighbours(const SmoothNetwork& network, std::vector<bool> patches,
                                                int rings);
 
-/// Numbers the unknowns of free patches from 0 on.
+/// Numbers the unknowns of the free patches consecutively from 0.
 class FreeUnknowns {
 public:
     /// \param isFree  by patch
@@ -21,15 +21,15 @@ public:
 
     [[nodiscard]] std::size_t count() const { return count_; }
     [[nodiscard]] bool isFree(std::size_t unknown) const { return numbers_[unknown] != none; }
-    /// \param unknown  of all; a free one
+    /// \param unknown  number among the unknowns of all patches; its patch must be free
     [[nodiscard]] std::size_t number(std::size_t unknown) const { return numbers_[unknown]; }
 
-    /// What a form says of free unknowns, by their numbers; perhaps nothing.
+    /// The terms of a form that contain free unknowns, renumbered; may be empty.
     [[nodiscard]] LinearForm among(const LinearForm& form) const;
 
 private:
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
-    std::vector<std::size_t> numbers_; ///< of all unknowns
+    std::vector<std::size_t> numbers_; ///< by unknown of all patches
     std::size_t count_ = 0;
 };
 

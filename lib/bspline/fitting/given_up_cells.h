@@ -1,4 +1,4 @@
-/// \file The cells of a patch in which nothing helps.
+/// \file The cells of a patch in which neither knots nor weights reduce the error any further.
 #pragma once
 
 #include "bspline/fitting/fit_lattice.h"
@@ -9,20 +9,20 @@
 
 namespace qm {
 
-/// Errors in these cells are not missed, unless they grow. Where a cell is folded only that is given up, and
-/// not the distance.
+/// Errors in these cells no longer count as missed, unless they grow. Where a cell is folded, only the fold
+/// is given up, not the distance.
 class GivenUpCells {
 public:
-    /// Gives up a cell, with the error that it has and a little more; its points weigh what others do.
+    /// Gives up a cell with its present distance plus a tenth, and resets the weights of its points.
     void add(const KnotCell& cell, const LatticeSource& source, FitLattice& lattice, PatchErrors& errors);
 
-    /// Lowers the errors that are given up to 1, or to what they have grown by.
+    /// Lowers the errors of these cells to 1, or to the factor by which they have grown.
     void cap(const FitLattice& lattice, PatchErrors& errors) const;
 
 private:
     struct Place {
         KnotCell cell;
-        double allowed = 1; ///< distance
+        double allowed = 1; ///< the distance that is given up, in tolerances
         bool mayFold = false;
     };
 

@@ -1,4 +1,4 @@
-/// \file Knots to begin with: single cubics over as many quads as come near the reference.
+/// \file The knots of the first round: as far apart as single cubics follow the reference.
 #pragma once
 
 #include "bspline/fitting/fit_lattice.h"
@@ -10,15 +10,15 @@
 
 namespace qm {
 
-/// Into a plan without knots, for lattices of equal steps: inserts knots at grid lines, patch by patch, the
-/// farthest apart for which a cubic along every line of the lattice is within `tolerance` of it and its
-/// normals within their limits; where a neighbour has a knot that is not much nearer, that one is taken, for
-/// only knots of both sides serve their common border.
+/// Inserts knots at grid lines into a plan that has none, patch by patch, as far apart as possible: between
+/// two knots a cubic along every line of the lattice is within `tolerance` of it, with normals within their
+/// limits. If a neighbour has a knot that is not much nearer, that one is taken, because only knots that both
+/// sides have serve the border between them. The lattices must have equal steps.
 void insertInitialKnots(const Layout& layout, const std::vector<FitLattice>& lattices,
                         const std::vector<NormalLimits>& limits, const StretchMap& map, double tolerance,
                         KnotPlan& plan);
 
-/// The knots that a patch's neighbours have across the sides along u (0) or v (1), as its own parameters,
+/// The knots of a patch's neighbours along the sides in direction u (0) or v (1), as parameters of the patch,
 /// ascending.
 [[nodiscard]] std::vector<double> knotsBeside(const Layout& layout, const StretchMap& map,
                                               const KnotPlan& plan, std::size_t patch, std::size_t direction);

@@ -1,4 +1,4 @@
-/// \file Which knots patches have, and how far tangent ratios reach: what a fit refines.
+/// \file The knots of all patches and the reach of the tangent ratios: what refinement changes.
 #pragma once
 
 #include "bspline/network/border_strip.h"
@@ -13,48 +13,50 @@
 
 namespace qm {
 
-/// Knots along u and along v, of every patch.
+/// The knots along u and v of every patch.
 using KnotLists = std::vector<std::array<std::vector<double>, 2>>;
 
-/// Lengths of knot intervals along u and along v, in mesh edges, of every patch.
+/// The lengths of knot intervals along u and v of every patch, in mesh edges.
 using IntervalLengths = std::vector<std::array<double, 2>>;
 
-/// As long as `minLength` in the mean, and an eighth of a mesh edge at least: the reference is smooth between
-/// its vertices.
+/// The shortest interval allowed in every patch: `minLength` on average, but at least an eighth of a mesh
+/// edge, because the reference is smooth between its vertices.
 [[nodiscard]] IntervalLengths shortestIntervals(const std::vector<ReferenceGrid>& grids, double minLength);
 
-/// Begins with no inner knots but those that smoothness asks for, and with ratios that reach from end to end.
+/// Begins with only those inner knots that smoothness requires, and with tangent ratios that reach from end
+/// to end.
 class KnotPlan {
 public:
-    /// \param shortest  intervals, see `shortestIntervals`; an eighth of an edge everywhere if it is empty
+    /// \param shortest  see `shortestIntervals`; if it is empty, an eighth of an edge everywhere
     KnotPlan(const Layout& layout, SmoothNetwork network, IntervalLengths shortest = {});
 
     [[nodiscard]] const SmoothNetwork& network() const { return network_; }
 
-    /// The spline spaces of all patches: the knots chosen, and double ones where tangent ratios end and where
-    /// smooth borders turn into creases.
+    /// The spline spaces of all patches: the chosen knots, and double knots where tangent ratios end and
+    /// where smooth borders turn into creases.
     [[nodiscard]] std::vector<PatchSpace> spaces() const;
 
-    /// Inner knots chosen for a patch along u or v, ascending.
+    /// The chosen inner knots of a patch along u (0) or v (1), ascending.
     [[nodiscard]] const std::vector<double>& chosen(std::size_t patch, std::size_t direction) const {
         return chosen_[patch][direction];
     }
-    /// \return false if the patch has it already, or it is not inside
+    /// \return false if the patch has this knot already or the knot is not inside the patch
     bool insert(std::size_t patch, std::size_t direction, double knot);
     void erase(std::size_t patch, std::size_t direction, double knot);
 
-    /// Lets tangent ratios end at the first knots chosen, and at half the run where they would meet.
+    /// Ends each tangent ratio at the first chosen knot, or at half of its run where the two ends would
+    /// overlap.
     void endAtFirstKnots();
 
-    /// Makes the tangent ratio at one end of a run reach half as far.
-    /// \return false if it reaches no farther than the shortest interval
+    /// Halves the reach of the tangent ratio at one end of a run.
+    /// \return false if it is as short as the shortest interval already
     bool shorten(std::size_t run, std::size_t end);
 
-    /// The shortest interval that knots are to have, in mesh edges: at first twice as long as it may be.
+    /// The shortest interval that a knot may make, in mesh edges; twice the final value until `allowShorter`.
     [[nodiscard]] double minInterval(std::size_t patch, std::size_t direction) const {
         return (allowsShorter_ ? 1 : 2) * shortest_[patch][direction];
     }
-    /// \return false if that has been done
+    /// \return false if it has been called before
     bool allowShorter() { return !std::exchange(allowsShorter_, true); }
 
 private:

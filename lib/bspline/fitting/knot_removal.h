@@ -1,4 +1,4 @@
-/// \file Knots that a fit can do without.
+/// \file Removes knots that a fit does not need.
 #pragma once
 
 #include "bspline/fitting/fit_lattice.h"
@@ -12,10 +12,10 @@
 
 namespace qm {
 
-/// Removes chosen knots, no two that follow one another, for which the jump of the third derivative tells
-/// that the errors, and the slopes in what their limits allow, would stay below `limit` without them. What
-/// jumps tell is not certain: the fit is to be made and measured anew.
-/// \return how many
+/// Removes chosen knots, never two in a row. A knot goes if the jump of the third derivative at it predicts
+/// that without it all errors around, and the slopes relative to their limits, stay below `limit`. The
+/// prediction is not certain, so the fit must be made and measured again.
+/// \return the number of knots removed
 std::size_t removeKnots(const std::vector<FitLattice>& lattices, const std::vector<NormalLimits>& limits,
                         const std::vector<Patch>& patches, const std::vector<PatchErrors>& errors,
                         double tolerance, double limit, KnotPlan& plan);

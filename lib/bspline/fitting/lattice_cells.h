@@ -1,4 +1,4 @@
-/// \file The cells that knots divide a patch into, and the points of its lattice over them.
+/// \file The cells into which knots divide a patch, and the points of its lattice in each cell.
 #pragma once
 
 #include "bspline/fitting/fit_lattice.h"
@@ -11,7 +11,7 @@
 
 namespace qm {
 
-/// A rectangle of parameters, by direction.
+/// A rectangle of parameters; entries are by direction, u and v.
 struct KnotCell {
     std::array<double, 2> begin{};
     std::array<double, 2> end{};
@@ -19,10 +19,10 @@ struct KnotCell {
     [[nodiscard]] double length(std::size_t direction) const { return end[direction] - begin[direction]; }
 };
 
-/// All rectangles between knots that follow one another.
+/// All rectangles between successive knots.
 [[nodiscard]] std::vector<KnotCell> cellsOf(const PatchSpace& space);
 
-/// The points of a lattice over a cell, those on its border included: from `begin` to before `end`.
+/// The indices of the lattice points in a cell, its border included: from `begin` to before `end`.
 struct LatticeRange {
     std::array<std::size_t, 2> begin{};
     std::array<std::size_t, 2> end{};
@@ -38,11 +38,11 @@ struct WorstPoint {
 
 [[nodiscard]] WorstPoint worstIn(const KnotCell& cell, const FitLattice& lattice, const PatchErrors& errors);
 
-/// Whether all distances there are within the tolerance.
+/// Whether all points of the cell are within the tolerance; folds do not count.
 [[nodiscard]] bool isNear(const KnotCell& cell, const FitLattice& lattice, const PatchErrors& errors);
 
-/// How much the errors vary along each direction of a cell, in the mean over its lines: knots are missing in
-/// the direction in which they do.
+/// How much the errors vary along u and along v in a cell, averaged over the lattice lines: knots are missing
+/// in the direction in which they vary.
 [[nodiscard]] std::array<double, 2> variation(const KnotCell& cell, const FitLattice& lattice,
                                               const PatchErrors& errors);
 

@@ -1,4 +1,4 @@
-/// \file How far a patch is from the reference, at the points of its lattice.
+/// \file The distances between a patch and the reference at the points of its lattice.
 #pragma once
 
 #include "bspline/fitting/fit_lattice.h"
@@ -10,33 +10,33 @@
 
 namespace qm {
 
-/// By point of a patch's lattice, in tolerances.
+/// Errors in tolerances, by lattice point.
 struct PatchErrors {
-    std::vector<double> signedDistance; ///< 1 and -1 are just allowed
-    std::vector<double> error;          ///< its magnitude; where the patch is folded, at least 2
+    std::vector<double> signedDistance; ///< magnitudes up to 1 are within the tolerance
+    std::vector<double> error;          ///< magnitude of the distance; at least 2 where the patch is folded
 
     [[nodiscard]] double max() const;
-    [[nodiscard]] double maxDistance() const; ///< whether the patch is folded or not
+    [[nodiscard]] double maxDistance() const; ///< of all points, folded or not
 };
 
-/// How far the points of a patch are from the reference's points with the same parameters, not counting what
-/// it may slide along the reference.
-/// \param scale  how much the distances count
+/// The distances between the points of a patch and the reference's points with the same parameters, not
+/// counting the components along which the patch may slide.
+/// \param scale  factor of all distances
 [[nodiscard]] PatchErrors latticeErrors(const FitLattice& lattice, const Patch& patch, double tolerance,
                                         double scale = 1);
 
-/// The distance from the reference that an offset from one of its lattice points makes.
+/// The length of those components of an offset from a lattice point along which the patch may not slide.
 [[nodiscard]] double distance(const FitLattice& lattice, std::size_t point, const Point& offset);
 
-/// Moves the targets to where the patch is, but on the reference, and ahead in the direction in which they
-/// moved: the parameters of the reference are a choice, and a surface that is not bound to them is smoother
-/// and has fewer knots. Where the patch is folded the targets go back to the reference's points: the
-/// second time for good.
-/// So far off the reference as `slack` tells, less where the emphasis has grown, targets follow the patch
-/// along the normal as well, but for creases: what is near enough need not be nearer, and may be fairer
-/// instead. Only what differs from the mean distance of the whole patch is followed: plates would make round
-/// parts smaller otherwise.
-/// Tangent-distance minimisation (docs/METHOD.md#wang-2006), accelerated (docs/METHOD.md#nesterov-1983).
+/// Moves the targets along the reference to where the patch is, and on in the direction in which they moved.
+/// The parametrisation of the reference is arbitrary, and a surface that is not bound to it is smoother and
+/// needs fewer knots. Where the patch is folded, targets return to the reference's points; the second time
+/// they stay there. Except at creases, targets also follow the patch along the normal, by `slack` at most, or
+/// less where the emphasis has grown: a surface that is near enough may be fairer instead of nearer. They
+/// follow only deviations from the mean distance of the whole patch, since the plates would otherwise shrink
+/// round parts. Tangent-distance minimisation (docs/METHOD.md#wang-2006), accelerated
+/// (docs/METHOD.md#nesterov-1983).
+/// \param slack  in the unit of the reference
 void slideTargets(const Patch& patch, double slack, FitLattice& lattice);
 
 } // namespace qm

@@ -1,4 +1,4 @@
-/// \file Points of a lattice that may not slide, because sliding has led astray there.
+/// \file Lattice points whose targets may not slide, because sliding has led to folds or misses there.
 #pragma once
 
 #include "bspline/fitting/fit_lattice.h"
@@ -8,16 +8,16 @@
 
 namespace qm {
 
-/// Holds all points no farther than a mesh edge, along u and v, from points where the patch is folded: once
-/// for each of these.
+/// Holds all points within one mesh edge, along u and v, of a folded point; a point's hold count grows by one
+/// for each folded point near it.
 /// \param isFolded  by point
 void holdAroundFolds(const std::vector<bool>& isFolded, FitLattice& lattice);
 
-/// Holds points in a rectangle of parameters for good.
+/// Holds all points in a rectangle of parameters for good.
 /// \return false if all of them were held for good already
 bool holdTargets(const std::array<double, 2>& begin, const std::array<double, 2>& end, FitLattice& lattice);
 
-/// Lets points slide again that were not held too often.
+/// Releases all points that have been held fewer than `maxHolds` times.
 void releaseHolds(FitLattice& lattice);
 
 } // namespace qm

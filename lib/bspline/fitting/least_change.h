@@ -1,4 +1,4 @@
-/// \file The least change of control points that puts some of them into planes.
+/// \file The smallest change of control points that moves some of them into planes.
 #pragma once
 
 #include "bspline/fitting/constrained_system.h"
@@ -12,24 +12,24 @@
 
 namespace qm {
 
-/// A control point that is to lie in a plane.
+/// A control point that must lie in a plane.
 struct PlaneDemand {
     std::size_t unknown = 0;
     Plane plane;
 };
 
-/// Under equations that hold already: found by conjugate gradients for the distances from the planes, in the
-/// space of what the equations allow.
+/// Finds the change by conjugate gradients on the distances from the planes, within the null space of
+/// equations that the control points fulfil already.
 class LeastChange {
 public:
-    /// \param unknowns  control points that may move
+    /// \param unknowns  number of control points that may move
     LeastChange(std::size_t unknowns, std::vector<LinearForm> equations);
 
-    /// \param points  a row for every control point that may move
+    /// \param points  one row per control point that may move
     [[nodiscard]] Eigen::MatrixX3d run(const std::vector<PlaneDemand>& demands,
                                        Eigen::MatrixX3d points) const;
 
-    /// By how much a change violates the equations, at most.
+    /// The largest violation of an equation by a change.
     [[nodiscard]] double violation(const Eigen::MatrixX3d& change) const;
 
 private:
@@ -42,11 +42,11 @@ private:
     ConstrainedSystem allowed_;
 };
 
-/// By demand, how far the point is below its plane.
+/// By demand: how far the point is below its plane.
 [[nodiscard]] Eigen::VectorXd missingHeights(const std::vector<PlaneDemand>& demands,
                                              const Eigen::MatrixX3d& points);
 
-/// The largest distance of a point from the origin: what rounding is measured by.
+/// The largest distance of a point from the origin, relative to which rounding errors are measured.
 [[nodiscard]] double largestDistance(const Eigen::MatrixX3d& points);
 
 } // namespace qm

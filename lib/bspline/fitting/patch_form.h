@@ -1,4 +1,5 @@
-/// \file What a patch is to minimise: weighted squared distances from points, and bending.
+/// \file The quadratic form that a patch minimises: weighted squared distances from points, and bending
+/// energy.
 #pragma once
 
 #include "bspline/fitting/thin_plate.h"
@@ -14,19 +15,19 @@
 
 namespace qm {
 
-/// Points that a patch should come near to, at a lattice of parameters: (us[i], vs[j]) at j * us.size() + i.
+/// Points that a patch is drawn to, on a lattice of parameters: (us[i], vs[j]) at j * us.size() + i.
 struct PatchTargets {
     std::array<std::vector<double>, 2> parameters;
     std::vector<Point> points;
-    std::vector<double> weights; ///< of the squared distances
+    std::vector<double> weights; ///< factors of the squared distances
 };
 
-/// The matrix of the quadratic form, one half of it: adds (row, column, value) with row >= column.
+/// Adds the lower half of the form's matrix as (row, column, value) with row >= column.
 /// \param plates  by quad, row by row
 void addPatchForm(const PatchSpace& space, const PatchTargets& targets, const std::vector<ThinPlate>& plates,
                   std::vector<Eigen::Triplet<double>>& entries);
 
-/// The right-hand side that belongs to it: adds to the rows of the patch's unknowns.
+/// Adds the form's right-hand side to the rows of the patch's unknowns.
 void addPatchTargets(const PatchSpace& space, const PatchTargets& targets, Eigen::MatrixX3d& rightHandSide);
 
 } // namespace qm

@@ -1,4 +1,4 @@
-/// \file Patches that are plane because their reference is.
+/// \file Patches that are plane because their reference is plane.
 #pragma once
 
 #include "bspline/network/smooth_network.h"
@@ -15,8 +15,8 @@ struct Plane {
     double offset = 0;
 };
 
-/// The plane of every patch whose reference has one. Patches that are plane and meet smoothly share one.
-/// \param tolerance  distance of the reference's points from it, at most
+/// By patch: the plane of its reference, if it has one. Plane patches that meet smoothly share one plane.
+/// \param tolerance  largest distance of the reference's points from a plane
 [[nodiscard]] std::vector<std::optional<Plane>> planesOf(const std::vector<ReferenceGrid>& reference,
                                                          const SmoothNetwork& network, double tolerance);
 

@@ -1,5 +1,5 @@
-/// \file Surfaces that are exactly smooth across all smooth borders, with as few knots as a tolerance allows
-/// (docs/METHOD.md#smooth-fit).
+/// \file Surfaces that are exactly smooth across all smooth borders, with as few knots as the tolerance
+/// allows (docs/METHOD.md#smooth-fit).
 #pragma once
 
 #include "base/control.h"
@@ -15,28 +15,29 @@ namespace qm {
 
 struct SmoothFitOptions {
     double tolerance = 0;     ///< largest distance from the reference, in its unit; positive
-    double flatness = 0;      ///< references no farther from a plane make plane patches
-    int steps = 4;            ///< of the lattice of points that are fitted, a mesh edge; 1, 2 or 4
-    double minInterval = 0;   ///< of knots, in tolerances; an eighth of a mesh edge in any case
-    int maxRounds = 30;       ///< systems that are factorised
-    int roundsForFolds = 30;  ///< from then on places that are near enough may fold
-    int slides = 6;           ///< solutions of each, between which the targets slide
-    double slack = 0.5;       ///< of the tolerance: so near surfaces may be fairer instead of nearer
-    int ringsAround = 2;      ///< of patches that are solved for together with those that change
-    double worthAll = 0.6;    ///< of all control points: if there are more to solve for, all are solved for
-    bool removesKnots = true; ///< tries to do with fewer, once the tolerance is kept
-    int verifications = 5;    ///< how often it is verified at most, if it can be
-    int attempts = 5;         ///< while verification finds more than is allowed; see `smooth_fit.cpp`
+    double flatness = 0;      ///< a reference no farther than this from a plane makes a plane patch
+    int steps = 4;            ///< lattice points per mesh edge: 1, 2 or 4
+    double minInterval = 0;   ///< shortest knot interval, in tolerances; never below an eighth of a mesh edge
+    int maxRounds = 30;       ///< largest number of rounds, each with a factorisation
+    int roundsForFolds = 30;  ///< after so many rounds, folds that are near enough are accepted
+    int slides = 6;           ///< solutions per round, between which the targets slide
+    double slack = 0.5;       ///< in tolerances: surfaces may be farther by this if that makes them fairer
+    int ringsAround = 2;      ///< rings of patches around those that change that are solved for with them
+    double worthAll = 0.6;    ///< if more than this share of the control points is free, all are solved for
+    bool removesKnots = true; ///< tries to do with fewer knots once the tolerance is kept
+    int verifications = 5;    ///< largest number of verifications per attempt
+    int attempts = 5; ///< largest number of attempts, while a verification fails; see `smooth_fit.cpp`
 };
 
-/// The largest distance of every patch from the reference, certain also between the points that a fit looks
-/// at, in tolerances: 1 is just allowed.
+/// The largest distance of every patch from the reference in tolerances, also between the points that the fit
+/// samples: values up to 1 are within the tolerance.
 using Verification = std::function<std::vector<double>(const std::vector<Patch>&)>;
 
-/// Patches with common borders, G1 across those that are no creases. Where the tolerance cannot be kept with
-/// knot intervals of an eighth of a mesh edge, or bicubics cannot follow the reference, it is missed.
+/// Fits patches that share their borders and are G1 across all borders that are not creases. The tolerance is
+/// missed where knot intervals of an eighth of a mesh edge do not suffice, or where bicubics cannot follow
+/// the reference.
 /// \param verify  may be empty; patches that it finds too far away are fitted more closely
-/// \return one patch for every segment, in their order
+/// \return one patch per segment, in their order
 [[nodiscard]] std::vector<Patch> fitSmooth(const QuadMesh& mesh, const Layout& layout,
                                            const SmoothNetwork& network, const FitTarget& reference,
                                            const SmoothFitOptions& options, const Verification& verify = {},

@@ -1,4 +1,4 @@
-/// \file The factors L D L' of a sparse symmetric matrix, made and applied on several threads.
+/// \file The factors L D L' of a sparse symmetric matrix, computed and applied on several threads.
 #pragma once
 
 #include "bspline/fitting/supernodes.h"
@@ -35,9 +35,9 @@ private:
     unsigned jobs_;
     Permutation order_;
     Supernodes plan_;
-    Eigen::Index maxHeight_ = 0;      ///< of supernodes
-    std::vector<std::size_t> starts_; ///< by supernode: of its values, and their end
-    std::vector<double> values_;      ///< columns of L below the diagonal, which is D's; by supernode
+    Eigen::Index maxHeight_ = 0;      ///< largest number of rows of a supernode
+    std::vector<std::size_t> starts_; ///< by supernode: where its values begin, and the end of all
+    std::vector<double> values_;      ///< by supernode: columns of L below the diagonal, which holds D
 };
 
 } // namespace qm

@@ -1,4 +1,4 @@
-/// \file Groups of columns that are eliminated together, as one dense front (docs/METHOD.md#duff-1983).
+/// \file Groups of columns that are eliminated together as one dense front (docs/METHOD.md#duff-1983).
 #pragma once
 
 #include "base/at.h"
@@ -11,13 +11,13 @@
 
 namespace qm {
 
-/// Consecutive columns that have, nearly, the same rows in the factor: a dense trapezoid.
+/// Consecutive columns whose rows in the factor are nearly the same: a dense trapezoid.
 struct Supernode {
-    int begin = 0; ///< of its columns, in the order of elimination
+    int begin = 0; ///< its first column, in the order of elimination
     int end = 0;
-    int firstRow = 0; ///< of those below its columns, in the list of all supernodes' rows
+    int firstRow = 0; ///< index of its first row below its columns, in the list of all supernodes' rows
     int rowEnd = 0;
-    int parent = EliminationTree::none; ///< the supernode that its rows contribute to
+    int parent = EliminationTree::none; ///< the supernode that its Schur complement is added to
     std::vector<int> children;
 
     [[nodiscard]] int columns() const { return end - begin; }
@@ -26,10 +26,11 @@ struct Supernode {
 
 struct Supernodes {
     std::vector<Supernode> nodes; ///< children before their parents
-    std::vector<int> rows;        ///< of all supernodes, one after another; ascending in each
-    std::vector<int> inParent;    ///< by row: its place in the parent, whose columns come before its rows
-    /// Numbers of supernodes, ascending. All parts but the last are whole subtrees, which need nothing of one
-    /// another; the last is the top of the tree. The division depends on the matrix alone.
+    std::vector<int> rows;        ///< of all supernodes one after another, ascending within each
+    std::vector<int>
+        inParent; ///< by row: its place in the parent's front, counting the parent's columns first
+    /// Groups of supernodes, numbers ascending. All groups but the last are whole subtrees and independent of
+    /// one another; the last is the top of the tree. The division depends on the matrix alone.
     std::vector<std::vector<int>> parts;
 
     [[nodiscard]] std::span<const int> rowsOf(const Supernode& node) const {

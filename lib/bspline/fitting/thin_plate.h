@@ -1,4 +1,4 @@
-/// \file How stiff surfaces are above each quad (docs/METHOD.md#smooth-fit).
+/// \file The bending stiffness of a surface above each quad (docs/METHOD.md#smooth-fit).
 #pragma once
 
 #include "bspline/reference/reference_grid.h"
@@ -8,19 +8,20 @@
 
 namespace qm {
 
-/// Weights of the squared second derivatives by the parameters, beside those of squared distances, which are
-/// 1 a quad.
+/// Weights of the squared second derivatives by the parameters, relative to squared distances, which have a
+/// weight of 1 per quad.
 struct ThinPlate {
     double uu = 0;
-    double uv = 0; ///< of the mixed one, which the energy has twice
+    double uv = 0; ///< of the mixed derivative, which the energy contains twice
     double vv = 0;
 };
 
-/// The bending of plates of the quads' own shape, so much that surfaces which could turn less by a radian
-/// within a quad are about a third of the tolerance away for it. By quad, row by row.
+/// The stiffness of plates with the quads' own shape, by quad, row by row: if a surface can turn by a radian
+/// less within a quad, it may be about a third of the tolerance farther away for it.
 [[nodiscard]] std::vector<ThinPlate> thinPlates(const ReferenceGrid& reference, double tolerance);
 
-/// Plates that give way to any error, where those above keep surfaces from following the reference.
+/// Plates that yield to any error, for patches where the ones above prevent the surface from following the
+/// reference.
 /// \param size  quads along u and v
 [[nodiscard]] std::vector<ThinPlate> softPlates(const std::array<int, 2>& size);
 
