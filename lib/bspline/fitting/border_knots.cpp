@@ -17,8 +17,8 @@ public:
     StretchKnots(const Layout& layout, const Stretch& stretch, KnotPlan& plan)
         : layout_(layout), stretch_(stretch), plan_(plan) {}
 
-    /// The last grid line in an interval, both ends included, that is a knot of all these sides.
-    /// \return 0 if there is none; the interval begins after the stretch
+    /// The last grid line from `begin` to `end`, both included, that is a knot of all given sides.
+    /// \return 0 if there is none
     [[nodiscard]] int last(int begin, int end, std::span<const std::size_t> sides) const {
         for (int x = end; x >= begin; --x)
             if (std::ranges::all_of(sides, [&](std::size_t side) { return isKnot(x, side); })) return x;
@@ -45,13 +45,13 @@ private:
     KnotPlan& plan_;
 };
 
-/// The line of a lattice that runs along a side.
+/// The number of the lattice line that runs along a side.
 std::size_t lineAlong(const LatticeLines& lines, int side) {
     return side == 1 || side == 2 ? lines.count() - 1 : 0;
 }
 
-/// The knot that ends the interval from `begin`, where a cubic reaches to `farthest`: one that both sides
-/// have, or one of them, unless it is much nearer.
+/// The knot that ends the interval from `begin`, if a cubic reaches to `farthest`: one that both sides have,
+/// or else one that one of them has, unless it is much nearer than `farthest`.
 int nextKnot(const StretchKnots& knots, int begin, int farthest) {
     constexpr double notMuchNearer = 0.5;
     const int min = begin + std::max(1, static_cast<int>(std::ceil(notMuchNearer * (farthest - begin))));

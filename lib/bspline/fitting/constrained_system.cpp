@@ -20,8 +20,8 @@ Eigen::VectorXd diagonalOf(Eigen::Index size, const Entries& entries) {
     return diagonal;
 }
 
-/// Rows of equations below those of the form, with weights such that each is of order one in the metric of
-/// the form's diagonal; their constants likewise.
+/// Appends the equations as rows below those of the form. Rows and constants are scaled so that each row is
+/// of order one in the metric of the form's diagonal.
 void appendEquations(const std::vector<LinearForm>& equations, const Eigen::VectorXd& diagonal,
                      Entries& entries, Eigen::MatrixX3d& constants) {
     for (std::size_t row = 0; row < equations.size(); ++row) {
@@ -40,11 +40,11 @@ void appendEquations(const std::vector<LinearForm>& equations, const Eigen::Vect
     }
 }
 
-/// Makes the whole matrix quasi-definite, so that every order of elimination works and equations may depend
-/// on one another; what it changes is mended by refinement.
+/// Makes the matrix quasi-definite, so that any order of elimination works and equations may be redundant;
+/// iterative refinement removes its effect.
 constexpr double relaxation = 1e-12;
 
-/// Smaller systems are solved before other threads have begun.
+/// Smaller systems are solved before other threads have started.
 constexpr Eigen::Index worthThreads = 10000;
 
 } // namespace
@@ -67,7 +67,8 @@ ConstrainedSystem::ConstrainedSystem(std::size_t unknowns, Entries entries,
     factors_.emplace(lower, jobs_);
 }
 
-/// What a solution leaves of the right-hand side and of the equations' constants; all, if there is none yet.
+/// The residual of the right-hand side and of the equations' constants; the right-hand side itself if the
+/// solution is empty.
 Eigen::MatrixX3d ConstrainedSystem::residual(const Eigen::MatrixX3d& rightHandSide,
                                              const Eigen::MatrixX3d& solution) const {
     Eigen::MatrixX3d result(matrix_.rows(), 3);
@@ -89,7 +90,7 @@ void ConstrainedSystem::improve(const Eigen::MatrixX3d& rightHandSide, Accuracy 
     double before = std::numeric_limits<double>::infinity();
     for (int k = 0; k < maxSteps; ++k) {
         Eigen::MatrixX3d correction = factors_->solve(residual(rightHandSide, solution));
-        // What does not become smaller is rounding.
+        // A correction that does not become smaller is rounding.
         const double change = correction.topRows(unknowns_).norm();
         if (change > 0.9 * before) break;
         if (solution.rows() == 0)

@@ -10,12 +10,12 @@ namespace {
 
 using Eigen::Index;
 
-/// Columns that are eliminated one by one before the others see them, all at once.
+/// Width of the blocks of columns that are eliminated before all later columns are updated at once.
 constexpr Index blockWidth = 32;
-/// Columns of the rest that one thread works on.
+/// Number of columns of the rest that one thread updates.
 constexpr Index stripWidth = 128;
 
-/// Columns begin ... end - 1, whose earlier columns are eliminated.
+/// Eliminates columns begin ... end - 1; all earlier columns are eliminated and applied already.
 void eliminateBlock(Index begin, Index end, Eigen::MatrixXd& columns) {
     const Index height = columns.rows();
     for (Index k = begin; k < end; ++k) {

@@ -10,8 +10,8 @@
 namespace qm {
 namespace {
 
-/// Parents, and the number of entries in every column of the factor: row k has entries in the columns on the
-/// paths from the row's entries in the matrix up to k.
+/// Sets the parents and the number of entries in every column of the factor: row k has entries in the columns
+/// on the paths from the row's entries in the matrix up to k.
 void growTree(const Eigen::SparseMatrix<double>& upper, EliminationTree& tree) {
     const auto size = at(upper.cols());
     tree.parent.assign(size, EliminationTree::none);
@@ -28,10 +28,10 @@ void growTree(const Eigen::SparseMatrix<double>& upper, EliminationTree& tree) {
     }
 }
 
-/// New numbers of the columns: children directly before their parent, the one with the most entries last.
+/// New numbers of the columns: each child directly before its parent, the child with the most entries last.
 std::vector<int> postorder(const EliminationTree& tree) {
     const std::size_t size = tree.parent.size();
-    std::vector<int> subtree(size, 1); // its number of columns
+    std::vector<int> subtree(size, 1); // number of columns in the subtree
     std::vector<int> largest(size, EliminationTree::none);
     for (std::size_t k = 0; k < size; ++k) {
         if (tree.parent[k] == EliminationTree::none) continue;
@@ -41,7 +41,8 @@ std::vector<int> postorder(const EliminationTree& tree) {
         if (child == EliminationTree::none || tree.entries[k] >= tree.entries[at(child)])
             child = static_cast<int>(k);
     }
-    // From the root down, every subtree gets a range; `begin` is what is still free of a column's.
+    // From the root down, every subtree gets a range of numbers; `begin` is the first number that is still
+    // free.
     std::vector<int> number(size);
     std::vector<int> begin(size);
     int next = 0;
@@ -65,7 +66,7 @@ std::vector<int> postorder(const EliminationTree& tree) {
 
 EliminationTree eliminationTree(const Eigen::SparseMatrix<double>& lower) {
     EliminationTree found;
-    Permutation inverse; // Eigen's orderings give the inverse
+    Permutation inverse; // Eigen's orderings return the inverse
     Eigen::AMDOrdering<int>()(lower.selfadjointView<Eigen::Lower>(), inverse);
     found.order = inverse.inverse();
     Eigen::SparseMatrix<double> upper(lower.rows(), lower.cols());

@@ -13,10 +13,10 @@
 namespace qm {
 namespace {
 
-/// Of a point's weight, where the reference folds over a sound quad.
+/// Factor of a point's weight where the reference folds over a sound quad.
 constexpr double ofGuesses = 0.05;
 
-/// The share of a direction that stands for each of its parameters.
+/// The share of a direction that each of its parameters represents.
 std::vector<double> widths(const std::vector<double>& parameters) {
     std::vector<double> result(parameters.size());
     for (std::size_t k = 0; k + 1 < parameters.size(); ++k) {
@@ -54,7 +54,7 @@ void markSide(const LatticeSource& source, std::size_t side, const std::vector<S
     }
 }
 
-/// Where the reference itself is folded, patches are not asked to be free of folds.
+/// Forgets the normals where the reference itself is folded: patches need not be free of folds there.
 void forgetFoldedNormals(FitLattice& lattice) {
     const std::vector<Point> all = lattice.normals;
     const std::size_t columns = lattice.columns();
@@ -69,7 +69,7 @@ void forgetFoldedNormals(FitLattice& lattice) {
     }
 }
 
-/// For every parameter of a finer list the interval of a coarser one that it lies in, and how far.
+/// The place of a parameter in a coarser list: its interval, and how far it lies within it.
 struct Place {
     std::size_t first = 0;
     double share = 0;

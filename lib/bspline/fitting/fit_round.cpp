@@ -12,7 +12,7 @@ double missedBy(const PatchErrors& errors) {
 }
 
 RoundScore scoreOf(const std::vector<double>& missed, bool keeps, const std::vector<Patch>& patches) {
-    constexpr double share = 0.2; // many that miss something are worse than one
+    constexpr double share = 0.2; // many patches that miss a little are worse than one
     const double all = std::accumulate(missed.begin(), missed.end(), 0.0);
     const double largest = missed.empty() ? 0 : std::ranges::max(missed);
     return {keeps, largest + share * all, controlPointCount(patches)};
@@ -20,7 +20,7 @@ RoundScore scoreOf(const std::vector<double>& missed, bool keeps, const std::vec
 
 bool isBetter(const RoundScore& one, const RoundScore& other, bool keepsFirst) {
     constexpr double factor = 1.05;
-    constexpr double negligible = 0.02; // what it takes away is worth no control points
+    constexpr double negligible = 0.02; // a reduction of errors by less is worth no control points
     const auto isWorse = [](double a, double b) { return a > factor * b + negligible; };
     if (keepsFirst && one.keeps != other.keeps) return one.keeps;
     if (isWorse(one.missed, other.missed) || isWorse(other.missed, one.missed))

@@ -19,24 +19,24 @@
 namespace qm {
 namespace {
 
-/// How far single cubics between the first knots may be from the reference, in tolerances: a spline with
-/// these knots is farther away.
+/// How far single cubics between the first knots may be from the reference, in tolerances. A spline with
+/// these knots is farther away, because its pieces must fit together.
 struct FirstKnots {
     static constexpr double ofPatches = 0.2;
     static constexpr double ofBorders = 0.4;
 };
 
-/// Errors that removals may come to; what is near 1 comes back.
+/// Knots are removed only if the errors stay below this; errors closer to 1 would bring the knots back.
 constexpr double removalLimit = 0.9;
 
-/// A weight may grow by `growth` a round, up to `max`.
+/// The weight of a point grows by `growth` per round, up to `max`.
 struct Emphasis {
     static constexpr double growth = 3;
     static constexpr double max = 100;
 };
 
-/// What a round changes is solved for together with patches around; with small ones there are more of them,
-/// until there are so many control points.
+/// If few patches have changed, more of the patches around them are solved for, up to this many control
+/// points.
 constexpr double minPoints = 1000;
 
 } // namespace
@@ -69,7 +69,7 @@ FitState::parametersOf(std::size_t patch, const std::array<std::vector<double>, 
             latticeParameters(size[1], options_.steps, knots[1])};
 }
 
-/// What has changed since the last solution, and what still errs.
+/// Marks the patches that have changed since the last solution or still miss the tolerance.
 std::vector<bool> FitState::changedPatches(const std::vector<PatchSpace>& before) const {
     std::vector<bool> changed = reweighed_;
     for (std::size_t k = 0; k < sources_.size(); ++k)
@@ -109,7 +109,7 @@ void FitState::solve(int slides, bool forAll) {
     solvedRuns_ = plan_.network().runs;
 }
 
-/// \return false if not all patches are free and those that are cannot meet the others; then nothing has slid
+/// \return false if only some patches are free and these cannot meet the others; then no target has slid
 bool FitState::solveFor(const std::vector<bool>& isFree, int slides) {
     const auto forFree = [&](const auto& function) {
         parallelFor(sources_.size(), jobs_, [&](std::size_t k) {
@@ -139,7 +139,7 @@ bool FitState::solveFor(const std::vector<bool>& isFree, int slides) {
     return true;
 }
 
-/// Measures patches anew, at the points of their lattices.
+/// Measures patches again at the points of their lattices.
 void FitState::assess(const std::vector<bool>& isNew) {
     parallelFor(sources_.size(), jobs_, [&](std::size_t k) {
         if (!isNew[k]) return;

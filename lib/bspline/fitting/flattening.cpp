@@ -17,7 +17,7 @@ namespace {
 
 using Planes = std::vector<std::optional<Plane>>;
 
-/// Plane patches and those within two patches of them: the others stay.
+/// The plane patches and those within two patches of them; all others stay as they are.
 std::vector<bool> movingPatches(const SmoothNetwork& network, const Planes& planes) {
     std::vector<bool> moves(planes.size());
     for (std::size_t k = 0; k < planes.size(); ++k)
@@ -25,15 +25,15 @@ std::vector<bool> movingPatches(const SmoothNetwork& network, const Planes& plan
     return withNeighbours(network, std::move(moves), 2);
 }
 
-/// Moving patches that equations join, and nothing else joins to others.
+/// Moving patches that are joined by equations, and are not joined to others.
 struct Group {
     std::vector<std::size_t> patches;
     std::size_t unknowns = 0;
-    std::vector<LinearForm> equations; ///< in the unknowns of its patches, one patch after the other
+    std::vector<LinearForm> equations; ///< in the unknowns of the group's patches, one patch after the other
 };
 
-/// The group of every patch that moves; others have none. Groups have their patches and unknowns, and no
-/// equations yet.
+/// Divides the patches that move into groups with their patches and unknowns, but no equations yet.
+/// \return by patch: its group; patches that stay have none
 std::vector<std::size_t> groupPatches(const SmoothNetwork& network, const std::vector<PatchSpace>& spaces,
                                       const std::vector<bool>& moves, std::vector<Group>& groups) {
     DisjointSets joined(spaces.size());
@@ -55,12 +55,12 @@ std::vector<std::size_t> groupPatches(const SmoothNetwork& network, const std::v
     return groupOf;
 }
 
-/// Divides what moves into groups.
+/// Divides the moving patches and the equations between them into groups.
 std::vector<Group> divided(const Layout& layout, const SmoothNetwork& network,
                            const std::vector<PatchSpace>& spaces, const std::vector<bool>& moves) {
     std::vector<Group> groups;
     const std::vector<std::size_t> groupOfPatch = groupPatches(network, spaces, moves, groups);
-    // By moving unknown: its group, and its number in there.
+    // By moving unknown: its group, and its number within the group.
     std::vector<std::size_t> groupOf;
     std::vector<std::size_t> ofGroup;
     std::vector<std::size_t> next(groups.size());
@@ -81,7 +81,7 @@ std::vector<Group> divided(const Layout& layout, const SmoothNetwork& network,
     return groups;
 }
 
-/// Puts the plane patches of one group into their planes.
+/// Moves the plane patches of one group into their planes.
 class GroupFlattening {
 public:
     GroupFlattening(const Group& group, Planes& planes, std::vector<Patch>& patches)
@@ -108,7 +108,7 @@ private:
                 f(patch, unknown++, point);
     }
 
-    /// \return whether all planes can be had at once; where not, the worst are dropped, and the patches stay
+    /// \return whether all planes could be reached at once; if not, the worst are dropped and the patches stay
     bool tryAll() {
         std::vector<PlaneDemand> demands;
         std::vector<std::size_t> demanding;
@@ -124,7 +124,8 @@ private:
         constexpr double tooFar = 1e-8;
         constexpr double worst =
             0.8; // of the farthest: one that cannot be had keeps its neighbours away, too
-        // Times what was missing: planes that can hardly be had push all around away.
+        // In multiples of the distance that was missing: planes that can hardly be reached push all patches
+        // around away.
         constexpr double tooMuch = 5;
         const double size = largestDistance(points_);
         const Eigen::VectorXd left = missingHeights(demands, flat).cwiseAbs();
@@ -150,7 +151,7 @@ private:
     Planes& planes_;
     std::vector<Patch>& patches_;
     LeastChange change_;
-    Eigen::MatrixX3d points_; ///< as they were
+    Eigen::MatrixX3d points_; ///< before flattening
 };
 
 } // namespace

@@ -10,11 +10,11 @@ namespace qm {
 namespace {
 
 struct GaussPoint {
-    double at; ///< from -1 to 1
+    double at; ///< position, from -1 to 1
     double weight;
 };
 
-/// Exact up to degree 7; a product of two cubics has 6.
+/// Gauss points that are exact up to degree 7; a product of two cubics has degree 6.
 constexpr std::array<GaussPoint, 4> gauss = {
     GaussPoint{-0.8611363115940526, 0.3478548451374538}, GaussPoint{-0.3399810435848563, 0.6521451548625461},
     GaussPoint{0.3399810435848563, 0.6521451548625461}, GaussPoint{0.8611363115940526, 0.3478548451374538}};

@@ -29,7 +29,7 @@ public:
     }
 
 private:
-    /// The error from which on a patch is refined.
+    /// Determines for every patch the error above which it is refined.
     void measureNeighbourhoods() {
         constexpr double share = 0.5;
         std::vector<double> own;
@@ -46,7 +46,7 @@ private:
             limit = std::max(1.0, share * limit);
     }
 
-    /// The part of a border along which a tangent ratio is not zero.
+    /// The part of a border along which a tangent ratio does not vanish.
     [[nodiscard]] KnotCell along(const StretchSide& place, double x, double reach) const {
         const auto& size = layout_.segments[place.patch].size;
         const std::size_t direction = directionAlong(place.side);
@@ -79,10 +79,10 @@ private:
     void divideCell(std::size_t patch, const KnotCell& cell) {
         const WorstPoint worst = worstIn(cell, lattices_[patch], errors_[patch]);
         if (worst.error <= limits_[patch]) return;
-        constexpr double negligible = 0.5; // of the other direction's variation
+        constexpr double negligible = 0.5; // relative to the variation in the other direction
         const auto varied = variation(cell, lattices_[patch], errors_[patch]);
         const auto canDivide = [&](std::size_t d) { return cell.length(d) > plan_.minInterval(patch, d); };
-        // A border follows the reference better only by knots along it.
+        // Only knots along a border bring the border nearer to the reference.
         const auto helps = [&](std::size_t d) {
             const bool isAlong = isOnBorder(patch, d, worst);
             const bool isAcross = isOnBorder(patch, 1 - d, worst);
@@ -93,13 +93,13 @@ private:
             if (helps(d) || !canDivide(1 - d)) divideAlong(patch, d, cell, worst);
     }
 
-    /// Whether a place is on one of the sides along a direction.
+    /// Whether a place is on a side that runs in this direction.
     [[nodiscard]] bool isOnBorder(std::size_t patch, std::size_t direction, const WorstPoint& worst) const {
         const double across = worst.at[1 - direction];
         return across == 0 || across == layout_.segments[patch].size[1 - direction];
     }
 
-    /// Divides the cell, or what its neighbours have beside it where that is longer.
+    /// Divides the cell's interval, or the interval of a neighbour beside it where that is longer.
     void divideAlong(std::size_t patch, std::size_t direction, const KnotCell& cell,
                      const WorstPoint& worst) {
         const auto& size = layout_.segments[patch].size;
@@ -124,7 +124,7 @@ private:
         if (isOwnNeeded) divide(patch, direction, cell.begin[direction], cell.end[direction]);
     }
 
-    /// Inserts a knot near the middle of an interval: one that a neighbour has, or a grid line.
+    /// Inserts a knot near the middle of an interval, at a neighbour's knot or a grid line if possible.
     void divide(std::size_t patch, std::size_t direction, double begin, double end) {
         const double length = end - begin;
         if (length <= plan_.minInterval(patch, direction)) return;

@@ -13,7 +13,7 @@ void insertSorted(std::vector<double>& list, double knot) {
     if (place == list.end() || *place != knot) list.insert(place, knot);
 }
 
-/// Of every side of every patch, edge by edge in the direction of the parameters: is it smooth?
+/// Whether each edge of each side of each patch is smooth, in the direction of the parameters.
 using SmoothFlags = std::vector<std::array<std::vector<bool>, 4>>;
 
 SmoothFlags smoothSides(const std::vector<std::array<int, 2>>& sizes, const SmoothNetwork& network) {
@@ -45,7 +45,8 @@ KnotLists findTurns(const std::vector<std::array<int, 2>>& sizes, const SmoothNe
     return turns;
 }
 
-/// Grid lines are cheaper than what lies between them, as neighbours share them.
+/// Half a length, rounded down to whole edges above one edge: knots at grid lines are cheaper, because
+/// neighbours have them as well.
 double half(double length) {
     return length > 1 ? std::floor(length / 2) : length / 2;
 }

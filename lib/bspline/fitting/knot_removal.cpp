@@ -9,10 +9,10 @@
 namespace qm {
 namespace {
 
-/// Third derivatives of a patch across its lines of parameters, in one knot interval.
+/// The third derivatives of a patch within one knot interval, by line across it.
 std::vector<Point> thirdDerivatives(const Patch& patch, std::size_t direction, double begin, double end,
                                     const std::vector<double>& lines) {
-    // First derivatives are quadratic there, so their second differences are exact.
+    // First derivatives are quadratic in the interval, so second differences are exact.
     const double step = (end - begin) / 4;
     const std::vector<double> along{begin + step, begin + 2 * step, begin + 3 * step};
     const auto points =
@@ -27,11 +27,12 @@ std::vector<Point> thirdDerivatives(const Patch& patch, std::size_t direction, d
     return result;
 }
 
-/// What errors would be around a knot if it were not there: distances in tolerances, slopes in what is
-/// allowed.
+/// Predicts the largest error around a knot if it is removed: of distances in tolerances, and of slopes
+/// relative to their limits.
 double errorWithout(const FitLattice& lattice, const NormalLimits& limits, const Patch& patch,
                     const PatchErrors& errors, double tolerance, std::size_t direction, std::size_t knot) {
-    // The deflection of a beam under a load in its middle, between clamped and free ends, and its slope.
+    // Deflection and slope of a beam under a load in its middle; the deflection lies between those for
+    // clamped and for free ends.
     constexpr double deflection = 1.0 / 150;
     constexpr double slope = 4;
     const auto& knots = patch.knots[direction];

@@ -9,9 +9,9 @@
 namespace qm {
 namespace {
 
-/// Of the reference's Jacobian: what has less counts as folded.
+/// A patch counts as folded where its Jacobian is less than this share of the reference's.
 constexpr double minJacobian = 0.1;
-/// At creases and corners, where the sides of a patch may come nearer to one line.
+/// The same at creases and corners, where the sides of a patch may be more nearly parallel.
 constexpr double minJacobianAtSides = 0.01;
 
 std::vector<SurfacePoint> pointsOf(const Patch& patch, const FitLattice& lattice) {
@@ -23,16 +23,16 @@ bool isFolded(const FitLattice& lattice, std::size_t k, const SurfacePoint& poin
     return ((point.du % point.dv) | lattice.normals[k]) < min * lattice.jacobian[k];
 }
 
-/// Where a surface has slid along a bend, the mean of both normals tells how far it is: the chord between two
-/// points of a parabola is perpendicular to it. Zero where the normals have nothing to do with one another.
+/// The mean of both normals. Where a surface has slid along a bend this is the direction to measure the
+/// distance in, because the chord between two points of a parabola is perpendicular to it. Zero where the
+/// normals differ too much.
 Point meanNormal(const FitLattice& lattice, std::size_t k, const SurfacePoint& point) {
     const Point sum = lattice.axes[k] + unitNormal(point.du, point.dv).value_or(Point(0, 0, 0));
     const double length = sum.norm();
     return length > 1 ? sum / length : Point(0, 0, 0);
 }
 
-/// The same for the direction of a crease: what is perpendicular to the mean of both curves' directions is
-/// the distance between them.
+/// The same for the direction of a crease: the distance is perpendicular to the mean of both directions.
 Point meanDirection(const FitLattice& lattice, std::size_t k, const SurfacePoint& point) {
     const Point& axis = lattice.axes[k];
     const Point u = unit(point.du);
@@ -41,11 +41,11 @@ Point meanDirection(const FitLattice& lattice, std::size_t k, const SurfacePoint
     return unit(axis + ((along | axis) < 0 ? -along : along));
 }
 
-/// How much the normals of surface and reference may differ where targets slide: the cosine of half the
+/// Targets slide only where the normals of surface and reference agree up to this: the cosine of half their
 /// angle.
 constexpr double minCosine = 0.92;
 
-/// Distance of a patch from the reference, on the whole.
+/// The weighted mean distance of a patch from the reference.
 double meanDistance(const FitLattice& lattice, const std::vector<SurfacePoint>& points) {
     double sum = 0;
     double weights = 0;
@@ -95,8 +95,7 @@ double signedDistance(const FitLattice& lattice, std::size_t k, const SurfacePoi
     }
     const Point mean =
         lattice.freedom[k] == Freedom::surface ? meanNormal(lattice, k, point) : Point(0, 0, 0);
-    // Where the surface is turned away from the reference, nothing is known but that it is no farther than
-    // this.
+    // Where the surface turns away from the reference, the offset is only an upper bound of the distance.
     constexpr double turnedAway = 0.87; // cosine of half of 60 degrees
     if (lattice.freedom[k] == Freedom::surface && (lattice.axes[k] | mean) < turnedAway) return offset.norm();
     return mean.sqrnorm() > 0 ? (offset | mean) : distance(lattice, k, offset);
@@ -120,13 +119,13 @@ PatchErrors latticeErrors(const FitLattice& lattice, const Patch& patch, double 
 }
 
 void slideTargets(const Patch& patch, double slack, FitLattice& lattice) {
-    // Enough to make slides converge in few steps, not so much that they oscillate.
+    // Enough for slides to converge in a few steps, but not so much that they oscillate.
     constexpr double momentum = 0.8;
-    // Draws back to the reference's parameters, where nothing else decides.
+    // Draws targets back to the reference's parameters where nothing else determines them.
     constexpr double anchor = 0.01;
-    // The same along the normal: waves are much stiffer than this, and the shapes of whole parts much softer.
+    // The same along the normal: waves are much stiffer than this, the shapes of whole parts much softer.
     constexpr double restoring = 0.15;
-    constexpr double maxSlide = 1; // of the reference's edges
+    constexpr double maxSlide = 1; // relative to the reference's edges
     const auto points = pointsOf(patch, lattice);
     std::vector<bool> areFolded(points.size());
     for (std::size_t k = 0; k < points.size(); ++k)

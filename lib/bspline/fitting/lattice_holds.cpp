@@ -25,7 +25,7 @@ void hold(std::size_t point, int times, FitLattice& lattice) {
     lattice.targets.points[point] = lattice.reference[point];
 }
 
-/// Counts marks in rectangles, at once however large these are.
+/// Counts marks in rectangles, each in constant time.
 class RectangleCounts {
 public:
     RectangleCounts(const std::vector<bool>& marks, std::size_t columns)
@@ -45,7 +45,7 @@ private:
     [[nodiscard]] int sum(std::size_t column, std::size_t row) const { return sums_[row * width_ + column]; }
 
     std::size_t width_;
-    std::vector<int> sums_; ///< of all before a column and a row
+    std::vector<int> sums_; ///< number of marks before a column and a row
 };
 
 } // namespace

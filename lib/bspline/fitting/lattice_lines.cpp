@@ -9,13 +9,13 @@
 namespace qm {
 namespace {
 
-/// How much an offset along the reference counts: the fit may slide, but not far.
+/// Weight of an offset along the reference: the fit may slide, but not far.
 constexpr double ofSlides = 0.3;
 
-/// Coefficients of a cubic.
+/// Number of coefficients of a cubic.
 constexpr Eigen::Index coefficients = 4;
 
-/// Orthonormal polynomials up to degree 3 over equally spaced places.
+/// Orthonormal polynomials up to degree 3, at equally spaced places.
 Eigen::MatrixX4d orthonormalCubics(Eigen::Index places) {
     Eigen::MatrixX4d basis(places, coefficients);
     for (Eigen::Index i = 0; i < places; ++i) {

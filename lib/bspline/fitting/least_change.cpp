@@ -19,8 +19,8 @@ Eigen::Index row(const PlaneDemand& demand) {
     return static_cast<Eigen::Index>(demand.unknown);
 }
 
-/// Pushes every point that a demand is about along its plane's normal.
-/// \param pressure  by demand
+/// Moves the point of every demand along the normal of its plane.
+/// \param pressure  by demand: how far
 Eigen::MatrixX3d spread(const std::vector<PlaneDemand>& demands, const Eigen::VectorXd& pressure,
                         Eigen::Index unknowns) {
     Eigen::MatrixX3d push = Eigen::MatrixX3d::Zero(unknowns, 3);
@@ -30,7 +30,7 @@ Eigen::MatrixX3d spread(const std::vector<PlaneDemand>& demands, const Eigen::Ve
     return push;
 }
 
-/// By demand, how far the point is along its plane's normal.
+/// By demand: the coordinate of its point along the normal of its plane.
 Eigen::VectorXd heights(const std::vector<PlaneDemand>& demands, const Eigen::MatrixX3d& points) {
     Eigen::VectorXd result(static_cast<Eigen::Index>(demands.size()));
     for (std::size_t k = 0; k < demands.size(); ++k)
@@ -46,7 +46,7 @@ LeastChange::LeastChange(std::size_t unknowns, std::vector<LinearForm> equations
       allowed_(unknowns, identity(unknowns_), equations_, {}, 1) {}
 
 Eigen::MatrixX3d LeastChange::run(const std::vector<PlaneDemand>& demands, Eigen::MatrixX3d points) const {
-    constexpr int passes = 4; // the later ones mend the rounding of those before
+    constexpr int passes = 4; // the later ones remove the rounding errors of those before
     constexpr double enough = 1e-14;
     for (int k = 0; k < passes && missingHeights(demands, points).lpNorm<Eigen::Infinity>() >
                                       enough * largestDistance(points);
@@ -69,8 +69,9 @@ double LeastChange::violation(const Eigen::MatrixX3d& change) const {
 Eigen::MatrixX3d LeastChange::change(const std::vector<PlaneDemand>& demands,
                                      const Eigen::MatrixX3d& points) const {
     constexpr int maxIterations = 60;
-    constexpr double enough = 1e-15;    // of the size of the points
-    constexpr double worthwhile = 1e-7; // of what is missing: drafts give no more digits, the next pass does
+    constexpr double enough = 1e-15; // relative to the size of the points
+    constexpr double worthwhile =
+        1e-7; // relative to what is missing: drafts give no more digits, and the next pass does
     const double size = largestDistance(points);
     Eigen::VectorXd residual = missingHeights(demands, points);
     Eigen::VectorXd pressure = Eigen::VectorXd::Zero(residual.size());
@@ -92,7 +93,7 @@ Eigen::MatrixX3d LeastChange::change(const std::vector<PlaneDemand>& demands,
     return allowed(spread(demands, pressure, unknowns_), Accuracy::rounding);
 }
 
-/// What comes nearest to a change among those that the equations allow.
+/// The change that is nearest to the given one among those that the equations allow.
 Eigen::MatrixX3d LeastChange::allowed(const Eigen::MatrixX3d& change, Accuracy accuracy) const {
     Eigen::MatrixX3d solution;
     allowed_.improve(change, accuracy, solution);

@@ -10,9 +10,9 @@
 namespace qm {
 namespace {
 
-/// Radians. Eyes see waves in reflections from about this on.
+/// Radians; smaller waves are not seen in reflections.
 constexpr double minLimit = 0.1 / 180 * std::numbers::pi;
-/// Times the unevenness of the normal's turns: knots that follow less would follow noise.
+/// Factor of the unevenness with which the normal turns: closer limits would follow noise.
 constexpr double share = 2;
 
 std::vector<double> integersTo(int last) {
@@ -21,7 +21,7 @@ std::vector<double> integersTo(int last) {
     return result;
 }
 
-/// By how much the turn into a direction differs from the turn out of it, radians.
+/// The difference between the turns into and out of a direction, in radians.
 double unevenness(const Point& before, const Point& here, const Point& after) {
     const Point change = before - 2.0 * here + after;
     return (change - here * (change | here)).norm();

@@ -8,13 +8,13 @@
 namespace qm {
 namespace {
 
-/// The entries between a control point and those that come after it: (i + di, j + dj) for dj 0 to 3 and di -3
-/// to 3, of which those with dj = 0 and di < 0 stay unused.
+/// The entries between a control point (i, j) and the later ones (i + di, j + dj) for dj from 0 to 3 and di
+/// from -3 to 3; those with dj = 0 and di < 0 are not used.
 class LocalForm {
 public:
     LocalForm(std::size_t columns, std::size_t rows) : columns_(columns), entries_(columns * rows * 28) {}
 
-    /// Of control points (i, j) and (i + di, j + dj).
+    /// The entry of control points (i, j) and (i + di, j + dj).
     double& at(std::size_t i, std::size_t j, std::ptrdiff_t di, std::size_t dj) {
         return entries_[((j * columns_ + i) * 4 + dj) * 7 + static_cast<std::size_t>(di + 3)];
     }
@@ -40,7 +40,7 @@ private:
     std::vector<double> entries_;
 };
 
-/// Adds the thin-plate energy over one piece of each direction.
+/// Adds the thin-plate energy over one piece in each direction.
 void addBending(const GramPiece& u, const GramPiece& v, const ThinPlate& plate, LocalForm& form) {
     for (std::size_t j = 0; j < 4; ++j)
         for (std::size_t dj = 0; j + dj < 4; ++dj)
@@ -54,7 +54,7 @@ void addBending(const GramPiece& u, const GramPiece& v, const ThinPlate& plate, 
                 }
 }
 
-/// A symmetric matrix with three diagonals beside its own: entry (i, i + d) at [i][d].
+/// A symmetric band matrix: entry (i, i + d) is at [i][d], for d from 0 to 3.
 using BandMatrix = std::vector<std::array<double, 4>>;
 
 /// The weighted products of the B-splines along u, summed over one row of the lattice.
@@ -67,7 +67,7 @@ BandMatrix rowProducts(const std::vector<BasisValues>& basis, const double* weig
     return sums;
 }
 
-/// Adds a row's sums to all pairs of control points' rows that have a share in it.
+/// Adds the sums of one lattice row to all pairs of rows of control points that it depends on.
 void addRow(const BandMatrix& sums, const BasisValues& v, LocalForm& form) {
     for (std::size_t a = 0; a < 4; ++a)
         for (std::size_t b = a; b < 4; ++b) {

@@ -13,9 +13,10 @@
 namespace qm {
 namespace {
 
-/// \param patches  whose reference points the plane is laid through
-/// \param share  of their smaller extent, how far they may be from it: what is small is not plane because it
-/// bends little
+/// The plane through the reference points of some patches, if there is one.
+/// \param patches  the patches whose points it must contain
+/// \param share    largest distance of the points from it, relative to their smaller extent: small patches are not
+/// plane just because they bend little in absolute terms
 std::optional<Plane> planeThrough(const std::vector<ReferenceGrid>& reference,
                                   std::span<const std::size_t> patches, double tolerance, double share) {
     const auto forEachPoint = [&](const auto& f) {
@@ -44,7 +45,7 @@ std::optional<Plane> planeThrough(const std::vector<ReferenceGrid>& reference,
 
 constexpr double flat = 1e-4; ///< share of its extent that a plane may be thick
 
-/// Gives planes to those of some patches that are plane together with what they meet smoothly.
+/// Finds planes for those patches that are plane together with their smooth neighbours.
 void findPlanes(const std::vector<ReferenceGrid>& reference, const SmoothNetwork& network, double tolerance,
                 const std::vector<bool>& isPlane, std::vector<std::optional<Plane>>& planes) {
     DisjointSets groups(reference.size());
@@ -75,8 +76,8 @@ std::vector<std::optional<Plane>> planesOf(const std::vector<ReferenceGrid>& ref
                 !planes[k] && planeThrough(reference, std::span(&k, 1), tolerance, share).has_value();
         findPlanes(reference, network, tolerance, isPlane, planes);
     };
-    look(1);    // narrow patches between others of the same plane
-    look(flat); // where such a chain bends, those that are plane without doubt
+    look(1);    // finds narrow patches between others of the same plane
+    look(flat); // where such a chain bends, finds the patches that are plane without doubt
     return planes;
 }
 

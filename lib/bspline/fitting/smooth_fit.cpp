@@ -16,27 +16,28 @@ namespace qm {
 namespace {
 
 constexpr int maxRemovals = 6;
-/// Rounds that it may take after a removal to keep the tolerance again.
+/// Number of rounds after a removal within which the tolerance must be kept again.
 constexpr int maxRepairs = 4;
-/// Rounds without a better result, after which none is expected.
+/// A search ends after so many rounds without a better result.
 constexpr int maxIdle = 12;
-/// Weights alone go on while each round leaves at most this share of what is missed.
+/// Weights alone are changed as long as each round leaves at most this share of what is missed.
 constexpr double worthwhileGain = 0.9;
-/// Removals go on while each leaves at most this share of the control points.
+/// Removals are repeated as long as each leaves at most this share of the control points.
 constexpr double worthwhile = 0.985;
 
-/// Rounds that it may take to mend what a verification has found.
+/// Number of rounds for mending what a verification has found.
 constexpr int roundsOfMending = 8;
 
-/// A verification that finds so much more than one before, or with so many more control points, is the
-/// last, if all can begin anew: what follows takes ever more knots.
+/// If a verification finds a distance or a number of control points larger than the previous one by these
+/// factors, it is the last of its attempt, unless this is the last attempt: more rounds would add ever more
+/// knots.
 struct Astray {
     static constexpr double distance = 1.2;
     static constexpr double points = 1.5;
 };
 
-/// What is so many tolerances away will not come within one: it is not verified again nor begun anew, and
-/// the search for it ends where many rounds together do not halve the distance.
+/// A fit that is so many tolerances away will not come within one. It is not verified again and not attempted
+/// anew, and its search ends if this many rounds together do not halve the distance.
 struct Hopeless {
     static constexpr double distance = 1000;
     static constexpr int rounds = 6;
@@ -44,9 +45,9 @@ struct Hopeless {
 
 struct Fitted {
     std::vector<Patch> patches;
-    std::vector<double> distances; ///< by patch, in tolerances, if they were verified
+    std::vector<double> distances; ///< by patch, in tolerances; empty if they have not been verified
 
-    /// 0 without patches.
+    /// 0 if nothing was verified.
     [[nodiscard]] double farthest() const { return distances.empty() ? 0 : std::ranges::max(distances); }
     [[nodiscard]] bool isHopeless() const { return farthest() > Hopeless::distance; }
 };
@@ -69,7 +70,7 @@ public:
           state_(mesh, layout, network, reference, options, isSoft, jobs) {}
 
     Fitted run(const Verification& verify, bool mayBeginAnew, const Control& control) {
-        state_.solve(2 * options_.slides, true); // more while there are few knots
+        state_.solve(2 * options_.slides, true); // more slides while there are few knots
         search(options_.maxRounds, options_.removesKnots, control);
         chooseBest(verify);
         flattenBest(verify);
@@ -91,8 +92,8 @@ public:
     }
 
 private:
-    /// Rounds of placing knots and fitting, until the tolerance is kept and nothing can be saved.
-    /// \param saves  goes on to do with fewer knots
+    /// Alternates between placing knots and fitting until the tolerance is kept and no knots can be saved.
+    /// \param saves  whether to try to do with fewer knots
     void search(int maxRounds, bool saves, const Control& control) {
         int removals = 0;
         int lastKept = 0;
@@ -114,7 +115,7 @@ private:
             if (++rounds_ > options_.roundsForFolds) state_.giveUpFolds();
             if (state_.worst() <= 1) {
                 const auto count = static_cast<double>(controlPointCount(best_.patches));
-                if (!saves || round + maxRepairs > maxRounds) break; // too late
+                if (!saves || round + maxRepairs > maxRounds) break; // no round is left for repairs
                 if (removals++ == maxRemovals || count > worthwhile * countBefore) break;
                 countBefore = count;
                 lastKept = round;
@@ -124,7 +125,7 @@ private:
             if (best_.score.keeps && idle > 0 && round - lastKept > maxRepairs) break;
             const bool weighed = state_.weighWhatIsMissed();
             const bool refined = state_.refine();
-            // What has no more knots to get may still gain by weights, while it does.
+            // Without more knots to insert, weights may still help.
             const bool gains = state_.excess() < worthwhileGain * excessBefore;
             excessBefore = state_.excess();
             if (refined || (weighed && gains)) continue;
@@ -137,7 +138,7 @@ private:
         return round.distances;
     }
 
-    /// Planes that would spoil the tolerance are left out.
+    /// Moves plane patches into their planes, except where that would break the tolerance.
     void flattenBest(const Verification& verify) {
         if (std::ranges::none_of(planes_, [](const auto& plane) { return plane.has_value(); })) return;
         constexpr int attempts = 5;
@@ -169,7 +170,7 @@ private:
         }
     }
 
-    /// \return whether the round was the best so far, by either rule
+    /// \return whether the round is the best so far by either criterion
     bool keepIfBest() {
         const RoundScore score = state_.score();
         const bool isBest = best_.patches.empty() || isBetter(score, best_.score, true);
@@ -181,7 +182,8 @@ private:
         return true;
     }
 
-    /// Takes the nearest instead where that is in truth nearer, which the lattices do not tell.
+    /// Prefers the nearest round to the best if a verification finds it nearer, which the lattices cannot
+    /// tell.
     void chooseBest(const Verification& verify) {
         if (!verify || nearest_.patches.empty() || nearest_.score == best_.score) return;
         const double ofBest = std::ranges::max(verified(best_, verify));
@@ -193,20 +195,21 @@ private:
     unsigned jobs_;
     std::vector<std::optional<Plane>> planes_;
     FitState state_;
-    int rounds_ = 0; ///< of all searches
+    int rounds_ = 0; ///< in all searches together
     FitRound best_;
-    FitRound nearest_; ///< the same, if what is given up counts as all else does
+    FitRound nearest_; ///< the best if errors that are given up count like all others
 };
 
-/// Stiff patches are fair, but where quads fold or are much narrower than their neighbours they may keep all
-/// around from following the reference; and sliding may lead astray.
+/// The settings of one attempt. Stiff patches are fair, but where quads fold or are much narrower than their
+/// neighbours they can prevent everything around from following the reference, and so can sliding.
 struct Attempt {
     std::vector<bool> isSoft; ///< by patch
     SmoothFitOptions options;
 };
 
-/// At first all patches are stiff, and may be fairer than near. Then nothing is as good as to be near, and
-/// those are soft, and slide less, that miss the tolerance, with those around them; then all are.
+/// In the first attempt all patches are stiff and may be farther away to be fairer. In the second one they
+/// may not, and the patches that miss the tolerance are soft, with their neighbours, and slide less; in later
+/// ones all are soft.
 Attempt attempt(int number, const Fitted& before, const SmoothNetwork& network, std::size_t patches,
                 const SmoothFitOptions& options) {
     if (number == 1) return {std::vector<bool>(patches, false), options};
@@ -225,7 +228,7 @@ Attempt attempt(int number, const Fitted& before, const SmoothNetwork& network, 
 std::vector<Patch> fitSmooth(const QuadMesh& mesh, const Layout& layout, const SmoothNetwork& network,
                              const FitTarget& reference, const SmoothFitOptions& options,
                              const Verification& verify, const Control& control) {
-    // What is verified may be off by this, and is not worth a new beginning.
+    // The relative uncertainty of a verification, for which no new attempt is worth while.
     constexpr double uncertain = 1.02;
     const std::size_t patches = layout.segments.size();
     if (patches == 0) return {};

@@ -23,7 +23,7 @@ Patch patchOf(const PatchSpace& space, std::size_t segment, const Eigen::MatrixX
     return patch;
 }
 
-/// Equations in free unknowns; what patches that stay contribute is constant.
+/// Equations in free unknowns; the terms of patches that stay are constants.
 struct FreeEquations {
     std::vector<LinearForm> forms;
     Eigen::MatrixX3d constants;
@@ -96,7 +96,7 @@ void SmoothSystem::solve(const std::vector<FitLattice>& lattices, Accuracy accur
 }
 
 bool SmoothSystem::holds() const {
-    constexpr double rounding = 1e-11; // of the largest coordinate
+    constexpr double rounding = 1e-11; // relative to the largest coordinate
     return unknowns_ == 0 || system_->violation(solution_) <= rounding * size_;
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Index;
 
-/// The matrix's entries in a supernode's columns, and zeros.
+/// A front with the matrix's entries in a supernode's columns, zero elsewhere.
 DenseFront loaded(const Eigen::SparseMatrix<double>& lower, const Supernode& supernode,
                   std::span<const int> rows) {
     const auto size = static_cast<Index>(rows.size());
@@ -32,8 +32,8 @@ DenseFront loaded(const Eigen::SparseMatrix<double>& lower, const Supernode& sup
     return dense;
 }
 
-/// Adds the Schur complement that a child leaves.
-/// \param places  by row of the complement
+/// Adds the Schur complement of a child.
+/// \param places  by row of the complement: its row in the front
 void add(std::span<const int> places, const Eigen::MatrixXd& complement, DenseFront& dense) {
     const Index columns = dense.columns.cols();
     for (Index j = 0; j < complement.cols(); ++j) {
@@ -80,9 +80,9 @@ SparseFactors::SparseFactors(const Eigen::SparseMatrix<double>& lower, unsigned 
         eliminate(supernode, jobs_);
 }
 
-/// Takes what a supernode's columns leave of the right-hand side.
-/// \param own       at least as high as the supernode; its contents do not matter
-/// \param passedOn  what every supernode's columns take from its rows, one after another
+/// Forward substitution with the columns of one supernode.
+/// \param own       scratch, at least as high as the supernode
+/// \param passedOn  by supernode: what its columns subtract from its rows, one after another
 void SparseFactors::forward(std::size_t number, Rows& x, Rows& own, Rows& passedOn) const {
     const Supernode& supernode = plan_.nodes[number];
     const auto columns = columnsOf(number);

@@ -11,18 +11,18 @@
 namespace qm {
 namespace {
 
-/// A part has at most this share of the work: small enough for several threads, and large enough to leave
-/// little for the rest.
+/// A part has at most this share of the work: small enough to occupy several threads, and large enough to
+/// leave little for the top of the tree.
 constexpr double maxShare = 0.2;
 
-/// The columns of a supernode, while it grows.
+/// The columns of a growing supernode.
 struct Run {
     int begin;
     int end;
-    double entries; ///< of the factor in its columns, the diagonal's included
+    double entries; ///< number of the factor's entries in its columns, diagonal included
 };
 
-/// Dense kernels are fast enough to pay for some zeros: the smaller a supernode is, the more of them
+/// Dense kernels are fast enough to pay for some zeros, the more so the smaller a supernode is
 /// (docs/METHOD.md#ashcraft-1989).
 bool isWorthZeros(double columns, double shareOfZeros) {
     struct Limit {
@@ -35,7 +35,7 @@ bool isWorthZeros(double columns, double shareOfZeros) {
     return shareOfZeros <= 0.05;
 }
 
-/// Joins columns that have the same rows, and then every run to its last child, as long as that is worth it.
+/// Joins columns that have the same rows, then each run to its last child as long as that is worth its zeros.
 std::vector<Run> mergedColumns(const EliminationTree& tree) {
     const auto rowsBelow = [&](const Run& run) { return tree.entries[at(run.end - 1)]; };
     std::vector<Run> runs;
@@ -64,7 +64,7 @@ std::vector<Run> mergedColumns(const EliminationTree& tree) {
     return runs;
 }
 
-/// Appends the rows of the matrix and of the children below a supernode's columns.
+/// Appends the rows below a supernode's columns, which come from the matrix and from its children.
 void appendRows(const Eigen::SparseMatrix<double>& lower, Supernode& node, Supernodes& plan) {
     std::vector<int> rows;
     for (int column = node.begin; column < node.end; ++column)
@@ -95,9 +95,9 @@ void appendPlaces(const Supernode& node, Supernodes& plan) {
     }
 }
 
-/// Collects the largest subtrees that stay below the limit into parts, as many in each as fit.
+/// Collects the largest subtrees with less work than the limit into parts, as many in each as fit.
 std::vector<std::vector<int>> divided(const std::vector<Supernode>& supernodes) {
-    std::vector<double> work(supernodes.size()); // of the subtree below each supernode
+    std::vector<double> work(supernodes.size()); // work of the subtree below each supernode
     double total = 0;
     for (std::size_t k = 0; k < supernodes.size(); ++k) {
         const double height = supernodes[k].height();

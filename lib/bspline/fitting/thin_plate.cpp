@@ -8,13 +8,13 @@ namespace qm {
 namespace {
 
 struct Stiffness {
-    /// What a squared turn by one radian counts, in squared tolerances: with more of it surfaces are fairer,
-    /// but take more control points.
+    /// Weight of the square of a turn by one radian, in squared tolerances: with more, surfaces are fairer
+    /// but need more control points.
     static constexpr double ofTurns = 0.1;
-    /// Weights below do not keep surfaces from oscillating, weights above keep them from bending at all.
+    /// Lower weights do not prevent surfaces from oscillating, higher ones prevent them from bending at all.
     static constexpr double min = 1e-4;
     static constexpr double max = 0.1;
-    /// Quads that are still longer are mostly skewed as well, and have no clear direction.
+    /// Quads that are even longer are mostly skewed as well and have no clear direction.
     static constexpr double maxAspect = 8;
 };
 
