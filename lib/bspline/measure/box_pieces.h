@@ -1,4 +1,4 @@
-/// \file The polynomials that a surface consists of over a rectangle of parameters.
+/// \file The polynomials of which a surface consists over a rectangle of parameters.
 #pragma once
 
 #include "bspline/measure/paired_surfaces.h"
@@ -9,24 +9,25 @@
 
 namespace qm {
 
-/// Ends along u, ends along v.
+/// The ends along u and along v.
 using ParameterBox = std::array<std::array<double, 2>, 2>;
 
 /// A part of a box over which the surface is one polynomial.
 struct BoxPiece {
-    const BezierPiece& piece;                   ///< over that part alone
-    std::array<double, 2> width;                ///< of the part, along u and v
-    std::array<std::array<bool, 2>, 2> isAtEnd; ///< along u and v: at the first side of the box, at the last
+    const BezierPiece& piece;    ///< over this part alone
+    std::array<double, 2> width; ///< of the part, along u and v
+    std::array<std::array<bool, 2>, 2>
+        isAtEnd; ///< along u and v: whether it touches the first and the last side of the box
 };
 
-/// Keeps memory, so one thread uses one.
+/// Reuses its memory, so every thread needs its own.
 class BoxPieces {
 public:
     explicit BoxPieces(const PairedSurfaces& surfaces) : surfaces_(surfaces) {}
 
     /// \param box       within the patch
-    /// \param function  of every `BoxPiece`
-    /// \return false, without a call, if there are too many pieces for a bound that helps
+    /// \param function  called with every `BoxPiece`
+    /// \return false, without any call, if there are too many pieces for a useful bound
     template <class Function>
     bool visit(std::size_t surface, std::size_t patch, const ParameterBox& box, const Function& function) {
         const Cell first = surfaces_.cellAt({patch, {box[0][0], box[1][0]}});

@@ -1,4 +1,4 @@
-/// \file The largest distance between surfaces and their reference, certain to a few per cent.
+/// \file The largest distance between surfaces and their reference, certain to within a few per cent.
 #pragma once
 
 #include "bspline/measure/paired_surfaces.h"
@@ -9,36 +9,35 @@
 
 namespace qm {
 
-/// Distances of a patch from its reference, both ways: no point of either is farther from the other than
-/// `upper`, and at one the search found none nearer than `lower`.
+/// The distance between a patch and its reference in both directions: no point of either is farther from the
+/// other than `upper`, and at one point the search found a distance of `lower`.
 struct CertifiedDeviation {
     double upper = 0;
     double lower = 0;
     LayoutPlace place; ///< where `lower` was found
-    double rms = 0;    ///< over four samples a cell, by their parameters' area
-    /// Distances at these samples, with that area.
+    double rms = 0;    ///< over four samples per cell, weighted by their area of parameters
+    /// The distances at these samples, with that area.
     std::vector<std::pair<double, double>> samples;
 };
 
 struct CertificationOptions {
-    double closing = 0.02;   ///< `upper` is to be within this share of `lower`,
-    double negligible = 0;   ///< or at most this,
-    std::size_t effort = 16; ///< unless that takes more looks than this a cell, and 1000
+    double closing = 0.02;   ///< the search ends once `upper` is within this share of `lower`,
+    double negligible = 0;   ///< or below this,
+    std::size_t effort = 16; ///< or after this number of steps per cell, and 1000
 };
 
-/// Branch and bound over the cells of a patch. First every cell is bounded by the Bezier net of the
-/// difference at equal parameters, which holds for both ways at once; only the cells that can hold the
-/// maximum are looked at more closely, with the surfaces sliding along one another (`DistanceBound`).
+/// Branch and bound over the cells of a patch. Every cell is first bounded by the Bezier net of the
+/// difference at equal parameters, which holds in both directions. Only the cells that may contain the
+/// maximum are divided further, with the surfaces sliding along one another (`DistanceBound`).
 [[nodiscard]] CertifiedDeviation certifiedDeviation(const PairedSurfaces& surfaces, std::size_t patch,
                                                     const CertificationOptions& options);
 
-/// Of all patches. The largest of all `upper` is as close as the options say; that of a patch may also be as
-/// much as half of the largest, which takes a fraction of the time.
+/// The same for all patches. The largest `upper` of all is as close as the options ask; that of a single
+/// patch may also be too large by half of the largest of all, which takes a fraction of the time.
 [[nodiscard]] std::vector<CertifiedDeviation>
 certifiedDeviations(const PairedSurfaces& surfaces, const CertificationOptions& options, unsigned jobs);
 
-/// Root of the mean of the squares, and the smallest distance that at least 95 of 100 parts of the area do
-/// not exceed.
+/// The root of the mean square of samples, and their 95th percentile by area.
 [[nodiscard]] double rootMeanSquare(const std::vector<std::pair<double, double>>& samples);
 [[nodiscard]] double percentile95(std::vector<std::pair<double, double>> samples);
 

@@ -1,4 +1,4 @@
-/// \file How far a box of one surface is from the other at most, by heights over a plane.
+/// \file An upper bound of the distance of a box of one surface from the other, by heights over a plane.
 #pragma once
 
 #include "bspline/measure/box_pieces.h"
@@ -11,21 +11,20 @@
 
 namespace qm {
 
-/// Seen along the normal at a foot, a rectangle of the other surface around it covers the box if each of its
-/// sides lies beyond the same side of the box: by the theorem of Poincare and Miranda
-/// (docs/METHOD.md#kulpa-1997), however both are parametrised. What differs are heights. Where both surfaces
-/// are plane this is exact at once; it loses against `DistanceBound`'s pairings where they bend.
-///
-/// Keeps memory, so one thread uses one.
+/// Seen along the normal at a foot, a rectangle of the other surface covers the box if each of its sides lies
+/// beyond the corresponding side of the box, by the theorem of Poincare and Miranda
+/// (docs/METHOD.md#kulpa-1997), whatever the parametrisations are; then only heights differ. The bound is
+/// exact at once where both surfaces are plane; where they bend, the pairings of `DistanceBound` are better.
+/// Reuses its memory, so every thread needs its own.
 class CoveringBound {
 public:
     explicit CoveringBound(const PairedSurfaces& surfaces) : surfaces_(surfaces), pieces_(surfaces) {}
 
-    /// \param box      of the one surface, as a polynomial
-    /// \param surface  the other one
-    /// \param foot     on it, of the box's middle
-    /// \param known    a bound; larger ones are of no use
-    /// \return a bound, `known` if there is none below
+    /// \param box      of the one surface, as one polynomial
+    /// \param surface  number of the other surface
+    /// \param foot     of the box's middle, on the other surface
+    /// \param known    a bound that is known already
+    /// \return the bound, or `known` if that is smaller
     [[nodiscard]] double operator()(const BezierPiece& box, std::size_t surface, const Foot& foot,
                                     double known);
 

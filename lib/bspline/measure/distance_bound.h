@@ -1,4 +1,4 @@
-/// \file How far a part of one surface is from the other at most, and at least.
+/// \file Upper and lower bounds of the distance of a part of one surface from the other.
 #pragma once
 
 #include "bspline/measure/box_pieces.h"
@@ -11,36 +11,36 @@
 
 namespace qm {
 
-/// A box of one surface's cell, with the place of the other surface that its middle is nearest to.
+/// A box in a cell of one surface, with the place of the other surface that is nearest to the box's middle.
 struct SurfacePart {
     std::size_t surface = 0;
-    bool isDirected = false; ///< else it stands for both surfaces' boxes, at equal parameters
+    bool isDirected = false; ///< otherwise it stands for the boxes of both surfaces at equal parameters
     Cell cell;
-    std::array<double, 2> from{0, 0}; ///< within the cell, taken as the unit square
+    std::array<double, 2> from{0, 0}; ///< within the cell, whose parameters run from 0 to 1
     std::array<double, 2> to{1, 1};
-    /// Where to divide it: what lies on either side is near one cell of the other surface, if possible.
+    /// Where to divide it, if possible so that each side is near one cell of the other surface.
     std::array<double, 2> division{0.5, 0.5};
-    Foot foot{};      ///< of the middle on the other surface
+    Foot foot{};      ///< nearest place on the other surface to the middle
     double upper = 0; ///< no point of the box is farther from the other surface
 };
 
 /// Bounds distances by pairing points of the two surfaces: any pairing gives an upper bound.
 ///
-/// A box is paired with a box of one cell of the other surface whose middle is the foot of its own middle and
-/// whose sides have the lengths that make both run at the same speed; the largest point of the difference's
-/// Bezier net is the bound. In a second pairing every point then slides along the other surface by what the
-/// difference has along its tangents at the foot. What remains is the difference along the normal, and the
-/// slide times the variation of the tangents over all that it touches. Both close as boxes get smaller. Where
-/// surfaces are nearly plane, `CoveringBound` does so at once.
+/// A box is paired with a box of one cell of the other surface, whose middle is the foot of its own middle
+/// and whose extent makes both move at the same speed; the bound is the largest point of the difference's
+/// Bezier net. In a second pairing every point also slides along the other surface by the tangential part of
+/// the difference, measured at the foot. The difference along the normal remains, and the slide times the
+/// variation of the tangents. Both bounds converge as boxes get smaller. Where surfaces are nearly plane,
+/// `CoveringBound` closes at once.
 ///
-/// Keeps memory, so one thread uses one.
+/// Reuses its memory, so every thread needs its own.
 class DistanceBound {
 public:
     explicit DistanceBound(const PairedSurfaces& surfaces)
         : surfaces_(surfaces), search_(surfaces), covering_(surfaces), pieces_(surfaces) {}
 
-    /// Finds the foot, starting at the one that `part` has, and lowers the upper bound where it can.
-    /// \param surprising  a foot farther away than this is searched again, from the same parameters
+    /// Finds the foot, starting from that of `part`, and lowers the upper bound if possible.
+    /// \param surprising  a foot farther away than this is searched again from the same parameters
     void tighten(SurfacePart& part, double surprising);
 
     /// The parameters of a box's middle.
@@ -61,7 +61,7 @@ private:
     BezierPiece cell_;
     BezierPiece own_;
     BezierPiece other_;
-    BezierPiece difference_; ///< in the other surface's directions
+    BezierPiece difference_; ///< with the directions of the other surface's parameters
 };
 
 } // namespace qm

@@ -1,4 +1,4 @@
-/// \file The nearest place of a surface, searched from a place that is near.
+/// \file Finds the nearest place of a surface from a starting place.
 #pragma once
 
 #include "bspline/measure/paired_surfaces.h"
@@ -11,25 +11,26 @@ namespace qm {
 
 struct Foot {
     LayoutPlace place;
-    int turns = 0; ///< counter-clockwise quarters from directions at the start to those of the place's patch
+    int turns = 0; ///< counter-clockwise quarter turns from the directions of the start's patch to those of
+                   ///< the place's patch
     double distance = 0;
-    Eigen::Vector3d du{0, 0, 0}; ///< of the surface there, by the parameters of its patch
+    Eigen::Vector3d du{0, 0, 0}; ///< derivative of the surface there, by the parameters of its patch
     Eigen::Vector3d dv{0, 0, 0};
 };
 
-/// The Gauss-Newton iteration, over borders into neighbouring patches as well. Keeps the polynomial it used
-/// last, so one thread uses one.
+/// Gauss-Newton iteration that continues across borders into neighbouring patches. It keeps the polynomial
+/// that it used last, so every thread needs its own.
 class FootSearch {
 public:
     explicit FootSearch(const PairedSurfaces& surfaces) : surfaces_(surfaces) {}
 
-    /// The nearest place that it finds; where that is not the nearest one, the distance is too large.
+    /// Finds a nearest place; if that is only a local minimum, the distance is too large.
     [[nodiscard]] Foot operator()(std::size_t surface, const LayoutPlace& start,
                                   const Eigen::Vector3d& point);
 
 private:
-    /// From a start to the nearest place around, over at most so many borders.
-    /// \param crossings  leaves how many may still be crossed
+    /// Walks from a start to the nearest place around it.
+    /// \param crossings  number of borders that may still be crossed; reduced by those that were
     [[nodiscard]] Foot walk(std::size_t surface, const LayoutPlace& start, const Eigen::Vector3d& point,
                             int& crossings);
     [[nodiscard]] PiecePoint evaluateAt(std::size_t surface, const LayoutPlace& place);

@@ -1,4 +1,4 @@
-/// \file Everything that is measured of finished surfaces, in one call.
+/// \file All measurements of finished surfaces, in one call.
 #pragma once
 
 #include "base/control.h"
@@ -13,16 +13,16 @@
 namespace qm {
 
 struct MeasureOptions {
-    int samplesPerEdge = 16;  ///< of normals and gaps along borders; at least 2
-    double closing = 0.02;    ///< the largest distances are too large by at most this share of themselves,
-    double negligible = 1e-5; ///< or are at most this share of the bounding box's diagonal
+    int samplesPerEdge = 16;  ///< for normals and gaps along borders; at least 2
+    double closing = 0.02;    ///< largest distances are too large by at most this share of themselves,
+    double negligible = 1e-5; ///< or are below this share of the bounding box's diagonal
 };
 
 struct PatchMeasurement {
     Deviation deviation;   ///< borders count for both neighbours
     double lowerBound = 0; ///< the largest distance from the reference that was found at a point
-    LayoutPlace farthest;  ///< where
-    std::vector<std::array<double, 2>> folds; ///< u and v, a place for every piece that may fold
+    LayoutPlace farthest;  ///< where it was found
+    std::vector<std::array<double, 2>> folds; ///< a place (u, v) in every piece that may be folded
 };
 
 struct Measurement {
@@ -30,23 +30,23 @@ struct Measurement {
     std::vector<PatchMeasurement> ofPatch;
 };
 
-/// Measures deviation from the reference, from the quads and from the vertices, borders, inner lines, folds
-/// and fairness. Linear in the mesh; about 10 microseconds a quad.
-/// \param references  one for every patch
-/// \param isSmooth  by edge: across which borders normals are compared
+/// Measures the deviations from the reference, from the quads and from the vertices, and borders, inner
+/// lines, folds and fairness. Linear in the mesh; about 10 microseconds per quad.
+/// \param references  by patch
+/// \param isSmooth    by edge: whether normals are compared across it
 [[nodiscard]] Measurement measureSurfaces(const QuadMesh& mesh, const Layout& layout,
                                           const std::vector<Patch>& patches,
                                           const std::vector<ReferenceGrid>& references,
                                           const std::vector<bool>& isSmooth,
                                           const MeasureOptions& options = {}, const Control& control = {});
 
-/// The largest distance of every patch from its reference: an upper bound, close where it is above a limit.
+/// By patch: an upper bound of its distance from its reference, close where it is above a limit.
 [[nodiscard]] std::vector<double> maxDeviations(const QuadMesh& mesh, const Layout& layout,
                                                 const std::vector<Patch>& patches,
                                                 const std::vector<ReferenceGrid>& references, double limit,
                                                 unsigned jobs);
 
-/// The mesh's quads as a reference: bilinear, degree 1.
+/// The mesh's quads as a reference: bilinear.
 [[nodiscard]] std::vector<ReferenceGrid> facetGrids(const QuadMesh& mesh, const Layout& layout);
 
 } // namespace qm

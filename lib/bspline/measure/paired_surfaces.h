@@ -1,4 +1,4 @@
-/// \file Surfaces and their reference as polynomials over common cells, and the way from patch to patch.
+/// \file Surfaces and their reference as polynomials over common cells, and the steps from patch to patch.
 #pragma once
 
 #include "bspline/network/borders.h"
@@ -14,7 +14,7 @@
 
 namespace qm {
 
-/// A cell: an interval of u and one of v within which both surfaces are polynomials.
+/// A cell: an interval of u and one of v in which both surfaces are polynomials.
 struct Cell {
     std::size_t patch = 0;
     std::array<std::size_t, 2> interval{};
@@ -23,31 +23,31 @@ struct Cell {
 /// The fitted surfaces, number 0, and their reference, number 1, over the same patches.
 class PairedSurfaces {
 public:
-    /// What is passed must outlive it.
-    /// \param references  one for every patch
-    /// \param borders  of the layout
+    /// The arguments must outlive it.
+    /// \param references  by patch
+    /// \param borders     of the layout
     PairedSurfaces(const Layout& layout, const std::vector<Patch>& patches,
                    const std::vector<ReferenceGrid>& references, const std::vector<BorderEdge>& borders);
 
     [[nodiscard]] std::size_t patches() const { return pieces_[0].size(); }
-    /// Largest u and v of a patch; the smallest are 0.
+    /// The largest u and v of a patch; the smallest are 0.
     [[nodiscard]] std::array<double, 2> extent(std::size_t patch) const;
-    /// Cells of a patch along u and v.
+    /// The numbers of cells of a patch along u and v.
     [[nodiscard]] std::array<std::size_t, 2> cells(std::size_t patch) const;
-    /// Smallest and largest parameter of a cell in a direction.
+    /// The smallest and the largest parameter of a cell in a direction.
     [[nodiscard]] std::array<double, 2> range(const Cell& cell, std::size_t direction) const;
     [[nodiscard]] Cell cellAt(const LayoutPlace& place) const;
 
-    /// The polynomial over a cell; all are of the same degree in both directions.
-    /// \param piece  written over
+    /// The polynomial over a cell; all have the same degree in both directions.
+    /// \param piece  is overwritten
     void get(std::size_t surface, const Cell& cell, BezierPiece& piece) const;
 
-    /// A step over a border into the patch beyond.
+    /// A step across a border into the next patch.
     struct Crossing {
         LayoutPlace to;
         int turns = 0; ///< counter-clockwise quarters from a direction in the old patch to that in the new
     };
-    /// From a place on a side of its patch; none where the mesh ends.
+    /// The step from a place on a side of its patch; none on the mesh boundary.
     [[nodiscard]] std::optional<Crossing> across(const LayoutPlace& place, int side) const;
 
 private:
@@ -56,7 +56,7 @@ private:
     std::vector<std::array<std::vector<BorderPlace>, 4>> beyond_; ///< by patch, side and position
 };
 
-/// A vector of parameters after so many counter-clockwise quarter turns.
+/// A vector of parameters after a number of counter-clockwise quarter turns.
 [[nodiscard]] std::array<double, 2> turned(const std::array<double, 2>& vector, int quarters);
 
 } // namespace qm

@@ -1,4 +1,4 @@
-/// \file The largest distance between surfaces and a scan, certain to a few per cent where that is possible.
+/// \file The largest distance between surfaces and a scan, certain to within a few per cent where possible.
 #pragma once
 
 #include "bspline/measure/certified_deviation.h"
@@ -12,34 +12,34 @@ namespace qm {
 
 /// The nearest point of a triangulated scan.
 struct ScanPoint {
-    std::array<Point, 3> triangle; ///< on which it lies
+    std::array<Point, 3> triangle; ///< the triangle that contains it
     double distance = 0;
-    bool onBoundary = false; ///< the scan ends there, so it says nothing about the place that was asked for
+    bool onBoundary = false; ///< the scan ends there, so it tells nothing about the place in question
 };
-/// Of any point; from several threads.
+/// The nearest point of the scan to any point; may be called from several threads.
 using NearestOnScan = std::function<ScanPoint(const Point&)>;
 
 struct ScanDeviation {
-    CertifiedDeviation deviation; ///< of the part that the scan covers, from surface to scan
-    double covered = 0;           ///< share of the parameters' area
+    CertifiedDeviation deviation; ///< from the surface to the scan, where the scan covers the surface
+    double covered = 0;           ///< share of the area of parameters
 };
 
-/// Branch and bound over the Bezier pieces of a patch: the distance from a triangle is convex, so that of a
-/// piece is at most that of its Bezier points. Places whose nearest point lies on the scan's boundary or
-/// beyond the cut-off are not covered.
-/// \param cutOff  distance beyond which the scan says nothing of the surface
+/// Branch and bound over the Bezier pieces of a patch: the distance from a triangle is a convex function, so
+/// a piece is no farther from it than the farthest of its Bezier points. Places whose nearest point lies on
+/// the scan's boundary or beyond the cut-off are not covered.
+/// \param cutOff  distance beyond which the scan tells nothing about the surface
 [[nodiscard]] ScanDeviation scanDeviation(const Patch& patch, std::size_t number,
                                           const NearestOnScan& nearest, double cutOff,
                                           const CertificationOptions& options);
 
-/// Of all patches from a scan.
+/// The distances of all patches from a scan.
 struct ScanDeviations {
-    /// The largest that was found: boxes over many small triangles are bounded too loosely for an upper
-    /// bound.
+    /// The largest distance that was found at a point: boxes over many small triangles are bounded too
+    /// loosely for an upper bound.
     double max = 0;
     double rms = 0;
     double percentile95 = 0;
-    double covered = 0; ///< mean share of the patches' parameters
+    double covered = 0; ///< mean covered share of the patches' parameters
     LayoutPlace farthest;
 };
 

@@ -1,4 +1,4 @@
-/// \file Is a surface as smooth as its reference? Normals and curvatures beside one another.
+/// \file Compares the normals and curvatures of a surface with those of its reference.
 #pragma once
 
 #include "bspline/measure/paired_surfaces.h"
@@ -10,20 +10,21 @@ namespace qm {
 
 struct ShapeMeasures {
     double largestNormalDeviation = 0; ///< degrees
-    /// Squared angle between the normals, square degrees, summed over the parameters' area.
+    /// Squared angle between the normals, in square degrees, integrated over the parameters.
     double squaredNormalDeviation = 0;
     double area = 0; ///< of the parameters
-    /// The sum of the squares of both principal curvatures over the surface, and over the reference; without
-    /// unit.
+    /// The integral of the squares of both principal curvatures, of the surface and of the reference;
+    /// dimensionless.
     std::array<double, 2> bending{};
 
     void add(const ShapeMeasures& other);
     [[nodiscard]] double rmsNormalDeviation() const;
-    /// How many times the reference's bending the surface has; 1 if both are plane.
+    /// The bending of the surface relative to that of the reference; 1 if both are plane.
     [[nodiscard]] double bendingRatio() const;
 };
 
-/// By Gauss's rule with four points a cell; points at which one of both has no normal do not count.
+/// Integrates by Gauss's rule with four points per cell; points without a normal on either surface are left
+/// out.
 [[nodiscard]] ShapeMeasures measureShape(const PairedSurfaces& surfaces, std::size_t patch);
 
 } // namespace qm

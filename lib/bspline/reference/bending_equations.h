@@ -1,4 +1,4 @@
-/// \file The tilts of tangent planes with which all quads together bend least.
+/// \file The tilts of tangent planes for which all quads together bend least.
 #pragma once
 
 #include "bspline/reference/quad_bending.h"
@@ -11,10 +11,11 @@
 
 namespace qm {
 
-/// The bending of one quad, as compact as it may be kept for every quad of a mesh: tilts need no more digits.
+/// The bending energy of one quad in single precision, which is enough for tilts and compact enough to be
+/// kept for every quad of a mesh.
 class BendingTerm {
 public:
-    BendingTerm() = default; ///< none
+    BendingTerm() = default; ///< no energy
     /// \param vertices  by corner
     BendingTerm(const std::array<int, 4>& vertices, const QuadBending& bending);
 
@@ -29,8 +30,8 @@ private:
 };
 
 /// Minimises the sum of all terms by conjugate gradients.
-/// \param vertices  their number
-/// \return tilts by vertex; zero where the terms say nothing
+/// \param vertices  number of vertices
+/// \return by vertex: its tilts; zero where no term depends on them
 [[nodiscard]] std::vector<Eigen::Vector2d> leastBendingTilts(const std::vector<BendingTerm>& terms,
                                                              std::size_t vertices);
 

@@ -1,4 +1,4 @@
-/// \file Where a surface of triangles ends.
+/// \file The boundary of a triangulated surface.
 #pragma once
 
 #include "mesh/triangles.h"
@@ -8,11 +8,12 @@
 namespace qm {
 
 struct BoundarySides {
-    std::vector<bool> sides; ///< 3 * f + k, from corner k of triangle f to the next: no other triangle has it
-    std::vector<bool> points; ///< ends of such sides
+    std::vector<bool> sides;  ///< 3 * f + k: the side from corner k of triangle f to the next; true if no
+                              ///< other triangle has it
+    std::vector<bool> points; ///< true at the ends of such sides
 };
 
-/// In n log n time, whatever the triangles.
+/// Finds the boundary in O(n log n) time.
 [[nodiscard]] BoundarySides boundarySides(const Triangles& triangles);
 
 } // namespace qm

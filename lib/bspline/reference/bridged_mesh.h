@@ -1,4 +1,4 @@
-/// \file Folded quads of a mesh drawn upright, so that surfaces need not follow them
+/// \file Moves the vertices of folded quads so that surfaces need not follow the folds
 /// (docs/METHOD.md#reference).
 #pragma once
 
@@ -9,10 +9,10 @@
 
 namespace qm {
 
-/// The same mesh with the vertices of folded quads (see `isFolded`), and if need be those around them, where
-/// the smoothest continuation of what surrounds them has them, so that fewer quads are folded. Vertices of
-/// creases and of the boundary stay, and those where folded quads may hide a crease. Linear in the mesh.
-/// \param isCrease  by edge; beside folded quads it is not believed
+/// Moves the vertices of folded quads (see `isFolded`), and if necessary those around them, to where the
+/// smoothest continuation of their surroundings has them, so that fewer quads are folded. Vertices on creases
+/// and on the boundary stay, as do those where folded quads may hide a crease. Linear in the mesh.
+/// \param isCrease  by edge; ignored beside folded quads
 /// \return nothing if no vertex moves
 [[nodiscard]] std::optional<QuadMesh> bridgedMesh(const QuadMesh& mesh, const std::vector<bool>& isCrease);
 

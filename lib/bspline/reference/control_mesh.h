@@ -10,14 +10,14 @@
 namespace qm {
 
 struct ControlMesh {
-    std::vector<Point> points;      ///< by vertex
-    std::vector<bool> interpolates; ///< by vertex: its limit is the mesh's vertex, to rounding
+    std::vector<Point> points;      ///< by vertex: its control point
+    std::vector<bool> interpolates; ///< by vertex: whether the limit passes through it, up to rounding
 };
 
-/// Solves for the control points by successive over-relaxation, in time linear in the mesh. Where a connected
-/// component has no solution or one far from its vertices, they are the control points themselves and the
-/// limit smooths them: a cube without creases is such a case, for the equations of a mesh that has only
-/// vertices of three edges are singular.
+/// Solves for the control points by successive over-relaxation, in time linear in the mesh. For a connected
+/// component without a solution, or with one far from its vertices, the vertices serve as control points and
+/// the limit smooths them. A cube without creases is such a case: if all vertices have valence 3 the
+/// equations are singular.
 [[nodiscard]] ControlMesh interpolatingControlMesh(const QuadMesh& mesh,
                                                    const std::vector<VertexRule>& rules);
 

@@ -1,4 +1,4 @@
-/// \file Curves above edges that their ends alone decide (docs/METHOD.md#reference).
+/// \file Curves above edges, determined by the two ends alone (docs/METHOD.md#reference).
 #pragma once
 
 #include "bspline/network/vertex_rules.h"
@@ -10,18 +10,18 @@
 
 namespace qm {
 
-/// Cubics between the ends of edges: straight but for what the tangent planes, or the directions of creases,
-/// ask for at either end. The derivatives there are as long as the edge, so nothing overshoots however uneven
-/// the edges around are.
+/// Cubics between the ends of edges, as straight as the tangent planes or crease directions at the ends
+/// allow. The derivatives there are as long as the edge, so that no curve overshoots, however uneven the
+/// edges around it are.
 class EdgeCurves {
 public:
-    /// \param lattice  the limit surface; its normals at vertices count up to their sign, as it may be folded
-    /// \param sharp  by edge
-    /// All must outlive this.
+    /// The arguments must outlive the curves.
+    /// \param lattice  the limit surface; only the axes of its normals at vertices are used, as it may be folded
+    /// \param sharp    by edge
     EdgeCurves(const MeshLattice& lattice, const std::vector<VertexRule>& rules,
                const std::vector<bool>& sharp);
 
-    /// Bezier points, from the halfedge's beginning to its end.
+    /// The Bezier points above a halfedge, from its beginning to its end.
     [[nodiscard]] std::array<Point, 4> above(HalfedgeId halfedge) const;
 
 private:

@@ -1,4 +1,4 @@
-/// \file Everything that is known before surfaces are fitted: what fits, pages and pictures agree on.
+/// \file Prepares what surfaces are fitted to, in the same way for fits, pages and pictures.
 #pragma once
 
 #include "bspline/network/smooth_network.h"
@@ -9,14 +9,14 @@
 namespace qm {
 
 struct FitReference {
-    std::optional<QuadMesh> bridged; ///< in place of the mesh, if folded quads were bridged
+    std::optional<QuadMesh> bridged; ///< replaces the mesh if folded quads were bridged
     SmoothNetwork network;
     FitTarget target;
 };
 
 struct ReferenceOptions {
     double rho = 0.45;   ///< a border edge of a larger dihedral angle is a crease; radians
-    bool bridges = true; ///< folded quads (see `bridgedMesh`)
+    bool bridges = true; ///< whether to bridge folded quads (see `bridgedMesh`)
 };
 
 /// \param dihedralAngles  by edge index, radians

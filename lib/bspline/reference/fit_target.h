@@ -1,4 +1,4 @@
-/// \file What surfaces are fitted to and measured from.
+/// \file The reference that surfaces are fitted to and measured from.
 #pragma once
 
 #include "bspline/network/smooth_network.h"
@@ -12,19 +12,19 @@
 
 namespace qm {
 
-/// Faces from which on a mesh is sampled less finely, as its edges are short.
+/// Meshes of this many faces or more are sampled less finely, as their edges are short.
 constexpr std::size_t veryManyFaces = 300'000;
 
 struct FitTarget {
-    std::vector<ReferenceGrid> grids;         ///< of every segment, in their order
-    std::vector<std::vector<double>> weights; ///< of the points of every grid; empty if all are 1
-    double coverage = 1;                      ///< by the scan: share of the points
-    double noise = 0;                         ///< of the scan: standard deviation
-    double maxDistance = 0;                   ///< at which the scan is still looked for
+    std::vector<ReferenceGrid> grids;         ///< by segment
+    std::vector<std::vector<double>> weights; ///< by grid: weights of its points; empty if all are 1
+    double coverage = 1;                      ///< share of the points that the scan covers
+    double noise = 0;                         ///< standard deviation of the scan
+    double maxDistance = 0;                   ///< farther parts of the scan are ignored
 };
 
-/// The smooth surface through the mesh's vertices; or, with a scan, where the scan is seen from it, without
-/// the scan's noise. The lattices have four steps a mesh edge; with very many faces, two.
+/// The smooth surface through the mesh's vertices, or, with a scan, the scan as seen from that surface,
+/// without its noise. The lattices have four steps per mesh edge; two for very many faces.
 /// \param scan  null if there is none
 /// \throw Error  if the scan is nowhere near the mesh
 [[nodiscard]] FitTarget fitTarget(const QuadMesh& mesh, const Layout& layout, const SmoothNetwork& network,

@@ -5,15 +5,14 @@
 
 namespace qm {
 
-/// Polynomials of higher degree through equally spaced points are no longer trustworthy.
+/// Polynomials of higher degree through equally spaced points oscillate too much.
 constexpr int maxSteps = 16;
 
 /// The value of a function of one parameter, and its first two derivatives.
 using Jet = std::array<double, 3>;
 
-/// What every one of steps + 1 equally spaced points counts in the jet of the polynomial through them; zeros
-/// follow.
-/// \param steps  at least 1, at most maxSteps
+/// The weights of steps + 1 equally spaced points in the jet of the polynomial through them; the rest is 0.
+/// \param steps      from 1 to maxSteps
 /// \param parameter  0 at the first point, 1 at the last
 [[nodiscard]] std::array<Jet, maxSteps + 1> lagrange(int steps, double parameter);
 

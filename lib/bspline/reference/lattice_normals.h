@@ -1,4 +1,4 @@
-/// \file The points and normals of a surface on the lattice of a mesh.
+/// \file Points and normals of a surface on the lattice of a mesh.
 #pragma once
 
 #include "bspline/reference/reference_grid.h"
@@ -15,13 +15,14 @@ namespace qm {
 
 struct LatticeNormals {
     std::vector<std::vector<std::size_t>> numbers; ///< by grid and point: the lattice point
-    std::vector<std::vector<std::optional<Eigen::Vector3d>>> oneSided; ///< by grid and point, unit length
+    std::vector<std::vector<std::optional<Eigen::Vector3d>>>
+        oneSided; ///< by grid and point, unit length; seen from that grid alone
     // By lattice point:
     std::vector<Eigen::Vector3d> points;
-    /// Means of the one-sided ones, unit length; none at sharp points, nor where no grid has the point, as at
+    /// Mean of the one-sided normals, unit length; none at sharp points, nor at points of no grid, such as
     /// isolated vertices.
     std::vector<std::optional<Eigen::Vector3d>> normals;
-    std::vector<bool> sharp; ///< the one-sided ones differ, or one is missing
+    std::vector<bool> sharp; ///< the one-sided normals differ, or one is missing
 };
 
 /// \param surface  by segment, all with the same steps

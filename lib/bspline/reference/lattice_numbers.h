@@ -9,9 +9,9 @@
 
 namespace qm {
 
-/// A lattice of n x n squares over every quad. Quads that meet share the points on their common edge, so no
-/// two values of one point can differ. The vertices come first, then what lies inside the edges, then what
-/// lies inside the faces. The mesh must stay where it is.
+/// Numbers the points of a lattice of n x n squares over every quad. Neighbouring quads share the points on
+/// their common edge, so the values there cannot differ. The vertices come first, then the points inside
+/// edges, then those inside faces. The mesh must outlive the numbers.
 class LatticeNumbers {
 public:
     LatticeNumbers(const QuadMesh& mesh, int squares) : mesh_(&mesh), squares_(squares) {}
@@ -20,9 +20,9 @@ public:
     [[nodiscard]] int squares() const { return squares_; }
     [[nodiscard]] std::size_t count() const;
     /// The point of a halfedge's face that is `along` squares from the halfedge's beginning and `depth`
-    /// squares away from it; for a boundary halfedge only depth 0.
+    /// squares away from the halfedge; for a boundary halfedge `depth` must be 0.
     [[nodiscard]] std::size_t operator()(HalfedgeId halfedge, int along, int depth) const;
-    /// All points of a segment, in the order of `ReferenceGrid::points` with as many steps as squares.
+    /// All points of a segment in the order of `ReferenceGrid::points`.
     [[nodiscard]] std::vector<std::size_t> ofSegment(const Segment& segment) const;
 
 private:

@@ -1,4 +1,4 @@
-/// \file Tangent planes with which the surface through a mesh's vertices bends least
+/// \file Tilts tangent planes so that the surface through a mesh's vertices bends least
 /// (docs/METHOD.md#reference).
 #pragma once
 
@@ -9,10 +9,10 @@
 
 namespace qm {
 
-/// Tilts the surface's tangent planes at smooth vertices around which all quads are sound (see `soundFaces`),
-/// such that it bends least in space; the vertices stay. A spline of uniform parameters takes the lines of a
-/// mesh for straight and evenly divided: where they turn, as around extraordinary vertices, it waves. Linear
-/// in the mesh.
+/// Tilts the tangent planes at smooth vertices all of whose quads are sound (see `soundFaces`), so that the
+/// surface bends least in space; the vertices stay. A spline with uniform parameters takes mesh lines for
+/// straight and evenly divided, and waves where they turn, as around extraordinary vertices. Linear in the
+/// mesh.
 void bendLeast(MeshLattice& lattice, const std::vector<VertexRule>& rules, unsigned jobs);
 
 } // namespace qm

@@ -1,4 +1,4 @@
-/// \file The smooth surface through the vertices of a mesh: the reference where there is no scan.
+/// \file The smooth surface through the vertices of a mesh, which is the reference if there is no scan.
 #pragma once
 
 #include "bspline/reference/reference_grid.h"
@@ -9,16 +9,16 @@
 
 namespace qm {
 
-/// The limit of Catmull-Clark subdivision that interpolates the mesh's vertices, with creases at the given
-/// edges and at the mesh boundary; `vertexRules` says where it has corners. Its tangent planes at smooth
-/// vertices are tilted so that it waves less (see `bendLeast`). Lattice points on a common border
-/// of segments are the same to the last bit in both, and those at vertices are the vertices themselves, but
-/// for components without an interpolating limit (see `interpolatingControlMesh`). It does not fold over
-/// sound quads (see `unfold`). In time linear in the mesh.
+/// The limit of Catmull-Clark subdivision that interpolates the mesh's vertices, with creases at given edges
+/// and at the mesh boundary, and corners where `vertexRules` has them. Its tangent planes at smooth vertices
+/// are tilted so that it waves less (see `bendLeast`). Segments have bitwise equal lattice points on their
+/// common borders. Lattice points at vertices equal the vertices, except in components without an
+/// interpolating limit (see `interpolatingControlMesh`). The surface does not fold over sound quads (see
+/// `unfold`). Linear in the mesh.
 /// \param isCrease  by edge
-/// \param steps  lattice steps a quad: a power of two, at least 2
-/// \param jobs  threads; the result does not depend on them
-/// \return for every segment its part of the surface
+/// \param steps     lattice steps per quad: a power of two, at least 2
+/// \param jobs      threads; the result does not depend on their number
+/// \return by segment: its part of the surface
 [[nodiscard]] std::vector<ReferenceGrid> limitSurface(const QuadMesh& mesh, const Layout& layout,
                                                       const std::vector<bool>& isCrease, int steps,
                                                       unsigned jobs);

@@ -1,4 +1,4 @@
-/// \file Points on a lattice over all quads of a mesh, and Catmull-Clark subdivision on it.
+/// \file Points on a lattice over all quads of a mesh, and their Catmull-Clark subdivision.
 #pragma once
 
 #include "base/at.h"
@@ -12,10 +12,10 @@
 
 namespace qm {
 
-/// A point for every number of a lattice.
+/// A point for every number of a `LatticeNumbers`.
 class MeshLattice {
 public:
-    /// With the vertices alone.
+    /// A lattice of the vertices alone.
     /// \param points  by vertex
     MeshLattice(const QuadMesh& mesh, const std::vector<Point>& points);
 
@@ -25,12 +25,12 @@ public:
     void move(std::size_t number, const Point& to) { points_[number] = vector(to); }
     void move(VertexId vertex, const Point& to) { move(at(vertex), to); }
 
-    /// One step of subdivision: a lattice with twice as many squares each way. Edges and faces are
-    /// independent of one another; only vertices can be extraordinary.
-    /// \param sharp  by edge: is subdivided as a curve
+    /// One step of subdivision, which doubles the number of squares in each direction. Edges and faces can be
+    /// processed independently; only vertices can be extraordinary.
+    /// \param sharp  by edge: whether it is subdivided as a curve
     [[nodiscard]] MeshLattice subdivided(const std::vector<VertexRule>& rules, const std::vector<bool>& sharp,
                                          unsigned jobs) const;
-    /// Where the points end after all further steps.
+    /// Moves the points to their limits after infinitely many further steps.
     [[nodiscard]] MeshLattice limit(const std::vector<VertexRule>& rules, const std::vector<bool>& sharp,
                                     unsigned jobs) const;
 

@@ -1,5 +1,5 @@
-/// \file How much a quad's surface bends in space when tangent planes at its corners are tilted
-/// (docs/METHOD.md#reference).
+/// \file The bending energy of a quad's surface as a function of the tilts of the tangent planes at its
+/// corners (docs/METHOD.md#reference).
 #pragma once
 
 #include "bspline/reference/lagrange.h"
@@ -12,7 +12,7 @@
 
 namespace qm {
 
-/// A tangent plane, and the directions that tilts are told in: the slopes along them, upwards positive.
+/// A tangent plane and two axes in it; a tilt consists of the slopes along these, upwards positive.
 struct TangentFrame {
     Eigen::Vector3d normal;
     std::array<Eigen::Vector3d, 2> axes;
@@ -21,7 +21,7 @@ struct TangentFrame {
 /// The frames at a quad's corners, counter-clockwise from (0, 0); null where the tangent plane is fixed.
 using CornerFrames = std::array<const TangentFrame*, 4>;
 
-/// Slopes along the axes of corner c's frame at 2 c and 2 c + 1.
+/// The slopes along the axes of corner c's frame are entries 2 c and 2 c + 1.
 using CornerTilts = Eigen::Matrix<double, 8, 1>;
 
 /// The polynomial through (steps + 1)^2 lattice points, row by row, over the unit square.
@@ -34,7 +34,7 @@ public:
     [[nodiscard]] const Eigen::Vector3d& derivative(std::size_t corner, std::size_t direction) const {
         return derivatives_[corner][direction];
     }
-    /// Of unit length, or zero.
+    /// Of unit length, or zero if the surface has none.
     [[nodiscard]] Eigen::Vector3d normal(std::size_t corner) const;
 
     struct SecondOrder {
@@ -42,8 +42,8 @@ public:
     };
     [[nodiscard]] SecondOrder secondOrder(double u, double v) const;
 
-    /// Every lattice point's way when corners are tilted, each along its own normal: cubics whose values at
-    /// the corners are zero.
+    /// The displacement of every lattice point, along its own normal, when the corners are tilted: cubics
+    /// that vanish at the corners.
     [[nodiscard]] std::vector<Eigen::Vector3d> displacements(const CornerFrames& frames,
                                                              const CornerTilts& tilts) const;
 
@@ -53,14 +53,14 @@ private:
     std::array<std::array<Eigen::Vector3d, 2>, 4> derivatives_; ///< by corner and direction
 };
 
-/// The integral of the squared principal curvatures, but for a constant: x' matrix x / 2 - right' x, for
-/// tilts x. Rows of fixed corners are zero.
+/// The integral of the squared principal curvatures up to a constant, x' matrix x / 2 - right' x for tilts x.
+/// Rows of fixed corners are zero.
 struct QuadBending {
     Eigen::Matrix<double, 8, 8> matrix;
     CornerTilts right;
 };
 
-/// Linearised, by two Gauss points each way; those where the surface has no normal do not count.
+/// Linearises the bending, with two Gauss points in each direction; points without a normal are left out.
 [[nodiscard]] QuadBending quadBending(const QuadSurface& surface, const CornerFrames& frames);
 
 } // namespace qm

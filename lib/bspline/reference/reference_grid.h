@@ -1,4 +1,4 @@
-/// \file The shape that one segment's patch is fitted to, as points on a lattice over the segment's quads.
+/// \file The surface that one segment's patch is fitted to, as points on a lattice over the segment's quads.
 #pragma once
 
 #include "bspline/reference/lagrange.h"
@@ -15,11 +15,11 @@ namespace qm {
 /// `steps` in each direction through the quad's points; between quads it is continuous.
 struct ReferenceGrid {
     std::array<int, 2> size{};   ///< quads along u and v
-    int steps = 2;               ///< lattice steps a quad, even, at most maxSteps
+    int steps = 2;               ///< lattice steps per quad: even, at most maxSteps
     std::vector<Point> points{}; ///< (size[0] * steps + 1) * (size[1] * steps + 1) of them
 
-    /// At a grid line the derivatives are those of the quad after it, at the last one of the quad before.
-    /// Outside the grid the outermost quads go on.
+    /// At a grid line the derivatives are those of the quad after it, at the last one those of the quad
+    /// before it. Outside the grid the polynomials of the outermost quads are continued.
     [[nodiscard]] SurfacePoint evaluate(double u, double v) const;
     /// All points of a lattice: (us[i], vs[j]) at j * us.size() + i.
     [[nodiscard]] std::vector<SurfacePoint> evaluateLattice(const std::vector<double>& us,
