@@ -1,4 +1,4 @@
-/// \file Surfaces as a boundary representation: vertices, edges and faces that share them, as plain lists.
+/// \file Surfaces as a boundary representation: plain lists of vertices, edges and faces that share them.
 #pragma once
 
 #include "export/boundary_parts.h"
@@ -18,15 +18,16 @@ namespace qm {
 
 struct BoundaryVertex {
     gp_Pnt point;
-    double tolerance = 0; ///< of all that ends here
+    double tolerance = 0; ///< largest of all edges that end here
 };
 
 struct BoundaryEdge {
-    Handle(Geom_BSplineCurve) curve; ///< from start to end; over the same parameters as those of `onFaces`
+    Handle(
+        Geom_BSplineCurve) curve; ///< from start to end; has the same parameters as the curves of `onFaces`
     std::array<Handle(Geom2d_BSplineCurve), 2> onFaces; ///< forwards and backwards; none on planes
-    std::array<std::size_t, 2> ends{};                  ///< numbers of the vertices where it starts and ends
+    std::array<std::size_t, 2> ends{};                  ///< numbers of the vertices at its start and its end
     double tolerance = 0;                               ///< largest distance from the faces' surfaces
-    bool isOpen = false;                                ///< with a face on one side only
+    bool isOpen = false;                                ///< has a face on one side only
     bool isSmooth = false; ///< the faces' normals differ by less than 0.01 radians
 };
 
@@ -43,21 +44,21 @@ struct Boundary {
     std::vector<BoundaryEdge> edges;
     std::vector<BoundaryFace> faces; ///< in the order of the patches
     std::vector<BoundaryPart> parts;
-    std::size_t lostEdges = 0; ///< that are shorter than `resolution`
-    double resolution = 0;     ///< the smallest tolerance: what is taken for one point
-    double flatness = 0;       ///< how far a plane face may be from its patch
-    double largestGap = 0;     ///< between patches, before simple surfaces take their place
+    std::size_t lostEdges = 0; ///< number of edges shorter than `resolution`
+    double resolution = 0;     ///< the smallest tolerance: closer points are taken for one
+    double flatness = 0;       ///< largest distance of a plane face from its patch
+    double largestGap = 0;     ///< between patches, before simple surfaces replace them
 };
 
-/// Of all vertices; no edge has a larger one.
+/// The largest tolerance of a vertex; no edge has a larger one.
 [[nodiscard]] double largestTolerance(const Boundary& boundary);
 
-/// The topology is the layout's: one face for every patch, an edge between any two vertices where borders
-/// meet, used by the patches on both sides. So nothing has to be sewn, and a gap between patches becomes the
-/// tolerance of the edge that they share. Patches that are plane become planes.
-/// \param faces  none touches itself, see separate.h
-/// \param simplify  of every face, the largest distance between a patch and the cylinder, cone, sphere, torus
-/// or plane that takes its place; none, or 0, for nothing but exact planes
+/// Takes the topology from the layout: one face per patch, and one edge between any two vertices where
+/// borders meet, used by the patches on both sides. So nothing has to be sewn, and a gap between patches
+/// becomes the tolerance of the edge that they share. Plane patches become planes.
+/// \param faces     none touches itself, see separate.h
+/// \param simplify  by face: the largest distance between a patch and the plane, cylinder, cone, sphere or torus that
+/// replaces it; empty or 0 allows only exact planes
 [[nodiscard]] Boundary makeBoundary(const QuadMesh& mesh, const FacePatches& faces,
                                     const std::vector<double>& simplify = {});
 

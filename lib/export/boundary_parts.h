@@ -1,4 +1,4 @@
-/// \file Faces that hang together: shells, and which of them are inside out.
+/// \file Connected components of the faces: shells, and whether they are inside out.
 #pragma once
 
 #include "export/shared_edges.h"
@@ -10,16 +10,16 @@
 
 namespace qm {
 
-/// Faces that hang together.
+/// A connected component of the faces.
 struct BoundaryPart {
     std::vector<std::size_t> faces; ///< ascending
     bool closed = false;            ///< every edge has faces on both sides
-    bool inward = false; ///< closed, and its faces look to the inside: all of them are to be turned over
+    bool inward = false;            ///< closed, and its faces look inwards: all of them must be reversed
 };
 
-/// In the order of their lowest faces.
-/// \param layout  a segment for every face
-/// \param shared  its edges
+/// The components, ordered by their lowest face.
+/// \param layout  one segment per face
+/// \param shared  the edges of the faces
 [[nodiscard]] std::vector<BoundaryPart> boundaryParts(const QuadMesh& mesh, const Layout& layout,
                                                       const SharedEdges& shared);
 

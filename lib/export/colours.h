@@ -11,8 +11,8 @@ namespace qm {
 
 using Colour = std::array<std::uint8_t, 3>; ///< red, green, blue (sRGB)
 
-/// One for every segment.
-/// \param surfaces  needed for ColourBy::deviation
+/// The colours of all segments.
+/// \param surfaces  needed for ColourBy::deviation only
 [[nodiscard]] std::vector<Colour> segmentColours(const Layout& layout, const Surfaces* surfaces, ColourBy by);
 
 } // namespace qm

@@ -11,22 +11,22 @@
 namespace qm {
 
 struct CurveOnSurface {
-    /// Over the parameters of the curve in space; none in a plane, which needs none.
+    /// Over the parameters of the curve in space; none in a plane, which does not need one.
     Handle(Geom2d_BSplineCurve) curve;
-    double gap = 0; ///< the largest distance between points of the same parameter
+    double gap = 0; ///< largest distance between points of the same parameter
 };
 
-/// A point near another one that lies on all of the surfaces, or comes nearest to that.
+/// A point near a given one that lies on all of the surfaces, or is nearest to that.
 [[nodiscard]] gp_Pnt commonPoint(const gp_Pnt& near, const std::vector<SimpleSurface>& surfaces);
 
-/// The curve along which two surfaces meet near a given curve, over the same parameters: within the
-/// resolution of both, wherever they do meet.
-/// \param ends  of the result; on both surfaces
+/// The curve in which two surfaces meet near a given curve, over the same parameters: within the resolution
+/// of both surfaces wherever they meet.
+/// \param ends  of the result; they lie on both surfaces
 [[nodiscard]] Handle(Geom_BSplineCurve)
     commonCurve(const Handle(Geom_BSplineCurve) & near, const std::array<gp_Pnt, 2>& ends,
                 const std::vector<SimpleSurface>& both, double resolution);
 
-/// The curve through the points of the surface that are nearest to those of a curve in space.
+/// The curve through the points of the surface that are nearest to the points of a curve in space.
 [[nodiscard]] CurveOnSurface curveOnSurface(const Handle(Geom_BSplineCurve) & curve, const SimpleSurface& on);
 
 } // namespace qm

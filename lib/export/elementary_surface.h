@@ -8,9 +8,9 @@
 
 namespace qm {
 
-/// The shape's surface, turned so that its seam, its poles and its apex keep away from a patch on it.
+/// The surface of a shape, turned so that its seam, poles and apex are away from the patch that it replaces.
 /// \param shape  in the cloud's frame
-/// \return null if nothing keeps them away, or if a radius is more than ten times the cloud's size
+/// \return null if there is no such turn, or if a radius is more than ten times the cloud's size
 [[nodiscard]] Handle(Geom_ElementarySurface) elementarySurface(SimpleShape shape, const PatchCloud& cloud);
 
 } // namespace qm

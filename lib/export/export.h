@@ -34,29 +34,29 @@ struct ExportOptions {
     ColourBy colour = ColourBy::segment; ///< PLY and glTF
     bool join = false;     ///< STEP and IGES: neighbours that are one surface, or one plane, become one face
     bool analytic = false; ///< STEP and IGES: patches become cylinders, cones and so on where they can
-    /// How far a patch may be from what takes its place: as much as fits may be from their reference,
-    /// per cent of the diagonal.
+    /// Largest distance between a patch and the surface that replaces it, in per cent of the diagonal; the
+    /// default equals the default tolerance of fits.
     double analyticTolerance = 0.1;
     std::string name = "quadmesh";            ///< STEP and IGES: of the product; UTF-8
     std::string date = "1970-01-01T00:00:00"; ///< STEP and IGES: when the file was made
 };
 
-/// What OpenCASCADE's own check says about a boundary representation.
+/// The result of OpenCASCADE's own check of a boundary representation.
 struct ShapeReport {
     std::size_t faces = 0;
     std::size_t edges = 0;
-    std::size_t openEdges = 0; ///< with a face on one side only
-    /// Whose faces' normals differ by less than 0.01 radians: readers take them for smooth.
+    std::size_t openEdges = 0; ///< number of edges with a face on one side only
+    /// Number of edges whose faces' normals differ by less than 0.01 radians: readers take them for smooth.
     std::size_t smoothEdges = 0;
-    std::size_t simpleFaces = 0; ///< planes, cylinders, cones, spheres and tori
-    std::size_t solids = 0;      ///< closed components
-    std::size_t shells = 0;      ///< open components
-    std::size_t lostEdges = 0;   ///< shorter than `resolution`: readers may lose them
+    std::size_t simpleFaces = 0; ///< number of planes, cylinders, cones, spheres and tori
+    std::size_t solids = 0;      ///< number of closed components
+    std::size_t shells = 0;      ///< number of open components
+    std::size_t lostEdges = 0;   ///< number of edges shorter than `resolution`, which readers may lose
     bool valid = false;
-    double resolution = 0; ///< what the format takes for one point, in the mesh's unit
+    double resolution = 0; ///< closer points are one in this format; in the mesh's unit
     double largestGap = 0; ///< between neighbouring patches
-    /// Of an edge or vertex: the largest gap that had to be bridged. Where it is above one millimetre,
-    /// readers that are made with OpenCASCADE look for the edge on the surfaces anew, and may not find it.
+    /// The largest gap that an edge or vertex bridges. If it is above one millimetre, readers made with
+    /// OpenCASCADE search for the edge on the surfaces again, and may not find it.
     double largestTolerance = 0;
 };
 
@@ -65,11 +65,10 @@ struct Exported {
     std::optional<ShapeReport> shape; ///< for STEP and IGES
 };
 
-/// Same input and options, same bytes. Segments keep their numbers: as names of faces (STEP, in 49 bytes at
-/// most), labels (IGES), groups (OBJ), a property of faces (PLY) or names of nodes (glTF).
+/// The same input and options give the same bytes. Segments keep their numbers: as names of faces (STEP, at
+/// most 49 bytes), labels (IGES), groups (OBJ), a property of faces (PLY) or names of nodes (glTF).
 /// \param surfaces  may be null for OBJ, PLY and glTF
-/// \throw Error  if surfaces are needed and missing, do not belong to the layout, or are nothing that
-/// OpenCASCADE takes
+/// \throw Error  if surfaces are needed but missing, do not belong to the layout, or cannot be represented in OpenCASCADE
 [[nodiscard]] Exported exportModel(const QuadMesh& mesh, const Layout& layout, const Surfaces* surfaces,
                                    const ExportOptions& options);
 

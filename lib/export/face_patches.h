@@ -1,4 +1,4 @@
-/// \file What becomes the faces of a solid: the patches of a layout, or parts of them.
+/// \file The faces of a solid before export: the patches of a layout, or parts of them.
 #pragma once
 
 #include "bspline/splines/surfaces.h"
@@ -9,25 +9,25 @@
 
 namespace qm {
 
-/// Faces in place of segments: each a grid of quads and its surface, clamped, over [0, a] x [0, b].
+/// Faces instead of segments: each a grid of quads and its surface, clamped, over [0, a] x [0, b].
 struct FacePatches {
-    Layout layout; ///< a segment for every face; no tracks
+    Layout layout; ///< one segment per face; no tracks
     std::vector<Patch> patches;
-    /// Which segments of the given layout a face is made of: one, or several that were joined.
+    /// By face: the segments of the given layout that it consists of.
     std::vector<std::vector<std::size_t>> origins;
 };
 
-/// One face for every segment.
-/// \throw Error  if patches are not of degrees 1 to 3, those below 3 without inner knots, are not continuous,
-///               or do not belong to the layout
+/// Makes one face of every segment.
+/// \throw Error  if patches are not of degrees 1 to 3, have inner knots with a degree below 3, are not continuous, or do not
+/// belong to the layout
 [[nodiscard]] FacePatches facePatches(const Layout& layout, const std::vector<Patch>& patches);
 
 /// The quads of columns [from[0], to[0]) and rows [from[1], to[1]) of a segment.
-/// \param vertices  as vertexGrid has them
+/// \param vertices  as given by `vertexGrid`
 [[nodiscard]] Segment partOf(const std::vector<VertexId>& vertices, const Segment& segment,
                              const std::array<int, 2>& from, const std::array<int, 2>& to);
 
-/// The same part of its patch, over a domain from 0.
+/// The same part of its patch, over a domain that starts at 0.
 [[nodiscard]] Patch partOf(const Patch& clampedPatch, const std::array<int, 2>& from,
                            const std::array<int, 2>& to);
 

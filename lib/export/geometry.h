@@ -1,4 +1,4 @@
-/// \file Patches and curves as OpenCASCADE's.
+/// \file Patches and curves in OpenCASCADE's classes.
 #pragma once
 
 #include "bspline/splines/spline_curve.h"
@@ -15,14 +15,14 @@ namespace qm {
 [[nodiscard]] Point fromPlace(const gp_Pnt& place);
 
 /// \param clampedPatch  of degrees 1 to 3
-/// \throw Standard_Failure  if OpenCASCADE takes knots for equal
+/// \throw Standard_Failure  if OpenCASCADE considers two knots equal
 [[nodiscard]] Handle(Geom_BSplineSurface) splineSurface(const Patch& clampedPatch);
 [[nodiscard]] Handle(Geom_BSplineCurve) splineCurve(const SplineCurve& curve);
 /// A straight line from one point to another, over [0, length].
 [[nodiscard]] Handle(Geom2d_BSplineCurve) line(const gp_Pnt2d& from, const gp_Pnt2d& to, double length);
 
-/// The patch without inner knots that are there more often than its shape needs.
-/// \param tolerance  how far a point of the surface may move
+/// Removes repetitions of inner knots that the patch's shape does not need.
+/// \param tolerance  largest distance by which a point of the surface may move
 [[nodiscard]] Patch withoutNeedlessKnots(const Patch& clampedPatch, double tolerance);
 
 } // namespace qm

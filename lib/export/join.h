@@ -1,14 +1,13 @@
-/// \file Patches that are one surface, joined into one face.
+/// \file Joins patches that are one surface into one face.
 #pragma once
 
 #include "export/face_patches.h"
 
 namespace qm {
 
-/// Joins faces again and again that have a full side in common, the same knots along it, and continuous
-/// derivatives across it. No face is made that touches itself. The knots at the joint are as few as its
-/// smoothness allows.
-/// \param tolerance  how far points of the surfaces may move for that
+/// Repeatedly joins faces that share a full side, with the same knots along it and continuous derivatives
+/// across it. No resulting face touches itself. The joint gets as few knots as its smoothness allows.
+/// \param tolerance  largest distance by which points of the surfaces may move
 [[nodiscard]] FacePatches joined(FacePatches faces, double tolerance);
 
 } // namespace qm

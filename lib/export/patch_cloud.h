@@ -1,4 +1,4 @@
-/// \file Points of a patch with their normals, for finding the simple shape that they lie on.
+/// \file Points of a patch with their normals, by which the simple shape that they lie on is found.
 #pragma once
 
 #include "bspline/splines/surfaces.h"
@@ -10,15 +10,15 @@
 
 namespace qm {
 
-/// Moved and scaled to unit size about the origin.
+/// Points moved and scaled to unit size about the origin.
 struct PatchCloud {
     Eigen::Vector3d centre{0, 0, 0};
     double size = 1;
-    OrientedPoints samples; ///< none where the patch has no size
+    OrientedPoints samples; ///< empty if the patch has no extent
 };
 
-/// Samples in every knot interval, none where the patch has no normal.
-/// \param max  how many there are at most in either direction
+/// Samples every knot interval, except where the patch has no normal.
+/// \param max  largest number of samples in either direction
 [[nodiscard]] PatchCloud cloudOf(const Patch& patch, std::size_t max);
 
 /// The same points about another origin and in another unit.

@@ -1,4 +1,4 @@
-/// \file A boundary representation in the hands of OpenCASCADE.
+/// \file A boundary representation in OpenCASCADE's classes.
 #pragma once
 
 #include "export/boundary.h"

@@ -1,4 +1,4 @@
-/// \file The edges that the patches of a layout share: its topology, without any library of solids.
+/// \file The edges that the patches of a layout share: its topology, without any solid modelling library.
 #pragma once
 
 #include "bspline/network/borders.h"
@@ -10,13 +10,13 @@
 
 namespace qm {
 
-/// A run of border edges between two vertices where borders meet, smooth throughout or nowhere.
+/// A run of border edges between two vertices where borders meet, either smooth throughout or nowhere.
 struct SharedEdge {
-    std::vector<BorderPlace> places; ///< of its first border edge as each patch walks it: one or two
-    int length = 0;                  ///< in border edges
+    std::vector<BorderPlace> places; ///< its first border edge as seen by each patch: one or two
+    int length = 0;                  ///< number of border edges
     VertexId start;                  ///< in the direction of the first place
     VertexId end;
-    double gap = 0;   ///< between the two patches
+    double gap = 0;   ///< largest distance between the two patches
     double angle = 0; ///< largest between their normals along the edge, in degrees; 0 on the boundary
 };
 
@@ -28,18 +28,17 @@ struct EdgeUse {
 
 struct SharedEdges {
     std::vector<SharedEdge> edges;
-    /// The uses of each patch, counter-clockwise from its corner 0.
+    /// By patch: its uses of edges, counter-clockwise from its corner 0.
     std::vector<std::vector<EdgeUse>> ofPatch;
-    /// The middle of where edges end at each vertex, by vertex index; of no meaning inside edges.
+    /// By vertex index: the mean of the ends of edges at the vertex; meaningless inside edges.
     std::vector<Point> vertexPoint;
 };
 
-/// \param patches  in the order of the segments, each with its segment's grid as its domain; none touches
-/// itself
+/// \param patches  by segment, each over its segment's grid; none touches itself
 [[nodiscard]] SharedEdges shareEdges(const QuadMesh& mesh, const Layout& layout,
                                      const std::vector<Patch>& patches);
 
-/// Which connected component each patch belongs to, numbered in the order of the patches.
+/// By patch: its connected component, numbered in the order of the patches.
 [[nodiscard]] std::vector<std::size_t> patchComponents(const SharedEdges& shared);
 
 } // namespace qm

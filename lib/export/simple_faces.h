@@ -1,4 +1,4 @@
-/// \file Faces that need no control points, and the edges where two of them meet.
+/// \file Faces that are planes, cylinders, cones, spheres or tori, and the edges where two of them meet.
 #pragma once
 
 #include "export/shared_edges.h"
@@ -12,15 +12,15 @@
 namespace qm {
 
 struct SimpleFaceTolerances {
-    double flatness = 0;   ///< how far the control points of a plane patch may be from its plane
-    double resolution = 0; ///< what is taken for one point
-    /// Of every face, the largest distance between a patch and the cylinder, cone, sphere, torus or plane
-    /// that takes its place; empty, or 0, for nothing but planes within the flatness.
+    double flatness = 0;   ///< largest distance of a plane patch's control points from its plane
+    double resolution = 0; ///< closer points are taken for one
+    /// By face: the largest distance between a patch and the plane, cylinder, cone, sphere or torus that
+    /// replaces it; empty or 0 allows only planes within the flatness.
     std::vector<double> simplify;
-    double smoothAngle = 0; ///< degrees between normals, below which two faces are one smooth surface
+    double smoothAngle = 0; ///< faces whose normals differ by less, in degrees, are one smooth surface
 };
 
-/// Of every patch the simple surface in its place, if there is one.
+/// By patch: the simple surface that replaces it, if there is one.
 class SimpleFaces {
 public:
     /// \param shared  the edges of the patches
@@ -36,17 +36,18 @@ public:
     /// \param shared  the edges of the patches; its `vertexPoint` changes
     void moveVertices(SharedEdges& shared);
 
-    /// Where the two faces of an edge meet, if both are simple and `moveVertices` has put its ends on both.
-    /// \param border  of the patches; over the same parameters as the result
-    /// \return null if that is not so, or far from the border
+    /// The curve where the two faces of an edge meet, if both are simple and `moveVertices` has moved its
+    /// ends onto both.
+    /// \param border  of the patches; has the same parameters as the result
+    /// \return null if there is none, or if it is far from the border
     [[nodiscard]] Handle(Geom_BSplineCurve) exactCurve(const SharedEdge& edge, const SharedEdges& shared,
                                                        const Handle(Geom_BSplineCurve) & border) const;
 
 private:
     std::vector<std::optional<SimpleSurface>> surfaces_;
     double resolution_;
-    double reach_ = 0;           ///< how far a vertex or edge may move
-    std::vector<bool> isCommon_; ///< by vertex: it lies on all simple faces there
+    double reach_ = 0;           ///< largest distance by which a vertex or an edge may move
+    std::vector<bool> isCommon_; ///< by vertex: whether it lies on all simple faces there
 };
 
 } // namespace qm

@@ -1,4 +1,4 @@
-/// \file Planes, cylinders, cones, spheres and tori through points with normals, by least squares.
+/// \file Least-squares fits of planes, cylinders, cones, spheres and tori to points with normals.
 #pragma once
 
 #include "export/simple_shape_guess.h"
@@ -7,8 +7,8 @@
 
 namespace qm {
 
-/// The surface of that kind nearest to the points (sum of squared distances); none if their normals do not
-/// point to one.
+/// The surface of a kind with the smallest sum of squared distances from the points; none if their normals do
+/// not indicate one.
 /// \param cloud  at least ten points
 [[nodiscard]] std::optional<SimpleShape> fitShape(SimpleKind kind, const OrientedPoints& cloud);
 

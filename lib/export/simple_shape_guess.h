@@ -1,4 +1,5 @@
-/// \file Planes, cylinders, cones, spheres and tori near points with normals, by linear equations.
+/// \file Initial guesses of planes, cylinders, cones, spheres and tori from points with normals, by linear
+/// equations.
 #pragma once
 
 #include "export/simple_shape.h"
@@ -15,8 +16,9 @@ struct OrientedPoints {
     std::vector<Eigen::Vector3d> normals;
 };
 
-/// A surface of a kind near the points, from linear equations that points and normals of such surfaces obey.
-/// A plane is the nearest one; other kinds are a start for iteration, and their numbers may be unsound.
+/// A surface of a kind near the points, from linear equations that points and normals of such surfaces
+/// fulfil. A plane is the nearest one; other kinds are starting values for an iteration, and their numbers
+/// may be invalid.
 /// \param cloud  at least ten points
 [[nodiscard]] SimpleShape guessShape(SimpleKind kind, const OrientedPoints& cloud);
 

@@ -1,4 +1,4 @@
-/// \file Planes, cylinders, cones, spheres and tori in the place of patches that are nothing else.
+/// \file Replaces patches by planes, cylinders, cones, spheres and tori.
 #pragma once
 
 #include "bspline/splines/surfaces.h"
@@ -11,22 +11,22 @@
 
 namespace qm {
 
-/// A surface that needs no control points.
+/// A surface without control points.
 struct SimpleSurface {
     Handle(Geom_ElementarySurface) surface;
-    bool reversed = false; ///< its normal points to the other side than the patch's
-    double tubeAngle = 0;  ///< parameter v in the middle of the patch; of a torus
+    bool reversed = false; ///< its normal is opposite to the patch's
+    double tubeAngle = 0;  ///< of a torus: parameter v in the middle of the patch
 };
 
-/// The plane in which all control points lie.
-/// \param tolerance  how far they may be from it
+/// The plane that contains all control points.
+/// \param tolerance  largest distance of a control point from it
 [[nodiscard]] std::optional<SimpleSurface> planeOf(const Patch& clampedPatch, double tolerance);
 
-/// For every patch the first of plane, cylinder, cone, sphere and torus that lies within the tolerance of it,
-/// and whose normals are within three degrees of the patch's. Its poles, apex and seam keep away from the
-/// patch. Radii are at most ten times the patch's size: the axes of flatter ones would be chance. Neighbours
-/// have the same surface, but for its seam, where one is enough for both.
-/// \param tolerances  of every patch; 0: it stays as it is
+/// By patch: the first of plane, cylinder, cone, sphere and torus that is within the tolerance of the patch
+/// and whose normals are within three degrees of the patch's. Its poles, apex and seam are away from the
+/// patch. Radii are at most ten times the patch's size, because the axes of flatter surfaces would be
+/// arbitrary. Neighbours share a surface, except for its seam, where one surface suits both.
+/// \param tolerances        by patch; 0 leaves it as it is
 /// \param smoothNeighbours  pairs of patches
 [[nodiscard]] std::vector<std::optional<SimpleSurface>>
 simpleSurfacesOf(const std::vector<Patch>& clampedPatches, const std::vector<double>& tolerances,

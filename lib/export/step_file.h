@@ -1,4 +1,4 @@
-/// \file Entities of a STEP file (ISO 10303-21), one after the other, as text.
+/// \file The entities of a STEP file (ISO 10303-21), as text, in order.
 #pragma once
 
 #include <cstddef>
@@ -14,10 +14,10 @@ struct StepId {
     int number = 0;
 };
 
-/// What stands between the quotation marks of a string. A comma is written by its number, as lines are broken
-/// after commas.
-/// \param utf8  valid
-/// \param limit  of bytes; letters at the end are left out that are beyond it
+/// The contents of a string, between its quotation marks. A comma is written by its code, because lines are
+/// broken after commas.
+/// \param utf8   valid UTF-8
+/// \param limit  in bytes; characters beyond it are left out
 [[nodiscard]] std::string stepText(std::string_view utf8, std::size_t limit = std::string_view::npos);
 
 /// Text of an entity in the making: `StepText("DIRECTION('',").reals(xyz).end()`.
@@ -26,7 +26,7 @@ public:
     explicit StepText(std::string_view begin) : text_(begin) {}
 
     StepText& raw(std::string_view text);
-    /// With a decimal point, in as few digits as read back as the same number.
+    /// With a decimal point, in the fewest digits that read back as the same number.
     StepText& real(double value);
     StepText& integer(int value);
     StepText& flag(bool value); ///< .T. or .F.
@@ -46,7 +46,7 @@ private:
 };
 
 struct StepHeader {
-    std::string name; ///< of the file, as `stepText` makes it
+    std::string name; ///< of the file, made by `stepText`
     std::string date; ///< when it was made, such as "1970-01-01T00:00:00"
 };
 
@@ -57,7 +57,7 @@ public:
     StepId add(std::string_view entity) { return add(StepText(entity)); }
 
     /// The whole file.
-    /// \param schema  as FILE_SCHEMA has it
+    /// \param schema  the name for FILE_SCHEMA
     [[nodiscard]] std::string text(const StepHeader& header, std::string_view schema) const;
 
 private:

@@ -1,4 +1,4 @@
-/// \file Targets where a scan shows nothing.
+/// \file Fills in targets where a scan shows nothing.
 #pragma once
 
 #include "bspline/reference/lattice_normals.h"
@@ -8,12 +8,11 @@ namespace qm {
 
 enum class Gaps { butForSharpOnes, all };
 
-/// Where a target weighs less than half, in holes of the scan and at outliers, the surface takes over the
-/// displacements of the targets around: the values in between solve Laplace's equation on the lattice. So
-/// nothing jumps where a hole begins. A part that the scan shows nowhere near stays as it is. Filled targets
-/// get a small weight.
-/// \param surface  that `lattice` and `reference` were made from
-/// \param gaps  whether sharp points are filled in, too; else they are not looked at
+/// Where a target has a weight below one half, in holes of the scan and at outliers, it gets a displacement
+/// and a small weight: the displacements there solve Laplace's equation on the lattice, so that nothing jumps
+/// where a hole begins. A part of the surface that the scan is nowhere near stays as it is.
+/// \param surface  the surface that `lattice` and `reference` were made from
+/// \param gaps     whether sharp points are filled in as well; otherwise they are not used
 void fillGaps(const LatticeNormals& lattice, const std::vector<ReferenceGrid>& surface, Gaps gaps,
               ScanReference& reference);
 

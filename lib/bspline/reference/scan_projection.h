@@ -1,4 +1,4 @@
-/// \file From points of a surface to points of a scan.
+/// \file Projects points of a surface onto a scan.
 #pragma once
 
 #include "bspline/reference/lattice_normals.h"
@@ -8,21 +8,21 @@
 
 namespace qm {
 
-/// By what a point of the surface is moved to lie on the scan.
+/// The vector from a point of the surface to the scan, if it was found there.
 using Displacement = std::optional<Eigen::Vector3d>;
 
 struct ScanProjection {
-    std::vector<Displacement> displacements; ///< by lattice point; none for sharp ones
-    double maxDistance = 0;                  ///< that was used
+    std::vector<Displacement> displacements; ///< by lattice point; none at sharp points
+    double maxDistance = 0;                  ///< the largest distance at which the scan was looked for
 };
 
-/// How far to look at most, and how far at least where the distances themselves decide.
+/// The largest distance to look at, and the least if the distances themselves determine it.
 struct ScanReach {
     double min = 0;
     double max = 0;
 };
 
-/// \param minCosine  of the angle between the normals of surface and scan
+/// \param minCosine  smallest cosine of the angle between the normals of surface and scan
 [[nodiscard]] ScanProjection projectOntoScan(const LatticeNormals& lattice, const TriangleSurface& scan,
                                              const ScanReach& reach, double minCosine, unsigned jobs);
 

@@ -5,10 +5,11 @@
 
 namespace qm {
 
-/// Sharp points go where their sides, carried on, meet, unless that is farther from the scan than they are
-/// already, beyond what noise explains: then the sides bend, and the nearest point of the scan is better.
-/// \param maxDistance  to look for that point at most
-/// \param maxRounding  how far at most a scan's edge is from the sharp one
+/// Moves sharp points to where their sides, extended, meet, unless that is farther from the scan than they
+/// are already by more than noise explains: then the sides are curved, and the nearest point of the scan is
+/// better.
+/// \param maxDistance  largest distance at which that point is looked for
+/// \param maxRounding  largest distance of a scan's edge from the sharp one
 void carryOnToSharpEdges(ScanTargets& targets, const TriangleSurface& scan, double maxDistance,
                          double maxRounding);
 

@@ -1,4 +1,4 @@
-/// \file Targets on a scan while they are made: by lattice point, looked at grid by grid
+/// \file The targets on a scan while they are determined: stored by lattice point, accessed by grid
 /// (docs/METHOD.md#reference).
 #pragma once
 
@@ -14,15 +14,15 @@
 namespace qm {
 
 struct ScanTargets {
-    /// Every displacement weighs 1 to begin with.
-    /// \param lattice  of `surface`; both outlive this
+    /// Gives every displacement a weight of 1.
+    /// \param lattice  of `surface`; both must outlive this
     ScanTargets(const LatticeNormals& lattice, const std::vector<ReferenceGrid>& surface,
                 std::vector<Displacement> displacements);
 
     const LatticeNormals& lattice;
     const std::vector<ReferenceGrid>& surface;
-    std::vector<Displacement> displacements; ///< there wherever the weight is above 0
-    std::vector<double> weights;             ///< 0 to 1
+    std::vector<Displacement> displacements; ///< present wherever the weight is above 0
+    std::vector<double> weights;             ///< from 0 to 1
     double noise = 0;                        ///< standard deviation of the offsets
 
     [[nodiscard]] int columns(std::size_t g) const { return surface[g].size[0] * surface[g].steps; }
@@ -38,14 +38,14 @@ struct ScanTargets {
                     f(g, i, j, lattice.numbers[g][index(g, i, j)]);
     }
 
-    /// How far the scan is above a point of a grid; none outside of it, without a target, and at sharp
+    /// The height of the scan above a point of a grid; none outside the grid, without a target, and at sharp
     /// points.
     [[nodiscard]] std::optional<double> offset(std::size_t g, int i, int j) const;
-    /// Share of the smooth points for which the scan shows one.
+    /// The share of the smooth points for which the scan shows a point.
     [[nodiscard]] double coverage() const;
     /// Grids, weights and noise.
     [[nodiscard]] ScanReference result() const;
-    /// Takes over what has been made of the result.
+    /// Takes over the changes that were made to the result.
     void update(const ScanReference& result);
 };
 

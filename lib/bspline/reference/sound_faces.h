@@ -1,4 +1,4 @@
-/// \file Quads over which surfaces can be upright, even where interpolation winds them.
+/// \file Quads over which surfaces need not fold, even where interpolation makes the reference fold.
 #pragma once
 
 #include "bspline/splines/evaluate.h"
@@ -9,8 +9,8 @@
 
 namespace qm {
 
-/// The faces that are nearly flat and convex, and around which no face is folded: surfaces over them can be
-/// upright, even where interpolation winds the reference. By face.
+/// By face: whether it is nearly flat and convex, and no face around it is folded. Surfaces can be upright
+/// over such faces even where interpolation makes the reference fold.
 [[nodiscard]] std::vector<bool> soundFaces(const QuadMesh& mesh);
 
 /// The bilinear surface through four points, counter-clockwise from the lowest parameters.
@@ -18,10 +18,10 @@ class BilinearQuad {
 public:
     explicit BilinearQuad(const std::array<Point, 4>& corners);
 
-    /// With its derivatives, 0 to 1 in both directions.
+    /// Point and derivatives at parameters from 0 to 1.
     [[nodiscard]] SurfacePoint evaluate(double s, double t) const;
     [[nodiscard]] const Point& normal() const { return normal_; }
-    /// Cosine of the angle between the normal in the middle and that at a corner, the least.
+    /// The smallest cosine of the angle between the normal in the middle and that at a corner.
     [[nodiscard]] double minCosine() const;
 
 private:
@@ -29,7 +29,7 @@ private:
     Point normal_; ///< unit, in the middle
 };
 
-/// Cosine between the normal of a sound quad and a surface over it, above which this is not folded: of 80
+/// A surface counts as folded over a sound quad if the cosine of the angle between their normals is less: 80
 /// degrees.
 constexpr double uprightCosine = 0.17;
 

@@ -1,4 +1,4 @@
-/// \file What one step of Catmull-Clark subdivision, and the limit of all steps, make of a vertex.
+/// \file The weights of one step of Catmull-Clark subdivision at a vertex, and of its limit.
 #pragma once
 
 #include "bspline/network/vertex_rules.h"
@@ -12,7 +12,7 @@ namespace qm {
 struct VertexStencil {
     struct Term {
         HalfedgeId halfedge;   ///< leaves the vertex
-        bool diagonal = false; ///< false: the vertex it points to; true: the one opposite in its face
+        bool diagonal = false; ///< false: the vertex that it points to; true: the opposite vertex of its face
         double weight = 0;
     };
     double own = 1;
@@ -21,13 +21,13 @@ struct VertexStencil {
 
 /// Catmull and Clark's rule for a vertex (docs/METHOD.md#catmull-1978), that of a cubic spline curve along
 /// creases (docs/METHOD.md#derose-1998), or the vertex itself at a corner.
-/// \param stencil  to write to; its memory is used again
+/// \param stencil  is overwritten; its memory is reused
 void subdivisionStencil(const QuadMesh& mesh, VertexId vertex, const VertexRule& rule,
                         VertexStencil& stencil);
 
-/// The limit: the left eigenvector of one step around the vertex for the eigenvalue 1
-/// (docs/METHOD.md#halstead-1993). At a dart it is not the smooth one, as is often assumed, because the
-/// crease is subdivided otherwise than other edges.
+/// The limit position, by the left eigenvector of one step around the vertex for the eigenvalue 1
+/// (docs/METHOD.md#halstead-1993). At a dart it differs from the one of a smooth vertex, which is often used
+/// instead, because the crease is subdivided differently from other edges.
 void limitStencil(const QuadMesh& mesh, VertexId vertex, const VertexRule& rule, VertexStencil& stencil);
 
 } // namespace qm
