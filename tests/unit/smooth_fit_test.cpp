@@ -465,32 +465,37 @@ TEST(SmoothFit, DoesNotDependOnTheNumberOfThreads) {
         EXPECT_EQ(one.patches[k].controlPoints, three.patches[k].controlPoints);
 }
 
-TEST(PlanePatches, ArePlaneToRoundingAndStillSmooth) {
-    QuadMesh mesh = makeShape("block", {.resolution = 4});
-    // Rotates the part, so that no plane is parallel to an axis.
+/// Largest distance of points from the plane through three of them.
+double offPlane(const std::vector<Point>& points) {
+    const Point& origin = points.front();
+    Point normal(0, 0, 0);
+    for (const Point& a : points)
+        for (const Point& b : {points.back(), points[points.size() / 3]})
+            if (const Point n = (a - origin) % (b - origin); n.sqrnorm() > normal.sqrnorm()) normal = n;
+    double farthest = 0;
+    for (const Point& a : points)
+        farthest = std::max(farthest, std::abs((a - origin) | normal) / normal.norm());
+    return farthest;
+}
+
+/// A part turned so that none of its planes is parallel to an axis.
+QuadMesh turnedShape(const std::string& name, int resolution) {
+    QuadMesh mesh = makeShape(name, {.resolution = resolution});
     for (const VertexId vertex : mesh.vertices()) {
         const Point at = mesh.point(vertex);
         mesh.set_point(vertex, {0.6 * at[0] - 0.8 * at[1], 0.64 * at[0] + 0.48 * at[1] - 0.6 * at[2],
                                 0.48 * at[0] + 0.36 * at[1] + 0.8 * at[2]});
     }
+    return mesh;
+}
+
+TEST(PlanePatches, ArePlaneToRoundingAndStillSmooth) {
+    const QuadMesh mesh = turnedShape("block", 4);
     const Layout layout = testing::cheapestLayout(mesh);
     const Surfaces surfaces = fitSurfaces(mesh, layout, dihedralAngles(mesh), {});
     EXPECT_LT(surfaces.deviation.largestGapRelative, 1e-12);
     EXPECT_LT(surfaces.deviation.largestNormalAngle, 1e-6);
     EXPECT_LE(surfaces.deviation.maxRelative, 0.001);
-
-    // Largest distance from the plane through three of the points.
-    const auto offPlane = [](const std::vector<Point>& points) {
-        const Point& origin = points.front();
-        Point normal(0, 0, 0);
-        for (const Point& a : points)
-            for (const Point& b : {points.back(), points[points.size() / 3]})
-                if (const Point n = (a - origin) % (b - origin); n.sqrnorm() > normal.sqrnorm()) normal = n;
-        double farthest = 0;
-        for (const Point& a : points)
-            farthest = std::max(farthest, std::abs((a - origin) | normal) / normal.norm());
-        return farthest;
-    };
     int planes = 0;
     for (const Patch& patch : surfaces.patches) {
         const Segment& segment = layout.segments[static_cast<std::size_t>(patch.segment.value())];
@@ -498,6 +503,16 @@ TEST(PlanePatches, ArePlaneToRoundingAndStillSmooth) {
         if (offPlane(patch.controlPoints) < 1e-12) ++planes;
     }
     EXPECT_EQ(planes, 4) << "but those with rounded corners";
+}
+
+TEST(PlanePatches, ArePlaneWhereTheirNeighboursNeedMoreKnotsForIt) {
+    const QuadMesh mesh = turnedShape("bracket", 6);
+    const Layout layout = testing::cheapestLayout(mesh);
+    const Surfaces surfaces = fitSurfaces(mesh, layout, dihedralAngles(mesh), {});
+    EXPECT_LE(surfaces.deviation.maxRelative, 0.001);
+    const auto planes = std::ranges::count_if(
+        surfaces.patches, [](const Patch& patch) { return offPlane(patch.controlPoints) < 1e-12; });
+    EXPECT_GT(planes, 20);
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "base/parallel.h"
 #include "bspline/fitting/border_knots.h"
 #include "bspline/fitting/continuity_equations.h"
+#include "bspline/fitting/flattening.h"
 #include "bspline/fitting/free_unknowns.h"
 #include "bspline/fitting/initial_knots.h"
 #include "bspline/fitting/knot_insertion.h"
@@ -182,6 +183,11 @@ void FitState::restore(const FitRound& round) {
     kept_ = round.lattices;
     patches_ = round.patches;
     solvedRuns_ = plan_.network().runs;
+    assess(everywhere());
+}
+
+void FitState::flatten(const std::vector<std::optional<Plane>>& planes) {
+    qm::flatten(layout_, plan_.network(), spaces_, planes, patches_, jobs_);
     assess(everywhere());
 }
 

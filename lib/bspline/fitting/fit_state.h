@@ -7,6 +7,7 @@
 #include "bspline/fitting/knot_plan.h"
 #include "bspline/fitting/lattice_errors.h"
 #include "bspline/fitting/normal_limits.h"
+#include "bspline/fitting/plane_patches.h"
 #include "bspline/fitting/thin_plate.h"
 #include "bspline/network/stretch_map.h"
 #include "bspline/reference/fit_target.h"
@@ -14,6 +15,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace qm {
@@ -43,6 +45,9 @@ public:
     [[nodiscard]] FitRound round(bool isKept);
     /// Goes back to an earlier round.
     void restore(const FitRound& round);
+
+    /// Moves plane patches into their planes, as far as these can be reached, and measures all patches again.
+    void flatten(const std::vector<std::optional<Plane>>& planes);
 
     /// Increases the weights of points that are too far away, so that the largest error decides and not the
     /// mean.

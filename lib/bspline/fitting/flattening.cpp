@@ -126,7 +126,7 @@ private:
             0.8; // of the farthest: one that cannot be had keeps its neighbours away, too
         // In multiples of the distance that was missing: planes that can hardly be reached push all patches
         // around away.
-        constexpr double tooMuch = 5;
+        constexpr double tooMuch = 20;
         const double size = largestDistance(points_);
         const Eigen::VectorXd left = missingHeights(demands, flat).cwiseAbs();
         const Eigen::VectorXd moved = (flat - points_).rowwise().norm();

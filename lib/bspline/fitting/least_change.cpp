@@ -68,7 +68,7 @@ double LeastChange::violation(const Eigen::MatrixX3d& change) const {
 
 Eigen::MatrixX3d LeastChange::change(const std::vector<PlaneDemand>& demands,
                                      const Eigen::MatrixX3d& points) const {
-    constexpr int maxIterations = 60;
+    constexpr int maxIterations = 120;
     constexpr double enough = 1e-15; // relative to the size of the points
     constexpr double worthwhile =
         1e-7; // relative to what is missing: drafts give no more digits, and the next pass does

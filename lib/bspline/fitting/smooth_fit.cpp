@@ -16,6 +16,8 @@ namespace qm {
 namespace {
 
 constexpr int maxRemovals = 6;
+/// Rounds are no longer flattened after this has broken the tolerance so often.
+constexpr int maxFlattenings = 8;
 /// Number of rounds after a removal within which the tolerance must be kept again.
 constexpr int maxRepairs = 4;
 /// A search ends after so many rounds without a better result.
@@ -105,6 +107,7 @@ private:
         for (int round = 0; round < maxRounds; ++round) {
             control.progress(static_cast<double>(round) / maxRounds);
             if (round > 0) state_.solve(options_.slides, false);
+            flattenIfKept();
             idle = keepIfBest() ? 0 : idle + 1;
             if (idle == maxIdle) break;
             if (2 * state_.worst() <= halvedWorst) {
@@ -133,6 +136,18 @@ private:
         }
     }
 
+    /// Once the tolerance is kept, it is to be kept with plane patches in their planes: what these push away
+    /// is refined as well. Some planes cannot be reached within the tolerance.
+    void flattenIfKept() {
+        if (!hasPlanes() || flattenings_ == maxFlattenings || state_.worst() > 1) return;
+        state_.flatten(planes_);
+        if (state_.worst() > 1) ++flattenings_;
+    }
+
+    [[nodiscard]] bool hasPlanes() const {
+        return std::ranges::any_of(planes_, [](const auto& plane) { return plane.has_value(); });
+    }
+
     static const std::vector<double>& verified(FitRound& round, const Verification& verify) {
         if (round.distances.empty()) round.distances = verify(round.patches);
         return round.distances;
@@ -140,7 +155,7 @@ private:
 
     /// Moves plane patches into their planes, except where that would break the tolerance.
     void flattenBest(const Verification& verify) {
-        if (std::ranges::none_of(planes_, [](const auto& plane) { return plane.has_value(); })) return;
+        if (!hasPlanes()) return;
         constexpr int attempts = 5;
         constexpr double worse = 1.01;
         const KnotPlan& plan = *best_.plan;
@@ -195,7 +210,8 @@ private:
     unsigned jobs_;
     std::vector<std::optional<Plane>> planes_;
     FitState state_;
-    int rounds_ = 0; ///< in all searches together
+    int flattenings_ = 0; ///< that broke the tolerance
+    int rounds_ = 0;      ///< in all searches together
     FitRound best_;
     FitRound nearest_; ///< the best if errors that are given up count like all others
 };
