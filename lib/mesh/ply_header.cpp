@@ -45,7 +45,7 @@ private:
         } else if (name == "binary_big_endian") {
             header_.format = PlyFormat::bigEndian;
         } else {
-            fail("format " + quoted(name) + " is not understood", "Write it as ascii or binary PLY");
+            fail("format " + inQuotes(name) + " is not understood", "Write it as ascii or binary PLY");
         }
         hasFormat_ = true;
     }
@@ -58,7 +58,7 @@ private:
         element.count = at(*count);
         const bool repeated = std::ranges::any_of(
             header_.elements, [&](const PlyElement& other) { return other.name == element.name; });
-        if (repeated) fail("element " + quoted(element.name) + " occurs twice");
+        if (repeated) fail("element " + inQuotes(element.name) + " occurs twice");
         header_.elements.push_back(std::move(element));
     }
 
@@ -82,7 +82,7 @@ private:
             "char", "int8",  "uchar", "uint8",  "short", "int16",   "ushort", "uint16",
             "int",  "int32", "uint",  "uint32", "float", "float32", "double", "float64"};
         const auto found = std::ranges::find(names, word);
-        if (found == names.end()) fail(quoted(word) + " is no type");
+        if (found == names.end()) fail(inQuotes(word) + " is no type");
         return static_cast<PlyType>((found - names.begin()) / 2);
     }
 

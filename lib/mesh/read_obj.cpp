@@ -34,7 +34,7 @@ private:
                 throw Error(lines_.place(),
                             "vertex " + std::to_string(soup_.points.size()) +
                                 (word.empty() ? " has fewer than three coordinates"
-                                              : ": " + quoted(word) + " is no number"),
+                                              : ": " + inQuotes(word) + " is no number"),
                             lines_.unfinished() ? cutOff : "Mend the line");
             point[k] = *value;
         }
@@ -61,7 +61,7 @@ private:
         const auto index = parseNumber<std::int64_t>(word.substr(0, word.find('/')));
         if (!index || *index == 0)
             throw Error(lines_.place(),
-                        "face " + std::to_string(soup_.faceCount()) + ": " + quoted(word) +
+                        "face " + std::to_string(soup_.faceCount()) + ": " + inQuotes(word) +
                             " is no vertex index",
                         lines_.unfinished() ? cutOff : "Mend the line; indices count from 1");
         return *index > 0 ? *index - 1 : static_cast<std::int64_t>(soup_.points.size()) + *index;

@@ -46,7 +46,7 @@ private:
         if (!word.ends_with("OFF"))
             throw Error(lines_.place(), "it does not begin with OFF", "Is it another format?");
         if (word.find_first_of("4n") != std::string_view::npos)
-            throw Error(lines_.place(), "points of " + quoted(word) + " are not in three dimensions",
+            throw Error(lines_.place(), "points of " + inQuotes(word) + " are not in three dimensions",
                         "Write a plain OFF file");
         if (const std::string_view next = lines_.word(); next == "BINARY")
             throw Error(lines_.place(), "binary OFF is not understood", "Write it as text, or as binary PLY");
@@ -84,7 +84,7 @@ private:
             const auto value = parseNumber<double>(word);
             if (!value)
                 throw Error(lines_.place(),
-                            "vertex " + std::to_string(soup_.points.size()) + ": " + quoted(word) +
+                            "vertex " + std::to_string(soup_.points.size()) + ": " + inQuotes(word) +
                                 " is no number",
                             "Mend the line");
             point[k] = *value;
@@ -112,7 +112,7 @@ private:
         const auto index = parseNumber<std::int64_t>(word);
         if (!index)
             throw Error(lines_.place(),
-                        "face " + std::to_string(soup_.faceCount()) + ": " + quoted(word) +
+                        "face " + std::to_string(soup_.faceCount()) + ": " + inQuotes(word) +
                             " is no whole number",
                         "Mend the line");
         return *index;

@@ -36,7 +36,7 @@ public:
         const std::string_view word = lines_.wordAnywhere();
         if (word.empty()) return std::nullopt;
         const auto value = parseNumber<double>(word);
-        if (!value) throw Error(lines_.place(), quoted(word) + " is no number", "Mend the line");
+        if (!value) throw Error(lines_.place(), inQuotes(word) + " is no number", "Mend the line");
         return value;
     }
     bool atEnd() override { return lines_.wordAnywhere().empty(); }

@@ -118,7 +118,7 @@ private:
     [[noreturn]] void fail(std::string_view found, std::string_view wanted) const {
         const std::string what = "expected " + std::string(wanted) + ", ";
         if (found.empty()) throw Error(lines_.place(), what + "but the file ends", cutOff);
-        throw Error(lines_.place(), what + "found " + quoted(found),
+        throw Error(lines_.place(), what + "found " + inQuotes(found),
                     lines_.unfinished() ? cutOff : "Mend the line, or get the file anew");
     }
 

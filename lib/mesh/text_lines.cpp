@@ -4,7 +4,7 @@
 
 namespace qm {
 
-std::string quoted(std::string_view word) {
+std::string inQuotes(std::string_view word) {
     constexpr std::size_t longest = 20;
     std::string shown(word.substr(0, longest));
     std::ranges::replace_if(

@@ -114,6 +114,6 @@ template <class Number> std::optional<Number> parseNumber(std::string_view word)
 }
 
 /// The beginning of a word in quotes, for messages; bytes other than printable ASCII become '?'.
-[[nodiscard]] std::string quoted(std::string_view word);
+[[nodiscard]] std::string inQuotes(std::string_view word);
 
 } // namespace qm
