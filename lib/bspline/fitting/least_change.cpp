@@ -3,6 +3,8 @@
 #include "bspline/splines/eigen_point.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace qm {
@@ -19,15 +21,25 @@ Eigen::Index row(const PlaneDemand& demand) {
     return static_cast<Eigen::Index>(demand.unknown);
 }
 
-/// Moves the point of every demand along the normal of its plane.
-/// \param pressure  by demand: how far
-Eigen::MatrixX3d spread(const std::vector<PlaneDemand>& demands, const Eigen::VectorXd& pressure,
-                        Eigen::Index unknowns) {
-    Eigen::MatrixX3d push = Eigen::MatrixX3d::Zero(unknowns, 3);
-    for (std::size_t k = 0; k < demands.size(); ++k)
-        push.row(row(demands[k])) +=
-            pressure[static_cast<Eigen::Index>(k)] * vector(demands[k].plane.normal).transpose();
-    return push;
+constexpr std::size_t coordinates = 3;
+
+/// The same equation for one coordinate, if all three of every point are numbered one after the other.
+LinearForm ofCoordinate(LinearForm equation, std::size_t coordinate) {
+    for (std::size_t& unknown : equation.unknowns)
+        unknown = coordinates * unknown + coordinate;
+    return equation;
+}
+
+/// The height of a demand's point over its plane, in the same numbering.
+LinearForm height(const PlaneDemand& demand) {
+    constexpr double rounding = 1e-15;
+    LinearForm form;
+    for (std::size_t k = 0; k < coordinates; ++k)
+        if (const double weight = demand.plane.normal[k]; std::abs(weight) > rounding) {
+            form.unknowns.push_back(coordinates * demand.unknown + k);
+            form.weights.push_back(weight);
+        }
+    return form;
 }
 
 /// By demand: the coordinate of its point along the normal of its plane.
@@ -45,14 +57,22 @@ LeastChange::LeastChange(std::size_t unknowns, std::vector<LinearForm> equations
     : unknowns_(static_cast<Eigen::Index>(unknowns)), equations_(std::move(equations)),
       allowed_(unknowns, identity(unknowns_), equations_, {}, 1) {}
 
-Eigen::MatrixX3d LeastChange::run(const std::vector<PlaneDemand>& demands, Eigen::MatrixX3d points) const {
-    constexpr int passes = 4; // the later ones remove the rounding errors of those before
-    constexpr double enough = 1e-14;
-    for (int k = 0; k < passes && missingHeights(demands, points).lpNorm<Eigen::Infinity>() >
-                                      enough * largestDistance(points);
-         ++k)
-        points += change(demands, points);
-    return points;
+Eigen::MatrixX3d LeastChange::run(const std::vector<PlaneDemand>& demands,
+                                  const Eigen::MatrixX3d& points) const {
+    std::vector<LinearForm> forms;
+    forms.reserve(coordinates * equations_.size() + demands.size());
+    for (const LinearForm& equation : equations_)
+        for (std::size_t k = 0; k < coordinates; ++k)
+            forms.push_back(ofCoordinate(equation, k));
+    std::ranges::transform(demands, std::back_inserter(forms), height);
+    const Eigen::VectorXd missing = missingHeights(demands, points);
+    Eigen::MatrixX3d constants = Eigen::MatrixX3d::Zero(static_cast<Eigen::Index>(forms.size()), 3);
+    constants.col(0).tail(missing.size()) = missing; // the other columns are not needed
+    const Eigen::Index all = 3 * unknowns_;
+    const ConstrainedSystem system(static_cast<std::size_t>(all), identity(all), forms, constants, 1);
+    Eigen::MatrixX3d solution;
+    system.improve(Eigen::MatrixX3d::Zero(all, 3), Accuracy::rounding, solution);
+    return points + allowed(solution.col(0).head(all).reshaped(3, unknowns_).transpose());
 }
 
 double LeastChange::violation(const Eigen::MatrixX3d& change) const {
@@ -66,37 +86,10 @@ double LeastChange::violation(const Eigen::MatrixX3d& change) const {
     return largest;
 }
 
-Eigen::MatrixX3d LeastChange::change(const std::vector<PlaneDemand>& demands,
-                                     const Eigen::MatrixX3d& points) const {
-    constexpr int maxIterations = 120;
-    constexpr double enough = 1e-15; // relative to the size of the points
-    constexpr double worthwhile =
-        1e-7; // relative to what is missing: drafts give no more digits, and the next pass does
-    const double size = largestDistance(points);
-    Eigen::VectorXd residual = missingHeights(demands, points);
-    Eigen::VectorXd pressure = Eigen::VectorXd::Zero(residual.size());
-    Eigen::VectorXd direction = residual;
-    double square = residual.squaredNorm();
-    const double limit = std::max(enough * size, worthwhile * residual.lpNorm<Eigen::Infinity>());
-    for (int k = 0; k < maxIterations && residual.lpNorm<Eigen::Infinity>() > limit; ++k) {
-        const Eigen::VectorXd effect =
-            heights(demands, allowed(spread(demands, direction, unknowns_), Accuracy::draft));
-        const double curvature = direction.dot(effect);
-        if (!(curvature > 0)) break;
-        const double step = square / curvature;
-        pressure += step * direction;
-        residual -= step * effect;
-        const double next = residual.squaredNorm();
-        direction = residual + next / square * direction;
-        square = next;
-    }
-    return allowed(spread(demands, pressure, unknowns_), Accuracy::rounding);
-}
-
 /// The change that is nearest to the given one among those that the equations allow.
-Eigen::MatrixX3d LeastChange::allowed(const Eigen::MatrixX3d& change, Accuracy accuracy) const {
+Eigen::MatrixX3d LeastChange::allowed(const Eigen::MatrixX3d& change) const {
     Eigen::MatrixX3d solution;
-    allowed_.improve(change, accuracy, solution);
+    allowed_.improve(change, Accuracy::rounding, solution);
     return solution.topRows(unknowns_);
 }
 

@@ -18,24 +18,24 @@ struct PlaneDemand {
     Plane plane;
 };
 
-/// Finds the change by conjugate gradients on the distances from the planes, within the null space of
-/// equations that the control points fulfil already.
+/// Finds the change by one sparse system in which every coordinate is an unknown of its own, since planes mix
+/// them. The equations hold for the points before it and after it.
 class LeastChange {
 public:
     /// \param unknowns  number of control points that may move
     LeastChange(std::size_t unknowns, std::vector<LinearForm> equations);
 
+    /// Planes that contradict one another, given the equations, are missed by as little as possible; all
+    /// others are met up to rounding.
     /// \param points  one row per control point that may move
     [[nodiscard]] Eigen::MatrixX3d run(const std::vector<PlaneDemand>& demands,
-                                       Eigen::MatrixX3d points) const;
+                                       const Eigen::MatrixX3d& points) const;
 
     /// The largest violation of an equation by a change.
     [[nodiscard]] double violation(const Eigen::MatrixX3d& change) const;
 
 private:
-    [[nodiscard]] Eigen::MatrixX3d change(const std::vector<PlaneDemand>& demands,
-                                          const Eigen::MatrixX3d& points) const;
-    [[nodiscard]] Eigen::MatrixX3d allowed(const Eigen::MatrixX3d& change, Accuracy accuracy) const;
+    [[nodiscard]] Eigen::MatrixX3d allowed(const Eigen::MatrixX3d& change) const;
 
     Eigen::Index unknowns_;
     std::vector<LinearForm> equations_;
