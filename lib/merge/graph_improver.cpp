@@ -49,7 +49,7 @@ OptimumResult GraphImprover::searchTree(const Control& control, const Control& o
 
 void GraphImprover::searchWindows(const IdVector<VariableId, double>& relaxed, WindowOptions options,
                                   const Control& control) {
-    options.relaxed = relaxedArcs(relaxed);
+    options.relaxed = arcValues(problem_, relaxed, space_.graph.arcs.size());
     options.improved = [&](const std::vector<bool>& present) { known_.setCost(costOf(space_, present)); };
     WindowResult windows = improveByWindows(input_, present_, options, control);
     present_ = std::move(windows.present);
@@ -69,15 +69,6 @@ WindowOptions GraphImprover::fastWindows(std::size_t share) const {
     WindowOptions options;
     options.maxVariables = std::max(Tuning::fastWindow, problem_.arcs.size() / share);
     return options;
-}
-
-/// The relaxed value of every arc.
-std::vector<double> GraphImprover::relaxedArcs(const IdVector<VariableId, double>& relaxed) const {
-    if (relaxed.empty()) return {};
-    std::vector<double> values(space_.graph.arcs.size(), 0);
-    for (const VariableId v : problem_.variables())
-        std::fill_n(values.begin() + problem_.arcs[v].first.value(), problem_.arcs[v].count, relaxed[v]);
-    return values;
 }
 
 } // namespace qm

@@ -43,7 +43,6 @@ public:
 private:
     void take(const Assignment& graph);
     [[nodiscard]] WindowOptions fastWindows(std::size_t share) const;
-    [[nodiscard]] std::vector<double> relaxedArcs(const IdVector<VariableId, double>& relaxed) const;
 
     const SearchSpace& space_;
     const ProblemInput input_;

@@ -7,6 +7,7 @@
 #include "merge/generators.h"
 #include "merge/improve.h"
 #include "merge/move_cuts.h"
+#include "merge/search_whole.h"
 
 #include <algorithm>
 #include <utility>
@@ -59,16 +60,23 @@ MergeResult mergeGraphs(const QuadMesh& mesh, const BaseComplex& complex,
         throw Error(
             "/constraints", "no graph that obeys them was found one sub-mesh after the other",
             "Lay the cut around these edges, or search the whole mesh with a greater --chi of qm-cut");
+    // If segments have a cost, the bound includes it and is no bound of G_T, which sums over edges only.
+    const bool bounds = enumeration.cost.terms.segments == 0;
     if (subMeshes.count > 1) {
-        WindowResult moved = moveCuts(space, present, complexityLimit, control);
-        present = std::move(moved.present);
-        result.windows = moved.windows;
-        result.improvements = moved.improvements;
+        const std::optional<WholeSearch> whole = searchWhole(space, present, control);
+        if (whole) present = whole->present;
+        if (whole && bounds) result.lowerBound = whole->lowerBound;
+        if (!whole || !whole->proven) {
+            WindowResult moved = moveCuts(space, present, complexityLimit,
+                                          whole ? whole->relaxed : std::vector<double>(), control);
+            present = std::move(moved.present);
+            result.windows = moved.windows;
+            result.improvements = moved.improvements;
+        }
     }
     result.graph = graphOf(mesh, complex, space.graph, present, costs);
     result.costBefore = result.graph.cost;
-    // If segments have a cost, the bound includes it and is no bound of G_T, which sums over edges only.
-    const bool bounds = enumeration.cost.terms.segments == 0;
+    if (result.lowerBound) result.lowerBound = boundBelow(*result.lowerBound, result.graph.cost);
     if (subMeshes.count == 1 && bounds) result.lowerBound = enumeration.subMeshes.front().lowerBound;
     const bool proven = result.lowerBound && result.graph.cost <= *result.lowerBound + Incumbents::tolerance;
     if (options.improve > 0 && !proven) {

@@ -1,6 +1,7 @@
 #include "merge/move_cuts.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace qm {
 namespace {
@@ -15,8 +16,9 @@ constexpr std::size_t maxWindows = 2000;
 } // namespace
 
 WindowResult moveCuts(const SearchSpace& space, const std::vector<bool>& present, double complexity,
-                      const Control& control) {
+                      std::vector<double> relaxed, const Control& control) {
     WindowOptions options;
+    options.relaxed = std::move(relaxed);
     options.minVariables = options.maxVariables =
         static_cast<std::size_t>(std::clamp(variablesPerBit * complexity, 1.0, maxVariables));
     options.maxWindows = maxWindows;

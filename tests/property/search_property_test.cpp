@@ -17,6 +17,7 @@
 #include "layout/cost.h"
 #include "layout/layout.h"
 #include "layout/tracks.h"
+#include "merge/generators.h"
 #include "merge/improve.h"
 #include "merge/merge.h"
 #include "mesh/topology.h"
@@ -323,14 +324,19 @@ TEST(SearchProperty, MergingEndsInAValidGraphWhateverTheCut) {
         EnumerationOptions options;
         options.cost = {{0.9, 0.7}};
         const Enumeration found = enumerateGraphs(drawn->mesh, drawn->complex, drawn->angles, parts, options);
+        const SearchSpace space = makeSearchSpace(drawn->mesh, drawn->complex, drawn->costs, parts, {});
+        const GeneratedGraph generated =
+            generateGraph(drawn->mesh, drawn->complex, space, found, parts, 40, MergeOptions().maxRounds, {});
+        EXPECT_TRUE(isMotorcycleGraph(space.graph, generated.present)) << "case " << number;
         const MergeResult merged =
             mergeGraphs(drawn->mesh, drawn->complex, drawn->angles, parts, found, {}, 40, {});
         const auto present = presentArcs(drawn->mesh, drawn->complex, drawn->graph, merged.graph.tracks);
         EXPECT_TRUE(isMotorcycleGraph(drawn->graph, present)) << "case " << number;
         EXPECT_NO_THROW((void)buildLayout(drawn->mesh, merged.graph.tracks, drawn->angles, drawn->costs))
             << "case " << number;
-        EXPECT_GE(merged.graph.cost,
-                  costOf(drawn->problem, findOptimum(drawn->problem, {}).graphs.front()) - 1e-6);
+        EXPECT_NEAR(merged.graph.cost,
+                    costOf(drawn->problem, findOptimum(drawn->problem, {}).graphs.front()), 1e-6)
+            << "case " << number << ": small enough to be searched as a whole";
         ++cutMeshes;
     }
     EXPECT_GT(cutMeshes, cases / 4);

@@ -3,6 +3,7 @@
 #include "merge/graph_improver.h"
 #include "merge/improve.h"
 #include "merge/move_cuts.h"
+#include "merge/search_whole.h"
 #include "support/polycube.h"
 #include "support/random_graph.h"
 
@@ -32,9 +33,10 @@ TEST(BoundBelow, IsAFaultWhereAGraphIsCheaper) {
 
 /// A part with random costs and its plain motorcycle graph.
 struct PlainCase {
-    explicit PlainCase(unsigned number) : mesh(testing::quadMesh(testing::polycube(testing::bump(), 3))) {
+    explicit PlainCase(unsigned number, int edges = 3, std::size_t seeds = 6)
+        : mesh(testing::quadMesh(testing::polycube(testing::bump(), edges))) {
         std::mt19937 random(number);
-        complex = buildBaseComplex(mesh, testing::randomSeeds(mesh, 6, random));
+        complex = buildBaseComplex(mesh, testing::randomSeeds(mesh, seeds, random));
         std::uniform_real_distribution<double> cost(-1, 2);
         costs.resize(mesh.n_edges());
         std::ranges::generate(costs, [&] { return cost(random); });
@@ -53,13 +55,32 @@ TEST(MoveCuts, MakesGraphsCheaperAndLeavesThemValid) {
     int cheaper = 0;
     for (unsigned number = 0; number < 20; ++number) {
         const PlainCase plain(number);
-        const WindowResult moved = moveCuts(plain.space, plain.present, 40);
+        const WindowResult moved = moveCuts(plain.space, plain.present, 40, {});
         EXPECT_TRUE(testing::isMotorcycleGraph(plain.space.graph, moved.present)) << number;
         const double before = costOf(plain.space, plain.present), after = costOf(plain.space, moved.present);
         EXPECT_LE(after, before + 1e-9) << number;
         cheaper += after < before - 1e-9 ? 1 : 0;
     }
     EXPECT_GT(cheaper, 5);
+}
+
+TEST(SearchWhole, FindsTheCheapestGraphAndItsBound) {
+    for (unsigned number = 0; number < 20; ++number) {
+        const PlainCase plain(number);
+        const auto whole = searchWhole(plain.space, plain.present);
+        ASSERT_TRUE(whole) << number;
+        EXPECT_TRUE(testing::isMotorcycleGraph(plain.space.graph, whole->present)) << number;
+        const Problem problem = makeProblem(wholeInput(plain.space));
+        const double cheapest = costOf(problem, findOptimum(problem, {}).graphs.front());
+        EXPECT_LE(whole->lowerBound, cheapest + 1e-6) << number;
+        EXPECT_TRUE(whole->proven) << number;
+        EXPECT_NEAR(costOf(problem, assignmentOf(problem, whole->present)), cheapest, 1e-6) << number;
+    }
+}
+
+TEST(SearchWhole, LeavesLargeMeshesAlone) {
+    const PlainCase fine(1, 20, 300);
+    EXPECT_FALSE(searchWhole(fine.space, fine.present));
 }
 
 TEST(GraphImprover, TellsOfEveryCheaperGraphAndEndsWithTheOptimum) {

@@ -1,5 +1,7 @@
 #include "enumerate/state/assignment.h"
 
+#include <algorithm>
+
 namespace qm {
 
 double costOf(const Problem& problem, const Assignment& assignment) {
@@ -41,6 +43,15 @@ void apply(const Problem& problem, const Assignment& assignment, std::vector<boo
         for (int k = 0; k < run.count; ++k)
             present[(run.first + k).idx()] = assignment[v] == 1;
     }
+}
+
+std::vector<double> arcValues(const Problem& problem, const IdVector<VariableId, double>& values,
+                              std::size_t arcs) {
+    if (values.empty()) return {};
+    std::vector<double> result(arcs, 0);
+    for (const VariableId v : problem.variables())
+        std::fill_n(result.begin() + problem.arcs[v].first.value(), problem.arcs[v].count, values[v]);
+    return result;
 }
 
 } // namespace qm

@@ -23,4 +23,9 @@ using Assignment = IdVector<VariableId, signed char>;
 /// Overwrites the arcs of all variables with the values of an assignment.
 void apply(const Problem& problem, const Assignment& assignment, std::vector<bool>& present);
 
+/// The value of every arc, such as in a relaxed solution: that of its variable; 0 if it is not free.
+/// \return empty if there are no values
+[[nodiscard]] std::vector<double> arcValues(const Problem& problem,
+                                            const IdVector<VariableId, double>& values, std::size_t arcs);
+
 } // namespace qm

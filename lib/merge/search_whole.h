@@ -1,0 +1,27 @@
+/// \file Searching the whole mesh at once, as far as that takes little time (docs/METHOD.md#merging).
+#pragma once
+
+#include "base/control.h"
+#include "enumerate/sub_mesh/search_space.h"
+
+#include <optional>
+#include <vector>
+
+namespace qm {
+
+struct WholeSearch {
+    std::vector<bool> present;  ///< the arcs of a graph that is at most as expensive as the start
+    double lowerBound = 0;      ///< no graph is cheaper
+    bool proven = false;        ///< whether the graph is the cheapest
+    std::vector<double> relaxed; ///< value of every arc in the relaxed solution; empty if there is none
+};
+
+/// Most models are proven within a second, sooner than windows could improve the merged graph. The limits
+/// count variables and nodes, so the result does not depend on the machine.
+/// \param present  the arcs of a valid graph of the whole mesh
+/// \return nothing if the mesh has so many lines that the search would take too long
+[[nodiscard]] std::optional<WholeSearch> searchWhole(const SearchSpace& space,
+                                                     const std::vector<bool>& present,
+                                                     const Control& control = {});
+
+} // namespace qm
