@@ -50,6 +50,7 @@ void runBlender(const TemporaryFolder& folder, const HeldSignals& signals, const
     const std::vector<std::string> words = {"blender",
                                             "--background",
                                             "--factory-startup",
+                                            "-noaudio", // it would leave a folder of the sound server's
                                             "--python-exit-code",
                                             "1",
                                             "--python",

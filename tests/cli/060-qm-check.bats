@@ -44,7 +44,7 @@ untrue() {
     run --separate-stderr qm-check --json spoilt.json
     assert_equal "$status" 1
     assert_equal "$(jq -c '[.ok, .violationCount, .violations[0].pointer, .violations[0].rule]' <<<"$output")" \
-        '[false,1,"/layout/cost","G_T"]'
+        '[false,2,"/layout/cost","G_T"]' # the gap to the bound is wrong as well
 }
 
 @test "from standard input, with the mesh named" {

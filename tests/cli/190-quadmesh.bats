@@ -125,6 +125,12 @@ fails_with() {
     [[ -z $stderr ]] || assert_regex "$stderr" 'a limit ended the search'
 }
 
+@test "values may be attached to the names of options" {
+    quietly quadmesh -j1 -opart.step --tolerance=1% --cut.chi=20 part.obj
+    assert_line --regexp 'tolerance, 0\.0469 mm$'
+    assert [ -s part.step ]
+}
+
 @test "names with blanks, and names that look like options" {
     cp part.obj 'my part.obj'
     cp part.obj ./-o.obj

@@ -56,4 +56,19 @@ TEST(LeastChange, TellsWhatCannotBeHad) {
         << "either a plane is missed or the equation does not hold";
 }
 
+TEST(LeastChange, MissesOnlyWhatContradicts) {
+    // Two points that are tied to one another cannot be at two heights; the third is free.
+    const LeastChange change(3, {{{0, 1}, {1, -1}}});
+    const qm::Plane slanted{qm::Point(0.6, 0, 0.8), 2};
+    const std::vector<PlaneDemand> demands{{0, level(0)}, {1, level(1)}, {2, slanted}};
+    const Eigen::MatrixX3d before = Eigen::MatrixX3d::Zero(3, 3);
+    const Eigen::MatrixX3d after = change.run(demands, before);
+    const Eigen::VectorXd missing = qm::missingHeights(demands, after);
+    EXPECT_NEAR(missing[0], -0.5, 1e-9);
+    EXPECT_NEAR(missing[1], 0.5, 1e-9);
+    EXPECT_NEAR(missing[2], 0, 1e-14);
+    EXPECT_LT(change.violation(after - before), 1e-14);
+    EXPECT_NEAR((after.row(2) - Eigen::RowVector3d(1.2, 0, 1.6)).norm(), 0, 1e-14) << "the nearest point";
+}
+
 } // namespace
