@@ -334,8 +334,8 @@ TEST(SearchProperty, MergingEndsInAValidGraphWhateverTheCut) {
         EXPECT_TRUE(isMotorcycleGraph(drawn->graph, present)) << "case " << number;
         EXPECT_NO_THROW((void)buildLayout(drawn->mesh, merged.graph.tracks, drawn->angles, drawn->costs))
             << "case " << number;
-        EXPECT_NEAR(merged.graph.cost,
-                    costOf(drawn->problem, findOptimum(drawn->problem, {}).graphs.front()), 1e-6)
+        EXPECT_NEAR(merged.graph.cost, costOf(drawn->problem, findOptimum(drawn->problem, {}).graphs.front()),
+                    1e-6)
             << "case " << number << ": small enough to be searched as a whole";
         ++cutMeshes;
     }
