@@ -27,8 +27,8 @@ struct MergeResult {
     std::size_t improvements = 0;     ///< windows that made it cheaper
 };
 
-/// Runs PMG, then CMG until no particle is free, then improves the graph if there is time for it. The result
-/// is always a valid motorcycle graph of the whole mesh.
+/// Runs PMG, then CMG until no particle is free, then searches across the cut, then improves the graph if
+/// there is time for it. The result is always a valid motorcycle graph of the whole mesh.
 /// \param enumeration      the first graph of every sub-mesh is the starting point; its cost options apply
 /// \param tell             called with the known cost and bound during the improvement
 /// \param complexityLimit  chi: fewer particles are taken if a closed set of linked ones is this complex
