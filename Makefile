@@ -156,7 +156,7 @@ $(O)/%.o: %.cpp $(O)/flags $(O)/precompiled/library.h.gch
 
 # A sixth less time to compile, and tests run as fast: what takes time is in the library.
 of_tests := $(unit_tests) $(properties)
-$(of_tests) $(O)/precompiled/tests.h.gch: compile += $(if $(filter release,$(config)),-O1)
+$(of_tests) $(O)/precompiled/tests.h.gch: private compile += $(if $(filter release,$(config)),-O1)
 $(of_tests): $(O)/%.o: %.cpp $(O)/flags $(O)/precompiled/tests.h.gch
 	@mkdir -p $(@D)
 	$(call quietly,compile,$<) $(compile) $(call with_precompiled,tests) -MMD -MP -c $< -o $@
