@@ -368,6 +368,11 @@ TEST(SearchProperty, WindowsImproveAndLargeOnesReachTheOptimum) {
         WindowOptions guided = small;
         for (std::size_t arc = 0; arc < drawn->graph.arcs.size(); ++arc)
             guided.relaxed.push_back(std::uniform_real_distribution<double>(0, 1)(random));
+        WindowOptions agreeing = small;
+        for (const bool present : presentIn(*drawn, start))
+            agreeing.relaxed.push_back(present ? 1 : 0);
+        EXPECT_EQ(improveByWindows(input, presentIn(*drawn, start), agreeing).windows, 0U)
+            << "case " << number;
         for (const WindowOptions& options : {small, guided, WindowOptions{}}) {
             const Assignment better = improve(options, {});
             EXPECT_TRUE(graphs->contains(better)) << "case " << number;

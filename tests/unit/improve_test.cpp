@@ -78,8 +78,21 @@ TEST(SearchWhole, FindsTheCheapestGraphAndItsBound) {
     }
 }
 
+TEST(SearchWhole, RelaxesOnlyTheRootOfLargerMeshes) {
+    const PlainCase larger(1, 15, 150);
+    ASSERT_GT(makeProblem(wholeInput(larger.space)).arcs.size(), 2500U);
+    const auto whole = searchWhole(larger.space, larger.present);
+    ASSERT_TRUE(whole);
+    EXPECT_TRUE(testing::isMotorcycleGraph(larger.space.graph, whole->present));
+    const double cost = costOf(larger.space, whole->present);
+    EXPECT_LT(cost, costOf(larger.space, larger.present) - 1);
+    EXPECT_LE(whole->lowerBound, cost + 1e-6);
+    EXPECT_FALSE(whole->relaxed.empty());
+}
+
 TEST(SearchWhole, LeavesLargeMeshesAlone) {
-    const PlainCase fine(1, 20, 300);
+    const PlainCase fine(1, 60, 2000);
+    ASSERT_GT(makeProblem(wholeInput(fine.space)).arcs.size(), 10000U);
     EXPECT_FALSE(searchWhole(fine.space, fine.present));
 }
 

@@ -14,7 +14,6 @@ namespace {
 using Tuning = DivingTuning;
 /// The size from which a part is hard: none is, so searches do not nest.
 constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
-///< not nest
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Fixes the fractional columns of highest value to 1.

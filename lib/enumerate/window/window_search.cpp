@@ -20,9 +20,11 @@ struct Tuning {
     static constexpr std::size_t batch = 8;
     /// In a patient search, the limit of trees grows by this factor when no window of any size helps.
     static constexpr std::size_t growthOfTrees = 4;
-    /// Added to a chain's disagreement for every arc, so that chains without disagreement come last, longest
-    /// first.
+    /// Added to a chain's disagreement for every arc, so that windows grow by chains without disagreement,
+    /// too, by long ones first.
     static constexpr double slight = 0.01;
+    /// Less disagreement is rounding of the relaxed solution.
+    static constexpr double agreement = 1e-3;
 };
 
 bool isValid(const Problem& problem, const Assignment& graph) {
@@ -104,13 +106,20 @@ private:
         return sums;
     }
 
+    /// Whether a chain begins a window: where the graph is as in the relaxed solution, few windows help.
+    [[nodiscard]] bool isDoubtful(ChainId chain, double disagreement) const {
+        return options_.relaxed.empty() ||
+               disagreement > Tuning::slight * whole_.chains[chain].count + Tuning::agreement;
+    }
+
     /// Searches all windows of the current size that have changed since their last search.
     /// \return whether a window improved the graph
     bool pass() {
         const std::size_t before = result_.improvements;
         const IdVector<ChainId, double> weights = disagreements();
-        const auto chainIds = whole_.chains.ids();
-        std::vector<ChainId> order(chainIds.begin(), chainIds.end());
+        std::vector<ChainId> order;
+        for (const ChainId chain : whole_.chains.ids())
+            if (isDoubtful(chain, weights[chain])) order.push_back(chain);
         std::ranges::stable_sort(order, std::greater{}, [&](ChainId chain) { return weights[chain]; });
         std::vector<Window> windows;
         for (const ChainId chain : order) {

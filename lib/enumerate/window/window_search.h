@@ -1,7 +1,8 @@
 /// \file Improves a graph by searching one window after another (docs/METHOD.md#windows).
 ///
-/// A window is a chain and those that cross it most; all others stay fixed. Chains on which the graph and the
-/// relaxed solution disagree come first. Windows grow when none of their size improves the graph.
+/// A window is a chain and those that cross it most; all others stay fixed. If a relaxed solution is known,
+/// windows begin with chains on which the graph disagrees with it, those that disagree most first. Windows
+/// grow when none of their size improves the graph.
 #pragma once
 
 #include "base/control.h"
