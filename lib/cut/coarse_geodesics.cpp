@@ -26,18 +26,13 @@ CoarseGeodesics::CoarseGeodesics(const QuadMesh& mesh, const std::vector<SubMesh
 
 void CoarseGeodesics::coarsen(const std::vector<VertexId>& vertices) {
     makeCells(vertices);
-    std::vector<Tie> ties;
-    for (const VertexId vertex : vertices)
-        addTies(vertex, ties);
-    std::ranges::sort(ties);
-    ties.erase(std::unique(ties.begin(), ties.end()), ties.end());
+    const std::vector<CellTie> ties = cellTies(mesh_, labels_, vertices, cellOf_);
     findNeighbours(ties);
     std::vector<Point> points;
     points.reserve(centres_.size());
     for (const VertexId centre : centres_)
         points.push_back(mesh_.point(centre));
-    onlyOne_.assign(centres_.size(), SubMeshId(0));
-    front_.emplace(points, ties, onlyOne_);
+    front_.emplace(points, ties);
 }
 
 /// Every vertex that no cell has reached becomes a centre, and takes all vertices that are nearer to it than
@@ -70,37 +65,11 @@ void CoarseGeodesics::growCell(VertexId centre, int radius) {
     }
 }
 
-/// Adds the ties of all quads in the vertex's sub-mesh whose lowest corner is this vertex.
-void CoarseGeodesics::addTies(VertexId vertex, std::vector<Tie>& ties) const {
-    const SubMeshId subMesh = labels_[at(vertex)];
-    const int own = cellOf_[at(vertex)];
-    for (const HalfedgeId halfedge : mesh_.voh_range(vertex)) {
-        if (mesh_.is_boundary(halfedge)) continue;
-        Tie tie{own};
-        std::size_t count = 1;
-        bool lowest = true;
-        HalfedgeId side = halfedge;
-        for (int k = 1; k < 4 && lowest; ++k) {
-            const VertexId corner = mesh_.to_vertex_handle(side);
-            side = mesh_.next_halfedge_handle(side);
-            if (labels_[at(corner)] != subMesh) continue;
-            lowest = vertex.idx() < corner.idx();
-            const int cell = cellOf_[at(corner)];
-            if (cell != own && std::find(tie.begin(), tie.begin() + count, cell) == tie.begin() + count)
-                tie[count++] = cell;
-        }
-        if (!lowest || count < 2) continue;
-        std::rotate(tie.begin(), std::min_element(tie.begin(), tie.begin() + count), tie.begin() + count);
-        std::fill(tie.begin() + count, tie.end(), tie[count - 1]);
-        ties.push_back(tie);
-    }
-}
-
-void CoarseGeodesics::findNeighbours(const std::vector<Tie>& ties) {
+void CoarseGeodesics::findNeighbours(const std::vector<CellTie>& ties) {
     around_.assign(centres_.size(), {});
     for (std::size_t cell = 0; cell < around_.size(); ++cell)
         around_[cell].push_back(static_cast<int>(cell));
-    for (const Tie& tie : ties)
+    for (const CellTie& tie : ties)
         for (const int cell : tie)
             around_[at(cell)].insert(around_[at(cell)].end(), tie.begin(), tie.end());
     for (std::vector<int>& cells : around_) {

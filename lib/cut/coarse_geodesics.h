@@ -2,7 +2,10 @@
 #pragma once
 
 #include "base/at.h"
+#include "base/ids.h"
+#include "cut/cell_ties.h"
 #include "cut/geodesics.h"
+#include "cut/surface_distances.h"
 
 #include <optional>
 
@@ -30,13 +33,9 @@ public:
     std::vector<double> between(VertexId source, const std::vector<VertexId>& targets) override;
 
 private:
-    /// Cells at the corners of a quad; if there are fewer than four, the last one is repeated.
-    using Tie = std::array<int, 4>;
-
     void makeCells(const std::vector<VertexId>& vertices);
     void growCell(VertexId centre, int radius);
-    void addTies(VertexId vertex, std::vector<Tie>& ties) const;
-    void findNeighbours(const std::vector<Tie>& ties);
+    void findNeighbours(const std::vector<CellTie>& ties);
     [[nodiscard]] int& cellOf(VertexId vertex) { return cellOf_[at(vertex)]; }
     [[nodiscard]] double length(VertexId vertex, int cell) const;
 
@@ -46,7 +45,6 @@ private:
     std::vector<int> cellOf_; ///< of every vertex
     std::vector<VertexId> centres_;
     std::vector<std::vector<int>> around_; ///< of every cell, itself and its neighbours, ascending
-    std::vector<SubMeshId> onlyOne_;       ///< label of every cell, all equal
     std::optional<Geodesics> front_;
 };
 

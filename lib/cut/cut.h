@@ -51,7 +51,7 @@ struct Cut {
 /// sub-mesh that is simple enough need not be connected. Sub-meshes are numbered by their lowest vertex;
 /// isolated vertices belong to sub-mesh 0.
 /// \param complex  base complex with the feature seeds
-/// \param control  if it is stopped, what has been cut so far; progress counts sub-meshes
+/// \param control  if it is stopped, what has been cut so far
 [[nodiscard]] Cut cutMesh(const QuadMesh& mesh, const BaseComplex& complex,
                           const std::vector<double>& dihedralAngles, const CutOptions& options,
                           const Control& control = {});

@@ -12,26 +12,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-std::vector<Point> pointsOf(const QuadMesh& mesh) {
-    std::vector<Point> points;
-    points.reserve(mesh.n_vertices());
-    for (const VertexId vertex : mesh.vertices())
-        points.push_back(mesh.point(vertex));
-    return points;
-}
-
-std::vector<std::array<int, 4>> quadsOf(const QuadMesh& mesh) {
-    std::vector<std::array<int, 4>> quads;
-    quads.reserve(mesh.n_faces());
-    for (const FaceId face : mesh.faces()) {
-        unsigned k = 0;
-        quads.emplace_back();
-        for (const VertexId vertex : mesh.fv_range(face))
-            quads.back()[k++] = vertex.idx();
-    }
-    return quads;
-}
-
 /// The usual difference of distance between the two ends of an edge.
 double stepOf(const std::vector<Point>& points, const std::vector<std::array<int, 4>>& quads) {
     double sum = 0;
@@ -79,13 +59,9 @@ double Geodesics::Quad::length(unsigned i, unsigned j) const {
     return ahead == 1 ? sides[i] : ahead == 3 ? sides[j] : diagonals[i % 2];
 }
 
-Geodesics::Geodesics(const QuadMesh& mesh, const std::vector<SubMeshId>& labels)
-    : Geodesics(pointsOf(mesh), quadsOf(mesh), labels) {}
-
-Geodesics::Geodesics(const std::vector<Point>& points, const std::vector<std::array<int, 4>>& quads,
-                     const std::vector<SubMeshId>& labels)
-    : labels_(labels), nodeOf_(numberNodes(points)), firstCorner_(points.size() + 1, 0),
-      distance_(points.size(), infinity), front_(stepOf(points, quads)) {
+Geodesics::Geodesics(const std::vector<Point>& points, const std::vector<std::array<int, 4>>& quads)
+    : nodeOf_(numberNodes(points)), firstCorner_(points.size() + 1, 0), distance_(points.size(), infinity),
+      front_(stepOf(points, quads)) {
     quads_.reserve(quads.size());
     for (const auto& corners : quads) {
         Quad quad{};
@@ -135,25 +111,15 @@ const std::vector<double>& Geodesics::from(std::span<const Start> starts) {
         touched_.push_back(node);
         front_.push({start.distance, start.vertex, node});
     }
-    const SubMeshId subMesh = labels_[at(starts.front().vertex)];
     while (!front_.empty()) {
         const int reached = front_.pop().node;
         Node& node = nodeAt(reached);
         if (node.final) continue;
         node.final = true;
         distance_[at(node.vertex)] = node.distance;
-        spread(reached, subMesh);
+        spread(reached);
     }
     return distance_;
-}
-
-std::vector<double> Geodesics::between(VertexId source, const std::vector<VertexId>& targets) {
-    const std::vector<double>& all = from(source);
-    std::vector<double> distances;
-    distances.reserve(targets.size());
-    for (const VertexId target : targets)
-        distances.push_back(all[at(target)]);
-    return distances;
 }
 
 void Geodesics::forget() {
@@ -166,13 +132,13 @@ void Geodesics::forget() {
 }
 
 /// Updates the open vertices of all quads around a vertex whose distance has become final.
-void Geodesics::spread(int node, SubMeshId subMesh) {
+void Geodesics::spread(int node) {
     for (std::uint32_t k = firstCorner_[at(node)]; k < firstCorner_[at(node) + 1]; ++k) {
         const Quad& quad = quads_[cornersAround_[k] / 4];
         const unsigned from = cornersAround_[k] % 4;
         for (unsigned ahead = 1; ahead < 4; ++ahead) {
             const unsigned to = (from + ahead) % 4;
-            if (!nodeAt(quad.corners[to]).final) reach(quad, from, to, subMesh);
+            if (!nodeAt(quad.corners[to]).final) reach(quad, from, to);
         }
     }
     for (const int improved : improved_) {
@@ -183,16 +149,14 @@ void Geodesics::spread(int node, SubMeshId subMesh) {
     improved_.clear();
 }
 
-void Geodesics::reach(const Quad& quad, unsigned from, unsigned to, SubMeshId subMesh) {
+void Geodesics::reach(const Quad& quad, unsigned from, unsigned to) {
     Node& target = nodeAt(quad.corners[to]);
-    const bool first = target.distance == infinity;
-    if (first && labels_[at(target.vertex)] != subMesh) return;
     double best = std::min(target.distance, nodeAt(quad.corners[from]).distance + quad.length(from, to));
     for (unsigned other = 0; other < 4; ++other)
         if (other != from && other != to && nodeAt(quad.corners[other]).final)
             best = std::min(best, across(quad, from, other, to, best));
     if (!(best < target.distance)) return;
-    if (first) touched_.push_back(quad.corners[to]);
+    if (target.distance == infinity) touched_.push_back(quad.corners[to]);
     if (!target.improved) improved_.push_back(quad.corners[to]);
     target.improved = true;
     target.distance = best;

@@ -1,12 +1,11 @@
-/// \file Geodesic distances on part of a mesh (docs/METHOD.md#mesh-cut): a front as in Kimmel and Sethian
+/// \file Geodesic distances over quads (docs/METHOD.md#mesh-cut): a front as in Kimmel and Sethian
 /// 1998 (docs/METHOD.md#kimmel-1998), virtual sources in polygons as in Melvær and Reimers 2012
 /// (docs/METHOD.md#melvaer-2012).
 #pragma once
 
 #include "base/at.h"
-#include "base/ids.h"
 #include "cut/front.h"
-#include "cut/surface_distances.h"
+#include "mesh/quad_mesh.h"
 
 #include <array>
 #include <cstdint>
@@ -20,29 +19,23 @@ namespace qm {
 /// parts this is the straight distance up to rounding. On curved parts the error is one per cent on average
 /// and several at most, and less on finer meshes; it is larger only between close neighbours in quads sheared
 /// beyond 45 degrees. The distance is no exact metric: both directions may differ by as much.
-class Geodesics : public SurfaceDistances {
+class Geodesics {
 public:
-    /// \param labels  sub-mesh of every vertex; may change between calls
-    Geodesics(const QuadMesh& mesh, const std::vector<SubMeshId>& labels);
+    /// \param points  the vertices
+    /// \param quads   indices of their corners in `points`; a triangle or an edge repeats its last corner
+    Geodesics(const std::vector<Point>& points, const std::vector<std::array<int, 4>>& quads);
 
-    /// The same for any quads. A triangle or an edge repeats its last corner.
-    /// \param quads  indices of their corners in `points`
-    Geodesics(const std::vector<Point>& points, const std::vector<std::array<int, 4>>& quads,
-              const std::vector<SubMeshId>& labels);
-
-    /// The distance of every vertex of the source's sub-mesh from the source; infinity for vertices that
-    /// cannot be reached inside the sub-mesh. Valid until the next call.
-    const std::vector<double>& from(VertexId source) { return from(std::array{Start{source.idx(), 0}}); }
+    /// The distance of every vertex from the source; infinity for vertices that cannot be reached. Valid
+    /// until the next call.
+    const std::vector<double>& from(int source) { return from(std::array{Start{source, 0}}); }
 
     /// A vertex where a front begins, and its distance from the source.
     struct Start {
         int vertex;
         double distance;
     };
-    /// The same from several vertices of one sub-mesh; at least one.
+    /// The same from several vertices; at least one.
     const std::vector<double>& from(std::span<const Start> starts);
-
-    std::vector<double> between(VertexId source, const std::vector<VertexId>& targets) override;
 
 private:
     struct Quad {
@@ -61,14 +54,13 @@ private:
 
     [[nodiscard]] std::vector<int> numberNodes(const std::vector<Point>& points);
     void forget();
-    void spread(int node, SubMeshId subMesh);
-    void reach(const Quad& quad, unsigned from, unsigned to, SubMeshId subMesh);
+    void spread(int node);
+    void reach(const Quad& quad, unsigned from, unsigned to);
     [[nodiscard]] double across(const Quad& quad, unsigned a, unsigned b, unsigned target,
                                 double limit) const;
     [[nodiscard]] Node& nodeAt(int node) { return nodes_[at(node)]; }
     [[nodiscard]] const Node& nodeAt(int node) const { return nodes_[at(node)]; }
 
-    const std::vector<SubMeshId>& labels_;
     std::vector<Node> nodes_; ///< vertices in an order that keeps neighbours close together
     std::vector<int> nodeOf_; ///< of every vertex
     std::vector<Quad> quads_; ///< in the order of the nodes

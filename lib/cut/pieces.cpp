@@ -4,18 +4,24 @@
 #include "mesh/topology.h"
 
 namespace qm {
+namespace {
+
+constexpr SubMeshId ofUndivided(0);
+
+} // namespace
 
 PieceDivision::PieceDivision(const QuadMesh& mesh, const BaseComplex& complex)
-    : mesh_(mesh), complex_(complex), measure_(mesh, complex), labels_(mesh.n_vertices(), SubMeshId(0)) {}
+    : mesh_(mesh), complex_(complex), measure_(mesh, complex), labels_(mesh.n_vertices()) {}
 
 Piece PieceDivision::whole() {
     Piece piece;
-    piece.label = SubMeshId(0);
     for (const VertexId vertex : mesh_.vertices())
         if (!mesh_.is_isolated(vertex)) piece.vertices.push_back(vertex);
     for (std::size_t i = 0; i < complex_.separatrices.size(); ++i)
         piece.separatrices.push_back(i);
-    measure(piece);
+    begin(piece);
+    measure(piece, ofUndivided);
+    end(piece);
     return piece;
 }
 
@@ -24,30 +30,34 @@ std::vector<Piece> PieceDivision::divide(const Piece& piece, const std::vector<i
     std::vector<std::size_t> sizes(parts.size(), 0);
     for (const int part : partOf)
         ++sizes[at(part)];
-    const SubMeshId first = nextLabel_;
-    nextLabel_ = first + count;
     for (int part = 0; part < count; ++part) {
         Piece& made = parts[at(part)];
-        made.label = first + part;
         made.vertices.reserve(sizes[at(part)]);
         made.measures.source = piece.measures.source;
         made.measures.sink = piece.measures.sink;
     }
     for (std::size_t k = 0; k < piece.vertices.size(); ++k) {
-        Piece& part = parts[at(partOf[k])];
-        labels_[at(piece.vertices[k])] = part.label;
-        part.vertices.push_back(piece.vertices[k]);
+        labels_[at(piece.vertices[k])] = SubMeshId(partOf[k]);
+        parts[at(partOf[k])].vertices.push_back(piece.vertices[k]);
     }
     for (const std::size_t i : piece.separatrices)
-        parts[at(labels_[at(sourceOf(i))].value() - first.value())].separatrices.push_back(i);
-    for (Piece& part : parts)
-        measure(part);
+        parts[labels_[at(sourceOf(i))].idx()].separatrices.push_back(i);
+    for (std::size_t part = 0; part < parts.size(); ++part)
+        measure(parts[part], SubMeshId(part));
     return parts;
 }
 
-void PieceDivision::restore(const Piece& piece) {
+void PieceDivision::begin(const Piece& piece) {
+    label(piece, ofUndivided);
+}
+
+void PieceDivision::end(const Piece& piece) {
+    label(piece, SubMeshId());
+}
+
+void PieceDivision::label(const Piece& piece, SubMeshId label) {
     for (const VertexId vertex : piece.vertices)
-        labels_[at(vertex)] = piece.label;
+        labels_[at(vertex)] = label;
 }
 
 PieceSources PieceDivision::sourcesOf(const Piece& piece) const {
@@ -62,8 +72,8 @@ PieceSources PieceDivision::sourcesOf(const Piece& piece) const {
     return sources;
 }
 
-void PieceDivision::measure(Piece& piece) {
-    const SubMesh measured = measure_(piece.separatrices, labels_, piece.label);
+void PieceDivision::measure(Piece& piece, SubMeshId label) {
+    const SubMesh measured = measure_(piece.separatrices, labels_, label);
     piece.measures.quasiComplexity = measured.quasiComplexity;
     piece.measures.ordinaryJunctions = measured.ordinaryJunctions;
 }

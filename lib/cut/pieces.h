@@ -12,7 +12,6 @@ namespace qm {
 
 /// A sub-mesh while it may still be cut.
 struct Piece {
-    SubMeshId label;                       ///< of its vertices; no two pieces ever have the same
     std::vector<VertexId> vertices;        ///< ascending
     std::vector<std::size_t> separatrices; ///< that start inside, ascending: so do their sources
     SubMesh measures;
@@ -24,7 +23,7 @@ struct PieceSources {
     std::vector<VertexId> seeds;         ///< ascending
 };
 
-/// Divides pieces, and keeps the labels of all vertices.
+/// Divides one piece after the other. Only the vertices of the piece at work have labels.
 class PieceDivision {
 public:
     /// Both must outlive the object.
@@ -33,26 +32,29 @@ public:
     /// The whole mesh but its isolated vertices.
     [[nodiscard]] Piece whole();
 
-    /// Gives the parts of a piece labels and particles of their own; they have its terminals.
+    /// Gives all vertices of a piece the same label, also after it has been divided.
+    void begin(const Piece& piece);
+
+    /// Gives the parts of a piece at work labels and particles of their own; they have its terminals.
     /// \param partOf  of every vertex of the piece, 0 to count - 1
     [[nodiscard]] std::vector<Piece> divide(const Piece& piece, const std::vector<int>& partOf, int count);
 
-    /// Gives the vertices of a piece its label again, after it has been divided.
-    void restore(const Piece& piece);
+    /// Takes the labels from the vertices of a piece.
+    void end(const Piece& piece);
 
-    /// Of every vertex; changes with `divide` and `restore`.
+    /// Of every vertex.
     [[nodiscard]] const std::vector<SubMeshId>& labels() const { return labels_; }
     [[nodiscard]] VertexId sourceOf(std::size_t separatrix) const { return measure_.sourceOf(separatrix); }
     [[nodiscard]] PieceSources sourcesOf(const Piece& piece) const;
 
 private:
-    void measure(Piece& piece);
+    void label(const Piece& piece, SubMeshId label);
+    void measure(Piece& piece, SubMeshId label);
 
     const QuadMesh& mesh_;
     const BaseComplex& complex_;
     Measure measure_;
     std::vector<SubMeshId> labels_;
-    SubMeshId nextLabel_{1};
 };
 
 } // namespace qm

@@ -1,11 +1,13 @@
 #include "base/at.h"
 #include "cut/coarse_geodesics.h"
+#include "cut/fine_geodesics.h"
 #include "mesh/build_mesh.h"
 #include "support/polycube.h"
 #include "support/random_graph.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -52,15 +54,45 @@ struct Errors {
     double mean = 0;
 };
 
+std::vector<VertexId> verticesOf(const QuadMesh& mesh, const std::vector<SubMeshId>& part, int label) {
+    std::vector<VertexId> vertices;
+    for (const VertexId vertex : mesh.vertices())
+        if (part[at(vertex)] == SubMeshId(label)) vertices.push_back(vertex);
+    return vertices;
+}
+
+/// Distances over all vertices of a part of a mesh.
+class FineDistances {
+public:
+    FineDistances(const QuadMesh& mesh, const std::vector<SubMeshId>& part)
+        : mesh_(mesh), part_(part), geodesics_(mesh, part) {}
+
+    /// Of every vertex of the mesh; infinity outside the part.
+    std::vector<double> from(VertexId source) {
+        const std::vector<VertexId> vertices = verticesOf(mesh_, part_, part_[at(source)].value());
+        geodesics_.prepare(vertices);
+        const std::vector<double> distances = geodesics_.between(source, vertices);
+        std::vector<double> all(mesh_.n_vertices(), infinity);
+        for (std::size_t k = 0; k < vertices.size(); ++k)
+            all[at(vertices[k])] = distances[k];
+        return all;
+    }
+
+private:
+    const QuadMesh& mesh_;
+    const std::vector<SubMeshId>& part_;
+    FineGeodesics geodesics_;
+};
+
 /// Relative errors of the distances from some vertices to all others.
 Errors errors(const QuadMesh& mesh, const std::function<double(const Point&, const Point&)>& exact) {
     const std::vector<SubMeshId> whole(mesh.n_vertices(), SubMeshId(0));
-    Geodesics geodesics(mesh, whole);
+    FineDistances geodesics(mesh, whole);
     Errors result;
     std::size_t count = 0;
     for (std::size_t source = 0; source < mesh.n_vertices(); source += 1 + mesh.n_vertices() / 5) {
         const VertexId from(static_cast<int>(source));
-        const std::vector<double>& distance = geodesics.from(from);
+        const std::vector<double> distance = geodesics.from(from);
         for (const VertexId vertex : mesh.vertices()) {
             const double truth = exact(mesh.point(from), mesh.point(vertex));
             if (vertex == from || truth <= 0) continue;
@@ -114,8 +146,8 @@ TEST(Geodesics, StayInTheirPart) {
     std::vector<SubMeshId> part(mesh.n_vertices(), SubMeshId(0));
     for (int j = 0; j < 10; ++j)
         part[at(j * 11 + 5)] = SubMeshId(1);
-    Geodesics geodesics(mesh, part);
-    const std::vector<double>& distance = geodesics.from(VertexId(0));
+    FineDistances geodesics(mesh, part);
+    const std::vector<double> distance = geodesics.from(VertexId(0));
     EXPECT_EQ(distance[5], infinity);
     EXPECT_DOUBLE_EQ(distance[4], 4);
     // From (0, 0) around (5, 10) to (10, 0); the path may cut the corner by a quad.
@@ -126,7 +158,7 @@ TEST(Geodesics, StayInTheirPart) {
 TEST(Geodesics, ForgetWhatEarlierCallsFound) {
     const QuadMesh mesh = square(4, [](double i, double j) { return Point(i, j, 0); });
     std::vector<SubMeshId> part(mesh.n_vertices(), SubMeshId(0));
-    Geodesics geodesics(mesh, part);
+    FineDistances geodesics(mesh, part);
     EXPECT_DOUBLE_EQ(geodesics.from(VertexId(0))[24], std::hypot(4, 4));
     for (std::size_t k = 10; k < 25; ++k)
         part[k] = SubMeshId(1); // the upper rows from now on
@@ -135,12 +167,25 @@ TEST(Geodesics, ForgetWhatEarlierCallsFound) {
     EXPECT_DOUBLE_EQ(geodesics.from(VertexId(24))[10], std::hypot(4, 2));
 }
 
+TEST(Geodesics, BeginAtSeveralVerticesAndWalkEdgesAndTriangles) {
+    // An edge, a triangle and a square in a row, each repeating its last corner.
+    const std::vector<Point> points{{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {2, 0, 0}, {3, 0, 0}, {3, 1, 0}};
+    Geodesics geodesics(points, {{0, 1, 1, 1}, {1, 3, 2, 2}, {3, 4, 5, 2}});
+    EXPECT_DOUBLE_EQ(geodesics.from(0)[1], 1);
+    EXPECT_NEAR(geodesics.from(0)[5], 1 + std::hypot(2, 1), 0.05);
+    const std::array<Geodesics::Start, 2> starts{{{0, 0.5}, {5, 0.25}}};
+    const std::vector<double>& distance = geodesics.from(starts);
+    EXPECT_DOUBLE_EQ(distance[0], 0.5);
+    EXPECT_DOUBLE_EQ(distance[1], 1.5);
+    EXPECT_DOUBLE_EQ(distance[4], 1.25);
+}
+
 TEST(Geodesics, DoNotReachIsolatedVerticesAndOtherComponents) {
     const QuadMesh mesh = buildMesh(
         {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {9, 9, 9}, {5, 0, 0}, {6, 0, 0}, {6, 1, 0}, {5, 1, 0}},
         {{0, 1, 2, 3}, {5, 6, 7, 8}});
     const std::vector<SubMeshId> whole(9, SubMeshId(0));
-    Geodesics geodesics(mesh, whole);
+    FineDistances geodesics(mesh, whole);
     const std::vector<double> fromQuad = geodesics.from(VertexId(0));
     EXPECT_DOUBLE_EQ(fromQuad[2], std::sqrt(2.0));
     EXPECT_EQ(fromQuad[4], infinity);
@@ -158,8 +203,8 @@ TEST(Geodesics, NeverBeatTheStraightWayNorLoseToTheEdges) {
             return Point(i + shake(random), j + shake(random), shake(random));
         });
         const std::vector<SubMeshId> whole(mesh.n_vertices(), SubMeshId(0));
-        Geodesics geodesics(mesh, whole);
-        const std::vector<double>& distance = geodesics.from(VertexId(0));
+        FineDistances geodesics(mesh, whole);
+        const std::vector<double> distance = geodesics.from(VertexId(0));
         for (const VertexId vertex : mesh.vertices()) {
             // A quad that is not flat can be unfolded in two ways, and a front may use either.
             EXPECT_GE(distance[at(vertex)], 0.9 * norm(mesh.point(vertex) - mesh.point(VertexId(0))));
@@ -174,17 +219,10 @@ TEST(Geodesics, AreNumbersOnMeshesWithoutSizeAndOfAnySize) {
     for (const double size : {0.0, 1e-300, 1e140}) {
         const QuadMesh mesh = square(4, [&](double i, double j) { return Point(size * i, size * j, 0); });
         const std::vector<SubMeshId> whole(mesh.n_vertices(), SubMeshId(0));
-        Geodesics geodesics(mesh, whole);
+        FineDistances geodesics(mesh, whole);
         for (const double distance : geodesics.from(VertexId(12)))
             EXPECT_FALSE(std::isnan(distance)) << size;
     }
-}
-
-std::vector<VertexId> verticesOf(const QuadMesh& mesh, const std::vector<SubMeshId>& part, int label) {
-    std::vector<VertexId> vertices;
-    for (const VertexId vertex : mesh.vertices())
-        if (part[at(vertex)] == SubMeshId(label)) vertices.push_back(vertex);
-    return vertices;
 }
 
 /// Errors of coarse distances from some vertices to all others, as shares of the largest distance.

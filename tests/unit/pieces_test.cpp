@@ -22,7 +22,8 @@ TEST(PieceDivision, BeginsWithTheWholeMesh) {
     EXPECT_EQ(whole.separatrices.size(), complex.separatrices.size());
     EXPECT_EQ(division.sourcesOf(whole).extraordinary, complex.extraordinaryVertices);
     EXPECT_TRUE(division.sourcesOf(whole).seeds.empty());
-    const auto measured = measureSubMeshes(mesh, complex, division.labels(), 1);
+    const std::vector<SubMeshId> labels(mesh.n_vertices(), SubMeshId(0));
+    const auto measured = measureSubMeshes(mesh, complex, labels, 1);
     EXPECT_EQ(whole.measures.quasiComplexity, measured[SubMeshId(0)].quasiComplexity);
 }
 
@@ -36,18 +37,18 @@ TEST(PieceDivision, GivesPartsTheirVerticesParticlesAndMeasures) {
     std::vector<int> partOf;
     for (std::size_t k = 0; k < whole.vertices.size(); ++k)
         partOf.push_back(static_cast<int>(random() % 3));
+    division.begin(whole);
     const std::vector<Piece> parts = division.divide(whole, partOf, 3);
     ASSERT_EQ(parts.size(), 3U);
     std::size_t vertices = 0, separatrices = 0;
     std::vector<SubMeshId> labels(mesh.n_vertices());
     for (std::size_t part = 0; part < 3; ++part) {
-        EXPECT_NE(parts[part].label, whole.label);
         EXPECT_TRUE(
             std::ranges::is_sorted(parts[part].vertices, {}, [](VertexId vertex) { return vertex.idx(); }));
         EXPECT_EQ(parts[part].measures.source, VertexId(3));
         for (const VertexId vertex : parts[part].vertices) {
             EXPECT_EQ(partOf[at(vertex)], static_cast<int>(part));
-            EXPECT_EQ(division.labels()[at(vertex)], parts[part].label);
+            EXPECT_EQ(division.labels()[at(vertex)], SubMeshId(part));
             labels[at(vertex)] = SubMeshId(part);
         }
         for (const std::size_t separatrix : parts[part].separatrices)
@@ -62,9 +63,11 @@ TEST(PieceDivision, GivesPartsTheirVerticesParticlesAndMeasures) {
         EXPECT_NEAR(parts[part].measures.quasiComplexity, measured[SubMeshId(part)].quasiComplexity, 1e-9);
         EXPECT_EQ(parts[part].measures.ordinaryJunctions, measured[SubMeshId(part)].ordinaryJunctions);
     }
-    division.restore(whole);
-    EXPECT_EQ(std::ranges::count(division.labels(), whole.label),
-              static_cast<std::ptrdiff_t>(mesh.n_vertices()));
+    division.begin(whole);
+    EXPECT_EQ(division.labels(), std::vector(mesh.n_vertices(), division.labels().front()));
+    EXPECT_TRUE(division.labels().front().valid());
+    division.end(whole);
+    EXPECT_EQ(division.labels(), std::vector<SubMeshId>(mesh.n_vertices()));
 }
 
 TEST(LabelComponents, AreNumberedByTheirLowestVertices) {
