@@ -55,7 +55,9 @@ protected:
 
 TEST_F(LatticeErrors, FoldsCountAsErrorsButNotAsDistances) {
     Patch patch = lifted(0.05);
-    EXPECT_NEAR(latticeErrors(lattice_, patch, 0.1).max(), 0.5, 1e-12);
+    const PatchErrors sound = latticeErrors(lattice_, patch, 0.1);
+    EXPECT_NEAR(sound.max(), 0.5, 1e-12);
+    EXPECT_FALSE(sound.isFolded());
     for (Point& point : patch.controlPoints)
         point[0] = 1 - point[0]; // mirrored: its normals point down
     for (std::size_t k = 0; k < 9; ++k)
@@ -63,6 +65,8 @@ TEST_F(LatticeErrors, FoldsCountAsErrorsButNotAsDistances) {
     const PatchErrors folded = latticeErrors(lattice_, patch, 0.1);
     EXPECT_NEAR(folded.max(), 2, 1e-12);
     EXPECT_NEAR(folded.maxDistance(), 0.5, 1e-12);
+    EXPECT_TRUE(folded.isFolded());
+    EXPECT_FALSE(latticeErrors(lattice_, lifted(0.5), 0.1).isFolded()) << "far away, but not folded";
 }
 
 TEST_F(LatticeErrors, TargetsStayOnTheReferenceWithoutSlack) {

@@ -156,6 +156,10 @@ void FitState::assess(const std::vector<bool>& isNew) {
     }
 }
 
+bool FitState::isFolded() const {
+    return std::ranges::any_of(errors_, &PatchErrors::isFolded);
+}
+
 RoundScore FitState::score() const {
     return scoreOf(missed_, worst_ <= 1, patches_);
 }

@@ -39,6 +39,8 @@ public:
     [[nodiscard]] double worst() const { return worst_; }   ///< largest error of all patches
     [[nodiscard]] double excess() const { return excess_; } ///< sum over the patches of their error above 1
 
+    /// Whether a patch is folded where that counts.
+    [[nodiscard]] bool isFolded() const;
     /// The score of the present patches.
     [[nodiscard]] RoundScore score() const;
     /// \param isKept  whether it may be restored; otherwise the lattices, which are large, are left out

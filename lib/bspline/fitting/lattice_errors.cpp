@@ -73,6 +73,12 @@ double PatchErrors::maxDistance() const {
     return max;
 }
 
+bool PatchErrors::isFolded() const {
+    for (std::size_t k = 0; k < error.size(); ++k)
+        if (error[k] > std::abs(signedDistance[k])) return true;
+    return false;
+}
+
 double distance(const FitLattice& lattice, std::size_t point, const Point& offset) {
     const Point& axis = lattice.axes[point];
     switch (lattice.freedom[point]) {

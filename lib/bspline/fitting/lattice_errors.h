@@ -17,6 +17,7 @@ struct PatchErrors {
 
     [[nodiscard]] double max() const;
     [[nodiscard]] double maxDistance() const; ///< of all points, folded or not
+    [[nodiscard]] bool isFolded() const;      ///< at some point, where that has not been given up
 };
 
 /// The distances between the points of a patch and the reference's points with the same parameters, not

@@ -132,8 +132,16 @@ private:
             const bool gains = state_.excess() < worthwhileGain * excessBefore;
             excessBefore = state_.excess();
             if (refined || (weighed && gains)) continue;
-            if (!state_.stopSliding() && !state_.allowShorterIntervals()) state_.giveUp();
+            if (!tryHarder()) state_.giveUp();
         }
+    }
+
+    /// Does what helps where neither knots nor weights do. Beside folds short intervals would only make
+    /// spikes.
+    /// \return false if all has been done
+    bool tryHarder() {
+        return state_.isFolded() ? state_.stopSliding() || state_.allowShorterIntervals()
+                                 : state_.allowShorterIntervals() || state_.stopSliding();
     }
 
     /// Once the tolerance is kept, it is to be kept with plane patches in their planes: what these push away
