@@ -1,6 +1,6 @@
 #include "base/at.h"
 #include "cut/farthest_pair.h"
-#include "cut/geodesics.h"
+#include "cut/fine_geodesics.h"
 #include "mesh/build_mesh.h"
 #include "mesh/topology.h"
 #include "support/random_graph.h"
@@ -15,40 +15,42 @@ namespace qm::testing {
 namespace {
 
 /// The largest distance, found by sweeping from every vertex.
-double longestOfAll(const std::vector<VertexId>& vertices, Geodesics& geodesics) {
+double longestOfAll(const std::vector<VertexId>& vertices, FineGeodesics& geodesics) {
     double longest = 0;
     for (const VertexId from : vertices) {
-        const std::vector<double>& distance = geodesics.from(from);
-        for (const VertexId to : vertices)
-            longest = std::max(longest, distance[at(to)]);
+        longest = std::max(longest, std::ranges::max(geodesics.between(from, vertices)));
     }
     return longest;
 }
 
-std::vector<VertexId> someVertices(const QuadMesh& mesh, std::size_t count, std::mt19937& random) {
-    std::vector<VertexId> all, some;
+std::vector<VertexId> allVertices(const QuadMesh& mesh) {
+    std::vector<VertexId> all;
     for (const VertexId vertex : mesh.vertices())
         all.push_back(vertex);
+    return all;
+}
+
+std::vector<VertexId> someVertices(const QuadMesh& mesh, std::size_t count, std::mt19937& random) {
+    const std::vector<VertexId> all = allVertices(mesh);
+    std::vector<VertexId> some;
     std::ranges::sample(all, std::back_inserter(some), static_cast<std::ptrdiff_t>(count), random);
     return some;
 }
 
-void expectConsistent(const FarthestPair& pair, const std::vector<VertexId>& vertices, Geodesics& geodesics) {
+void expectConsistent(const FarthestPair& pair, const std::vector<VertexId>& vertices,
+                      FineGeodesics& geodesics) {
     ASSERT_LT(pair.first, pair.second);
     ASSERT_LT(pair.second, vertices.size());
-    ASSERT_EQ(pair.fromFirst.size(), vertices.size());
-    ASSERT_EQ(pair.fromSecond.size(), vertices.size());
-    for (std::size_t k = 0; k < vertices.size(); ++k)
-        EXPECT_EQ(pair.fromFirst[k], geodesics.from(vertices[pair.first])[at(vertices[k])]);
-    for (std::size_t k = 0; k < vertices.size(); ++k)
-        EXPECT_EQ(pair.fromSecond[k], geodesics.from(vertices[pair.second])[at(vertices[k])]);
+    EXPECT_EQ(pair.fromFirst, geodesics.between(vertices[pair.first], vertices));
+    EXPECT_EQ(pair.fromSecond, geodesics.between(vertices[pair.second], vertices));
 }
 
 TEST(FarthestPair, IsThatOfAllPairsInThePlane) {
     std::mt19937 random(3);
     const QuadMesh mesh = rectangle(30, 20);
     const std::vector<SubMeshId> whole(mesh.n_vertices(), SubMeshId(0));
-    Geodesics geodesics(mesh, whole);
+    FineGeodesics geodesics(mesh, whole);
+    geodesics.prepare(allVertices(mesh));
     for (const std::size_t count : {2U, 3U, 5U, 20U, 60U}) {
         const std::vector<VertexId> vertices = someVertices(mesh, count, random);
         const FarthestPair pair = farthestPair(vertices, geodesics);
@@ -65,11 +67,12 @@ TEST(FarthestPair, IsNearlyThatOfAllPairsOnAnySurface) {
         // The result may be shorter only by what distances there and back differ on such coarse meshes.
         const std::vector<int> component = components(*mesh).ofVertex;
         const std::vector<SubMeshId> part(component.begin(), component.end());
-        Geodesics geodesics(*mesh, part);
+        FineGeodesics geodesics(*mesh, part);
         std::vector<VertexId> vertices;
         for (const VertexId vertex : mesh->vertices())
             if (component[at(vertex)] == 0) vertices.push_back(vertex);
         if (vertices.size() < 2) continue;
+        geodesics.prepare(vertices);
         const FarthestPair pair = farthestPair(vertices, geodesics);
         EXPECT_GE(std::max(pair.fromFirst[pair.second], pair.fromSecond[pair.first]),
                   0.9 * longestOfAll(vertices, geodesics));
@@ -79,10 +82,9 @@ TEST(FarthestPair, IsNearlyThatOfAllPairsOnAnySurface) {
 TEST(FarthestPair, CopesWithMoreVerticesThanPairsAreKeptFor) {
     const QuadMesh mesh = rectangle(60, 50);
     const std::vector<SubMeshId> whole(mesh.n_vertices(), SubMeshId(0));
-    Geodesics geodesics(mesh, whole);
-    std::vector<VertexId> all;
-    for (const VertexId vertex : mesh.vertices())
-        all.push_back(vertex);
+    const std::vector<VertexId> all = allVertices(mesh);
+    FineGeodesics geodesics(mesh, whole);
+    geodesics.prepare(all);
     ASSERT_GT(all.size(), 2048U);
     const FarthestPair pair = farthestPair(all, geodesics);
     EXPECT_NEAR(pair.fromFirst[pair.second], std::hypot(60, 50), 1e-3);
@@ -92,7 +94,8 @@ TEST(FarthestPair, OfPointsInOnePlaceIsSome) {
     const QuadMesh mesh =
         buildMesh({{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}}, {std::array<int, 4>{0, 1, 2, 3}});
     const std::vector<SubMeshId> whole(4, SubMeshId(0));
-    Geodesics geodesics(mesh, whole);
+    FineGeodesics geodesics(mesh, whole);
+    geodesics.prepare(allVertices(mesh));
     const FarthestPair pair = farthestPair({VertexId(0), VertexId(2), VertexId(3)}, geodesics);
     EXPECT_EQ(pair.fromFirst[pair.second], 0);
     EXPECT_NE(pair.first, pair.second);

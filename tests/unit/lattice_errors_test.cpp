@@ -13,15 +13,15 @@ namespace {
 class LatticeErrors : public testing::Test {
 protected:
     LatticeErrors() {
-        grid_.size = {1, 1};
+        grid.size = {1, 1};
         for (const double v : {0.0, 0.5, 1.0})
             for (const double u : {0.0, 0.5, 1.0})
-                grid_.points.emplace_back(u, v, 0);
-        source_.grid = &grid_;
-        for (auto& side : source_.isCrease)
+                grid.points.emplace_back(u, v, 0);
+        source.grid = &grid;
+        for (auto& side : source.isCrease)
             side = {false};
-        source_.isSound = {true};
-        lattice_ = makeLattice(source_, {std::vector<double>{0, 0.5, 1}, std::vector<double>{0, 0.5, 1}});
+        source.isSound = {true};
+        lattice = makeLattice(source, {std::vector<double>{0, 0.5, 1}, std::vector<double>{0, 0.5, 1}});
     }
 
     static Patch lifted(double height) {
@@ -46,31 +46,31 @@ protected:
         return patch;
     }
 
-    [[nodiscard]] double height(std::size_t point) const { return lattice_.targets.points[point][2]; }
+    [[nodiscard]] double height(std::size_t point) const { return lattice.targets.points[point][2]; }
 
-    ReferenceGrid grid_;
-    LatticeSource source_;
-    FitLattice lattice_;
+    ReferenceGrid grid;
+    LatticeSource source;
+    FitLattice lattice;
 };
 
 TEST_F(LatticeErrors, FoldsCountAsErrorsButNotAsDistances) {
     Patch patch = lifted(0.05);
-    const PatchErrors sound = latticeErrors(lattice_, patch, 0.1);
+    const PatchErrors sound = latticeErrors(lattice, patch, 0.1);
     EXPECT_NEAR(sound.max(), 0.5, 1e-12);
     EXPECT_FALSE(sound.isFolded());
     for (Point& point : patch.controlPoints)
         point[0] = 1 - point[0]; // mirrored: its normals point down
     for (std::size_t k = 0; k < 9; ++k)
-        lattice_.reference[k][0] = 1 - lattice_.reference[k][0];
-    const PatchErrors folded = latticeErrors(lattice_, patch, 0.1);
+        lattice.reference[k][0] = 1 - lattice.reference[k][0];
+    const PatchErrors folded = latticeErrors(lattice, patch, 0.1);
     EXPECT_NEAR(folded.max(), 2, 1e-12);
     EXPECT_NEAR(folded.maxDistance(), 0.5, 1e-12);
     EXPECT_TRUE(folded.isFolded());
-    EXPECT_FALSE(latticeErrors(lattice_, lifted(0.5), 0.1).isFolded()) << "far away, but not folded";
+    EXPECT_FALSE(latticeErrors(lattice, lifted(0.5), 0.1).isFolded()) << "far away, but not folded";
 }
 
 TEST_F(LatticeErrors, TargetsStayOnTheReferenceWithoutSlack) {
-    slideTargets(raisedInTheMiddle(0.001), 0, lattice_);
+    slideTargets(raisedInTheMiddle(0.001), 0, lattice);
     EXPECT_NEAR(height(4), 0, 1e-5);
 }
 
@@ -78,31 +78,31 @@ TEST_F(LatticeErrors, TargetsFollowWavesWithinTheSlack) {
     const Patch wave = raisedInTheMiddle(0.001);
     const double mean = 0.00025; // of a pyramid with weights of 1, 2 and 4
     for (int k = 0; k < 40; ++k)
-        slideTargets(wave, 1, lattice_);
+        slideTargets(wave, 1, lattice);
     EXPECT_NEAR(height(4), 0.85 * (0.001 - mean), 1e-7);
     EXPECT_NEAR(height(1), -0.85 * mean, 1e-7);
 }
 
 TEST_F(LatticeErrors, TargetsStopWhereTheSlackEnds) {
-    slideTargets(raisedInTheMiddle(-0.003), 0.001, lattice_);
+    slideTargets(raisedInTheMiddle(-0.003), 0.001, lattice);
     EXPECT_NEAR(height(4), -0.001, 1e-5);
 }
 
 TEST_F(LatticeErrors, TheWholePatchIsNotFollowed) {
-    slideTargets(lifted(0.05), 0.1, lattice_);
+    slideTargets(lifted(0.05), 0.1, lattice);
     EXPECT_NEAR(height(4), 0, 1e-15);
 }
 
 TEST_F(LatticeErrors, WhatWasMissedHasLessSlack) {
-    lattice_.emphasis[4] = 10;
-    slideTargets(raisedInTheMiddle(0.005), 0.001, lattice_);
+    lattice.emphasis[4] = 10;
+    slideTargets(raisedInTheMiddle(0.005), 0.001, lattice);
     EXPECT_NEAR(height(4), 0.0001, 1e-5);
 }
 
 TEST_F(LatticeErrors, CreasesAreFollowedWithoutSlack) {
-    source_.isCrease[0] = {true};
-    lattice_ = makeLattice(source_, lattice_.targets.parameters);
-    slideTargets(raisedInTheMiddle(0.002), 0.001, lattice_);
+    source.isCrease[0] = {true};
+    lattice = makeLattice(source, lattice.targets.parameters);
+    slideTargets(raisedInTheMiddle(0.002), 0.001, lattice);
     EXPECT_NEAR(height(1), 0, 1e-15);
     EXPECT_GT(height(4), 0.0005);
 }
