@@ -17,31 +17,44 @@ public:
     /// Calls f with an object that no other thread uses meanwhile. Which one is left to chance, so a result
     /// must not depend on what earlier calls did to it.
     template <class Function> auto use(const Function& f) {
-        std::unique_ptr<T> object = take();
-        const auto giveBack = [this](T* used) {
-            const std::lock_guard<std::mutex> lock(mutex_);
-            idle_.emplace_back(used);
-        };
-        const std::unique_ptr<T, decltype(giveBack)> used(object.release(), giveBack);
-        return f(*used);
+        const Loan loan(*this);
+        return f(*loan.object);
     }
 
 private:
-    std::unique_ptr<T> take() {
+    struct Loan {
+        explicit Loan(Pool& from) : pool(from), object(from.take()) {}
+        ~Loan() {
+            const std::lock_guard<std::mutex> lock(pool.mutex_);
+            pool.idle_.push_back(object); // there is room, so it cannot fail
+        }
+        Loan(const Loan&) = delete;
+        Loan& operator=(const Loan&) = delete;
+
+        Pool& pool;
+        T* object;
+    };
+
+    T* take() {
         {
             const std::lock_guard<std::mutex> lock(mutex_);
             if (!idle_.empty()) {
-                std::unique_ptr<T> object = std::move(idle_.back());
+                T* object = idle_.back();
                 idle_.pop_back();
                 return object;
             }
         }
-        return make_();
+        std::unique_ptr<T> made = make_();
+        const std::lock_guard<std::mutex> lock(mutex_);
+        idle_.reserve(all_.size() + 1);
+        all_.push_back(std::move(made));
+        return all_.back().get();
     }
 
     std::function<std::unique_ptr<T>()> make_;
     std::mutex mutex_;
-    std::vector<std::unique_ptr<T>> idle_;
+    std::vector<std::unique_ptr<T>> all_;
+    std::vector<T*> idle_;
 };
 
 } // namespace qm
