@@ -18,9 +18,9 @@ PieceCutter::PieceCutter(const QuadMesh& mesh, const BaseComplex& complex,
 std::vector<Piece> PieceCutter::simplify(const Piece& piece) {
     const double complexity = piece.measures.quasiComplexity;
     if (complexity < options_.chi || complexity == 0) return {};
-    division_.begin(piece);
+    division_.label(piece);
     std::vector<Piece> parts = cut(piece);
-    division_.end(piece);
+    division_.unlabel(piece);
     return parts;
 }
 
@@ -73,7 +73,7 @@ std::vector<Piece> PieceCutter::cutBetween(const Piece& piece, Terminals kind) {
     for (const TerminalPair& terminals :
          chooseTerminals(mesh_, piece.vertices, sources.extraordinary, sources.seeds, kind, distances)) {
         std::vector<Piece> parts = divideBetween(piece, sources, terminals, distances);
-        division_.begin(piece);
+        division_.label(piece);
         const double worst = std::max(parts[0].measures.quasiComplexity, parts[1].measures.quasiComplexity);
         if (worst >= minComplexity) continue;
         minComplexity = worst;

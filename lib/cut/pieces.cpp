@@ -19,9 +19,9 @@ Piece PieceDivision::whole() {
         if (!mesh_.is_isolated(vertex)) piece.vertices.push_back(vertex);
     for (std::size_t i = 0; i < complex_.separatrices.size(); ++i)
         piece.separatrices.push_back(i);
-    begin(piece);
+    label(piece);
     measure(piece, ofUndivided);
-    end(piece);
+    unlabel(piece);
     return piece;
 }
 
@@ -47,15 +47,15 @@ std::vector<Piece> PieceDivision::divide(const Piece& piece, const std::vector<i
     return parts;
 }
 
-void PieceDivision::begin(const Piece& piece) {
-    label(piece, ofUndivided);
+void PieceDivision::label(const Piece& piece) {
+    setLabels(piece, ofUndivided);
 }
 
-void PieceDivision::end(const Piece& piece) {
-    label(piece, SubMeshId());
+void PieceDivision::unlabel(const Piece& piece) {
+    setLabels(piece, SubMeshId());
 }
 
-void PieceDivision::label(const Piece& piece, SubMeshId label) {
+void PieceDivision::setLabels(const Piece& piece, SubMeshId label) {
     for (const VertexId vertex : piece.vertices)
         labels_[at(vertex)] = label;
 }

@@ -33,14 +33,14 @@ public:
     [[nodiscard]] Piece whole();
 
     /// Gives all vertices of a piece the same label, also after it has been divided.
-    void begin(const Piece& piece);
+    void label(const Piece& piece);
 
     /// Gives the parts of a piece at work labels and particles of their own; they have its terminals.
     /// \param partOf  of every vertex of the piece, 0 to count - 1
     [[nodiscard]] std::vector<Piece> divide(const Piece& piece, const std::vector<int>& partOf, int count);
 
     /// Takes the labels from the vertices of a piece.
-    void end(const Piece& piece);
+    void unlabel(const Piece& piece);
 
     /// Of every vertex.
     [[nodiscard]] const std::vector<SubMeshId>& labels() const { return labels_; }
@@ -48,7 +48,7 @@ public:
     [[nodiscard]] PieceSources sourcesOf(const Piece& piece) const;
 
 private:
-    void label(const Piece& piece, SubMeshId label);
+    void setLabels(const Piece& piece, SubMeshId label);
     void measure(Piece& piece, SubMeshId label);
 
     const QuadMesh& mesh_;

@@ -9,7 +9,7 @@ namespace qm {
 namespace {
 
 struct Tuning {
-    /// Number of variables from which only the root of the search is relaxed: every node takes long there,
+    /// Number of variables beyond which only the root of the search is relaxed: every node takes long there,
     /// and few searches would end with a proof.
     static constexpr std::size_t rootOnly = 2500;
     /// Number of variables beyond which even the root would take longer than all other stages together.

@@ -3,6 +3,7 @@
 #include "cut/fine_geodesics.h"
 #include "mesh/build_mesh.h"
 #include "support/track_along.h"
+#include "support/vertices.h"
 
 #include <gtest/gtest.h>
 
@@ -14,13 +15,6 @@
 
 namespace qm::testing {
 namespace {
-
-std::vector<VertexId> verticesOf(const QuadMesh& mesh) {
-    std::vector<VertexId> vertices;
-    for (const VertexId vertex : mesh.vertices())
-        vertices.push_back(vertex);
-    return vertices;
-}
 
 CutProblem problemOf(const QuadMesh& mesh, const std::vector<VertexId>& extraordinary,
                      const TerminalPair& terminals, const CutOptions& options,

@@ -5,6 +5,7 @@
 #include "mesh/topology.h"
 #include "support/random_graph.h"
 #include "support/track_along.h"
+#include "support/vertices.h"
 
 #include <gtest/gtest.h>
 
@@ -17,21 +18,13 @@ namespace {
 /// The largest distance, found by sweeping from every vertex.
 double longestOfAll(const std::vector<VertexId>& vertices, FineGeodesics& geodesics) {
     double longest = 0;
-    for (const VertexId from : vertices) {
+    for (const VertexId from : vertices)
         longest = std::max(longest, std::ranges::max(geodesics.between(from, vertices)));
-    }
     return longest;
 }
 
-std::vector<VertexId> allVertices(const QuadMesh& mesh) {
-    std::vector<VertexId> all;
-    for (const VertexId vertex : mesh.vertices())
-        all.push_back(vertex);
-    return all;
-}
-
 std::vector<VertexId> someVertices(const QuadMesh& mesh, std::size_t count, std::mt19937& random) {
-    const std::vector<VertexId> all = allVertices(mesh);
+    const std::vector<VertexId> all = verticesOf(mesh);
     std::vector<VertexId> some;
     std::ranges::sample(all, std::back_inserter(some), static_cast<std::ptrdiff_t>(count), random);
     return some;
@@ -50,7 +43,7 @@ TEST(FarthestPair, IsThatOfAllPairsInThePlane) {
     const QuadMesh mesh = rectangle(30, 20);
     const std::vector<SubMeshId> whole(mesh.n_vertices(), SubMeshId(0));
     FineGeodesics geodesics(mesh, whole);
-    geodesics.prepare(allVertices(mesh));
+    geodesics.prepare(verticesOf(mesh));
     for (const std::size_t count : {2U, 3U, 5U, 20U, 60U}) {
         const std::vector<VertexId> vertices = someVertices(mesh, count, random);
         const FarthestPair pair = farthestPair(vertices, geodesics);
@@ -82,7 +75,7 @@ TEST(FarthestPair, IsNearlyThatOfAllPairsOnAnySurface) {
 TEST(FarthestPair, CopesWithMoreVerticesThanPairsAreKeptFor) {
     const QuadMesh mesh = rectangle(60, 50);
     const std::vector<SubMeshId> whole(mesh.n_vertices(), SubMeshId(0));
-    const std::vector<VertexId> all = allVertices(mesh);
+    const std::vector<VertexId> all = verticesOf(mesh);
     FineGeodesics geodesics(mesh, whole);
     geodesics.prepare(all);
     ASSERT_GT(all.size(), 2048U);
@@ -95,7 +88,7 @@ TEST(FarthestPair, OfPointsInOnePlaceIsSome) {
         buildMesh({{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}}, {std::array<int, 4>{0, 1, 2, 3}});
     const std::vector<SubMeshId> whole(4, SubMeshId(0));
     FineGeodesics geodesics(mesh, whole);
-    geodesics.prepare(allVertices(mesh));
+    geodesics.prepare(verticesOf(mesh));
     const FarthestPair pair = farthestPair({VertexId(0), VertexId(2), VertexId(3)}, geodesics);
     EXPECT_EQ(pair.fromFirst[pair.second], 0);
     EXPECT_NE(pair.first, pair.second);

@@ -4,6 +4,7 @@
 #include "cut/pieces.h"
 #include "support/polycube.h"
 #include "support/random_graph.h"
+#include "support/vertices.h"
 
 #include <gtest/gtest.h>
 
@@ -37,7 +38,7 @@ TEST(PieceDivision, GivesPartsTheirVerticesParticlesAndMeasures) {
     std::vector<int> partOf;
     for (std::size_t k = 0; k < whole.vertices.size(); ++k)
         partOf.push_back(static_cast<int>(random() % 3));
-    division.begin(whole);
+    division.label(whole);
     const std::vector<Piece> parts = division.divide(whole, partOf, 3);
     ASSERT_EQ(parts.size(), 3U);
     std::size_t vertices = 0, separatrices = 0;
@@ -63,10 +64,10 @@ TEST(PieceDivision, GivesPartsTheirVerticesParticlesAndMeasures) {
         EXPECT_NEAR(parts[part].measures.quasiComplexity, measured[SubMeshId(part)].quasiComplexity, 1e-9);
         EXPECT_EQ(parts[part].measures.ordinaryJunctions, measured[SubMeshId(part)].ordinaryJunctions);
     }
-    division.begin(whole);
+    division.label(whole);
     EXPECT_EQ(division.labels(), std::vector(mesh.n_vertices(), division.labels().front()));
     EXPECT_TRUE(division.labels().front().valid());
-    division.end(whole);
+    division.unlabel(whole);
     EXPECT_EQ(division.labels(), std::vector<SubMeshId>(mesh.n_vertices()));
 }
 
@@ -88,10 +89,7 @@ TEST(LabelComponents, AreNumberedByTheirLowestVertices) {
     EXPECT_EQ(components.componentOf(VertexId(24)), 2);
     EXPECT_EQ(components.number(second), 1) << "rows 0 and 2 of a torus are neighbours";
     labels.assign(labels.size(), SubMeshId(0));
-    std::vector<VertexId> all;
-    for (const VertexId vertex : mesh.vertices())
-        all.push_back(vertex);
-    EXPECT_EQ(components.number(all), 3);
+    EXPECT_EQ(components.number(verticesOf(mesh)), 3);
 }
 
 } // namespace

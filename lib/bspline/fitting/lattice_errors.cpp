@@ -73,9 +73,13 @@ double PatchErrors::maxDistance() const {
     return max;
 }
 
+bool PatchErrors::isFolded(std::size_t point) const {
+    return error[point] > std::abs(signedDistance[point]);
+}
+
 bool PatchErrors::isFolded() const {
     for (std::size_t k = 0; k < error.size(); ++k)
-        if (error[k] > std::abs(signedDistance[k])) return true;
+        if (isFolded(k)) return true;
     return false;
 }
 

@@ -17,7 +17,9 @@ struct PatchErrors {
 
     [[nodiscard]] double max() const;
     [[nodiscard]] double maxDistance() const; ///< of all points, folded or not
-    [[nodiscard]] bool isFolded() const;      ///< at some point, where that has not been given up
+    /// Whether the patch is folded at a point, where that has not been given up.
+    [[nodiscard]] bool isFolded(std::size_t point) const;
+    [[nodiscard]] bool isFolded() const; ///< at any point
 };
 
 /// The distances between the points of a patch and the reference's points with the same parameters, not
