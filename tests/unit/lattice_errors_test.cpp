@@ -57,7 +57,7 @@ TEST_F(LatticeErrors, FoldsCountAsErrorsButNotAsDistances) {
     Patch patch = lifted(0.05);
     const PatchErrors sound = latticeErrors(lattice, patch, 0.1);
     EXPECT_NEAR(sound.max(), 0.5, 1e-12);
-    EXPECT_FALSE(sound.isFolded());
+    EXPECT_FALSE(sound.anyFolded());
     for (Point& point : patch.controlPoints)
         point[0] = 1 - point[0]; // mirrored: its normals point down
     for (std::size_t k = 0; k < 9; ++k)
@@ -65,8 +65,9 @@ TEST_F(LatticeErrors, FoldsCountAsErrorsButNotAsDistances) {
     const PatchErrors folded = latticeErrors(lattice, patch, 0.1);
     EXPECT_NEAR(folded.max(), 2, 1e-12);
     EXPECT_NEAR(folded.maxDistance(), 0.5, 1e-12);
-    EXPECT_TRUE(folded.isFolded());
-    EXPECT_FALSE(latticeErrors(lattice, lifted(0.5), 0.1).isFolded()) << "far away, but not folded";
+    EXPECT_TRUE(folded.anyFolded());
+    EXPECT_FALSE(latticeErrors(lattice, lifted(0.5), 0.1).anyFolded()) << "far away, but not folded";
+    EXPECT_TRUE(latticeErrors(lattice, patch, 0.01).anyFolded()) << "far away and folded";
 }
 
 TEST_F(LatticeErrors, TargetsStayOnTheReferenceWithoutSlack) {

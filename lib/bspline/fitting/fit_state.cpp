@@ -157,7 +157,7 @@ void FitState::assess(const std::vector<bool>& isNew) {
 }
 
 bool FitState::isFolded() const {
-    return std::ranges::any_of(errors_, [](const PatchErrors& errors) { return errors.isFolded(); });
+    return std::ranges::any_of(errors_, [](const PatchErrors& errors) { return errors.anyFolded(); });
 }
 
 RoundScore FitState::score() const {

@@ -24,7 +24,7 @@ void GivenUpCells::add(const KnotCell& cell, const LatticeSource& source, FitLat
     forPoints(cell, lattice, [&](std::size_t k) {
         const double distance = std::abs(errors.signedDistance[k]);
         if (distance > 1) place.allowed = std::max(place.allowed, slack * distance);
-        place.mayFold = place.mayFold || errors.isFolded(k);
+        place.mayFold = place.mayFold || errors.isFolded[k];
         lattice.emphasis[k] = 1;
     });
     places_.push_back(place);
@@ -40,7 +40,8 @@ void GivenUpCells::cap(const FitLattice& lattice, PatchErrors& errors) const {
 void GivenUpCells::cap(const Place& place, const FitLattice& lattice, PatchErrors& errors) {
     forPoints(place.cell, lattice, [&](std::size_t k) {
         const double distance = std::abs(errors.signedDistance[k]);
-        if (errors.isFolded(k) && !place.mayFold) return;
+        if (errors.isFolded[k] && !place.mayFold) return;
+        errors.isFolded[k] = false;
         const double rest = distance <= place.allowed ? std::min(distance, 1.0) : distance / place.allowed;
         errors.error[k] = std::min(errors.error[k], rest);
     });

@@ -38,7 +38,7 @@ WorstPoint worstIn(const KnotCell& cell, const FitLattice& lattice, const PatchE
             if (error <= worst.error) continue;
             worst.error = error;
             worst.at = {lattice.targets.parameters[0][i], lattice.targets.parameters[1][j]};
-            worst.isFolded = errors.isFolded(point);
+            worst.isFolded = errors.isFolded[point];
         }
     return worst;
 }

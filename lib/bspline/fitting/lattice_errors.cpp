@@ -73,14 +73,8 @@ double PatchErrors::maxDistance() const {
     return max;
 }
 
-bool PatchErrors::isFolded(std::size_t point) const {
-    return error[point] > std::abs(signedDistance[point]);
-}
-
-bool PatchErrors::isFolded() const {
-    for (std::size_t k = 0; k < error.size(); ++k)
-        if (isFolded(k)) return true;
-    return false;
+bool PatchErrors::anyFolded() const {
+    return std::ranges::find(isFolded, true) != isFolded.end();
 }
 
 double distance(const FitLattice& lattice, std::size_t point, const Point& offset) {
@@ -119,11 +113,13 @@ PatchErrors latticeErrors(const FitLattice& lattice, const Patch& patch, double 
     PatchErrors errors;
     errors.signedDistance.reserve(points.size());
     errors.error.reserve(points.size());
+    errors.isFolded.reserve(points.size());
     for (std::size_t k = 0; k < points.size(); ++k) {
         const Point offset = points[k].position - lattice.reference[k];
         errors.signedDistance.push_back(scale * signedDistance(lattice, k, points[k], offset) / tolerance);
         const double size = std::abs(errors.signedDistance.back());
-        errors.error.push_back(isFolded(lattice, k, points[k]) ? std::max(ofFolds, size) : size);
+        errors.isFolded.push_back(isFolded(lattice, k, points[k]));
+        errors.error.push_back(errors.isFolded.back() ? std::max(ofFolds, size) : size);
     }
     return errors;
 }

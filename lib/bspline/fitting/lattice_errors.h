@@ -12,14 +12,14 @@ namespace qm {
 
 /// Errors in tolerances, by lattice point.
 struct PatchErrors {
-    std::vector<double> signedDistance; ///< magnitudes up to 1 are within the tolerance
-    std::vector<double> error;          ///< magnitude of the distance; at least 2 where the patch is folded
+    /// Signed along the normal of smooth points only; magnitudes up to 1 are within the tolerance.
+    std::vector<double> signedDistance;
+    std::vector<double> error;  ///< magnitude of the distance; at least 2 where the patch is folded
+    std::vector<bool> isFolded; ///< where the patch is folded, and that has not been given up
 
     [[nodiscard]] double max() const;
     [[nodiscard]] double maxDistance() const; ///< of all points, folded or not
-    /// Whether the patch is folded at a point, where that has not been given up.
-    [[nodiscard]] bool isFolded(std::size_t point) const;
-    [[nodiscard]] bool isFolded() const; ///< at any point
+    [[nodiscard]] bool anyFolded() const;
 };
 
 /// The distances between the points of a patch and the reference's points with the same parameters, not
