@@ -49,9 +49,8 @@ SmoothFitOptions effortFor(const QuadMesh& mesh) {
     return options;
 }
 
-/// Of the tolerance, at the lattice's points: the rest is for what lies between, more of it unverified.
-constexpr double shareVerified = 0.97;
-constexpr double shareUnverified = 0.94;
+/// Of the tolerance, at the lattice's points: the rest is for what lies between.
+constexpr double shareAtPoints = 0.97;
 
 /// How far a reference may be from a plane that it is taken for: a share of what is allowed, and of the
 /// diagonal, as much as the coordinates of mesh files are rounded.
@@ -96,11 +95,10 @@ Surfaces fitSurfaces(const QuadMesh& mesh, const Layout& layout, const std::vect
             return found;
         };
         SmoothFitOptions effort = effortFor(mesh);
-        const bool verifies = effort.verifications > 0;
-        effort.tolerance = (verifies ? shareVerified : shareUnverified) * allowed;
+        effort.tolerance = shareAtPoints * allowed;
         effort.flatness = std::min(planeShare * allowed, maxFlatness * diagonal);
         surfaces.patches = fitCentred(reference.bridged ? *reference.bridged : mesh, layout, network, target,
-                                      effort, verifies ? verify : Verification(), control);
+                                      effort, verify, control);
     } else {
         surfaces.patches = interpolateSegments(mesh, layout, control.jobs);
     }

@@ -29,13 +29,11 @@ std::vector<Patch> fitCentred(const QuadMesh& mesh, const Layout& layout, const 
     for (ReferenceGrid& grid : movedReference.grids)
         for (Point& point : grid.points)
             point -= centre;
-    Verification verifyInPlace;
-    if (verify)
-        verifyInPlace = [&](const std::vector<Patch>& patches) {
-            std::vector<Patch> inPlace = patches;
-            move(inPlace, centre);
-            return verify(inPlace);
-        };
+    const Verification verifyInPlace = [&](const std::vector<Patch>& patches) {
+        std::vector<Patch> inPlace = patches;
+        move(inPlace, centre);
+        return verify(inPlace);
+    };
     std::vector<Patch> patches =
         fitSmooth(movedMesh, layout, network, movedReference, options, verifyInPlace, control);
     move(patches, centre);

@@ -9,7 +9,7 @@ namespace qm {
 /// meanwhile. Otherwise its coordinates would leave too few digits for patches to meet exactly.
 [[nodiscard]] std::vector<Patch> fitCentred(const QuadMesh& mesh, const Layout& layout,
                                             const SmoothNetwork& network, const FitTarget& reference,
-                                            const SmoothFitOptions& options, const Verification& verify = {},
+                                            const SmoothFitOptions& options, const Verification& verify,
                                             const Control& control = {});
 
 } // namespace qm

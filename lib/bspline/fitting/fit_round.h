@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bspline/fitting/fit_lattice.h"
+#include "bspline/fitting/given_up_cells.h"
 #include "bspline/fitting/knot_plan.h"
 #include "bspline/fitting/lattice_errors.h"
 #include "bspline/splines/surfaces.h"
@@ -28,8 +29,9 @@ struct FitRound {
     std::vector<Patch> patches; ///< empty before the first round
     std::optional<KnotPlan> plan;
     std::vector<std::shared_ptr<const LatticeProgress>>
-        lattices;                  ///< by patch; shared between rounds, because they are large
-    std::vector<double> distances; ///< by patch, in tolerances, if they have been verified
+        lattices;                      ///< by patch; shared between rounds, because they are large
+    std::vector<GivenUpCells> givenUp; ///< by patch
+    std::vector<double> distances;     ///< by patch, in tolerances, if they have been verified
 };
 
 /// By how much a patch exceeds the tolerance, in tolerances; a patch that is only folded counts a little.

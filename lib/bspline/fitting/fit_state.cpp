@@ -10,7 +10,6 @@
 #include "bspline/fitting/knot_removal.h"
 #include "bspline/fitting/lattice_cells.h"
 #include "bspline/fitting/lattice_holds.h"
-#include "bspline/fitting/smooth_fit.h"
 #include "bspline/fitting/smooth_system.h"
 
 #include <algorithm>
@@ -164,13 +163,10 @@ RoundScore FitState::score() const {
     return scoreOf(missed_, worst_ <= 1, patches_);
 }
 
-FitRound FitState::round(bool isKept) {
-    FitRound round{score(), patches_, plan_, {}, {}};
-    if (!isKept) return round;
+FitRound FitState::round() {
     for (std::size_t k = 0; k < lattices_.size(); ++k)
         if (!kept_[k]) kept_[k] = std::make_shared<const LatticeProgress>(lattices_[k]);
-    round.lattices = kept_;
-    return round;
+    return {score(), patches_, plan_, kept_, givenUp_, {}};
 }
 
 FitLattice& FitState::changing(std::size_t patch) {
@@ -185,6 +181,8 @@ void FitState::restore(const FitRound& round) {
         if (kept_[k] != round.lattices[k]) lattices_[k] = restored(sources_[k], *round.lattices[k]);
     });
     kept_ = round.lattices;
+    givenUp_ = round.givenUp;
+    reweighed_.assign(sources_.size(), false);
     patches_ = round.patches;
     solvedRuns_ = plan_.network().runs;
     assess(everywhere());
@@ -204,12 +202,16 @@ bool FitState::weighWhatIsMissed() {
             changing(k).emphasis[i] *= Emphasis::growth;
             ofPatch = true;
         }
-        if (!ofPatch) continue;
-        weighTargets(sources_[k], changing(k));
-        reweighed_[k] = true;
-        changed = true;
+        if (ofPatch) reweigh(k);
+        changed = changed || ofPatch;
     }
     return changed;
+}
+
+/// Sets a patch's weights to its emphasis.
+void FitState::reweigh(std::size_t patch) {
+    weighTargets(sources_[patch], changing(patch));
+    reweighed_[patch] = true;
 }
 
 bool FitState::refine() {
@@ -227,21 +229,24 @@ template <class Function> void FitState::forBadCells(double limit, Function&& fu
             if (worstIn(cell, lattices_[k], errors_[k]).error > limit) function(cell, k);
 }
 
-void FitState::giveUp(const KnotCell& cell, std::size_t patch) {
-    givenUp_[patch].add(cell, sources_[patch], changing(patch), errors_[patch]);
-    reweighed_[patch] = true;
+void FitState::giveUpCells(double limit, bool foldsOnly) {
+    std::vector<bool> changed(sources_.size());
+    forBadCells(limit, [&](const KnotCell& cell, std::size_t k) {
+        if (foldsOnly && !isNear(cell, lattices_[k], errors_[k])) return;
+        givenUp_[k].add(cell, changing(k), errors_[k]);
+        changed[k] = true;
+    });
+    for (std::size_t k = 0; k < changed.size(); ++k)
+        if (changed[k]) reweigh(k);
 }
 
 void FitState::giveUp() {
     constexpr double share = 0.5;
-    forBadCells(1 + share * (worst_ - 1),
-                [&](const KnotCell& cell, std::size_t patch) { giveUp(cell, patch); });
+    giveUpCells(1 + share * (worst_ - 1), false);
 }
 
 void FitState::giveUpFolds() {
-    forBadCells(1, [&](const KnotCell& cell, std::size_t patch) {
-        if (isNear(cell, lattices_[patch], errors_[patch])) giveUp(cell, patch);
-    });
+    giveUpCells(1, true);
 }
 
 bool FitState::stopSliding() {
@@ -261,9 +266,9 @@ bool FitState::tighten(const FitRound& round) {
     bool changed = false;
     for (std::size_t k = 0; k < sources_.size(); ++k) {
         const double found = round.distances[k];
-        const double told = errors_[k].max();
-        if (found <= 1 || found <= agreement * errors_[k].maxDistance() || !(told > 0)) continue;
-        scale_[k] *= reserve * found / std::min(told, 1.0);
+        const double told = errors_[k].maxDistance();
+        if (found <= 1 || found <= agreement * told || !(told > 0)) continue;
+        scale_[k] *= reserve * found / told;
         changed = true;
     }
     if (changed) assess(everywhere());

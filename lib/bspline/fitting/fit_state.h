@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bspline/fitting/fit_lattice.h"
+#include "bspline/fitting/fit_options.h"
 #include "bspline/fitting/fit_round.h"
 #include "bspline/fitting/given_up_cells.h"
 #include "bspline/fitting/knot_plan.h"
@@ -19,8 +20,6 @@
 #include <vector>
 
 namespace qm {
-
-struct SmoothFitOptions;
 
 /// The steps of a fit. Errors are in tolerances: values above 1 are too large.
 class FitState {
@@ -43,8 +42,7 @@ public:
     [[nodiscard]] bool isFolded() const;
     /// The score of the present patches.
     [[nodiscard]] RoundScore score() const;
-    /// \param isKept  whether it may be restored; otherwise the lattices, which are large, are left out
-    [[nodiscard]] FitRound round(bool isKept);
+    [[nodiscard]] FitRound round();
     /// Goes back to an earlier round.
     void restore(const FitRound& round);
 
@@ -88,7 +86,8 @@ private:
     FitLattice& changing(std::size_t patch);
     void assess(const std::vector<bool>& isNew);
     template <class Function> void forBadCells(double limit, Function&& function);
-    void giveUp(const KnotCell& cell, std::size_t patch);
+    void giveUpCells(double limit, bool foldsOnly);
+    void reweigh(std::size_t patch);
 
     const Layout& layout_;
     const SmoothFitOptions& options_;

@@ -17,8 +17,7 @@ void forPoints(const KnotCell& cell, const FitLattice& lattice, const Function& 
 
 } // namespace
 
-void GivenUpCells::add(const KnotCell& cell, const LatticeSource& source, FitLattice& lattice,
-                       PatchErrors& errors) {
+void GivenUpCells::add(const KnotCell& cell, FitLattice& lattice, PatchErrors& errors) {
     constexpr double slack = 1.1;
     Place place{cell, 1, false};
     forPoints(cell, lattice, [&](std::size_t k) {
@@ -28,7 +27,6 @@ void GivenUpCells::add(const KnotCell& cell, const LatticeSource& source, FitLat
         lattice.emphasis[k] = 1;
     });
     places_.push_back(place);
-    weighTargets(source, lattice);
     cap(places_.back(), lattice, errors);
 }
 

@@ -13,8 +13,8 @@ namespace qm {
 /// is given up, not the distance.
 class GivenUpCells {
 public:
-    /// Gives up a cell with its present distance plus a tenth, and resets the weights of its points.
-    void add(const KnotCell& cell, const LatticeSource& source, FitLattice& lattice, PatchErrors& errors);
+    /// Gives up a cell with its present distance plus a tenth, and resets the emphasis of its points.
+    void add(const KnotCell& cell, FitLattice& lattice, PatchErrors& errors);
 
     /// Lowers the errors of these cells to 1, or to the factor by which they have grown.
     void cap(const FitLattice& lattice, PatchErrors& errors) const;

@@ -34,7 +34,8 @@ std::optional<Plane> planeThrough(const std::vector<ReferenceGrid>& reference,
     Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
     forEachPoint([&](const Eigen::Vector3d& at) { spread += (at - middle) * (at - middle).transpose(); });
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
-    const double allowed = std::min(tolerance, share * std::sqrt(std::max(0.0, solver.eigenvalues()[1]) / count));
+    const double allowed =
+        std::min(tolerance, share * std::sqrt(std::max(0.0, solver.eigenvalues()[1]) / count));
     const Eigen::Vector3d normal = solver.eigenvectors().col(0);
     double farthest = 0;
     forEachPoint(

@@ -1,228 +1,13 @@
 #include "bspline/fitting/smooth_fit.h"
 
-#include "bspline/fitting/fit_round.h"
-#include "bspline/fitting/fit_state.h"
-#include "bspline/fitting/flattening.h"
+#include "bspline/fitting/fit_attempt.h"
 #include "bspline/fitting/free_unknowns.h"
-#include "bspline/fitting/plane_patches.h"
 
-#include <algorithm>
 #include <cstddef>
-#include <limits>
-#include <optional>
 #include <utility>
 
 namespace qm {
 namespace {
-
-constexpr int maxRemovals = 6;
-/// Rounds are no longer flattened after this has broken the tolerance so often.
-constexpr int maxFlattenings = 8;
-/// Number of rounds after a removal within which the tolerance must be kept again.
-constexpr int maxRepairs = 4;
-/// A search ends after so many rounds without a better result.
-constexpr int maxIdle = 12;
-/// Weights alone are changed as long as each round leaves at most this share of what is missed.
-constexpr double worthwhileGain = 0.9;
-/// Removals are repeated as long as each leaves at most this share of the control points.
-constexpr double worthwhile = 0.985;
-
-/// Number of rounds for mending what a verification has found.
-constexpr int roundsOfMending = 8;
-
-/// If a verification finds a distance or a number of control points larger than the previous one by these
-/// factors, it is the last of its attempt, unless this is the last attempt: more rounds would add ever more
-/// knots.
-struct Astray {
-    static constexpr double distance = 1.2;
-    static constexpr double points = 1.5;
-};
-
-/// A fit that is so many tolerances away will not come within one. It is not verified again and not attempted
-/// anew, and its search ends if this many rounds together do not halve the distance.
-struct Hopeless {
-    static constexpr double distance = 1000;
-    static constexpr int rounds = 6;
-};
-
-struct Fitted {
-    std::vector<Patch> patches;
-    std::vector<double> distances; ///< by patch, in tolerances; empty if they have not been verified
-
-    /// 0 if nothing was verified.
-    [[nodiscard]] double farthest() const { return distances.empty() ? 0 : std::ranges::max(distances); }
-    [[nodiscard]] bool isHopeless() const { return farthest() > Hopeless::distance; }
-};
-
-bool isAstrayFrom(const Fitted& before, const Fitted& found) {
-    const auto points = [](const Fitted& fitted) {
-        return static_cast<double>(controlPointCount(fitted.patches));
-    };
-    return found.farthest() > Astray::distance * before.farthest() ||
-           points(found) > Astray::points * points(before);
-}
-
-class SmoothFit {
-public:
-    SmoothFit(const QuadMesh& mesh, const Layout& layout, const SmoothNetwork& network,
-              const FitTarget& reference, const SmoothFitOptions& options, const std::vector<bool>& isSoft,
-              unsigned jobs)
-        : layout_(layout), options_(options), jobs_(jobs),
-          planes_(planesOf(reference.grids, network, options.flatness)),
-          state_(mesh, layout, network, reference, options, isSoft, jobs) {}
-
-    Fitted run(const Verification& verify, bool mayBeginAnew, const Control& control) {
-        state_.solve(2 * options_.slides, true); // more slides while there are few knots
-        search(options_.maxRounds, options_.removesKnots, control);
-        chooseBest(verify);
-        flattenBest(verify);
-        if (!verify) return {std::move(best_.patches), {}};
-        Fitted nearest;
-        for (int k = 1;; ++k) {
-            Fitted found{best_.patches, verified(best_, verify)};
-            const bool isAstray = mayBeginAnew && k > 1 && isAstrayFrom(nearest, found);
-            if (k == 1 || found.farthest() < nearest.farthest()) nearest = std::move(found);
-            if (isAstray || nearest.isHopeless() || k == options_.verifications) return nearest;
-            state_.restore(best_);
-            if (!state_.tighten(best_)) return nearest;
-            best_ = {};
-            nearest_ = {};
-            search(roundsOfMending, false, {});
-            chooseBest(verify);
-            flattenBest(verify);
-        }
-    }
-
-private:
-    /// Alternates between placing knots and fitting until the tolerance is kept and no knots can be saved.
-    /// \param saves  whether to try to do with fewer knots
-    void search(int maxRounds, bool saves, const Control& control) {
-        int removals = 0;
-        int lastKept = 0;
-        int idle = 0;
-        int halved = 0;
-        double halvedWorst = std::numeric_limits<double>::infinity();
-        double excessBefore = std::numeric_limits<double>::infinity();
-        double countBefore = std::numeric_limits<double>::infinity();
-        for (int round = 0; round < maxRounds; ++round) {
-            control.progress(static_cast<double>(round) / maxRounds);
-            if (round > 0) state_.solve(options_.slides, false);
-            flattenIfKept();
-            idle = keepIfBest() ? 0 : idle + 1;
-            if (idle == maxIdle) break;
-            if (2 * state_.worst() <= halvedWorst) {
-                halvedWorst = state_.worst();
-                halved = round;
-            }
-            if (state_.worst() > Hopeless::distance && round - halved >= Hopeless::rounds) break;
-            if (++rounds_ > options_.roundsForFolds) state_.giveUpFolds();
-            if (state_.worst() <= 1) {
-                const auto count = static_cast<double>(controlPointCount(best_.patches));
-                if (!saves || round + maxRepairs > maxRounds) break; // no round is left for repairs
-                if (removals++ == maxRemovals || count > worthwhile * countBefore) break;
-                countBefore = count;
-                lastKept = round;
-                if (state_.removeKnots() == 0) break;
-                continue;
-            }
-            if (best_.score.keeps && idle > 0 && round - lastKept > maxRepairs) break;
-            const bool weighed = state_.weighWhatIsMissed();
-            const bool refined = state_.refine();
-            // Without more knots to insert, weights may still help.
-            const bool gains = state_.excess() < worthwhileGain * excessBefore;
-            excessBefore = state_.excess();
-            if (refined || (weighed && gains)) continue;
-            if (!tryHarder()) state_.giveUp();
-        }
-    }
-
-    /// Does what helps where neither knots nor weights do. Beside folds short intervals would only make
-    /// spikes.
-    /// \return false if all has been done
-    bool tryHarder() {
-        return state_.isFolded() ? state_.stopSliding() || state_.allowShorterIntervals()
-                                 : state_.allowShorterIntervals() || state_.stopSliding();
-    }
-
-    /// Once the tolerance is kept, it is to be kept with plane patches in their planes: what these push away
-    /// is refined as well. Some planes cannot be reached within the tolerance.
-    void flattenIfKept() {
-        if (!hasPlanes() || flattenings_ == maxFlattenings || state_.worst() > 1) return;
-        state_.flatten(planes_);
-        if (state_.worst() > 1) ++flattenings_;
-    }
-
-    [[nodiscard]] bool hasPlanes() const {
-        return std::ranges::any_of(planes_, [](const auto& plane) { return plane.has_value(); });
-    }
-
-    static const std::vector<double>& verified(FitRound& round, const Verification& verify) {
-        if (round.distances.empty()) round.distances = verify(round.patches);
-        return round.distances;
-    }
-
-    /// Moves plane patches into their planes, except where that would break the tolerance.
-    void flattenBest(const Verification& verify) {
-        if (!hasPlanes()) return;
-        constexpr int attempts = 5;
-        constexpr double worse = 1.01;
-        const KnotPlan& plan = *best_.plan;
-        const std::vector<PatchSpace> spaces = plan.spaces();
-        auto planes = planes_;
-        for (int k = 0; k < attempts; ++k) {
-            std::vector<Patch> flat = best_.patches;
-            flatten(layout_, plan.network(), spaces, planes, flat, jobs_);
-            std::vector<double> after = verify ? verify(flat) : std::vector<double>();
-            const auto isSpoiled = [&](std::size_t patch) {
-                return after[patch] > std::max(1.0, worse * verified(best_, verify)[patch]);
-            };
-            bool spoils = false;
-            for (std::size_t patch = 0; patch < after.size(); ++patch)
-                spoils = spoils || isSpoiled(patch);
-            if (!spoils) {
-                best_.patches = std::move(flat);
-                best_.distances = std::move(after);
-                return;
-            }
-            for (const Stretch& stretch : plan.network().stretches)
-                for (const std::size_t side : {0U, 1U})
-                    if (isSpoiled(stretch.sides[side].patch)) {
-                        planes[stretch.sides[0].patch].reset();
-                        planes[stretch.sides[1].patch].reset();
-                    }
-        }
-    }
-
-    /// \return whether the round is the best so far by either criterion
-    bool keepIfBest() {
-        const RoundScore score = state_.score();
-        const bool isBest = best_.patches.empty() || isBetter(score, best_.score, true);
-        const bool isNearest = nearest_.patches.empty() || isBetter(score, nearest_.score, false);
-        if (!isBest && !isNearest) return false;
-        const FitRound round = state_.round(options_.verifications > 0);
-        if (isBest) best_ = round;
-        if (isNearest) nearest_ = round;
-        return true;
-    }
-
-    /// Prefers the nearest round to the best if a verification finds it nearer, which the lattices cannot
-    /// tell.
-    void chooseBest(const Verification& verify) {
-        if (!verify || nearest_.patches.empty() || nearest_.score == best_.score) return;
-        const double ofBest = std::ranges::max(verified(best_, verify));
-        if (ofBest > 1 && std::ranges::max(verified(nearest_, verify)) < ofBest) best_ = std::move(nearest_);
-    }
-
-    const Layout& layout_;
-    const SmoothFitOptions& options_;
-    unsigned jobs_;
-    std::vector<std::optional<Plane>> planes_;
-    FitState state_;
-    int flattenings_ = 0; ///< that broke the tolerance
-    int rounds_ = 0;      ///< in all searches together
-    FitRound best_;
-    FitRound nearest_; ///< the best if errors that are given up count like all others
-};
 
 /// The settings of one attempt. Stiff patches are fair, but where quads fold or are much narrower than their
 /// neighbours they can prevent everything around from following the reference, and so can sliding.
@@ -259,10 +44,12 @@ std::vector<Patch> fitSmooth(const QuadMesh& mesh, const Layout& layout, const S
     Fitted nearest;
     for (int k = 1;; ++k) {
         const auto [isSoft, ofAttempt] = attempt(k, nearest, network, patches, options);
-        Fitted fitted = SmoothFit(mesh, layout, network, reference, ofAttempt, isSoft, control.jobs)
-                            .run(verify, k < options.attempts, k == 1 ? control : Control());
+        Control ofControl = control;
+        if (k > 1) ofControl.progress = Control().progress;
+        Fitted fitted = attemptFit(mesh, layout, network, reference, ofAttempt, isSoft, k == options.attempts,
+                                   verify, ofControl);
         if (k == 1 || fitted.farthest() < nearest.farthest()) nearest = std::move(fitted);
-        if (k == options.attempts || !verify || nearest.farthest() <= uncertain || nearest.isHopeless())
+        if (k == options.attempts || nearest.farthest() <= uncertain || nearest.isHopeless())
             return nearest.patches;
     }
 }

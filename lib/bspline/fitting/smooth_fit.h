@@ -3,44 +3,24 @@
 #pragma once
 
 #include "base/control.h"
+#include "bspline/fitting/fit_options.h"
 #include "bspline/network/smooth_network.h"
 #include "bspline/reference/fit_target.h"
 #include "bspline/splines/surfaces.h"
 #include "layout/layout.h"
 
-#include <functional>
 #include <vector>
 
 namespace qm {
 
-struct SmoothFitOptions {
-    double tolerance = 0;     ///< largest distance from the reference, in its unit; positive
-    double flatness = 0;      ///< a reference no farther than this from a plane makes a plane patch
-    int steps = 4;            ///< lattice points per mesh edge: 1, 2 or 4
-    double minInterval = 0;   ///< shortest knot interval, in tolerances; never below an eighth of a mesh edge
-    int maxRounds = 30;       ///< largest number of rounds, each with a factorisation
-    int roundsForFolds = 30;  ///< after so many rounds, folds that are near enough are accepted
-    int slides = 6;           ///< solutions per round, between which the targets slide
-    double slack = 0.5;       ///< in tolerances: surfaces may be farther by this if that makes them fairer
-    int ringsAround = 2;      ///< rings of patches around those that change that are solved for with them
-    double worthAll = 0.6;    ///< if more than this share of the control points is free, all are solved for
-    bool removesKnots = true; ///< tries to do with fewer knots once the tolerance is kept
-    int verifications = 5;    ///< largest number of verifications per attempt
-    int attempts = 5; ///< largest number of attempts, while a verification fails; see `smooth_fit.cpp`
-};
-
-/// The largest distance of every patch from the reference in tolerances, also between the points that the fit
-/// samples: values up to 1 are within the tolerance.
-using Verification = std::function<std::vector<double>(const std::vector<Patch>&)>;
-
 /// Fits patches that share their borders and are G1 across all borders that are not creases. The tolerance is
 /// missed where knot intervals of an eighth of a mesh edge do not suffice, or where bicubics cannot follow
 /// the reference.
-/// \param verify  may be empty; patches that it finds too far away are fitted more closely
+/// \param verify  patches that it finds too far away are fitted more closely
 /// \return one patch per segment, in their order
 [[nodiscard]] std::vector<Patch> fitSmooth(const QuadMesh& mesh, const Layout& layout,
                                            const SmoothNetwork& network, const FitTarget& reference,
-                                           const SmoothFitOptions& options, const Verification& verify = {},
+                                           const SmoothFitOptions& options, const Verification& verify,
                                            const Control& control = {});
 
 } // namespace qm

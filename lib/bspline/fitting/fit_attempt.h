@@ -1,0 +1,35 @@
+/// \file One attempt at a fit: rounds of placing knots and fitting, verified and mended.
+#pragma once
+
+#include "base/control.h"
+#include "bspline/fitting/fit_options.h"
+#include "bspline/network/smooth_network.h"
+#include "bspline/reference/fit_target.h"
+#include "bspline/splines/surfaces.h"
+#include "layout/layout.h"
+
+#include <vector>
+
+namespace qm {
+
+struct Fitted {
+    std::vector<Patch> patches;
+    std::vector<double> distances; ///< by patch, in tolerances, verified
+
+    [[nodiscard]] double farthest() const;
+    /// Whether the fit is so far away that neither mending nor another attempt will bring it within the
+    /// tolerance.
+    [[nodiscard]] bool isHopeless() const;
+};
+
+/// Fits until the tolerance is kept with as few knots as possible, verifies the result, and mends what the
+/// verification finds, at most `options.verifications` times.
+/// \param isSoft  by patch: whether it follows the reference more closely at the cost of fairness
+/// \param isLast  whether no other attempt follows, so that even mending that leads astray is tried
+/// \return the result that was verified as the nearest
+[[nodiscard]] Fitted attemptFit(const QuadMesh& mesh, const Layout& layout, const SmoothNetwork& network,
+                                const FitTarget& reference, const SmoothFitOptions& options,
+                                const std::vector<bool>& isSoft, bool isLast, const Verification& verify,
+                                const Control& control);
+
+} // namespace qm
