@@ -4,7 +4,7 @@
 #include "bspline/fitting/border_knots.h"
 #include "bspline/fitting/continuity_equations.h"
 #include "bspline/fitting/flattening.h"
-#include "bspline/fitting/free_unknowns.h"
+#include "bspline/fitting/free_patches.h"
 #include "bspline/fitting/initial_knots.h"
 #include "bspline/fitting/knot_insertion.h"
 #include "bspline/fitting/knot_removal.h"
@@ -34,10 +34,6 @@ struct Emphasis {
     static constexpr double growth = 3;
     static constexpr double max = 100;
 };
-
-/// If few patches have changed, more of the patches around them are solved for, up to this many control
-/// points.
-constexpr double minPoints = 1000;
 
 } // namespace
 
@@ -81,25 +77,10 @@ std::vector<bool> FitState::changedPatches(const std::vector<PatchSpace>& before
     return changed;
 }
 
-std::vector<bool> FitState::patchesToSolveFor(const std::vector<PatchSpace>& before) const {
-    std::vector<bool> isFree = withNeighbours(plan_.network(), changedPatches(before), options_.ringsAround);
-    const auto points = [&] {
-        std::size_t count = 0;
-        for (std::size_t k = 0; k < spaces_.size(); ++k)
-            if (isFree[k]) count += spaces_[k].size();
-        return static_cast<double>(count);
-    };
-    const double limit = options_.worthAll * static_cast<double>(unknownsOf(spaces_));
-    for (double last = -1; points() > last && points() < std::min(minPoints, limit);) {
-        last = points();
-        isFree = withNeighbours(plan_.network(), isFree, 1);
-    }
-    return points() > limit ? everywhere() : isFree;
-}
-
 void FitState::solve(int slides, bool forAll) {
     const std::vector<PatchSpace> before = std::exchange(spaces_, plan_.spaces());
-    std::vector<bool> isFree = forAll ? everywhere() : patchesToSolveFor(before);
+    std::vector<bool> isFree = everywhere();
+    if (!forAll) isFree = freePatches(plan_.network(), spaces_, changedPatches(before), options_);
     if (!solveFor(isFree, slides)) {
         isFree = everywhere();
         solveFor(isFree, slides);

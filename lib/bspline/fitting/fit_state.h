@@ -81,7 +81,6 @@ private:
     [[nodiscard]] std::array<std::vector<double>, 2>
     parametersOf(std::size_t patch, const std::array<std::vector<double>, 2>& knots) const;
     [[nodiscard]] std::vector<bool> changedPatches(const std::vector<PatchSpace>& before) const;
-    [[nodiscard]] std::vector<bool> patchesToSolveFor(const std::vector<PatchSpace>& before) const;
     bool solveFor(const std::vector<bool>& isFree, int slides);
     FitLattice& changing(std::size_t patch);
     void assess(const std::vector<bool>& isNew);

@@ -4,6 +4,7 @@
 #include "base/disjoint_sets.h"
 #include "base/parallel.h"
 #include "bspline/fitting/continuity_equations.h"
+#include "bspline/fitting/free_patches.h"
 #include "bspline/fitting/free_unknowns.h"
 #include "bspline/fitting/least_change.h"
 #include "bspline/splines/eigen_point.h"

@@ -2,16 +2,6 @@
 
 namespace qm {
 
-std::vector<bool> withNeighbours(const SmoothNetwork& network, std::vector<bool> patches, int rings) {
-    for (int ring = 0; ring < rings; ++ring) {
-        const std::vector<bool> before = patches;
-        for (const Stretch& stretch : network.stretches)
-            for (const std::size_t side : {0U, 1U})
-                if (before[stretch.sides[side].patch]) patches[stretch.sides[1 - side].patch] = true;
-    }
-    return patches;
-}
-
 FreeUnknowns::FreeUnknowns(const std::vector<PatchSpace>& spaces, const std::vector<bool>& isFree) {
     for (std::size_t patch = 0; patch < spaces.size(); ++patch)
         for (std::size_t k = 0; k < spaces[patch].size(); ++k)

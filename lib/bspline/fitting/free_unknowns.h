@@ -2,16 +2,11 @@
 #pragma once
 
 #include "bspline/network/border_strip.h"
-#include "bspline/network/smooth_network.h"
 
 #include <cstddef>
 #include <vector>
 
 namespace qm {
-
-/// Adds to a set of patches those that share a border with one of them, `rings` times.
-[[nodiscard]] std::vector<bool> withNeighbours(const SmoothNetwork& network, std::vector<bool> patches,
-                                               int rings);
 
 /// Numbers the unknowns of the free patches consecutively from 0.
 class FreeUnknowns {
