@@ -5,6 +5,8 @@
 #include <coin/CbcCompareObjective.hpp>
 #include <coin/CbcEventHandler.hpp>
 #include <coin/CbcModel.hpp>
+#include <coin/CbcSolver.hpp>
+#include <coin/ClpEventHandler.hpp>
 #include <coin/CoinPackedMatrix.hpp>
 #include <coin/OsiClpSolverInterface.hpp>
 
@@ -26,6 +28,21 @@ public:
     explicit StopHandler(const Control& control) : control_(control) {}
     CbcAction event(CbcEvent) override { return control_.stopRequested() ? stop : noAction; }
     [[nodiscard]] CbcEventHandler* clone() const override { return new StopHandler(*this); }
+
+private:
+    const Control& control_;
+};
+
+/// Ends relaxations, which CBC would complete before it asks its own handler.
+class StopSimplex : public ClpEventHandler {
+public:
+    explicit StopSimplex(const Control& control) : control_(control) {}
+    int event(Event) override {
+        constexpr int goOn = -1;
+        constexpr int stopped = 5; // Clp's secondary status of an end by such a handler
+        return control_.stopRequested() ? stopped : goOn;
+    }
+    [[nodiscard]] ClpEventHandler* clone() const override { return new StopSimplex(*this); }
 
 private:
     const Control& control_;
@@ -70,8 +87,10 @@ double maxCost(const IntegerProgram& program) {
 
 /// Solves the relaxation. CBC would not check the time before it is solved.
 /// \return whether it was solved to optimality
-bool relax(OsiClpSolverInterface& solver, double seconds) {
+bool relax(OsiClpSolverInterface& solver, double seconds, const Control& control) {
     ClpSimplex& simplex = *solver.getModelPtr();
+    StopSimplex handler(control);
+    simplex.passInEventHandler(&handler); // copied, as it is to all copies of the solver
     simplex.setMaximumWallSeconds(seconds);
     solver.setHintParam(OsiDoDualInInitial, true);
     solver.resolve();
@@ -87,9 +106,12 @@ ProgramSolution solveProgram(const IntegerProgram& program, const ColumnValues& 
     const Deadline end(control, limits.seconds);
     OsiClpSolverInterface solver;
     load(program, solver);
-    if (!relax(solver, limits.seconds)) return {{}, boundOfColumns(program), false};
+    if (!relax(solver, limits.seconds, control)) return {{}, boundOfColumns(program), false};
+    const double relaxed = solver.getObjValue();
+    CbcSolverUsefulData settings;
+    settings.useSignalHandler_ = false; // what a signal does is decided by whoever made the control
     CbcModel model(solver);
-    CbcMain0(model);
+    CbcMain0(model, settings);
     model.setLogLevel(0);
     StopHandler handler(control);
     model.passInEventHandler(&handler);
@@ -101,15 +123,20 @@ ProgramSolution solveProgram(const IntegerProgram& program, const ColumnValues& 
     const char* arguments[] = {"cbc",  "-log",          "0",         "-timeMode",   "elapsed",
                                "-sec", seconds.c_str(), "-maxNodes", nodes.c_str(), "-preprocess",
                                "off",  "-solve",        "-quit"};
-    CbcMain1(static_cast<int>(std::size(arguments)), arguments, model);
+    const auto goOn = [](CbcModel*, int) { return 0; };
+    CbcMain1(static_cast<int>(std::size(arguments)), arguments, model, goOn, settings);
+    // CBC takes a relaxation that was ended for infeasible, so its proofs and bounds count only without a
+    // stop.
+    const bool isWhole = !control.stopRequested();
     ProgramSolution solution;
-    solution.proven = model.isProvenOptimal();
-    solution.lowerBound = model.getBestPossibleObjValue();
+    solution.proven = isWhole && model.isProvenOptimal();
+    solution.lowerBound = isWhole ? model.getBestPossibleObjValue() : relaxed;
     if (const double* best = model.bestSolution()) {
         solution.values.emplace(best, best + program.costs.size());
         for (double& value : *solution.values)
             value = std::round(value);
         if (solution.proven) solution.lowerBound = model.getObjValue();
+        if (!program.allows(*solution.values)) solution.values.reset();
     }
     return solution;
 }
@@ -122,9 +149,8 @@ double boundProgram(const IntegerProgram& program, double seconds, const Control
     load(program, solver);
     // The time limit may end the first relaxation but no later one: CBC takes a node whose relaxation was not
     // finished for infeasible, and would report a false proof.
-    if (!relax(solver, seconds)) return nothing;
-    // CbcMain1 is not used because it keeps its parameters in globals; its cuts and heuristics would only
-    // cost time in programs this small.
+    if (!relax(solver, seconds, control)) return nothing;
+    // CbcMain1 is not used: its cuts and heuristics would only cost time in programs this small.
     CbcModel model(solver);
     model.setLogLevel(0);
     model.solver()->setHintParam(OsiDoReducePrint, true);
@@ -137,6 +163,7 @@ double boundProgram(const IntegerProgram& program, double seconds, const Control
     model.initialSolve();
     if (!model.isInitialSolveProvenOptimal()) return nothing;
     model.branchAndBound();
+    if (control.stopRequested()) return nothing;
     const double bound = model.isProvenOptimal() ? model.getObjValue() : model.getBestPossibleObjValue();
     return model.isProvenInfeasible() || bound > maxCost(program) ? nothing : bound;
 }

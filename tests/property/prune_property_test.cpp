@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <csignal>
 #include <limits>
 #include <random>
 
@@ -297,7 +298,7 @@ TEST(PruneProperty, NeighbourhoodsFollowTheirSeed) {
     const ColumnValues all(ring.costs.size(), 1);
     const auto improved = [&](std::uint32_t seed) {
         Control control; // stops after a few neighbourhoods
-        control.stopRequested = [asked = 0]() mutable { return ++asked > 20; };
+        control.stopRequested = [asked = 0]() mutable { return ++asked > 500; };
         return improveByNeighbourhoods(ring, all, {}, {.columns = 30, .seed = seed}, control);
     };
     EXPECT_EQ(improved(1), improved(1));
@@ -314,6 +315,36 @@ TEST(PruneProperty, ALimitOfNodesEndsASearch) {
     const ProgramSolution whole = solveProgram(uneven, {}, {}), cut = solveProgram(uneven, {}, {.nodes = 3});
     EXPECT_GT(whole.lowerBound, 15); // above every cost, because there is no solution
     EXPECT_LT(cut.lowerBound, 15);
+}
+
+TEST(PruneProperty, AProgramStopsWhenItIsAskedTo) {
+    const IntegerProgram ring = largeRing(700);
+    const ProgramSolution best = solveProgram(ring, {}, {});
+    ASSERT_TRUE(best.proven);
+    for (int limit = 1; limit < 5'000; limit *= 2) {
+        Control control;
+        control.stopRequested = [&, asked = 0]() mutable { return ++asked > limit; };
+        const ProgramSolution found = solveProgram(ring, {}, {}, control);
+        EXPECT_LE(found.lowerBound, best.lowerBound + 1e-6) << limit;
+        EXPECT_TRUE(!found.values || ring.allows(*found.values)) << limit;
+        EXPECT_TRUE(!found.proven || found.lowerBound > best.lowerBound - 1e-6) << limit;
+    }
+}
+
+TEST(PruneProperty, SignalsAreLeftToTheCaller) {
+    const auto own = +[](int) {};
+    const auto before = std::signal(SIGINT, own);
+    bool isKept = true;
+    Control control;
+    control.stopRequested = [&] {
+        struct sigaction present {};
+        sigaction(SIGINT, nullptr, &present);
+        isKept = isKept && present.sa_handler == own;
+        return false;
+    };
+    EXPECT_TRUE(solveProgram(largeRing(700), {}, {}, control).proven);
+    EXPECT_TRUE(isKept);
+    std::signal(SIGINT, before);
 }
 
 TEST(PruneProperty, NeighbourhoodsStopWhenTheyAreAskedTo) {
