@@ -32,7 +32,8 @@ int main(int argc, char** argv) {
     constexpr std::size_t linesShown = 20;
     return qm::runTool(argc, argv, "qm-check", "Verify a document against its mesh.", [&](qm::Tool& tool) {
         tool.explain(
-            "Everything is recomputed; only the reading of documents and meshes is shared with the tools "
+            "Recomputes everything but bounds, numbers of graphs and distances from the reference, which "
+            "must agree with the rest; only the reading of documents and meshes is shared with the tools "
             "that made them. Each violation is reported in a line with the JSON pointer of its place.");
         tool.reads("DOCUMENT", "a document of any kind");
         tool.text("mesh", meshPath, "FILE", "the mesh, if it is not where the document says");

@@ -29,7 +29,6 @@ public:
     void run() {
         for (std::size_t p = 0; p < part_.patches.size(); ++p)
             patchFigures(p);
-        totals();
     }
 
 private:
@@ -150,25 +149,6 @@ private:
         return true;
     }
 
-    /// The figures of all patches are not less than those of one.
-    void totals() {
-        const auto total = [&](const char* figure, std::optional<double> Figures::*member) {
-            const auto& stated = part_.figures.*member;
-            for (const Patch& patch : part_.patches)
-                if (stated && (patch.figures.*member).value_or(0) > *stated) {
-                    report_.violate(below("/surfaces/deviation", figure), "deviation",
-                                    "a patch has " + numberText(*(patch.figures.*member)));
-                    return;
-                }
-        };
-        total("maxFromFacets", &Figures::maxFromFacets);
-        total("maxFromVertices", &Figures::maxFromVertices);
-        total("largestGap", &Figures::largestGap);
-        total("largestNormalAngle", &Figures::largestNormalAngle);
-        total("largestInnerNormalAngle", &Figures::largestInnerNormalAngle);
-        total("folds", &Figures::folds);
-    }
-
     const CheckedMesh& mesh_;
     const Neighbourhoods& around_;
     const Angles& angles_;
@@ -184,6 +164,7 @@ void checkFigures(const Context& context, const LayoutPart& layout, const Surfac
                   Report& report) {
     FigureCheck(context, layout, part, report).run();
     checkMeetings(context, layout, part, report);
+    checkAgreement(context.mesh, part, report);
 }
 
 } // namespace qm::check

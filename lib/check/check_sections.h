@@ -63,8 +63,8 @@ void checkFront(const LayoutPart& part, Report& report);
 
 /// B-spline surfaces, and what their fit has promised (docs/METHOD.md#smooth-fit). One patch for each
 /// segment, in their order, with sound knots whose domain is the segment's grid, and finite control points.
-/// An interpolating fit passes through every vertex within 1e-9 of the bounding box's diagonal. Neighbours of
-/// a smooth fit agree along their borders within the same.
+/// An interpolating fit passes through every vertex within 1e-9 of the bounding box's diagonal, and the
+/// rounding of its coordinates. Neighbours of a smooth fit agree along their borders within the same.
 /// \param layout  must have passed its own check
 void checkSurfaces(const CheckedMesh& mesh, const Neighbourhoods& around, const LayoutPart& layout,
                    const SurfacesPart& part, Report& report);
@@ -82,6 +82,12 @@ void checkFigures(const Context& context, const LayoutPart& layout, const Surfac
 /// every line within a patch at which a knot is repeated as often as the degree says.
 void checkMeetings(const Context& context, const LayoutPart& layout, const SurfacesPart& part,
                    Report& report);
+
+/// The part of `checkFigures` about figures among themselves: means are not above maxima, relative lengths
+/// fit the diagonal, and the figures of all patches are those of each. The distance from the reference cannot
+/// be measured, as the reference is not part of the document; but it passes through the vertices, unless it
+/// is a scan or has bridged quads with flat corners.
+void checkAgreement(const CheckedMesh& mesh, const SurfacesPart& part, Report& report);
 
 /// Reports a figure of a patch that is less than what is found.
 /// \param slack  for rounding

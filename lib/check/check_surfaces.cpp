@@ -3,6 +3,7 @@
 #include "check/check_sections.h"
 #include "check/check_segments.h"
 #include "check/distance.h"
+#include "check/mesh_size.h"
 #include "check/patch_borders.h"
 #include "check/spline.h"
 
@@ -15,24 +16,12 @@ namespace {
 
 using Patch = SurfacesPart::Patch;
 
-double boundingBoxDiagonal(const CheckedMesh& mesh) {
-    Place low{HUGE_VAL, HUGE_VAL, HUGE_VAL};
-    Place high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-    for (const auto& quad : mesh.quads)
-        for (const int vertex : quad)
-            for (std::size_t k = 0; k < 3; ++k) {
-                low[k] = std::min(low[k], mesh.points[at(vertex)][k]);
-                high[k] = std::max(high[k], mesh.points[at(vertex)][k]);
-            }
-    return mesh.quads.empty() ? 0 : distance(low, high);
-}
-
 class SurfaceCheck {
 public:
     SurfaceCheck(const CheckedMesh& mesh, const Neighbourhoods& around, const LayoutPart& layout,
                  const SurfacesPart& part, Report& report)
         : mesh_(mesh), around_(around), layout_(layout), part_(part), report_(report),
-          diagonal_(boundingBoxDiagonal(mesh)) {}
+          samePlace_(samePlace(mesh)) {}
 
     void run() {
         if (part_.patches.size() != layout_.segments.size()) {
@@ -129,7 +118,7 @@ private:
             const auto here =
                 evaluate(part_.patches[p], static_cast<double>(column), static_cast<double>(row));
             const double error = distance(here.point, mesh_.points[at(vertices[i])]);
-            if (error <= 1e-9 * diagonal_) continue;
+            if (error <= samePlace_) continue;
             report_.violate(pointer(p), "interpolation",
                             "it misses vertex " + std::to_string(vertices[i]) + " by " + numberText(error));
             return;
@@ -142,7 +131,7 @@ private:
             if (place.size() < 2) continue;
             for (const double along : {0.0, 0.25, 0.5, 0.75, 1.0}) {
                 const double gap = distance(pointAt(place[0], along), pointAt(place[1], 1 - along));
-                if (gap <= 1e-9 * diagonal_) continue;
+                if (gap <= samePlace_) continue;
                 report_.violate(pointer(place[1].patch), "watertight",
                                 "a gap of " + numberText(gap) + " to patch " +
                                     std::to_string(place[0].patch));
@@ -162,7 +151,7 @@ private:
             return;
         }
         const Place point = evaluate(part_.patches[at(place.patch)], place.at[0], place.at[1]).point;
-        if (!(distance(point, place.point) <= 1e-9 * diagonal_))
+        if (!(distance(point, place.point) <= samePlace_))
             report_.violate(below(pointer, "point"), rule, "the patch is elsewhere at these parameters");
     }
 
@@ -177,7 +166,7 @@ private:
     const LayoutPart& layout_;
     const SurfacesPart& part_;
     Report& report_;
-    double diagonal_;
+    double samePlace_;
 };
 
 } // namespace

@@ -5,6 +5,8 @@
 #pragma once
 
 #include <array>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -128,6 +130,10 @@ struct SurfacesPart {
         std::optional<double> largestNormalAngle;
         std::optional<double> largestInnerNormalAngle;
         std::optional<double> folds;
+        std::map<std::string, double, std::less<>> stated = {}; ///< all figures, by name
+
+        [[nodiscard]] bool has(const char* name) const { return stated.find(name) != stated.end(); }
+        [[nodiscard]] double at(const char* name) const { return stated.find(name)->second; }
     };
     /// Control point (i, j), i along u, is controlPoints[j * count[0] + i].
     struct Patch {
@@ -142,7 +148,8 @@ struct SurfacesPart {
     /// What was promised of the fit; nothing is checked that is not known.
     bool interpolates = false;
     bool watertight = false;
-    Figures figures = {}; ///< of all patches
+    bool isOfScan = false; ///< whether the reference is a scan
+    Figures figures = {};  ///< of all patches
     /// Paths along the borders across which patches are not smooth.
     std::optional<std::vector<std::vector<int>>> creases = {};
     /// Where the document says that something is.

@@ -4,6 +4,7 @@
 #include "check/json_values.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace qm::check {
 
@@ -122,12 +123,17 @@ LayoutPart readLayout(const Json& section) {
 }
 
 SurfacesPart::Figures readFigures(const Json& deviation) {
+    std::map<std::string, double, std::less<>> stated;
+    if (deviation.is_object())
+        for (const auto& [name, value] : deviation.items())
+            if (const auto figure = number(value)) stated.emplace(name, *figure);
     return {number(member(deviation, "maxFromFacets")),
             number(member(deviation, "maxFromVertices")),
             number(member(deviation, "largestGap")),
             number(member(deviation, "largestNormalAngle")),
             number(member(deviation, "largestInnerNormalAngle")),
-            number(member(deviation, "folds"))};
+            number(member(deviation, "folds")),
+            std::move(stated)};
 }
 
 SurfacesPart::Patch readPatch(const Json& patch) {
@@ -178,6 +184,7 @@ SurfacesPart readSurfaces(const Json& section, const Json& options) {
     if (const Json& creases = member(section, "creases"); creases.is_array())
         part.creases = readPaths(creases);
     part.folds = all<SurfacesPart::Claim>(member(section, "foldPlaces"), readClaim);
+    part.isOfScan = member(section, "scan").is_object();
     part.interpolates = text(member(options, "fit")) == "interpolate";
     part.watertight = text(member(options, "fit")) == "smooth";
     return part;

@@ -344,6 +344,13 @@ void lift(Doc& d, double height, double slope) {
         point[2] += height + slope * point[0];
 }
 
+/// States one value of a figure for every patch, and another one for all together.
+void stateOfAll(Doc& d, const char* figure, double ofEach, double ofAll) {
+    for (auto& each : d.surfaces->patches)
+        each.figures.stated = {{figure, ofEach}};
+    d.surfaces->figures.stated = {{figure, ofAll}};
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Figures, SpoiltDocument,
     ::testing::Values(
@@ -379,8 +386,27 @@ INSTANTIATE_TEST_SUITE_P(
                    std::swap(patch(d).controlPoints[2 * width + 2], patch(d).controlPoints[2 * width + 3]);
                },
                "/surfaces/patches/0/deviation/folds", "deviation"},
-        Spoilt{"totalFigure", statingModel, [](Doc& d) { patch(d).figures.maxFromVertices = 1; },
-               "/surfaces/deviation/maxFromVertices", "deviation"}),
+        Spoilt{"meanAboveMaximum", statingModel,
+               [](Doc& d) {
+                   patch(d).figures.stated = {{"rms", 2}, {"max", 1}};
+               },
+               "/surfaces/patches/0/deviation/rms", "deviation"},
+        Spoilt{"relativeLength", statingModel,
+               [](Doc& d) {
+                   d.surfaces->figures.stated = {{"max", 1}, {"maxRelative", 1e-3}};
+               },
+               "/surfaces/deviation/maxRelative", "deviation"},
+        Spoilt{"totalIsLess", statingModel, [](Doc& d) { stateOfAll(d, "maxFromVertices", 1, 0.5); },
+               "/surfaces/deviation/maxFromVertices", "deviation"},
+        Spoilt{"totalIsMore", statingModel, [](Doc& d) { stateOfAll(d, "largestNormalDeviation", 1, 2); },
+               "/surfaces/deviation/largestNormalDeviation", "deviation"},
+        Spoilt{"sumOfFolds", statingModel, [](Doc& d) { stateOfAll(d, "folds", 1, 1); },
+               "/surfaces/deviation/folds", "deviation"},
+        Spoilt{"verticesAreOfTheReference", statingModel,
+               [](Doc& d) {
+                   d.surfaces->figures.stated = {{"max", 1}, {"maxFromVertices", 1.01}};
+               },
+               "/surfaces/deviation/max", "deviation"}),
     nameOf);
 
 /// For every edge, the number of sides of segments on it.
@@ -424,6 +450,14 @@ TEST(CheckFigures, NormalsAreComparedAcrossSmoothBordersOnly) {
     const Report report = checkDocument(model.mesh, model.document);
     EXPECT_TRUE(report.ok()) << listed(report);
     model.document.surfaces->creases.reset(); // it is not known which borders are smooth
+    EXPECT_TRUE(checkDocument(model.mesh, model.document).ok());
+}
+
+TEST(CheckFigures, BelievesVerticesOfScansToBeAnywhere) {
+    Model model = statingModel();
+    model.document.surfaces->figures.stated = {{"max", 1}, {"maxFromVertices", 1.01}};
+    EXPECT_FALSE(checkDocument(model.mesh, model.document).ok());
+    model.document.surfaces->isOfScan = true;
     EXPECT_TRUE(checkDocument(model.mesh, model.document).ok());
 }
 

@@ -1,0 +1,141 @@
+#include "base/at.h"
+#include "base/number_text.h"
+#include "check/check_sections.h"
+#include "check/mesh_size.h"
+#include "check/vectors.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace qm::check {
+namespace {
+
+using Figures = SurfacesPart::Figures;
+using Names = std::pair<const char*, const char*>;
+
+/// Relative: of what is computed twice.
+constexpr double rounding = 1e-9;
+
+/// A mean, or a share, and the maximum of the same values.
+constexpr std::array<Names, 7> meansAndMaxima{{{"rms", "max"},
+                                               {"percentile95", "max"},
+                                               {"rmsFromFacets", "maxFromFacets"},
+                                               {"rmsFromVertices", "maxFromVertices"},
+                                               {"rmsNormalAngle", "largestNormalAngle"},
+                                               {"percentile95NormalAngle", "largestNormalAngle"},
+                                               {"rmsNormalDeviation", "largestNormalDeviation"}}};
+
+/// A relative length, and the length.
+constexpr std::array<Names, 4> relativeLengths{{{"maxRelative", "max"},
+                                                {"rmsRelative", "rms"},
+                                                {"percentile95Relative", "percentile95"},
+                                                {"largestGapRelative", "largestGap"}}};
+
+constexpr std::array<const char*, 7> maxima{"max",
+                                            "maxFromFacets",
+                                            "maxFromVertices",
+                                            "largestGap",
+                                            "largestNormalAngle",
+                                            "largestInnerNormalAngle",
+                                            "largestNormalDeviation"};
+
+double length(const Vector& vector) {
+    return std::sqrt(dot(vector, vector));
+}
+
+/// Whether no quad has a corner that is so flat that the vertices around it may have been moved before the
+/// fit.
+bool hasOnlySoundCorners(const CheckedMesh& mesh) {
+    constexpr double minSine = 0.14; // of 8 degrees
+    for (const auto& quad : mesh.quads) {
+        std::array<Vector, 4> normals;
+        for (std::size_t k = 0; k < 4; ++k) {
+            const Place& corner = mesh.points[at(quad[k])];
+            const Vector to = minus(mesh.points[at(quad[(k + 1) % 4])], corner);
+            const Vector from = minus(mesh.points[at(quad[(k + 3) % 4])], corner);
+            normals[k] = cross(to, from);
+            if (!(length(normals[k]) > minSine * length(to) * length(from))) return false;
+        }
+        for (std::size_t k = 0; k < 4; ++k)
+            if (!(dot(normals[k], normals[(k + 1) % 4]) > 0)) return false;
+    }
+    return true;
+}
+
+class Agreement {
+public:
+    Agreement(const CheckedMesh& mesh, const SurfacesPart& part, Report& report)
+        : mesh_(mesh), part_(part), report_(report) {}
+
+    void run() {
+        const double diagonal = boundingBoxDiagonal(mesh_);
+        for (std::size_t p = 0; p < part_.patches.size(); ++p)
+            ofOne(part_.patches[p].figures, below(below("/surfaces/patches", p), "deviation"), diagonal);
+        ofOne(part_.figures, all, diagonal);
+        for (const char* figure : maxima)
+            total(figure, [](double sum, double next) { return std::max(sum, next); });
+        total("folds", [](double sum, double next) { return sum + next; });
+        fromVertices();
+    }
+
+private:
+    static constexpr const char* all = "/surfaces/deviation";
+
+    void ofOne(const Figures& figures, const std::string& pointer, double diagonal) {
+        for (const auto& [mean, maximum] : meansAndMaxima)
+            if (figures.has(mean) && figures.has(maximum) &&
+                figures.at(mean) > (1 + rounding) * figures.at(maximum))
+                report_.violate(below(pointer, mean), "deviation",
+                                std::string("it is above '") + maximum + "'");
+        for (const auto& [relative, absolute] : relativeLengths) {
+            if (!figures.has(relative) || !figures.has(absolute)) continue;
+            const double length = figures.at(relative) * diagonal;
+            if (std::abs(length - figures.at(absolute)) <= rounding * std::max(length, figures.at(absolute)))
+                continue;
+            report_.violate(below(pointer, relative), "deviation",
+                            "'" + std::string(absolute) + "' is " + numberText(figures.at(absolute)) +
+                                ", and the diagonal " + numberText(diagonal));
+        }
+    }
+
+    /// What is stated of all patches together is what is stated of each.
+    template <class Combine> void total(const char* figure, const Combine& combine) {
+        if (!part_.figures.has(figure)) return;
+        double found = 0;
+        for (const auto& patch : part_.patches) {
+            if (!patch.figures.has(figure)) return;
+            found = combine(found, patch.figures.at(figure));
+        }
+        if (found != part_.figures.at(figure))
+            report_.violate(below(all, figure), "deviation",
+                            "by the figures of the patches it is " + numberText(found));
+    }
+
+    /// The reference passes through the vertices, unless it is a scan or folded quads have been bridged; so
+    /// no vertex is farther from the surfaces than the reference is.
+    void fromVertices() {
+        const Figures& figures = part_.figures;
+        if (part_.isOfScan || !figures.has("max") || !figures.has("maxFromVertices")) return;
+        constexpr double unsure = 1e-4;
+        if (figures.at("maxFromVertices") <= (1 + unsure) * figures.at("max")) return;
+        if (hasOnlySoundCorners(mesh_))
+            report_.violate(below(all, "max"), "deviation",
+                            "a vertex, which the reference passes through, is " +
+                                numberText(figures.at("maxFromVertices")) + " away");
+    }
+
+    const CheckedMesh& mesh_;
+    const SurfacesPart& part_;
+    Report& report_;
+};
+
+} // namespace
+
+void checkAgreement(const CheckedMesh& mesh, const SurfacesPart& part, Report& report) {
+    Agreement(mesh, part, report).run();
+}
+
+} // namespace qm::check
