@@ -1,5 +1,6 @@
 #include "base/at.h"
 #include "bspline/reference/control_mesh.h"
+#include "bspline/reference/even_speeds.h"
 #include "bspline/reference/least_bending.h"
 #include "shape/shape.h"
 #include "support/quad_layout.h"
@@ -69,6 +70,66 @@ TEST(LeastBending, BringsTheSurfaceNearerToASphere) {
         const Sample sample(stirred(shape("sphere", 8), by, onto));
         EXPECT_LT(fromSphere(sample.bent()), 0.5 * fromSphere(sample.limit)) << by;
     }
+}
+
+TEST(LeastBending, TwistsQuadsOverSkewLines) {
+    // A saddle is twisted along lines that run at half right angles to its bends.
+    const auto onto = [](Point point) {
+        point[2] = 0.5 * point[0] * point[1];
+        return point;
+    };
+    const Sample sample(stirred(shape("plate", 4), 0.03, onto));
+    const MeshLattice bent = sample.bent();
+    const auto offSaddle = [&](const MeshLattice& lattice) {
+        double sum = 0;
+        for (const FaceId face : sample.mesh.faces()) {
+            const bool isInside = std::ranges::none_of(
+                sample.mesh.fv_range(face), [&](VertexId vertex) { return sample.mesh.is_boundary(vertex); });
+            const Point middle = lattice.point(lattice.numbers()(sample.mesh.halfedge_handle(face), 2, 2));
+            if (isInside) sum += std::pow(middle[2] - 0.5 * middle[0] * middle[1], 2);
+        }
+        return std::sqrt(sum);
+    };
+    EXPECT_LT(offSaddle(bent), 0.7 * offSaddle(sample.limit));
+}
+
+TEST(EvenSpeeds, AreThoseOfArcsBetweenTheVertices) {
+    const Sample sample(stirred(shape("torus", 4), 0.04, [](const Point& point) { return point; }));
+    MeshLattice even = sample.limit;
+    evenSpeeds(even, 1);
+    const auto unevenness = [&](const MeshLattice& lattice) {
+        double sum = 0;
+        for (const HalfedgeId side : sample.mesh.halfedges()) {
+            const auto distance = [&](int from, int to) {
+                return (lattice.point(lattice.numbers()(side, from, 0)) -
+                        lattice.point(lattice.numbers()(side, to, 0)))
+                    .norm();
+            };
+            sum += std::abs(std::log(distance(0, 1) / distance(3, 4)));
+        }
+        return sum;
+    };
+    EXPECT_LT(unevenness(even), 0.5 * unevenness(sample.limit));
+    for (const VertexId vertex : sample.mesh.vertices())
+        EXPECT_EQ(even.point(at(vertex)), sample.limit.point(at(vertex)));
+}
+
+TEST(EvenSpeeds, LeaveEvenLinesAsTheyAre) {
+    const Sample sample(shape("tube", 4));
+    MeshLattice even = sample.limit;
+    evenSpeeds(even, 1);
+    for (std::size_t k = 0; k < even.numbers().count(); ++k)
+        EXPECT_LT((even.point(k) - sample.limit.point(k)).norm(), 1e-3);
+}
+
+TEST(EvenSpeeds, AreTheSameOnAnyNumberOfThreads) {
+    const Sample sample(shape("genus2", 6));
+    MeshLattice one = sample.limit;
+    MeshLattice three = sample.limit;
+    evenSpeeds(one, 1);
+    evenSpeeds(three, 3);
+    for (std::size_t k = 0; k < one.numbers().count(); ++k)
+        ASSERT_EQ(one.point(k), three.point(k));
 }
 
 TEST(LeastBending, LeavesVerticesAndBoundariesWhereTheyAre) {

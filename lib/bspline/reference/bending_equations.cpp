@@ -9,15 +9,15 @@
 namespace qm {
 namespace {
 
-using Values = Eigen::VectorXd; // two a vertex
+using Values = Eigen::VectorXd; // three a vertex
 
 Eigen::Index row(int vertexOrCorner) {
-    return Eigen::Index{2} * vertexOrCorner;
+    return Eigen::Index{3} * vertexOrCorner;
 }
 
 void add(const std::array<int, 4>& vertices, const CornerTilts& what, Values& to) {
     for (int corner = 0; corner < 4; ++corner)
-        to.segment<2>(row(vertices[at(corner)])) += what.segment<2>(row(corner));
+        to.segment<3>(row(vertices[at(corner)])) += what.segment<3>(row(corner));
 }
 
 Values rightHandSide(const std::vector<BendingTerm>& terms, Eigen::Index size) {
@@ -32,7 +32,7 @@ Values product(const std::vector<BendingTerm>& terms, const Values& tilts) {
     CornerTilts ofTerm;
     for (const BendingTerm& term : terms) {
         for (int corner = 0; corner < 4; ++corner)
-            ofTerm.segment<2>(row(corner)) = tilts.segment<2>(row(term.vertices()[at(corner)]));
+            ofTerm.segment<3>(row(corner)) = tilts.segment<3>(row(term.vertices()[at(corner)]));
         add(term.vertices(), term.matrix() * ofTerm, sum);
     }
     return sum;
@@ -42,28 +42,31 @@ Values product(const std::vector<BendingTerm>& terms, const Values& tilts) {
 class Preconditioner {
 public:
     Preconditioner(const std::vector<BendingTerm>& terms, std::size_t vertices)
-        : inverse_(vertices, Eigen::Matrix2d::Zero()) {
+        : inverse_(vertices, Eigen::Matrix3d::Zero()) {
         constexpr double singular = 1e-12;
         for (const BendingTerm& term : terms) {
             const auto matrix = term.matrix();
             for (int corner = 0; corner < 4; ++corner)
-                inverse_[at(term.vertices()[at(corner)])] += matrix.block<2, 2>(row(corner), row(corner));
+                inverse_[at(term.vertices()[at(corner)])] += matrix.block<3, 3>(row(corner), row(corner));
         }
-        for (Eigen::Matrix2d& block : inverse_) {
-            const bool isRegular = block.determinant() > singular * block.squaredNorm();
-            block = isRegular ? Eigen::Matrix2d(block.inverse()) : Eigen::Matrix2d::Zero();
+        for (Eigen::Matrix3d& block : inverse_) {
+            if (block(2, 2) == 0) block(2, 2) = 1; // no twist
+            // Slopes and twists have different units.
+            const double product = block.diagonal().prod();
+            const bool isRegular = product > 0 && block.determinant() > singular * product;
+            block = isRegular ? Eigen::Matrix3d(block.inverse()) : Eigen::Matrix3d::Zero();
         }
     }
 
     [[nodiscard]] Values operator*(const Values& values) const {
         Values result(values.size());
         for (int vertex = 0; vertex < std::ssize(inverse_); ++vertex)
-            result.segment<2>(row(vertex)) = inverse_[at(vertex)] * values.segment<2>(row(vertex));
+            result.segment<3>(row(vertex)) = inverse_[at(vertex)] * values.segment<3>(row(vertex));
         return result;
     }
 
 private:
-    std::vector<Eigen::Matrix2d> inverse_;
+    std::vector<Eigen::Matrix3d> inverse_;
 };
 
 } // namespace
@@ -71,25 +74,25 @@ private:
 BendingTerm::BendingTerm(const std::array<int, 4>& vertices, const QuadBending& bending)
     : vertices_(vertices), right_(bending.right.cast<float>()) {
     auto next = upper_.begin();
-    for (Eigen::Index i = 0; i < 8; ++i)
-        for (Eigen::Index j = i; j < 8; ++j)
+    for (Eigen::Index i = 0; i < 12; ++i)
+        for (Eigen::Index j = i; j < 12; ++j)
             *next++ = static_cast<float>(bending.matrix(i, j));
 }
 
-Eigen::Matrix<double, 8, 8> BendingTerm::matrix() const {
-    Eigen::Matrix<double, 8, 8> matrix;
+Eigen::Matrix<double, 12, 12> BendingTerm::matrix() const {
+    Eigen::Matrix<double, 12, 12> matrix;
     auto next = upper_.begin();
-    for (Eigen::Index i = 0; i < 8; ++i)
-        for (Eigen::Index j = i; j < 8; ++j)
+    for (Eigen::Index i = 0; i < 12; ++i)
+        for (Eigen::Index j = i; j < 12; ++j)
             matrix(i, j) = matrix(j, i) = *next++;
     return matrix;
 }
 
-std::vector<Eigen::Vector2d> leastBendingTilts(const std::vector<BendingTerm>& terms, std::size_t vertices) {
+std::vector<Eigen::Vector3d> leastBendingTilts(const std::vector<BendingTerm>& terms, std::size_t vertices) {
     constexpr double accuracy = 1e-6;
     constexpr int maxRounds = 100; // ten times what real meshes take
     const Preconditioner preconditioner(terms, vertices);
-    Values residual = rightHandSide(terms, static_cast<Eigen::Index>(2 * vertices));
+    Values residual = rightHandSide(terms, static_cast<Eigen::Index>(3 * vertices));
     Values tilts = Values::Zero(residual.size());
     Values direction = preconditioner * residual;
     double size = residual.dot(direction);
@@ -103,10 +106,10 @@ std::vector<Eigen::Vector2d> leastBendingTilts(const std::vector<BendingTerm>& t
         const double before = std::exchange(size, residual.dot(towards));
         direction = towards + size / before * direction;
     }
-    std::vector<Eigen::Vector2d> result;
+    std::vector<Eigen::Vector3d> result;
     result.reserve(vertices);
     for (int vertex = 0; vertex < static_cast<int>(vertices); ++vertex)
-        result.emplace_back(tilts.segment<2>(row(vertex)));
+        result.emplace_back(tilts.segment<3>(row(vertex)));
     return result;
 }
 

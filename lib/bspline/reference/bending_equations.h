@@ -21,18 +21,18 @@ public:
 
     [[nodiscard]] const std::array<int, 4>& vertices() const { return vertices_; }
     [[nodiscard]] CornerTilts right() const { return right_.cast<double>(); }
-    [[nodiscard]] Eigen::Matrix<double, 8, 8> matrix() const;
+    [[nodiscard]] Eigen::Matrix<double, 12, 12> matrix() const;
 
 private:
     std::array<int, 4> vertices_{};
-    std::array<float, 36> upper_{}; ///< half of the symmetric matrix, row by row
-    Eigen::Matrix<float, 8, 1> right_ = Eigen::Matrix<float, 8, 1>::Zero();
+    std::array<float, 78> upper_{}; ///< half of the symmetric matrix, row by row
+    Eigen::Matrix<float, 12, 1> right_ = Eigen::Matrix<float, 12, 1>::Zero();
 };
 
 /// Minimises the sum of all terms by conjugate gradients.
 /// \param vertices  number of vertices
 /// \return by vertex: its tilts; zero where no term depends on them
-[[nodiscard]] std::vector<Eigen::Vector2d> leastBendingTilts(const std::vector<BendingTerm>& terms,
+[[nodiscard]] std::vector<Eigen::Vector3d> leastBendingTilts(const std::vector<BendingTerm>& terms,
                                                              std::size_t vertices);
 
 } // namespace qm

@@ -3,6 +3,7 @@
 #include "base/at.h"
 #include "base/parallel.h"
 #include "bspline/reference/bending_equations.h"
+#include "bspline/reference/lagrange.h"
 #include "bspline/reference/quad_bending.h"
 #include "bspline/reference/sound_faces.h"
 
@@ -34,7 +35,7 @@ public:
                 rules[at(vertex)].kind == VertexRule::Kind::smooth &&
                 std::ranges::all_of(mesh_.vf_range(vertex), [&](FaceId face) { return isSound[at(face)]; });
             if (isFree && normals[at(vertex)].norm() > minAgreement * mesh_.valence(vertex))
-                frames_[at(vertex)] = frameAround(normals[at(vertex)].normalized());
+                frames_[at(vertex)] = frameAround(vertex, normals[at(vertex)].normalized());
         }
     }
 
@@ -45,10 +46,10 @@ public:
             if (hasFreeCorner(face))
                 terms[k] = BendingTerm(vertices(face), quadBending(surface(face), frames(face)));
         });
-        std::vector<Eigen::Vector2d> tilts = leastBendingTilts(terms, mesh_.n_vertices());
+        std::vector<Eigen::Vector3d> tilts = leastBendingTilts(terms, mesh_.n_vertices());
         terms = {};
-        for (Eigen::Vector2d& tilt : tilts)
-            if (const double slope = tilt.norm(); slope > maxSlope) tilt *= maxSlope / slope;
+        for (Eigen::Vector3d& tilt : tilts)
+            if (const double slope = tilt.head<2>().norm(); slope > maxSlope) tilt *= maxSlope / slope;
         move(tilts, jobs);
     }
 
@@ -101,20 +102,39 @@ private:
         return sums;
     }
 
-    [[nodiscard]] static TangentFrame frameAround(const Eigen::Vector3d& normal) {
+    [[nodiscard]] TangentFrame frameAround(VertexId vertex, const Eigen::Vector3d& normal) const {
         const Eigen::Vector3d along = normal.unitOrthogonal();
-        return {normal, {along, normal.cross(along)}};
+        TangentFrame frame{normal, {along, normal.cross(along)}, {}};
+        frame.steps.fill(Eigen::Vector3d::Zero());
+        if (mesh_.valence(vertex) != 4) return frame;
+        const HalfedgeId first = mesh_.halfedge_handle(vertex);
+        const Eigen::Vector3d u = derivative(first);
+        const Eigen::Vector3d v = derivative(mesh_.ccw_rotated_halfedge_handle(first));
+        const double area = normal.dot(u.cross(v));
+        constexpr double minSine = 0.1;
+        if (area > minSine * u.norm() * v.norm())
+            frame.steps = {v.cross(normal) / area, normal.cross(u) / area};
+        return frame;
     }
 
-    void move(const std::vector<Eigen::Vector2d>& tilts, unsigned jobs) {
+    /// Along an edge, at the beginning of a halfedge.
+    [[nodiscard]] Eigen::Vector3d derivative(HalfedgeId leaving) const {
+        const auto weights = lagrange(steps(), 0);
+        Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+        for (int k = 0; k <= steps(); ++k)
+            sum += weights[at(k)][1] * vector(before_.point(before_.numbers()(leaving, k, 0)));
+        return sum;
+    }
+
+    void move(const std::vector<Eigen::Vector3d>& tilts, unsigned jobs) {
         parallelForMany(mesh_.n_faces(), jobs, [&](std::size_t k) {
             const FaceId face(static_cast<int>(k));
             if (!hasFreeCorner(face)) return;
             CornerTilts ofCorners;
             Eigen::Index row = 0;
             for (const int vertex : vertices(face)) {
-                ofCorners.segment<2>(row) = tilts[at(vertex)];
-                row += 2;
+                ofCorners.segment<3>(row) = tilts[at(vertex)];
+                row += 3;
             }
             const auto ways = surface(face).displacements(frames(face), ofCorners);
             auto way = ways.begin();

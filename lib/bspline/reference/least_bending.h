@@ -9,10 +9,10 @@
 
 namespace qm {
 
-/// Tilts the tangent planes at smooth vertices all of whose quads are sound (see `soundFaces`), so that the
-/// surface bends least in space; the vertices stay. A spline with uniform parameters takes mesh lines for
-/// straight and evenly divided, and waves where they turn, as around extraordinary vertices. Linear in the
-/// mesh.
+/// Tilts the tangent planes at smooth vertices all of whose quads are sound (see `soundFaces`), and twists
+/// the surface at regular ones of these, so that it bends least in space; the vertices stay. A spline with
+/// uniform parameters takes mesh lines for straight, and waves where they turn, as around extraordinary
+/// vertices. Linear in the mesh.
 void bendLeast(MeshLattice& lattice, const std::vector<VertexRule>& rules, unsigned jobs);
 
 } // namespace qm

@@ -4,6 +4,7 @@
 #include "base/parallel.h"
 #include "bspline/network/vertex_rules.h"
 #include "bspline/reference/control_mesh.h"
+#include "bspline/reference/even_speeds.h"
 #include "bspline/reference/least_bending.h"
 #include "bspline/reference/mesh_lattice.h"
 #include "bspline/reference/unfolded_lattice.h"
@@ -25,6 +26,7 @@ MeshLattice limitLattice(const QuadMesh& mesh, const Layout& layout, const std::
     for (const VertexId vertex : mesh.vertices())
         if (control.interpolates[at(vertex)]) lattice.move(vertex, mesh.point(vertex));
     unfold(lattice, rules, sharp, jobs);
+    evenSpeeds(lattice, jobs);
     bendLeast(lattice, rules, jobs);
     return lattice;
 }

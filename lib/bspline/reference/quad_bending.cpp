@@ -1,6 +1,7 @@
 #include "bspline/reference/quad_bending.h"
 
 #include "base/at.h"
+#include "bspline/reference/hermite.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
@@ -17,41 +18,41 @@ namespace {
 /// Where a corner lies, by direction.
 constexpr std::array<std::array<std::size_t, 2>, 4> ends{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
 
-/// Cubics with value 0 at both ends of the unit interval and slope 1 at one, and with value 1 at one end and
-/// slope 0 at both.
-struct Hermite {
-    std::array<Jet, 2> slope;
-    std::array<Jet, 2> value;
-
-    explicit Hermite(double t)
-        : slope{{{t * (1 - t) * (1 - t), (1 - t) * (1 - 3 * t), 6 * t - 4},
-                 {t * t * (t - 1), t * (3 * t - 2), 6 * t - 2}}},
-          value{{{(1 + 2 * t) * (1 - t) * (1 - t), 6 * t * (t - 1), 12 * t - 6},
-                 {t * t * (3 - 2 * t), 6 * t * (1 - t), 6 - 12 * t}}} {}
+/// What a tilt changes at a corner.
+struct CornerChange {
+    std::array<double, 2> slopes; ///< of the lines of parameters, by direction
+    double twist = 0;             ///< the mixed derivative
 };
 
-/// How high a tilt lifts the surface along the corner's normal: the product of cubics in u and v.
+/// How high a tilt lifts the surface along the corner's normal: products of cubics in u and v.
 class Lift {
 public:
-    /// \param slopes  that the tilt gives the lines of parameters at the corner, by direction
-    Lift(const Hermite& u, const Hermite& v, std::size_t corner, const std::array<double, 2>& slopes)
-        : u_(u), v_(v), ends_(ends[corner]), slopes_(slopes) {}
+    Lift(const Hermite& u, const Hermite& v, std::size_t corner, const CornerChange& change)
+        : u_(u), v_(v), ends_(ends[corner]), change_(change) {}
 
     /// \param du, dv  how often it is derived
     [[nodiscard]] double operator()(std::size_t du, std::size_t dv) const {
-        return slopes_[0] * u_.slope[ends_[0]][du] * v_.value[ends_[1]][dv] +
-               slopes_[1] * u_.value[ends_[0]][du] * v_.slope[ends_[1]][dv];
+        const double slopeU = u_.slope[ends_[0]][du];
+        const double slopeV = v_.slope[ends_[1]][dv];
+        return change_.slopes[0] * slopeU * v_.value[ends_[1]][dv] +
+               change_.slopes[1] * u_.value[ends_[0]][du] * slopeV + change_.twist * slopeU * slopeV;
     }
 
 private:
     const Hermite& u_;
     const Hermite& v_;
     const std::array<std::size_t, 2>& ends_;
-    std::array<double, 2> slopes_;
+    CornerChange change_;
 };
 
-std::array<double, 2> slopesOf(const QuadSurface& surface, std::size_t corner, const Eigen::Vector3d& tilt) {
-    return {tilt.dot(surface.derivative(corner, 0)), tilt.dot(surface.derivative(corner, 1))};
+CornerChange changeOf(const QuadSurface& surface, std::size_t corner, const TangentFrame& frame,
+                      const Eigen::Vector3d& tilt) {
+    const Eigen::Vector3d slope = tilt[0] * frame.axes[0] + tilt[1] * frame.axes[1];
+    const Eigen::Vector3d& u = surface.derivative(corner, 0);
+    const Eigen::Vector3d& v = surface.derivative(corner, 1);
+    const auto& [first, second] = frame.steps;
+    return {{slope.dot(u), slope.dot(v)},
+            tilt[2] * (first.dot(u) * second.dot(v) + second.dot(u) * first.dot(v))};
 }
 
 /// Second derivatives in space, from those by u and v: those of the surface itself are its second fundamental
@@ -146,35 +147,40 @@ std::vector<Eigen::Vector3d> QuadSurface::displacements(const CornerFrames& fram
         hermite.emplace_back(static_cast<double>(k) / steps_);
     for (std::size_t corner = 0; corner < frames.size(); ++corner) {
         if (frames[corner] == nullptr) continue;
-        const auto& [normal, axes] = *frames[corner];
-        const auto row = static_cast<Eigen::Index>(2 * corner);
-        const auto slopes = slopesOf(*this, corner, tilts[row] * axes[0] + tilts[row + 1] * axes[1]);
+        const CornerChange change =
+            changeOf(*this, corner, *frames[corner], tilts.segment<3>(static_cast<Eigen::Index>(3 * corner)));
         for (std::size_t k = 0; k < result.size(); ++k)
             result[k] +=
-                Lift(hermite[k % hermite.size()], hermite[k / hermite.size()], corner, slopes)(0, 0) * normal;
+                Lift(hermite[k % hermite.size()], hermite[k / hermite.size()], corner, change)(0, 0) *
+                frames[corner]->normal;
     }
     return result;
 }
 
 QuadBending quadBending(const QuadSurface& surface, const CornerFrames& frames) {
-    constexpr std::array gauss{0.5 - 0.5 * std::numbers::inv_sqrt3, 0.5 + 0.5 * std::numbers::inv_sqrt3};
-    QuadBending bending{Eigen::Matrix<double, 8, 8>::Zero(), CornerTilts::Zero()};
-    for (const double u : gauss)
-        for (const double v : gauss) {
+    // With two points each way, some twists would not bend anything.
+    constexpr double outer = 0.3872983346207417; // half of the root of 3/5
+    constexpr std::array<std::pair<double, double>, 3> gauss{
+        {{0.5 - outer, 5.0 / 18}, {0.5, 8.0 / 18}, {0.5 + outer, 5.0 / 18}}};
+    QuadBending bending{Eigen::Matrix<double, 12, 12>::Zero(), CornerTilts::Zero()};
+    for (const auto& [u, weightOfU] : gauss)
+        for (const auto& [v, weightOfV] : gauss) {
             const QuadSurface::SecondOrder at = surface.secondOrder(u, v);
             const Geometry geometry(at);
             if (!geometry.isRegular()) continue;
             const Hermite ofU(u);
             const Hermite ofV(v);
-            Eigen::Matrix<double, 3, 8> change = Eigen::Matrix<double, 3, 8>::Zero();
+            Eigen::Matrix<double, 3, 12> change = Eigen::Matrix<double, 3, 12>::Zero();
             for (std::size_t corner = 0; corner < frames.size(); ++corner) {
                 if (frames[corner] == nullptr) continue;
                 const double share = frames[corner]->normal.dot(geometry.normal());
-                for (std::size_t k = 0; k < 2; ++k)
-                    change.col(static_cast<Eigen::Index>(2 * corner + k)) = geometry.ofLift(
-                        Lift(ofU, ofV, corner, slopesOf(surface, corner, frames[corner]->axes[k])), share);
+                for (Eigen::Index k = 0; k < 3; ++k)
+                    change.col(3 * static_cast<Eigen::Index>(corner) + k) = geometry.ofLift(
+                        Lift(ofU, ofV, corner,
+                             changeOf(surface, corner, *frames[corner], Eigen::Vector3d::Unit(k))),
+                        share);
             }
-            const double weight = geometry.area() / 4;
+            const double weight = weightOfU * weightOfV * geometry.area();
             bending.matrix += weight * change.transpose() * change;
             bending.right -= weight * change.transpose() * geometry.ofSurface();
         }

@@ -12,17 +12,21 @@
 
 namespace qm {
 
-/// A tangent plane and two axes in it; a tilt consists of the slopes along these, upwards positive.
+/// A tangent plane and two axes in it. It may be tilted by slopes along these, upwards positive, and at a
+/// regular vertex the surface may be twisted, which lifts it by the product of the steps along both mesh
+/// lines.
 struct TangentFrame {
     Eigen::Vector3d normal;
     std::array<Eigen::Vector3d, 2> axes;
+    /// Their products with a vector are its steps along the mesh lines; zero where there is no twist.
+    std::array<Eigen::Vector3d, 2> steps;
 };
 
 /// The frames at a quad's corners, counter-clockwise from (0, 0); null where the tangent plane is fixed.
 using CornerFrames = std::array<const TangentFrame*, 4>;
 
-/// The slopes along the axes of corner c's frame are entries 2 c and 2 c + 1.
-using CornerTilts = Eigen::Matrix<double, 8, 1>;
+/// The slopes along the axes of corner c's frame are entries 3 c and 3 c + 1, its twist is entry 3 c + 2.
+using CornerTilts = Eigen::Matrix<double, 12, 1>;
 
 /// The polynomial through (steps + 1)^2 lattice points, row by row, over the unit square.
 class QuadSurface {
@@ -42,8 +46,8 @@ public:
     };
     [[nodiscard]] SecondOrder secondOrder(double u, double v) const;
 
-    /// The displacement of every lattice point, along its own normal, when the corners are tilted: cubics
-    /// that vanish at the corners.
+    /// The displacement of every lattice point, along its own normal, when the corners are tilted and
+    /// twisted: cubics that vanish at the corners.
     [[nodiscard]] std::vector<Eigen::Vector3d> displacements(const CornerFrames& frames,
                                                              const CornerTilts& tilts) const;
 
@@ -56,11 +60,11 @@ private:
 /// The integral of the squared principal curvatures up to a constant, x' matrix x / 2 - right' x for tilts x.
 /// Rows of fixed corners are zero.
 struct QuadBending {
-    Eigen::Matrix<double, 8, 8> matrix;
+    Eigen::Matrix<double, 12, 12> matrix;
     CornerTilts right;
 };
 
-/// Linearises the bending, with two Gauss points in each direction; points without a normal are left out.
+/// Linearises the bending, with three Gauss points in each direction; points without a normal are left out.
 [[nodiscard]] QuadBending quadBending(const QuadSurface& surface, const CornerFrames& frames);
 
 } // namespace qm

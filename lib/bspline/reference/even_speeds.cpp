@@ -1,0 +1,137 @@
+#include "bspline/reference/even_speeds.h"
+
+#include "base/at.h"
+#include "base/parallel.h"
+#include "bspline/reference/hermite.h"
+#include "bspline/reference/lagrange.h"
+#include "bspline/reference/sound_faces.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace qm {
+namespace {
+
+/// Limits of what a derivative is multiplied by. Where edges are very uneven, derivatives along long ones are
+/// too short by far, and their directions are no better: they are not made much longer.
+constexpr double minFactor = 0.2;
+constexpr double maxFactor = 1.25;
+
+class EvenSpeeds {
+public:
+    explicit EvenSpeeds(MeshLattice& lattice)
+        : lattice_(lattice), before_(lattice), mesh_(lattice.numbers().mesh()), steps_(at(lattice.squares())),
+          changes_(mesh_.n_halfedges()) {
+        for (std::size_t k = 0; k <= steps_; ++k)
+            hermite_.emplace_back(static_cast<double>(k) / static_cast<double>(steps_));
+        for (std::size_t end = 0; end < 2; ++end)
+            slopes_[end] = lagrange(lattice.squares(), static_cast<double>(end));
+    }
+
+    void run(unsigned jobs) {
+        const std::vector<bool> isSound = soundFaces(mesh_);
+        parallelForMany(mesh_.n_vertices(), jobs, [&](std::size_t k) {
+            const VertexId vertex(static_cast<int>(k));
+            if (!std::ranges::all_of(mesh_.vf_range(vertex), [&](FaceId face) { return isSound[at(face)]; }))
+                return;
+            // The derivatives of a subdivision surface at an extraordinary vertex are what the polynomials
+            // make of them.
+            if (!mesh_.is_boundary(vertex) && mesh_.valence(vertex) != 4) return;
+            for (const HalfedgeId leaving : mesh_.voh_range(vertex))
+                changes_[at(leaving)] = changeOf(leaving);
+        });
+        parallelForMany(mesh_.n_edges(), jobs, [&](std::size_t k) {
+            moveEdge(mesh_.halfedge_handle(EdgeId(static_cast<int>(k)), 0));
+        });
+        parallelForMany(mesh_.n_faces(), jobs,
+                        [&](std::size_t k) { moveFace(mesh_.halfedge_handle(FaceId(static_cast<int>(k)))); });
+    }
+
+private:
+    [[nodiscard]] Point before(HalfedgeId side, std::size_t i, std::size_t j) const {
+        return before_.point(before_.numbers()(side, static_cast<int>(i), static_cast<int>(j)));
+    }
+
+    /// The derivative along a row of points at one of its ends.
+    template <class Row> [[nodiscard]] Point derivative(std::size_t end, const Row& row) const {
+        Point sum(0, 0, 0);
+        for (std::size_t k = 0; k <= steps_; ++k)
+            sum += slopes_[end][k][1] * row(k);
+        return sum;
+    }
+
+    /// By what share of itself the derivative along an edge changes at its beginning.
+    [[nodiscard]] double changeOf(HalfedgeId leaving) const {
+        const Point chord = mesh_.calc_edge_vector(leaving);
+        const Point speed = derivative(0, [&](std::size_t k) { return before(leaving, k, 0); });
+        const double product = chord.norm() * speed.norm();
+        if (!(product > 0)) return 0;
+        // A cubic is nearest to an arc if its derivative exceeds the chord by this factor.
+        const double ofArc = 2 / (1 + std::max(0.0, (chord | speed) / product));
+        return std::clamp(ofArc * chord.norm() / speed.norm(), minFactor, maxFactor) - 1;
+    }
+
+    void moveEdge(HalfedgeId side) {
+        const double begin = changes_[at(side)];
+        const double end = changes_[at(mesh_.opposite_halfedge_handle(side))];
+        if (begin == 0 && end == 0) return;
+        const auto row = [&](std::size_t k) { return before(side, k, 0); };
+        const Point atBegin = begin * derivative(0, row);
+        const Point atEnd = end * derivative(1, row);
+        for (std::size_t k = 1; k < steps_; ++k)
+            lattice_.move(lattice_.numbers()(side, static_cast<int>(k), 0),
+                          row(k) + hermite_[k].slope[0][0] * atBegin + hermite_[k].slope[1][0] * atEnd);
+    }
+
+    /// The changes along both sides of a face that run in one direction, by end and side: those at the
+    /// beginnings of the first side, and of the one opposite to it.
+    using Changes = std::array<std::array<double, 2>, 2>;
+
+    [[nodiscard]] Changes changesAlong(HalfedgeId side) const {
+        const HalfedgeId far = mesh_.next_halfedge_handle(mesh_.next_halfedge_handle(side));
+        const auto change = [&](HalfedgeId leaving) { return changes_[at(leaving)]; };
+        return {{{change(side), change(mesh_.opposite_halfedge_handle(far))},
+                 {change(mesh_.opposite_halfedge_handle(side)), change(far)}}};
+    }
+
+    void moveFace(HalfedgeId first) {
+        const HalfedgeId last = mesh_.prev_halfedge_handle(first);
+        const Changes alongU = changesAlong(first);
+        const Changes alongV = turned(changesAlong(last));
+        for (std::size_t j = 1; j < steps_; ++j)
+            for (std::size_t i = 1; i < steps_; ++i) {
+                Point to = before(first, i, j);
+                for (std::size_t end = 0; end < 2; ++end) {
+                    to += hermite_[i].slope[end][0] * between(alongU[end], j) *
+                          derivative(end, [&](std::size_t k) { return before(first, k, j); });
+                    to += hermite_[j].slope[end][0] * between(alongV[end], i) *
+                          derivative(end, [&](std::size_t k) { return before(first, i, k); });
+                }
+                lattice_.move(lattice_.numbers()(first, static_cast<int>(i), static_cast<int>(j)), to);
+            }
+    }
+
+    /// The last side of a face runs against v, at u = 0: the same changes by end and side of v.
+    [[nodiscard]] static Changes turned(const Changes& changes) { return {changes[1], changes[0]}; }
+
+    [[nodiscard]] double between(const std::array<double, 2>& changes, std::size_t step) const {
+        return hermite_[step].value[0][0] * changes[0] + hermite_[step].value[1][0] * changes[1];
+    }
+
+    MeshLattice& lattice_;
+    const MeshLattice before_;
+    const QuadMesh& mesh_;
+    std::size_t steps_;
+    std::vector<double> changes_; ///< by halfedge: of the derivative at its beginning, as a share of it
+    std::vector<Hermite> hermite_;
+    std::array<std::array<Jet, maxSteps + 1>, 2> slopes_;
+};
+
+} // namespace
+
+void evenSpeeds(MeshLattice& lattice, unsigned jobs) {
+    EvenSpeeds(lattice).run(jobs);
+}
+
+} // namespace qm
