@@ -30,14 +30,6 @@ double resolution(const QuadMesh& mesh) {
     return std::max(Precision::Confusion(), digits * largest);
 }
 
-/// Of a curve's control polygon: the curve is no longer.
-double controlLength(const Geom_BSplineCurve& curve) {
-    double length = 0;
-    for (int k = 1; k < curve.NbPoles(); ++k)
-        length += curve.Pole(k).Distance(curve.Pole(k + 1));
-    return length;
-}
-
 /// The boundary in the making.
 class Maker {
 public:
@@ -101,7 +93,6 @@ private:
             made.curve = exact;
         double gap = edge.gap;
         result_.largestGap = std::max(result_.largestGap, gap);
-        if (controlLength(*made.curve) < resolution_) ++result_.lostEdges;
         for (std::size_t use = 0; use < edge.places.size(); ++use) {
             const auto& simple = simple_[edge.places[use].patch];
             if (!simple) {
@@ -126,7 +117,7 @@ private:
                 const std::size_t v = at(vertex);
                 if (number[v] < 0) {
                     number[v] = static_cast<std::ptrdiff_t>(result_.vertices.size());
-                    result_.vertices.push_back({place(shared_.vertexPoint[v]), resolution_});
+                    result_.vertices.push_back({toGp(shared_.vertexPoint[v]), resolution_});
                 }
                 BoundaryEdge& edge = result_.edges[e];
                 edge.ends.at(atEnd ? 1 : 0) = at(number[v]);
@@ -151,11 +142,27 @@ private:
 
 } // namespace
 
+double maxLength(const BoundaryEdge& edge) {
+    double length = 0;
+    for (int k = 1; k < edge.curve->NbPoles(); ++k)
+        length += edge.curve->Pole(k).Distance(edge.curve->Pole(k + 1));
+    return length;
+}
+
 double largestTolerance(const Boundary& boundary) {
     double largest = 0;
     for (const BoundaryVertex& vertex : boundary.vertices)
         largest = std::max(largest, vertex.tolerance);
     return largest;
+}
+
+std::vector<std::vector<std::size_t>> facesOfEdges(const Boundary& boundary) {
+    std::vector<std::vector<std::size_t>> result(boundary.edges.size());
+    for (std::size_t f = 0; f < boundary.faces.size(); ++f)
+        for (const auto& loop : boundary.faces[f].loops)
+            for (const EdgeUse& use : loop)
+                result[use.edge].push_back(f);
+    return result;
 }
 
 Boundary makeBoundary(const QuadMesh& mesh, const FacePatches& faces, const std::vector<double>& simplify) {
