@@ -526,5 +526,27 @@ TEST(ReferenceGrid, IsAPolynomialInEveryQuad) {
     }
 }
 
+TEST(ControlMesh, PointsThatAreNoNumbersAreSolvedNowhereInTheirComponent) {
+    constexpr int length = 60;
+    QuadMesh mesh;
+    std::array<std::array<VertexId, 2>, length + 1> columns;
+    const auto add = [&](int i, double x) {
+        columns[at(i)] = {mesh.add_vertex({x, 0, 0}), mesh.add_vertex({x, 1, 0})};
+    };
+    // In every sweep the vertices from the far end on come first, and the end itself last.
+    for (int i = length - 1; i > 0; --i)
+        add(i, i);
+    add(0, std::numeric_limits<double>::quiet_NaN());
+    add(length, length);
+    for (std::size_t i = 0; i < length; ++i)
+        mesh.add_face({columns[i][0], columns[i + 1][0], columns[i + 1][1], columns[i][1]});
+    const auto rules = vertexRules(mesh, segmentPerQuad(mesh), creasesAndBoundary(mesh, noCreases(mesh)));
+    const ControlMesh control = interpolatingControlMesh(mesh, rules);
+    for (const VertexId vertex : mesh.vertices()) {
+        EXPECT_FALSE(control.interpolates[at(vertex)]);
+        if (mesh.point(vertex)[0] > 0) EXPECT_EQ(control.points[at(vertex)], mesh.point(vertex));
+    }
+}
+
 } // namespace
 } // namespace qm
