@@ -1,11 +1,11 @@
 #include "export/boundary.h"
 
 #include "base/at.h"
-#include "bspline/splines/bounding_box.h"
 #include "bspline/splines/clamped_patch.h"
 #include "export/curve_on_surface.h"
 #include "export/geometry.h"
 #include "export/simple_faces.h"
+#include "mesh/bounding_box.h"
 
 #include <Precision.hxx>
 #include <algorithm>
@@ -35,7 +35,7 @@ class Maker {
 public:
     Maker(const QuadMesh& mesh, const FacePatches& faces, const std::vector<double>& simplify)
         : mesh_(mesh), layout_(faces.layout), patches_(faces.patches), resolution_(resolution(mesh)),
-          flatness_(std::max(resolution_ / 2, planeTolerance * boundingBoxDiagonal(mesh))),
+          flatness_(std::max(resolution_ / 2, planeTolerance * boundingBox(mesh).diagonal())),
           shared_(shareEdges(mesh, faces.layout, faces.patches)),
           simple_(faces.patches, shared_, {flatness_, resolution_, simplify, smoothAngle}),
           borders_(faces.patches.size()) {

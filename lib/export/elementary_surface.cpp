@@ -20,7 +20,8 @@ using Eigen::Vector3d;
 constexpr double degree = std::numbers::pi / 180;
 
 struct Tuning {
-    /// In sizes of the patch: arcs of a larger radius are flat to the eye, and their axes are chance.
+    /// In sizes of the patch: arcs of a larger radius look flat, and where their axes lie depends on rounding
+    /// errors.
     static constexpr double maxRadius = 10;
     /// Between patch and seam, so that no edge touches the seam.
     static constexpr double seamMargin = 2 * degree;

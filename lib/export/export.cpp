@@ -2,7 +2,6 @@
 
 #include "base/at.h"
 #include "base/error.h"
-#include "bspline/splines/bounding_box.h"
 #include "export/boundary_files.h"
 #include "export/colours.h"
 #include "export/face_order.h"
@@ -10,6 +9,7 @@
 #include "export/merge_planes.h"
 #include "export/quads.h"
 #include "export/separate.h"
+#include "mesh/bounding_box.h"
 
 #include <BRepCheck_Analyzer.hxx>
 #include <Standard_Failure.hxx>
@@ -92,7 +92,7 @@ ShapeReport reportOf(const Boundary& boundary) {
 Exported exportShape(const QuadMesh& mesh, const Layout& layout, const Surfaces& surfaces,
                      const ExportOptions& options) {
     try {
-        const double diagonal = boundingBoxDiagonal(mesh);
+        const double diagonal = boundingBox(mesh).diagonal();
         FacePatches faces = facePatches(layout, surfaces.patches);
         if (options.join) faces = joined(std::move(faces), knotTolerance * diagonal);
         faces = separated(mesh, std::move(faces), knotTolerance * diagonal);

@@ -74,7 +74,7 @@ Patch strip(const Patch& patch, double begin, double end) {
     const int degree = patch.degree[0];
     for (const SplineCurve& row : rowCurves(patch)) {
         const SplineCurve part = restricted(row, begin, end);
-        const auto points = lowered(part, degree);
+        const auto points = degreeReduced(part, degree);
         result.controlPoints.insert(result.controlPoints.end(), points.begin(), points.end());
         result.knots[0] = part.knots;
         result.count[0] = static_cast<int>(points.size());
