@@ -7,13 +7,12 @@
 #include "bspline/measure/scan_deviation.h"
 #include "bspline/network/crease_paths.h"
 #include "bspline/reference/fit_reference.h"
-#include "bspline/splines/bounding_box.h"
 #include "bspline/splines/interpolate.h"
+#include "mesh/bounding_box.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <optional>
 #include <string>
 
 namespace qm {
@@ -72,6 +71,34 @@ ScanFigures scanFigures(const std::vector<Patch>& patches, const FitTarget& targ
     return {target.coverage, target.noise, found.max, found.rms, found.percentile95, found.farthest};
 }
 
+/// The fit within a tolerance, verified by certified measurements.
+std::vector<Patch> smoothPatches(const QuadMesh& mesh, const Layout& layout, const FitReference& reference,
+                                 double allowed, const Control& control) {
+    const std::vector<ReferenceGrid>& grids = reference.target.grids;
+    const double limit = allowed / (1 + measureClosing); // what is measured is so much larger
+    const Verification verify = [&](const std::vector<Patch>& patches) {
+        auto found = maxDeviations(mesh, layout, patches, grids, limit, control.jobs);
+        for (double& distance : found)
+            distance /= limit;
+        return found;
+    };
+    SmoothFitOptions effort = effortFor(mesh);
+    effort.tolerance = shareAtPoints * allowed;
+    effort.flatness = std::min(planeShare * allowed, maxFlatness * boundingBox(mesh).diagonal());
+    return fitCentred(reference.bridged ? *reference.bridged : mesh, layout, reference.network,
+                      reference.target, effort, verify, control);
+}
+
+void addMeasurement(const Measurement& measurement, Surfaces& surfaces) {
+    surfaces.deviation = measurement.ofAll.deviation;
+    surfaces.farthest = measurement.ofAll.farthest;
+    for (std::size_t patch = 0; patch < measurement.ofPatch.size(); ++patch) {
+        surfaces.ofPatch.push_back(measurement.ofPatch[patch].deviation);
+        for (const auto& place : measurement.ofPatch[patch].folds)
+            surfaces.folds.push_back({patch, place});
+    }
+}
+
 } // namespace
 
 Surfaces fitSurfaces(const QuadMesh& mesh, const Layout& layout, const std::vector<double>& dihedralAngles,
@@ -80,44 +107,21 @@ Surfaces fitSurfaces(const QuadMesh& mesh, const Layout& layout, const std::vect
     const bool isSmoothFit = options.fit == Fit::smooth;
     const FitReference reference = fitReference(
         mesh, layout, dihedralAngles, {.rho = options.rho, .bridges = isSmoothFit}, scan, control.jobs);
-    const SmoothNetwork& network = reference.network;
+    const BorderMarks& marks = reference.network.marks;
     const FitTarget& target = reference.target;
-    const double diagonal = boundingBoxDiagonal(mesh);
+    const double diagonal = boundingBox(mesh).diagonal();
+    const double allowed = options.tolerance.length(diagonal) + noiseLeft * target.noise;
     Surfaces surfaces;
-    if (isSmoothFit) {
-        const double allowed = options.tolerance.length(diagonal) + noiseLeft * target.noise;
-        const Verification verify = [&](const std::vector<Patch>& patches) {
-            const double limit =
-                allowed / (1 + MeasureOptions().closing); // what is measured is so much larger
-            auto found = maxDeviations(mesh, layout, patches, target.grids, limit, control.jobs);
-            for (double& distance : found)
-                distance /= limit;
-            return found;
-        };
-        SmoothFitOptions effort = effortFor(mesh);
-        effort.tolerance = shareAtPoints * allowed;
-        effort.flatness = std::min(planeShare * allowed, maxFlatness * diagonal);
-        surfaces.patches = fitCentred(reference.bridged ? *reference.bridged : mesh, layout, network, target,
-                                      effort, verify, control);
-    } else {
-        surfaces.patches = interpolateSegments(mesh, layout, control.jobs);
-    }
-    surfaces.creases = creasePaths(mesh, network.marks);
-    std::vector<bool> isSmooth = network.marks.isCrease;
+    surfaces.patches = isSmoothFit ? smoothPatches(mesh, layout, reference, allowed, control)
+                                   : interpolateSegments(mesh, layout, control.jobs);
+    surfaces.creases = creasePaths(mesh, marks);
+    std::vector<bool> isSmooth = marks.isCrease;
     isSmooth.flip();
-    const MeasureOptions measuring;
-    const Measurement measurement =
-        measureSurfaces(mesh, layout, surfaces.patches, target.grids, isSmooth, measuring, control);
+    addMeasurement(measureSurfaces(mesh, layout, surfaces.patches, target.grids, isSmooth, control.jobs),
+                   surfaces);
     if (scan != nullptr)
         surfaces.scan =
-            scanFigures(surfaces.patches, target, *scan, measuring.negligible * diagonal, control.jobs);
-    surfaces.deviation = measurement.ofAll.deviation;
-    surfaces.farthest = measurement.ofAll.farthest;
-    for (std::size_t patch = 0; patch < measurement.ofPatch.size(); ++patch) {
-        surfaces.ofPatch.push_back(measurement.ofPatch[patch].deviation);
-        for (const auto& place : measurement.ofPatch[patch].folds)
-            surfaces.folds.push_back({patch, place});
-    }
+            scanFigures(surfaces.patches, target, *scan, measureNegligible * diagonal, control.jobs);
     control.progress(1);
     return surfaces;
 }

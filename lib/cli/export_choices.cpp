@@ -2,10 +2,10 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
-#include "bspline/splines/bounding_box.h"
 #include "cli/surface_warnings.h"
 #include "cli/tool.h"
 #include "document/model.h"
+#include "mesh/bounding_box.h"
 #include "summary/figure_text.h"
 
 #include <algorithm>
@@ -128,7 +128,8 @@ bool reportShape(Tool& tool, const ShapeReport& shape, const Model& model, Lengt
     if (shape.largestGap > shape.resolution)
         alarm("patches are " + length(shape.largestGap) + " apart, and STEP joins what is nearer than " +
               length(shape.resolution) + ". Fit the surfaces with qm-bspline --fit smooth");
-    if (const double diagonal = boundingBoxDiagonal(model.mesh); shape.resolution > smallestShare * diagonal)
+    if (const double diagonal = boundingBox(model.mesh).diagonal();
+        shape.resolution > smallestShare * diagonal)
         alarm("the mesh, " + length(diagonal) + " across, is too small: STEP joins what is nearer than " +
               length(shape.resolution) + ". Scale it up");
     else if (shape.lostEdges > 0)

@@ -120,8 +120,7 @@ Remeshed remeshWithBlender(const Triangles& scan, const RemeshOptions& options, 
     if (!best)
         throw Error("", "QuadriFlow makes no quad mesh of it: " + problem,
                     "Try another number of quads, or mend the scan");
-    if (options.draw && !HeldSignals::oneWaits())
-        best->mesh = drawToScan(std::move(best->mesh), scan, {}, jobs);
+    if (options.draw && !HeldSignals::oneWaits()) best->mesh = drawToScan(std::move(best->mesh), scan, jobs);
     return std::move(*best);
 }
 

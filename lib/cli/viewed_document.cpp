@@ -1,10 +1,10 @@
 #include "cli/viewed_document.h"
 
 #include "base/at.h"
-#include "bspline/splines/bounding_box.h"
 #include "cli/scan_input.h"
 #include "document/files.h"
 #include "document/summary_json.h"
+#include "mesh/bounding_box.h"
 #include "view/build_scene.h"
 
 #include <algorithm>
@@ -30,8 +30,8 @@ Viewed viewedOf(const Document& document, const Model& model, LengthUnit unit) {
             .enumeration = orNull(model.enumeration),
             .layout = orNull(model.layout),
             .surfaces = orNull(model.surfaces),
-            .tolerance = limited ? std::optional(
-                                       allowedDistance(*model.surfaces, fit, boundingBoxDiagonal(model.mesh)))
+            .tolerance = limited ? std::optional(allowedDistance(*model.surfaces, fit,
+                                                                 boundingBox(model.mesh).diagonal()))
                                  : std::nullopt,
             .rho = fit.rho,
             .unit = std::string(choiceName(unit))};

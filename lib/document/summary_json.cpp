@@ -13,7 +13,7 @@ Json fitToJson(const FitSummary& fit) {
     json["tolerance"] = fit.smooth ? Json(fit.tolerance) : Json();
     json["deviation"] = deviation.max;
     json["deviationRelative"] = deviation.maxRelative;
-    json["farthest"] = placeToJson(fit.farthest, fit.farthestPoint);
+    json["farthest"] = placeToJson(fit.farthest.place, fit.farthest.point);
     json["scan"] = Json();
     if (const auto& scan = fit.scan)
         json["scan"] = {{"coverage", scan->coverage},
@@ -21,12 +21,12 @@ Json fitToJson(const FitSummary& fit) {
                         {"max", scan->max},
                         {"rms", scan->rms},
                         {"percentile95", scan->percentile95},
-                        {"farthest", placeToJson(scan->farthest, fit.farthestFromScan)}};
+                        {"farthest", placeToJson(fit.farthestFromScan.place, fit.farthestFromScan.point)}};
     json["gap"] = deviation.largestGap;
     json["largestNormalAngle"] = deviation.largestNormalAngle;
     json["percentile95NormalAngle"] = deviation.percentile95NormalAngle;
     json["folds"] = deviation.folds;
-    json["fold"] = fit.fold ? placeToJson(*fit.fold, fit.foldPoint) : Json();
+    json["fold"] = fit.fold ? placeToJson(fit.fold->place, fit.fold->point) : Json();
     return json;
 }
 

@@ -1,6 +1,7 @@
 #include "document/surfaces_section.h"
 
 #include "base/at.h"
+#include "bspline/splines/basis.h"
 #include "bspline/splines/evaluate.h"
 #include "document/mesh_paths.h"
 
@@ -107,8 +108,6 @@ Json surfacesToJson(const Surfaces& surfaces, const ScanFile& scan) {
 
 namespace {
 
-constexpr int maxDegree = 9;
-
 Deviation readDeviation(const JsonPlace& place) {
     Deviation deviation;
     visitFigures(deviation, [&place]<class Value>(const char* key, Value& value) {
@@ -138,6 +137,11 @@ std::vector<double> readKnots(const JsonPlace& place, int degree, int count, int
     constexpr double slack = 1e-9;
     if (std::abs(knots[at(degree)]) > slack || std::abs(knots[at(count)] - size) > slack * size)
         place.fail("the surface does not run from 0 to " + std::to_string(size) + ", as its segment does");
+    for (double& knot : knots) // so that the domain ends exactly where the segment does
+        if (std::abs(knot) <= slack)
+            knot = 0;
+        else if (std::abs(knot - size) <= slack * size)
+            knot = size;
     return knots;
 }
 

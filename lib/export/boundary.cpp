@@ -1,11 +1,11 @@
 #include "export/boundary.h"
 
 #include "base/at.h"
-#include "bspline/splines/bounding_box.h"
 #include "bspline/splines/clamped_patch.h"
 #include "export/curve_on_surface.h"
 #include "export/geometry.h"
 #include "export/simple_faces.h"
+#include "mesh/bounding_box.h"
 
 #include <Precision.hxx>
 #include <algorithm>
@@ -30,20 +30,12 @@ double resolution(const QuadMesh& mesh) {
     return std::max(Precision::Confusion(), digits * largest);
 }
 
-/// Of a curve's control polygon: the curve is no longer.
-double controlLength(const Geom_BSplineCurve& curve) {
-    double length = 0;
-    for (int k = 1; k < curve.NbPoles(); ++k)
-        length += curve.Pole(k).Distance(curve.Pole(k + 1));
-    return length;
-}
-
 /// The boundary in the making.
 class Maker {
 public:
     Maker(const QuadMesh& mesh, const FacePatches& faces, const std::vector<double>& simplify)
         : mesh_(mesh), layout_(faces.layout), patches_(faces.patches), resolution_(resolution(mesh)),
-          flatness_(std::max(resolution_ / 2, planeTolerance * boundingBoxDiagonal(mesh))),
+          flatness_(std::max(resolution_ / 2, planeTolerance * boundingBox(mesh).diagonal())),
           shared_(shareEdges(mesh, faces.layout, faces.patches)),
           simple_(faces.patches, shared_, {flatness_, resolution_, simplify, smoothAngle}),
           borders_(faces.patches.size()) {
@@ -101,7 +93,6 @@ private:
             made.curve = exact;
         double gap = edge.gap;
         result_.largestGap = std::max(result_.largestGap, gap);
-        if (controlLength(*made.curve) < resolution_) ++result_.lostEdges;
         for (std::size_t use = 0; use < edge.places.size(); ++use) {
             const auto& simple = simple_[edge.places[use].patch];
             if (!simple) {
@@ -126,7 +117,7 @@ private:
                 const std::size_t v = at(vertex);
                 if (number[v] < 0) {
                     number[v] = static_cast<std::ptrdiff_t>(result_.vertices.size());
-                    result_.vertices.push_back({place(shared_.vertexPoint[v]), resolution_});
+                    result_.vertices.push_back({toGp(shared_.vertexPoint[v]), resolution_});
                 }
                 BoundaryEdge& edge = result_.edges[e];
                 edge.ends.at(atEnd ? 1 : 0) = at(number[v]);
@@ -151,11 +142,27 @@ private:
 
 } // namespace
 
+double maxLength(const BoundaryEdge& edge) {
+    double length = 0;
+    for (int k = 1; k < edge.curve->NbPoles(); ++k)
+        length += edge.curve->Pole(k).Distance(edge.curve->Pole(k + 1));
+    return length;
+}
+
 double largestTolerance(const Boundary& boundary) {
     double largest = 0;
     for (const BoundaryVertex& vertex : boundary.vertices)
         largest = std::max(largest, vertex.tolerance);
     return largest;
+}
+
+std::vector<std::vector<std::size_t>> facesOfEdges(const Boundary& boundary) {
+    std::vector<std::vector<std::size_t>> result(boundary.edges.size());
+    for (std::size_t f = 0; f < boundary.faces.size(); ++f)
+        for (const auto& loop : boundary.faces[f].loops)
+            for (const EdgeUse& use : loop)
+                result[use.edge].push_back(f);
+    return result;
 }
 
 Boundary makeBoundary(const QuadMesh& mesh, const FacePatches& faces, const std::vector<double>& simplify) {

@@ -16,14 +16,15 @@
 
 namespace qm {
 
+using CurveHandle = opencascade::handle<Geom_BSplineCurve>;
+
 struct BoundaryVertex {
     gp_Pnt point;
     double tolerance = 0; ///< largest of all edges that end here
 };
 
 struct BoundaryEdge {
-    Handle(
-        Geom_BSplineCurve) curve; ///< from start to end; has the same parameters as the curves of `onFaces`
+    CurveHandle curve; ///< from start to end; has the same parameters as the curves of `onFaces`
     std::array<Handle(Geom2d_BSplineCurve), 2> onFaces; ///< forwards and backwards; none on planes
     std::array<std::size_t, 2> ends{};                  ///< numbers of the vertices at its start and its end
     double tolerance = 0;                               ///< largest distance from the faces' surfaces
@@ -44,14 +45,19 @@ struct Boundary {
     std::vector<BoundaryEdge> edges;
     std::vector<BoundaryFace> faces; ///< in the order of the patches
     std::vector<BoundaryPart> parts;
-    std::size_t lostEdges = 0; ///< number of edges shorter than `resolution`
-    double resolution = 0;     ///< the smallest tolerance: closer points are taken for one
-    double flatness = 0;       ///< largest distance of a plane face from its patch
-    double largestGap = 0;     ///< between patches, before simple surfaces replace them
+    double resolution = 0; ///< the smallest tolerance: closer points are taken for one
+    double flatness = 0;   ///< largest distance of a plane face from its patch
+    double largestGap = 0; ///< between patches, before simple surfaces replace them
 };
+
+/// The length of the curve's control polygon: the edge is no longer.
+[[nodiscard]] double maxLength(const BoundaryEdge& edge);
 
 /// The largest tolerance of a vertex; no edge has a larger one.
 [[nodiscard]] double largestTolerance(const Boundary& boundary);
+
+/// By edge: the faces that use it.
+[[nodiscard]] std::vector<std::vector<std::size_t>> facesOfEdges(const Boundary& boundary);
 
 /// Takes the topology from the layout: one face per patch, and one edge between any two vertices where
 /// borders meet, used by the patches on both sides. So nothing has to be sewn, and a gap between patches

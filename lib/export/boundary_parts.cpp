@@ -1,6 +1,6 @@
 #include "export/boundary_parts.h"
 
-#include "base/at.h"
+#include "base/disjoint_sets.h"
 
 namespace qm {
 namespace {
@@ -16,6 +16,20 @@ double signedVolume(const QuadMesh& mesh, const Segment& segment, const Point& o
             sum += corners[0] | (corners[k - 1] % corners[k]);
     }
     return sum;
+}
+
+/// By patch: its connected component, numbered in the order of the patches.
+std::vector<std::size_t> patchComponents(const SharedEdges& shared) {
+    DisjointSets sets(shared.ofPatch.size());
+    for (const SharedEdge& edge : shared.edges)
+        sets.join(edge.places.front().patch, edge.places.back().patch);
+    std::vector<std::size_t> component(shared.ofPatch.size());
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < component.size(); ++k) { // the lowest patch of a set comes first
+        const std::size_t lowest = sets.find(k);
+        component[k] = lowest == k ? count++ : component[lowest];
+    }
+    return component;
 }
 
 } // namespace

@@ -21,7 +21,7 @@ Colour fromHue(double hue, double saturation, double value) {
 
 std::vector<Colour> segmentColours(const Layout& layout, const Surfaces* surfaces, ColourBy by) {
     std::vector<Colour> colours;
-    if (by == ColourBy::deviation && surfaces != nullptr) {
+    if (by == ColourBy::deviation) {
         for (const Deviation& deviation : surfaces->ofPatch) {
             const double largest = surfaces->deviation.max;
             const double share = largest > 0 ? std::clamp(deviation.max / largest, 0.0, 1.0) : 0;

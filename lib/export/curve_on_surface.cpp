@@ -101,7 +101,8 @@ Handle(Geom_BSplineCurve)
         const double share = (t - first) / (last - first);
         return commonPoint(near->Value(t).XYZ() + moveFirst * (1 - share) + moveLast * share, both);
     };
-    constexpr int maxSteps = 64; // an interval; a curve that is still off then is told with its gap
+    constexpr int maxSteps =
+        64; // in an interval; if the gap is still too large then, the edge gets it as its tolerance
     for (int perInterval = steps;; perInterval *= 2) {
         const auto parameters = parametersOf(*near, perInterval);
         std::vector<gp_Pnt> points{ends[0]};

@@ -20,7 +20,8 @@ using Eigen::Vector3d;
 constexpr double degree = std::numbers::pi / 180;
 
 struct Tuning {
-    /// In sizes of the patch: arcs of a larger radius are flat to the eye, and their axes are chance.
+    /// In sizes of the patch: arcs of a larger radius look flat, and where their axes lie depends on rounding
+    /// errors.
     static constexpr double maxRadius = 10;
     /// Between patch and seam, so that no edge touches the seam.
     static constexpr double seamMargin = 2 * degree;
@@ -34,7 +35,7 @@ struct Tuning {
     static constexpr double apexMargin = 1e-3;
 };
 
-gp_Pnt place(const Vector3d& v) {
+gp_Pnt toGp(const Vector3d& v) {
     return {v[0], v[1], v[2]};
 }
 
@@ -62,7 +63,7 @@ std::optional<gp_Ax3> axesFor(SimpleShape& shape, const PatchCloud& cloud) {
         if (shape.kind == SimpleKind::sphere && std::abs(out.dot(shape.axis)) > std::cos(Tuning::poleMargin))
             return std::nullopt;
     }
-    return gp_Ax3(place(cloud.centre + shape.origin * cloud.size), direction(shape.axis), direction(-middle));
+    return gp_Ax3(toGp(cloud.centre + shape.origin * cloud.size), direction(shape.axis), direction(-middle));
 }
 
 Handle(Geom_ElementarySurface) cone(const SimpleShape& shape, gp_Ax3 axes, const PatchCloud& cloud) {
@@ -70,17 +71,17 @@ Handle(Geom_ElementarySurface) cone(const SimpleShape& shape, gp_Ax3 axes, const
     for (const Vector3d& point : cloud.samples.points)
         near = std::min(near, shape.axis.dot(point - shape.origin));
     if (near < Tuning::apexMargin) return nullptr;
-    axes.SetLocation(place(cloud.centre + (shape.origin + shape.axis * near) * cloud.size));
-    return new Geom_ConicalSurface(axes, shape.second, near * std::tan(shape.second) * cloud.size);
+    axes.SetLocation(toGp(cloud.centre + (shape.origin + shape.axis * near) * cloud.size));
+    return new Geom_ConicalSurface(axes, shape.halfAngle, near * std::tan(shape.halfAngle) * cloud.size);
 }
 
 } // namespace
 
 Handle(Geom_ElementarySurface) elementarySurface(SimpleShape shape, const PatchCloud& cloud) {
     if (shape.kind == SimpleKind::plane)
-        return new Geom_Plane(place(cloud.centre + shape.origin * cloud.size), direction(shape.axis));
+        return new Geom_Plane(toGp(cloud.centre + shape.origin * cloud.size), direction(shape.axis));
     const auto axes = axesFor(shape, cloud);
-    if (!axes || shape.radius > Tuning::maxRadius || shape.second > Tuning::maxRadius) return nullptr;
+    if (!axes || shape.radius > Tuning::maxRadius || shape.tubeRadius > Tuning::maxRadius) return nullptr;
     switch (shape.kind) {
     case SimpleKind::cylinder:
         return new Geom_CylindricalSurface(*axes, shape.radius * cloud.size);
@@ -89,7 +90,7 @@ Handle(Geom_ElementarySurface) elementarySurface(SimpleShape shape, const PatchC
     case SimpleKind::sphere:
         return new Geom_SphericalSurface(*axes, shape.radius * cloud.size);
     default:
-        return new Geom_ToroidalSurface(*axes, shape.radius * cloud.size, shape.second * cloud.size);
+        return new Geom_ToroidalSurface(*axes, shape.radius * cloud.size, shape.tubeRadius * cloud.size);
     }
 }
 

@@ -2,7 +2,6 @@
 
 #include "base/at.h"
 #include "base/error.h"
-#include "bspline/splines/bounding_box.h"
 #include "export/boundary_files.h"
 #include "export/colours.h"
 #include "export/face_order.h"
@@ -10,10 +9,12 @@
 #include "export/merge_planes.h"
 #include "export/quads.h"
 #include "export/separate.h"
+#include "mesh/bounding_box.h"
 
 #include <BRepCheck_Analyzer.hxx>
 #include <Standard_Failure.hxx>
 #include <algorithm>
+#include <utility>
 
 namespace qm {
 namespace {
@@ -27,24 +28,31 @@ const Surfaces& required(const Surfaces* surfaces, const std::string& forWhat) {
     return *surfaces;
 }
 
+using Origins = std::vector<std::vector<std::size_t>>;
+
 struct CheckedShape {
     Boundary boundary;
-    std::vector<std::vector<std::size_t>> origins; ///< of every face
+    Origins origins; ///< of every face
     BoundaryShape shape;
-    bool valid = false;
+    BRepCheck_Analyzer check;
 };
+
+CheckedShape checked(Boundary boundary, const Origins& origins) {
+    orderFaces(boundary);
+    BoundaryShape shape = buildShape(boundary);
+    BRepCheck_Analyzer check(shape.shape, Standard_True, Standard_True);
+    return {std::move(boundary), origins, std::move(shape), std::move(check)};
+}
 
 /// A simple surface is given up where OpenCASCADE finds that its borders do not allow it.
 CheckedShape checkedShape(const QuadMesh& mesh, const FacePatches& faces, double simplify) {
     std::vector<double> simplifyFace(faces.patches.size(), simplify);
     while (true) {
-        CheckedShape made{makeBoundary(mesh, faces, simplifyFace), faces.origins, {}, false};
-        made.shape = buildShape(made.boundary);
-        const BRepCheck_Analyzer analyser(made.shape.shape, Standard_True, Standard_True);
-        made.valid = analyser.IsValid();
+        CheckedShape made = checked(makeBoundary(mesh, faces, simplifyFace), faces.origins);
+        if (made.check.IsValid()) return made;
         bool changed = false;
-        for (std::size_t f = 0; f < simplifyFace.size() && !made.valid; ++f)
-            if (simplifyFace[f] > 0 && !analyser.IsValid(made.shape.faces[f])) {
+        for (std::size_t f = 0; f < simplifyFace.size(); ++f)
+            if (simplifyFace[f] > 0 && !made.check.IsValid(made.shape.faces[f])) {
                 simplifyFace[f] = 0;
                 changed = true;
             }
@@ -53,12 +61,12 @@ CheckedShape checkedShape(const QuadMesh& mesh, const FacePatches& faces, double
 }
 
 /// The same with one face for every plane, unless OpenCASCADE takes the one and not the other.
-CheckedShape withPlanesMerged(const CheckedShape& shape) {
-    CheckedShape merged{shape.boundary, shape.origins, {}, false};
-    mergePlanes(merged.boundary, merged.origins);
-    merged.shape = buildShape(merged.boundary);
-    merged.valid = BRepCheck_Analyzer(merged.shape.shape, Standard_True, Standard_True).IsValid();
-    return merged.valid || !shape.valid ? merged : shape;
+CheckedShape withPlanesMerged(CheckedShape shape) {
+    Boundary boundary = shape.boundary;
+    Origins origins = shape.origins;
+    if (!mergePlanes(boundary, origins)) return shape;
+    CheckedShape merged = checked(std::move(boundary), origins);
+    return merged.check.IsValid() || !shape.check.IsValid() ? merged : shape;
 }
 
 ShapeReport reportOf(const Boundary& boundary) {
@@ -73,7 +81,8 @@ ShapeReport reportOf(const Boundary& boundary) {
     report.simpleFaces = count(boundary.faces, &BoundaryFace::isSimple);
     for (const BoundaryPart& part : boundary.parts)
         ++(part.closed ? report.solids : report.shells);
-    report.lostEdges = boundary.lostEdges;
+    report.lostEdges = at(std::ranges::count_if(
+        boundary.edges, [&](const BoundaryEdge& edge) { return maxLength(edge) < boundary.resolution; }));
     report.resolution = boundary.resolution;
     report.largestGap = boundary.largestGap;
     report.largestTolerance = largestTolerance(boundary);
@@ -83,19 +92,18 @@ ShapeReport reportOf(const Boundary& boundary) {
 Exported exportShape(const QuadMesh& mesh, const Layout& layout, const Surfaces& surfaces,
                      const ExportOptions& options) {
     try {
-        const double diagonal = boundingBoxDiagonal(mesh);
+        const double diagonal = boundingBox(mesh).diagonal();
         FacePatches faces = facePatches(layout, surfaces.patches);
         if (options.join) faces = joined(std::move(faces), knotTolerance * diagonal);
         faces = separated(mesh, std::move(faces), knotTolerance * diagonal);
         CheckedShape made =
             checkedShape(mesh, faces, options.analytic ? options.analyticTolerance / 100 * diagonal : 0);
-        if (options.join) made = withPlanesMerged(made);
-        orderFaces(made.boundary);
+        if (options.join) made = withPlanesMerged(std::move(made));
         Exported result{options.format == ExportFormat::step
                             ? boundaryAsStep(made.boundary, made.origins, options)
                             : shapeAsIges(made.shape, made.origins, options),
                         reportOf(made.boundary)};
-        result.shape->valid = made.valid;
+        result.shape->valid = made.check.IsValid();
         return result;
     } catch (const Standard_Failure& failure) {
         throw Error("surfaces",
@@ -105,19 +113,6 @@ Exported exportShape(const QuadMesh& mesh, const Layout& layout, const Surfaces&
 }
 
 } // namespace
-
-double inMillimetres(LengthUnit unit) {
-    switch (unit) {
-    case LengthUnit::cm:
-        return 10;
-    case LengthUnit::m:
-        return 1000;
-    case LengthUnit::inch:
-        return 25.4;
-    default:
-        return 1;
-    }
-}
 
 Exported exportModel(const QuadMesh& mesh, const Layout& layout, const Surfaces* surfaces,
                      const ExportOptions& options) {

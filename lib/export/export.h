@@ -21,8 +21,6 @@ enum class ExportFormat {
 /// What one unit of the mesh's coordinates means in STEP and IGES; numbers are never converted.
 enum class LengthUnit { mm, cm, m, inch };
 
-[[nodiscard]] double inMillimetres(LengthUnit unit);
-
 enum class ColourBy {
     segment,  ///< another colour for every segment
     deviation ///< blue to red by the patch's largest deviation; needs surfaces

@@ -4,10 +4,10 @@
 #include <GeomAdaptor_Surface.hxx>
 #include <algorithm>
 #include <array>
+#include <compare>
 #include <cstddef>
 #include <map>
 #include <set>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -22,16 +22,6 @@ struct Meeting {
     std::size_t vertex = 0;
     std::array<std::size_t, 2> faces{};
 };
-
-/// By edge, the faces that use it.
-std::vector<std::vector<std::size_t>> facesOfEdges(const Boundary& boundary) {
-    std::vector<std::vector<std::size_t>> result(boundary.edges.size());
-    for (std::size_t f = 0; f < boundary.faces.size(); ++f)
-        for (const auto& loop : boundary.faces[f].loops)
-            for (const EdgeUse& use : loop)
-                result[use.edge].push_back(f);
-    return result;
-}
 
 /// The fans at one vertex; faces that close around it are none.
 /// \param meetings  of its smooth edges
@@ -78,22 +68,20 @@ std::vector<Fan> fansOf(const Boundary& boundary) {
     return fans;
 }
 
-/// The face with the smallest is the next.
+/// Faces are listed in the order of their ranks, which change on the way.
 struct Rank {
-    int kind = 0;     ///< of its surface: planes come first
-    int apart = 0;    ///< fans in which others have come, but no neighbour
-    int unbeside = 0; ///< less the fans in which a neighbour has come
+    int kind = 0;          ///< of its surface: planes come first
+    int detached = 0;      ///< number of fans with faces that are listed, none of them a neighbour
+    int minusAttached = 0; ///< minus the number of fans with a neighbour that is listed
     std::size_t face = 0;
-    friend bool operator<(const Rank& a, const Rank& b) {
-        return std::tie(a.kind, a.apart, a.unbeside, a.face) < std::tie(b.kind, b.apart, b.unbeside, b.face);
-    }
+    auto operator<=>(const Rank&) const = default;
 };
 
-/// Which faces have come, and which is the next.
+/// Which faces are listed, and the ranks of the others.
 class FaceOrder {
 public:
     explicit FaceOrder(const Boundary& boundary)
-        : fans_(fansOf(boundary)), hasCome_(fans_.size()), places_(boundary.faces.size()) {
+        : fans_(fansOf(boundary)), isListed_(fans_.size()), places_(boundary.faces.size()) {
         for (std::size_t f = 0; f < boundary.faces.size(); ++f) {
             const auto kind = GeomAdaptor_Surface(boundary.faces[f].surface).GetType();
             ranks_.push_back({std::min<int>(kind, GeomAbs_BezierSurface), 0, 0, f});
@@ -106,13 +94,13 @@ public:
     /// \param faces  of one part
     std::vector<std::size_t> order(const std::vector<std::size_t>& faces) {
         for (const std::size_t face : faces)
-            waiting_.insert(ranks_[face]);
+            unlisted_.insert(ranks_[face]);
         std::vector<std::size_t> result;
-        while (!waiting_.empty()) {
-            result.push_back(waiting_.begin()->face);
-            waiting_.erase(waiting_.begin());
+        while (!unlisted_.empty()) {
+            result.push_back(unlisted_.begin()->face);
+            unlisted_.erase(unlisted_.begin());
             for (const Place& place : places_[result.back()])
-                come(place);
+                list(place);
         }
         return result;
     }
@@ -123,35 +111,35 @@ private:
         std::size_t position = 0;
     };
 
-    void come(const Place& place) {
+    void list(const Place& place) {
         const Fan& fan = fans_[place.fan];
-        std::vector<bool>& hasCome = hasCome_[place.fan];
-        const bool isFirst = hasCome.empty();
-        hasCome.resize(fan.size());
-        hasCome[place.position] = true;
+        std::vector<bool>& isListed = isListed_[place.fan];
+        const bool isFirst = isListed.empty();
+        isListed.resize(fan.size());
+        isListed[place.position] = true;
         for (const std::size_t p : {place.position - 1, place.position + 1}) { // wraps below 0
-            if (p >= fan.size() || hasCome[p]) continue;
+            if (p >= fan.size() || isListed[p]) continue;
             const std::size_t beyond = 2 * p - place.position;
-            const bool wasBeside = beyond < fan.size() && hasCome[beyond];
-            if (!wasBeside) change(fan[p], isFirst ? 0 : -1, -1);
+            const bool wasAttached = beyond < fan.size() && isListed[beyond];
+            if (!wasAttached) change(fan[p], isFirst ? 0 : -1, -1);
         }
         if (!isFirst) return;
         for (std::size_t p = 0; p < fan.size(); ++p)
             if (p + 1 < place.position || p > place.position + 1) change(fan[p], 1, 0);
     }
 
-    void change(std::size_t face, int apart, int unbeside) {
-        waiting_.erase(ranks_[face]);
-        ranks_[face].apart += apart;
-        ranks_[face].unbeside += unbeside;
-        waiting_.insert(ranks_[face]);
+    void change(std::size_t face, int detached, int minusAttached) {
+        unlisted_.erase(ranks_[face]);
+        ranks_[face].detached += detached;
+        ranks_[face].minusAttached += minusAttached;
+        unlisted_.insert(ranks_[face]);
     }
 
     std::vector<Fan> fans_;
-    std::vector<std::vector<bool>> hasCome_; ///< by fan and position; empty before the first
-    std::vector<std::vector<Place>> places_; ///< by face
-    std::vector<Rank> ranks_;                ///< by face
-    std::set<Rank> waiting_;
+    std::vector<std::vector<bool>> isListed_; ///< by fan and position; empty before the first
+    std::vector<std::vector<Place>> places_;  ///< by face
+    std::vector<Rank> ranks_;                 ///< by face
+    std::set<Rank> unlisted_;
 };
 
 } // namespace

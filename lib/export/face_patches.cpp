@@ -72,15 +72,9 @@ Patch strip(const Patch& patch, double begin, double end) {
     Patch result = patch;
     result.controlPoints.clear();
     const int degree = patch.degree[0];
-    const auto columns = static_cast<std::ptrdiff_t>(patch.count[0]);
-    for (auto row = patch.controlPoints.begin(); row != patch.controlPoints.end(); row += columns) {
-        SplineCurve line;
-        if (degree == 3)
-            line = {patch.knots[0], {row, row + columns}};
-        else
-            line = bezier({row, row + columns}, patch.knots[0].back());
-        const SplineCurve part = restricted(line, begin, end);
-        const auto points = lowered(part, degree);
+    for (const SplineCurve& row : rowCurves(patch)) {
+        const SplineCurve part = restricted(row, begin, end);
+        const auto points = degreeReduced(part, degree);
         result.controlPoints.insert(result.controlPoints.end(), points.begin(), points.end());
         result.knots[0] = part.knots;
         result.count[0] = static_cast<int>(points.size());

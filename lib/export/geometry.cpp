@@ -46,12 +46,12 @@ bool hasRepeatedInnerKnot(const std::vector<double>& knots, int degree) {
 
 } // namespace
 
-gp_Pnt place(const Point& point) {
+gp_Pnt toGp(const Point& point) {
     return {point[0], point[1], point[2]};
 }
 
-Point fromPlace(const gp_Pnt& place) {
-    return {place.X(), place.Y(), place.Z()};
+Point fromGp(const gp_Pnt& point) {
+    return {point.X(), point.Y(), point.Z()};
 }
 
 Handle(Geom_BSplineSurface) splineSurface(const Patch& clampedPatch) {
@@ -59,7 +59,7 @@ Handle(Geom_BSplineSurface) splineSurface(const Patch& clampedPatch) {
     auto point = clampedPatch.controlPoints.begin();
     for (int j = 1; j <= clampedPatch.count[1]; ++j)
         for (int i = 1; i <= clampedPatch.count[0]; ++i)
-            poles.SetValue(i, j, place(*point++));
+            poles.SetValue(i, j, toGp(*point++));
     const KnotTable u = knotTable(clampedPatch.knots[0]);
     const KnotTable v = knotTable(clampedPatch.knots[1]);
     return new Geom_BSplineSurface(poles, u.values, v.values, u.multiplicities, v.multiplicities,
@@ -69,7 +69,7 @@ Handle(Geom_BSplineSurface) splineSurface(const Patch& clampedPatch) {
 Handle(Geom_BSplineCurve) splineCurve(const SplineCurve& curve) {
     TColgp_Array1OfPnt poles(1, static_cast<int>(curve.points.size()));
     for (int k = 0; k < poles.Length(); ++k)
-        poles.SetValue(k + 1, place(curve.points[at(k)]));
+        poles.SetValue(k + 1, toGp(curve.points[at(k)]));
     const KnotTable knots = knotTable(curve.knots);
     return new Geom_BSplineCurve(poles, knots.values, knots.multiplicities, 3);
 }
@@ -104,7 +104,7 @@ Patch withoutNeedlessKnots(const Patch& clampedPatch, double tolerance) {
     result.controlPoints.clear();
     for (int j = 1; j <= result.count[1]; ++j)
         for (int i = 1; i <= result.count[0]; ++i)
-            result.controlPoints.push_back(fromPlace(surface->Pole(i, j)));
+            result.controlPoints.push_back(fromGp(surface->Pole(i, j)));
     return result;
 }
 

@@ -11,8 +11,8 @@
 
 namespace qm {
 
-[[nodiscard]] gp_Pnt place(const Point& point);
-[[nodiscard]] Point fromPlace(const gp_Pnt& place);
+[[nodiscard]] gp_Pnt toGp(const Point& point);
+[[nodiscard]] Point fromGp(const gp_Pnt& point);
 
 /// \param clampedPatch  of degrees 1 to 3
 /// \throw Standard_Failure  if OpenCASCADE considers two knots equal

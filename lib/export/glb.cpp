@@ -24,6 +24,13 @@ float single(double coordinate) {
     return static_cast<float>(coordinate);
 }
 
+/// It also has 32 bits for the number of a vertex and for the size of the file.
+std::uint32_t in32Bits(std::size_t number) {
+    if (number > std::numeric_limits<std::uint32_t>::max())
+        throw Error("mesh", "is too large for glTF", "Export it as PLY");
+    return static_cast<std::uint32_t>(number);
+}
+
 /// The one buffer of the file, and the JSON text that explains it. Every segment has its own vertices, so
 /// that colours and normals end at its border.
 class Builder {
@@ -31,6 +38,7 @@ public:
     void add(const QuadMesh& mesh, const Segment& segment, const Colour& colour) {
         const auto vertices = vertexGrid(mesh, segment);
         const std::size_t width = at(segment.size[0]) + 1;
+        (void)in32Bits(vertexCount_ + vertices.size());
         const auto first = static_cast<std::uint32_t>(vertexCount_);
         addVertices(mesh, vertices, width, colour);
         for (std::size_t j = 0; j + width + 1 < vertices.size(); j += width)
@@ -50,7 +58,7 @@ public:
         const std::size_t size = positions_.size() + normals_.size() + colours_.size() + indices_.size();
         std::string bytes = "glTF";
         appendBytes(bytes, std::uint32_t{2});
-        appendBytes(bytes, static_cast<std::uint32_t>(12 + 8 + text.size() + 8 + size));
+        appendBytes(bytes, in32Bits(12 + 8 + text.size() + 8 + size));
         appendBytes(bytes, static_cast<std::uint32_t>(text.size()));
         bytes += "JSON" + text;
         appendBytes(bytes, static_cast<std::uint32_t>(size));

@@ -1,5 +1,6 @@
 #include "base/error.h"
 #include "export/boundary_files.h"
+#include "export/length_unit_names.h"
 
 #include <IGESControl_Controller.hxx>
 #include <IGESControl_Writer.hxx>
@@ -46,33 +47,6 @@ std::string asciiName(std::string name) {
     return name;
 }
 
-const char* unitName(LengthUnit unit) {
-    switch (unit) {
-    case LengthUnit::cm:
-        return "CM";
-    case LengthUnit::m:
-        return "M";
-    case LengthUnit::inch:
-        return "INCH";
-    default:
-        return "MM";
-    }
-}
-
-/// The number that IGES has for a unit.
-int unitFlag(LengthUnit unit) {
-    switch (unit) {
-    case LengthUnit::cm:
-        return 10;
-    case LengthUnit::m:
-        return 6;
-    case LengthUnit::inch:
-        return 1;
-    default:
-        return 2;
-    }
-}
-
 Handle(TCollection_HAsciiString) text(const std::string& value) {
     return new TCollection_HAsciiString(value.c_str());
 }
@@ -117,8 +91,9 @@ std::string shapeAsIges(const BoundaryShape& shape, const Origins& origins, cons
     writer.ComputeModel();
     labelFaces(shape, origins, writer.TransferProcess());
     IGESData_GlobalSection global = writer.Model()->GlobalSection();
-    global.SetUnitFlag(unitFlag(options.unit));
-    global.SetUnitName(text(unitName(options.unit)));
+    const LengthUnitNames unit = namesOf(options.unit);
+    global.SetUnitFlag(unit.igesFlag);
+    global.SetUnitName(text(unit.igesName));
     global.SetDate(text(igesDate(options.date)));
     global.SetLastChangeDate(text(igesDate(options.date)));
     global.SetFileName(text(asciiName(options.name)));

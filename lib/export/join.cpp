@@ -1,7 +1,7 @@
 #include "export/join.h"
 
 #include "base/at.h"
-#include "bspline/splines/spline_curve.h"
+#include "bspline/splines/clamped_patch.h"
 #include "export/geometry.h"
 #include "export/separate.h"
 
@@ -57,27 +57,14 @@ Face turned(Face face, int side) {
     return face;
 }
 
-/// Row by row; a row is a cubic along u.
-std::vector<SplineCurve> rows(const Patch& patch) {
-    std::vector<SplineCurve> result;
-    const auto columns = static_cast<std::ptrdiff_t>(patch.count[0]);
-    for (auto row = patch.controlPoints.begin(); row != patch.controlPoints.end(); row += columns) {
-        if (patch.degree[0] == 3)
-            result.push_back({patch.knots[0], {row, row + columns}});
-        else
-            result.push_back(bezier({row, row + columns}, patch.knots[0].back()));
-    }
-    return result;
-}
-
 /// The second patch beside side 1 of the first; none if they are not one smooth surface there.
 std::optional<Patch> joinedPatch(const Patch& one, const Patch& other, double tolerance) {
     if (one.degree[1] != other.degree[1] || one.knots[1] != other.knots[1]) return std::nullopt;
     Patch result = one;
     result.degree[0] = 3;
     result.controlPoints.clear();
-    const auto left = rows(one);
-    const auto right = rows(other);
+    const auto left = rowCurves(one);
+    const auto right = rowCurves(other);
     for (std::size_t j = 0; j < left.size(); ++j) {
         if ((left[j].points.back() - right[j].points.front()).norm() > tolerance) return std::nullopt;
         const SplineCurve row = joined(std::array{left[j], right[j]});
@@ -111,11 +98,11 @@ Segment joinedSegment(const Segment& one, const Segment& other) {
 
 std::optional<Face> joinedFace(const Face& one, int side, const Face& other, int otherSide,
                                double tolerance) {
+    const auto& line = one.segment.sides[at(side)];
+    const auto& beside = other.segment.sides[at(otherSide)];
+    if (!std::equal(line.begin(), line.end(), beside.rbegin(), beside.rend())) return std::nullopt;
     const Face left = turned(one, (side + 3) % 4);
     const Face right = turned(other, (otherSide + 1) % 4);
-    if (!std::ranges::equal(left.segment.sides[1], std::vector<VertexId>(right.segment.sides[3].rbegin(),
-                                                                         right.segment.sides[3].rend())))
-        return std::nullopt;
     Segment segment = joinedSegment(left.segment, right.segment);
     if (touchesItself(segment)) return std::nullopt;
     auto patch = joinedPatch(left.patch, right.patch, tolerance);

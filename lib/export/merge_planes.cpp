@@ -120,15 +120,6 @@ private:
     std::vector<EdgeUse> outline_;
 };
 
-/// By edge, the faces that use it.
-std::vector<std::vector<std::size_t>> facesOfEdges(const Boundary& boundary) {
-    std::vector<std::vector<std::size_t>> result(boundary.edges.size());
-    for (std::size_t f = 0; f < boundary.faces.size(); ++f)
-        for (const EdgeUse& use : boundary.faces[f].loops.front())
-            result[use.edge].push_back(f);
-    return result;
-}
-
 /// All that can be added to a face, one by one; what cannot yet is tried again when the region has grown.
 Region regionFrom(const Boundary& boundary, std::size_t face,
                   const std::vector<std::vector<std::size_t>>& facesOf, std::vector<bool>& taken) {
@@ -181,7 +172,7 @@ void dropUnused(Boundary& boundary) {
 
 } // namespace
 
-void mergePlanes(Boundary& boundary, std::vector<std::vector<std::size_t>>& origins) {
+bool mergePlanes(Boundary& boundary, std::vector<std::vector<std::size_t>>& origins) {
     const auto facesOf = facesOfEdges(boundary);
     std::vector<bool> taken(boundary.faces.size());
     std::vector<bool> isKept(boundary.faces.size(), true);
@@ -204,6 +195,7 @@ void mergePlanes(Boundary& boundary, std::vector<std::vector<std::size_t>>& orig
         }
         merged.emplace_back(f, region.loops());
     }
+    if (merged.empty()) return false;
     for (auto& [face, loops] : merged)
         boundary.faces[face].loops = std::move(loops);
     const auto numbers = keepMarked(boundary.faces, isKept);
@@ -214,6 +206,7 @@ void mergePlanes(Boundary& boundary, std::vector<std::vector<std::size_t>>& orig
             face = numbers[face];
     }
     dropUnused(boundary);
+    return true;
 }
 
 } // namespace qm

@@ -13,6 +13,7 @@ namespace qm {
 /// the first of its faces.
 /// \param origins   by face: the segments that it consists of; merged likewise, ascending
 /// \param boundary  its faces have no holes yet
-void mergePlanes(Boundary& boundary, std::vector<std::vector<std::size_t>>& origins);
+/// \return whether there were any
+bool mergePlanes(Boundary& boundary, std::vector<std::vector<std::size_t>>& origins);
 
 } // namespace qm

@@ -22,7 +22,7 @@ std::vector<double> parameters(const std::vector<double>& knots, int steps) {
     return result;
 }
 
-/// Every so many of them that about `max` are left, the ends among them.
+/// At most `max` of them, evenly, the ends among them.
 std::vector<double> thinned(const std::vector<double>& values, std::size_t max) {
     if (values.size() <= max) return values;
     std::vector<double> result;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bspline/splines/surfaces.h"
-#include "export/simple_shape_fit.h"
+#include "export/simple_shape_guess.h"
 
 #include <Eigen/Core>
 

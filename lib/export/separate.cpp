@@ -43,7 +43,7 @@ std::vector<bool> cornersOf(const QuadMesh& mesh, const Layout& layout) {
 }
 
 /// Cuts sides of too many edges at some of the T-joints there.
-void addCrowds(const Segment& segment, const std::vector<bool>& isCorner, Cuts& cuts) {
+void cutLongSides(const Segment& segment, const std::vector<bool>& isCorner, Cuts& cuts) {
     for (std::size_t side = 0; side < 4; ++side) {
         const auto& line = segment.sides[side];
         std::size_t count = 0;
@@ -127,7 +127,7 @@ FacePatches separated(const QuadMesh& mesh, FacePatches faces, double tolerance)
         Segment& segment = faces.layout.segments[f];
         faces.patches[f] = withoutNeedlessKnots(faces.patches[f], tolerance);
         Cuts cuts = c0Lines(faces.patches[f]);
-        addCrowds(segment, isCorner, cuts);
+        cutLongSides(segment, isCorner, cuts);
         addContacts(segment, cuts);
         if (cuts[0].empty() && cuts[1].empty()) {
             add(std::move(segment), std::move(faces.patches[f]), std::move(faces.origins[f]));

@@ -1,7 +1,6 @@
 #include "export/shared_edges.h"
 
 #include "base/at.h"
-#include "base/disjoint_sets.h"
 #include "bspline/measure/border_measures.h"
 #include "bspline/splines/evaluate.h"
 
@@ -52,8 +51,8 @@ std::vector<Difference> differences(const Layout& layout, const std::vector<Patc
     return result;
 }
 
-/// Vertices where more than two border edges meet, a patch has a corner, or a crease becomes smooth: no edge
-/// is both, for programs take an edge for one or the other, and fail.
+/// Vertices where more than two border edges meet, a patch has a corner, or a crease becomes smooth: other
+/// programs fail on an edge that is a crease in part.
 std::vector<bool> meetingPoints(const QuadMesh& mesh, const Layout& layout,
                                 const std::vector<BorderEdge>& borders,
                                 const std::vector<Difference>& differences) {
@@ -125,19 +124,6 @@ SharedEdges shareEdges(const QuadMesh& mesh, const Layout& layout, const std::ve
     for (std::size_t v = 0; v < count.size(); ++v)
         if (count[v] > 0) result.vertexPoint[v] /= count[v];
     return result;
-}
-
-std::vector<std::size_t> patchComponents(const SharedEdges& shared) {
-    DisjointSets sets(shared.ofPatch.size());
-    for (const SharedEdge& edge : shared.edges)
-        sets.join(edge.places.front().patch, edge.places.back().patch);
-    std::vector<std::size_t> component(shared.ofPatch.size());
-    std::size_t count = 0;
-    for (std::size_t k = 0; k < component.size(); ++k) { // the lowest patch of a set comes first
-        const std::size_t lowest = sets.find(k);
-        component[k] = lowest == k ? count++ : component[lowest];
-    }
-    return component;
 }
 
 } // namespace qm

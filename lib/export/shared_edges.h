@@ -38,7 +38,4 @@ struct SharedEdges {
 [[nodiscard]] SharedEdges shareEdges(const QuadMesh& mesh, const Layout& layout,
                                      const std::vector<Patch>& patches);
 
-/// By patch: its connected component, numbered in the order of the patches.
-[[nodiscard]] std::vector<std::size_t> patchComponents(const SharedEdges& shared);
-
 } // namespace qm

@@ -60,10 +60,10 @@ void SimpleFaces::moveVertices(SharedEdges& shared) {
         std::vector<SimpleSurface> surfaces;
         for (const std::size_t face : facesAt[v])
             surfaces.push_back(*surfaces_[face]);
-        const gp_Pnt before = place(shared.vertexPoint[v]);
+        const gp_Pnt before = toGp(shared.vertexPoint[v]);
         const gp_Pnt after = commonPoint(before, surfaces);
         if (!(after.Distance(before) <= reach_)) continue;
-        shared.vertexPoint[v] = fromPlace(after);
+        shared.vertexPoint[v] = fromGp(after);
         isCommon_[v] = true;
     }
 }
@@ -74,7 +74,7 @@ Handle(Geom_BSplineCurve) SimpleFaces::exactCurve(const SharedEdge& edge, const 
     const auto& one = surfaces_[edge.places[0].patch];
     const auto& other = surfaces_[edge.places[1].patch];
     if (!one || !other) return nullptr;
-    const std::array ends{place(shared.vertexPoint[at(edge.start)]), place(shared.vertexPoint[at(edge.end)])};
+    const std::array ends{toGp(shared.vertexPoint[at(edge.start)]), toGp(shared.vertexPoint[at(edge.end)])};
     auto curve = commonCurve(border, ends, {*one, *other}, resolution_);
     for (int k = curve->FirstUKnotIndex(); k <= curve->LastUKnotIndex(); ++k)
         if (!(curve->Value(curve->Knot(k)).Distance(border->Value(curve->Knot(k))) <= reach_)) return nullptr;

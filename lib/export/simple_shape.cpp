@@ -16,11 +16,11 @@ double SimpleShape::distance(const Eigen::Vector3d& point) const {
     case SimpleKind::cylinder:
         return away - radius;
     case SimpleKind::cone:
-        return away * std::cos(second) - height * std::sin(second);
+        return away * std::cos(halfAngle) - height * std::sin(halfAngle);
     case SimpleKind::sphere:
         return from.norm() - radius;
     default:
-        return std::hypot(away - radius, height) - second;
+        return std::hypot(away - radius, height) - tubeRadius;
     }
 }
 
@@ -35,7 +35,7 @@ Eigen::Vector3d SimpleShape::normal(const Eigen::Vector3d& point) const {
     case SimpleKind::plane:
         return axis;
     case SimpleKind::cone:
-        return out * std::cos(second) - axis * std::sin(second);
+        return out * std::cos(halfAngle) - axis * std::sin(halfAngle);
     case SimpleKind::torus:
         return (point - origin - out * radius).normalized();
     default:

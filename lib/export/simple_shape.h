@@ -10,11 +10,12 @@ enum class SimpleKind { plane, cylinder, cone, sphere, torus };
 /// One of these surfaces. Members that its kind does not need are ignored.
 struct SimpleShape {
     SimpleKind kind = SimpleKind::plane;
-    Eigen::Vector3d origin{0, 0,
-                           0};     ///< a point of the plane or axis; the apex of a cone; otherwise the centre
+    /// A point of the plane or axis; the apex of a cone; otherwise the centre.
+    Eigen::Vector3d origin{0, 0, 0};
     Eigen::Vector3d axis{0, 0, 1}; ///< unit; the plane's normal; a cone opens towards it
     double radius = 0;             ///< of a torus: of the circle around which its tube runs
-    double second = 0;             ///< half of a cone's opening angle, in radians; the tube's radius
+    double halfAngle = 0;          ///< of a cone: between axis and surface, in radians
+    double tubeRadius = 0;         ///< of a torus
 
     /// Signed; positive outside.
     [[nodiscard]] double distance(const Eigen::Vector3d& point) const;

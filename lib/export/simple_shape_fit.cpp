@@ -20,7 +20,7 @@ SimpleShape changed(SimpleShape shape, const Change& by) {
     shape.origin += by.head<3>();
     shape.axis = (shape.axis + by[3] * across + by[4] * shape.axis.cross(across)).normalized();
     shape.radius += by[5];
-    shape.second += by[6];
+    (shape.kind == SimpleKind::cone ? shape.halfAngle : shape.tubeRadius) += by[6];
     return shape;
 }
 
@@ -72,9 +72,9 @@ bool isSound(const SimpleShape& shape) {
     case SimpleKind::plane:
         return true;
     case SimpleKind::cone:
-        return shape.second > smallestAngle && shape.second < std::numbers::pi / 2 - smallestAngle;
+        return shape.halfAngle > smallestAngle && shape.halfAngle < std::numbers::pi / 2 - smallestAngle;
     case SimpleKind::torus:
-        return shape.second > 0 && shape.radius > shape.second;
+        return shape.tubeRadius > 0 && shape.radius > shape.tubeRadius;
     default:
         return shape.radius > 0;
     }

@@ -9,7 +9,7 @@ namespace qm {
 
 /// The surface of a kind with the smallest sum of squared distances from the points; none if their normals do
 /// not indicate one.
-/// \param cloud  at least ten points
+/// \param cloud  at least ten points; four of a plane, whose normals are ignored
 [[nodiscard]] std::optional<SimpleShape> fitShape(SimpleKind kind, const OrientedPoints& cloud);
 
 } // namespace qm

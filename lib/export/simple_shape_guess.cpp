@@ -35,42 +35,37 @@ SimpleShape firstPlane(const OrientedPoints& cloud) {
     return plane;
 }
 
-/// All normals are orthogonal to the axis; seen along it, points are a radius away from the centre along
-/// them.
-SimpleShape firstCylinder(const OrientedPoints& cloud) {
-    SimpleShape cylinder{SimpleKind::cylinder, {}, directionOfMinSpread(cloud.normals, {0, 0, 0}), 0, 0};
-    const auto flat = [&](const Vector3d& v) -> Vector3d { return v - cylinder.axis * cylinder.axis.dot(v); };
+/// Centre and radius of what is a sphere, or a circle, in a projection: its normals are a radius long and end
+/// in the centre.
+template <class Projection>
+Eigen::Vector4d centreAndRadius(const OrientedPoints& cloud, const Projection& projected) {
     Eigen::Matrix4d sum = Eigen::Matrix4d::Zero();
     Eigen::Vector4d right = Eigen::Vector4d::Zero();
     for (std::size_t k = 0; k < cloud.points.size(); ++k) {
         Eigen::Matrix<double, 3, 4> row;
-        row << Matrix3d::Identity(), flat(cloud.normals[k]);
+        row << Matrix3d::Identity(), projected(cloud.normals[k]);
         sum += row.transpose() * row;
-        right += row.transpose() * flat(cloud.points[k]);
+        right += row.transpose() * projected(cloud.points[k]);
     }
-    const Eigen::Vector4d solution = minNormSolution(sum, right);
-    cylinder.origin = solution.head<3>();
-    cylinder.radius = std::abs(solution[3]);
-    return cylinder;
+    return minNormSolution(sum, right);
 }
 
-/// Normals are a radius long and end in the centre.
+/// All normals are orthogonal to the axis; seen along it, the cylinder is a circle.
+SimpleShape firstCylinder(const OrientedPoints& cloud) {
+    const Vector3d axis = directionOfMinSpread(cloud.normals, {0, 0, 0});
+    const Eigen::Vector4d circle =
+        centreAndRadius(cloud, [&](const Vector3d& v) -> Vector3d { return v - axis * axis.dot(v); });
+    return {SimpleKind::cylinder, circle.head<3>(), axis, std::abs(circle[3])};
+}
+
 SimpleShape firstSphere(const OrientedPoints& cloud) {
-    Eigen::Matrix4d sum = Eigen::Matrix4d::Zero();
-    Eigen::Vector4d right = Eigen::Vector4d::Zero();
-    for (std::size_t k = 0; k < cloud.points.size(); ++k) {
-        Eigen::Matrix<double, 3, 4> row;
-        row << Matrix3d::Identity(), cloud.normals[k];
-        sum += row.transpose() * row;
-        right += row.transpose() * cloud.points[k];
-    }
-    const Eigen::Vector4d solution = minNormSolution(sum, right);
-    return {SimpleKind::sphere, solution.head<3>(), {0, 0, 1}, std::abs(solution[3]), 0};
+    const Eigen::Vector4d sphere = centreAndRadius(cloud, [](const Vector3d& v) { return v; });
+    return {SimpleKind::sphere, sphere.head<3>(), {0, 0, 1}, std::abs(sphere[3])};
 }
 
 /// All normals make one angle with the axis, and all tangent planes pass through the apex.
 SimpleShape firstCone(const OrientedPoints& cloud) {
-    SimpleShape cone{SimpleKind::cone, {}, directionOfMinSpread(cloud.normals, mean(cloud.normals)), 0, 0};
+    SimpleShape cone{SimpleKind::cone, {}, directionOfMinSpread(cloud.normals, mean(cloud.normals))};
     Matrix3d sum = Matrix3d::Zero();
     Vector3d right(0, 0, 0);
     for (std::size_t k = 0; k < cloud.points.size(); ++k) {
@@ -80,13 +75,12 @@ SimpleShape firstCone(const OrientedPoints& cloud) {
     }
     cone.origin = minNormSolution(sum, right);
     if (cone.axis.dot(mean(cloud.points) - cone.origin) < 0) cone.axis = -cone.axis;
-    cone.second = std::asin(std::clamp(std::abs(cone.axis.dot(mean(cloud.normals))), 0.0, 1.0));
+    cone.halfAngle = std::asin(std::clamp(std::abs(cone.axis.dot(mean(cloud.normals))), 0.0, 1.0));
     return cone;
 }
 
 /// The normals of a surface of revolution all meet its axis: a linear complex
-/// (docs/METHOD.md#pottmann-2001). Around
-/// it, points are a radius away from one circle.
+/// (docs/METHOD.md#pottmann-2001). Around it, points are a radius away from one circle.
 SimpleShape firstTorus(const OrientedPoints& cloud) {
     using Vector6 = Eigen::Matrix<double, 6, 1>;
     Eigen::Matrix<double, 6, 6> sum = Eigen::Matrix<double, 6, 6>::Zero();
@@ -96,7 +90,7 @@ SimpleShape firstTorus(const OrientedPoints& cloud) {
         sum += line * line.transpose();
     }
     const Vector6 axis = minEigenvector(sum);
-    SimpleShape torus{SimpleKind::torus, {}, {0, 0, 1}, 0, 0};
+    SimpleShape torus{SimpleKind::torus};
     const double length = axis.head<3>().norm();
     constexpr double shortest = 1e-6; // a shorter direction means that the complex is no axis
     if (length < shortest) return torus;
@@ -115,7 +109,7 @@ SimpleShape firstTorus(const OrientedPoints& cloud) {
     const Vector3d circle = normal.completeOrthogonalDecomposition().solve(right);
     torus.radius = circle[0] / 2;
     torus.origin = foot + torus.axis * (circle[1] / 2);
-    torus.second =
+    torus.tubeRadius =
         std::sqrt(std::max(circle[2] + torus.radius * torus.radius + circle[1] * circle[1] / 4, 0.0));
     return torus;
 }

@@ -19,7 +19,7 @@ struct OrientedPoints {
 /// A surface of a kind near the points, from linear equations that points and normals of such surfaces
 /// fulfil. A plane is the nearest one; other kinds are starting values for an iteration, and their numbers
 /// may be invalid.
-/// \param cloud  at least ten points
+/// \param cloud  at least ten points; four of a plane, whose normals are ignored
 [[nodiscard]] SimpleShape guessShape(SimpleKind kind, const OrientedPoints& cloud);
 
 } // namespace qm

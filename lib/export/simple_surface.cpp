@@ -1,5 +1,6 @@
 #include "export/simple_surface.h"
 
+#include "base/disjoint_sets.h"
 #include "bspline/splines/eigen_point.h"
 #include "export/elementary_surface.h"
 #include "export/patch_cloud.h"
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 #include <utility>
 
 namespace qm {
@@ -47,6 +49,7 @@ struct Group {
     PatchCloud cloud; ///< of all
     std::optional<SimpleShape> shape;
     double tolerance = 0;
+    bool isFitted = true; ///< the shape is the best for all points, not only within the tolerance
 };
 
 std::optional<SimpleShape> fittingShape(SimpleKind kind, const Group& group) {
@@ -64,20 +67,56 @@ std::optional<SimpleShape> recognised(const Group& group) {
     return std::nullopt;
 }
 
-/// Both as one group, if there is one surface for both.
+/// Of a group, for the points of another.
+SimpleShape inFrame(SimpleShape shape, const PatchCloud& from, const PatchCloud& to) {
+    shape.origin = (from.centre + shape.origin * from.size - to.centre) / to.size;
+    shape.radius *= from.size / to.size;
+    shape.tubeRadius *= from.size / to.size;
+    return shape;
+}
+
+/// Both as one group, if there is one surface for both: for now the one of the larger group, if that will do.
 std::optional<Group> united(const Group& one, const Group& other) {
     if (!one.shape || !other.shape || one.shape->kind != other.shape->kind) return std::nullopt;
     const Vector3d centre = (one.cloud.centre + other.cloud.centre) / 2;
     const double size =
         (one.cloud.centre - other.cloud.centre).norm() + (one.cloud.size + other.cloud.size) / 2;
-    Group result{inFrame(one.cloud, centre, size), std::nullopt, std::min(one.tolerance, other.tolerance)};
+    Group result{inFrame(one.cloud, centre, size), {}, std::min(one.tolerance, other.tolerance)};
     const PatchCloud more = inFrame(other.cloud, centre, size);
     auto& samples = result.cloud.samples;
     samples.points.insert(samples.points.end(), more.samples.points.begin(), more.samples.points.end());
     samples.normals.insert(samples.normals.end(), more.samples.normals.begin(), more.samples.normals.end());
-    result.shape = fittingShape(one.shape->kind, result);
-    if (!result.shape) return std::nullopt;
-    return result;
+    const Group& larger = one.cloud.samples.points.size() < other.cloud.samples.points.size() ? other : one;
+    result.shape = inFrame(*larger.shape, larger.cloud, result.cloud);
+    result.isFitted = agreement(*result.shape, samples, result.tolerance / size) == 0;
+    if (result.isFitted) result.shape = fittingShape(one.shape->kind, result);
+    return result.shape ? std::optional(std::move(result)) : std::nullopt;
+}
+
+/// Unites groups of one patch each with those of smooth neighbours.
+/// \return by patch: the number of its group
+std::vector<std::size_t> uniteNeighbours(std::vector<Group>& groups,
+                                         const std::vector<std::array<std::size_t, 2>>& smoothNeighbours) {
+    DisjointSets sets(groups.size());
+    std::set<std::pair<std::size_t, std::size_t>> isInVain; // more patches do not make it easier
+    for (const auto& [one, other] : smoothNeighbours) {
+        const std::size_t into = sets.find(one);
+        const std::size_t from = sets.find(other);
+        if (into == from || isInVain.contains(std::minmax(into, from))) continue;
+        if (auto both = united(groups[into], groups[from])) {
+            sets.join(into, from);
+            groups[sets.find(into)] = std::move(*both);
+        } else {
+            isInVain.insert(std::minmax(into, from));
+        }
+    }
+    std::vector<std::size_t> groupOf;
+    for (std::size_t k = 0; k < groups.size(); ++k) {
+        groupOf.push_back(sets.find(k));
+        if (groupOf[k] != k || groups[k].isFitted) continue;
+        if (auto shape = fittingShape(groups[k].shape->kind, groups[k])) groups[k].shape = shape;
+    }
+    return groupOf;
 }
 
 /// The group's surface with its seam on the other side of a patch.
@@ -118,22 +157,12 @@ std::vector<std::optional<SimpleSurface>>
 simpleSurfacesOf(const std::vector<Patch>& clampedPatches, const std::vector<double>& tolerances,
                  const std::vector<std::array<std::size_t, 2>>& smoothNeighbours) {
     std::vector<Group> groups(clampedPatches.size());
-    std::vector<std::size_t> groupOf(clampedPatches.size());
     for (std::size_t k = 0; k < clampedPatches.size(); ++k) {
         groups[k] = {cloudOf(clampedPatches[k], 12), std::nullopt, tolerances[k]};
         if (tolerances[k] > 0) groups[k].shape = recognised(groups[k]);
-        groupOf[k] = k;
     }
     const std::vector<Group> alone = groups;
-    for (const auto& [one, other] : smoothNeighbours) {
-        const std::size_t into = groupOf[one];
-        const std::size_t from = groupOf[other];
-        if (into == from) continue;
-        auto both = united(groups[into], groups[from]);
-        if (!both) continue;
-        groups[into] = std::move(*both);
-        std::ranges::replace(groupOf, from, into);
-    }
+    const std::vector<std::size_t> groupOf = uniteNeighbours(groups, smoothNeighbours);
     std::vector<std::optional<SimpleSurface>> result(clampedPatches.size());
     for (std::size_t k = 0; k < clampedPatches.size(); ++k) {
         if (!alone[k].shape) continue;

@@ -1,4 +1,5 @@
 #include "export/boundary_files.h"
+#include "export/length_unit_names.h"
 #include "export/step_geometry.h"
 
 #include <array>
@@ -24,52 +25,30 @@ std::string faceName(const std::vector<std::size_t>& segments) {
 }
 
 StepId addLengthUnit(StepFile& file, LengthUnit unit) {
-    const auto si = [&](const char* prefix) {
-        return file.add(std::string("(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(") + prefix + ",.METRE.))");
-    };
-    switch (unit) {
-    case LengthUnit::cm:
-        return si(".CENTI.");
-    case LengthUnit::m:
-        return si("$");
-    case LengthUnit::inch: {
-        const StepId metric = si(".MILLI.");
-        const StepId exponents = file.add("DIMENSIONAL_EXPONENTS(1.,0.,0.,0.,0.,0.,0.)");
-        const StepId measure = file.add(StepText("LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(")
-                                            .real(inMillimetres(unit))
-                                            .raw("),")
-                                            .id(metric)
-                                            .raw(")"));
-        return file.add(StepText("(CONVERSION_BASED_UNIT('INCH',")
-                            .id(measure)
-                            .raw(")LENGTH_UNIT()NAMED_UNIT(")
-                            .id(exponents)
-                            .raw("))"));
-    }
-    default:
-        return si(".MILLI.");
-    }
+    constexpr double inchInMillimetres = 25.4;
+    const StepToken prefix{namesOf(unit).stepPrefix};
+    const StepId metric =
+        file.addComplex("LENGTH_UNIT()NAMED_UNIT(*)" + stepRecord("SI_UNIT", prefix, StepToken{".METRE."}));
+    if (unit != LengthUnit::inch) return metric;
+    const StepId exponents = file.add("DIMENSIONAL_EXPONENTS", 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    const StepId measure = file.add("LENGTH_MEASURE_WITH_UNIT",
+                                    StepToken{stepRecord("LENGTH_MEASURE", inchInMillimetres)}, metric);
+    return file.addComplex(stepRecord("CONVERSION_BASED_UNIT", "INCH", measure) + "LENGTH_UNIT()" +
+                           stepRecord("NAMED_UNIT", exponents));
 }
 
 /// Units, and how exact coordinates are.
 StepId addContext(StepFile& file, LengthUnit unit, double accuracy) {
     const StepId length = addLengthUnit(file, unit);
-    const StepId angle = file.add("(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.))");
-    const StepId solidAngle = file.add("(NAMED_UNIT(*)SI_UNIT($,.STERADIAN.)SOLID_ANGLE_UNIT())");
-    const StepId uncertainty = file.add(StepText("UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(")
-                                            .real(accuracy)
-                                            .raw("),")
-                                            .id(length)
-                                            .raw(",'distance_accuracy_value','largest gap')"));
-    return file.add(StepText("(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((")
-                        .id(uncertainty)
-                        .raw("))GLOBAL_UNIT_ASSIGNED_CONTEXT((")
-                        .id(length)
-                        .raw(",")
-                        .id(angle)
-                        .raw(",")
-                        .id(solidAngle)
-                        .raw("))REPRESENTATION_CONTEXT('','3D'))"));
+    const StepId angle = file.addComplex("NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.)");
+    const StepId solidAngle = file.addComplex("NAMED_UNIT(*)SI_UNIT($,.STERADIAN.)SOLID_ANGLE_UNIT()");
+    const StepId uncertainty =
+        file.add("UNCERTAINTY_MEASURE_WITH_UNIT", StepToken{stepRecord("LENGTH_MEASURE", accuracy)}, length,
+                 "distance_accuracy_value", "largest gap");
+    return file.addComplex(stepRecord("GEOMETRIC_REPRESENTATION_CONTEXT", 3) +
+                           stepRecord("GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT", std::array{uncertainty}) +
+                           stepRecord("GLOBAL_UNIT_ASSIGNED_CONTEXT", std::array{length, angle, solidAngle}) +
+                           stepRecord("REPRESENTATION_CONTEXT", "", "3D"));
 }
 
 class Writer {
@@ -78,21 +57,19 @@ public:
            const ExportOptions& options)
         : boundary_(boundary), origins_(origins), options_(options), edges_(boundary.edges.size()) {
         application_ =
-            file_.add("APPLICATION_CONTEXT('core data for automotive mechanical design processes')");
-        file_.add(
-            StepText("APPLICATION_PROTOCOL_DEFINITION('international standard','automotive_design',2000,")
-                .id(application_)
-                .raw(")"));
+            file_.add("APPLICATION_CONTEXT", "core data for automotive mechanical design processes");
+        file_.add("APPLICATION_PROTOCOL_DEFINITION", "international standard", "automotive_design", 2000,
+                  application_);
         context_ = addContext(file_, options.unit, largestTolerance(boundary));
-        planeContext_ = file_.add("(GEOMETRIC_REPRESENTATION_CONTEXT(2)PARAMETRIC_REPRESENTATION_CONTEXT()"
-                                  "REPRESENTATION_CONTEXT('','2D'))");
+        planeContext_ =
+            file_.addComplex("GEOMETRIC_REPRESENTATION_CONTEXT(2)PARAMETRIC_REPRESENTATION_CONTEXT()"
+                             "REPRESENTATION_CONTEXT('','2D')");
         origin_ = addPlacement(file_, gp_Ax3());
     }
 
     std::string write() {
         for (const BoundaryVertex& vertex : boundary_.vertices)
-            vertices_.push_back(
-                file_.add(StepText("VERTEX_POINT('',").id(addPoint(file_, vertex.point)).raw(")")));
+            vertices_.push_back(file_.add("VERTEX_POINT", "", addPoint(file_, vertex.point)));
         for (const BoundaryFace& face : boundary_.faces)
             surfaces_.push_back(addSurface(file_, face.surface));
         addEdges();
@@ -118,24 +95,16 @@ private:
             std::vector<StepId> known;
             for (const auto& onFace : onFaces[e])
                 if (onFace) known.push_back(*onFace);
-            if (!known.empty())
-                curve = file_.add(
-                    StepText("SURFACE_CURVE('',").id(curve).raw(",").ids(known).raw(",.CURVE_3D.)"));
-            edges_[e] = file_.add(StepText("EDGE_CURVE('',")
-                                      .id(vertices_[edge.ends[0]])
-                                      .raw(",")
-                                      .id(vertices_[edge.ends[1]])
-                                      .raw(",")
-                                      .id(curve)
-                                      .raw(",.T.)"));
+            if (!known.empty()) curve = file_.add("SURFACE_CURVE", "", curve, known, StepToken{".CURVE_3D."});
+            edges_[e] =
+                file_.add("EDGE_CURVE", "", vertices_[edge.ends[0]], vertices_[edge.ends[1]], curve, true);
         }
     }
 
     StepId addOnSurface(const Handle(Geom2d_BSplineCurve) & curve, StepId surface) {
         const StepId plane = addPlaneCurve(file_, curve);
-        const StepId representation = file_.add(
-            StepText("DEFINITIONAL_REPRESENTATION('',(").id(plane).raw("),").id(planeContext_).raw(")"));
-        return file_.add(StepText("PCURVE('',").id(surface).raw(",").id(representation).raw(")"));
+        return file_.add("PCURVE", "", surface,
+                         file_.add("DEFINITIONAL_REPRESENTATION", "", std::array{plane}, planeContext_));
     }
 
     /// \param turned  seen from the other side
@@ -146,25 +115,14 @@ private:
             std::vector<StepId> uses;
             uses.reserve(outline.size());
             for (const EdgeUse& use : outline)
-                uses.push_back(file_.add(StepText("ORIENTED_EDGE('',*,*,")
-                                             .id(edges_[use.edge])
-                                             .raw(",")
-                                             .flag(use.forwards)
-                                             .raw(")")));
-            const StepId loop = file_.add(StepText("EDGE_LOOP('',").ids(uses).raw(")"));
-            bounds.push_back(file_.add(StepText(bounds.empty() ? "FACE_OUTER_BOUND(''," : "FACE_BOUND('',")
-                                           .id(loop)
-                                           .raw(",")
-                                           .flag(!turned)
-                                           .raw(")")));
+                uses.push_back(file_.add("ORIENTED_EDGE", "", derivedValue, derivedValue, edges_[use.edge],
+                                         use.forwards));
+            const StepId loop = file_.add("EDGE_LOOP", "", uses);
+            bounds.push_back(
+                file_.add(bounds.empty() ? "FACE_OUTER_BOUND" : "FACE_BOUND", "", loop, !turned));
         }
-        return file_.add(StepText("ADVANCED_FACE('" + faceName(origins_[f]) + "',")
-                             .ids(bounds)
-                             .raw(",")
-                             .id(surfaces_[f])
-                             .raw(",")
-                             .flag(face.reversed == turned)
-                             .raw(")"));
+        return file_.add("ADVANCED_FACE", faceName(origins_[f]), bounds, surfaces_[f],
+                         face.reversed == turned);
     }
 
     /// \param number  the end of its name
@@ -173,37 +131,25 @@ private:
         std::vector<StepId> faces;
         for (const std::size_t face : part.faces)
             faces.push_back(addFace(face, part.inward));
-        const StepId shell = file_.add(
-            StepText(part.closed ? "CLOSED_SHELL('" : "OPEN_SHELL('").raw("',").ids(faces).raw(")"));
-        const StepId body =
-            part.closed
-                ? file_.add(StepText("MANIFOLD_SOLID_BREP('" + name + "',").id(shell).raw(")"))
-                : file_.add(StepText("SHELL_BASED_SURFACE_MODEL('" + name + "',(").id(shell).raw("))"));
-        const StepId shape = file_.add(StepText(part.closed ? "ADVANCED_BREP_SHAPE_REPRESENTATION('',"
-                                                            : "MANIFOLD_SURFACE_SHAPE_REPRESENTATION('',")
-                                           .ids(std::array{origin_, body})
-                                           .raw(",")
-                                           .id(context_)
-                                           .raw(")"));
-        addProduct(stepText(options_.name) + number, shape);
+        const StepId shell = file_.add(part.closed ? "CLOSED_SHELL" : "OPEN_SHELL", "", faces);
+        const StepId body = part.closed ? file_.add("MANIFOLD_SOLID_BREP", name, shell)
+                                        : file_.add("SHELL_BASED_SURFACE_MODEL", name, std::array{shell});
+        addProduct(stepText(options_.name) + number,
+                   file_.add(part.closed ? "ADVANCED_BREP_SHAPE_REPRESENTATION"
+                                         : "MANIFOLD_SURFACE_SHAPE_REPRESENTATION",
+                             "", std::array{origin_, body}, context_));
     }
 
     void addProduct(const std::string& name, StepId shape) {
-        const StepId context =
-            file_.add(StepText("PRODUCT_CONTEXT('',").id(application_).raw(",'mechanical')"));
-        const StepId product =
-            file_.add(StepText("PRODUCT('" + name + "','" + name + "','',(").id(context).raw("))"));
-        file_.add(StepText("PRODUCT_RELATED_PRODUCT_CATEGORY('part',$,(").id(product).raw("))"));
-        const StepId formation =
-            file_.add(StepText("PRODUCT_DEFINITION_FORMATION('','',").id(product).raw(")"));
-        const StepId stage = file_.add(
-            StepText("PRODUCT_DEFINITION_CONTEXT('part definition',").id(application_).raw(",'design')"));
-        const StepId definition =
-            file_.add(StepText("PRODUCT_DEFINITION('design','',").id(formation).raw(",").id(stage).raw(")"));
-        const StepId definitionShape =
-            file_.add(StepText("PRODUCT_DEFINITION_SHAPE('','',").id(definition).raw(")"));
-        file_.add(
-            StepText("SHAPE_DEFINITION_REPRESENTATION(").id(definitionShape).raw(",").id(shape).raw(")"));
+        const StepId context = file_.add("PRODUCT_CONTEXT", "", application_, "mechanical");
+        const StepId product = file_.add("PRODUCT", name, name, "", std::array{context});
+        file_.add("PRODUCT_RELATED_PRODUCT_CATEGORY", "part", noValue, std::array{product});
+        const StepId formation = file_.add("PRODUCT_DEFINITION_FORMATION", "", "", product);
+        const StepId stage =
+            file_.add("PRODUCT_DEFINITION_CONTEXT", "part definition", application_, "design");
+        const StepId definition = file_.add("PRODUCT_DEFINITION", "design", "", formation, stage);
+        const StepId definitionShape = file_.add("PRODUCT_DEFINITION_SHAPE", "", "", definition);
+        file_.add("SHAPE_DEFINITION_REPRESENTATION", definitionShape, shape);
     }
 
     const Boundary& boundary_;

@@ -1,6 +1,5 @@
 #include "export/step_file.h"
 
-#include "base/bytes.h"
 #include "base/number_text.h"
 
 #include <cstddef>
@@ -11,17 +10,6 @@ namespace {
 
 /// Some programs read lines of limited length.
 constexpr std::size_t lineLength = 110;
-
-template <class Values, class Function>
-void appendList(std::string& text, const Values& values, const Function& f) {
-    char before = '(';
-    for (const auto& value : values) {
-        text += before;
-        f(value);
-        before = ',';
-    }
-    text += values.empty() ? "()" : ")";
-}
 
 /// Broken after commas.
 void appendBroken(std::string& text, std::string_view line) {
@@ -65,55 +53,45 @@ std::string stepText(std::string_view utf8, std::size_t limit) {
     return result;
 }
 
-StepText& StepText::raw(std::string_view text) {
-    text_ += text;
-    return *this;
+void appendParameter(std::string& text, double value) {
+    const std::size_t begin = text.size();
+    appendNumber(text, value);
+    const std::size_t exponent = text.find('e', begin);
+    if (exponent != std::string::npos) text[exponent] = 'E';
+    if (text.find('.', begin) == std::string::npos)
+        text.insert(exponent == std::string::npos ? text.size() : exponent, 1, '.');
 }
 
-StepText& StepText::real(double value) {
-    const std::size_t begin = text_.size();
-    appendNumber(text_, value);
-    const std::size_t exponent = text_.find('e', begin);
-    if (exponent != std::string::npos) text_[exponent] = 'E';
-    if (text_.find('.', begin) == std::string::npos)
-        text_.insert(exponent == std::string::npos ? text_.size() : exponent, 1, '.');
-    return *this;
+void appendParameter(std::string& text, int value) {
+    appendNumber(text, value);
 }
 
-StepText& StepText::integer(int value) {
-    appendNumber(text_, value);
-    return *this;
+void appendParameter(std::string& text, bool value) {
+    text += value ? ".T." : ".F.";
 }
 
-StepText& StepText::flag(bool value) {
-    return raw(value ? ".T." : ".F.");
+void appendParameter(std::string& text, StepId value) {
+    text += '#';
+    appendNumber(text, value.number);
 }
 
-StepText& StepText::id(StepId entity) {
-    text_ += '#';
-    return integer(entity.number);
+void appendParameter(std::string& text, StepToken value) {
+    text += value.text;
 }
 
-StepText& StepText::reals(std::span<const double> values) {
-    appendList(text_, values, [&](double value) { real(value); });
-    return *this;
+void appendParameter(std::string& text, std::string_view value) {
+    text.append("'").append(value).append("'");
 }
 
-StepText& StepText::integers(std::span<const int> values) {
-    appendList(text_, values, [&](int value) { integer(value); });
-    return *this;
+StepId StepFile::addComplex(std::string_view records) {
+    return addText("(" + std::string(records) + ")");
 }
 
-StepText& StepText::ids(std::span<const StepId> entities) {
-    appendList(text_, entities, [&](StepId entity) { id(entity); });
-    return *this;
-}
-
-StepId StepFile::add(const StepText& entity) {
+StepId StepFile::addText(std::string_view entity) {
     data_ += '#';
     appendNumber(data_, ++count_);
     data_ += '=';
-    appendBroken(data_, entity.text());
+    appendBroken(data_, entity);
     data_ += ";\n";
     return {count_};
 }

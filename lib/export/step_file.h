@@ -1,9 +1,9 @@
 /// \file The entities of a STEP file (ISO 10303-21), as text, in order.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
-#include <initializer_list>
-#include <span>
+#include <ranges>
 #include <string>
 #include <string_view>
 
@@ -14,36 +14,55 @@ struct StepId {
     int number = 0;
 };
 
+/// A parameter that is written as it stands.
+struct StepToken {
+    std::string_view text;
+};
+
+inline constexpr StepToken derivedValue{"*"};
+inline constexpr StepToken noValue{"$"};
+inline constexpr StepToken unspecified{".UNSPECIFIED."};
+
 /// The contents of a string, between its quotation marks. A comma is written by its code, because lines are
 /// broken after commas.
 /// \param utf8   valid UTF-8
 /// \param limit  in bytes; characters beyond it are left out
 [[nodiscard]] std::string stepText(std::string_view utf8, std::size_t limit = std::string_view::npos);
 
-/// Text of an entity in the making: `StepText("DIRECTION('',").reals(xyz).end()`.
-class StepText {
-public:
-    explicit StepText(std::string_view begin) : text_(begin) {}
-
-    StepText& raw(std::string_view text);
-    /// With a decimal point, in the fewest digits that read back as the same number.
-    StepText& real(double value);
-    StepText& integer(int value);
-    StepText& flag(bool value); ///< .T. or .F.
-    StepText& id(StepId entity);
-    /// Lists in parentheses.
-    StepText& reals(std::span<const double> values);
-    StepText& reals(std::initializer_list<double> values) {
-        return reals(std::span(values.begin(), values.size()));
+/// One parameter of an entity.
+/// \param value  a number, with a decimal point and in the fewest digits that read back as the same number if it is real;
+/// .T. or .F.; an entity; a token; the contents of a string, made by `stepText` if need be; or a list of
+/// these
+void appendParameter(std::string& text, double value);
+void appendParameter(std::string& text, int value);
+void appendParameter(std::string& text, bool value);
+void appendParameter(std::string& text, StepId value);
+void appendParameter(std::string& text, StepToken value);
+void appendParameter(std::string& text, std::string_view value);
+inline void appendParameter(std::string& text, const char* value) {
+    appendParameter(text, std::string_view(value));
+}
+template <std::ranges::forward_range Values>
+requires(!std::convertible_to<const Values&, std::string_view>) void appendParameter(std::string& text,
+                                                                                     const Values& values) {
+    text += '(';
+    for (const auto& value : values) {
+        appendParameter(text, value);
+        text += ',';
     }
-    StepText& integers(std::span<const int> values);
-    StepText& ids(std::span<const StepId> entities);
+    if (!std::ranges::empty(values)) text.pop_back();
+    text += ')';
+}
 
-    [[nodiscard]] const std::string& text() const { return text_; }
-
-private:
-    std::string text_;
-};
+/// A keyword with its parameters, such as DIRECTION('',(1.,0.,0.)).
+template <class... Values>
+[[nodiscard]] std::string stepRecord(std::string_view keyword, const Values&... values) {
+    std::string text(keyword);
+    text += '(';
+    ((appendParameter(text, values), text += ','), ...);
+    if (sizeof...(values) > 0) text.pop_back();
+    return text + ')';
+}
 
 struct StepHeader {
     std::string name; ///< of the file, made by `stepText`
@@ -52,15 +71,21 @@ struct StepHeader {
 
 class StepFile {
 public:
-    /// \param entity  without its number and the semicolon
-    StepId add(const StepText& entity);
-    StepId add(std::string_view entity) { return add(StepText(entity)); }
+    template <class... Values> StepId add(std::string_view keyword, const Values&... values) {
+        return addText(stepRecord(keyword, values...));
+    }
+
+    /// An entity of several types at once.
+    /// \param records  one after the other, made by `stepRecord`
+    StepId addComplex(std::string_view records);
 
     /// The whole file.
     /// \param schema  the name for FILE_SCHEMA
     [[nodiscard]] std::string text(const StepHeader& header, std::string_view schema) const;
 
 private:
+    StepId addText(std::string_view entity);
+
     std::string data_;
     int count_ = 0;
 };

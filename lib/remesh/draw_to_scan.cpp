@@ -100,15 +100,16 @@ Eigen::VectorXd movements(const QuadMesh& mesh, const std::vector<ScanEquation>&
 
 } // namespace
 
-QuadMesh drawToScan(QuadMesh mesh, const Triangles& scan, const DrawOptions& options, unsigned jobs) {
+QuadMesh drawToScan(QuadMesh mesh, const Triangles& scan, unsigned jobs) {
+    constexpr int rounds = 12;                // of nearest places, and of least squares
     constexpr std::size_t samplesOfQuad = 40; // of very fine scans
     constexpr double shareOfQuad = 1.0 / 6;   // the area of a sample, of coarse ones
     const double edge = meanEdgeLength(mesh);
     const TriangleSurface surface(scan);
     const auto samples = samplesOfScan(scan, shareOfQuad * edge * edge, samplesOfQuad * mesh.n_faces());
-    for (int round = 1; round <= options.rounds; ++round) {
+    for (int round = 1; round <= rounds; ++round) {
         const auto equations = scanEquations(mesh, surface, samples, 1.5 * edge, jobs);
-        const Weights weights = weightsOf(static_cast<double>(round) / options.rounds);
+        const Weights weights = weightsOf(static_cast<double>(round) / rounds);
         const Eigen::VectorXd moved = movements(mesh, equations, weights, edge);
         for (const VertexId vertex : mesh.vertices()) {
             const Index first = 3 * static_cast<Index>(vertex.idx());

@@ -6,10 +6,6 @@
 
 namespace qm {
 
-struct DrawOptions {
-    int rounds = 12; ///< of nearest places, and of least squares
-};
-
 /// Moves the vertices so that the distances of the quads from the scan and of the scan from the quads become
 /// small, in the sense of robust least squares. So the sharp edges and corners come back that a remesher cuts
 /// off by quads that lie across them: the nearest rows of vertices move there. At first the quads are made
@@ -17,7 +13,6 @@ struct DrawOptions {
 /// nothing else.
 /// \param mesh  nearer to the scan than about an edge, and oriented like it
 /// \param jobs  threads; the result does not depend on it
-[[nodiscard]] QuadMesh drawToScan(QuadMesh mesh, const Triangles& scan, const DrawOptions& options,
-                                  unsigned jobs);
+[[nodiscard]] QuadMesh drawToScan(QuadMesh mesh, const Triangles& scan, unsigned jobs);
 
 } // namespace qm

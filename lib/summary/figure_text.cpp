@@ -34,8 +34,8 @@ std::string pointText(const Point& point, double extent) {
     return text + ")";
 }
 
-std::string placeText(const LayoutPlace& place, const Point& point, double extent) {
-    return "in patch " + std::to_string(place.patch) + " at " + pointText(point, extent);
+std::string placeText(const SurfacePlace& place, double extent) {
+    return "in patch " + std::to_string(place.place.patch) + " at " + pointText(place.point, extent);
 }
 
 std::string countText(std::size_t count, const std::string& noun) {

@@ -1,8 +1,8 @@
 /// \file Figures as a person reads them: three digits, and no exponents where they can be done without.
 #pragma once
 
-#include "bspline/splines/surfaces.h"
 #include "mesh/quad_mesh.h"
+#include "summary/summary.h"
 
 #include <string>
 
@@ -16,7 +16,7 @@ namespace qm {
 [[nodiscard]] std::string pointText(const Point& point, double extent);
 
 /// "in patch 3 at (0.12, 3.4, 5)".
-[[nodiscard]] std::string placeText(const LayoutPlace& place, const Point& point, double extent);
+[[nodiscard]] std::string placeText(const SurfacePlace& place, double extent);
 
 /// "1 hole", "2 holes".
 [[nodiscard]] std::string countText(std::size_t count, const std::string& noun);

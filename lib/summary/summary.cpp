@@ -19,20 +19,19 @@ int piecesOf(const QuadMesh& mesh) {
 std::string missedTolerance(const Summary& summary, const std::string& unit) {
     const FitSummary& fit = *summary.fit;
     return "the tolerance is missed: " + figureText(fit.deviation.max) + unit + " where " +
-           figureText(fit.tolerance) + unit + " are allowed, " +
-           placeText(fit.farthest, fit.farthestPoint, summary.diagonal) + ". Allow more, or " +
-           (fit.scan ? "make more quads of the scan" : "mend the mesh there");
+           figureText(fit.tolerance) + unit + " are allowed, " + placeText(fit.farthest, summary.diagonal) +
+           ". Allow more, or " + (fit.scan ? "make more quads of the scan" : "mend the mesh there");
 }
 
 /// Times what is allowed: a scan that is farther away somewhere shows what the surfaces do not. Noise and
 /// single outliers of a scan remain below.
 constexpr double farFromScan = 2;
 
-std::string partsFromScan(const Summary& summary, const std::string& unit) {
+std::string scanTooFarAway(const Summary& summary, const std::string& unit) {
     const FitSummary& fit = *summary.fit;
     return "the scan is up to " + figureText(fit.scan->max) + unit + " away where " +
            figureText(fit.tolerance) + unit + " are allowed, " +
-           placeText(fit.scan->farthest, fit.farthestFromScan, summary.diagonal) +
+           placeText(fit.farthestFromScan, summary.diagonal) +
            ": it shows something there that the quads do not. Make more quads of it, or mend it";
 }
 
@@ -56,16 +55,13 @@ Summary summarise(const QuadMesh& mesh, const Layout* layout, const Surfaces* su
     figures.tolerance = allowedDistance(*surfaces, fit, summary.diagonal);
     figures.deviation = surfaces->deviation;
     figures.scan = surfaces->scan;
-    figures.farthest = surfaces->farthest;
-    const auto pointAt = [&](const LayoutPlace& place) {
-        return evaluate(surfaces->patches[place.patch], place.at[0], place.at[1]).position;
+    const auto withPoint = [&](const LayoutPlace& place) {
+        return SurfacePlace{place,
+                            evaluate(surfaces->patches[place.patch], place.at[0], place.at[1]).position};
     };
-    figures.farthestPoint = pointAt(figures.farthest);
-    if (figures.scan) figures.farthestFromScan = pointAt(figures.scan->farthest);
-    if (!surfaces->folds.empty()) {
-        figures.fold = surfaces->folds.front();
-        figures.foldPoint = pointAt(*figures.fold);
-    }
+    figures.farthest = withPoint(surfaces->farthest);
+    if (figures.scan) figures.farthestFromScan = withPoint(figures.scan->farthest);
+    if (!surfaces->folds.empty()) figures.fold = withPoint(surfaces->folds.front());
     return summary;
 }
 
@@ -84,7 +80,7 @@ std::vector<std::string> unmetLimits(const Summary& summary, const Limits& limit
     if (fit.deviation.max > fit.tolerance)
         unmet.push_back(missedTolerance(summary, length));
     else if (fit.scan && fit.scan->max > farFromScan * fit.tolerance)
-        unmet.push_back(partsFromScan(summary, length));
+        unmet.push_back(scanTooFarAway(summary, length));
     if (fit.deviation.largestNormalAngle > limits.maxNormalAngle)
         unmet.push_back("normals jump by " + figureText(fit.deviation.largestNormalAngle) +
                         " degrees across a smooth border where " + figureText(limits.maxNormalAngle) +

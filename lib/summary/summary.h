@@ -14,17 +14,21 @@ namespace qm {
 /// STEP files say how close points must be to be one; this is what ours say where nothing is farther apart.
 constexpr double stepTolerance = 1e-7;
 
+/// A place on the surfaces, and its point.
+struct SurfacePlace {
+    LayoutPlace place;
+    Point point{0, 0, 0};
+};
+
 /// Figures of surfaces that were fitted.
 struct FitSummary {
     bool smooth = true;   ///< Fit::smooth, which heeds a tolerance and leaves no gaps
     double tolerance = 0; ///< in the mesh's unit; of a smooth fit; with what is left of a scan's noise
     Deviation deviation;
-    std::optional<ScanFigures> scan; ///< that the surfaces were fitted to
-    LayoutPlace farthest;            ///< where deviation.max was found
-    Point farthestPoint{0, 0, 0};
-    Point farthestFromScan{0, 0, 0}; ///< the point at scan->farthest
-    std::optional<LayoutPlace> fold; ///< the first place that may fold
-    Point foldPoint{0, 0, 0};
+    std::optional<ScanFigures> scan;  ///< that the surfaces were fitted to
+    SurfacePlace farthest;            ///< where deviation.max was found
+    SurfacePlace farthestFromScan;    ///< where scan->max was found
+    std::optional<SurfacePlace> fold; ///< the first place that may fold
 };
 
 /// Of a mesh and, as far as there are any, its layout and surfaces. Lengths are in the mesh's unit.

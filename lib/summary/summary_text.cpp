@@ -38,7 +38,7 @@ std::string deviationLines(const FitSummary& fit, double diagonal, const std::st
     if (fit.smooth)
         text += ", " + figureText(100 * fit.deviation.max / fit.tolerance) + "% of the tolerance, " +
                 figureText(fit.tolerance) + " " + unit;
-    return line("deviation", text) + line("  largest", placeText(fit.farthest, fit.farthestPoint, diagonal));
+    return line("deviation", text) + line("  largest", placeText(fit.farthest, diagonal));
 }
 
 /// How much of the mesh the scan shows is never rounded to all of it.
@@ -62,7 +62,7 @@ std::string fitLines(const FitSummary& fit, double diagonal, const std::string& 
                        line("normals", normalsText(fit.deviation));
     if (fit.deviation.folds > 0)
         text += line("folds", countText(fit.deviation.folds, "piece") + " of patches may fold over");
-    if (fit.fold) text += line("  first", placeText(*fit.fold, fit.foldPoint, diagonal));
+    if (fit.fold) text += line("  first", placeText(*fit.fold, diagonal));
     return text;
 }
 

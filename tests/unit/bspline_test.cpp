@@ -158,11 +158,11 @@ TEST(SplineCurve, IsTheSameInALowerDegree) {
             (1 - t) * (1 - t) * points[0] + 2 * t * (1 - t) * points[1] + t * t * points[2];
         EXPECT_LT((evaluate(parabola, 5 * t) - expected).norm(), 1e-14);
     }
-    EXPECT_LT((lowered(parabola, 2)[1] - points[1]).norm(), 1e-14);
+    EXPECT_LT((degreeReduced(parabola, 2)[1] - points[1]).norm(), 1e-14);
     const SplineCurve line = bezier(std::vector<Point>{points[0], points[2]}, 2);
     EXPECT_EQ(line.degree, 1);
     EXPECT_LT((evaluate(line, 0.5) - 0.25 * points[2]).norm(), 1e-14);
-    EXPECT_LT((lowered(line, 2)[1] - 0.5 * points[2]).norm(), 1e-14);
+    EXPECT_LT((degreeReduced(line, 2)[1] - 0.5 * points[2]).norm(), 1e-14);
     EXPECT_EQ(restricted(parabola, 1, 2).degree, 2);
 }
 

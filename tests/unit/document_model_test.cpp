@@ -2,6 +2,7 @@
 /// reported with its place.
 #include "base/at.h"
 #include "base/error.h"
+#include "bspline/splines/basis.h"
 #include "document/document.h"
 #include "document/enumeration_section.h"
 #include "document/json_place.h"
@@ -425,6 +426,19 @@ TEST_F(ModelTest, PatchesMustBeSplines) {
               "/surfaces/patches/0/controlPoints/1/0: a point has three coordinates");
     EXPECT_EQ(edited([](Json& patches) { patches[0]["degree"][0] = 10; }),
               "/surfaces/patches/0/degree/0: is more than 9");
+}
+
+TEST_F(ModelTest, DomainsEndExactlyWhereSegmentsDo) {
+    Document document = sampleDocument(folder, Kind::surfaces);
+    const qm::Model exact = qm::readModel(document, Kind::surfaces);
+    for (Json& knot : document.root["surfaces"]["patches"][0]["knots"][0])
+        knot = knot.get<double>() + 1e-10;
+    const qm::Model rounded = qm::readModel(document, Kind::surfaces);
+    const auto ends = [](const qm::Model& model) {
+        const qm::Patch& patch = model.surfaces->patches[0];
+        return qm::domain(patch.knots[0], patch.degree[0]);
+    };
+    EXPECT_EQ(ends(rounded), ends(exact));
 }
 
 // ------------------------------------------------------------------------------------------- whole documents

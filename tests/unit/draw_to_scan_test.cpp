@@ -41,7 +41,7 @@ double maxDistance(const QuadMesh& mesh, const std::string& part) {
 TEST(DrawToScan, WhatWasCutOffAtEdgesAndCornersComesBack) {
     for (const char* part : {"cube", "block", "cylinder"}) {
         const QuadMesh cut = withCutOffCorners(makeShape(part, {.resolution = 6}));
-        const QuadMesh drawn = drawToScan(cut, makeScan(part, 20000), {}, 2);
+        const QuadMesh drawn = drawToScan(cut, makeScan(part, 20000), 2);
         EXPECT_GT(maxDistance(cut, part), 0.02) << part;
         EXPECT_LT(maxDistance(drawn, part), 0.25 * maxDistance(cut, part)) << part;
     }
@@ -49,7 +49,7 @@ TEST(DrawToScan, WhatWasCutOffAtEdgesAndCornersComesBack) {
 
 TEST(DrawToScan, SharpEdgesAreSharpAgain) {
     const QuadMesh cut = withCutOffCorners(makeShape("cube", {.resolution = 6}));
-    const QuadMesh drawn = drawToScan(cut, makeScan("cube", 20000), {}, 1);
+    const QuadMesh drawn = drawToScan(cut, makeScan("cube", 20000), 1);
     const auto sharp = [](const QuadMesh& mesh) {
         return std::ranges::count_if(dihedralAngles(mesh),
                                      [](double angle) { return angle > 85 * std::numbers::pi / 180; });
@@ -66,7 +66,7 @@ TEST(DrawToScan, NoiseAndHolesOfTheScanChangeLittle) {
         const Point& corner = scan.points[static_cast<std::size_t>(face[0])];
         return (corner - Point(0.5, 0.5, 1)).norm() < 0.2;
     });
-    EXPECT_LT(maxDistance(drawToScan(cut, scan, {}, 1), "cube"), 0.4 * maxDistance(cut, "cube"));
+    EXPECT_LT(maxDistance(drawToScan(cut, scan, 1), "cube"), 0.4 * maxDistance(cut, "cube"));
 }
 
 TEST(DrawToScan, FoldedQuadsUnfold) {
@@ -87,7 +87,7 @@ TEST(DrawToScan, FoldedQuadsUnfold) {
         });
     };
     EXPECT_GT(folded(mesh), 0);
-    EXPECT_EQ(folded(drawToScan(mesh, makeScan("sphere", 20000), {}, 1)), 0);
+    EXPECT_EQ(folded(drawToScan(mesh, makeScan("sphere", 20000), 1)), 0);
 }
 
 TEST(DrawToScan, WhatHangsOverASharpEdgeIsPulledBack) {
@@ -113,7 +113,7 @@ TEST(DrawToScan, BoundariesGoToTheScansOwn) {
     const QuadMesh before = mesh;
     for (const VertexId vertex : mesh.vertices()) // some vertices outside, some inside
         mesh.set_point(vertex, mesh.point(vertex) * (vertex.idx() % 2 == 0 ? 1.01 : 0.99));
-    const QuadMesh drawn = drawToScan(mesh, makeScan("plate", 20000), {}, 1);
+    const QuadMesh drawn = drawToScan(mesh, makeScan("plate", 20000), 1);
     const auto off = [&](const QuadMesh& of) {
         double sum = 0;
         for (const VertexId vertex : of.vertices())
@@ -127,8 +127,8 @@ TEST(DrawToScan, BoundariesGoToTheScansOwn) {
 TEST(DrawToScan, ThreadsDoNotMatter) {
     const QuadMesh mesh = withCutOffCorners(makeShape("block", {.resolution = 4}));
     const Triangles scan = makeScan("block", 5000);
-    const QuadMesh one = drawToScan(mesh, scan, {}, 1);
-    const QuadMesh many = drawToScan(mesh, scan, {}, 4);
+    const QuadMesh one = drawToScan(mesh, scan, 1);
+    const QuadMesh many = drawToScan(mesh, scan, 4);
     for (const VertexId vertex : mesh.vertices())
         EXPECT_EQ(one.point(vertex), many.point(vertex));
 }

@@ -16,8 +16,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <random>
@@ -524,6 +526,28 @@ TEST(ReferenceGrid, IsAPolynomialInEveryQuad) {
                 EXPECT_LT((point.dv - dv).norm(), 1e-9) << u << ' ' << v;
             }
     }
+}
+
+TEST(ControlMesh, WhatIsNoNumberLeavesItsWholeComponentUnsolved) {
+    constexpr int length = 60;
+    QuadMesh mesh;
+    std::array<std::array<VertexId, 3>, length + 1> columns;
+    const auto add = [&](int i) {
+        for (int j = 0; j < 3; ++j)
+            columns[at(i)][at(j)] = mesh.add_vertex({1.0 * i, 1.0 * j, 0});
+    };
+    // Every sweep ends at the far end, long before what is no number has come there.
+    for (int i = length - 1; i >= 0; --i)
+        add(i);
+    add(length);
+    for (std::size_t i = 0; i < length; ++i)
+        for (std::size_t j = 0; j < 2; ++j)
+            mesh.add_face({columns[i][j], columns[i + 1][j], columns[i + 1][j + 1], columns[i][j + 1]});
+    mesh.point(columns[1][1])[2] = std::numeric_limits<double>::quiet_NaN();
+    const auto rules = vertexRules(mesh, segmentPerQuad(mesh), creasesAndBoundary(mesh, noCreases(mesh)));
+    const ControlMesh control = interpolatingControlMesh(mesh, rules);
+    EXPECT_EQ(std::ranges::count(control.interpolates, true), 0);
+    EXPECT_EQ(control.points[at(columns[length][1])], mesh.point(columns[length][1]));
 }
 
 } // namespace

@@ -17,7 +17,7 @@ struct Targets {
     Layout layout = testing::segmentPerQuad(mesh);
     std::vector<ReferenceGrid> surface = limitSurface(mesh, layout, std::vector<bool>(mesh.n_edges()), 4, 1);
     LatticeNormals lattice = latticeNormals(mesh, layout, surface, 1);
-    ScanReference reference{surface, {}};
+    FitTarget reference{surface, {}};
 
     Targets() {
         for (const ReferenceGrid& grid : surface)
@@ -36,7 +36,7 @@ TEST(ScanFolds, NothingIsDroppedWhereNothingFolds) {
     for (std::size_t g = 0; g < targets.surface.size(); ++g)
         for (Point& point : targets.reference.grids[g].points)
             point *= 1.1;
-    const ScanReference before = targets.reference;
+    const FitTarget before = targets.reference;
     dropFolded(targets.lattice, targets.surface, targets.reference);
     EXPECT_EQ(targets.dropped(), 0);
     EXPECT_EQ(targets.reference.grids.front().points, before.grids.front().points);

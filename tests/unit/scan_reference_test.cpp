@@ -32,16 +32,15 @@ struct Part {
         limit = limitSurface(mesh, layout, creases, 2, 1);
     }
 
-    [[nodiscard]] ScanReference against(const Triangles& scan, const ScanOptions& options = {},
-                                        unsigned jobs = 1) const {
-        return scanReference(mesh, layout, limit, TriangleSurface(scan), options, jobs);
+    [[nodiscard]] FitTarget against(const Triangles& scan, double maxDistance = 0, unsigned jobs = 1) const {
+        return scanReference(mesh, layout, limit, TriangleSurface(scan), jobs, maxDistance);
     }
     [[nodiscard]] double distance(const Point& point) const {
         return testing::trueSurface(name)->nearest(point).distance;
     }
 
     /// Root mean square distance of weighted targets from the true surface.
-    [[nodiscard]] double error(const ScanReference& reference) const {
+    [[nodiscard]] double error(const FitTarget& reference) const {
         double sum = 0;
         double count = 0;
         for (std::size_t g = 0; g < reference.grids.size(); ++g)
@@ -64,7 +63,7 @@ Triangles without(const Triangles& scan, const std::function<bool(const Point&)>
 TEST(ScanReference, CoversCleanScansOfAllPartsAndLiesOnThem) {
     for (const char* name : {"sphere", "torus", "cylinder", "cube", "genus3", "block"}) {
         const Part part(name, 5);
-        const ScanReference reference = part.against(makeScan(name, 60000));
+        const FitTarget reference = part.against(makeScan(name, 60000));
         EXPECT_GT(reference.coverage, 0.98) << name;
         EXPECT_LT(part.error(reference), 2e-4 * part.diagonal) << name;
         EXPECT_GT(reference.maxDistance, 0);
@@ -73,7 +72,7 @@ TEST(ScanReference, CoversCleanScansOfAllPartsAndLiesOnThem) {
 
 TEST(ScanReference, IsNearerToTheTruthThanTheLimitOfACoarseMesh) {
     const Part part("torus", 2, 1);
-    ScanReference limit{part.limit, {}};
+    FitTarget limit{part.limit, {}};
     for (const ReferenceGrid& grid : part.limit)
         limit.weights.emplace_back(grid.points.size(), 1.0);
     EXPECT_LT(part.error(part.against(makeScan("torus", 300'000))), part.error(limit) / 4);
@@ -83,8 +82,8 @@ TEST(ScanReference, BordersAreTheSameOnBothSidesAndOnAnyNumberOfThreads) {
     const Part part("block", 3);
     Triangles scan = makeScan("block", 20000);
     addNoise(scan, 5e-4 * part.diagonal, 1);
-    const ScanReference one = part.against(scan);
-    const ScanReference three = part.against(scan, {}, 3);
+    const FitTarget one = part.against(scan);
+    const FitTarget three = part.against(scan, 0, 3);
     for (std::size_t g = 0; g < one.grids.size(); ++g) {
         EXPECT_EQ(one.grids[g].points, three.grids[g].points);
         EXPECT_EQ(one.weights[g], three.weights[g]);
@@ -105,7 +104,7 @@ TEST(ScanReference, HolesAreFilledFromAround) {
     for (Point& point : scan.points)
         point *= 1.01;
     const auto gone = [](const Point& point) { return point[2] > 0.8; };
-    const ScanReference reference = part.against(without(scan, gone));
+    const FitTarget reference = part.against(without(scan, gone));
     for (std::size_t g = 0; g < reference.grids.size(); ++g)
         for (std::size_t k = 0; k < reference.weights[g].size(); ++k) {
             const double height = part.limit[g].points[k][2];
@@ -126,7 +125,7 @@ TEST(ScanReference, OutliersWeighNothing) {
     Triangles scan = makeScan("sphere", 60000);
     for (std::size_t k = 0; k < scan.points.size(); k += 500)
         scan.points[k] *= 1.1;
-    const ScanReference reference = part.against(scan);
+    const FitTarget reference = part.against(scan);
     EXPECT_GT(reference.coverage, 0.9);
     EXPECT_LT(part.error(reference), 2e-3);
 }
@@ -135,9 +134,8 @@ TEST(ScanReference, TakesNoOtherSideOfAThinWall) {
     // The scan of the plate's top alone is a scan of what lies below it, seen from there.
     const Part part("cube", 6);
     const auto top = [](const Point& point) { return point[2] < 0.999; };
-    ScanOptions options;
-    options.maxDistance = 5; // reaches the opposite face
-    const ScanReference reference = part.against(without(makeScan("cube", 20000), top), options);
+    constexpr double maxDistance = 5; // reaches the opposite face
+    const FitTarget reference = part.against(without(makeScan("cube", 20000), top), maxDistance);
     for (std::size_t g = 0; g < reference.grids.size(); ++g)
         for (std::size_t k = 0; k < reference.weights[g].size(); ++k)
             if (part.limit[g].points[k][2] < 0.5) {
@@ -153,8 +151,8 @@ TEST(ScanReference, DoesNotMindHowTheScanIsOriented) {
     Triangles inverted = scan;
     for (auto& face : inverted.faces)
         std::swap(face[0], face[1]);
-    const ScanReference expected = part.against(scan);
-    const ScanReference found = part.against(inverted);
+    const FitTarget expected = part.against(scan);
+    const FitTarget found = part.against(inverted);
     EXPECT_EQ(found.coverage, expected.coverage);
     EXPECT_NEAR(part.error(found), part.error(expected), 1e-9);
 }
@@ -168,7 +166,7 @@ TEST(ScanReference, KeepsEdgesSharpThatTheScanHasRounded) {
             near += std::max(0.0, 1 - std::min(coordinate, 1 - coordinate) / 0.02);
         if (near > 1.2) point += 0.01 * (Point(0.5, 0.5, 0.5) - point).normalized();
     }
-    const ScanReference reference = part.against(scan);
+    const FitTarget reference = part.against(scan);
     for (std::size_t g = 0; g < reference.grids.size(); ++g)
         for (std::size_t k = 0; k < reference.weights[g].size(); ++k) {
             int sides = 0;
@@ -185,11 +183,8 @@ TEST(ScanReference, WhatIsFartherThanAskedForDoesNotCount) {
     Triangles scan = makeScan("sphere", 20000);
     for (Point& point : scan.points)
         point *= 1.05;
-    ScanOptions options;
-    options.maxDistance = 0.02;
-    EXPECT_EQ(part.against(scan, options).coverage, 0);
-    options.maxDistance = 0.08;
-    EXPECT_GT(part.against(scan, options).coverage, 0.99);
+    EXPECT_EQ(part.against(scan, 0.02).coverage, 0);
+    EXPECT_GT(part.against(scan, 0.08).coverage, 0.99);
 }
 
 } // namespace

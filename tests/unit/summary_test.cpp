@@ -69,8 +69,7 @@ TEST(Summary, WhatAScanShowsFarAwayIsTold) {
     scan.max = 0.15; // noise
     EXPECT_TRUE(unmetLimits(summary, {}, "mm").empty());
     scan.max = 0.25;
-    scan.farthest.patch = 3;
-    summary.fit->farthestFromScan = {1, 2, 3};
+    summary.fit->farthestFromScan = {{3, {}}, {1, 2, 3}};
     const auto unmet = unmetLimits(summary, {}, "mm");
     ASSERT_EQ(unmet.size(), 1U);
     EXPECT_EQ(unmet[0].substr(0, unmet[0].find(':')),
@@ -80,8 +79,7 @@ TEST(Summary, WhatAScanShowsFarAwayIsTold) {
 TEST(Summary, LimitsAreToldWithFiguresAndPlace) {
     Summary summary = good();
     summary.fit->deviation.max = 0.25;
-    summary.fit->farthest.patch = 4;
-    summary.fit->farthestPoint = {1, 2, 3};
+    summary.fit->farthest = {{4, {}}, {1, 2, 3}};
     summary.fit->deviation.largestNormalAngle = 2;
     const auto unmet = unmetLimits(summary, {.maxPatches = 5, .maxNormalAngle = 1.5}, "mm");
     ASSERT_EQ(unmet.size(), 3U);

@@ -33,6 +33,7 @@ public:
         const Cell first = surfaces_.cellAt({patch, {box[0][0], box[1][0]}});
         const Cell last = surfaces_.cellAt({patch, {box[0][1], box[1][1]}});
         constexpr std::size_t many = 9;
+        constexpr double minWidth = 1e-12; // where a box only touches a cell: derivatives are divided by it
         if ((last.interval[0] - first.interval[0] + 1) * (last.interval[1] - first.interval[1] + 1) > many)
             return false;
         Cell cell = first;
@@ -45,7 +46,7 @@ public:
                     const auto [from, to] = surfaces_.range(cell, k);
                     begin[k] = std::clamp((box[k][0] - from) / (to - from), 0.0, 1.0);
                     end[k] = std::clamp((box[k][1] - from) / (to - from), 0.0, 1.0);
-                    result.width[k] = (to - from) * std::max(end[k] - begin[k], 1e-12);
+                    result.width[k] = (to - from) * std::max(end[k] - begin[k], minWidth);
                     result.isAtEnd[k] = {cell.interval[k] == first.interval[k],
                                          cell.interval[k] == last.interval[k]};
                 }

@@ -6,6 +6,7 @@
 #include "bspline/splines/patch_bezier.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <optional>
 
@@ -67,10 +68,10 @@ private:
         std::array<int, 2> quad{};
         for (std::size_t way = 0; way < 2; ++way)
             quad[way] = std::clamp(static_cast<int>(place[way]), 0, reference_.size[way] - 1);
-        const int width = reference_.size[0] * reference_.steps + 1;
+        const int steps = reference_.steps;
         const auto corner = [&](int i, int j) {
             return reference_
-                .points[at((quad[1] + j) * reference_.steps * width + (quad[0] + i) * reference_.steps)];
+                .points[at((quad[1] + j) * steps) * reference_.columns() + at((quad[0] + i) * steps)];
         };
         return BilinearQuad({corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)});
     }

@@ -7,9 +7,9 @@
 #include "bspline/measure/folds.h"
 #include "bspline/measure/foot_search.h"
 #include "bspline/measure/shape_measures.h"
-#include "bspline/splines/bounding_box.h"
 #include "bspline/splines/eigen_point.h"
 #include "bspline/splines/interpolate.h"
+#include "mesh/bounding_box.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -17,6 +17,8 @@
 
 namespace qm {
 namespace {
+
+constexpr int samplesPerEdge = 16; ///< of normals and gaps along borders
 
 using Samples = std::vector<std::pair<double, double>>;
 
@@ -49,16 +51,16 @@ double largest(const Samples& samples) {
 class Meter {
 public:
     Meter(const QuadMesh& mesh, const Layout& layout, const std::vector<Patch>& patches,
-          const std::vector<ReferenceGrid>& references, const MeasureOptions& options)
-        : mesh_(mesh), layout_(layout), patches_(patches), references_(references), options_(options),
-          diagonal_(boundingBoxDiagonal(mesh)), borders_(borderEdges(mesh, layout)),
+          const std::vector<ReferenceGrid>& references)
+        : mesh_(mesh), layout_(layout), patches_(patches), references_(references),
+          diagonal_(boundingBox(mesh).diagonal()), borders_(borderEdges(mesh, layout)),
           facets_(facetGrids(mesh, layout)), toReference_(layout, patches, references, borders_),
           toFacets_(layout, patches, facets_, borders_), parts_(patches.size()) {
         result_.ofPatch.resize(patches.size());
     }
 
     void certify(unsigned jobs) {
-        const CertificationOptions certification{options_.closing, options_.negligible * diagonal_};
+        const CertificationOptions certification{measureClosing, measureNegligible * diagonal_};
         fromReference_ = certifiedDeviations(toReference_, certification, jobs);
         fromFacets_ = certifiedDeviations(toFacets_, certification, jobs);
     }
@@ -80,7 +82,7 @@ public:
         parts.shape = measureShape(toReference_, k);
         patch.folds = findFolds(patches_[k], references_[k]);
         patch.deviation.folds = patch.folds.size();
-        const MeetingMeasures inner = measureInnerLines(patches_[k], options_.samplesPerEdge);
+        const MeetingMeasures inner = measureInnerLines(patches_[k], samplesPerEdge);
         patch.deviation.largestGap = inner.gap;
         if (!inner.angles.empty())
             patch.deviation.largestInnerNormalAngle = *std::ranges::max_element(inner.angles);
@@ -89,7 +91,7 @@ public:
     void measureBorders(const std::vector<bool>& isSmooth, unsigned jobs) {
         std::vector<MeetingMeasures> measures(borders_.size());
         parallelFor(borders_.size(), jobs, [&](std::size_t k) {
-            measures[k] = measureBorder(borders_[k], layout_, patches_, options_.samplesPerEdge);
+            measures[k] = measureBorder(borders_[k], layout_, patches_, samplesPerEdge);
         });
         for (std::size_t k = 0; k < borders_.size(); ++k) {
             const std::size_t edge = at(mesh_.edge_handle(borders_[k].halfedge));
@@ -171,7 +173,6 @@ private:
     const Layout& layout_;
     const std::vector<Patch>& patches_;
     const std::vector<ReferenceGrid>& references_;
-    MeasureOptions options_;
     double diagonal_;
     std::vector<BorderEdge> borders_;
     std::vector<ReferenceGrid> facets_;
@@ -188,11 +189,11 @@ private:
 
 Measurement measureSurfaces(const QuadMesh& mesh, const Layout& layout, const std::vector<Patch>& patches,
                             const std::vector<ReferenceGrid>& references, const std::vector<bool>& isSmooth,
-                            const MeasureOptions& options, const Control& control) {
-    Meter meter(mesh, layout, patches, references, options);
-    meter.certify(control.jobs);
-    parallelFor(patches.size(), control.jobs, [&](std::size_t k) { meter.measurePatch(k); });
-    meter.measureBorders(isSmooth, control.jobs);
+                            unsigned jobs) {
+    Meter meter(mesh, layout, patches, references);
+    meter.certify(jobs);
+    parallelFor(patches.size(), jobs, [&](std::size_t k) { meter.measurePatch(k); });
+    meter.measureBorders(isSmooth, jobs);
     return meter.finish();
 }
 
@@ -201,8 +202,7 @@ std::vector<double> maxDeviations(const QuadMesh& mesh, const Layout& layout,
                                   const std::vector<ReferenceGrid>& references, double limit, unsigned jobs) {
     const std::vector<BorderEdge> borders = borderEdges(mesh, layout);
     const PairedSurfaces pairs(layout, patches, references, borders);
-    // How much too large the others are is told roughly.
-    constexpr double closing = 0.05;
+    constexpr double closing = 0.05; // a rough bound will do above the limit
     std::vector<double> result(patches.size());
     parallelFor(result.size(), jobs, [&](std::size_t k) {
         result[k] = certifiedDeviation(pairs, k, {.closing = closing, .negligible = limit}).upper;

@@ -1,7 +1,6 @@
 /// \file All measurements of finished surfaces, in one call.
 #pragma once
 
-#include "base/control.h"
 #include "bspline/measure/paired_surfaces.h"
 #include "bspline/reference/reference_grid.h"
 #include "bspline/splines/surfaces.h"
@@ -12,11 +11,10 @@
 
 namespace qm {
 
-struct MeasureOptions {
-    int samplesPerEdge = 16;  ///< for normals and gaps along borders; at least 2
-    double closing = 0.02;    ///< largest distances are too large by at most this share of themselves,
-    double negligible = 1e-5; ///< or are below this share of the bounding box's diagonal
-};
+/// Largest distances are too large by at most this share of themselves,
+constexpr double measureClosing = 0.02;
+/// or are below this share of the bounding box's diagonal.
+constexpr double measureNegligible = 1e-5;
 
 struct PatchMeasurement {
     Deviation deviation;   ///< borders count for both neighbours
@@ -37,8 +35,7 @@ struct Measurement {
 [[nodiscard]] Measurement measureSurfaces(const QuadMesh& mesh, const Layout& layout,
                                           const std::vector<Patch>& patches,
                                           const std::vector<ReferenceGrid>& references,
-                                          const std::vector<bool>& isSmooth,
-                                          const MeasureOptions& options = {}, const Control& control = {});
+                                          const std::vector<bool>& isSmooth, unsigned jobs);
 
 /// By patch: an upper bound of its distance from its reference, close where it is above a limit.
 [[nodiscard]] std::vector<double> maxDeviations(const QuadMesh& mesh, const Layout& layout,

@@ -17,13 +17,6 @@ int commonDegree(const std::vector<Patch>& patches, const std::vector<ReferenceG
     return degree;
 }
 
-std::vector<double> gridLines(int edges) {
-    std::vector<double> lines;
-    for (int k = 0; k <= edges; ++k)
-        lines.push_back(k);
-    return lines;
-}
-
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 
 } // namespace
@@ -44,7 +37,7 @@ PairedSurfaces::PairedSurfaces(const Layout& layout, const std::vector<Patch>& p
         for (std::size_t k = 0; k < 2; ++k)
             ofReference.along[k] = latticeExtraction(reference.steps, breaks[k], degree);
         ofReference.controls = reference.points;
-        ofReference.width = at(reference.size[0] * reference.steps + 1);
+        ofReference.width = reference.columns();
         pieces_[1].push_back(std::move(ofReference));
 
         auto& sides = beyond_.emplace_back();

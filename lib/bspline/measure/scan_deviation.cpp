@@ -37,15 +37,11 @@ public:
                const CertificationOptions& options)
         : patch_(patch), number_(number), nearest_(nearest), cutOff_(cutOff), options_(options) {}
 
-    ScanDeviation run() {
+    CertifiedDeviation run() {
         std::array<std::vector<double>, 2> breaks;
         for (std::size_t k = 0; k < 2; ++k) {
-            breaks[k] = differentKnots(patch_.knots[k], patch_.degree[k]);
-            std::vector<double> gridLines;
-            const int edges = static_cast<int>(std::lround(breaks[k].back()));
-            for (int line = 0; line <= edges; ++line)
-                gridLines.push_back(line);
-            breaks[k] = mergedBreaks(breaks[k], gridLines);
+            const std::vector<double> knots = differentKnots(patch_.knots[k], patch_.degree[k]);
+            breaks[k] = mergedBreaks(knots, gridLines(static_cast<int>(std::lround(knots.back()))));
         }
         const BezierPieces pieces =
             bezierPieces(patch_, breaks, std::max(patch_.degree[0], patch_.degree[1]));
@@ -58,8 +54,6 @@ public:
                 addCell(std::move(box));
             }
         refine();
-        result_.deviation.rms = rootMeanSquare(result_.deviation.samples);
-        result_.covered = area_ > 0 ? covered_ / area_ : 0;
         return std::move(result_);
     }
 
@@ -69,9 +63,9 @@ private:
     }
 
     void raise(double distance, const std::array<double, 2>& at) {
-        if (distance <= result_.deviation.lower) return;
-        result_.deviation.lower = distance;
-        result_.deviation.place = {number_, at};
+        if (distance <= result_.lower) return;
+        result_.lower = distance;
+        result_.place = {number_, at};
     }
 
     void addCell(Box box) {
@@ -82,11 +76,9 @@ private:
             for (const double u : gaussNodes) {
                 const Eigen::Vector3d place = evaluate(box.piece, u, v).position;
                 const ScanPoint foot = nearest_(point(place));
-                area_ += area;
                 if (!isWitness(foot)) continue;
-                covered_ += area;
                 isCovered = true;
-                result_.deviation.samples.emplace_back(foot.distance, area);
+                result_.samples.emplace_back(foot.distance, area);
                 box.upper = std::min(box.upper, foot.distance + farthestFrom(place, box.piece));
                 raise(foot.distance,
                       {std::lerp(box.from[0], box.to[0], u), std::lerp(box.from[1], box.to[1], v)});
@@ -95,7 +87,7 @@ private:
     }
 
     [[nodiscard]] bool isClosed(double upper) const {
-        return upper <= std::max(options_.negligible, (1 + options_.closing) * result_.deviation.lower);
+        return upper <= std::max(options_.negligible, (1 + options_.closing) * result_.lower);
     }
 
     void refine() {
@@ -110,8 +102,6 @@ private:
                     addQuarter(box, u, v);
             effort -= 4;
         }
-        if (!boxes_.empty()) kept_ = std::max(kept_, boxes_.front().upper);
-        result_.deviation.upper = std::max(kept_, result_.deviation.lower);
     }
 
     void addQuarter(const Box& box, double u, double v) {
@@ -132,10 +122,7 @@ private:
         for (const Eigen::Vector3d& corner : quarter.piece.points)
             fromTriangle = std::max(fromTriangle, distanceToTriangle(foot.triangle, point(corner)));
         quarter.upper = std::min(box.upper, fromTriangle);
-        if (isClosed(quarter.upper)) {
-            kept_ = std::max(kept_, quarter.upper);
-            return;
-        }
+        if (isClosed(quarter.upper)) return;
         boxes_.push_back(std::move(quarter));
         std::ranges::push_heap(boxes_, isNearer);
     }
@@ -145,34 +132,26 @@ private:
     const NearestOnScan& nearest_;
     double cutOff_;
     CertificationOptions options_;
-    std::vector<Box> boxes_; ///< a heap, from `refine` on
-    double kept_ = 0;        ///< upper bound of all boxes that are not in the heap any more
-    double area_ = 0;
-    double covered_ = 0;
-    ScanDeviation result_;
+    std::vector<Box> boxes_;    ///< a heap, from `refine` on
+    CertifiedDeviation result_; ///< without an upper bound
 };
 
 } // namespace
 
-ScanDeviation scanDeviation(const Patch& patch, std::size_t number, const NearestOnScan& nearest,
-                            double cutOff, const CertificationOptions& options) {
-    return ScanSearch(patch, number, nearest, cutOff, options).run();
-}
-
 ScanDeviations deviationFromScan(const std::vector<Patch>& patches, const NearestOnScan& nearest,
                                  double cutOff, const CertificationOptions& options, unsigned jobs) {
-    std::vector<ScanDeviation> ofPatch(patches.size());
-    parallelFor(patches.size(), jobs,
-                [&](std::size_t k) { ofPatch[k] = scanDeviation(patches[k], k, nearest, cutOff, options); });
+    std::vector<CertifiedDeviation> ofPatch(patches.size());
+    parallelFor(patches.size(), jobs, [&](std::size_t k) {
+        ofPatch[k] = ScanSearch(patches[k], k, nearest, cutOff, options).run();
+    });
     ScanDeviations result;
     std::vector<std::pair<double, double>> samples;
-    for (const ScanDeviation& one : ofPatch) {
-        if (one.deviation.lower > result.max) {
-            result.max = one.deviation.lower;
-            result.farthest = one.deviation.place;
+    for (const CertifiedDeviation& one : ofPatch) {
+        if (one.lower > result.max) {
+            result.max = one.lower;
+            result.farthest = one.place;
         }
-        result.covered += one.covered / static_cast<double>(ofPatch.size());
-        samples.insert(samples.end(), one.deviation.samples.begin(), one.deviation.samples.end());
+        samples.insert(samples.end(), one.samples.begin(), one.samples.end());
     }
     result.rms = rootMeanSquare(samples);
     result.percentile95 = percentile95(std::move(samples));

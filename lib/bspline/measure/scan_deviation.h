@@ -1,4 +1,4 @@
-/// \file The largest distance between surfaces and a scan, certain to within a few per cent where possible.
+/// \file The largest distance of surfaces from a scan, certain to within a few per cent where possible.
 #pragma once
 
 #include "bspline/measure/certified_deviation.h"
@@ -19,19 +19,6 @@ struct ScanPoint {
 /// The nearest point of the scan to any point; may be called from several threads.
 using NearestOnScan = std::function<ScanPoint(const Point&)>;
 
-struct ScanDeviation {
-    CertifiedDeviation deviation; ///< from the surface to the scan, where the scan covers the surface
-    double covered = 0;           ///< share of the area of parameters
-};
-
-/// Branch and bound over the Bezier pieces of a patch: the distance from a triangle is a convex function, so
-/// a piece is no farther from it than the farthest of its Bezier points. Places whose nearest point lies on
-/// the scan's boundary or beyond the cut-off are not covered.
-/// \param cutOff  distance beyond which the scan tells nothing about the surface
-[[nodiscard]] ScanDeviation scanDeviation(const Patch& patch, std::size_t number,
-                                          const NearestOnScan& nearest, double cutOff,
-                                          const CertificationOptions& options);
-
 /// The distances of all patches from a scan.
 struct ScanDeviations {
     /// The largest distance that was found at a point: boxes over many small triangles are bounded too
@@ -39,10 +26,13 @@ struct ScanDeviations {
     double max = 0;
     double rms = 0;
     double percentile95 = 0;
-    double covered = 0; ///< mean covered share of the patches' parameters
     LayoutPlace farthest;
 };
 
+/// Branch and bound over the Bezier pieces of the patches: the distance from a triangle is a convex function,
+/// so a piece is no farther from it than the farthest of its Bezier points. Places whose nearest point lies
+/// on the scan's boundary or beyond the cut-off do not count.
+/// \param cutOff  distance beyond which the scan tells nothing about the surface
 [[nodiscard]] ScanDeviations deviationFromScan(const std::vector<Patch>& patches,
                                                const NearestOnScan& nearest, double cutOff,
                                                const CertificationOptions& options, unsigned jobs);

@@ -1,8 +1,10 @@
 #include "bspline/measure/shape_measures.h"
 
+#include "bspline/splines/eigen_point.h"
+#include "bspline/splines/evaluate.h"
+
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 namespace qm {
@@ -83,9 +85,7 @@ ShapeMeasures measureShape(const PairedSurfaces& surfaces, std::size_t patch) {
                     const auto own = surface.at(u, v);
                     const auto other = reference.at(u, v);
                     if (!own || !other) continue;
-                    const double angle =
-                        std::atan2(own->normal.cross(other->normal).norm(), own->normal.dot(other->normal)) *
-                        180 / std::numbers::pi;
+                    const double angle = angleInDegrees(point(own->normal), point(other->normal));
                     ShapeMeasures here;
                     here.largestNormalDeviation = angle;
                     here.squaredNormalDeviation = area * angle * angle;

@@ -27,9 +27,6 @@ struct BorderEdge {
 /// All border edges, in the order of the first segment, side and position that has them.
 [[nodiscard]] std::vector<BorderEdge> borderEdges(const QuadMesh& mesh, const Layout& layout);
 
-/// The number of a segment's face beside an edge of its border.
-[[nodiscard]] std::size_t faceBeside(const Segment& segment, int side, int position);
-
 /// The parameters (u, v) at distance `along` from the beginning of a side.
 [[nodiscard]] std::array<double, 2> parametersOnSide(const std::array<int, 2>& size, int side, double along);
 

@@ -11,12 +11,12 @@ namespace {
 
 class PathSearch {
 public:
-    PathSearch(const QuadMesh& mesh, const BorderMarks& marks) : mesh_(mesh), isLeft_(marks.isCrease) {
+    PathSearch(const QuadMesh& mesh, const BorderMarks& marks) : mesh_(mesh), isUnvisited_(marks.isCrease) {
         for (const EdgeId edge : mesh.edges())
-            if (mesh.is_boundary(edge)) isLeft_[at(edge)] = false;
+            if (mesh.is_boundary(edge)) isUnvisited_[at(edge)] = false;
         creases_.resize(mesh.n_vertices());
         for (const EdgeId edge : mesh.edges())
-            if (isLeft_[at(edge)])
+            if (isUnvisited_[at(edge)])
                 for (const unsigned end : {0U, 1U})
                     ++creases_[at(mesh.to_vertex_handle(mesh.halfedge_handle(edge, end)))];
     }
@@ -24,8 +24,8 @@ public:
     std::vector<std::vector<VertexId>> run() {
         std::vector<std::vector<VertexId>> paths;
         for (const EdgeId edge : mesh_.edges()) {
-            if (!isLeft_[at(edge)]) continue;
-            isLeft_[at(edge)] = false;
+            if (!isUnvisited_[at(edge)]) continue;
+            isUnvisited_[at(edge)] = false;
             std::vector<VertexId> path = onFrom(mesh_.halfedge_handle(edge, 1));
             std::ranges::reverse(path);
             std::ranges::move(onFrom(mesh_.halfedge_handle(edge, 0)), std::back_inserter(path));
@@ -39,7 +39,7 @@ private:
     std::vector<VertexId> onFrom(HalfedgeId first) {
         std::vector<VertexId> vertices;
         for (std::optional<HalfedgeId> next = first; next; next = after(vertices.back())) {
-            isLeft_[at(mesh_.edge_handle(*next))] = false;
+            isUnvisited_[at(mesh_.edge_handle(*next))] = false;
             vertices.push_back(mesh_.to_vertex_handle(*next));
         }
         return vertices;
@@ -48,13 +48,13 @@ private:
     [[nodiscard]] std::optional<HalfedgeId> after(VertexId vertex) const {
         if (creases_[at(vertex)] != 2) return std::nullopt;
         for (const HalfedgeId halfedge : mesh_.voh_range(vertex))
-            if (isLeft_[at(mesh_.edge_handle(halfedge))]) return halfedge;
+            if (isUnvisited_[at(mesh_.edge_handle(halfedge))]) return halfedge;
         return std::nullopt;
     }
 
     const QuadMesh& mesh_;
-    std::vector<bool> isLeft_; ///< by edge: creases of no path yet
-    std::vector<int> creases_; ///< by vertex, how many meet
+    std::vector<bool> isUnvisited_; ///< by edge: creases of no path yet
+    std::vector<int> creases_;      ///< by vertex, how many meet
 };
 
 } // namespace

@@ -5,15 +5,15 @@
 #include "bspline/network/creases.h"
 
 #include <cstddef>
-#include <unordered_map>
+#include <vector>
 
 namespace qm {
 namespace {
 
-/// The tangent ratio of every smooth border at the vertex that its halfedge leaves, by halfedge index.
-std::unordered_map<int, double> ratiosAtVertices(const QuadMesh& mesh, const SmoothNetwork& network,
-                                                 const std::vector<BorderEdge>& borders) {
-    std::unordered_map<int, double> ratios;
+/// By halfedge: the tangent ratio at the vertex that it leaves, of smooth borders; otherwise 0.
+std::vector<double> ratiosAtVertices(const QuadMesh& mesh, const SmoothNetwork& network,
+                                     const std::vector<BorderEdge>& borders) {
+    std::vector<double> ratios(mesh.n_halfedges());
     std::vector<bool> seen(mesh.n_vertices());
     for (const BorderEdge& border : borders)
         for (const VertexId vertex :
@@ -24,14 +24,9 @@ std::unordered_map<int, double> ratiosAtVertices(const QuadMesh& mesh, const Smo
             const VertexFan fan = vertexFan(mesh, network.marks, vertex);
             const auto all = tangentRatios(mesh, fan, network.rules[index]);
             for (std::size_t k = 0; k < all.size(); ++k)
-                if (all[k] != 0) ratios.emplace(fan.borders[k].idx(), all[k]);
+                ratios[at(fan.borders[k])] = all[k];
         }
     return ratios;
-}
-
-double ratioAt(const std::unordered_map<int, double>& ratios, HalfedgeId leaving) {
-    const auto found = ratios.find(leaving.idx());
-    return found == ratios.end() ? 0 : found->second;
 }
 
 } // namespace
@@ -40,8 +35,9 @@ SmoothNetwork buildNetwork(const QuadMesh& mesh, const Layout& layout,
                            const std::vector<double>& dihedralAngles, double rho) {
     const auto borders = borderEdges(mesh, layout);
     SmoothNetwork network{markBorders(mesh, borders, dihedralAngles, rho), {}, findStretches(borders), {}};
-    network.rules = vertexRules(mesh, layout, creasesAndBoundary(mesh, network.marks.isCrease));
+    network.rules = vertexRules(mesh, layout, network.marks.isCrease);
     const auto ratios = ratiosAtVertices(mesh, network, borders);
+    const auto ratioAt = [&](HalfedgeId leaving) { return ratios[at(leaving)]; };
     const auto isSmooth = [&](HalfedgeId halfedge) {
         return !network.marks.isCrease[at(mesh.edge_handle(halfedge))];
     };
@@ -54,16 +50,16 @@ SmoothNetwork buildNetwork(const QuadMesh& mesh, const Layout& layout,
             }
             std::size_t end = begin + 1;
             const auto leaves = [&](std::size_t at) {
-                return ratioAt(ratios, halfedges[at]) != 0 ||
-                       ratioAt(ratios, mesh.opposite_halfedge_handle(halfedges[at - 1])) != 0;
+                return ratioAt(halfedges[at]) != 0 ||
+                       ratioAt(mesh.opposite_halfedge_handle(halfedges[at - 1])) != 0;
             };
             while (end < halfedges.size() && isSmooth(halfedges[end]) && !leaves(end))
                 ++end;
             SmoothRun run{k, static_cast<int>(begin), static_cast<int>(end), {}};
             run.ratio.length = static_cast<double>(end - begin);
             // At its end the run comes to the vertex, where the ratio is meant for what leaves.
-            run.ratio.atEnd = {ratioAt(ratios, halfedges[begin]),
-                               -ratioAt(ratios, mesh.opposite_halfedge_handle(halfedges[end - 1]))};
+            run.ratio.atEnd = {ratioAt(halfedges[begin]),
+                               -ratioAt(mesh.opposite_halfedge_handle(halfedges[end - 1]))};
             network.runs.push_back(run);
             begin = end;
         }

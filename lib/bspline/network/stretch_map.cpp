@@ -15,22 +15,16 @@ StretchMap::StretchMap(const QuadMesh& mesh, const Layout& layout, const SmoothN
         }
 }
 
-PlaceAcross StretchMap::across(const StretchEnd& from, double x) const {
-    const Stretch& stretch = network_.stretches[from.stretch];
-    const StretchSide& to = stretch.sides[1 - from.which];
-    const auto& size = layout_.segments[to.patch].size;
-    const std::size_t direction = directionAlong(to.side);
-    const double length = stretch.length();
-    const auto edge = static_cast<std::size_t>(std::clamp(x, 0.0, length - 1));
-    const std::size_t index = at(mesh_.edge_handle(stretch.halfedges[edge]));
-    return {to.patch, direction, patchParameter(size, to, x), !network_.marks.isCrease[index]};
-}
-
 std::optional<PlaceAcross> StretchMap::across(std::size_t patch, int side, double parameter) const {
     for (const StretchEnd& end : on(patch, side)) {
         const Stretch& stretch = network_.stretches[end.stretch];
         const double x = stretchParameter(layout_.segments[patch].size, stretch.sides[end.which], parameter);
-        if (x >= 0 && x <= stretch.length()) return across(end, x);
+        if (x < 0 || x > stretch.length()) continue;
+        const StretchSide& to = stretch.sides[1 - end.which];
+        const auto edge = static_cast<std::size_t>(std::min(x, stretch.length() - 1.0));
+        const bool isCrease = network_.marks.isCrease[at(mesh_.edge_handle(stretch.halfedges[edge]))];
+        return PlaceAcross{to.patch, directionAlong(to.side),
+                           patchParameter(layout_.segments[to.patch].size, to, x), !isCrease};
     }
     return std::nullopt;
 }

@@ -39,9 +39,6 @@ public:
     /// What lies across a side at a parameter of the patch along it; nothing on the mesh boundary.
     [[nodiscard]] std::optional<PlaceAcross> across(std::size_t patch, int side, double parameter) const;
 
-    /// The same of a place on a stretch, seen from one of its patches.
-    [[nodiscard]] PlaceAcross across(const StretchEnd& from, double x) const;
-
 private:
     const QuadMesh& mesh_;
     const Layout& layout_;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "bspline/network/borders.h"
-#include "layout/layout.h"
 #include "mesh/quad_mesh.h"
 
 #include <array>

@@ -11,15 +11,6 @@
 namespace qm {
 namespace {
 
-Point along(const QuadMesh& mesh, HalfedgeId halfedge) {
-    return mesh.point(mesh.to_vertex_handle(halfedge)) - mesh.point(mesh.from_vertex_handle(halfedge));
-}
-
-/// The next halfedge that leaves the same vertex, counter-clockwise; the halfedge must have a face.
-HalfedgeId nextAround(const QuadMesh& mesh, HalfedgeId halfedge) {
-    return mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(halfedge));
-}
-
 /// Consecutive patches of a fan with creases at both ends only; or all of them if there is one crease at
 /// most.
 struct Sector {
@@ -64,14 +55,15 @@ std::optional<double> angleOfCorners(const VertexFan& fan, const Sector& sector,
 /// or, if its side passes straight through, along the mesh edge between its two faces.
 Point inward(const QuadMesh& mesh, const VertexFan& fan, std::size_t patch, bool fromNext) {
     const std::size_t count = fan.borders.size();
-    if (fan.faces[patch] == 1) return along(mesh, fan.borders[fromNext ? patch : (patch + 1) % count]);
-    return along(mesh, nextAround(mesh, fan.borders[patch]));
+    if (fan.faces[patch] == 1)
+        return mesh.calc_edge_vector(fan.borders[fromNext ? patch : (patch + 1) % count]);
+    return mesh.calc_edge_vector(mesh.ccw_rotated_halfedge_handle(fan.borders[patch]));
 }
 
 /// The ratio of the mesh itself.
 double measuredRatio(const QuadMesh& mesh, const VertexFan& fan, std::size_t border) {
     const std::size_t count = fan.borders.size();
-    const Point on = along(mesh, fan.borders[border]);
+    const Point on = mesh.calc_edge_vector(fan.borders[border]);
     const Point sum =
         inward(mesh, fan, border, false) + inward(mesh, fan, (border + count - 1) % count, true);
     constexpr double max = 1.8; // below 2, which no regular spread of edges reaches
@@ -89,7 +81,9 @@ std::optional<std::vector<double>> balancedRatios(const QuadMesh& mesh, const Ve
     constexpr double minSine = 0.5; // of angles from 30 to 150 degrees
     constexpr double max = 3;       // a border that has to be tied more tightly is tied as the mesh has it
     const std::size_t count = fan.borders.size();
-    const auto edge = [&](std::size_t k) { return along(mesh, fan.borders[(sector.begin + k) % count]); };
+    const auto edge = [&](std::size_t k) {
+        return mesh.calc_edge_vector(fan.borders[(sector.begin + k) % count]);
+    };
     std::vector<double> angles;
     for (std::size_t k = 0; k < sector.size; ++k) {
         if (fan.faces[(sector.begin + k) % count] != 1) return std::nullopt;
@@ -132,12 +126,12 @@ VertexFan vertexFan(const QuadMesh& mesh, const BorderMarks& marks, VertexId ver
     if (mesh.is_boundary(vertex)) {
         fan.isClosed = false;
         while (!mesh.is_boundary(mesh.opposite_halfedge_handle(first)))
-            first = mesh.next_halfedge_handle(mesh.opposite_halfedge_handle(first));
+            first = mesh.cw_rotated_halfedge_handle(first);
     } else {
         HalfedgeId start = first;
         do {
             if (marks.isBorder[edge(start)]) break;
-            start = nextAround(mesh, start);
+            start = mesh.ccw_rotated_halfedge_handle(start);
         } while (start != first);
         first = start;
     }
@@ -150,7 +144,7 @@ VertexFan vertexFan(const QuadMesh& mesh, const BorderMarks& marks, VertexId ver
         }
         if (mesh.is_boundary(halfedge)) break;
         if (!fan.faces.empty()) ++fan.faces.back();
-        halfedge = nextAround(mesh, halfedge);
+        halfedge = mesh.ccw_rotated_halfedge_handle(halfedge);
     } while (halfedge != first);
     return fan;
 }

@@ -1,10 +1,7 @@
 #include "bspline/network/vertex_rules.h"
 
 #include "base/at.h"
-#include "bspline/network/borders.h"
-#include "mesh/topology.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -24,66 +21,24 @@ double straightness(const QuadMesh& mesh, const Pair& pair) {
 
 /// True if one quad fills the angle counter-clockwise from one halfedge to the other.
 bool quadAloneBetween(const QuadMesh& mesh, HalfedgeId from, HalfedgeId to) {
-    return !mesh.is_boundary(from) && mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(from)) == to;
+    return !mesh.is_boundary(from) && mesh.ccw_rotated_halfedge_handle(from) == to;
 }
 
-class Rules {
-public:
-    Rules(const QuadMesh& mesh, const std::vector<bool>& sharp)
-        : mesh_(mesh), sharp_(sharp), rules_(mesh.n_vertices()) {}
-
-    std::vector<VertexRule> find(const Layout& layout) {
-        for (const VertexId vertex : mesh_.vertices())
-            rules_[at(vertex)] = byCreases(vertex);
-        std::vector<bool> passed(mesh_.n_vertices());
-        for (const Segment& segment : layout.segments)
-            for (int side = 0; side < 4; ++side)
-                passAlong(segment, side, passed);
-        return std::move(rules_);
-    }
-
-private:
-    bool isSharp(HalfedgeId halfedge) const { return sharp_[at(mesh_.edge_handle(halfedge))]; }
-
-    /// The rule without the layout.
-    VertexRule byCreases(VertexId vertex) const {
-        if (mesh_.is_isolated(vertex)) return {VertexRule::Kind::corner};
-        Pair found;
-        std::size_t count = 0;
-        for (const HalfedgeId halfedge : mesh_.voh_range(vertex))
-            if (isSharp(halfedge)) {
-                if (count < 2) found[count] = halfedge;
-                ++count;
-            }
-        if (count == 0) return {};
-        if (count == 1) return {VertexRule::Kind::dart, {found[0], found[0]}};
-        return count == 2 && isCurve(mesh_, found) ? VertexRule{VertexRule::Kind::crease, found}
-                                                   : VertexRule{VertexRule::Kind::corner};
-    }
-
-    /// Lets the curve follow a side through the vertices inside it.
-    void passAlong(const Segment& segment, int side, std::vector<bool>& passed) {
-        const std::vector<VertexId>& vertices = segment.sides[at(side)];
-        HalfedgeId arriving = mesh_.halfedge_handle(segment.faces[faceBeside(segment, side, 0)]);
-        while (mesh_.from_vertex_handle(arriving) != vertices.front())
-            arriving = mesh_.next_halfedge_handle(arriving);
-        for (std::size_t k = 1; k + 1 < vertices.size(); ++k) {
-            const HalfedgeId leaving = straightOn(mesh_, arriving);
-            const Pair pair{mesh_.opposite_halfedge_handle(arriving), leaving};
-            arriving = leaving;
-            if (!isSharp(pair[0]) || !isSharp(pair[1])) continue;
-            VertexRule& rule = rules_[at(vertices[k])];
-            auto before = passed[at(vertices[k])];
-            if (before && straightness(mesh_, pair) <= straightness(mesh_, rule.along)) continue;
-            rule = {VertexRule::Kind::crease, pair};
-            before = true;
+/// Of a vertex, without the layout.
+VertexRule ruleByCreases(const QuadMesh& mesh, const std::vector<bool>& sharp, VertexId vertex) {
+    if (mesh.is_isolated(vertex)) return {VertexRule::Kind::corner};
+    Pair found;
+    std::size_t count = 0;
+    for (const HalfedgeId halfedge : mesh.voh_range(vertex))
+        if (sharp[at(mesh.edge_handle(halfedge))]) {
+            if (count < 2) found[count] = halfedge;
+            ++count;
         }
-    }
-
-    const QuadMesh& mesh_;
-    const std::vector<bool>& sharp_;
-    std::vector<VertexRule> rules_;
-};
+    if (count == 0) return {};
+    if (count == 1) return {VertexRule::Kind::dart, {found[0], found[0]}};
+    return count == 2 && isCurve(mesh, found) ? VertexRule{VertexRule::Kind::crease, found}
+                                              : VertexRule{VertexRule::Kind::corner};
+}
 
 } // namespace
 
@@ -102,7 +57,23 @@ std::vector<bool> creasesAndBoundary(const QuadMesh& mesh, const std::vector<boo
 
 std::vector<VertexRule> vertexRules(const QuadMesh& mesh, const Layout& layout,
                                     const std::vector<bool>& sharp) {
-    return Rules(mesh, sharp).find(layout);
+    std::vector<VertexRule> rules(mesh.n_vertices());
+    for (const VertexId vertex : mesh.vertices())
+        rules[at(vertex)] = ruleByCreases(mesh, sharp, vertex);
+    std::vector<bool> isPassed(mesh.n_vertices());
+    for (const Segment& segment : layout.segments)
+        for (const std::vector<VertexId>& side : segment.sides)
+            for (std::size_t k = 1; k + 1 < side.size(); ++k) {
+                const Pair pair{mesh.find_halfedge(side[k], side[k - 1]),
+                                mesh.find_halfedge(side[k], side[k + 1])};
+                if (!sharp[at(mesh.edge_handle(pair[0]))] || !sharp[at(mesh.edge_handle(pair[1]))]) continue;
+                VertexRule& rule = rules[at(side[k])];
+                if (isPassed[at(side[k])] && straightness(mesh, pair) <= straightness(mesh, rule.along))
+                    continue;
+                rule = {VertexRule::Kind::crease, pair};
+                isPassed[at(side[k])] = true;
+            }
+    return rules;
 }
 
 } // namespace qm

@@ -2,15 +2,22 @@
 
 #include "base/at.h"
 #include "bspline/reference/vertex_stencil.h"
-#include "bspline/splines/bounding_box.h"
 #include "bspline/splines/eigen_point.h"
+#include "mesh/bounding_box.h"
 #include "mesh/topology.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace qm {
 namespace {
+
+/// The second may be no number, and then counts as infinite.
+double larger(double a, double b) {
+    return std::isnan(b) ? std::numeric_limits<double>::infinity() : std::max(a, b);
+}
 
 /// The limit at every vertex, as rows of a sparse matrix, in the unknown displacements of the control points
 /// from the mesh's vertices: they stay small, wherever the mesh lies.
@@ -51,8 +58,7 @@ public:
             std::ranges::fill(residual, 0);
             for (const std::size_t row : active) {
                 double& largest = residual[at(component_.ofVertex[row])];
-                const double squared = relax(row);
-                if (!(squared <= largest)) largest = squared; // not a number counts as large
+                largest = larger(largest, relax(row));
             }
             bool some = false;
             for (std::size_t k = 0; k < solved.size(); ++k)
@@ -90,7 +96,7 @@ private:
         for (std::size_t row = 0; row < own_.size(); ++row) {
             const std::size_t k = at(component_.ofVertex[row]);
             missing[k] = std::max(missing[k], missing_[row].squaredNorm());
-            moved[k] = std::max(moved[k], unknown_[row].squaredNorm());
+            moved[k] = larger(moved[k], unknown_[row].squaredNorm());
         }
         for (std::size_t k = 0; k < solved.size(); ++k)
             if (!(moved[k] <= far * far * missing[k])) solved[k] = false;
@@ -110,7 +116,7 @@ private:
 ControlMesh interpolatingControlMesh(const QuadMesh& mesh, const std::vector<VertexRule>& rules) {
     Displacements displacements(mesh, rules);
     ControlMesh control;
-    control.interpolates = displacements.solve(1e-12 * boundingBoxDiagonal(mesh));
+    control.interpolates = displacements.solve(1e-12 * boundingBox(mesh).diagonal());
     control.points.reserve(mesh.n_vertices());
     for (const VertexId vertex : mesh.vertices()) {
         const std::size_t k = at(vertex.idx());

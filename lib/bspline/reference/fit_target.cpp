@@ -4,7 +4,7 @@
 #include "bspline/reference/limit_surface.h"
 #include "bspline/reference/scan_reference.h"
 
-#include <utility>
+#include <string>
 
 namespace qm {
 
@@ -14,14 +14,14 @@ FitTarget fitTarget(const QuadMesh& mesh, const Layout& layout, const SmoothNetw
     FitTarget target;
     target.grids = limitSurface(mesh, layout, network.marks.isCrease, steps, jobs);
     if (scan == nullptr) return target;
-    ScanReference found = scanReference(mesh, layout, target.grids, *scan, {}, jobs);
+    FitTarget found = scanReference(mesh, layout, target.grids, *scan, jobs);
     constexpr double minCoverage = 0.1; // with less it is another part, or lies elsewhere
     if (found.coverage < minCoverage)
         throw Error("reference",
                     "only " + std::to_string(static_cast<int>(100 * found.coverage)) +
                         " per cent of the mesh are near the scan",
                     "Give a scan of the same part, in the same place and unit");
-    return {std::move(found.grids), std::move(found.weights), found.coverage, found.noise, found.maxDistance};
+    return found;
 }
 
 } // namespace qm

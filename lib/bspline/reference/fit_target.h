@@ -12,15 +12,17 @@
 
 namespace qm {
 
-/// Meshes of this many faces or more are sampled less finely, as their edges are short.
+/// Meshes of more faces than this are sampled less finely, as their edges are short.
 constexpr std::size_t veryManyFaces = 300'000;
 
 struct FitTarget {
-    std::vector<ReferenceGrid> grids;         ///< by segment
-    std::vector<std::vector<double>> weights; ///< by grid: weights of its points; empty if all are 1
-    double coverage = 1;                      ///< share of the points that the scan covers
-    double noise = 0;                         ///< standard deviation of the scan
-    double maxDistance = 0;                   ///< farther parts of the scan are ignored
+    std::vector<ReferenceGrid> grids{}; ///< by segment
+    /// By grid and point: at most 1, less where the scan has nothing and the point is guessed; empty if all
+    /// are 1.
+    std::vector<std::vector<double>> weights{};
+    double coverage = 1;    ///< share of the points for which the scan has one
+    double noise = 0;       ///< standard deviation of the scan from a smooth surface, estimated
+    double maxDistance = 0; ///< farther parts of the scan are ignored
 };
 
 /// The smooth surface through the mesh's vertices, or, with a scan, the scan as seen from that surface,

@@ -10,9 +10,9 @@ namespace qm {
 /// Away from the mesh's own vertices all is tensor product: cubic splines are subdivided, or evaluated at
 /// their knots, one direction after the other.
 struct MeshLattice::Step {
-    bool subdivides = true;
-    double neighbour = 1.0 / 8; ///< weight of each of two neighbours
-    void (*vertexStencil)(const QuadMesh&, VertexId, const VertexRule&, VertexStencil&) = subdivisionStencil;
+    bool subdivides;
+    double neighbour; ///< weight of each of two neighbours
+    void (*vertexStencil)(const QuadMesh&, VertexId, const VertexRule&, VertexStencil&);
 
     [[nodiscard]] Eigen::Vector3d smooth(const Eigen::Vector3d& before, const Eigen::Vector3d& at,
                                          const Eigen::Vector3d& after) const {

@@ -41,6 +41,7 @@ public:
     /// Of unit length, or zero if the surface has none.
     [[nodiscard]] Eigen::Vector3d normal(std::size_t corner) const;
 
+    /// The first and second derivatives.
     struct SecondOrder {
         Eigen::Vector3d u, v, uu, uv, vv;
     };

@@ -1,7 +1,5 @@
 #include "bspline/reference/reference_grid.h"
 
-#include "base/at.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -12,23 +10,22 @@ namespace {
 /// A quad of one direction, and what its lattice points count at a parameter.
 struct Weights {
     std::size_t first = 0; ///< of its lattice points
-    std::size_t count = 0;
     std::array<Jet, maxSteps + 1> jets{};
 };
 
 Weights weightsAt(int quads, int steps, double parameter) {
     const double quad = std::clamp(std::floor(parameter), 0.0, quads - 1.0);
-    return {static_cast<std::size_t>(quad) * at(steps), at(steps) + 1, lagrange(steps, parameter - quad)};
+    return {static_cast<std::size_t>(quad) * at(steps), lagrange(steps, parameter - quad)};
 }
 
 SurfacePoint combine(const ReferenceGrid& grid, const Weights& columns, const Weights& rows) {
-    const std::size_t width = at(grid.size[0]) * at(grid.steps) + 1;
+    const std::size_t count = at(grid.steps) + 1;
     SurfacePoint result;
-    for (std::size_t j = 0; j < rows.count; ++j) {
+    for (std::size_t j = 0; j < count; ++j) {
         Point position{0, 0, 0};
         Point du{0, 0, 0};
-        const Point* point = grid.points.data() + (rows.first + j) * width + columns.first;
-        for (std::size_t i = 0; i < columns.count; ++i, ++point) {
+        const Point* point = grid.points.data() + (rows.first + j) * grid.columns() + columns.first;
+        for (std::size_t i = 0; i < count; ++i, ++point) {
             position += columns.jets[i][0] * *point;
             du += columns.jets[i][1] * *point;
         }

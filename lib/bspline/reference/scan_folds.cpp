@@ -33,7 +33,7 @@ bool turnsOver(const ReferenceGrid& before, const ReferenceGrid& after, const Ce
 } // namespace
 
 void dropFolded(const LatticeNormals& lattice, const std::vector<ReferenceGrid>& surface,
-                ScanReference& reference) {
+                FitTarget& reference) {
     std::vector<bool> isDropped(lattice.points.size());
     for (int pass = 0; pass < maxPasses; ++pass) {
         bool hasDropped = false;

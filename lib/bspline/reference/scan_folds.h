@@ -11,6 +11,6 @@ namespace qm {
 /// return to the surface and get a weight of 0.
 /// \param surface  the surface that `lattice` and `reference` were made from
 void dropFolded(const LatticeNormals& lattice, const std::vector<ReferenceGrid>& surface,
-                ScanReference& reference);
+                FitTarget& reference);
 
 } // namespace qm

@@ -17,7 +17,7 @@ constexpr double weightInGaps = 0.25; ///< of what is only guessed
 class Filling {
 public:
     Filling(const LatticeNormals& lattice, const std::vector<ReferenceGrid>& surface, Gaps gaps,
-            ScanReference& reference)
+            FitTarget& reference)
         : lattice_(lattice), surface_(surface), gaps_(gaps), reference_(reference),
           unknowns_(lattice.points.size(), none) {
         forEachPoint([&](std::size_t g, std::size_t k) {
@@ -55,7 +55,7 @@ private:
     /// Pairs of neighbours on the lattice lines; those on common borders come twice, once from either side.
     template <class Function> void forEachPair(const Function& f) const {
         for (std::size_t g = 0; g < lattice_.numbers.size(); ++g) {
-            const auto columns = at(surface_[g].size[0]) * at(surface_[g].steps) + 1;
+            const std::size_t columns = surface_[g].columns();
             for (std::size_t k = 0; k < lattice_.numbers[g].size(); ++k) {
                 if (k % columns + 1 < columns) f(g, k, k + 1);
                 if (k + columns < lattice_.numbers[g].size()) f(g, k, k + columns);
@@ -97,7 +97,7 @@ private:
     const LatticeNormals& lattice_;
     const std::vector<ReferenceGrid>& surface_;
     Gaps gaps_;
-    ScanReference& reference_;
+    FitTarget& reference_;
     std::vector<std::size_t> unknowns_; ///< by lattice point
     std::size_t count_ = 0;
 };
@@ -105,7 +105,7 @@ private:
 } // namespace
 
 void fillGaps(const LatticeNormals& lattice, const std::vector<ReferenceGrid>& surface, Gaps gaps,
-              ScanReference& reference) {
+              FitTarget& reference) {
     Filling(lattice, surface, gaps, reference).fill();
 }
 

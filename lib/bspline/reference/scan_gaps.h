@@ -14,6 +14,6 @@ enum class Gaps { butForSharpOnes, all };
 /// \param surface  the surface that `lattice` and `reference` were made from
 /// \param gaps     whether sharp points are filled in as well; otherwise they are not used
 void fillGaps(const LatticeNormals& lattice, const std::vector<ReferenceGrid>& surface, Gaps gaps,
-              ScanReference& reference);
+              FitTarget& reference);
 
 } // namespace qm

@@ -64,9 +64,8 @@ std::vector<double> usualResiduals(const ScanTargets& targets, const std::vector
 } // namespace
 
 void weighOutliers(ScanTargets& targets, double step) {
-    std::vector<double> sizes;
-    for (const double residual : residualsOfAll(targets, 1))
-        if (std::isfinite(residual)) sizes.push_back(residual);
+    std::vector<double> sizes = residualsOfAll(targets, 1);
+    std::erase_if(sizes, [](double residual) { return !std::isfinite(residual); });
     targets.noise = deviations * median(sizes);
     const std::vector<double> residuals = residualsOfAll(targets, 2); // spikes are wider than a point
     const std::vector<double> usual = usualResiduals(targets, residuals);

@@ -10,7 +10,10 @@ namespace {
 
 using Nearest = TriangleSurface::Nearest;
 
-/// What this share of the points is not farther from the scan than. The scan's holes do not count.
+/// Of the angle between the normals of surface and scan: 60 degrees.
+constexpr double minCosine = 0.5;
+
+/// The distance below which this share of the points is from the scan. The scan's holes do not count.
 double commonDistance(const std::vector<std::optional<Nearest>>& nearest, double share) {
     std::vector<double> distances;
     for (const std::optional<Nearest>& place : nearest)
@@ -44,16 +47,15 @@ double orientation(const LatticeNormals& lattice, const std::vector<std::optiona
 /// How one point finds its place on the scan.
 class Projector {
 public:
-    Projector(const TriangleSurface& scan, double maxDistance, double minCosine, double orientation)
-        : scan_(scan), maxDistance_(maxDistance), minCosine_(minCosine), orientation_(orientation) {}
+    Projector(const TriangleSurface& scan, double maxDistance, double orientation)
+        : scan_(scan), maxDistance_(maxDistance), orientation_(orientation) {}
 
     [[nodiscard]] Displacement project(const Eigen::Vector3d& place, const Eigen::Vector3d& normal,
                                        const std::optional<Nearest>& nearest) const {
         if (!nearest || nearest->distance > maxDistance_) return std::nullopt;
         const bool fits = agrees(*nearest, normal);
         // A line that meets the same piece of the scan does so at most this far away.
-        const double reach =
-            fits && minCosine_ > 0 ? std::min(nearest->distance / minCosine_, maxDistance_) : maxDistance_;
+        const double reach = fits ? std::min(nearest->distance / minCosine, maxDistance_) : maxDistance_;
         std::optional<Nearest> hit = onLine(place, normal, reach);
         if (!hit && fits) hit = nearest;
         if (!hit || hit->onBoundary) return std::nullopt;
@@ -63,13 +65,13 @@ public:
 private:
     [[nodiscard]] bool agrees(const Nearest& place, const Eigen::Vector3d& normal) const {
         const double cosine = cosineOf(place.normal, normal);
-        return (orientation_ == 0 ? std::abs(cosine) : orientation_ * cosine) >= minCosine_;
+        return (orientation_ == 0 ? std::abs(cosine) : orientation_ * cosine) >= minCosine;
     }
 
     [[nodiscard]] std::optional<Nearest> onLine(const Eigen::Vector3d& place, const Eigen::Vector3d& normal,
                                                 double reach) const {
         const auto towards = [&](double sign) {
-            return scan_.alongLine(point(place), point(sign * normal), reach, minCosine_);
+            return scan_.alongLine(point(place), point(sign * normal), reach, minCosine);
         };
         if (orientation_ != 0) return towards(orientation_);
         const std::optional<Nearest> along = towards(1), against = towards(-1);
@@ -79,14 +81,13 @@ private:
 
     const TriangleSurface& scan_;
     double maxDistance_;
-    double minCosine_;
     double orientation_;
 };
 
 } // namespace
 
 ScanProjection projectOntoScan(const LatticeNormals& lattice, const TriangleSurface& scan,
-                               const ScanReach& reach, double minCosine, unsigned jobs) {
+                               const ScanReach& reach, unsigned jobs) {
     const std::size_t count = lattice.points.size();
     std::vector<std::optional<Nearest>> nearest(count);
     parallelForMany(count, jobs, [&](std::size_t k) {
@@ -94,7 +95,7 @@ ScanProjection projectOntoScan(const LatticeNormals& lattice, const TriangleSurf
     });
     ScanProjection result;
     result.maxDistance = std::clamp(4 * commonDistance(nearest, 0.9), reach.min, reach.max);
-    const Projector projector(scan, result.maxDistance, minCosine, orientation(lattice, nearest));
+    const Projector projector(scan, result.maxDistance, orientation(lattice, nearest));
     result.displacements.resize(count);
     parallelForMany(count, jobs, [&](std::size_t k) {
         if (const auto& normal = lattice.normals[k])

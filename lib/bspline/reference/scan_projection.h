@@ -22,8 +22,8 @@ struct ScanReach {
     double max = 0;
 };
 
-/// \param minCosine  smallest cosine of the angle between the normals of surface and scan
+/// Parts of the scan whose normals differ by more than 60 degrees from the surface's do not count.
 [[nodiscard]] ScanProjection projectOntoScan(const LatticeNormals& lattice, const TriangleSurface& scan,
-                                             const ScanReach& reach, double minCosine, unsigned jobs);
+                                             const ScanReach& reach, unsigned jobs);
 
 } // namespace qm

@@ -10,30 +10,27 @@
 #include "bspline/reference/scan_targets.h"
 #include "mesh/quad_geometry.h"
 
-#include <cmath>
 #include <utility>
 
 namespace qm {
 
-ScanReference scanReference(const QuadMesh& mesh, const Layout& layout,
-                            const std::vector<ReferenceGrid>& surface, const TriangleSurface& scan,
-                            const ScanOptions& options, unsigned jobs) {
-    if (surface.empty()) return {};
+FitTarget scanReference(const QuadMesh& mesh, const Layout& layout, const std::vector<ReferenceGrid>& surface,
+                        const TriangleSurface& scan, unsigned jobs, double maxDistance) {
+    if (surface.empty()) return {.coverage = 0};
     const LatticeNormals lattice = latticeNormals(mesh, layout, surface, jobs);
     const double edge = meanEdgeLength(mesh);
     const double step = edge / surface.front().steps;
-    const ScanReach reach = options.maxDistance > 0 ? ScanReach{options.maxDistance, options.maxDistance}
-                                                    : ScanReach{step, 2 * edge};
-    ScanProjection projection = projectOntoScan(lattice, scan, reach, std::cos(options.maxAngle), jobs);
+    const ScanReach reach = maxDistance > 0 ? ScanReach{maxDistance, maxDistance} : ScanReach{step, 2 * edge};
+    ScanProjection projection = projectOntoScan(lattice, scan, reach, jobs);
     ScanTargets targets(lattice, surface, std::move(projection.displacements));
     const double negligible = step / 40; // as a difference between neighbours: no sign of an outlier
     weighOutliers(targets, negligible);
     const double coverage = targets.coverage();
-    ScanReference result = targets.result();
+    FitTarget result = targets.result();
     fillGaps(lattice, surface, Gaps::butForSharpOnes, result);
     smoothInside(result, jobs);
     targets.update(result);
-    carryOnToSharpEdges(targets, scan, projection.maxDistance, step / 4);
+    extrapolateToSharpEdges(targets, scan, projection.maxDistance, step / 4);
     dropSharpOutliers(targets, negligible);
     result = targets.result();
     result.coverage = coverage;

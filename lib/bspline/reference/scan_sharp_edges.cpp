@@ -7,14 +7,13 @@
 namespace qm {
 namespace {
 
-/// What the offsets inside a grid are where it ends: the value there of the straight line through the
-/// next few.
-std::optional<double> carriedOn(const ScanTargets& targets, std::size_t g, int i, int j) {
-    constexpr int maxSteps = 4;
+/// The offset at the end of a grid, from the straight line through the next few inside it.
+std::optional<double> extrapolated(const ScanTargets& targets, std::size_t g, int i, int j) {
+    constexpr int pointsPerSide = 4;
     const int right = i == 0 ? 1 : i == targets.columns(g) ? -1 : 0;
     const int down = j == 0 ? 1 : j == targets.rows(g) ? -1 : 0;
     double count = 0, places = 0, squares = 0, values = 0, moments = 0;
-    for (int k = 1; k <= maxSteps; ++k) {
+    for (int k = 1; k <= pointsPerSide; ++k) {
         const auto value = targets.offset(g, i + k * right, j + k * down);
         if (!value) continue;
         count += 1, places += k, squares += k * k, values += *value, moments += k * *value;
@@ -39,8 +38,8 @@ Eigen::Vector3d shortestSolution(const Eigen::Matrix3d& matrix, const Eigen::Vec
 
 } // namespace
 
-void carryOnToSharpEdges(ScanTargets& targets, const TriangleSurface& scan, double maxDistance,
-                         double maxRounding) {
+void extrapolateToSharpEdges(ScanTargets& targets, const TriangleSurface& scan, double maxDistance,
+                             double maxRounding) {
     struct Planes {
         Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
         Eigen::Vector3d right = Eigen::Vector3d::Zero();
@@ -54,7 +53,7 @@ void carryOnToSharpEdges(ScanTargets& targets, const TriangleSurface& scan, doub
     targets.forEachPoint([&](std::size_t g, int i, int j, std::size_t number) {
         if (!targets.lattice.sharp[number]) return;
         Planes& planes = all[place[number]];
-        const auto offset = carriedOn(targets, g, i, j);
+        const auto offset = extrapolated(targets, g, i, j);
         planes.complete = planes.complete && offset.has_value();
         if (const auto& normal = targets.lattice.oneSided[g][targets.index(g, i, j)]) {
             planes.matrix += *normal * normal->transpose();

@@ -10,7 +10,7 @@ namespace qm {
 /// better.
 /// \param maxDistance  largest distance at which that point is looked for
 /// \param maxRounding  largest distance of a scan's edge from the sharp one
-void carryOnToSharpEdges(ScanTargets& targets, const TriangleSurface& scan, double maxDistance,
-                         double maxRounding);
+void extrapolateToSharpEdges(ScanTargets& targets, const TriangleSurface& scan, double maxDistance,
+                             double maxRounding);
 
 } // namespace qm

@@ -20,8 +20,8 @@ struct LinePoint {
     double weight = 0;
 };
 
-/// The value of the weighted cubic through points `begin` to before `end` at point k, and by how much it
-/// passes on the points' noise (the root of the sum of its squared factors).
+/// The value at point k of the weighted least-squares cubic for points `begin` to before `end`, and its noise
+/// in units of theirs: the root of the sum of its squared weights.
 struct Smoothed {
     Point position;
     double noise = 1;
@@ -114,8 +114,7 @@ std::vector<Point> smoothLine(const std::vector<LinePoint>& line, int steps, dou
 class Smoothing {
 public:
     Smoothing(ReferenceGrid& grid, const std::vector<double>& weights, double noise)
-        : grid_(grid), weights_(weights),
-          noise_(noise), count_{at(grid.size[0] * grid.steps + 1), at(grid.size[1] * grid.steps + 1)} {}
+        : grid_(grid), weights_(weights), noise_(noise), count_{grid.columns(), grid.rows()} {}
 
     void inside() {
         for (const std::size_t direction : {1U, 0U})
@@ -153,7 +152,7 @@ private:
     std::array<std::size_t, 2> count_;
 };
 
-void smoothLines(ScanReference& reference, void (Smoothing::*which)(), unsigned jobs) {
+void smoothLines(FitTarget& reference, void (Smoothing::*which)(), unsigned jobs) {
     if (!(reference.noise > 0)) return;
     parallelFor(reference.grids.size(), jobs, [&](std::size_t k) {
         Smoothing smoothing(reference.grids[k], reference.weights[k], reference.noise);
@@ -163,11 +162,11 @@ void smoothLines(ScanReference& reference, void (Smoothing::*which)(), unsigned 
 
 } // namespace
 
-void smoothInside(ScanReference& reference, unsigned jobs) {
+void smoothInside(FitTarget& reference, unsigned jobs) {
     smoothLines(reference, &Smoothing::inside, jobs);
 }
 
-void smoothBorders(ScanReference& reference, unsigned jobs) {
+void smoothBorders(FitTarget& reference, unsigned jobs) {
     smoothLines(reference, &Smoothing::borders, jobs);
 }
 

@@ -11,9 +11,9 @@ namespace qm {
 /// noise (Lepski's rule, docs/METHOD.md#lepski-1991), so that details above the noise are kept. Border lines
 /// stay. Does nothing without noise.
 /// \param reference  its `noise` is the expected standard deviation
-void smoothInside(ScanReference& reference, unsigned jobs);
+void smoothInside(FitTarget& reference, unsigned jobs);
 
 /// The same for border lines, only along them, so that neighbours still agree there and creases stay sharp.
-void smoothBorders(ScanReference& reference, unsigned jobs);
+void smoothBorders(FitTarget& reference, unsigned jobs);
 
 } // namespace qm

@@ -30,8 +30,8 @@ double ScanTargets::coverage() const {
     return all > 0 ? covered / all : 0;
 }
 
-ScanReference ScanTargets::result() const {
-    ScanReference result{surface, {}};
+FitTarget ScanTargets::result() const {
+    FitTarget result{surface, {}};
     for (const ReferenceGrid& grid : surface)
         result.weights.emplace_back(grid.points.size());
     forEachPoint([&](std::size_t g, int i, int j, std::size_t number) {
@@ -43,7 +43,7 @@ ScanReference ScanTargets::result() const {
     return result;
 }
 
-void ScanTargets::update(const ScanReference& result) {
+void ScanTargets::update(const FitTarget& result) {
     forEachPoint([&](std::size_t g, int i, int j, std::size_t number) {
         const std::size_t at = index(g, i, j);
         displacements[number] = vector(result.grids[g].points[at]) - lattice.points[number];

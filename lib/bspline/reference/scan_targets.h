@@ -44,9 +44,9 @@ struct ScanTargets {
     /// The share of the smooth points for which the scan shows a point.
     [[nodiscard]] double coverage() const;
     /// Grids, weights and noise.
-    [[nodiscard]] ScanReference result() const;
+    [[nodiscard]] FitTarget result() const;
     /// Takes over the changes that were made to the result.
-    void update(const ScanReference& result);
+    void update(const FitTarget& result);
 };
 
 } // namespace qm

@@ -42,23 +42,23 @@ std::vector<bool> soundFaces(const QuadMesh& mesh) {
     constexpr double flat = 0.94;       // cosine of 20 degrees
     constexpr double turnedOver = -0.5; // cosine between faces that share an edge
     std::vector<bool> isSound(mesh.n_faces());
-    std::vector<bool> isFolded(mesh.n_faces());
+    std::vector<bool> isTurnedOver(mesh.n_faces());
     for (const FaceId face : mesh.faces()) {
         const double cosine = quadOf(mesh, face).minCosine();
         isSound[at(face)] = cosine > flat;
-        if (!(cosine > 0)) isFolded[at(face)] = true;
+        if (!(cosine > 0)) isTurnedOver[at(face)] = true;
     }
     for (const EdgeId edge : mesh.edges()) {
         if (mesh.is_boundary(edge)) continue;
         const FaceId one = mesh.face_handle(mesh.halfedge_handle(edge, 0));
         const FaceId other = mesh.face_handle(mesh.halfedge_handle(edge, 1));
         if ((quadOf(mesh, one).normal() | quadOf(mesh, other).normal()) < turnedOver)
-            isFolded[at(one)] = isFolded[at(other)] = true;
+            isTurnedOver[at(one)] = isTurnedOver[at(other)] = true;
     }
     for (const FaceId face : mesh.faces())
         for (const VertexId vertex : mesh.fv_range(face))
             for (const FaceId beside : mesh.vf_range(vertex))
-                if (isFolded[at(beside)]) isSound[at(face)] = false;
+                if (isTurnedOver[at(beside)]) isSound[at(face)] = false;
     return isSound;
 }
 

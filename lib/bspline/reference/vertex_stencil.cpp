@@ -46,7 +46,7 @@ void dartLimit(const QuadMesh& mesh, HalfedgeId crease, VertexStencil& stencil) 
     HalfedgeId halfedge = crease;
     do {
         ring.push_back(halfedge);
-        halfedge = mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(halfedge));
+        halfedge = mesh.ccw_rotated_halfedge_handle(halfedge);
     } while (halfedge != crease);
 
     const std::size_t count = ring.size();

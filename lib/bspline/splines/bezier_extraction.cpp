@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace qm {
@@ -58,7 +59,7 @@ std::vector<double> bezierBlossom(int degree, double from, double to, int times)
 }
 
 /// The same polynomial's Bezier points of one degree more.
-Weights raised(const Weights& rows) {
+Weights elevated(const Weights& rows) {
     const std::size_t degree = rows.size();
     Weights result(degree + 1, std::vector<double>(rows[0].size(), 0.0));
     for (std::size_t i = 0; i <= degree; ++i) {
@@ -71,7 +72,7 @@ Weights raised(const Weights& rows) {
 
 void append(Weights rows, BezierExtraction& extraction) {
     while (static_cast<int>(rows.size()) <= extraction.degree)
-        rows = raised(rows);
+        rows = elevated(rows);
     for (const auto& row : rows)
         extraction.weights.insert(extraction.weights.end(), row.begin(), row.end());
 }
@@ -125,6 +126,12 @@ std::vector<double> differentKnots(std::span<const double> knots, int degree) {
     return different;
 }
 
+std::vector<double> gridLines(int edges) {
+    std::vector<double> lines(at(edges) + 1);
+    std::iota(lines.begin(), lines.end(), 0);
+    return lines;
+}
+
 std::vector<double> mergedBreaks(std::span<const double> a, std::span<const double> b) {
     std::vector<double> all(a.begin(), a.end());
     all.insert(all.end(), b.begin(), b.end());
@@ -136,8 +143,8 @@ std::vector<double> mergedBreaks(std::span<const double> a, std::span<const doub
 }
 
 BezierExtraction splineExtraction(std::span<const double> knots, int degree, std::vector<double> breaks,
-                                  int raisedTo) {
-    BezierExtraction extraction{degree + 1, raisedTo, std::move(breaks), {}, {}};
+                                  int elevatedTo) {
+    BezierExtraction extraction{degree + 1, elevatedTo, std::move(breaks), {}, {}};
     for (std::size_t k = 0; k + 1 < extraction.breaks.size(); ++k) {
         const double from = extraction.breaks[k];
         const double to = extraction.breaks[k + 1];
@@ -151,8 +158,8 @@ BezierExtraction splineExtraction(std::span<const double> knots, int degree, std
     return extraction;
 }
 
-BezierExtraction latticeExtraction(int steps, std::vector<double> breaks, int raisedTo) {
-    BezierExtraction extraction{steps + 1, raisedTo, std::move(breaks), {}, {}};
+BezierExtraction latticeExtraction(int steps, std::vector<double> breaks, int elevatedTo) {
+    BezierExtraction extraction{steps + 1, elevatedTo, std::move(breaks), {}, {}};
     const Weights ofWhole = bezierThroughSteps(steps);
     for (std::size_t k = 0; k + 1 < extraction.breaks.size(); ++k) {
         const double begin = std::floor(0.5 * (extraction.breaks[k] + extraction.breaks[k + 1]));

@@ -26,18 +26,21 @@ struct BezierExtraction {
 /// The different knots of a domain, its ends among them.
 [[nodiscard]] std::vector<double> differentKnots(std::span<const double> knots, int degree);
 
+/// 0, 1 ... edges: the parameters of a patch's grid lines.
+[[nodiscard]] std::vector<double> gridLines(int edges);
+
 /// Both lists as one, ascending; what is nearer than 1e-9 to its neighbour counts once.
 [[nodiscard]] std::vector<double> mergedBreaks(std::span<const double> a, std::span<const double> b);
 
 /// Of a spline.
 /// \param breaks  within its domain, all its different knots among them
-/// \param raisedTo  degree of the Bezier form, at least that of the spline
+/// \param elevatedTo  degree of the Bezier form, at least that of the spline
 [[nodiscard]] BezierExtraction splineExtraction(std::span<const double> knots, int degree,
-                                                std::vector<double> breaks, int raisedTo);
+                                                std::vector<double> breaks, int elevatedTo);
 
 /// Of the polynomials of degree `steps` through values at `steps` steps of every unit interval, which have
 /// the values at its ends in common.
 /// \param breaks  from 0 to a whole number, all whole numbers between among them
-[[nodiscard]] BezierExtraction latticeExtraction(int steps, std::vector<double> breaks, int raisedTo);
+[[nodiscard]] BezierExtraction latticeExtraction(int steps, std::vector<double> breaks, int elevatedTo);
 
 } // namespace qm

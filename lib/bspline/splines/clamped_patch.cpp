@@ -45,6 +45,18 @@ Patch clamped(const Patch& patch) {
     return result;
 }
 
+std::vector<SplineCurve> rowCurves(const Patch& clampedPatch) {
+    std::vector<SplineCurve> curves;
+    const auto columns = static_cast<std::ptrdiff_t>(clampedPatch.count[0]);
+    const auto& points = clampedPatch.controlPoints;
+    for (auto row = points.begin(); row != points.end(); row += columns)
+        if (clampedPatch.degree[0] == 3)
+            curves.push_back({clampedPatch.knots[0], {row, row + columns}});
+        else
+            curves.push_back(bezier({row, row + columns}, clampedPatch.knots[0].back()));
+    return curves;
+}
+
 SplineCurve borderCurve(const Patch& clampedPatch, int side) {
     const std::size_t columns = at(clampedPatch.count[0]);
     const std::size_t rows = at(clampedPatch.count[1]);

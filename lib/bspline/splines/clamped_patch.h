@@ -4,6 +4,8 @@
 #include "bspline/splines/spline_curve.h"
 #include "bspline/splines/surfaces.h"
 
+#include <vector>
+
 namespace qm {
 
 /// The same surface over clamped knots, so that the outermost control points are those of its border curves.
@@ -13,5 +15,8 @@ namespace qm {
 
 /// The border of a clamped patch along one of its sides, in the side's direction, as a cubic.
 [[nodiscard]] SplineCurve borderCurve(const Patch& clampedPatch, int side);
+
+/// The rows of control points of a clamped patch, each as a cubic along u.
+[[nodiscard]] std::vector<SplineCurve> rowCurves(const Patch& clampedPatch);
 
 } // namespace qm

@@ -62,6 +62,16 @@ void restrictRow(Eigen::Vector3d* points, std::size_t stride, int degree, double
                     (1 - begin) * points[at(i) * stride] + begin * points[at(i + 1) * stride];
 }
 
+BezierPieces piecesOf(const Patch& patch, const std::array<std::vector<double>, 2>& breaks,
+                      const std::array<int, 2>& degree) {
+    BezierPieces pieces;
+    for (std::size_t k = 0; k < 2; ++k)
+        pieces.along[k] = splineExtraction(patch.knots[k], patch.degree[k], breaks[k], degree[k]);
+    pieces.controls = patch.controlPoints;
+    pieces.width = at(patch.count[0]);
+    return pieces;
+}
+
 } // namespace
 
 void BezierPieces::get(std::size_t i, std::size_t j, BezierPiece& piece) const {
@@ -92,23 +102,14 @@ void BezierPieces::get(std::size_t i, std::size_t j, BezierPiece& piece) const {
 }
 
 BezierPieces bezierPieces(const Patch& patch) {
-    BezierPieces pieces;
-    for (std::size_t k = 0; k < 2; ++k)
-        pieces.along[k] = splineExtraction(patch.knots[k], patch.degree[k],
-                                           differentKnots(patch.knots[k], patch.degree[k]), patch.degree[k]);
-    pieces.controls = patch.controlPoints;
-    pieces.width = at(patch.count[0]);
-    return pieces;
+    const std::array<std::vector<double>, 2> breaks{differentKnots(patch.knots[0], patch.degree[0]),
+                                                    differentKnots(patch.knots[1], patch.degree[1])};
+    return piecesOf(patch, breaks, patch.degree);
 }
 
 BezierPieces bezierPieces(const Patch& patch, const std::array<std::vector<double>, 2>& breaks,
-                          int raisedTo) {
-    BezierPieces pieces;
-    for (std::size_t k = 0; k < 2; ++k)
-        pieces.along[k] = splineExtraction(patch.knots[k], patch.degree[k], breaks[k], raisedTo);
-    pieces.controls = patch.controlPoints;
-    pieces.width = at(patch.count[0]);
-    return pieces;
+                          int elevatedTo) {
+    return piecesOf(patch, breaks, {elevatedTo, elevatedTo});
 }
 
 void restrict(const BezierPiece& piece, const std::array<double, 2>& from, const std::array<double, 2>& to,

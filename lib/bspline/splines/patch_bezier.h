@@ -38,11 +38,11 @@ struct BezierPieces {
 
 /// The pieces between the knots of a patch, which must outlive them.
 [[nodiscard]] BezierPieces bezierPieces(const Patch& patch);
-/// The same cut at further parameters as well, and of a higher degree.
+/// The same cut at further parameters as well, and elevated to a higher degree.
 [[nodiscard]] BezierPieces bezierPieces(const Patch& patch, const std::array<std::vector<double>, 2>& breaks,
-                                        int raisedTo);
+                                        int elevatedTo);
 
-/// Where to look at a piece twice in a direction, so that sums integrate cubics exactly: Gauss's nodes.
+/// The two Gauss nodes of [0, 1]; with weights of 1/2 they integrate cubics exactly.
 constexpr std::array<double, 2> gaussNodes = {0.21132486540518712, 0.78867513459481288};
 
 /// The piece over a box within (0, 0) to (1, 1).

@@ -19,10 +19,7 @@ Point blossom(const SplineCurve& curve, std::size_t span, const std::array<doubl
             const double left = curve.knots[span - 3 + k + round];
             const double right = curve.knots[span + 1 + k];
             const double share = (arguments[round - 1] - left) / (right - left);
-            // An argument at one end gives that end's point to the last bit.
-            points[k] = share == 0   ? points[k]
-                        : share == 1 ? points[k + 1]
-                                     : (1 - share) * points[k] + share * points[k + 1];
+            points[k] = (1 - share) * points[k] + share * points[k + 1];
         }
     return points[0];
 }
@@ -70,7 +67,7 @@ SplineCurve reversed(const SplineCurve& curve) {
     return result;
 }
 
-std::vector<Point> lowered(const SplineCurve& curve, int degree) {
+std::vector<Point> degreeReduced(const SplineCurve& curve, int degree) {
     const auto& p = curve.points;
     if (degree == 1) return {p[0], p[3]};
     if (degree == 2) return {p[0], (3.0 * (p[1] + p[2]) - p[0] - p[3]) / 4.0, p[3]};

@@ -36,7 +36,7 @@ struct SplineCurve {
 
 /// The control points of a curve without inner knots when it is written as one of the given degree, 1 to 3
 /// and not below its own.
-[[nodiscard]] std::vector<Point> lowered(const SplineCurve& curve, int degree);
+[[nodiscard]] std::vector<Point> degreeReduced(const SplineCurve& curve, int degree);
 
 /// Curves end to end; each begins where the one before ends. A triple knot marks every joint.
 [[nodiscard]] SplineCurve joined(std::span<const SplineCurve> curves);
