@@ -15,11 +15,12 @@ public:
     explicit Maker(const ProblemInput& input) : input_(input), graph_(input.graph) {}
 
     Problem make() {
-        if (input_.lines.empty())
+        if (input_.lines)
+            for (const LineId line : *input_.lines)
+                addChain(line);
+        else
             for (std::size_t line = 0; line < graph_.lines.size(); ++line)
                 addChain(LineId(line));
-        for (const LineId line : input_.lines)
-            addChain(line);
         problem_.domains.push_back(ArcState::in);
         problem_.domains.push_back(ArcState::out);
         problem_.costs.insert(problem_.costs.end(), {0.0, 0.0});
