@@ -3,9 +3,24 @@
 #include "base/at.h"
 
 #include <map>
+#include <queue>
+#include <unordered_map>
 #include <unordered_set>
 
 namespace qm {
+namespace {
+
+/// A chain that may join a cluster.
+struct Candidate {
+    double closeness;
+    ChainId chain;
+
+    bool operator<(const Candidate& other) const {
+        return closeness != other.closeness ? closeness < other.closeness : chain > other.chain;
+    }
+};
+
+} // namespace
 
 ChainLinks::ChainLinks(const Problem& problem)
     : neighbours_(problem.chains.size()), crossings_(problem.chains.size()) {
@@ -34,21 +49,23 @@ ChainLinks::ChainLinks(const Problem& problem)
 std::vector<ChainId> ChainLinks::cluster(ChainId start, std::size_t variables,
                                          const IdVector<ChainId, double>& weights) const {
     std::vector<ChainId> members;
-    std::map<ChainId, int> waiting{{start, 1}};
     std::unordered_set<ChainId> taken;
+    std::unordered_map<ChainId, int> crossings; // with the cluster
+    std::priority_queue<Candidate> waiting;
+    const auto addCrossings = [&](ChainId chain, int count) {
+        const int sum = crossings[chain] += count;
+        waiting.push({sum * weights[chain] / lengths_[chain], chain});
+    };
+    addCrossings(start, 1);
     for (std::size_t size = 0; size < variables && !waiting.empty();) {
-        const auto closeness = [&](const auto& entry) {
-            return entry.second * weights[entry.first] / lengths_[entry.first];
-        };
-        const auto next = std::ranges::max_element(waiting, {}, closeness);
-        const ChainId chain = next->first;
-        waiting.erase(next);
-        taken.insert(chain);
+        const ChainId chain = waiting.top().chain;
+        waiting.pop();
+        if (!taken.insert(chain).second) continue; // from when it had fewer crossings with the cluster
         members.push_back(chain);
         size += at(lengths_[chain]);
         for (std::size_t k = 0; k < neighbours_[chain].size(); ++k)
             if (const ChainId neighbour = neighbours_[chain][k]; !taken.contains(neighbour))
-                waiting[neighbour] += crossings_[chain][k];
+                addCrossings(neighbour, crossings_[chain][k]);
     }
     return members;
 }
