@@ -7,7 +7,9 @@
 #include "mesh/topology.h"
 
 #include <algorithm>
+#include <map>
 #include <string>
+#include <utility>
 
 namespace qm {
 namespace {
@@ -27,19 +29,19 @@ public:
         for (const FaceId face : mesh_.faces())
             faces.push_back(face);
         std::vector<Region> pending = finder_.find(faces);
+        std::map<FaceId, Segment> segments; // by their lowest face
         while (!pending.empty()) {
             const Region region = std::move(pending.back());
             pending.pop_back();
             if (!split(region)) {
-                layout_.segments.push_back(makeSegment(mesh_, region));
+                segments.emplace(region.faces.front(), makeSegment(mesh_, region));
                 continue;
             }
             for (Region& part : finder_.find(region.faces))
                 pending.push_back(std::move(part));
         }
-        std::ranges::sort(layout_.segments, {}, [](const Segment& segment) {
-            return std::min_element(segment.faces.begin(), segment.faces.end())->idx();
-        });
+        for (auto& [lowestFace, segment] : segments)
+            layout_.segments.push_back(std::move(segment));
         return std::move(layout_);
     }
 
@@ -57,7 +59,7 @@ private:
                 throw Error("edge " + std::to_string(mesh_.from_vertex_handle(halfedge).idx()) + " " +
                                 std::to_string(mesh_.to_vertex_handle(halfedge).idx()),
                             "two tracks run over it, or it lies on the mesh boundary",
-                            "take one of them out");
+                            "Take one of them out");
             borders_.add(mesh_.edge_handle(halfedge));
         }
         layout_.tracks.push_back({track, transversal});
@@ -72,7 +74,7 @@ private:
                                      [this](HalfedgeId h) { return borders_.isBorder(h); }))
                 throw Error("vertex " + std::to_string(vertex.idx()),
                             "it is extraordinary and lies inside a segment",
-                            "the tracks are no motorcycle graph; search again");
+                            "The tracks are no motorcycle graph: search again");
     }
 
     void addPath(std::vector<HalfedgeId> path, bool transversal) {
