@@ -159,8 +159,8 @@ Patch readPatch(const JsonPlace& place, std::size_t index, const std::array<int,
     Patch patch;
     patch.segment = SegmentId(index);
     if (place["segment"].whole() != static_cast<std::int64_t>(index))
-        place["segment"].fail("patches stand in the order of the segments; here segment " +
-                              std::to_string(index) + " is due");
+        place["segment"].fail("patches stand in the order of the segments; segment " + std::to_string(index) +
+                              " belongs");
     readPoints(place["controlPoints"], patch);
     if (place["degree"].size() != 2 || place["knots"].size() != 2)
         place.fail("degree and knots have two entries each");

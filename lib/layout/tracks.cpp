@@ -122,7 +122,7 @@ std::vector<ArcId> coveredArcs(const QuadMesh& mesh, const ArcGraph& graph,
             if (!std::ranges::binary_search(result, arcOfEdge[at(edgeOf(halfedge))]))
                 throw Error("track over vertex " + std::to_string(mesh.to_vertex_handle(halfedge).idx()),
                             "the tracks do not cover whole arcs of separatrices",
-                            "run the stage that wrote them again");
+                            "Run the stage that wrote them again");
     return result;
 }
 
