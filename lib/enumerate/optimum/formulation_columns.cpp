@@ -107,11 +107,11 @@ void FormulationColumns::addChain(const Chain& chain) {
             result_.rows.push_back({{here.fromBefore, here.fromAfter}, {1, 1}, isIn(v) ? 1.0 : -infinity, 1});
         }
         if (v == chain.first) continue;
-        const Formulation::Columns& last = columns(v - 1);
-        if (last.fromBefore.valid() && here.fromBefore.valid())
-            atLeast(Expression{}.add(last.fromBefore, 1).add(here.fromBefore, -1), 0);
-        if (last.fromAfter.valid() && here.fromAfter.valid())
-            atLeast(Expression{}.add(here.fromAfter, 1).add(last.fromAfter, -1), 0);
+        const Formulation::Columns& previous = columns(v - 1);
+        if (previous.fromBefore.valid() && here.fromBefore.valid())
+            atLeast(Expression{}.add(previous.fromBefore, 1).add(here.fromBefore, -1), 0);
+        if (previous.fromAfter.valid() && here.fromAfter.valid())
+            atLeast(Expression{}.add(here.fromAfter, 1).add(previous.fromAfter, -1), 0);
     }
 }
 

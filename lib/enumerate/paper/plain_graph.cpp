@@ -24,7 +24,7 @@ public:
         for (std::size_t i = 0; i < active.size(); ++i)
             active[i] = i;
         while (!active.empty())
-            active = meet(move(active));
+            active = meet(advance(active));
         settleMeetings();
         return walked_;
     }
@@ -38,7 +38,7 @@ private:
     };
 
     /// Moves every particle over its next edge; a particle whose opposite is there already stops.
-    std::vector<Arrival> move(const std::vector<std::size_t>& active) {
+    std::vector<Arrival> advance(const std::vector<std::size_t>& active) {
         std::vector<Arrival> arrivals;
         for (const std::size_t i : active) {
             const HalfedgeId next = complex_.separatrices[i].halfedges[walked_[i]];
