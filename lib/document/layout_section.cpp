@@ -5,7 +5,6 @@
 #include "document/mesh_paths.h"
 #include "layout/quality.h"
 
-#include <algorithm>
 
 namespace qm {
 
