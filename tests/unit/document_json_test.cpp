@@ -72,8 +72,8 @@ TEST(ParseJson, TakesLinearTimeForManyKeys) {
 }
 
 TEST(MisspeltKeys, ResembleAKnownKeyThatIsMissing) {
-    const Json root = parseJson(R"({"kind": "base-complex", "version": 1, "histroy": [], "Kind": 0, "": 0})");
-    EXPECT_EQ(qm::misspeltKeys(root, "base-complex"),
+    const Json root = parseJson(R"({"kind": "layout", "version": 1, "histroy": [], "Kind": 0, "": 0})");
+    EXPECT_EQ(qm::misspeltKeys(root, "layout"),
               std::vector<std::string>{"/histroy: no tool reads this key. Is it 'history'?"});
 }
 

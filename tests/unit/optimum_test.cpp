@@ -159,9 +159,9 @@ TEST(Diagram, ItsCheapestGraphIsTheFirstOfItsTies) {
 }
 
 TEST(Problem, HasNothingFreeOnLinesThatAreNotGiven) {
-    const auto drawn = drawCase(0);
-    ASSERT_TRUE(drawn);
-    EXPECT_FALSE(drawn->whole.chains.empty());
+    std::optional<Case> drawn;
+    for (unsigned number = 0; !drawn || drawn->whole.chains.empty(); ++number)
+        drawn = drawCase(number);
     const Problem none = makeProblem({drawn->graph, drawn->costs, {}, {}, {}, {}, 0, std::vector<LineId>{}});
     EXPECT_TRUE(none.chains.empty());
     EXPECT_TRUE(none.crossings.empty());
