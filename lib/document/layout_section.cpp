@@ -4,7 +4,7 @@
 #include "base/error.h"
 #include "document/mesh_paths.h"
 #include "layout/quality.h"
-
+#include "mesh/topology.h"
 
 namespace qm {
 

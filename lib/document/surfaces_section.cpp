@@ -3,6 +3,7 @@
 #include "base/at.h"
 #include "bspline/splines/evaluate.h"
 #include "document/mesh_paths.h"
+#include "mesh/topology.h"
 
 #include <array>
 #include <cmath>
@@ -175,13 +176,8 @@ Patch readPatch(const JsonPlace& place, std::size_t index, const std::array<int,
 
 std::vector<std::vector<VertexId>> readCreases(const QuadMesh& mesh, const JsonPlace& list) {
     std::vector<std::vector<VertexId>> creases;
-    for (std::size_t k = 0; k < list.size(); ++k) {
-        const std::vector<HalfedgeId> path = pathAt(mesh, list[k]["vertices"]);
-        std::vector<VertexId>& vertices = creases.emplace_back();
-        vertices.push_back(mesh.from_vertex_handle(path.front()));
-        for (const HalfedgeId halfedge : path)
-            vertices.push_back(mesh.to_vertex_handle(halfedge));
-    }
+    for (std::size_t k = 0; k < list.size(); ++k)
+        creases.push_back(verticesAlong(mesh, pathAt(mesh, list[k]["vertices"])));
     return creases;
 }
 

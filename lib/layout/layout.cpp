@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "layout/grid.h"
 #include "layout/seed_line.h"
+#include "layout/tracks.h"
 #include "mesh/topology.h"
 
 #include <algorithm>
@@ -46,13 +47,6 @@ public:
     }
 
 private:
-    double costOf(const std::vector<HalfedgeId>& path) const {
-        double cost = 0;
-        for (const HalfedgeId halfedge : path)
-            cost += edgeCosts_[at(mesh_.edge_handle(halfedge))];
-        return cost;
-    }
-
     void addTrack(const Track& track, bool transversal) {
         for (const HalfedgeId halfedge : track.halfedges) {
             if (borders_.isBorder(halfedge))
@@ -77,9 +71,8 @@ private:
                             "The tracks are no motorcycle graph: search again");
     }
 
-    void addPath(std::vector<HalfedgeId> path, bool transversal) {
-        const double cost = costOf(path);
-        addTrack({std::move(path), cost}, transversal);
+    void addPath(const std::vector<HalfedgeId>& path, bool transversal) {
+        addTrack(trackOf(mesh_, path, edgeCosts_), transversal);
     }
 
     /// Cuts a region that has no corners: an annulus or a torus.
@@ -111,7 +104,7 @@ private:
     std::vector<HalfedgeId> cheapestTransversal(const BorderLoop& loop) const {
         std::vector<HalfedgeId> best;
         const auto key = [&](const std::vector<HalfedgeId>& path) {
-            return std::pair(costOf(path), mesh_.from_vertex_handle(path.front()).idx());
+            return std::pair(sumAlong(mesh_, path, edgeCosts_), mesh_.from_vertex_handle(path.front()).idx());
         };
         for (const HalfedgeId arriving : loop.halfedges) {
             std::vector<HalfedgeId> path{mesh_.next_halfedge_handle(arriving)};

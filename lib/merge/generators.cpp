@@ -3,6 +3,7 @@
 #include "base/at.h"
 #include "base/error.h"
 #include "base/parallel.h"
+#include "base/sort_unique.h"
 #include "enumerate/optimum/optimum.h"
 #include "enumerate/sub_mesh/line_walk.h"
 #include "layout/tracks.h"
@@ -131,8 +132,7 @@ private:
         for (const ArcId arc : ownArcs(space_, subMesh))
             arcs.push_back(arc);
         std::erase_if(arcs, [&](ArcId arc) { return present_[arc.idx()]; });
-        std::ranges::sort(arcs);
-        arcs.erase(std::unique(arcs.begin(), arcs.end()), arcs.end());
+        sortUnique(arcs);
         ++searches_;
         if (const auto found = changesOf(subMesh, arcs)) return *found;
         if (!space_.demands.empty()) throwImpossible(subMesh);

@@ -1,5 +1,7 @@
 #include "enumerate/optimum/formulation_columns.h"
 
+#include "base/sort_unique.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -7,11 +9,6 @@ namespace qm {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-void makeUnique(std::vector<CrossingId>& values) {
-    std::ranges::sort(values);
-    values.erase(std::unique(values.begin(), values.end()), values.end());
-}
 
 } // namespace
 
@@ -25,7 +22,7 @@ FormulationColumns::FormulationColumns(const SearchState& state, const std::vect
         crossings_.insert(crossings_.end(), state.crossingsOf(variable).begin(),
                           state.crossingsOf(variable).end());
     }
-    makeUnique(crossings_);
+    sortUnique(crossings_);
     if (problem_.gaps) {
         for (const VariableId variable : variables)
             knowChain(state.chainOf(variable));
@@ -74,7 +71,7 @@ void FormulationColumns::knowCovered() {
                         knowChain(state_.chainOf(arc));
             }
     }
-    makeUnique(crossings_);
+    sortUnique(crossings_);
 }
 
 bool FormulationColumns::anyOut(const Crossing& crossing) const {

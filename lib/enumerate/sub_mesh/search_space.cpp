@@ -2,10 +2,10 @@
 
 #include "base/at.h"
 #include "base/error.h"
+#include "base/sort_unique.h"
 #include "enumerate/sub_mesh/extend.h"
 #include "mesh/topology.h"
 
-#include <algorithm>
 #include <string>
 
 namespace qm {
@@ -144,8 +144,7 @@ Problem subMeshProblem(const SearchSpace& space, SubMeshId subMesh, const std::v
     lines.reserve(freeArcs.size());
     for (const ArcId arc : freeArcs)
         lines.push_back(space.graph.arcs[arc.idx()].line);
-    std::ranges::sort(lines);
-    lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+    sortUnique(lines);
     return makeProblem({space.graph, space.arcCosts, ArcStates(present, freeArcs), space.demands,
                         OpenJunctions(space.junctionLabels, subMesh),
                         walkersOf(space, subMesh, present, lines), space.cornerCost, std::move(lines)});

@@ -1,6 +1,7 @@
 #include "enumerate/window/window_search.h"
 
 #include "base/parallel.h"
+#include "base/sort_unique.h"
 #include "enumerate/optimum/optimum.h"
 #include "enumerate/state/incumbents.h"
 #include "enumerate/window/chain_links.h"
@@ -164,8 +165,7 @@ private:
             forEachArc(chain, [&](ArcId arc) { arcs.push_back(arc); });
             lines.push_back(input_.graph.arcs[arcs.back().idx()].line);
         }
-        std::ranges::sort(lines);
-        lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+        sortUnique(lines);
         return makeProblem({input_.graph, input_.arcCosts, ArcStates(result_.present, arcs), input_.demands,
                             input_.open, input_.walkers, input_.cornerCost, std::move(lines)});
     }
