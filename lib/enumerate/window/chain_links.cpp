@@ -5,7 +5,7 @@
 #include <map>
 #include <queue>
 #include <unordered_map>
-#include <unordered_set>
+#include <utility>
 
 namespace qm {
 namespace {
@@ -48,24 +48,25 @@ ChainLinks::ChainLinks(const Problem& problem)
 
 std::vector<ChainId> ChainLinks::cluster(ChainId start, std::size_t variables,
                                          const IdVector<ChainId, double>& weights) const {
+    constexpr int member = -1;
     std::vector<ChainId> members;
-    std::unordered_set<ChainId> taken;
-    std::unordered_map<ChainId, int> crossings; // with the cluster
+    std::unordered_map<ChainId, int> crossings; // of every waiting chain with the cluster; or `member`
     std::priority_queue<Candidate> waiting;
     const auto addCrossings = [&](ChainId chain, int count) {
-        const int sum = crossings[chain] += count;
+        int& sum = crossings[chain];
+        if (sum == member) return;
+        sum += count;
         waiting.push({sum * weights[chain] / lengths_[chain], chain});
     };
     addCrossings(start, 1);
     for (std::size_t size = 0; size < variables && !waiting.empty();) {
         const ChainId chain = waiting.top().chain;
         waiting.pop();
-        if (!taken.insert(chain).second) continue; // from when it had fewer crossings with the cluster
+        if (std::exchange(crossings[chain], member) == member) continue; // it came closer, and was taken then
         members.push_back(chain);
         size += at(lengths_[chain]);
         for (std::size_t k = 0; k < neighbours_[chain].size(); ++k)
-            if (const ChainId neighbour = neighbours_[chain][k]; !taken.contains(neighbour))
-                addCrossings(neighbour, crossings_[chain][k]);
+            addCrossings(neighbours_[chain][k], crossings_[chain][k]);
     }
     return members;
 }
