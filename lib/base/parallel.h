@@ -60,13 +60,13 @@ private:
 /// calls throw, the exception with the lowest index is thrown on, and calls not yet begun may be left out.
 template <class Function> void parallelFor(std::size_t count, unsigned jobs, const Function& f) {
     std::atomic<std::size_t> next{0};
-    std::atomic<bool> failed{false};
+    std::atomic<std::size_t> failedIndex{count};
     std::mutex mutex;
-    std::size_t failedIndex = count;
     std::exception_ptr failure;
 
     const auto work = [&] {
-        for (std::size_t i = next++; i < count && !failed; i = next++) {
+        // Calls below a failed one go on, as the lowest failure is the one to report.
+        for (std::size_t i = next++; i < failedIndex; i = next++) {
             try {
                 f(i);
             } catch (...) {
@@ -75,7 +75,6 @@ template <class Function> void parallelFor(std::size_t count, unsigned jobs, con
                     failedIndex = i;
                     failure = std::current_exception();
                 }
-                failed = true;
             }
         }
     };

@@ -1,6 +1,7 @@
 #include "basecomplex/arc_graph.h"
 
 #include "base/at.h"
+#include "mesh/topology.h"
 
 namespace qm {
 namespace {
@@ -162,12 +163,8 @@ std::vector<double> sumOverArcs(const QuadMesh& mesh, const ArcGraph& graph, con
                                 const std::vector<double>& perEdge) {
     std::vector<double> sums;
     sums.reserve(graph.arcs.size());
-    for (std::size_t i = 0; i < graph.arcs.size(); ++i) {
-        double sum = 0;
-        for (const HalfedgeId halfedge : halfedgesOf(graph, complex, ArcId(i)))
-            sum += perEdge[at(mesh.edge_handle(halfedge))];
-        sums.push_back(sum);
-    }
+    for (std::size_t i = 0; i < graph.arcs.size(); ++i)
+        sums.push_back(sumAlong(mesh, halfedgesOf(graph, complex, ArcId(i)), perEdge));
     return sums;
 }
 

@@ -47,6 +47,11 @@ struct Junction {
     bool seeded = false;
 
     [[nodiscard]] bool crossed() const { return arcs[1].valid(); }
+    /// The arcs of the other line than that of an arc here.
+    [[nodiscard]] std::array<ArcId, 2> across(ArcId arc) const {
+        const std::size_t other = arcs[0] == arc || arcs[2] == arc ? 1 : 0;
+        return {arcs[other], arcs[other + 2]};
+    }
 };
 
 struct ArcGraph {

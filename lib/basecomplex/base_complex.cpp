@@ -33,9 +33,9 @@ void addSeed(const QuadMesh& mesh, Seed seed, std::vector<bool>& seeded, Starts&
     const VertexId vertex = mesh.from_vertex_handle(seed.direction);
     const std::string place = "seed at vertex " + std::to_string(vertex.idx());
     if (!continuesStraight(mesh, vertex))
-        throw Error(place, "it is not an interior regular vertex", "choose another vertex of the curve");
+        throw Error(place, "it is not an interior regular vertex", "Choose another vertex of the curve");
     if (seeded[at(vertex)])
-        throw Error(place, "another seed is there", "choose another vertex of one of the curves");
+        throw Error(place, "another seed is there", "Choose another vertex of one of the curves");
     seeded[at(vertex)] = true;
     const HalfedgeId back = straightOn(mesh, opposite(mesh, seed.direction));
     for (const HalfedgeId halfedge : {seed.direction, back}) {

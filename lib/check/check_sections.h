@@ -72,7 +72,8 @@ void checkSurfaces(const CheckedMesh& mesh, const Neighbourhoods& around, const 
 /// How good the surfaces are. Measures every patch on a lattice of 16 samples an edge, and every border at 16
 /// samples an edge: distances from the mesh's quads and vertices, gaps, angles between normals across smooth
 /// borders and across lines within patches, folds. A figure that is less than what is found is a violation;
-/// what is not stated is not checked. Linear in the mesh.
+/// what is not stated is not checked. Linear in the mesh; only points that lie farther from the surfaces
+/// nearby than is stated are compared with all of them, until the first violation of a patch.
 /// \param layout  must have passed its own check
 /// \param part    with sound knots and control points
 void checkFigures(const Context& context, const LayoutPart& layout, const SurfacesPart& part, Report& report);

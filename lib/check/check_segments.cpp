@@ -158,13 +158,11 @@ private:
             if (around_.from(step) > around_.to(step) || around_.boundary(step)) continue;
             const int left = segmentOf_[at(around_.leftFace(step))];
             if (left < 0) continue;
-            const std::string ends = "the edge between vertices " + std::to_string(around_.from(step)) +
-                                     " and " + std::to_string(around_.to(step));
-            const std::string here = below("/layout/segments", at(left));
-            if (inside_[edge] && onTrack_[edge])
-                report_.violate(here, "border", ends + " is inside, on a track");
-            if (!inside_[edge] && !onTrack_[edge])
-                report_.violate(here, "border", ends + " is border, on no track");
+            if ((inside_[edge] != 0) == (onTrack_[edge] != 0))
+                report_.violate(below("/layout/segments", at(left)), "border",
+                                "the edge between vertices " + std::to_string(around_.from(step)) + " and " +
+                                    std::to_string(around_.to(step)) +
+                                    (inside_[edge] ? " is inside, on a track" : " is border, on no track"));
         }
     }
 

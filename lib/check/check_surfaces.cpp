@@ -55,7 +55,7 @@ private:
         if (patch.segment != layout_.segments[p].id)
             report_.violate(below(pointer(p), "segment"), "one patch per segment",
                             "patches stand in the order of the segments; here " +
-                                std::to_string(layout_.segments[p].id) + " is due");
+                                std::to_string(layout_.segments[p].id) + " belongs");
         if (!patch.rectangular)
             report_.violate(below(pointer(p), "controlPoints"), "control points",
                             "its rows differ in length");

@@ -2,7 +2,6 @@
 
 #include "base/at.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace qm::check {

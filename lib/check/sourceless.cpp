@@ -1,6 +1,7 @@
 #include "check/sourceless.h"
 
 #include "base/at.h"
+#include "base/sort_unique.h"
 
 #include <algorithm>
 
@@ -48,8 +49,7 @@ std::vector<int> wholeLine(const Neighbourhoods& around, int first) {
         }
         if (closed) break;
     }
-    std::sort(edges.begin(), edges.end());
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    sortUnique(edges);
     return edges;
 }
 

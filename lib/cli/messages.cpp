@@ -6,10 +6,22 @@
 #include <unistd.h>
 
 namespace qm {
+namespace {
+
+/// The beginning of a long message, which does not end within a character.
+std::string shortened(const std::string& message) {
+    std::size_t length = 4000;
+    if (message.size() <= length) return message;
+    const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80; };
+    while (length > 0 && continues(message[length]))
+        --length;
+    return message.substr(0, length) + " ...";
+}
+
+} // namespace
 
 void printMessage(const std::string& message) {
-    constexpr std::size_t longest = 4000;
-    std::string line = message.size() <= longest ? message : message.substr(0, longest) + " ...";
+    std::string line = shortened(message);
     const bool readable = isUtf8(line);
     for (char& c : line) {
         const auto byte = static_cast<unsigned char>(c);

@@ -57,6 +57,22 @@ mode_t defaultMode() {
     return 0666 & ~mask;
 }
 
+/// Holds back all signals while it exists.
+class SignalsBlocked {
+public:
+    SignalsBlocked() {
+        sigset_t all;
+        sigfillset(&all);
+        pthread_sigmask(SIG_BLOCK, &all, &before_);
+    }
+    ~SignalsBlocked() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+    SignalsBlocked(const SignalsBlocked&) = delete;
+    SignalsBlocked& operator=(const SignalsBlocked&) = delete;
+
+private:
+    sigset_t before_{};
+};
+
 } // namespace
 
 OutputFile::OutputFile(const std::string& path) : name_(path == "-" ? "standard output" : path) {
@@ -79,18 +95,16 @@ OutputFile::OutputFile(const std::string& path) : name_(path == "-" ? "standard 
 
 void OutputFile::openBeside() {
     temporary_ = target_ + ".XXXXXX";
-    // Without signals in between: one that came after making the file and before registering it would leave
-    // it behind.
-    sigset_t all;
-    sigset_t before;
-    sigfillset(&all);
-    pthread_sigmask(SIG_BLOCK, &all, &before);
+    // A signal that came after making the file and before registering it would leave it behind.
+    const SignalsBlocked blocked;
     descriptor_ = mkostemp(temporary_.data(), O_CLOEXEC);
-    const int problem = errno;
-    if (descriptor_ >= 0) registerTemporaryFile(temporary_);
-    pthread_sigmask(SIG_SETMASK, &before, nullptr);
-    errno = problem;
     if (descriptor_ < 0) refuse(name_);
+    try {
+        registerTemporaryFile(temporary_);
+    } catch (...) {
+        discard();
+        throw;
+    }
 }
 
 OutputFile::~OutputFile() {

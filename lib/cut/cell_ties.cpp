@@ -1,6 +1,7 @@
 #include "cut/cell_ties.h"
 
 #include "base/at.h"
+#include "base/sort_unique.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -38,8 +39,7 @@ std::vector<CellTie> cellTies(const QuadMesh& mesh, const std::vector<SubMeshId>
         for (const HalfedgeId halfedge : mesh.voh_range(vertex))
             if (!mesh.is_boundary(halfedge))
                 if (const auto tie = tieOf(mesh, labels, halfedge, cellOf)) ties.push_back(*tie);
-    std::ranges::sort(ties);
-    ties.erase(std::unique(ties.begin(), ties.end()), ties.end());
+    sortUnique(ties);
     return ties;
 }
 

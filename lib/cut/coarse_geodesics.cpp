@@ -1,6 +1,7 @@
 #include "cut/coarse_geodesics.h"
 
 #include "base/at.h"
+#include "base/sort_unique.h"
 
 #include <algorithm>
 #include <cmath>
@@ -73,8 +74,7 @@ void CoarseGeodesics::findNeighbours(const std::vector<CellTie>& ties) {
         for (const int cell : tie)
             around_[at(cell)].insert(around_[at(cell)].end(), tie.begin(), tie.end());
     for (std::vector<int>& cells : around_) {
-        std::ranges::sort(cells);
-        cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+        sortUnique(cells);
     }
 }
 

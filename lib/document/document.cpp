@@ -54,7 +54,8 @@ Document parseDocument(std::string_view bytes, const std::string& path) {
 Kind requireKind(const Document& document, Kind earliest) {
     const Kind kind = readKind(document.root);
     if (kind < earliest)
-        throw Error("/kind", "is " + kindName(kind) + ", but " + kindName(earliest) + " is due",
+        throw Error("/kind",
+                    "is " + kindName(kind) + ", but " + kindName(earliest) + " or a later kind is needed",
                     std::string("Run ") + toolOf(earliest) + " first");
     return kind;
 }

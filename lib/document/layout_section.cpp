@@ -4,8 +4,7 @@
 #include "base/error.h"
 #include "document/mesh_paths.h"
 #include "layout/quality.h"
-
-#include <algorithm>
+#include "mesh/topology.h"
 
 namespace qm {
 

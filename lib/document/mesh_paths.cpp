@@ -92,17 +92,9 @@ Json numberOf(const std::optional<VertexId>& vertex) {
 Json pathNumbers(const QuadMesh& mesh, std::span<const HalfedgeId> path) {
     Json::array_t numbers;
     numbers.reserve(path.size() + 1);
-    if (!path.empty()) numbers.emplace_back(mesh.from_vertex_handle(path.front()).idx());
-    for (const HalfedgeId halfedge : path)
-        numbers.emplace_back(mesh.to_vertex_handle(halfedge).idx());
+    for (const VertexId vertex : verticesAlong(mesh, path))
+        numbers.emplace_back(vertex.idx());
     return numbers;
-}
-
-double sumAlong(const QuadMesh& mesh, std::span<const HalfedgeId> path, const std::vector<double>& perEdge) {
-    double sum = 0;
-    for (const HalfedgeId halfedge : path)
-        sum += perEdge[at(mesh.edge_handle(halfedge))];
-    return sum;
 }
 
 bool sameCost(double a, double b) {

@@ -27,10 +27,6 @@ void requireStraight(const QuadMesh& mesh, const std::vector<HalfedgeId>& path, 
 /// The vertices along consecutive halfedges.
 [[nodiscard]] Json pathNumbers(const QuadMesh& mesh, std::span<const HalfedgeId> path);
 
-/// The sum of a value per edge along a path.
-[[nodiscard]] double sumAlong(const QuadMesh& mesh, std::span<const HalfedgeId> path,
-                              const std::vector<double>& perEdge);
-
 /// Whether two sums of costs agree to within rounding.
 [[nodiscard]] bool sameCost(double a, double b);
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 #include <string_view>
 
 namespace qm {
@@ -58,20 +59,33 @@ private:
                 walk(value[k], here.at("items"), pointer / k);
         if (!value.is_object() || !here.contains("properties")) return;
         const Json& known = here.at("properties");
+        std::optional<std::vector<std::string>>
+            missing; // found once, because finding a key takes linear time
         for (const auto& [key, member] : value.items())
-            if (known.contains(key))
+            if (known.contains(key)) {
                 walk(member, known.at(key), pointer / key);
-            else
-                compare(key, value, known, pointer);
+            } else {
+                if (!missing) missing = missingNames(value, known);
+                compare(key, *missing, pointer);
+            }
     }
 
-    void compare(const std::string& key, const Json& value, const Json& known, const JsonPointer& pointer) {
+    [[nodiscard]] static std::vector<std::string> missingNames(const Json& value, const Json& known) {
+        std::vector<std::string> names;
+        for (const auto& [name, rule] : known.items())
+            if (!value.contains(name)) names.push_back(name);
+        return names;
+    }
+
+    void compare(const std::string& key, const std::vector<std::string>& missing,
+                 const JsonPointer& pointer) {
         constexpr std::size_t near = 2;
+        if (key.empty()) return;
         std::size_t nearest = std::min(near, (key.size() - 1) / 2) + 1; // fewer letters for short keys
         std::string meant;
-        for (const auto& [name, rule] : known.items()) {
+        for (const std::string& name : missing) {
             const std::size_t distance = editDistance(key, name);
-            if (value.contains(name) || distance >= nearest) continue;
+            if (distance >= nearest) continue;
             nearest = distance;
             meant = name;
         }

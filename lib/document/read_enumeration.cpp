@@ -6,6 +6,7 @@
 #include "document/mesh_paths.h"
 #include "document/options.h"
 #include "layout/corners.h"
+#include "mesh/topology.h"
 
 #include <algorithm>
 #include <optional>

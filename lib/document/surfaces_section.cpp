@@ -4,6 +4,7 @@
 #include "bspline/splines/basis.h"
 #include "bspline/splines/evaluate.h"
 #include "document/mesh_paths.h"
+#include "mesh/topology.h"
 
 #include <array>
 #include <cmath>
@@ -163,8 +164,8 @@ Patch readPatch(const JsonPlace& place, std::size_t index, const std::array<int,
     Patch patch;
     patch.segment = SegmentId(index);
     if (place["segment"].whole() != static_cast<std::int64_t>(index))
-        place["segment"].fail("patches stand in the order of the segments; here segment " +
-                              std::to_string(index) + " is due");
+        place["segment"].fail("patches stand in the order of the segments; segment " + std::to_string(index) +
+                              " belongs");
     readPoints(place["controlPoints"], patch);
     if (place["degree"].size() != 2 || place["knots"].size() != 2)
         place.fail("degree and knots have two entries each");
@@ -179,13 +180,8 @@ Patch readPatch(const JsonPlace& place, std::size_t index, const std::array<int,
 
 std::vector<std::vector<VertexId>> readCreases(const QuadMesh& mesh, const JsonPlace& list) {
     std::vector<std::vector<VertexId>> creases;
-    for (std::size_t k = 0; k < list.size(); ++k) {
-        const std::vector<HalfedgeId> path = pathAt(mesh, list[k]["vertices"]);
-        std::vector<VertexId>& vertices = creases.emplace_back();
-        vertices.push_back(mesh.from_vertex_handle(path.front()));
-        for (const HalfedgeId halfedge : path)
-            vertices.push_back(mesh.to_vertex_handle(halfedge));
-    }
+    for (std::size_t k = 0; k < list.size(); ++k)
+        creases.push_back(verticesAlong(mesh, pathAt(mesh, list[k]["vertices"])));
     return creases;
 }
 

@@ -49,7 +49,7 @@ Enumeration enumeratePlain(const QuadMesh& mesh, const BaseComplex& complex,
                            const std::vector<double>& edgeCosts, const SubMeshes& subMeshes,
                            const EnumerationOptions& options) {
     if (subMeshes.count != 1)
-        throw Error("/cut", "the plain motorcycle graph is traced on the whole mesh", "leave qm-cut out");
+        throw Error("/cut", "the plain motorcycle graph is traced on the whole mesh", "Leave qm-cut out");
     MotorcycleGraph graph = plainMotorcycleGraph(mesh, complex, edgeCosts);
     if (options.cost.terms.segments != 0)
         graph.cost += cornerCost(options.cost.terms) *
@@ -66,9 +66,9 @@ void verifyAsked(const SubMeshes& subMeshes, const EnumerationOptions& options) 
             "/cut",
             "class tmesh is searched on the whole mesh: its tracks are no particles' that could go on "
             "in another sub-mesh",
-            "leave qm-cut out");
+            "Leave qm-cut out");
     if (options.method != Method::optimum)
-        throw Error("class tmesh", "only the method optimum knows it", "leave --method out");
+        throw Error("class tmesh", "only the method optimum knows it", "Leave --method out");
 }
 
 } // namespace

@@ -37,7 +37,7 @@ CoordinateMethod coordinateMethod(Method method) {
 
 [[noreturn]] void refuse(SubMeshId subMesh) {
     throw Error("sub-mesh " + std::to_string(subMesh.value()), "no graph obeys the constraints",
-                "take some out of /constraints");
+                "Take some out of /constraints");
 }
 
 } // namespace

@@ -12,7 +12,7 @@ namespace {
 
 [[noreturn]] void refuse(VertexId vertex, const std::string& what) {
     throw Error("vertex " + std::to_string(vertex.idx()), what,
-                "the tracks are no motorcycle graph; search again");
+                "The tracks are no motorcycle graph: search again");
 }
 
 /// The index of the halfedge in the loop with which side 0 begins.

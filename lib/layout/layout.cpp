@@ -4,10 +4,13 @@
 #include "base/error.h"
 #include "layout/grid.h"
 #include "layout/seed_line.h"
+#include "layout/tracks.h"
 #include "mesh/topology.h"
 
 #include <algorithm>
+#include <map>
 #include <string>
+#include <utility>
 
 namespace qm {
 namespace {
@@ -27,37 +30,30 @@ public:
         for (const FaceId face : mesh_.faces())
             faces.push_back(face);
         std::vector<Region> pending = finder_.find(faces);
+        std::map<FaceId, Segment> segments; // by their lowest face
         while (!pending.empty()) {
             const Region region = std::move(pending.back());
             pending.pop_back();
             if (!split(region)) {
-                layout_.segments.push_back(makeSegment(mesh_, region));
+                segments.emplace(region.faces.front(), makeSegment(mesh_, region));
                 continue;
             }
             for (Region& part : finder_.find(region.faces))
                 pending.push_back(std::move(part));
         }
-        std::ranges::sort(layout_.segments, {}, [](const Segment& segment) {
-            return std::min_element(segment.faces.begin(), segment.faces.end())->idx();
-        });
+        for (auto& [lowestFace, segment] : segments)
+            layout_.segments.push_back(std::move(segment));
         return std::move(layout_);
     }
 
 private:
-    double costOf(const std::vector<HalfedgeId>& path) const {
-        double cost = 0;
-        for (const HalfedgeId halfedge : path)
-            cost += edgeCosts_[at(mesh_.edge_handle(halfedge))];
-        return cost;
-    }
-
     void addTrack(const Track& track, bool transversal) {
         for (const HalfedgeId halfedge : track.halfedges) {
             if (borders_.isBorder(halfedge))
                 throw Error("edge " + std::to_string(mesh_.from_vertex_handle(halfedge).idx()) + " " +
                                 std::to_string(mesh_.to_vertex_handle(halfedge).idx()),
                             "two tracks run over it, or it lies on the mesh boundary",
-                            "take one of them out");
+                            "Take one of them out");
             borders_.add(mesh_.edge_handle(halfedge));
         }
         layout_.tracks.push_back({track, transversal});
@@ -72,12 +68,11 @@ private:
                                      [this](HalfedgeId h) { return borders_.isBorder(h); }))
                 throw Error("vertex " + std::to_string(vertex.idx()),
                             "it is extraordinary and lies inside a segment",
-                            "the tracks are no motorcycle graph; search again");
+                            "The tracks are no motorcycle graph: search again");
     }
 
-    void addPath(std::vector<HalfedgeId> path, bool transversal) {
-        const double cost = costOf(path);
-        addTrack({std::move(path), cost}, transversal);
+    void addPath(const std::vector<HalfedgeId>& path, bool transversal) {
+        addTrack(trackOf(mesh_, path, edgeCosts_), transversal);
     }
 
     /// Cuts a region that has no corners: an annulus or a torus.
@@ -109,7 +104,7 @@ private:
     std::vector<HalfedgeId> cheapestTransversal(const BorderLoop& loop) const {
         std::vector<HalfedgeId> best;
         const auto key = [&](const std::vector<HalfedgeId>& path) {
-            return std::pair(costOf(path), mesh_.from_vertex_handle(path.front()).idx());
+            return std::pair(sumAlong(mesh_, path, edgeCosts_), mesh_.from_vertex_handle(path.front()).idx());
         };
         for (const HalfedgeId arriving : loop.halfedges) {
             std::vector<HalfedgeId> path{mesh_.next_halfedge_handle(arriving)};

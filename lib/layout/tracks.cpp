@@ -2,7 +2,9 @@
 
 #include "base/at.h"
 #include "base/error.h"
+#include "base/sort_unique.h"
 #include "layout/meetings.h"
+#include "mesh/topology.h"
 
 #include <algorithm>
 #include <string>
@@ -10,13 +12,6 @@
 
 namespace qm {
 namespace {
-
-Track trackOf(const QuadMesh& mesh, std::span<const HalfedgeId> path, const std::vector<double>& edgeCosts) {
-    Track track{{path.begin(), path.end()}, 0};
-    for (const HalfedgeId halfedge : path)
-        track.cost += edgeCosts[at(mesh.edge_handle(halfedge))];
-    return track;
-}
 
 /// The number of arcs that the two particles of a line have walked. If the line has a gap, they do not meet.
 struct Coverage {
@@ -50,6 +45,10 @@ std::vector<Coverage> coverLines(const ArcGraph& graph, const std::vector<bool>&
 }
 
 } // namespace
+
+Track trackOf(const QuadMesh& mesh, std::span<const HalfedgeId> path, const std::vector<double>& edgeCosts) {
+    return {{path.begin(), path.end()}, sumAlong(mesh, path, edgeCosts)};
+}
 
 MotorcycleGraph graphOf(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
                         const std::vector<bool>& present, const std::vector<double>& edgeCosts,
@@ -106,8 +105,7 @@ std::vector<ArcId> coveredArcs(const QuadMesh& mesh, const ArcGraph& graph,
     for (const Track& track : tracks)
         for (const HalfedgeId halfedge : track.halfedges)
             edges.emplace_back(arcOfEdge[at(edgeOf(halfedge))], edgeOf(halfedge));
-    std::ranges::sort(edges);
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    sortUnique(edges);
     std::vector<ArcId> result;
     for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
         const ArcId id = edges[begin].first;
@@ -122,7 +120,7 @@ std::vector<ArcId> coveredArcs(const QuadMesh& mesh, const ArcGraph& graph,
             if (!std::ranges::binary_search(result, arcOfEdge[at(edgeOf(halfedge))]))
                 throw Error("track over vertex " + std::to_string(mesh.to_vertex_handle(halfedge).idx()),
                             "the tracks do not cover whole arcs of separatrices",
-                            "run the stage that wrote them again");
+                            "Run the stage that wrote them again");
     return result;
 }
 

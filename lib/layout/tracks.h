@@ -5,9 +5,14 @@
 #include "layout/motorcycle_graph.h"
 #include "layout/walkers.h"
 
+#include <span>
 #include <vector>
 
 namespace qm {
+
+/// A track along a path, with its cost.
+[[nodiscard]] Track trackOf(const QuadMesh& mesh, std::span<const HalfedgeId> path,
+                            const std::vector<double>& edgeCosts);
 
 /// The tracks of a graph with their costs, by line; particles that do not move have none.
 [[nodiscard]] MotorcycleGraph graphOf(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,

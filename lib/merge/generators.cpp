@@ -3,6 +3,7 @@
 #include "base/at.h"
 #include "base/error.h"
 #include "base/parallel.h"
+#include "base/sort_unique.h"
 #include "enumerate/optimum/optimum.h"
 #include "enumerate/sub_mesh/line_walk.h"
 #include "layout/tracks.h"
@@ -25,7 +26,7 @@ public:
     Generator(const QuadMesh& mesh, const BaseComplex& complex, const SearchSpace& space,
               const Enumeration& enumeration, const SubMeshes& subMeshes, double complexityLimit,
               const Control& control)
-        : mesh_(mesh), complex_(complex), space_(space), enumeration_(enumeration), subMeshes_(subMeshes),
+        : mesh_(mesh), space_(space), enumeration_(enumeration), subMeshes_(subMeshes),
           complexityLimit_(complexityLimit), control_(control),
           arcOfEdge_(arcsOfEdges(mesh, space.graph, complex)), present_(space.graph.arcs.size(), false),
           free_(space, present_) {}
@@ -55,7 +56,6 @@ public:
                 searchComplete(subMesh);
         }
         extendRest();
-        control_.progress(1);
     }
 
     /// Hands over the result; the generator must not be used afterwards.
@@ -132,8 +132,7 @@ private:
         for (const ArcId arc : ownArcs(space_, subMesh))
             arcs.push_back(arc);
         std::erase_if(arcs, [&](ArcId arc) { return present_[arc.idx()]; });
-        std::ranges::sort(arcs);
-        arcs.erase(std::unique(arcs.begin(), arcs.end()), arcs.end());
+        sortUnique(arcs);
         ++searches_;
         if (const auto found = changesOf(subMesh, arcs)) return *found;
         if (!space_.demands.empty()) throwImpossible(subMesh);
@@ -150,7 +149,7 @@ private:
 
     [[noreturn]] static void throwImpossible(SubMeshId subMesh) {
         throw Error("sub-mesh " + std::to_string(subMesh.value()),
-                    "no motorcycle graph obeys the constraints", "take some out of /constraints");
+                    "no motorcycle graph obeys the constraints", "Take some out of /constraints");
     }
 
     /// Searches the sub-mesh with these arcs free.
@@ -187,7 +186,6 @@ private:
     }
 
     const QuadMesh& mesh_;
-    const BaseComplex& complex_;
     const SearchSpace& space_;
     const Enumeration& enumeration_;
     const SubMeshes& subMeshes_;

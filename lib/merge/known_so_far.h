@@ -20,9 +20,11 @@ public:
     void setCost(double cost) { cost_ = cost; }
     void setBound(double bound) { bound_ = bound; }
 
-    /// A control that reports the known cost and bound whenever it is asked whether to stop.
+    /// A control for searches that run at the same time: it shows no progress, but reports the known cost and
+    /// bound whenever it is asked whether to stop.
     [[nodiscard]] Control control() const {
-        Control control = control_;
+        Control control;
+        control.jobs = control_.jobs;
         control.stopRequested = [this] {
             if (tell_) tell_(cost_, bound_);
             return control_.stopRequested();

@@ -26,11 +26,43 @@ bool obeys(const SearchSpace& space, const std::vector<bool>& present) {
 MergeResult wholeGraph(const Enumeration& enumeration) {
     const SubMeshGraphs& found = enumeration.subMeshes.front();
     if (found.graphs.empty())
-        throw Error("/enumeration/subMeshes/0/graphs", "no graph was found", "give qm-enum more time");
+        throw Error("/enumeration/subMeshes/0/graphs", "no graph was found", "Give qm-enum more time");
     MergeResult result;
     result.graph = found.graphs.front();
     if (enumeration.cost.terms.segments == 0) result.lowerBound = found.lowerBound;
     return result;
+}
+
+/// Replaces a graph by the plain one if that is cheaper, as it may be because each sub-mesh was searched
+/// without regard to the others.
+/// \return whether it was
+bool takePlainIfCheaper(const QuadMesh& mesh, const BaseComplex& complex,
+                        const std::vector<double>& edgeCosts, const SearchSpace& space,
+                        std::vector<bool>& present) {
+    std::vector<bool> plain =
+        presentArcs(mesh, complex, space.graph, plainMotorcycleGraph(mesh, complex, edgeCosts).tracks);
+    if (!obeys(space, plain) || costOf(space, plain) >= costOf(space, present)) return false;
+    present = std::move(plain);
+    return true;
+}
+
+/// Searches the whole mesh where that is quick, and moves the cut where that has not ended with a proof.
+/// \return a lower bound of the whole mesh, if the search has found one
+std::optional<double> searchAcrossCut(const SearchSpace& space, double complexityLimit,
+                                      const Control& control, std::vector<bool>& present,
+                                      MergeResult& result) {
+    const std::optional<WholeSearch> whole = searchWhole(space, present, control);
+    if (whole) present = whole->present;
+    if (!whole || !whole->proven) {
+        Control secondHalf = control; // the generators were the first
+        secondHalf.progress = [&](double fraction) { control.progress(0.5 + 0.5 * fraction); };
+        WindowResult moved = moveCuts(space, present, complexityLimit,
+                                      whole ? whole->relaxed : std::vector<double>(), secondHalf);
+        present = std::move(moved.present);
+        result.windows = moved.windows;
+        result.improvements = moved.improvements;
+    }
+    return whole ? std::optional(whole->lowerBound) : std::nullopt;
 }
 
 } // namespace
@@ -46,15 +78,7 @@ MergeResult mergeGraphs(const QuadMesh& mesh, const BaseComplex& complex,
         makeSearchSpace(mesh, complex, costs, subMeshes, constraints, cornerCost(enumeration.cost.terms));
     auto [present, result] = generateGraph(mesh, complex, space, enumeration, subMeshes, complexityLimit,
                                            options.maxRounds, control);
-    // Each sub-mesh was searched without regard to the others, so the plain graph may be cheaper.
-    if (subMeshes.count > 1) {
-        const auto plain =
-            presentArcs(mesh, complex, space.graph, plainMotorcycleGraph(mesh, complex, costs).tracks);
-        if (obeys(space, plain) && costOf(space, plain) < costOf(space, present)) {
-            present = plain;
-            result.plain = true;
-        }
-    }
+    if (subMeshes.count > 1) result.plain = takePlainIfCheaper(mesh, complex, costs, space, present);
     // Free particles are extended straight on without regard to the constraints.
     if (!obeys(space, present))
         throw Error(
@@ -63,16 +87,8 @@ MergeResult mergeGraphs(const QuadMesh& mesh, const BaseComplex& complex,
     // If segments have a cost, the bound includes it and is no bound of G_T, which sums over edges only.
     const bool bounds = enumeration.cost.terms.segments == 0;
     if (subMeshes.count > 1) {
-        const std::optional<WholeSearch> whole = searchWhole(space, present, control);
-        if (whole) present = whole->present;
-        if (whole && bounds) result.lowerBound = whole->lowerBound;
-        if (!whole || !whole->proven) {
-            WindowResult moved = moveCuts(space, present, complexityLimit,
-                                          whole ? whole->relaxed : std::vector<double>(), control);
-            present = std::move(moved.present);
-            result.windows = moved.windows;
-            result.improvements = moved.improvements;
-        }
+        const auto lowerBound = searchAcrossCut(space, complexityLimit, control, present, result);
+        if (bounds) result.lowerBound = lowerBound;
     }
     result.graph = graphOf(mesh, complex, space.graph, present, costs);
     result.costBefore = result.graph.cost;
@@ -88,6 +104,7 @@ MergeResult mergeGraphs(const QuadMesh& mesh, const BaseComplex& complex,
         result.windows += better.windows;
         result.improvements += better.improvements;
     }
+    control.progress(1);
     return result;
 }
 

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
+#include <unordered_set>
 #include <utility>
 
 namespace qm {
@@ -26,13 +28,13 @@ public:
             check();
             return std::move(header_);
         }
-        fail("the header has no end", "Get the file whole");
+        fail("the header has no end", "Use a complete copy");
     }
 
 private:
-    static constexpr const char* mend = "Mend the header";
+    static constexpr const char* correct = "Correct the header";
 
-    [[noreturn]] void fail(const std::string& what, const char* remedy = mend) const {
+    [[noreturn]] void fail(const std::string& what, const char* remedy = correct) const {
         throw Error(lines_.place(), what, remedy);
     }
 
@@ -53,12 +55,10 @@ private:
     void readElement() {
         PlyElement element;
         element.name = lines_.word();
-        const auto count = parseNumber<std::int64_t>(lines_.word());
+        const auto count = readFileNumber<std::int64_t>(lines_.word());
         if (!count || *count < 0) fail("the element has no count");
         element.count = at(*count);
-        const bool repeated = std::ranges::any_of(
-            header_.elements, [&](const PlyElement& other) { return other.name == element.name; });
-        if (repeated) fail("element " + inQuotes(element.name) + " occurs twice");
+        if (!names_.insert(element.name).second) fail("element " + inQuotes(element.name) + " occurs twice");
         header_.elements.push_back(std::move(element));
     }
 
@@ -116,6 +116,7 @@ private:
 
     TextLines& lines_;
     PlyHeader header_;
+    std::unordered_set<std::string> names_; ///< of the elements
     bool hasFormat_ = false;
 };
 

@@ -7,13 +7,12 @@
 namespace qm {
 namespace {
 
-constexpr const char* cutOff = "The file seems to be cut off: get it whole";
-
 class ObjReader {
 public:
     ObjReader(std::string_view text, std::size_t sides) : lines_(text), sides_(sides) {}
 
     Soup read() {
+        soup_.firstIndex = 1;
         while (lines_.nextLine(true)) {
             const std::string_view keyword = lines_.word();
             if (keyword == "v") readPoint();
@@ -29,13 +28,13 @@ private:
         Point point;
         for (unsigned k = 0; k < 3; ++k) {
             const std::string_view word = lines_.word();
-            const auto value = parseNumber<double>(word);
+            const auto value = readFileNumber<double>(word);
             if (!value)
                 throw Error(lines_.place(),
                             "vertex " + std::to_string(soup_.points.size()) +
                                 (word.empty() ? " has fewer than three coordinates"
                                               : ": " + inQuotes(word) + " is no number"),
-                            lines_.unfinished() ? cutOff : "Mend the line");
+                            lines_.unfinished() ? cutOffHint : "Correct the line");
             point[k] = *value;
         }
         soup_.points.push_back(point);
@@ -53,18 +52,25 @@ private:
             throw Error(soup_.facePlace(soup_.faceCount() - 1),
                         "the last line ends after " + std::to_string(corners) +
                             (corners == 1 ? " vertex" : " vertices"),
-                        cutOff);
+                        cutOffHint);
     }
 
     /// Reads "7", "7/1", "7//2" or "7/1/2"; numbers count from 1 or, if negative, back from the last vertex.
     std::int64_t cornerOf(std::string_view word) const {
-        const auto index = parseNumber<std::int64_t>(word.substr(0, word.find('/')));
+        const auto index = readFileNumber<std::int64_t>(word.substr(0, word.find('/')));
         if (!index || *index == 0)
             throw Error(lines_.place(),
                         "face " + std::to_string(soup_.faceCount()) + ": " + inQuotes(word) +
                             " is no vertex index",
-                        lines_.unfinished() ? cutOff : "Mend the line; indices count from 1");
-        return *index > 0 ? *index - 1 : static_cast<std::int64_t>(soup_.points.size()) + *index;
+                        lines_.unfinished() ? cutOffHint : "Correct the line; indices count from 1");
+        const auto points = static_cast<std::int64_t>(soup_.points.size());
+        if (*index < -points)
+            throw Error(lines_.place(),
+                        "face " + std::to_string(soup_.faceCount()) + ": vertex index " +
+                            std::to_string(*index) + " is out of range: there are " + std::to_string(points) +
+                            " vertices before it",
+                        "Correct the line");
+        return *index > 0 ? *index - 1 : points + *index;
     }
 
     TextLines lines_;

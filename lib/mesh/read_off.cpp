@@ -39,7 +39,7 @@ private:
     /// and "n" change the dimension.
     void readHeader() {
         const std::string_view word = lines_.wordAnywhere();
-        if (parseNumber<std::int64_t>(word)) {
+        if (readFileNumber<std::int64_t>(word)) {
             pendingCount_ = word;
             return;
         }
@@ -57,9 +57,9 @@ private:
     std::size_t readCount(const std::string& what) {
         const std::string_view word =
             pendingCount_.empty() ? lines_.wordAnywhere() : std::exchange(pendingCount_, {});
-        const auto count = parseNumber<std::int64_t>(word);
+        const auto count = readFileNumber<std::int64_t>(word);
         if (!count || *count < 0)
-            throw Error(lines_.place(), "the number of " + what + " is missing", "Mend the header");
+            throw Error(lines_.place(), "the number of " + what + " is missing", "Correct the header");
         return at(*count);
     }
 
@@ -67,7 +67,7 @@ private:
         throw Error(lines_.place(),
                     "the file ends after " + std::to_string(found) + " " + what + ", its header says " +
                         std::to_string(announced),
-                    "The file seems to be cut off: get it whole");
+                    cutOffHint);
     }
 
     void beginElement() {
@@ -81,12 +81,12 @@ private:
         for (unsigned k = 0; k < 3; ++k) {
             const std::string_view word = lines_.wordAnywhere();
             if (word.empty()) cutOff("vertices", soup_.points.size(), announced);
-            const auto value = parseNumber<double>(word);
+            const auto value = readFileNumber<double>(word);
             if (!value)
                 throw Error(lines_.place(),
                             "vertex " + std::to_string(soup_.points.size()) + ": " + inQuotes(word) +
                                 " is no number",
-                            "Mend the line");
+                            "Correct the line");
             point[k] = *value;
         }
         soup_.points.push_back(point);
@@ -100,7 +100,7 @@ private:
         if (count < 0 || at(count) > size_)
             throw Error(lines_.place(),
                         "face " + std::to_string(soup_.faceCount()) + " cannot have that many vertices",
-                        "Mend the line");
+                        "Correct the line");
         for (std::int64_t k = 0; k < count; ++k)
             soup_.corners.push_back(readIndex(announced));
         soup_.endFace(line);
@@ -109,12 +109,12 @@ private:
     std::int64_t readIndex(std::size_t announced) {
         const std::string_view word = lines_.wordAnywhere();
         if (word.empty()) cutOff("faces", soup_.faceCount(), announced);
-        const auto index = parseNumber<std::int64_t>(word);
+        const auto index = readFileNumber<std::int64_t>(word);
         if (!index)
             throw Error(lines_.place(),
                         "face " + std::to_string(soup_.faceCount()) + ": " + inQuotes(word) +
                             " is no whole number",
-                        "Mend the line");
+                        "Correct the line");
         return *index;
     }
 
@@ -125,7 +125,7 @@ private:
             throw Error(lines_.place(),
                         "the file goes on after the " + std::to_string(announced) +
                             " faces that its header announces",
-                        "Mend the counts in the header");
+                        "Correct the counts in the header");
     }
 
     std::size_t size_;

@@ -35,8 +35,8 @@ public:
     std::optional<double> next(PlyType) override {
         const std::string_view word = lines_.wordAnywhere();
         if (word.empty()) return std::nullopt;
-        const auto value = parseNumber<double>(word);
-        if (!value) throw Error(lines_.place(), inQuotes(word) + " is no number", "Mend the line");
+        const auto value = readFileNumber<double>(word);
+        if (!value) throw Error(lines_.place(), inQuotes(word) + " is no number", "Correct the line");
         return value;
     }
     bool atEnd() override { return lines_.wordAnywhere().empty(); }
@@ -105,7 +105,7 @@ public:
         if (!values_->atEnd())
             throw Error(values_->line() > 0 ? lines_.place() : "",
                         "the file goes on after the elements that its header announces",
-                        "Mend the counts and properties in the header");
+                        "Correct the counts and properties in the header");
         return std::move(soup_);
     }
 
@@ -141,7 +141,8 @@ private:
     void readList(const PlyElement& element, std::size_t k, const PlyProperty& property) {
         const double count = next(element, k, *property.countType);
         if (!(count >= 0) || count > static_cast<double>(size_) || count != std::floor(count))
-            throw Error(placeOf(element, k), "its list has an impossible length", "Get the file anew");
+            throw Error(placeOf(element, k), "its list has an impossible length",
+                        "Use another copy of the file");
         for (auto left = static_cast<std::size_t>(count); left > 0; --left) {
             const double value = next(element, k, property.type);
             if (property.role == PlyRole::corners) soup_.corners.push_back(indexOf(value, element, k));
@@ -153,14 +154,14 @@ private:
         if (!value)
             throw Error(placeOf(element, k),
                         "the file ends there, its header announces " + std::to_string(element.count),
-                        "The file seems to be cut off: get it whole");
+                        cutOffHint);
         return *value;
     }
 
     std::int64_t indexOf(double value, const PlyElement& element, std::size_t k) const {
         constexpr double largest = 1e15; // above the number of vertices in any file
         if (value != std::floor(value))  // also true for nan
-            throw Error(placeOf(element, k), "a vertex index is no whole number", "Mend the face");
+            throw Error(placeOf(element, k), "a vertex index is no whole number", "Correct the face");
         return static_cast<std::int64_t>(std::clamp(value, -largest, largest));
     }
 

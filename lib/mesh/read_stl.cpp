@@ -12,8 +12,6 @@
 namespace qm {
 namespace {
 
-constexpr const char* cutOff = "The file seems to be cut off: get it whole";
-
 /// Compares words regardless of case, because some programs write capitals.
 bool isWord(std::string_view word, std::string_view keyword) {
     return std::ranges::equal(word, keyword, {},
@@ -37,14 +35,14 @@ std::size_t announcedSize(std::string_view bytes) {
 }
 
 Soup readBinary(std::string_view bytes) {
-    if (bytes.size() < headerSize) throw Error("", "the file ends within its header", cutOff);
+    if (bytes.size() < headerSize) throw Error("", "the file ends within its header", cutOffHint);
     if (announcedSize(bytes) != bytes.size())
         throw Error("",
                     "it is no STL, or not whole: for the " +
                         std::to_string((announcedSize(bytes) - headerSize) / facetSize) +
                         " facets that its header announces it should have " +
                         std::to_string(announcedSize(bytes)) + " bytes, not " + std::to_string(bytes.size()),
-                    "Get the file whole");
+                    "Use a complete copy");
     Soup soup;
     soup.points.reserve(3 * (bytes.size() / facetSize));
     for (std::size_t facet = headerSize; facet < bytes.size(); facet += facetSize) {
@@ -102,7 +100,7 @@ private:
         Point point;
         for (unsigned k = 0; k < 3; ++k) {
             const std::string_view word = lines_.wordAnywhere();
-            const auto value = parseNumber<double>(word);
+            const auto value = readFileNumber<double>(word);
             if (!value) fail(word, "a number");
             point[k] = *value;
         }
@@ -117,9 +115,9 @@ private:
 
     [[noreturn]] void fail(std::string_view found, std::string_view wanted) const {
         const std::string what = "expected " + std::string(wanted) + ", ";
-        if (found.empty()) throw Error(lines_.place(), what + "but the file ends", cutOff);
+        if (found.empty()) throw Error(lines_.place(), what + "but the file ends", cutOffHint);
         throw Error(lines_.place(), what + "found " + inQuotes(found),
-                    lines_.unfinished() ? cutOff : "Mend the line, or get the file anew");
+                    lines_.unfinished() ? cutOffHint : "Correct the line, or use another copy of the file");
     }
 
     TextLines lines_;

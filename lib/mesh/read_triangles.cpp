@@ -48,7 +48,8 @@ public:
                 add({corners[0], corners[k - 1], corners[k]});
         }
         if (result_.faces.empty())
-            throw Error("", "none of its triangles has three different corners", "Get the file anew");
+            throw Error("", "none of its triangles has three different corners",
+                        "Use another copy of the file");
         return std::move(result_);
     }
 

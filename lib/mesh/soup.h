@@ -22,6 +22,7 @@ struct Soup {
     std::vector<std::uint32_t> faceLines;    ///< likewise of each polygon
     std::vector<std::uint32_t> pointNumbers; ///< number in the file; empty if that is the position
     std::vector<std::uint32_t> faceNumbers;  ///< likewise of each polygon
+    std::int64_t firstIndex = 0;             ///< of the vertices of a polygon in the file
 
     [[nodiscard]] std::size_t faceCount() const { return faceBegins.size() - 1; }
     [[nodiscard]] std::span<const std::int64_t> face(std::size_t k) const {

@@ -11,6 +11,9 @@
 
 namespace qm {
 
+/// What to do about a file that ends too early.
+constexpr const char* cutOffHint = "The file seems to be cut off. Use a complete copy";
+
 /// Walks through a text. Lines end with LF, CRLF or CR, whichever ends the first line; '#' begins a comment.
 class TextLines {
 public:
@@ -89,9 +92,12 @@ private:
     bool unfinished_ = false;
 };
 
+/// Whether a decimal number that no floating-point type can hold is too small, and not too large.
+[[nodiscard]] bool isTiny(std::string_view number);
+
 /// The whole word as a number, which may be nan or inf; nothing if it is no number. A value out of range
-/// becomes the type's largest value, or infinity for floating point.
-template <class Number> std::optional<Number> parseNumber(std::string_view word) {
+/// becomes the type's lowest or largest value; for floating point, zero or an infinity.
+template <class Number> std::optional<Number> readFileNumber(std::string_view word) {
     if (word.starts_with('+')) {
         word.remove_prefix(1);
         if (word.starts_with('-')) return std::nullopt;
@@ -102,14 +108,15 @@ template <class Number> std::optional<Number> parseNumber(std::string_view word)
     if (error == std::errc::invalid_argument || end != last) return std::nullopt;
     if (error == std::errc()) return value;
     using Limits = std::numeric_limits<Number>;
+    const bool negative = word.starts_with('-');
     if constexpr (std::is_integral_v<Number>) {
-        return word.starts_with('-') ? Limits::min() : Limits::max();
+        return negative ? Limits::min() : Limits::max();
     } else {
-        // The value is too large or too small: try the wider type, then the sign of the exponent.
         long double wide = 0;
         if (std::from_chars(word.data(), last, wide).ec == std::errc())
             return static_cast<Number>(wide); // rounds to zero or to infinity
-        return word.find("e-") == word.npos && word.find("E-") == word.npos ? Limits::infinity() : Number{};
+        if (isTiny(word)) return Number{};
+        return negative ? -Limits::infinity() : Limits::infinity();
     }
 }
 

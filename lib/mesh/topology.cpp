@@ -29,7 +29,7 @@ std::vector<VertexId> extraordinaryVertices(const QuadMesh& mesh) {
     return result;
 }
 
-std::vector<VertexId> verticesAlong(const QuadMesh& mesh, const std::vector<HalfedgeId>& halfedges) {
+std::vector<VertexId> verticesAlong(const QuadMesh& mesh, std::span<const HalfedgeId> halfedges) {
     std::vector<VertexId> vertices;
     if (halfedges.empty()) return vertices;
     vertices.reserve(halfedges.size() + 1);
@@ -37,6 +37,13 @@ std::vector<VertexId> verticesAlong(const QuadMesh& mesh, const std::vector<Half
     for (const HalfedgeId halfedge : halfedges)
         vertices.push_back(mesh.to_vertex_handle(halfedge));
     return vertices;
+}
+
+double sumAlong(const QuadMesh& mesh, std::span<const HalfedgeId> path, const std::vector<double>& perEdge) {
+    double sum = 0;
+    for (const HalfedgeId halfedge : path)
+        sum += perEdge[at(mesh.edge_handle(halfedge))];
+    return sum;
 }
 
 Components components(const QuadMesh& mesh) {

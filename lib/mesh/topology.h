@@ -3,6 +3,7 @@
 
 #include "mesh/quad_mesh.h"
 
+#include <span>
 #include <vector>
 
 namespace qm {
@@ -26,7 +27,11 @@ namespace qm {
 
 /// The vertices along consecutive halfedges, one more than there are halfedges; empty if there are none.
 [[nodiscard]] std::vector<VertexId> verticesAlong(const QuadMesh& mesh,
-                                                  const std::vector<HalfedgeId>& halfedges);
+                                                  std::span<const HalfedgeId> halfedges);
+
+/// The sum of a value of every edge along consecutive halfedges.
+[[nodiscard]] double sumAlong(const QuadMesh& mesh, std::span<const HalfedgeId> path,
+                              const std::vector<double>& perEdge);
 
 /// The connected component of every vertex; components are numbered from 0 in the order of their lowest
 /// vertices. Isolated vertices are components of their own.

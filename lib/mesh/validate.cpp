@@ -13,7 +13,7 @@
 namespace qm {
 namespace {
 
-constexpr const char* repairHint = "The option --repair mends this";
+constexpr const char* repairHint = "The option --repair corrects this";
 
 std::string plural(std::size_t count, const std::string& noun) {
     return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
@@ -56,7 +56,7 @@ void checkSides(const Soup& soup) {
     for (std::size_t k = 0; k < soup.faceCount(); ++k)
         if (soup.face(k).size() < 3)
             throw Error(soup.facePlace(k), "it has " + plural(soup.face(k).size(), "side"),
-                        "Get the file anew, or take the face out");
+                        "Use another copy of the file, or take the face out");
 }
 
 void checkIndices(const Soup& soup) {
@@ -65,14 +65,15 @@ void checkIndices(const Soup& soup) {
     if (lowest >= 0 && highest < count) return;
     const auto wrong =
         std::ranges::find_if(soup.corners, [&](std::int64_t k) { return k < 0 || k >= count; });
-    const bool oneBased = lowest == 1 && highest == count;
+    const bool oneBased = soup.firstIndex == 0 && lowest == 1 && highest == count;
     const std::size_t corner = positionIn(soup.corners, wrong);
     const auto behind = std::ranges::upper_bound(soup.faceBegins, corner);
     throw Error(soup.facePlace(positionIn(soup.faceBegins, behind) - 1),
-                "vertex index " + std::to_string(*wrong) + " is out of range: there are " +
-                    std::to_string(soup.points.size()) + " vertices" + ", counted from 0",
+                "vertex index " + std::to_string(*wrong + soup.firstIndex) + " is out of range: there are " +
+                    std::to_string(soup.points.size()) + " vertices, counted from " +
+                    std::to_string(soup.firstIndex),
                 oneBased ? "The file seems to count from 1: subtract 1 from every index"
-                         : "Get the file whole, or mend the index");
+                         : "Use a complete copy, or correct the index");
 }
 
 void checkPoints(const Soup& soup) {
@@ -84,7 +85,7 @@ void checkPoints(const Soup& soup) {
                 throw Error(soup.pointPlace(k), "a coordinate is larger than 1e150", "Scale the model");
             throw Error(soup.pointPlace(k),
                         std::isnan(value) ? "a coordinate is not a number" : "a coordinate is infinite",
-                        "Mend the vertex");
+                        "Correct the vertex");
         }
 }
 

@@ -137,7 +137,7 @@ private:
             return;
         }
         const double dual = relaxed_.duals[id], side = dual > 0 ? row.lower : row.upper;
-        // With a dual of the wrong sign, which is noise of the solver.
+        // A side is infinite where the dual has the wrong sign, which is noise of the solver.
         if (dual == 0 || std::isinf(side)) return;
         constant_ += dual * side;
         for (std::size_t k = 0; k < row.columns.size(); ++k)

@@ -1,6 +1,7 @@
 #include "program/neighbourhood_search.h"
 
 #include "base/deadline.h"
+#include "base/sort_unique.h"
 #include "program/solve_program.h"
 
 #include <algorithm>
@@ -70,8 +71,7 @@ private:
             part.costs.push_back(program_.costs[column]);
             rows.insert(rows.end(), rowsOf_[column].begin(), rowsOf_[column].end());
         }
-        std::ranges::sort(rows);
-        rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+        sortUnique(rows);
         for (const RowId row : rows)
             part.rows.push_back(restricted(program_.rows[row]));
         for (const ColumnId column : free)

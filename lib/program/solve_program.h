@@ -21,7 +21,7 @@ struct ProgramLimits {
 };
 
 /// Minimises the cost. Stops at a limit, or soon after `control.stopRequested`, with the best solution so
-/// far.
+/// far. Must not run on two threads at the same time: CBC keeps its parameters in globals.
 /// \param start  values that satisfy all rows, to begin with; may be empty
 [[nodiscard]] ProgramSolution solveProgram(const IntegerProgram& program, const ColumnValues& start,
                                            const ProgramLimits& limits, const Control& control = {});

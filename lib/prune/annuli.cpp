@@ -1,9 +1,9 @@
 #include "prune/annuli.h"
 
 #include "base/at.h"
+#include "base/sort_unique.h"
 #include "mesh/mesh_lines.h"
 
-#include <algorithm>
 #include <numeric>
 
 namespace qm {
@@ -114,8 +114,7 @@ private:
         std::vector<ArcId> arcs;
         for (const EdgeId edge : edges)
             if (arcOf_[at(edge)].valid()) arcs.push_back(arcOf_[at(edge)]);
-        std::ranges::sort(arcs);
-        arcs.erase(std::unique(arcs.begin(), arcs.end()), arcs.end());
+        sortUnique(arcs);
         return arcs;
     }
 

@@ -78,14 +78,12 @@ void addSeedLines(const QuadMesh& mesh, const BaseComplex& complex, const ArcGra
                   const std::vector<double>& dihedralAngles, const std::vector<double>& edgeCosts,
                   GridProgram& grids) {
     for (const auto& [faces, arcs] : sourcelessComponents(mesh, complex, graph)) {
-        double cost = 0;
         const std::vector<HalfedgeId> line = seedLine(mesh, faces, dihedralAngles);
-        for (const HalfedgeId halfedge : line)
-            cost += edgeCosts[at(mesh.edge_handle(halfedge))];
         // A loop turns a torus into one annulus, or one annulus into two; a line between borders makes one
         // grid.
         const bool loop = !mesh.is_boundary(mesh.from_vertex_handle(line.front()));
-        const ColumnId column = grids.addIndicator({arcs, false}, loop ? 4 : 0, cost);
+        const ColumnId column =
+            grids.addIndicator({arcs, false}, loop ? 4 : 0, sumAlong(mesh, line, edgeCosts));
         requireSome(grids, arcs, column);
         excludeAll(grids, arcs, column);
     }

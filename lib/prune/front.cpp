@@ -5,7 +5,7 @@
 namespace qm {
 namespace {
 
-bool isAsGood(const FrontPoint& one, const FrontPoint& other) {
+bool dominates(const FrontPoint& one, const FrontPoint& other) {
     constexpr double rounding = 1e-9;
     return one.segments <= other.segments && one.cost <= other.cost + rounding &&
            one.capturedSharpness >= other.capturedSharpness - rounding;
@@ -14,8 +14,8 @@ bool isAsGood(const FrontPoint& one, const FrontPoint& other) {
 } // namespace
 
 void addToFront(std::vector<FrontPoint>& front, const FrontPoint& point) {
-    if (std::ranges::any_of(front, [&](const FrontPoint& other) { return isAsGood(other, point); })) return;
-    std::erase_if(front, [&](const FrontPoint& other) { return isAsGood(point, other); });
+    if (std::ranges::any_of(front, [&](const FrontPoint& other) { return dominates(other, point); })) return;
+    std::erase_if(front, [&](const FrontPoint& other) { return dominates(point, other); });
     front.push_back(point);
 }
 

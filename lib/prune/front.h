@@ -1,4 +1,4 @@
-/// \file The front of pruned layouts: those of which none is as good as another in everything
+/// \file The Pareto front of pruned layouts: those that no other one dominates
 /// (docs/METHOD.md#pruning-program).
 #pragma once
 
@@ -7,8 +7,8 @@
 
 namespace qm {
 
-/// The figures of a layout. One layout is as good as another if its number of segments, its G_T and its
-/// captured sharpness all are, up to rounding.
+/// The figures of a layout. One layout dominates another if its number of segments, its G_T and its captured
+/// sharpness are all at least as good, up to rounding.
 struct FrontPoint {
     double beta = 0; ///< price of a segment for which the layout was found
     std::size_t segments = 0;
@@ -18,8 +18,8 @@ struct FrontPoint {
     bool proven = false;       ///< the layout attains the bound
 };
 
-/// Adds a point unless another one is as good, and removes all points that the new one is as good as.
-/// \param front  no point of it is as good as another
+/// Adds a point unless another one dominates it, and removes all points that the new one dominates.
+/// \param front  no point of it dominates another
 void addToFront(std::vector<FrontPoint>& front, const FrontPoint& point);
 
 } // namespace qm

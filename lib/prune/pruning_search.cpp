@@ -16,7 +16,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Tuning {
     /// The price of a segment when only the number of segments counts.
-    static constexpr double dearest = std::numeric_limits<double>::max();
+    static constexpr double prohibitive = std::numeric_limits<double>::max();
     static constexpr double highestPrice = 1024; ///< last price in the search for a layout of few segments
     static constexpr double priceGrowth = 4;     ///< factor between two prices; each of them is a search
     static constexpr double shareOfApproach = 1.0 / 12; ///< of the time, for each price: six take half of it
@@ -42,7 +42,7 @@ PruningSearch::Found PruningSearch::findCheapest(const PruningAim& aim, double s
     const IntegerProgram program = programFor(aim);
     const Deadline end(control_, seconds);
     const bool limited = std::isfinite(aim.maxSegments);
-    prepare(program, limited ? Tuning::dearest : aim.beta);
+    prepare(program, limited ? Tuning::prohibitive : aim.beta);
     if (limited) approach(aim.maxSegments, end);
     Found found = solve(program, aim.maxSegments, end);
     found.lowerBound += aim.beta * grids_.corners / 4;
@@ -54,7 +54,7 @@ PruningSearch::Found PruningSearch::findFewest(double seconds) {
     numbers.costs.assign(numbers.costs.size(), 0);
     addPrice(numbers, 1);
     const Deadline proofEnd(control_, seconds / 4), end(control_, seconds);
-    prepare(numbers, Tuning::dearest);
+    prepare(numbers, Tuning::prohibitive);
     Found fewest = solve(numbers, infinity, proofEnd);
     if (!fewest.proven) {
         // Most neighbours of a layout have the same number of segments, so G_T guides the search among them.
@@ -146,7 +146,7 @@ PruningSearch::Found PruningSearch::solve(const IntegerProgram& program, double 
     const ProgramSolution solution =
         solveProgram(program, start.value_or(ColumnValues{}), {.seconds = seconds / 2}, control_);
     if (!solution.values && !start)
-        throw Error("--max-segments", "no layout of so few segments was found", "allow more, or more time");
+        throw Error("--max-segments", "no layout of so few segments was found", "Allow more, or more time");
     ColumnValues values = solution.values ? completed(grids_, graph_, *solution.values) : *start;
     if (start && program.cost(*start) < program.cost(values)) values = *start;
     if (!solution.proven) values = improved(program, std::move(values), end.secondsLeft());

@@ -11,7 +11,7 @@ namespace qm {
 
 /// Keeps track of which edges are borders and which faces belong to one segment while tracks are removed.
 /// Borders are the tracks and the mesh boundary, but not transversals, which are drawn anew in the end.
-/// the tracks are settled.
+///
 /// It is enough to look at the vertices of the track. If afterwards no segment takes more than two quads at
 /// any of them, and none of them is an extraordinary vertex inside a segment, then by Gauss-Bonnet every new
 /// segment is a disk with four corners, an annulus or a torus. It is a disk exactly if the pieces of the
@@ -19,7 +19,6 @@ namespace qm {
 /// annulus, only a closed one that no other border touches passes the test at its vertices: elsewhere the
 /// annulus takes two quads at the track's end, and the other side adds at least one. Such a loop stays, so
 /// annuli and their transversals never change.
-/// their transversals never change.
 class Removal {
 public:
     Removal(const QuadMesh& mesh, const Layout& layout);

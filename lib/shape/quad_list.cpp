@@ -2,7 +2,6 @@
 
 #include "base/at.h"
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>

@@ -3,7 +3,6 @@
 #include "view/layers.h"
 #include "view/surface_samples.h"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 

@@ -187,11 +187,11 @@ TEST(SearchProperty, ADiagramHoldsEveryGraphOnce) {
             EXPECT_TRUE(walkDiagram(*diagram, diagram->root, assignment, visit));
             EXPECT_FALSE(twice) << "case " << number;
             EXPECT_EQ(walked, *graphs) << "case " << number;
-            const auto ways = countWays(*diagram);
-            ASSERT_EQ(ways[diagram->root], BigCount(graphs->size())) << "case " << number;
+            const auto paths = countPaths(*diagram);
+            ASSERT_EQ(paths[diagram->root], BigCount(graphs->size())) << "case " << number;
             std::set<Assignment> ranked;
-            for (BigCount rank = 0; rank < ways[diagram->root]; ++rank)
-                ranked.insert(graphOfRank(*diagram, ways, rank));
+            for (BigCount rank = 0; rank < paths[diagram->root]; ++rank)
+                ranked.insert(graphOfRank(*diagram, paths, rank));
             EXPECT_EQ(ranked, *graphs) << "case " << number;
             ++compared;
         }
@@ -207,7 +207,7 @@ TEST(SearchProperty, ADiagramCountsManyCases) {
         if (!graphs) continue;
         const auto diagram = buildDiagram(drawn->problem, 1'000'000);
         ASSERT_TRUE(diagram);
-        EXPECT_EQ(countWays(*diagram)[diagram->root], BigCount(graphs->size())) << "case " << number;
+        EXPECT_EQ(countPaths(*diagram)[diagram->root], BigCount(graphs->size())) << "case " << number;
     }
 }
 

@@ -3,6 +3,7 @@
 #include "cli/command_line_rules.h"
 #include "cli/console.h"
 #include "cli/exit_status.h"
+#include "cli/messages.h"
 #include "cli/output_file.h"
 #include "cli/progress.h"
 #include "cli/tool.h"
@@ -13,8 +14,10 @@
 
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <new>
 #include <set>
 #include <stdexcept>
@@ -47,6 +50,23 @@ TEST(OutputFile, AppearsWholeOrNotAtAll) {
     file.commit();
     EXPECT_EQ(qm::readFile(path), "new text");
     EXPECT_EQ(entries(folder), 1U);
+}
+
+TEST(OutputFile, LeavesNothingWhereTooManyAreOpen) {
+    const TemporaryFolder folder;
+    {
+        std::vector<std::unique_ptr<OutputFile>> open;
+        const auto openAnother = [&] {
+            open.push_back(std::make_unique<OutputFile>(folder.path("out" + std::to_string(open.size()))));
+        };
+        while (messageOf(openAnother).empty() && open.size() < 100) {
+        }
+        EXPECT_EQ(entries(folder), open.size());
+        sigset_t blocked;
+        pthread_sigmask(SIG_BLOCK, nullptr, &blocked);
+        EXPECT_EQ(sigismember(&blocked, SIGTERM), 0);
+    }
+    EXPECT_EQ(entries(folder), 0U);
 }
 
 TEST(OutputFile, FollowsLinksAndKeepsPermissions) {
@@ -101,6 +121,19 @@ TEST(ReadFile, NamesWhatCannotBeRead) {
     const std::string bytes(300000, '\0');
     EXPECT_EQ(qm::readFile(folder.write("zeros", bytes)), bytes);
     EXPECT_EQ(qm::readFile(folder.write("empty", "")), "");
+}
+
+TEST(PrintMessage, ShortensBetweenCharacters) {
+    for (int begin = 0; begin < 2; ++begin) {
+        std::string message(static_cast<std::size_t>(begin), 'x');
+        for (int k = 0; k < 3000; ++k)
+            message += "\u00e9";
+        ::testing::internal::CaptureStderr();
+        qm::printMessage(message);
+        const std::string printed = ::testing::internal::GetCapturedStderr();
+        EXPECT_LE(printed.size(), 4005U);
+        EXPECT_TRUE(printed.ends_with("\u00e9 ...\n")) << printed.substr(printed.size() - 10);
+    }
 }
 
 TEST(Progress, TellsTheTimeThatIsLeft) {

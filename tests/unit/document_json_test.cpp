@@ -3,6 +3,7 @@
 #include "base/number_text.h"
 #include "document/json.h"
 #include "document/json_place.h"
+#include "document/misspelt_keys.h"
 #include "document/utf8.h"
 #include "support/sample_document.h"
 
@@ -68,6 +69,22 @@ TEST(ParseJson, TakesLinearTimeForManyKeys) {
     EXPECT_EQ(parseJson(text).size(), 200001U);
     // Searching all keys for every new key would take minutes.
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
+}
+
+TEST(MisspeltKeys, ResembleAKnownKeyThatIsMissing) {
+    const Json root = parseJson(R"({"kind": "layout", "version": 1, "histroy": [], "Kind": 0, "": 0})");
+    EXPECT_EQ(qm::misspeltKeys(root, "layout"),
+              std::vector<std::string>{"/histroy: no tool reads this key. Is it 'history'?"});
+}
+
+TEST(MisspeltKeys, TakeLinearTimeForManyKeys) {
+    Json root = Json::object();
+    for (int i = 0; i < 40000; ++i)
+        root.get_ref<Json::object_t&>().emplace_back("foreign" + std::to_string(i), 0);
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_TRUE(qm::misspeltKeys(root, "layout").empty());
+    // Looking for every known key again for every foreign one took a quarter of a minute.
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
 }
 
 TEST(PrintJson, ReadsBackAsTheSame) {

@@ -469,7 +469,7 @@ TEST_F(ModelTest, AKindAndItsSectionsMustAgree) {
 TEST_F(ModelTest, ATooEarlyKindNamesTheToolToRun) {
     const Document document = sampleDocument(folder, Kind::cut);
     EXPECT_EQ(messageOf([&] { (void)qm::requireKind(document, Kind::enumeration); }),
-              "/kind: is cut, but enumeration is due. Run qm-enum first");
+              "/kind: is cut, but enumeration or a later kind is needed. Run qm-enum first");
     EXPECT_EQ(qm::requireKind(document, Kind::features), Kind::cut);
 }
 

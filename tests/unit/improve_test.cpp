@@ -14,6 +14,7 @@
 #include <limits>
 #include <random>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 namespace qm {
@@ -62,6 +63,22 @@ TEST(MoveCuts, MakesGraphsCheaperAndLeavesThemValid) {
         cheaper += after < before - 1e-9 ? 1 : 0;
     }
     EXPECT_GT(cheaper, 5);
+}
+
+TEST(MoveCuts, ReportsProgressOnTheThreadOfTheCaller) {
+    const PlainCase plain(1, 15, 150);
+    Control control;
+    control.jobs = 4;
+    double last = 0;
+    control.progress = [&, caller = std::this_thread::get_id()](double fraction) {
+        EXPECT_EQ(std::this_thread::get_id(), caller);
+        EXPECT_GE(fraction, last);
+        last = fraction;
+    };
+    const WindowResult moved = moveCuts(plain.space, plain.present, 5, {}, control);
+    EXPECT_GT(moved.windows, 10U);
+    EXPECT_GT(last, 0);
+    EXPECT_LE(last, 1);
 }
 
 TEST(SearchWhole, FindsTheCheapestGraphAndItsBound) {

@@ -1,4 +1,5 @@
 // Compares the exact search with trying everything, on random problems that are small enough.
+#include "enumerate/diagram/cheapest_graph.h"
 #include "enumerate/optimum/optimum.h"
 #include "enumerate/state/depth_first.h"
 #include "program/integer_program.h"
@@ -140,6 +141,30 @@ TEST(Optimum, SeveralAreTheCheapestWithTiesAndLimits) {
         const std::size_t middle = std::min<std::size_t>(drawn->graphs.size() - 1, 3);
         expectBest(drawn->whole, drawn->graphs, 20, costOf(drawn->whole, drawn->graphs[middle]) + 1e-3);
     }
+}
+
+TEST(Diagram, ItsCheapestGraphIsTheFirstOfItsTies) {
+    int tied = 0;
+    for (unsigned number = 0; number < cases; ++number) {
+        const auto drawn = drawCase(number);
+        if (!drawn) continue;
+        const auto diagram = buildDiagram(drawn->whole, 1'000'000);
+        ASSERT_TRUE(diagram) << number;
+        EXPECT_EQ(cheapestGraph(*diagram), drawn->graphs.front()) << number;
+        if (drawn->graphs.size() > 1 &&
+            costOf(drawn->whole, drawn->graphs[0]) == costOf(drawn->whole, drawn->graphs[1]))
+            ++tied;
+    }
+    EXPECT_GT(tied, 20);
+}
+
+TEST(Problem, HasNothingFreeOnLinesThatAreNotGiven) {
+    std::optional<Case> drawn;
+    for (unsigned number = 0; !drawn || drawn->whole.chains.empty(); ++number)
+        drawn = drawCase(number);
+    const Problem none = makeProblem({drawn->graph, drawn->costs, {}, {}, {}, {}, 0, std::vector<LineId>{}});
+    EXPECT_TRUE(none.chains.empty());
+    EXPECT_TRUE(none.crossings.empty());
 }
 
 TEST(Optimum, WindowsWithWallsAndOpenEnds) {

@@ -33,6 +33,18 @@ TEST(ParallelFor, PassesExceptionsOn) {
     }
 }
 
+TEST(ParallelFor, ReportsTheFirstOfSeveralFailures) {
+    for (int repeats = 0; repeats < 2000; ++repeats)
+        try {
+            parallelFor(16, 4, [](std::size_t k) {
+                if (k >= 3) throw std::runtime_error(std::to_string(k));
+            });
+            FAIL() << "nothing was thrown";
+        } catch (const std::runtime_error& error) {
+            ASSERT_STREQ(error.what(), "3");
+        }
+}
+
 TEST(Ahead, IsDoneWhenItHasBeenWaitedFor) {
     for (const unsigned jobs : {1U, 2U}) {
         int done = 0;

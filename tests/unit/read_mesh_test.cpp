@@ -118,9 +118,11 @@ TEST(Refusal, OfOtherPolygonsSaysHowMany) {
 TEST(Refusal, OfIndicesOutOfRange) {
     EXPECT_TRUE(
         says(refusal(objOf(gridPoints, "f 1 2 6 5\nf 2 3 7 13\n"), "a.obj"),
-             "^face 1 (line 14): vertex index 12 is out of range: there are 12 vertices, counted from 0"));
-    EXPECT_TRUE(
-        says(refusal(objOf(gridPoints, "f -1 -2 -3 -13\n"), "a.obj"), "vertex index -1 is out of range"));
+             "^face 1 (line 14): vertex index 13 is out of range: there are 12 vertices, counted from 1"));
+    EXPECT_TRUE(says(refusal(objOf(gridPoints, "f -1 -2 -3 -13\n"), "a.obj"),
+                     "^line 13: face 0: vertex index -13 is out of range: there are 12 vertices before it"));
+    // Indices from 2 on are no sign that a file counts from another number.
+    EXPECT_TRUE(says(refusal(objOf(gridPoints, "f 2 3 7 13\n"), "a.obj"), "correct the index"));
     EXPECT_TRUE(says(refusal("f 1 2 3 4\n", "a.obj"), "there are 0 vertices"));
 }
 

@@ -1,8 +1,11 @@
+#include "mesh/text_lines.h"
 #include "support/mesh_text.h"
 #include "support/two_squares.h"
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <limits>
 #include <string>
 
 namespace qm {
@@ -61,6 +64,23 @@ TEST(ReadObj, RefusesWhatIsNoNumber) {
         says(refusal(replaced(twoObj(), "v 2 1 0", "v 2 1"), "a.obj"), "fewer than three coordinates"));
     EXPECT_TRUE(
         says(refusal(replaced(twoObj(), "v 2 1 0", "v 2 " + std::string(1000, 'x')), "a.obj"), "..."));
+}
+
+TEST(ReadObj, KeepsTheSignAndTheSizeOfWhatIsOutOfRange) {
+    const auto read = [](const std::string& word) { return readFileNumber<double>(word).value(); };
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    EXPECT_EQ(read("1e999"), infinity);
+    EXPECT_EQ(read("-1e999"), -infinity);
+    EXPECT_EQ(read("-1e99999"), -infinity);
+    EXPECT_EQ(read("1" + std::string(6000, '0')), infinity);
+    EXPECT_EQ(read("-1" + std::string(6000, '0') + ".5"), -infinity);
+    EXPECT_EQ(read("0." + std::string(6000, '0') + "1e999"), 0);
+    EXPECT_EQ(read("0." + std::string(6000, '0') + "1"), 0);
+    EXPECT_EQ(read("1e-99999"), 0);
+    EXPECT_EQ(read("1E-99999999999999999999"), 0);
+    EXPECT_EQ(read("1e-400"), 0);
+    EXPECT_EQ(readFileNumber<std::int64_t>("-99999999999999999999"),
+              std::numeric_limits<std::int64_t>::min());
 }
 
 TEST(ReadObj, RefusesWhatIsNoIndex) {

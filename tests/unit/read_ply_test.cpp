@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <string>
 
 namespace qm {
@@ -63,6 +64,15 @@ TEST(ReadPly, RefusesBadHeaders) {
                      "one x, y and z"));
     EXPECT_TRUE(says(refusal(replaced(twoPly(), "element face", "element vertex"), "a.ply"), "occurs twice"));
     EXPECT_TRUE(says(refusal("OFF\n", "a.ply"), "does not begin with ply"));
+}
+
+TEST(ReadPly, TakesLinearTimeForManyElements) {
+    std::string header = "ply\nformat ascii 1.0\n";
+    for (int k = 0; k < 80000; ++k)
+        header += "element e" + std::to_string(k) + " 0\n";
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_TRUE(says(refusal(header + "end_header\n", "a.ply"), "holds no faces"));
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(3));
 }
 
 TEST(ReadPly, RefusesWhatWasCutOff) {

@@ -87,7 +87,7 @@ TEST(ReadTriangles, BinaryStlMayBeginWithSolid) {
 TEST(ReadTriangles, WhatIsNotWholeOrNoSurfaceIsRefused) {
     const std::string binary = writeSoup(soupOf(square()), MeshFormat::stl);
     expectRefused(binary.substr(0, binary.size() - 1), "a.stl", "2 facets that its header announces");
-    expectRefused(binary + "x", "a.stl", "Get the file whole");
+    expectRefused(binary + "x", "a.stl", "Use a complete copy");
     expectRefused(binary.substr(0, 60), "a.stl", "within its header");
     expectRefused(textStl().substr(0, 100), "a.stl",
                   "line 6: expected vertex or endloop, found \"ve\". The file seems to be cut off");

@@ -1,6 +1,7 @@
 #include "enumerate/diagram/border.h"
 
 #include "base/at.h"
+#include "base/sort_unique.h"
 
 #include <algorithm>
 
@@ -96,9 +97,7 @@ DiagramBorder::DiagramBorder(const SearchState& state, const std::vector<Step>& 
     for (const CrackNodeId node : nodes.ids())
         nodes[node].watch(watches_, node, &Watch::nodes);
     for (Watch& watch : watches_) {
-        std::ranges::sort(watch.variables);
-        watch.variables.erase(std::unique(watch.variables.begin(), watch.variables.end()),
-                              watch.variables.end());
+        sortUnique(watch.variables);
         watch.words = wordsFor(watch.variables.size() + watch.chains.size(), watch.nodes.size());
     }
 }

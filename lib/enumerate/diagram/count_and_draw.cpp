@@ -1,6 +1,6 @@
 #include "enumerate/diagram/count_and_draw.h"
 
-#include "enumerate/diagram/ranked_graphs.h"
+#include "enumerate/diagram/cheapest_graph.h"
 
 #include <algorithm>
 #include <limits>
@@ -25,15 +25,16 @@ BigCount drawBelow(const BigCount& limit, std::mt19937_64& random) {
     }
 }
 
-class CostlyWays {
+class PathsUpToCost {
 public:
-    CostlyWays(const Diagram& diagram, const Control& control)
-        : diagram_(diagram), control_(control), ways_(countWays(diagram)), cheapest_(cheapestWays(diagram)),
-          dearest_(diagram.nodes.size(), -std::numeric_limits<double>::infinity()) {
-        dearest_[Diagram::end] = 0;
-        for (std::size_t id = Diagram::end + 1; id < dearest_.size(); ++id) {
+    PathsUpToCost(const Diagram& diagram, const Control& control)
+        : diagram_(diagram), control_(control), paths_(countPaths(diagram)),
+          cheapest_(cheapestPaths(diagram)),
+          mostExpensive_(diagram.nodes.size(), -std::numeric_limits<double>::infinity()) {
+        mostExpensive_[Diagram::end] = 0;
+        for (std::size_t id = Diagram::end + 1; id < mostExpensive_.size(); ++id) {
             const Diagram::Node& node = diagram.nodes[id];
-            dearest_[id] = std::max(node.cost + dearest_[node.in], dearest_[node.out]);
+            mostExpensive_[id] = std::max(node.cost + mostExpensive_[node.in], mostExpensive_[node.out]);
         }
     }
 
@@ -45,8 +46,8 @@ public:
 private:
     void countFrom(Diagram::NodeId id, double left) {
         if (stopped_ || cheapest_[id] > left) return;
-        if (dearest_[id] <= left) {
-            sum_ += ways_[id];
+        if (mostExpensive_[id] <= left) {
+            sum_ += paths_[id];
             return;
         }
         stopped_ = ++steps_ % 4096 == 0 && control_.stopRequested();
@@ -57,9 +58,9 @@ private:
 
     const Diagram& diagram_;
     const Control& control_;
-    std::vector<BigCount> ways_;
+    std::vector<BigCount> paths_;
     std::vector<double> cheapest_;
-    std::vector<double> dearest_;
+    std::vector<double> mostExpensive_;
     BigCount sum_ = 0;
     std::size_t steps_ = 0;
     bool stopped_ = false;
@@ -67,24 +68,24 @@ private:
 
 } // namespace
 
-std::vector<BigCount> countWays(const Diagram& diagram) {
-    std::vector<BigCount> ways(diagram.nodes.size());
-    ways[Diagram::end] = 1;
-    for (std::size_t node = Diagram::end + 1; node < ways.size(); ++node)
-        ways[node] = ways[diagram.nodes[node].in] + ways[diagram.nodes[node].out];
-    return ways;
+std::vector<BigCount> countPaths(const Diagram& diagram) {
+    std::vector<BigCount> paths(diagram.nodes.size());
+    paths[Diagram::end] = 1;
+    for (std::size_t node = Diagram::end + 1; node < paths.size(); ++node)
+        paths[node] = paths[diagram.nodes[node].in] + paths[diagram.nodes[node].out];
+    return paths;
 }
 
 std::optional<BigCount> countUpTo(const Diagram& diagram, double maxCost, const Control& control) {
-    return CostlyWays(diagram, control).count(maxCost);
+    return PathsUpToCost(diagram, control).count(maxCost);
 }
 
-Assignment graphOfRank(const Diagram& diagram, const std::vector<BigCount>& ways, BigCount rank) {
+Assignment graphOfRank(const Diagram& diagram, const std::vector<BigCount>& paths, BigCount rank) {
     Assignment graph = diagram.fixed;
     for (Diagram::NodeId id = diagram.root; id > Diagram::end;) {
         const Diagram::Node& node = diagram.nodes[id];
-        const bool in = rank < ways[node.in];
-        if (!in) rank -= ways[node.in];
+        const bool in = rank < paths[node.in];
+        if (!in) rank -= paths[node.in];
         if (node.variable.valid()) graph[node.variable] = in ? 1 : 0;
         id = in ? node.in : node.out;
     }
@@ -92,11 +93,11 @@ Assignment graphOfRank(const Diagram& diagram, const std::vector<BigCount>& ways
 }
 
 std::vector<Assignment> drawGraphs(const Diagram& diagram, std::size_t count, std::size_t seed) {
-    const std::vector<BigCount> ways = countWays(diagram);
+    const std::vector<BigCount> paths = countPaths(diagram);
     std::mt19937_64 random(seed);
     std::vector<Assignment> graphs;
-    while (ways[diagram.root] > 0 && graphs.size() < count)
-        graphs.push_back(graphOfRank(diagram, ways, drawBelow(ways[diagram.root], random)));
+    while (paths[diagram.root] > 0 && graphs.size() < count)
+        graphs.push_back(graphOfRank(diagram, paths, drawBelow(paths[diagram.root], random)));
     return graphs;
 }
 

@@ -9,7 +9,7 @@
 namespace qm {
 
 /// For every node the number of paths to the end.
-[[nodiscard]] std::vector<BigCount> countWays(const Diagram& diagram);
+[[nodiscard]] std::vector<BigCount> countPaths(const Diagram& diagram);
 
 /// The number of graphs that cost at most `maxCost`. The walk turns back at nodes below which all paths are
 /// cheap enough, or none is.
@@ -18,8 +18,8 @@ namespace qm {
                                                 const Control& control = {});
 
 /// The graph of a rank from 0 to the number of graphs less 1; different ranks have different graphs.
-/// \param ways  the result of `countWays`
-[[nodiscard]] Assignment graphOfRank(const Diagram& diagram, const std::vector<BigCount>& ways,
+/// \param paths  the result of `countPaths`
+[[nodiscard]] Assignment graphOfRank(const Diagram& diagram, const std::vector<BigCount>& paths,
                                      BigCount rank);
 
 /// Draws graphs uniformly, with repetition. The same seed gives the same graphs everywhere.

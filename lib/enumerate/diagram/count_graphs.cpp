@@ -54,7 +54,7 @@ private:
 
 std::optional<BigCount> countGraphs(const Problem& problem, const Control& control) {
     if (const auto diagram = buildDiagram(problem, diagramNodes, control))
-        return countWays(*diagram)[diagram->root];
+        return countPaths(*diagram)[diagram->root];
     return countByParts(problem, control);
 }
 

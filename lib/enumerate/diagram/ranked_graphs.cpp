@@ -1,6 +1,7 @@
 #include "enumerate/diagram/ranked_graphs.h"
 
 #include "base/at.h"
+#include "enumerate/diagram/cheapest_graph.h"
 #include "enumerate/state/incumbents.h"
 
 #include <algorithm>
@@ -26,7 +27,7 @@ struct Detour {
 class Ranking {
 public:
     explicit Ranking(const Diagram& diagram)
-        : diagram_(diagram), cheapest_(cheapestWays(diagram)), heaps_(diagram.nodes.size(), unknown),
+        : diagram_(diagram), cheapest_(cheapestPaths(diagram)), heaps_(diagram.nodes.size(), unknown),
           detours_(1) {
         heaps_[Diagram::end] = 0;
     }
@@ -35,17 +36,17 @@ public:
     template <class Visit> bool run(const Visit& visit) {
         offer(cheapest_[diagram_.root], 0, -1);
         while (!open_.empty()) {
-            const Way way = open_.top();
+            const Path path = open_.top();
             open_.pop();
-            ways_.push_back(way);
-            const auto id = static_cast<std::int64_t>(ways_.size()) - 1;
-            if (!visit(diagram_.fixedCost + way.cost, graphOf(id))) return false;
-            const Detour& last = detours_[way.detour];
+            paths_.push_back(path);
+            const auto id = static_cast<std::int64_t>(paths_.size()) - 1;
+            if (!visit(diagram_.fixedCost + path.cost, graphOf(id))) return false;
+            const Detour& last = detours_[path.detour];
             for (const std::uint32_t other : {last.left, last.right})
-                if (way.detour != 0 && other != 0)
-                    offer(way.cost - last.extra + detours_[other].extra, other, way.before);
-            const std::uint32_t next = heapAfter(way.detour == 0 ? diagram_.root : dearer(last.node));
-            if (next != 0) offer(way.cost + detours_[next].extra, next, id);
+                if (path.detour != 0 && other != 0)
+                    offer(path.cost - last.extra + detours_[other].extra, other, path.before);
+            const std::uint32_t next = heapAfter(path.detour == 0 ? diagram_.root : moreExpensive(last.node));
+            if (next != 0) offer(path.cost + detours_[next].extra, next, id);
         }
         return true;
     }
@@ -54,12 +55,12 @@ private:
     static constexpr std::uint32_t unknown = std::numeric_limits<std::uint32_t>::max();
 
     /// A path that is the cheapest except for its detours: this one, and those of the path `before`.
-    struct Way {
+    struct Path {
         double cost;
         std::uint64_t number; ///< in the order of discovery, which settles ties
         std::uint32_t detour; ///< 0 if the path has none
         std::int64_t before;
-        bool operator<(const Way& other) const {
+        bool operator<(const Path& other) const {
             return cost != other.cost ? cost > other.cost : number > other.number;
         }
     };
@@ -75,7 +76,7 @@ private:
     [[nodiscard]] Diagram::NodeId cheaper(Diagram::NodeId id) const {
         return prefersIn(id) ? diagram_.nodes[id].in : diagram_.nodes[id].out;
     }
-    [[nodiscard]] Diagram::NodeId dearer(Diagram::NodeId id) const {
+    [[nodiscard]] Diagram::NodeId moreExpensive(Diagram::NodeId id) const {
         return prefersIn(id) ? diagram_.nodes[id].out : diagram_.nodes[id].in;
     }
 
@@ -111,10 +112,10 @@ private:
         return add(top);
     }
 
-    const Assignment& graphOf(std::int64_t way) {
+    const Assignment& graphOf(std::int64_t path) {
         std::vector<Diagram::NodeId> detours;
-        for (; way >= 0; way = ways_[at(way)].before)
-            if (const std::uint32_t detour = ways_[at(way)].detour; detour != 0)
+        for (; path >= 0; path = paths_[at(path)].before)
+            if (const std::uint32_t detour = paths_[at(path)].detour; detour != 0)
                 detours.push_back(detours_[detour].node);
         graph_ = diagram_.fixed;
         for (Diagram::NodeId id = diagram_.root; id > Diagram::end;) {
@@ -132,8 +133,8 @@ private:
     std::vector<double> cheapest_;
     std::vector<std::uint32_t> heaps_; ///< heap of every node
     std::vector<Detour> detours_;      ///< entry 0 stands for no detour
-    std::vector<Way> ways_;            ///< visited so far
-    std::priority_queue<Way> open_;
+    std::vector<Path> paths_;          ///< visited so far
+    std::priority_queue<Path> open_;
     std::uint64_t offered_ = 0;
     Assignment graph_;
 };
@@ -169,16 +170,6 @@ private:
 };
 
 } // namespace
-
-std::vector<double> cheapestWays(const Diagram& diagram) {
-    std::vector<double> cheapest(diagram.nodes.size(), infinity);
-    cheapest[Diagram::end] = 0;
-    for (std::size_t id = Diagram::end + 1; id < cheapest.size(); ++id) {
-        const Diagram::Node& node = diagram.nodes[id];
-        cheapest[id] = std::min(node.cost + cheapest[node.in], cheapest[node.out]);
-    }
-    return cheapest;
-}
 
 void forEachRankedGraph(const Diagram& diagram,
                         const std::function<bool(double cost, const Assignment& graph)>& visit) {

@@ -5,12 +5,8 @@
 #include "enumerate/diagram/diagram.h"
 
 #include <functional>
-#include <vector>
 
 namespace qm {
-
-/// For every node the cost of the cheapest path to the end; infinity for `none`.
-[[nodiscard]] std::vector<double> cheapestWays(const Diagram& diagram);
 
 /// Calls `visit` with every graph, cheapest first, until it returns false. Ties (up to 65,536 of them) are in
 /// lexicographic order of the variables. Time per graph is linear in its length, up to a logarithm; memory

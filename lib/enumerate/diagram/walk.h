@@ -1,7 +1,7 @@
 /// \file Visiting every path of a decision diagram, without a search and without dead ends.
 #pragma once
 
-#include "enumerate/diagram/ranked_graphs.h"
+#include "enumerate/diagram/cheapest_graph.h"
 
 #include <cmath>
 #include <utility>
@@ -33,7 +33,7 @@ bool walkDiagram(const Diagram& diagram, Diagram::NodeId from, Assignment& assig
 template <class Visit> bool walkDiagramUpTo(const Diagram& diagram, double maxCost, Visit& visit) {
     Assignment assignment = diagram.fixed;
     if (std::isinf(maxCost)) return walkDiagram(diagram, diagram.root, assignment, visit);
-    const std::vector<double> cheapest = cheapestWays(diagram);
+    const std::vector<double> cheapest = cheapestPaths(diagram);
     const auto walk = [&](const auto& self, Diagram::NodeId id, double left) -> bool {
         if (cheapest[id] > left) return true;
         if (id == Diagram::end) return visit(std::as_const(assignment));

@@ -5,7 +5,8 @@
 
 namespace qm {
 
-AcyclicGraph::AcyclicGraph(std::size_t nodes) : rank_(nodes), next_(nodes), last_(nodes), seen_(nodes, 0) {
+AcyclicGraph::AcyclicGraph(std::size_t nodes)
+    : rank_(nodes), next_(nodes), previous_(nodes), seen_(nodes, 0) {
     std::iota(rank_.begin(), rank_.end(), 0U);
 }
 
@@ -18,7 +19,7 @@ bool AcyclicGraph::add(std::size_t from, std::size_t to) {
         reorder();
     }
     next_[from].push_back(to);
-    last_[to].push_back(from);
+    previous_[to].push_back(from);
     return true;
 }
 
@@ -40,7 +41,7 @@ void AcyclicGraph::collectBefore(std::size_t last, std::size_t first) {
     before_.assign(1, last);
     seen_[last] = edge_;
     for (std::size_t k = 0; k < before_.size(); ++k)
-        for (const std::size_t node : last_[before_[k]]) {
+        for (const std::size_t node : previous_[before_[k]]) {
             if (rank_[node] < rank_[first] || seen_[node] == edge_) continue;
             seen_[node] = edge_;
             before_.push_back(node);

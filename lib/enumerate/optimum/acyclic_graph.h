@@ -22,7 +22,7 @@ private:
 
     std::vector<std::size_t> rank_; ///< of every node; edges lead to higher ranks
     std::vector<std::vector<std::size_t>> next_;
-    std::vector<std::vector<std::size_t>> last_;
+    std::vector<std::vector<std::size_t>> previous_;
     std::vector<std::size_t> seen_; ///< of every node, the number of the last edge whose insertion visited it
     std::size_t edge_ = 0;
     std::vector<std::size_t> after_;  ///< nodes reached from the new edge's end that rank below its beginning

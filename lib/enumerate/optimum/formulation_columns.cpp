@@ -1,5 +1,7 @@
 #include "enumerate/optimum/formulation_columns.h"
 
+#include "base/sort_unique.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -7,11 +9,6 @@ namespace qm {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-void makeUnique(std::vector<CrossingId>& values) {
-    std::ranges::sort(values);
-    values.erase(std::unique(values.begin(), values.end()), values.end());
-}
 
 } // namespace
 
@@ -25,7 +22,7 @@ FormulationColumns::FormulationColumns(const SearchState& state, const std::vect
         crossings_.insert(crossings_.end(), state.crossingsOf(variable).begin(),
                           state.crossingsOf(variable).end());
     }
-    makeUnique(crossings_);
+    sortUnique(crossings_);
     if (problem_.gaps) {
         for (const VariableId variable : variables)
             knowChain(state.chainOf(variable));
@@ -74,7 +71,7 @@ void FormulationColumns::knowCovered() {
                         knowChain(state_.chainOf(arc));
             }
     }
-    makeUnique(crossings_);
+    sortUnique(crossings_);
 }
 
 bool FormulationColumns::anyOut(const Crossing& crossing) const {
@@ -107,11 +104,11 @@ void FormulationColumns::addChain(const Chain& chain) {
             result_.rows.push_back({{here.fromBefore, here.fromAfter}, {1, 1}, isIn(v) ? 1.0 : -infinity, 1});
         }
         if (v == chain.first) continue;
-        const Formulation::Columns& last = columns(v - 1);
-        if (last.fromBefore.valid() && here.fromBefore.valid())
-            atLeast(Expression{}.add(last.fromBefore, 1).add(here.fromBefore, -1), 0);
-        if (last.fromAfter.valid() && here.fromAfter.valid())
-            atLeast(Expression{}.add(here.fromAfter, 1).add(last.fromAfter, -1), 0);
+        const Formulation::Columns& previous = columns(v - 1);
+        if (previous.fromBefore.valid() && here.fromBefore.valid())
+            atLeast(Expression{}.add(previous.fromBefore, 1).add(here.fromBefore, -1), 0);
+        if (previous.fromAfter.valid() && here.fromAfter.valid())
+            atLeast(Expression{}.add(here.fromAfter, 1).add(previous.fromAfter, -1), 0);
     }
 }
 

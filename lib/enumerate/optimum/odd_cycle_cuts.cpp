@@ -100,9 +100,10 @@ private:
             const SideId side = sideOf(place);
             const std::size_t parity = place % 2;
             reach(placeOf(PassGraph::across(side), 1 - parity), length + slack(side) + Tuning::step, place);
-            const auto& [next, last] = sides_[side].next;
+            const auto& [next, previous] = sides_[side].next;
             if (next.valid()) reach(placeOf(next, parity), length + stops(side, next) + Tuning::step, place);
-            if (last.valid()) reach(placeOf(last, parity), length + stops(last, side) + Tuning::step, place);
+            if (previous.valid())
+                reach(placeOf(previous, parity), length + stops(previous, side) + Tuning::step, place);
         }
         return false;
     }

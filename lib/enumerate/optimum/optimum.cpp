@@ -1,5 +1,6 @@
 #include "enumerate/optimum/optimum.h"
 
+#include "enumerate/diagram/cheapest_graph.h"
 #include "enumerate/diagram/ranked_graphs.h"
 #include "enumerate/optimum/branch_and_bound.h"
 #include "enumerate/state/independent_parts.h"
@@ -17,18 +18,6 @@ double fixedCost(const SearchState& state) {
     return costOf(state.problem(), state.assignment());
 }
 
-/// Extends a graph of one part to a graph of the whole problem, and polishes it.
-Assignment polishPart(const std::vector<VariableId>& part, const Assignment& best,
-                      const std::vector<double>& relaxedPart, const OptimumOptions& options,
-                      IdVector<VariableId, double> relaxed) {
-    Assignment graph = *options.start;
-    for (std::size_t k = 0; k < part.size(); ++k) {
-        graph[part[k]] = best[part[k]];
-        relaxed[part[k]] = relaxedPart[k];
-    }
-    return options.polish(graph, relaxed);
-}
-
 /// The cheapest graph of the whole problem, from a decision diagram that is built at most once; none if the
 /// diagram would be too large.
 class DiagramOptimum {
@@ -38,11 +27,7 @@ public:
     const std::optional<Assignment>& operator()() {
         if (std::exchange(tried_, true)) return best_;
         const auto diagram = buildDiagram(problem_, smallDiagram, control_);
-        if (diagram)
-            forEachRankedGraph(*diagram, [&](double /*cost*/, const Assignment& graph) {
-                best_ = graph;
-                return false;
-            });
+        if (diagram) best_ = cheapestGraph(*diagram);
         return best_;
     }
 
@@ -54,56 +39,99 @@ private:
 };
 
 /// Finds one graph: the best graphs of all parts together.
-void searchParts(SearchState& state, const OptimumOptions& options, const Control& control,
-                 OptimumResult& result) {
-    Assignment graph = state.assignment();
-    if (options.start) result.relaxed.assign(options.start->begin(), options.start->end());
-    auto parts = independentParts(state);
-    // The largest part comes last, so that all others are proven if time runs out.
-    std::ranges::stable_sort(parts, {}, [](const auto& part) { return part.size(); });
-    DiagramOptimum diagramOptimum(state.problem(), control);
-    double done = 0;
-    bool found = true;
-    for (const auto& part : parts) {
-        const bool small = part.size() < options.hard && options.nodes > options.nodesBeforeDiagram;
-        PartOptions partOptions{1,
-                                infinity,
-                                options.gap / static_cast<double>(parts.size()),
-                                small ? options.nodesBeforeDiagram : options.nodes,
-                                options.hard,
-                                options.cut};
-        if (options.start) partOptions.large = options.large;
-        if (part.size() >= partOptions.large) partOptions.nodes = 1;
-        if (options.start && options.polish)
-            partOptions.polish = [&](const Assignment& best, const std::vector<double>& relaxed) {
-                return polishPart(part, best, relaxed, options, result.relaxed);
-            };
-        BranchAndBound search(state, part, partOptions, control);
-        if (options.start) search.offer(*options.start);
+class PartsSearch {
+public:
+    PartsSearch(SearchState& state, const OptimumOptions& options, const Control& control,
+                OptimumResult& result)
+        : state_(state), options_(options), control_(control), result_(result), graph_(state.assignment()),
+          parts_(independentParts(state)), diagramOptimum_(state.problem(), control) {
+        // The largest part comes last, so that all others are proven if time runs out.
+        std::ranges::stable_sort(parts_, {}, [](const auto& part) { return part.size(); });
+        if (options.start) result.relaxed.assign(options.start->begin(), options.start->end());
+    }
+
+    void run() {
+        bool found = true;
+        for (const Part& part : parts_)
+            found = searchPart(part) && found;
+        if (found && costOf(state_.problem(), graph_) <= options_.maxCost + Incumbents::tolerance)
+            result_.graphs.push_back(std::move(graph_));
+    }
+
+private:
+    using Part = std::vector<VariableId>;
+
+    /// \return whether there is a graph of the part
+    bool searchPart(const Part& part) {
+        BranchAndBound search(state_, part, optionsOf(part), control_);
+        if (options_.start) search.offer(*options_.start);
         search.run();
-        if (small && !search.complete() && !control.stopRequested()) {
-            if (const auto& best = diagramOptimum())
+        if (mayUseDiagram(part) && !search.complete() && !control_.stopRequested()) {
+            if (const auto& best = diagramOptimum_())
                 search.conclude(*best);
             else
-                search.resume(options.nodes);
+                search.resume(options_.nodes);
         }
-        if (options.keepOpenParts && !search.complete())
-            if (auto root = search.relaxedRoot())
-                result.openParts.push_back({std::move(*root), search.lowerBound()});
-        result.nodes += search.nodes();
-        result.lowerBound += search.lowerBound();
-        for (std::size_t k = 0; k < search.rootPresence().size() && options.start; ++k)
-            result.relaxed[part[k]] = search.rootPresence()[k];
-        result.complete = result.complete && search.complete();
-        found = found && !search.incumbents().empty();
-        if (!search.incumbents().empty())
-            for (const VariableId v : part)
-                graph[v] = search.incumbents().graphs().begin()->second[v];
-        control.progress(++done / static_cast<double>(parts.size()));
+        add(part, search);
+        if (search.incumbents().empty()) return false;
+        for (const VariableId v : part)
+            graph_[v] = search.incumbents().graphs().begin()->second[v];
+        return true;
     }
-    if (found && costOf(state.problem(), graph) <= options.maxCost + Incumbents::tolerance)
-        result.graphs.push_back(std::move(graph));
-}
+
+    /// Whether a decision diagram is tried if the tree of a part grows large.
+    [[nodiscard]] bool mayUseDiagram(const Part& part) const {
+        return part.size() < options_.hard && options_.nodes > options_.nodesBeforeDiagram;
+    }
+
+    [[nodiscard]] PartOptions optionsOf(const Part& part) const {
+        PartOptions options{1,
+                            infinity,
+                            options_.gap / static_cast<double>(parts_.size()),
+                            mayUseDiagram(part) ? options_.nodesBeforeDiagram : options_.nodes,
+                            options_.hard,
+                            options_.cut};
+        if (options_.start) options.large = options_.large;
+        if (part.size() >= options.large) options.nodes = 1;
+        if (options_.start && options_.polish)
+            options.polish = [this, &part](const Assignment& best, const std::vector<double>& relaxed) {
+                return polish(part, best, relaxed);
+            };
+        return options;
+    }
+
+    /// Extends a graph of one part to a graph of the whole problem, and polishes it.
+    [[nodiscard]] Assignment polish(const Part& part, const Assignment& best,
+                                    const std::vector<double>& relaxedPart) const {
+        Assignment graph = *options_.start;
+        IdVector<VariableId, double> relaxed = result_.relaxed;
+        for (std::size_t k = 0; k < part.size(); ++k) {
+            graph[part[k]] = best[part[k]];
+            relaxed[part[k]] = relaxedPart[k];
+        }
+        return options_.polish(graph, relaxed);
+    }
+
+    /// Adds what a search has found out about a part, other than its graph.
+    void add(const Part& part, BranchAndBound& search) {
+        if (options_.keepOpenParts && !search.complete())
+            if (auto root = search.relaxedRoot())
+                result_.openParts.push_back({std::move(*root), search.lowerBound()});
+        result_.nodes += search.nodes();
+        result_.lowerBound += search.lowerBound();
+        for (std::size_t k = 0; k < search.rootPresence().size() && options_.start; ++k)
+            result_.relaxed[part[k]] = search.rootPresence()[k];
+        result_.complete = result_.complete && search.complete();
+    }
+
+    SearchState& state_;
+    const OptimumOptions& options_;
+    const Control& control_;
+    OptimumResult& result_;
+    Assignment graph_;
+    std::vector<Part> parts_;
+    DiagramOptimum diagramOptimum_;
+};
 
 /// Finds several graphs. Choices of different parts combine, so all parts are searched together.
 void searchTogether(SearchState& state, const OptimumOptions& options, const Control& control,
@@ -126,6 +154,11 @@ void searchTogether(SearchState& state, const OptimumOptions& options, const Con
 
 /// \return false if `visit` returned false
 template <class Visit> bool rank(const Diagram& diagram, const OptimumOptions& options, const Visit& visit) {
+    if (options.best == 1) { // without sorting all graphs of the same cost
+        const double cost = diagram.fixedCost + cheapestPaths(diagram)[diagram.root];
+        const auto graph = cheapestGraph(diagram);
+        return !graph || cost > options.maxCost + Incumbents::tolerance || visit(*graph);
+    }
     std::size_t left = options.best;
     bool ended = false;
     forEachRankedGraph(diagram, [&](double cost, const Assignment& graph) {
@@ -144,7 +177,7 @@ OptimumResult findOptimum(const Problem& problem, const OptimumOptions& options,
     OptimumResult result;
     result.lowerBound = fixedCost(state);
     if (state.freeVariables() == 0 || options.best == 1)
-        searchParts(state, options, control, result);
+        PartsSearch(state, options, control, result).run();
     else
         searchTogether(state, options, control, result);
     return result;
@@ -155,7 +188,7 @@ OptimumResult findBest(const Problem& problem, const OptimumOptions& options, co
     const auto diagram = buildDiagram(problem, smallDiagram, control);
     if (!diagram) return findOptimum(problem, options, control);
     OptimumResult result;
-    result.lowerBound = diagram->fixedCost + cheapestWays(*diagram)[diagram->root];
+    result.lowerBound = diagram->fixedCost + cheapestPaths(*diagram)[diagram->root];
     rank(*diagram, options, [&](const Assignment& graph) {
         result.graphs.push_back(graph);
         return true;

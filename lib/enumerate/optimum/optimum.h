@@ -55,7 +55,8 @@ struct OptimumResult {
 
 /// Searches best first with propagation, the linear relaxation, fixing by reduced costs, and diving for early
 /// graphs. For a single graph, every independent part is searched by itself, and if the tree of a part that
-/// is not hard grows large, its optimum is read off a decision diagram. Stops when `control.stopRequested`.
+/// is not hard grows large, its optimum is read off a decision diagram. Stops when `control.stopRequested`;
+/// reports no progress.
 [[nodiscard]] OptimumResult findOptimum(const Problem& problem, const OptimumOptions& options,
                                         const Control& control = {});
 

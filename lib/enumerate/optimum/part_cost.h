@@ -1,9 +1,9 @@
 /// \file The cost that one part of a search problem adds to the cost of everything that is fixed.
 #pragma once
 
+#include "base/sort_unique.h"
 #include "enumerate/state/search_state.h"
 
-#include <algorithm>
 #include <vector>
 
 namespace qm {
@@ -17,8 +17,7 @@ public:
         for (const VariableId variable : variables)
             for (const CrossingId crossing : state.crossingsOf(variable))
                 if (problem_.crossings[crossing].cornerCost != 0) crossings.push_back(crossing);
-        std::ranges::sort(crossings);
-        crossings.erase(std::unique(crossings.begin(), crossings.end()), crossings.end());
+        sortUnique(crossings);
         crossings_ = std::move(crossings);
         fixed_ = corners([&](VariableId variable) { return state.value(variable) == ArcState::in; });
     }

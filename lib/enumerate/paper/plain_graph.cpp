@@ -1,6 +1,7 @@
 #include "enumerate/paper/plain_graph.h"
 
 #include "base/at.h"
+#include "layout/tracks.h"
 
 #include <algorithm>
 
@@ -24,7 +25,7 @@ public:
         for (std::size_t i = 0; i < active.size(); ++i)
             active[i] = i;
         while (!active.empty())
-            active = meet(move(active));
+            active = meet(advance(active));
         settleMeetings();
         return walked_;
     }
@@ -38,7 +39,7 @@ private:
     };
 
     /// Moves every particle over its next edge; a particle whose opposite is there already stops.
-    std::vector<Arrival> move(const std::vector<std::size_t>& active) {
+    std::vector<Arrival> advance(const std::vector<std::size_t>& active) {
         std::vector<Arrival> arrivals;
         for (const std::size_t i : active) {
             const HalfedgeId next = complex_.separatrices[i].halfedges[walked_[i]];
@@ -131,12 +132,9 @@ MotorcycleGraph plainMotorcycleGraph(const QuadMesh& mesh, const BaseComplex& co
     MotorcycleGraph graph;
     for (std::size_t i = 0; i < walked.size(); ++i) {
         if (walked[i] == 0) continue;
-        const auto& path = complex.separatrices[i].halfedges;
-        Track track{{path.begin(), path.begin() + static_cast<std::ptrdiff_t>(walked[i])}, 0};
-        for (const HalfedgeId halfedge : track.halfedges)
-            track.cost += edgeCosts[at(mesh.edge_handle(halfedge))];
-        graph.cost += track.cost;
-        graph.tracks.push_back(std::move(track));
+        const std::span path(complex.separatrices[i].halfedges);
+        graph.tracks.push_back(trackOf(mesh, path.first(walked[i]), edgeCosts));
+        graph.cost += graph.tracks.back().cost;
     }
     return graph;
 }

@@ -51,7 +51,7 @@ LineStretch wholeStretch(const ProblemInput& input, LineId id) {
     throw Error(place,
                 demand == ArcState::out ? "it is forbidden, but every motorcycle graph needs it"
                                         : "it is required, but no motorcycle graph can have it",
-                "take the edge out of /constraints");
+                "Take the edge out of /constraints");
 }
 
 } // namespace

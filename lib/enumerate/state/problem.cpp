@@ -1,5 +1,6 @@
 #include "enumerate/state/problem.h"
 
+#include "base/sort_unique.h"
 #include "enumerate/state/crack_nodes.h"
 #include "enumerate/state/line_stretch.h"
 #include "enumerate/state/sparse_index.h"
@@ -15,11 +16,12 @@ public:
     explicit Maker(const ProblemInput& input) : input_(input), graph_(input.graph) {}
 
     Problem make() {
-        if (input_.lines.empty())
+        if (input_.lines)
+            for (const LineId line : *input_.lines)
+                addChain(line);
+        else
             for (std::size_t line = 0; line < graph_.lines.size(); ++line)
                 addChain(LineId(line));
-        for (const LineId line : input_.lines)
-            addChain(line);
         problem_.domains.push_back(ArcState::in);
         problem_.domains.push_back(ArcState::out);
         problem_.costs.insert(problem_.costs.end(), {0.0, 0.0});
@@ -43,8 +45,7 @@ private:
             junctions.insert(junctions.end(), inner, inner + line.arcCount - 1);
         }
         std::erase_if(junctions, [](JunctionId junction) { return !junction.valid(); });
-        std::ranges::sort(junctions);
-        junctions.erase(std::unique(junctions.begin(), junctions.end()), junctions.end());
+        sortUnique(junctions);
         return junctions;
     }
 
@@ -53,8 +54,7 @@ private:
         for (const JunctionId id : junctions)
             for (const ArcId arc : graph_.junctions[id.idx()].arcs)
                 if (arc.valid()) lines.push_back(graph_.arcs[arc.idx()].line);
-        std::ranges::sort(lines);
-        lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+        sortUnique(lines);
         return lines;
     }
 
@@ -93,13 +93,10 @@ private:
     /// No track can end at the junction after an arc: nothing crosses there.
     bool passesFreely(ArcId arc) const {
         const JunctionId id = graph_.junctionAfter[arc.idx()];
-        const Junction& junction = graph_.junctions[id.idx()];
         if (input_.open.contains(id)) return false;
-        const std::size_t other = junction.arcs[0] == arc || junction.arcs[2] == arc ? 1 : 0;
-        const auto isOut = [&](ArcId crossing) {
+        return std::ranges::all_of(graph_.junctions[id.idx()].across(arc), [&](ArcId crossing) {
             return !crossing.valid() || input_.states[crossing] == ArcState::out;
-        };
-        return isOut(junction.arcs[other]) && isOut(junction.arcs[other + 2]);
+        });
     }
 
     ChainId chainOfArc(ArcId arc) const { return chainOf_[graph_.arcs[arc.idx()].line]; }

@@ -10,6 +10,7 @@
 #include "layout/walkers.h"
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -91,8 +92,8 @@ struct ProblemInput {
     OpenJunctions open;    ///< where tracks may end unfinished
     Walkers walkers;       ///< which particles take part
     double cornerCost = 0; ///< of every segment's corner at a junction that is not open
-    /// Those with free arcs, ascending; may be empty, then all are looked at.
-    std::vector<LineId> lines = {};
+    /// Those with free arcs, ascending; if they are not given, all lines are looked at.
+    std::optional<std::vector<LineId>> lines = {};
 };
 
 /// Linear in the graph, or where `lines` are given, in these, the lines across them, and those fixed lines

@@ -80,9 +80,7 @@ private:
 
     void reconsiderAt(JunctionId id, ArcId arc) {
         if (!id.valid()) return;
-        const Junction& junction = graph_.junctions[id.idx()];
-        const std::size_t other = junction.arcs[0] == arc || junction.arcs[2] == arc ? 1 : 0;
-        for (const ArcId crossing : {junction.arcs[other], junction.arcs[other + 2]})
+        for (const ArcId crossing : graph_.junctions[id.idx()].across(arc))
             if (crossing.valid())
                 for (const std::size_t i : ofLine_[graph_.arcs[crossing.idx()].line.idx()])
                     if (i != none && plans_[i].free && reaches(i, crossing)) plan(i);

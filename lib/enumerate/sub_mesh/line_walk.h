@@ -34,10 +34,7 @@ public:
     [[nodiscard]] bool blocked(int walked, const std::vector<bool>& present) const {
         const JunctionId id = junction(walked);
         if (!id.valid()) return false;
-        const Junction& junction = graph_.junctions[id.idx()];
-        const ArcId here = arc(walked - 1);
-        const std::size_t other = junction.arcs[0] == here || junction.arcs[2] == here ? 1 : 0;
-        const ArcId a = junction.arcs[other], b = junction.arcs[other + 2];
+        const auto [a, b] = graph_.junctions[id.idx()].across(arc(walked - 1));
         return a.valid() && b.valid() && present[a.idx()] && present[b.idx()];
     }
 

@@ -1,8 +1,8 @@
 #include "enumerate/sub_mesh/own_space.h"
 
+#include "base/sort_unique.h"
 #include "enumerate/state/sparse_index.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace qm {
@@ -47,8 +47,7 @@ private:
     void addJunctions() {
         std::vector<JunctionId> met;
         forEachNamed([&](JunctionId& junction) { met.push_back(junction); });
-        std::ranges::sort(met);
-        met.erase(std::unique(met.begin(), met.end()), met.end());
+        sortUnique(met);
         SparseIndex<JunctionId, JunctionId> junctionOf;
         for (const JunctionId id : met) {
             junctionOf.put(id, JunctionId(part_.graph.junctions.size()));

@@ -2,10 +2,10 @@
 
 #include "base/at.h"
 #include "base/error.h"
+#include "base/sort_unique.h"
 #include "enumerate/sub_mesh/extend.h"
 #include "mesh/topology.h"
 
-#include <algorithm>
 #include <string>
 
 namespace qm {
@@ -28,18 +28,18 @@ std::vector<ArcState> demandsOf(const QuadMesh& mesh, const BaseComplex& complex
         ArcState& current = demands[arc.idx()];
         if (current != ArcState::free && current != state)
             throw Error(nameOf(mesh, edge), "its arc is both required and forbidden",
-                        "take one of them out of /constraints");
+                        "Take one of them out of /constraints");
         current = state;
         return true;
     };
     for (const EdgeId edge : constraints.required)
         if (!mesh.is_boundary(edge) && !demand(edge, ArcState::in))
             throw Error(nameOf(mesh, edge), "it is required, but no separatrix runs over it",
-                        "add a feature curve there, or take it out of /constraints/required");
+                        "Add a feature curve there, or take it out of /constraints/required");
     for (const EdgeId edge : constraints.forbidden) {
         if (mesh.is_boundary(edge))
             throw Error(nameOf(mesh, edge), "it is forbidden, but it lies on the mesh boundary",
-                        "take it out of /constraints/forbidden");
+                        "Take it out of /constraints/forbidden");
         demand(edge, ArcState::out); // edges without a separatrix are absent anyway
     }
     return demands;
@@ -144,11 +144,10 @@ Problem subMeshProblem(const SearchSpace& space, SubMeshId subMesh, const std::v
     lines.reserve(freeArcs.size());
     for (const ArcId arc : freeArcs)
         lines.push_back(space.graph.arcs[arc.idx()].line);
-    std::ranges::sort(lines);
-    lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+    sortUnique(lines);
     return makeProblem({space.graph, space.arcCosts, ArcStates(present, freeArcs), space.demands,
                         OpenJunctions(space.junctionLabels, subMesh),
-                        walkersOf(space, subMesh, present, lines), space.cornerCost, lines});
+                        walkersOf(space, subMesh, present, lines), space.cornerCost, std::move(lines)});
 }
 
 void goStraight(const SearchSpace& space, SubMeshId subMesh, std::vector<bool>& present) {

@@ -3,9 +3,24 @@
 #include "base/at.h"
 
 #include <map>
-#include <unordered_set>
+#include <queue>
+#include <unordered_map>
+#include <utility>
 
 namespace qm {
+namespace {
+
+/// A chain that may join a cluster.
+struct Candidate {
+    double closeness;
+    ChainId chain;
+
+    bool operator<(const Candidate& other) const {
+        return closeness != other.closeness ? closeness < other.closeness : chain > other.chain;
+    }
+};
+
+} // namespace
 
 ChainLinks::ChainLinks(const Problem& problem)
     : neighbours_(problem.chains.size()), crossings_(problem.chains.size()) {
@@ -33,22 +48,25 @@ ChainLinks::ChainLinks(const Problem& problem)
 
 std::vector<ChainId> ChainLinks::cluster(ChainId start, std::size_t variables,
                                          const IdVector<ChainId, double>& weights) const {
+    constexpr int member = -1;
     std::vector<ChainId> members;
-    std::map<ChainId, int> waiting{{start, 1}};
-    std::unordered_set<ChainId> taken;
+    std::unordered_map<ChainId, int> crossings; // of every waiting chain with the cluster; or `member`
+    std::priority_queue<Candidate> waiting;
+    const auto addCrossings = [&](ChainId chain, int count) {
+        int& sum = crossings[chain];
+        if (sum == member) return;
+        sum += count;
+        waiting.push({sum * weights[chain] / lengths_[chain], chain});
+    };
+    addCrossings(start, 1);
     for (std::size_t size = 0; size < variables && !waiting.empty();) {
-        const auto closeness = [&](const auto& entry) {
-            return entry.second * weights[entry.first] / lengths_[entry.first];
-        };
-        const auto next = std::ranges::max_element(waiting, {}, closeness);
-        const ChainId chain = next->first;
-        waiting.erase(next);
-        taken.insert(chain);
+        const ChainId chain = waiting.top().chain;
+        waiting.pop();
+        if (std::exchange(crossings[chain], member) == member) continue; // it came closer, and was taken then
         members.push_back(chain);
         size += at(lengths_[chain]);
         for (std::size_t k = 0; k < neighbours_[chain].size(); ++k)
-            if (const ChainId neighbour = neighbours_[chain][k]; !taken.contains(neighbour))
-                waiting[neighbour] += crossings_[chain][k];
+            addCrossings(neighbours_[chain][k], crossings_[chain][k]);
     }
     return members;
 }

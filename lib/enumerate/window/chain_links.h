@@ -15,8 +15,9 @@ public:
     [[nodiscard]] const std::vector<ChainId>& neighbours(ChainId chain) const { return neighbours_[chain]; }
 
     /// Grows a cluster from a chain until it has at least this many variables. Next comes always the chain
-    /// with the most crossings with the cluster, relative to its length.
-    /// \param weights  of every chain; the higher, the earlier it is added
+    /// with the most crossings with the cluster, relative to its length; of equals, the lowest. Takes time
+    /// linear in the crossings of the cluster, up to a logarithm.
+    /// \param weights  of every chain, not negative; the higher, the earlier it is added
     [[nodiscard]] std::vector<ChainId> cluster(ChainId chain, std::size_t variables,
                                                const IdVector<ChainId, double>& weights) const;
 

@@ -1,6 +1,7 @@
 #include "enumerate/window/window_search.h"
 
 #include "base/parallel.h"
+#include "base/sort_unique.h"
 #include "enumerate/optimum/optimum.h"
 #include "enumerate/state/incumbents.h"
 #include "enumerate/window/chain_links.h"
@@ -123,6 +124,7 @@ private:
         std::ranges::stable_sort(order, std::greater{}, [&](ChainId chain) { return weights[chain]; });
         std::vector<Window> windows;
         for (const ChainId chain : order) {
+            if (lastChange_ <= searched_[chain]) continue; // its cluster need not be grown to know that
             std::vector<ChainId> chains = links_.cluster(chain, size_, weights);
             const bool stale =
                 std::ranges::any_of(chains, [&](ChainId c) { return changed_[c] > searched_[chain]; });
@@ -145,6 +147,7 @@ private:
             if (!window.values.empty()) accept(window, result_.improvements == before);
         }
         windows.clear();
+        control_.progress(static_cast<double>(result_.windows) / static_cast<double>(options_.maxWindows));
     }
 
     /// Visits all arcs of a chain.
@@ -162,8 +165,7 @@ private:
             forEachArc(chain, [&](ArcId arc) { arcs.push_back(arc); });
             lines.push_back(input_.graph.arcs[arcs.back().idx()].line);
         }
-        std::ranges::sort(lines);
-        lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+        sortUnique(lines);
         return makeProblem({input_.graph, input_.arcCosts, ArcStates(result_.present, arcs), input_.demands,
                             input_.open, input_.walkers, input_.cornerCost, std::move(lines)});
     }
@@ -205,7 +207,7 @@ private:
             bool same = true;
             forEachArc(chain, [&](ArcId arc) { same = same && !changes.contains(arc); });
             if (same) continue;
-            changed_[chain] = clock_;
+            lastChange_ = changed_[chain] = clock_;
             for (const ChainId neighbour : links_.neighbours(chain))
                 changed_[neighbour] = clock_;
         }
@@ -220,6 +222,7 @@ private:
     ChainLinks links_;
     IdVector<ChainId, std::size_t> changed_;  ///< last time at which a chain or one that crosses it changed
     IdVector<ChainId, std::size_t> searched_; ///< last time at which the window around a chain was searched
+    std::size_t lastChange_ = 1;              ///< of any chain
     std::size_t clock_ = 1;
     std::size_t nodes_;
     std::size_t size_ = 0;            ///< of the windows being searched

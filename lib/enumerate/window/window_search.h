@@ -34,8 +34,8 @@ struct WindowResult {
 
 /// Ends when no window improves the graph, even with larger trees if `patient`, or when
 /// `control.stopRequested`. The graph is valid at every step and its cost never rises. The result does not
-/// depend on `control.jobs`. Apart from its search, a window takes time linear in its lines and those that
-/// cross them.
+/// depend on `control.jobs`. The progress is that towards `maxWindows`. Apart from its search, a window takes
+/// time linear in its lines and those that cross them.
 /// \param input    the whole search; windows consist of its free arcs
 /// \param present  the arcs of a graph that is valid in `input`
 [[nodiscard]] WindowResult improveByWindows(const ProblemInput& input, const std::vector<bool>& present,
