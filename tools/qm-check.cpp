@@ -1,5 +1,4 @@
-/// \file qm-check: checks whether a document is true of its mesh. Only reading is shared with the other
-/// tools.
+/// \file qm-check: checks whether a document is true of its mesh. Only reading is shared with other tools.
 #include "check/check_document.h"
 #include "check/check_history.h"
 #include "check/print_report.h"
@@ -17,24 +16,21 @@ qm::check::CheckedMesh pointsAndFaces(const qm::QuadMesh& mesh) {
     qm::check::CheckedMesh result;
     for (const auto vertex : mesh.vertices())
         result.points.push_back({mesh.point(vertex)[0], mesh.point(vertex)[1], mesh.point(vertex)[2]});
-    for (const auto face : mesh.faces()) {
-        auto& quad = result.quads.emplace_back();
-        std::transform(mesh.cfv_begin(face), mesh.cfv_end(face), quad.begin(),
-                       [](const auto vertex) { return vertex.idx(); });
-    }
+    for (const auto face : mesh.faces())
+        std::ranges::transform(mesh.fv_range(face), result.quads.emplace_back().begin(),
+                               [](const auto vertex) { return vertex.idx(); });
     return result;
 }
+
 } // namespace
 
 int main(int argc, char** argv) {
     std::string meshPath;
     bool asJson = false;
-    constexpr std::size_t linesShown = 20;
     return qm::runTool(argc, argv, "qm-check", "Verify a document against its mesh.", [&](qm::Tool& tool) {
         tool.explain(
-            "Recomputes everything but bounds, numbers of graphs and distances from the reference, which "
-            "must agree with the rest; only the reading of documents and meshes is shared with the tools "
-            "that made them. Each violation is reported in a line with the JSON pointer of its place.");
+            "Recomputes what follows from the mesh, in code of its own, and tests whether the rest agrees. "
+            "Each violation is reported in a line with the JSON pointer of its place.");
         tool.reads("DOCUMENT", "a document of any kind");
         tool.text("mesh", meshPath, "FILE", "the mesh, if it is not where the document says");
         tool.writes("what was verified, and the verdict");
@@ -45,12 +41,14 @@ int main(int argc, char** argv) {
             const qm::Document document = qm::parseDocument(tool.readInput(), tool.inputPath());
             const auto found = qm::readMeshOf(qm::JsonPlace(document.root)["mesh"], document.path, meshPath);
             tool.protect(found.path);
+            tool.protectInput();
             qm::check::Report report;
             report.verify("schema, and mesh of " + std::to_string(found.mesh.n_vertices()) +
                           " vertices and " + std::to_string(found.mesh.n_faces()) + " faces");
             qm::check::checkHistory(document.root, report);
-            const auto checked = qm::check::readDocument(document.root);
-            report = qm::check::checkDocument(pointsAndFaces(found.mesh), checked, report);
+            report = qm::check::checkDocument(pointsAndFaces(found.mesh),
+                                              qm::check::readDocument(document.root), report);
+            constexpr std::size_t linesShown = 20;
             for (const std::string& line : qm::check::violationLines(report, linesShown))
                 qm::printMessage(tool.name() + ": " + tool.inputName() + ": " + line);
             tool.write(asJson ? qm::check::reportJson(report) : qm::check::reportText(report));

@@ -41,10 +41,11 @@ int main(int argc, char** argv) {
             qm::declareNeeds(tool, options, format);
             tool.verify([&] {
                 options.format = qm::exportFormat(format, tool.outputPath());
-                if (!date.empty() && date != "mesh") (void)qm::exportDate(date, "");
+                qm::verifyNameAndDate(options.name, date);
             });
             return [&tool, &options, &date, stage] {
                 const qm::Model& model = stage->read(qm::neededKind(options));
+                tool.protectInput();
                 if (!tool.given("name")) options.name = std::filesystem::path(model.meshPath).stem().string();
                 if (!date.empty()) options.date = qm::exportDate(date, model.meshPath);
                 const qm::Surfaces* surfaces = model.surfaces ? &*model.surfaces : nullptr;

@@ -39,6 +39,7 @@ int main(int argc, char** argv) {
             tool.example("qm-summary --json --max-patches 200 part.pruned.json | jq .patches");
             return [&, stage] {
                 const qm::Model& model = stage->readWhole();
+                tool.protectInput();
                 const qm::JsonPlace history = qm::JsonPlace(stage->document().root)["history"];
                 if (tool.given("max-patches")) limits.maxPatches = maxPatches;
                 const auto took = tool.given("seconds") ? std::optional(seconds) : std::nullopt;

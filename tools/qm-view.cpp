@@ -40,7 +40,7 @@ int main(int argc, char** argv) {
         tool.verify([&] {
             (void)qm::parseSize(size), (void)qm::parseDirection(from), (void)qm::parseDirection(up);
             (void)qm::parseSection(section), (void)qm::parseLayers(show);
-            if (png == tool.outputPath() && tool.given("output"))
+            if (tool.given("output") && qm::isSameFile(png, tool.outputPath()))
                 throw qm::UsageError("page and picture cannot go to the same place");
         });
         return [&, stage] {

@@ -6,6 +6,7 @@
 #include "document/files.h"
 #include "document/join_enumerations.h"
 #include "document/options.h"
+#include "document/referenced_file.h"
 
 #include <charconv>
 #include <cmath>
@@ -20,7 +21,7 @@ void verifyFile(const Tool& tool, const std::string& option, const std::string& 
     if (file == "-" && tool.outputPath() == "-")
         throw UsageError("--" + option +
                          " -: the document goes to standard output too. Name a file with --output");
-    if (!file.empty() && file != "-" && file == tool.outputPath())
+    if (!file.empty() && file != "-" && isSameFile(file, tool.outputPath()))
         throw UsageError("--" + option + " and --output name the same file");
 }
 
@@ -58,6 +59,8 @@ void verifyParts(const Tool& tool, const EnumerationRequests& requests, Enumerat
 void writeGraphs(const Tool& tool, const Model& model, const EnumerationOptions& options,
                  const std::string& path, bool ranked) {
     if (path.empty()) return;
+    if (path != "-" && isSameFile(path, tool.inputPath()))
+        throw FileError(path, "is the input", "Name another file");
     const SeparatrixIndex separatrices(model.mesh, model.baseComplex);
     OutputFile file(path);
     std::size_t written = 0;
@@ -102,7 +105,7 @@ void declareRequests(Tool& tool, EnumerationRequests& requests, EnumerationOptio
         verifyParts(tool, requests, options);
         verifyFile(tool, "all", requests.allGraphs);
         verifyFile(tool, "list", requests.bestGraphs);
-        if (!requests.allGraphs.empty() && requests.allGraphs == requests.bestGraphs)
+        if (!requests.allGraphs.empty() && isSameFile(requests.allGraphs, requests.bestGraphs))
             throw UsageError("--all and --list name the same file");
         if (options.sample > 0 && std::isfinite(options.maxCost))
             throw UsageError("--sample draws from all graphs: --max-cost does not go with it");
@@ -120,9 +123,16 @@ EnumerationOptions forDocument(const EnumerationOptions& options, const Enumerat
 }
 
 int joinParts(const Tool& tool, const EnumerationRequests& requests) {
-    std::vector<Document> parts{parseDocument(tool.readInput(), tool.inputPath())};
+    std::vector<Document> parts;
+    const auto add = [&](const std::string& bytes, const std::string& file) {
+        parts.push_back(parseDocument(bytes, file));
+        tool.protect(file, "is one of the parts");
+        for (const std::string& mesh : referencedPaths(JsonPlace(parts.back().root)["mesh"], file))
+            tool.protect(mesh);
+    };
+    add(tool.readInput(), tool.inputPath());
     for (const std::string& file : requests.furtherParts)
-        parts.push_back(parseDocument(readFile(file), file));
+        add(readFile(file), file);
     tool.write(printDocument(joinEnumerations(std::move(parts))));
     return exitDone;
 }

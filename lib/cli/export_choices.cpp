@@ -5,6 +5,7 @@
 #include "cli/surface_warnings.h"
 #include "cli/tool.h"
 #include "document/model.h"
+#include "document/utf8.h"
 #include "mesh/bounding_box.h"
 #include "summary/figure_text.h"
 
@@ -39,6 +40,14 @@ ExportFormat exportFormat(NamedFormat format, const std::string& outputPath) {
         throw UsageError("the output's name does not tell the format. Give --format, or a name such as "
                          "part.step, part.iges, part.obj, part.ply or part.glb");
     return found->second;
+}
+
+void verifyNameAndDate(const std::string& name, const std::string& date) {
+    constexpr std::size_t maxLength = 1000; // OpenCASCADE crashes at longer ones in IGES
+    if (name.size() > maxLength)
+        throw UsageError("--name: is longer than " + std::to_string(maxLength) + " bytes");
+    if (!isUtf8(name)) throw UsageError("--name: is not UTF-8");
+    if (!date.empty() && date != "mesh") (void)exportDate(date, "");
 }
 
 void declareNeeds(Tool& tool, const ExportOptions& options, const NamedFormat& format) {

@@ -42,6 +42,10 @@ template <> struct Choices<ColourBy> {
 /// \throw UsageError  if neither the option nor the output's name determines the format
 [[nodiscard]] ExportFormat exportFormat(NamedFormat format, const std::string& outputPath);
 
+/// \param date  empty, or see `exportDate`
+/// \throw Error  if no product can have this name, because it is too long or not UTF-8, or if that is no date
+void verifyNameAndDate(const std::string& name, const std::string& date);
+
 /// Declares which options have an effect on some formats only.
 void declareNeeds(Tool& tool, const ExportOptions& options, const NamedFormat& format);
 

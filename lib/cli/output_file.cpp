@@ -38,17 +38,14 @@ std::string followLinks(const std::string& path) {
     return real ? std::string(real.get()) : path;
 }
 
-std::vector<std::string>& protectedFiles() {
-    static std::vector<std::string> paths;
-    return paths;
-}
+struct ProtectedFile {
+    std::string path;
+    std::string what;
+};
 
-bool isProtected(const std::string& path) {
-    const auto isSame = [&path](const std::string& other) {
-        std::error_code notThere; // a missing file is not the same
-        return std::filesystem::equivalent(path, other, notThere);
-    };
-    return std::any_of(protectedFiles().begin(), protectedFiles().end(), isSame);
+std::vector<ProtectedFile>& protectedFiles() {
+    static std::vector<ProtectedFile> files;
+    return files;
 }
 
 mode_t defaultMode() {
@@ -155,8 +152,18 @@ void OutputFile::commit() {
     temporary_.clear();
 }
 
-void protectFromOutput(const std::string& path) {
-    protectedFiles().push_back(path == "-" ? "/dev/stdin" : path);
+void protectFromOutput(const std::string& path, const std::string& what) {
+    protectedFiles().push_back({path == "-" ? "/dev/stdin" : path, what});
+}
+
+bool isSameFile(const std::string& one, const std::string& other) {
+    if (one == other) return true;
+    std::error_code problem; // a file that is missing has only its name
+    if (std::filesystem::equivalent(one, other, problem)) return true;
+    const auto whole = [&](const std::string& path) {
+        return std::filesystem::weakly_canonical(std::filesystem::absolute(path, problem), problem);
+    };
+    return one != "-" && other != "-" && whole(one) == whole(other);
 }
 
 void verifyWritable(const std::string& path) {
@@ -165,8 +172,8 @@ void verifyWritable(const std::string& path) {
     if (stat(path.c_str(), &status) == 0) {
         if (S_ISDIR(status.st_mode)) throw FileError(path, "is a folder", "Name a file");
         if (!S_ISREG(status.st_mode)) return;
-        if (isProtected(path))
-            throw FileError(path, "is the mesh that the result refers to", "Name another file");
+        for (const ProtectedFile& file : protectedFiles())
+            if (isSameFile(path, file.path)) throw FileError(path, file.what, "Name another file");
     }
     const std::string folder = folderOf(followLinks(path));
     if (access(folder.c_str(), F_OK) != 0)

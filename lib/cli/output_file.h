@@ -33,9 +33,13 @@ private:
     int descriptor_ = -1;
 };
 
-/// From now on no output may replace this file, by any name or link, because the result refers to it.
+/// From now on no output may replace this file, by any name or link.
 /// \param path  "-" stands for the file that standard input comes from, if any
-void protectFromOutput(const std::string& path);
+/// \param what  why not, to complete a sentence that begins with the file: "is the input"
+void protectFromOutput(const std::string& path, const std::string& what);
+
+/// Whether two paths name one file, whether or not it exists yet.
+[[nodiscard]] bool isSameFile(const std::string& one, const std::string& other);
 
 /// Throws at once, with the message that would come at the end, if no file can be written at the path.
 /// Creates nothing.

@@ -47,9 +47,11 @@ const Model& Stage::readWhole() {
 const Model& Stage::readAnother(const std::string& path, const Document& before) {
     parse(readFile(path), path, path, earliest_);
     const auto meshOf = [](const Document& document) { return JsonPlace(document.root)["mesh"]["sha256"]; };
-    if (meshOf(document_).text() != meshOf(before).text())
-        meshOf(document_).fail("is of another mesh than " + before.path,
-                               "Give documents that were made from one mesh");
+    inFile(path, [&] {
+        if (meshOf(document_).text() != meshOf(before).text())
+            meshOf(document_).fail("is of another mesh than " + before.path,
+                                   "Give documents that were made from one mesh");
+    });
     return take(readModel(document_, reads_, meshPath_), path);
 }
 

@@ -165,8 +165,8 @@ std::string Tool::readInput() const {
     return bytes;
 }
 
-void Tool::protect(const std::string& path) const {
-    protectFromOutput(path);
+void Tool::protect(const std::string& path, const std::string& what) const {
+    protectFromOutput(path, what);
     if (state_->hasOutput) verifyWritable(state_->general.output);
 }
 

@@ -108,9 +108,13 @@ public:
     [[nodiscard]] bool given(const std::string& optionName) const;
     /// All bytes of the input.
     [[nodiscard]] std::string readInput() const;
-    /// No output of this run may replace this file, which the result refers to.
+    /// No output of this run may replace this file.
+    /// \param what  why not, to complete a sentence that begins with the file
     /// \throw FileError  if one would
-    void protect(const std::string& path) const;
+    void protect(const std::string& path,
+                 const std::string& what = "is the mesh that the result refers to") const;
+    /// The same for the input, where the output is no document that could replace it.
+    void protectInput() const { protect(inputPath(), "is the input"); }
     /// To the output, whole or not at all. Once per run.
     void write(std::string_view bytes) const;
 

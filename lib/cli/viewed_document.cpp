@@ -45,13 +45,14 @@ ViewedDocuments::ViewedDocuments(const Tool& tool, Stage& stage, const std::stri
     if (!other.empty()) {
         other_ = parseDocument(readFile(other), other);
         otherModel_ = readWholeModel(other_);
-        tool.protect(other);
+        tool.protect(other, "is the document that is compared");
         tool.protect(otherModel_.meshPath);
         for (const std::string& note : otherModel_.notes)
             tool.warn(std::string(other).append(": ").append(note));
         parts_.push_back({&other_, &otherModel_, readRecordedScan(tool, other_, "")});
     }
     const Model& model = stage.readWhole();
+    tool.protectInput();
     parts_.push_back({&stage.document(), &model, readRecordedScan(tool, stage.document(), reference)});
 }
 

@@ -14,18 +14,18 @@ bool exists(const std::string& path) {
     return access(path.c_str(), F_OK) == 0;
 }
 
-/// The paths to try, the most likely first.
-std::vector<std::string> candidates(const std::string& recorded, const std::string& documentPath) {
+} // namespace
+
+std::vector<std::string> referencedPaths(const JsonPlace& section, const std::string& documentPath) {
+    const std::string& recorded = section["path"].text();
     std::vector<std::string> paths{recorded};
     if (documentPath == "-") return paths;
     const std::string folder = documentPath.substr(0, documentPath.rfind('/') + 1);
-    if (recorded.front() != '/' && !folder.empty()) paths.push_back(folder + recorded);
+    if (!recorded.starts_with('/') && !folder.empty()) paths.push_back(folder + recorded);
     // People who pass on a document put the file beside it.
     paths.push_back(folder + recorded.substr(recorded.rfind('/') + 1));
     return paths;
 }
-
-} // namespace
 
 ReferencedFile findReferencedFile(const JsonPlace& section, const std::string& documentPath,
                                   const std::string& givenPath, const ReferenceWords& words) {
@@ -41,7 +41,7 @@ ReferencedFile findReferencedFile(const JsonPlace& section, const std::string& d
     const std::string subject = "the " + words.noun + " that " + displayName(documentPath) + " refers to";
     std::string changed; // a file with this name and other contents
     const std::vector<std::string> paths =
-        givenPath.empty() ? candidates(recorded, documentPath) : std::vector<std::string>{givenPath};
+        givenPath.empty() ? referencedPaths(section, documentPath) : std::vector<std::string>{givenPath};
     for (const std::string& path : paths) {
         if (!exists(path)) continue;
         if (!isRegularFile(path))

@@ -4,6 +4,7 @@
 #include "document/json_place.h"
 
 #include <string>
+#include <vector>
 
 namespace qm {
 
@@ -18,6 +19,12 @@ struct ReferenceWords {
     std::string option;     ///< the option with which a user can name the file
     std::string makingAnew; ///< what to do if the file has changed; the beginning of a sentence
 };
+
+/// The paths to try, the most likely first.
+/// \param section       contains the recorded path
+/// \param documentPath  "-" for standard input; otherwise the file may lie beside the document
+[[nodiscard]] std::vector<std::string> referencedPaths(const JsonPlace& section,
+                                                       const std::string& documentPath);
 
 /// \param section       contains the recorded path and SHA-256
 /// \param documentPath  "-" for standard input; otherwise the file may lie beside the document

@@ -294,3 +294,18 @@ refused() {
         misused qm-enum $options "$input"
     done
 }
+
+@test "parts, their mesh and the document are not overwritten by what is made of them" {
+    cp "$(sample block)" block.obj
+    qm-basecomplex block.obj | qm-cut >cut.json
+    for part in 1 2; do qm-enum -q --part $part/2 cut.json -o $part.json; done
+    complains qm-enum --join 1.json 2.json -o block.obj
+    assert_equal "$stderr" "qm-enum: block.obj: is the mesh that the result refers to. Name another file"
+    complains qm-enum --join 1.json 2.json -o ./2.json
+    assert_equal "$stderr" "qm-enum: ./2.json: is one of the parts. Name another file"
+    assert_same_bytes "$(sample block)" block.obj
+    complains qm-enum cut.json --list ./cut.json -o other.json
+    assert_equal "$stderr" "qm-enum: ./cut.json: is the input. Name another file"
+    misused qm-enum cut.json --list graphs.json -o ./graphs.json
+    misused qm-enum cut.json --list graphs.json --all ./graphs.json -o other.json
+}

@@ -116,6 +116,21 @@ PRODUCT('two 2'"
     quietly qm-export block.json -o segments.obj
 }
 
+@test "a document is not overwritten by what is no document" {
+    cp "$(stage surfaces block)" block.json
+    for command in 'qm-export --format obj' qm-summary qm-check qm-view; do
+        complains $command block.json -o ./block.json
+        assert_equal "$stderr" "${command%% *}: ./block.json: is the input. Name another file"
+    done
+    assert_same_bytes "$(stage surfaces block)" block.json
+}
+
+@test "a name that no product can have is refused" {
+    misused qm-export --name "$(printf 'y%.0s' {1..1500})" "$(stage surfaces block)" -o block.igs
+    misused qm-export --name $'\xff' "$(stage surfaces block)" -o block.step
+    quietly qm-export --name "$(printf 'y%.0s' {1..1000})" "$(stage surfaces block)" -o block.igs
+}
+
 @test "PLY and glTF begin as they must" {
     quietly qm-export "$(stage surfaces block)" --colour deviation -o block.ply
     assert_equal "$(head -n 1 block.ply)" ply

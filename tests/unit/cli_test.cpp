@@ -103,13 +103,24 @@ TEST(OutputFile, SparesWhatIsProtected) {
     const std::string mesh = folder.write("mesh", "as it was");
     files::create_symlink(mesh, folder.path("link"));
     files::create_directory(folder.path("sub"));
-    qm::protectFromOutput(folder.path("sub/../mesh"));
+    qm::protectFromOutput(folder.path("sub/../mesh"), "is needed");
     for (const char* name : {"mesh", "link", "./mesh", "sub/../link"}) {
         EXPECT_EQ(messageOf([&] { qm::writeFile(folder.path(name), "new"); }),
-                  folder.path(name) + ": is the mesh that the result refers to. Name another file");
+                  folder.path(name) + ": is needed. Name another file");
     }
     EXPECT_EQ(qm::readFile(mesh), "as it was");
     EXPECT_NO_THROW(qm::writeFile(folder.path("other"), "new"));
+}
+
+TEST(OutputFile, IsTheSameByAnyName) {
+    const TemporaryFolder folder;
+    files::create_symlink(folder.write("file", ""), folder.path("link"));
+    files::create_directory(folder.path("sub"));
+    EXPECT_TRUE(qm::isSameFile(folder.path("link"), folder.path("file")));
+    EXPECT_TRUE(qm::isSameFile(folder.path("new"), folder.path("sub/../new"))) << "neither exists";
+    EXPECT_FALSE(qm::isSameFile(folder.path("new"), folder.path("file")));
+    EXPECT_TRUE(qm::isSameFile("-", "-"));
+    EXPECT_FALSE(qm::isSameFile("-", folder.path("file")));
 }
 
 TEST(ReadFile, NamesWhatCannotBeRead) {
