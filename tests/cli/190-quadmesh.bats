@@ -197,6 +197,32 @@ fails_with() {
     refused part.obj --export.analytic-tolerance 1 -o part.step
 }
 
+@test "options of stages that do not go with those of quadmesh are told before the work" {
+    refused part.obj --enum.method plain --time-limit 5 -o part.step
+    refused part.obj --prune.method optimum --prune.max-segments 10 --max-patches 5 -o part.step
+    refused part.obj --bspline.fit interpolate --tolerance 1% -o part.step
+    # What is for several runs, or several documents.
+    refused part.obj --enum.part 1/2
+    refused part.obj --enum.join
+    refused part.obj --bspline.rank
+    assert [ ! -e part.step ]
+}
+
+@test "options of the first pruning do not stand in the way of the next" {
+    for options in '--prune.eta -5' '--prune.method optimum --prune.beta 3' '--prune.method greedy --time-limit 9' \
+        '--prune.method optimum --prune.fewest-patches' '--prune.min-corner 10'; do
+        # shellcheck disable=SC2086  # a list of words
+        run --separate-stderr quadmesh part.obj $options --max-patches 5 --tolerance 5% -o part.step
+        assert_equal "$status" 3
+        assert_equal "${#stderr_lines[@]}" 1
+        assert_regex "$stderr" '^quadmesh: there are [0-9]+ patches where 5 are allowed'
+        rm part.step
+    done
+    # A limit of time holds for every search.
+    quadmesh part.obj --prune.method optimum --time-limit 7 --tolerance 5% -o part.json
+    jq -e '.history[] | select(.tool == "qm-prune").options.timeLimit | . > 0 and . <= 7' part.json
+}
+
 @test "what quadmesh sets itself is not for a stage" {
     refused part.obj --remesh.quads 100 --quads 500
     refused part.obj --export.unit cm -o part.step
