@@ -80,9 +80,7 @@ mesh_of = $(firstword $(filter $(endings:%=%/$(1).%),$(meshes)) $(1).stl)
 # $(call stage,ending,STAGE,tool,file before,option for the output,model): the rule of a stage; of one model if one is named.
 define stage
 $(if $(6),$(OUT)/$(6).$(1): )$(OUT)/%.$(1): $(4) $(OUT)/.stages/%.$(1).options
-	@$$(call put_edits_aside,$(OUT)/.stages/$$*.$(1).sha256)
 	$(here)run-stage $(3) $$(strip $$(COMMON_OPTIONS) $$(call options,$(2),$$*) $$< $(5) $$@)
-	@sha256sum $$@ > $(OUT)/.stages/$$*.$(1).sha256
 endef
 
 # $(call part_rule,enumeration.I-N): the rule of a part of the search.
@@ -102,12 +100,6 @@ $(OUT)/.stages/%.$(1).options: FORCE
 	@echo "$$$$stamp" | cmp -s - $$@ || echo "$$$$stamp" > $$@
 $(OUT)/.stages/%.$(1).options: export stamp = $$(call options,$(2),$$*)
 endef
-
-# Nobody's work is lost: a file that was edited and is about to be made again is renamed first.
-put_edits_aside = if [[ -e $@ && -e $(1) ]] && ! sha256sum --status --check $(1); then \
-    mv $@ $@.edited; \
-    echo "layout.mk: $@ was edited by hand, but what it is made from has changed. It is now $@.edited" >&2; \
-fi
 
 .PHONY: FORCE
 FORCE:
@@ -130,9 +122,7 @@ else
 parts := $(foreach number,$(shell seq $(PARTS)),enumeration.$(number)-$(strip $(PARTS)))
 $(foreach part,$(parts),$(eval $(call part_rule,$(part))))
 $(OUT)/%.enumeration.json: $(foreach part,$(parts),$(OUT)/.stages/%.$(part).json)
-	@$(call put_edits_aside,$(OUT)/.stages/$*.enumeration.json.sha256)
 	$(here)run-stage qm-enum --join $(strip $(COMMON_OPTIONS) $^ -o $@)
-	@sha256sum $@ > $(OUT)/.stages/$*.enumeration.json.sha256
 endif
 $(eval $(call stage,layout.json,LAYOUT,qm-merge,$(OUT)/%.enumeration.json,-o,))
 $(eval $(call stage,pruned.json,PRUNED,qm-prune,$(OUT)/%.layout.json,-o,))

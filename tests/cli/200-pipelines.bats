@@ -87,6 +87,32 @@ END
     assert_equal "$(field .note out/part.surfaces.json)" null
 }
 
+@test "nothing that a stage did not write is overwritten, however often it is edited" {
+    cp "$(sample cube)" part.obj
+    mkdir out
+    echo mine >out/part.cut.json
+    run --separate-stderr layout_mk -s out/part.layout.json
+    assert_success
+    assert_regex "$stderr" 'It is now out/part.cut.json.edited$'
+    assert_equal "$(cat out/part.cut.json.edited)" mine
+    for number in 2 3; do
+        echo "$number" >out/part.cut.json
+        run --separate-stderr layout_mk -s CUT_OPTIONS="--chi $number" out/part.cut.json
+        assert_regex "$stderr" "It is now out/part.cut.json.edited.$number$"
+        assert_equal "$(cat out/part.cut.json.edited.$number)" "$number"
+    done
+    # What the stage wrote itself is not taken for somebody's work, even if all notes of it are gone.
+    layout_mk -s CUT_OPTIONS='--chi 3' out/part.layout.json
+    rm -r out/.stages out/*.edited*
+    quietly layout_mk -s CUT_OPTIONS='--chi 3' out/part.layout.json
+    assert_equal "$(find out -name '*.edited*')" ''
+    # A stage that fails leaves it in its place.
+    echo mine >out/part.cut.json
+    run layout_mk -s CUT_OPTIONS='--chi x' out/part.cut.json
+    assert_failure
+    assert_equal "$(cat out/part.cut.json)" mine
+}
+
 @test "many models at once, each with its own options" {
     mkdir meshes more
     for i in 1 2 3; do cp part.obj meshes/part$i.obj; done
