@@ -52,9 +52,19 @@ beside := $(firstword $(wildcard $(here)../bin/qm-basecomplex $(here)../../../bi
 bin    := $(or $(QM_BIN),$(patsubst %/qm-basecomplex,%,$(beside)))
 export PATH := $(if $(bin),$(abspath $(bin)):)$(PATH)
 
+# What make cannot handle.
+ifeq ($(wildcard $(here)run-stage),)
+$(error the path of layout.mk has blanks, which make cannot handle. Move or link it)
+endif
+ifneq ($(words $(OUT))$(findstring :,$(OUT))$(findstring %,$(OUT))$(findstring =,$(OUT)),1)
+$(error OUT is '$(OUT)': make needs the name of one folder, without blanks, colons, % and =)
+endif
+$(foreach name,$(filter $(OUT)/%,$(.VARIABLES)),$(error $(name)=...: targets have no =. Write an underscore for each))
+
 # Meshes whose names make cannot handle, such as those with blanks, are linked under other names.
-links   := $(OUT)/.meshes
-meshes  := $(shell $(here)find-meshes '$(subst ','\'',$(MESH_PATH))' '$(links)')
+links    := $(OUT)/.meshes
+meshes   := $(shell $(here)find-meshes '$(subst ','\'',$(MESH_PATH))' '$(links)' $(and $(MESHES_ARE_TOLD),2>/dev/null))
+left_out := $(filter-out 0,$(.SHELLSTATUS))
 folders := $(sort $(dir $(meshes)) $(wildcard $(subst :, ,$(MESH_PATH))))
 models  := $(sort $(basename $(notdir $(meshes))))
 endings := obj off ply stl
@@ -62,7 +72,12 @@ $(foreach ending,$(endings),$(eval vpath %.$(ending) $(folders)))
 
 .PHONY: all
 all: $(models:%=$(OUT)/%.surfaces.json)
+	$(require_meshes)
 	@$(list_unmet)
+	@$(fail_if_left_out)
+
+require_meshes   = $(if $(meshes),,$(error no meshes in '$(MESH_PATH)'))
+fail_if_left_out = $(if $(left_out),echo 'layout.mk: not every mesh was made: see the first lines' >&2; exit 1,:)
 
 # What missed a limit is told once more when all is done.
 list_unmet = find $(OUT)/.stages -name '*.unmet' ! -name '*.summary.json.unmet' -print0 | sort -z | xargs -r0 sed 's/^/layout.mk: /' >&2
@@ -75,14 +90,13 @@ options = $(strip $(call own,$(1)_OPTIONS,$(2)) $(and $(call own,QUADS,$(2)),$(c
 # A mesh of triangles is what quads are made of, and what the surfaces are fitted to.
 of_scan.QUADS    = --quads $(call own,QUADS,$(1))
 of_scan.SURFACES = --reference $(call mesh_of,$(1))
-mesh_of = $(firstword $(filter $(endings:%=%/$(1).%),$(meshes)) $(1).stl)
+mesh_of = $(or $(mesh_of.$(1)),$(1).stl)
+$(foreach mesh,$(meshes),$(eval mesh_of.$(basename $(notdir $(mesh))) := $(mesh)))
 
 # $(call stage,ending,STAGE,tool,file before,option for the output,model): the rule of a stage; of one model if one is named.
 define stage
 $(if $(6),$(OUT)/$(6).$(1): )$(OUT)/%.$(1): $(4) $(OUT)/.stages/%.$(1).options
-	@$$(call put_edits_aside,$(OUT)/.stages/$$*.$(1).sha256)
 	$(here)run-stage $(3) $$(strip $$(COMMON_OPTIONS) $$(call options,$(2),$$*) $$< $(5) $$@)
-	@sha256sum $$@ > $(OUT)/.stages/$$*.$(1).sha256
 endef
 
 # $(call part_rule,enumeration.I-N): the rule of a part of the search.
@@ -103,12 +117,6 @@ $(OUT)/.stages/%.$(1).options: FORCE
 $(OUT)/.stages/%.$(1).options: export stamp = $$(call options,$(2),$$*)
 endef
 
-# Nobody's work is lost: a file that was edited and is about to be made again is renamed first.
-put_edits_aside = if [[ -e $@ && -e $(1) ]] && ! sha256sum --status --check $(1); then \
-    mv $@ $@.edited; \
-    echo "layout.mk: $@ was edited by hand, but what it is made from has changed. It is now $@.edited" >&2; \
-fi
-
 .PHONY: FORCE
 FORCE:
 
@@ -117,22 +125,27 @@ FORCE:
 # Quads of triangles, where a number of them is asked for: of all models, or of some.
 quads_of := $(patsubst QUADS.%,%,$(filter QUADS.%,$(.VARIABLES)))
 $(if $(QUADS),$(foreach ending,$(endings),$(eval $(call stage,quads.obj,QUADS,qm-remesh,%.$(ending),-o,))))
-$(foreach model,$(quads_of),$(eval $(call stage,quads.obj,QUADS,qm-remesh,$(call mesh_of,$(model)),-o,$(model))))
+$(foreach model,$(sort $(quads_of) $(and $(QUADS),$(models))),$(eval $(call stage,quads.obj,QUADS,qm-remesh,$(call mesh_of,$(model)),-o,$(model))))
 $(foreach model,$(or $(and $(QUADS),%),$(quads_of)),\
     $(eval $(call stage,basecomplex.json,BASECOMPLEX,qm-basecomplex,$(OUT)/%.quads.obj,-o,$(filter-out %,$(model)))))
 
+# Of the mesh that was found; and of one in a folder below, as out/folder/part.
+$(foreach model,$(filter-out $(if $(QUADS),%,$(quads_of)),$(models)),\
+    $(eval $(call stage,basecomplex.json,BASECOMPLEX,qm-basecomplex,$(mesh_of.$(model)),-o,$(model))))
 $(foreach ending,$(endings),$(eval $(call stage,basecomplex.json,BASECOMPLEX,qm-basecomplex,%.$(ending),-o,)))
 $(eval $(call stage,features.json,FEATURES,qm-features,$(OUT)/%.basecomplex.json,-o,))
 $(eval $(call stage,cut.json,CUT,qm-cut,$(OUT)/%.features.json,-o,))
 ifeq ($(strip $(PARTS)),1)
 $(eval $(call stage,enumeration.json,ENUMERATION,qm-enum,$(OUT)/%.cut.json,-o,))
 else
-parts := $(foreach number,$(shell seq $(PARTS)),enumeration.$(number)-$(strip $(PARTS)))
+numbers := $(shell seq '$(subst ','\'',$(strip $(PARTS)))' 2>/dev/null | head -n 10001)
+ifneq ($(firstword $(numbers)) $(lastword $(numbers)),1 $(strip $(PARTS)))
+$(error PARTS is '$(PARTS)': it must be a whole number from 1 to 10000)
+endif
+parts := $(foreach number,$(numbers),enumeration.$(number)-$(strip $(PARTS)))
 $(foreach part,$(parts),$(eval $(call part_rule,$(part))))
 $(OUT)/%.enumeration.json: $(foreach part,$(parts),$(OUT)/.stages/%.$(part).json)
-	@$(call put_edits_aside,$(OUT)/.stages/$*.enumeration.json.sha256)
 	$(here)run-stage qm-enum --join $(strip $(COMMON_OPTIONS) $^ -o $@)
-	@sha256sum $@ > $(OUT)/.stages/$*.enumeration.json.sha256
 endif
 $(eval $(call stage,layout.json,LAYOUT,qm-merge,$(OUT)/%.enumeration.json,-o,))
 $(eval $(call stage,pruned.json,PRUNED,qm-prune,$(OUT)/%.layout.json,-o,))
@@ -165,7 +178,10 @@ pictures := $(if $(shell command -v chromium || command -v chromium-browser || c
 report-parts: $(foreach model,$(models),$(addprefix $(OUT)/$(model).,summary.json step html $(pictures)))
 # A model that fails is a line of the report.
 report: ## one page for all models, OUT/report.html
-	@$(MAKE) --no-print-directory --keep-going -f $(here)layout.mk report-parts || true
+	$(require_meshes)
+	@mkdir -p $(OUT)/.stages
+	@MESHES_ARE_TOLD=1 $(MAKE) --no-print-directory --keep-going -f $(here)layout.mk report-parts || true
 	@$(here)report $(OUT) $(models)
 	@$(list_unmet)
 	@echo "layout.mk: the report is $(OUT)/report.html"
+	@$(fail_if_left_out)

@@ -142,6 +142,18 @@ fails_with() {
     quietly quadmesh --quiet -- -o.obj
 }
 
+@test "a mesh may have a long name; where others are made of it, one that is too long is told" {
+    long=$(printf '%0240d' 0)
+    mv part.obj "$long.obj"
+    quietly quadmesh "$long.obj" -o part.step
+    for option in '--keep stages' '--quads 500' --repair --basecomplex.repair; do
+        # shellcheck disable=SC2086  # a list of words
+        fails_with "^quadmesh: $long.obj: the name is too long" "$long.obj" $option
+    done
+    mv "$long.obj" "${long:11}.obj"
+    quietly quadmesh "${long:11}.obj" --keep stages --repair
+}
+
 @test "a stage that fails gives one message" {
     echo 'f 1 2 3 4' >broken.obj
     fails_with '^qm-basecomplex: .*broken\.obj: ' broken.obj -o broken.step
@@ -195,6 +207,44 @@ fails_with() {
     refused part.obj --export.colour deviation -o part.step
     refused part.obj --remesh.seed 3
     refused part.obj --export.analytic-tolerance 1 -o part.step
+}
+
+@test "options of stages that do not go with those of quadmesh are told before the work" {
+    refused part.obj --enum.method plain --time-limit 5 -o part.step
+    refused part.obj --prune.method optimum --prune.max-segments 10 --max-patches 5 -o part.step
+    refused part.obj --bspline.fit interpolate --tolerance 1% -o part.step
+    # What is for several runs, or several documents.
+    refused part.obj --enum.part 1/2
+    refused part.obj --enum.join
+    refused part.obj --bspline.rank
+    assert [ ! -e part.step ]
+}
+
+@test "options of the first pruning do not stand in the way of the next" {
+    for options in '--prune.eta -5' '--prune.method optimum --prune.beta 3' '--prune.method greedy --time-limit 9' \
+        '--prune.method optimum --prune.fewest-patches' '--prune.min-corner 10'; do
+        # shellcheck disable=SC2086  # a list of words
+        run --separate-stderr quadmesh part.obj $options --max-patches 5 --tolerance 5% -o part.step
+        assert_equal "$status" 3
+        assert_equal "${#stderr_lines[@]}" 1
+        assert_regex "$stderr" '^quadmesh: there are [0-9]+ patches where 5 are allowed'
+        rm part.step
+    done
+    # A limit of time holds for every search.
+    quadmesh part.obj --prune.method optimum --time-limit 7 --tolerance 5% -o part.json
+    jq -e '.history[] | select(.tool == "qm-prune").options.timeLimit | . > 0 and . <= 7' part.json
+}
+
+@test "signs that no option has, and lines within a value, are told" {
+    refused part.obj '--cut.chi(' 20
+    assert_regex "$stderr" 'qm-cut has no option --chi\('
+    refused part.obj '--cut.c.i' 20
+    refused part.obj $'--cut.chi\n' 20
+    refused part.obj --cut.chi $'20\n--lambda\n3'
+    assert_regex "$stderr" 'cut.chi: its value has a line break'
+    refused part.obj --cut.chi=$'20\n--lambda\n3'
+    refused part.obj --max-patches 1000000000
+    assert_regex "$stderr" "'1000000000' is no whole number from 1 to 999999999"
 }
 
 @test "what quadmesh sets itself is not for a stage" {
@@ -274,8 +324,13 @@ fails_with() {
 @test "standard output that is closed or full is an error" {
     run --separate-stderr bash -c 'quadmesh part.obj >/dev/full'
     assert_equal "$status" 1
-    run --separate-stderr bash -c 'quadmesh --help >/dev/full'
-    assert_equal "$status" 1
+    for words in --help --version --json-usage; do
+        for place in /dev/full '&-'; do
+            run --separate-stderr bash -c "quadmesh $words >$place"
+            assert_equal "$status" 1
+            assert_equal "$stderr" 'quadmesh: standard output cannot be written to'
+        done
+    done
 }
 
 @test "triangles need --quads, and --quads needs Blender" {

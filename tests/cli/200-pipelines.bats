@@ -87,6 +87,32 @@ END
     assert_equal "$(field .note out/part.surfaces.json)" null
 }
 
+@test "nothing that a stage did not write is overwritten, however often it is edited" {
+    cp "$(sample cube)" part.obj
+    mkdir out
+    echo mine >out/part.cut.json
+    run --separate-stderr layout_mk -s out/part.layout.json
+    assert_success
+    assert_regex "$stderr" 'It is now out/part.cut.json.edited$'
+    assert_equal "$(cat out/part.cut.json.edited)" mine
+    for number in 2 3; do
+        echo "$number" >out/part.cut.json
+        run --separate-stderr layout_mk -s CUT_OPTIONS="--chi $number" out/part.cut.json
+        assert_regex "$stderr" "It is now out/part.cut.json.edited.$number$"
+        assert_equal "$(cat out/part.cut.json.edited.$number)" "$number"
+    done
+    # What the stage wrote itself is not taken for somebody's work, even if all notes of it are gone.
+    layout_mk -s CUT_OPTIONS='--chi 3' out/part.layout.json
+    rm -r out/.stages out/*.edited*
+    quietly layout_mk -s CUT_OPTIONS='--chi 3' out/part.layout.json
+    assert_equal "$(find out -name '*.edited*')" ''
+    # A stage that fails leaves it in its place.
+    echo mine >out/part.cut.json
+    run layout_mk -s CUT_OPTIONS='--chi x' out/part.cut.json
+    assert_failure
+    assert_equal "$(cat out/part.cut.json)" mine
+}
+
 @test "many models at once, each with its own options" {
     mkdir meshes more
     for i in 1 2 3; do cp part.obj meshes/part$i.obj; done
@@ -241,8 +267,109 @@ END
     cp part.obj 'my parts/the_first part.obj'
     echo '# another' >>'my parts/the_first part.obj'
     run --separate-stderr layout_mk -s MESH_PATH='my parts'
-    assert_success
+    assert_failure
     assert_regex "$stderr" "layout.mk: my parts/the.first part.obj: left out"
+    # So it is with signs that make reads.
+    rm -r 'my parts' out
+    mkdir a=b
+    cp part.obj a=b/c=d.obj
+    quietly layout_mk -s MESH_PATH=a=b out/c_d.cut.json
+    quietly qm-check out/c_d.cut.json
+    refused_in_one_line 'out/c=[.]*: targets have no =' 'out/c=d.cut.json'
+}
+
+# refused_in_one_line REGEX WORD...: layout.mk makes nothing
+refused_in_one_line() {
+    run --separate-stderr layout_mk -s "${@:2}"
+    assert_failure
+    assert_equal "$output" ''
+    assert_equal "${#stderr_lines[@]}" 1
+    assert_regex "$stderr" "$1"
+}
+
+@test "of meshes that have one name the first is made, the others are told, and the batch fails" {
+    mkdir a b
+    cp "$(sample cube)" a/part.obj
+    cp part.obj b/part.obj
+    cp "$(sample cube)" b/other.obj
+    run --separate-stderr layout_mk -s MESH_PATH='a b'
+    assert_failure
+    assert_equal "${stderr_lines[0]}" 'layout.mk: b/part.obj: left out, as part is a/part.obj. Rename it'
+    assert_regex "$stderr" 'layout.mk: not every mesh was made'
+    assert_equal "$(field .mesh.faces out/part.surfaces.json)" 384
+    assert_equal "$(field .kind out/other.surfaces.json)" surfaces
+    # The same in one folder.
+    qm-shape cube -o b/other.ply
+    run --separate-stderr layout_mk -s MESH_PATH=b report
+    assert_failure
+    assert_line 'layout.mk: the report is out/report.html'
+    assert_equal "$(grep -c 'b/other.ply: left out, as other is b/other.obj' <<<"$stderr")" 1
+    # A folder that is named twice has no mesh twice.
+    rm b/other.ply
+    quietly layout_mk -s MESH_PATH='b ./b'
+    # One that is not there is told.
+    run --separate-stderr layout_mk -s MESH_PATH='b c'
+    assert_failure
+    assert_equal "${stderr_lines[0]}" 'layout.mk: c: is no folder'
+}
+
+@test "endings of meshes may be in capitals" {
+    mkdir meshes
+    cp "$(sample cube)" meshes/BIG.OBJ
+    cp "$(sample cube)" meshes/small.obj
+    quietly layout_mk -s MESH_PATH=meshes
+    assert_equal "$(cd out && echo *.surfaces.json)" 'BIG.surfaces.json small.surfaces.json'
+}
+
+# Tools, with one in the place of qm-remesh that needs no Blender.
+remeshing_tools() {
+    mkdir tools
+    ln -s "$QM_BIN"/qm-* tools
+    rm tools/qm-remesh
+    # shellcheck disable=SC2016  # for the script
+    printf '#!/bin/bash\nqm-shape cube >"${*: -1}"\n' >tools/qm-remesh
+    chmod +x tools/qm-remesh
+}
+
+@test "what the stages made in the folder of meshes is no input" {
+    remeshing_tools
+    mkdir models
+    cd models
+    awk '/^f / && ++n == 5 { print } { print }' "$(sample cube)" >r.obj
+    cp "$(sample cube)" s.OBJ
+    for _ in 1 2; do
+        layout_mk -s QM_BIN="$PWD/../tools" OUT=. BASECOMPLEX_OPTIONS=--repair QUADS.s=100
+    done
+    assert [ -e r.repaired.obj ]
+    assert [ -e s.quads.obj ]
+    assert_equal "$(echo *.surfaces.json)" 'r.surfaces.json s.surfaces.json'
+    for _ in 1 2 3; do
+        layout_mk -s QM_BIN="$PWD/../tools" OUT=. QUADS=100
+    done
+    assert_equal "$(echo *.surfaces.json)" 'r.surfaces.json s.surfaces.json'
+    # A mesh of such a name that somebody else made is one.
+    cp "$(sample cube)" mine.quads.obj
+    layout_mk -s OUT=. mine.quads.cut.json
+    assert [ -e mine.quads.cut.json ]
+}
+
+@test "no meshes, and settings that cannot be, are told in one line" {
+    mkdir empty
+    for path in '' empty; do
+        refused_in_one_line "no meshes in '$path'" MESH_PATH="$path"
+        refused_in_one_line "no meshes in '$path'" MESH_PATH="$path" report
+    done
+    for folder in '' 'o 5' a=b a:b a%b; do
+        refused_in_one_line "OUT is '$folder': make needs the name of one folder" OUT="$folder"
+    done
+    for parts in 0 -1 x 1.5 '2 3' 1000000000 "'"; do
+        refused_in_one_line "PARTS is '$parts': it must be a whole number" PARTS="$parts"
+    done
+    cp -r "$ROOT/pipelines" 'my pipelines'
+    run --separate-stderr make -f 'my pipelines/layout.mk'
+    assert_failure
+    assert_equal "${#stderr_lines[@]}" 1
+    assert_regex "$stderr" 'the path of layout.mk has blanks'
 }
 
 @test "triangles become quads first" {

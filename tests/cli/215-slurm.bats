@@ -74,6 +74,51 @@ stand_ins() {
     quietly qm-check out/part_two.cut.json
 }
 
+# submitted JOB: runs its tasks, which are COUNT, as Slurm would.
+submitted() {
+    local command task
+    command=$(sed -n "$1p" calls | sed 's/.*--wrap //')
+    for ((task = 0; task < $2; ++task)); do SLURM_ARRAY_TASK_ID=$task bash -c "$command"; done
+}
+
+@test "names of models with dots are not taken for one another" {
+    stand_ins
+    mkdir meshes
+    cp "$(sample cube)" meshes/part.obj
+    run -0 slurm --kind cut meshes
+    submitted 1 1
+    cp "$(sample cube)" meshes/part.v2.obj
+    run -0 slurm --kind cut meshes
+    submitted 3 1
+    run -0 slurm --kind cut --status meshes
+    assert_line -p 'part                     finished'
+    # While one is in the queue, another whose name differs by a dot is submitted.
+    rm -r meshes out calls
+    mkdir meshes
+    cp "$(sample cube)" meshes/axb.obj
+    run -0 slurm --kind cut meshes
+    cp "$(sample cube)" meshes/a.b.obj
+    echo '1 0 RUNNING' >queue
+    run -0 slurm --kind cut meshes
+    assert_output -p ': 1 models'
+    run -1 slurm --kind cut --status meshes
+    assert_line -p 'axb                      RUNNING'
+}
+
+@test "a mesh that is left out, and a folder without meshes, are told" {
+    stand_ins
+    mkdir meshes empty
+    cp "$(sample cube)" meshes/part.obj
+    qm-shape cube -o meshes/part.ply
+    run -0 --separate-stderr slurm --kind cut meshes
+    assert_regex "$stderr" 'meshes/part.ply: left out, as part is meshes/part.obj'
+    submitted 1 1
+    run -1 slurm --kind cut --status meshes
+    assert_line -p 'part                     finished'
+    run -2 slurm empty
+    assert_output 'slurm: no meshes in empty'
+}
+
 @test "a wrong command line of slurm" {
     mkdir meshes
     for words in '' 'no-folder' '--what meshes' '--out' 'meshes meshes'; do

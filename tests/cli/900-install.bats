@@ -62,6 +62,26 @@ completed() {
     assert_output segments,borders
     run completed qm-shape bra
     assert_output bracket
+    # A flag has no value: what follows it may be the operand. An option that has one is followed by that.
+    run completed qm-shape --list bra
+    assert_output bracket
+    run completed qm-shape --output bra
+    assert_output ''
+    # Of --method=pl, bash makes three words.
+    run completed qm-enum --method = pl
+    assert_output plain
+    run completed qm-enum --method =
+    assert_line optimum
+    run completed qm-view --show = segments,bor
+    assert_output segments,borders
+    # quadmesh takes the options of its stages, but not those that it sets itself.
+    run completed quadmesh --cut.ch
+    assert_output -- --cut.chi
+    run completed quadmesh --export.
+    assert_line -- --export.join
+    refute_line -- --export.unit
+    run completed quadmesh --prune.method g
+    assert_output greedy
 }
 
 @test "completion for zsh and fish is whole and offers the same" {
