@@ -113,7 +113,7 @@ TEST(Layout, OfAMeshWithoutFacesIsEmpty) {
 
 TEST(Layout, RefusesADeadEnd) {
     EXPECT_EQ(refusal(rectangle(2, 2), {{1, 4}}),
-              "vertex 4: a segment has a reflex corner there. the tracks are no motorcycle graph; search "
+              "vertex 4: a segment has a reflex corner there. The tracks are no motorcycle graph: search "
               "again");
 }
 

@@ -98,7 +98,7 @@ TEST(ReadTriangles, WhatIsNotWholeOrNoSurfaceIsRefused) {
                   "face 0 (line 3): it has 1 side");
     expectRefused("v 0 0 0\nv 1 0 0\nv 1 1 0\n", "a.obj", "no faces");
     expectRefused("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\nf 1 2 3 3 9\n", "a.obj",
-                  "face 1 (line 5): vertex index 8");
+                  "face 1 (line 5): vertex index 9");
     expectRefused("v 0 0 0\nv 1 0 nan\nv 1 1 0\nf 1 2 3\n", "a.obj", "not a number");
     expectRefused("", "a.stl", "empty");
     expectRefused("hello", "", "OBJ, OFF, PLY or STL");

@@ -125,7 +125,7 @@ private:
     std::size_t steps_;
     std::vector<double> changes_; ///< by halfedge: of the derivative at its beginning, as a share of it
     std::vector<Hermite> hermite_;
-    std::array<std::array<Jet, maxSteps + 1>, 2> slopes_;
+    std::array<LagrangeWeights, 2> slopes_;
 };
 
 } // namespace

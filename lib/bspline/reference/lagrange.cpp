@@ -4,8 +4,8 @@
 
 namespace qm {
 
-std::array<Jet, maxSteps + 1> lagrange(int steps, double parameter) {
-    std::array<Jet, maxSteps + 1> weights{};
+LagrangeWeights lagrange(int steps, double parameter) {
+    LagrangeWeights weights{};
     for (int k = 0; k <= steps; ++k) {
         Jet& jet = weights[at(k)];
         jet = {1, 0, 0};

@@ -11,9 +11,12 @@ constexpr int maxSteps = 16;
 /// The value of a function of one parameter, and its first two derivatives.
 using Jet = std::array<double, 3>;
 
-/// The weights of steps + 1 equally spaced points in the jet of the polynomial through them; the rest is 0.
+/// By point; the rest is 0.
+using LagrangeWeights = std::array<Jet, maxSteps + 1>;
+
+/// The weights of steps + 1 equally spaced points in the jet of the polynomial through them.
 /// \param steps      from 1 to maxSteps
 /// \param parameter  0 at the first point, 1 at the last
-[[nodiscard]] std::array<Jet, maxSteps + 1> lagrange(int steps, double parameter);
+[[nodiscard]] LagrangeWeights lagrange(int steps, double parameter);
 
 } // namespace qm

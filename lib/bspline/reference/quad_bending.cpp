@@ -118,9 +118,8 @@ QuadSurface::QuadSurface(int steps, std::vector<Eigen::Vector3d> points)
     }
 }
 
-QuadSurface::SecondOrder QuadSurface::secondOrder(double u, double v) const {
-    const auto columns = lagrange(steps_, u);
-    const auto rows = lagrange(steps_, v);
+QuadSurface::SecondOrder QuadSurface::secondOrder(const LagrangeWeights& columns,
+                                                  const LagrangeWeights& rows) const {
     const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
     SecondOrder sum{zero, zero, zero, zero, zero};
     const Eigen::Vector3d* point = points_.data();
@@ -157,30 +156,55 @@ std::vector<Eigen::Vector3d> QuadSurface::displacements(const CornerFrames& fram
     return result;
 }
 
-QuadBending quadBending(const QuadSurface& surface, const CornerFrames& frames) {
-    // With two points each way, some twists would not bend anything.
+namespace {
+
+/// A point of Gauss's rule on the unit interval.
+struct GaussPoint {
+    double weight;
+    Hermite hermite;
+    LagrangeWeights lagrange;
+};
+
+/// Three points: with two, some twists would not bend anything.
+std::array<GaussPoint, 3> gaussPoints(int steps) {
     constexpr double outer = 0.3872983346207417; // half of the root of 3/5
-    constexpr std::array<std::pair<double, double>, 3> gauss{
-        {{0.5 - outer, 5.0 / 18}, {0.5, 8.0 / 18}, {0.5 + outer, 5.0 / 18}}};
+    const auto point = [&](double t, double weight) {
+        return GaussPoint{weight, Hermite(t), lagrange(steps, t)};
+    };
+    return {point(0.5 - outer, 5.0 / 18), point(0.5, 8.0 / 18), point(0.5 + outer, 5.0 / 18)};
+}
+
+/// What one unit of every entry of a tilt changes, by corner.
+std::array<std::array<CornerChange, 3>, 4> unitChanges(const QuadSurface& surface,
+                                                       const CornerFrames& frames) {
+    std::array<std::array<CornerChange, 3>, 4> changes{};
+    for (std::size_t corner = 0; corner < frames.size(); ++corner)
+        for (std::size_t k = 0; frames[corner] != nullptr && k < 3; ++k)
+            changes[corner][k] = changeOf(surface, corner, *frames[corner],
+                                          Eigen::Vector3d::Unit(static_cast<Eigen::Index>(k)));
+    return changes;
+}
+
+} // namespace
+
+QuadBending quadBending(const QuadSurface& surface, const CornerFrames& frames) {
+    const auto points = gaussPoints(surface.steps());
+    const auto changes = unitChanges(surface, frames);
     QuadBending bending{Eigen::Matrix<double, 12, 12>::Zero(), CornerTilts::Zero()};
-    for (const auto& [u, weightOfU] : gauss)
-        for (const auto& [v, weightOfV] : gauss) {
-            const QuadSurface::SecondOrder at = surface.secondOrder(u, v);
+    for (const GaussPoint& u : points)
+        for (const GaussPoint& v : points) {
+            const QuadSurface::SecondOrder at = surface.secondOrder(u.lagrange, v.lagrange);
             const Geometry geometry(at);
             if (!geometry.isRegular()) continue;
-            const Hermite ofU(u);
-            const Hermite ofV(v);
             Eigen::Matrix<double, 3, 12> change = Eigen::Matrix<double, 3, 12>::Zero();
             for (std::size_t corner = 0; corner < frames.size(); ++corner) {
                 if (frames[corner] == nullptr) continue;
                 const double share = frames[corner]->normal.dot(geometry.normal());
-                for (Eigen::Index k = 0; k < 3; ++k)
-                    change.col(3 * static_cast<Eigen::Index>(corner) + k) = geometry.ofLift(
-                        Lift(ofU, ofV, corner,
-                             changeOf(surface, corner, *frames[corner], Eigen::Vector3d::Unit(k))),
-                        share);
+                for (std::size_t k = 0; k < 3; ++k)
+                    change.col(static_cast<Eigen::Index>(3 * corner + k)) =
+                        geometry.ofLift(Lift(u.hermite, v.hermite, corner, changes[corner][k]), share);
             }
-            const double weight = weightOfU * weightOfV * geometry.area();
+            const double weight = u.weight * v.weight * geometry.area();
             bending.matrix += weight * change.transpose() * change;
             bending.right -= weight * change.transpose() * geometry.ofSurface();
         }

@@ -42,10 +42,12 @@ public:
     [[nodiscard]] Eigen::Vector3d normal(std::size_t corner) const;
 
     /// The first and second derivatives.
+    /// First and second partial derivatives.
     struct SecondOrder {
         Eigen::Vector3d u, v, uu, uv, vv;
     };
-    [[nodiscard]] SecondOrder secondOrder(double u, double v) const;
+    /// \param columns, rows  the weights of the lattice's columns at u, and of its rows at v
+    [[nodiscard]] SecondOrder secondOrder(const LagrangeWeights& columns, const LagrangeWeights& rows) const;
 
     /// The displacement of every lattice point, along its own normal, when the corners are tilted and
     /// twisted: cubics that vanish at the corners.
