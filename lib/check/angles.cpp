@@ -64,7 +64,7 @@ Angles dihedralAngles(const CheckedMesh& mesh, const Neighbourhoods& around) {
         const Vector sine = cross(left.direction, right.direction);
         const double cosine = dot(left.direction, right.direction);
         // Both are zero beside a face without a normal, and so is the angle.
-        angles.angle[edge] = std::atan2(std::sqrt(dot(sine, sine)), cosine);
+        angles.angle[edge] = std::atan2(length(sine), cosine);
     }
     return angles;
 }
@@ -90,7 +90,7 @@ EdgeCosts edgeCosts(const CheckedMesh& mesh, const Neighbourhoods& around, const
     for (int step = 0; step < around.steps(); ++step) {
         if (around.boundary(step) || around.from(step) > around.to(step)) continue;
         const auto along = minus(mesh.points[at(around.to(step))], mesh.points[at(around.from(step))]);
-        costs.cost[at(around.edge(step))] += weights.length * std::sqrt(dot(along, along));
+        costs.cost[at(around.edge(step))] += weights.length * length(along);
     }
     for (const ConstraintsPart::Weight& entry : constraints.weights)
         for (std::size_t i = 1; i < entry.vertices.size(); ++i)

@@ -1,5 +1,5 @@
-#include "base/at.h"
 #include "base/number_text.h"
+#include "check/bilinear_quad.h"
 #include "check/check_sections.h"
 #include "check/mesh_size.h"
 #include "check/vectors.h"
@@ -42,25 +42,18 @@ constexpr std::array<const char*, 7> maxima{"max",
                                             "largestInnerNormalAngle",
                                             "largestNormalDeviation"};
 
-double length(const Vector& vector) {
-    return std::sqrt(dot(vector, vector));
-}
-
-/// Whether no quad has a corner that is so flat that the vertices around it may have been moved before the
-/// fit.
+/// Whether no quad is folded or has a corner that is so flat that the vertices around it may have been moved
+/// before the fit.
 bool hasOnlySoundCorners(const CheckedMesh& mesh) {
     constexpr double minSine = 0.14; // of 8 degrees
-    for (const auto& quad : mesh.quads) {
-        std::array<Vector, 4> normals;
+    for (std::size_t face = 0; face < mesh.quads.size(); ++face) {
+        const BilinearQuad quad = quadOf(mesh, static_cast<int>(face));
+        if (!quad.isConvex()) return false;
         for (std::size_t k = 0; k < 4; ++k) {
-            const Place& corner = mesh.points[at(quad[k])];
-            const Vector to = minus(mesh.points[at(quad[(k + 1) % 4])], corner);
-            const Vector from = minus(mesh.points[at(quad[(k + 3) % 4])], corner);
-            normals[k] = cross(to, from);
-            if (!(length(normals[k]) > minSine * length(to) * length(from))) return false;
+            const Vector to = minus(quad.corners[(k + 1) % 4], quad.corners[k]);
+            const Vector from = minus(quad.corners[(k + 3) % 4], quad.corners[k]);
+            if (!(length(cross(to, from)) > minSine * length(to) * length(from))) return false;
         }
-        for (std::size_t k = 0; k < 4; ++k)
-            if (!(dot(normals[k], normals[(k + 1) % 4]) > 0)) return false;
     }
     return true;
 }
@@ -93,8 +86,9 @@ private:
             mean(names, figures, sameAngle, pointer);
         for (const auto& [relative, absolute] : relativeLengths) {
             if (!figures.has(relative) || !figures.has(absolute)) continue;
-            const double length = figures.at(relative) * diagonal;
-            if (std::abs(length - figures.at(absolute)) <= rounding * std::max(length, figures.at(absolute)))
+            const double product = figures.at(relative) * diagonal;
+            if (std::abs(product - figures.at(absolute)) <=
+                rounding * std::max(product, figures.at(absolute)))
                 continue;
             report_.violate(below(pointer, relative), "deviation",
                             "'" + std::string(absolute) + "' is " + numberText(figures.at(absolute)) +

@@ -59,7 +59,7 @@ double nearest(const Surface& surface, Parameters at, const Parameters& max, con
     for (int i = 0; i < iterations; ++i) {
         const SurfacePoint here = surface(at);
         const Place away = minus(point, here.point);
-        const double now = std::sqrt(dot(away, away));
+        const double now = length(away);
         if (!(now < min)) {
             // The step was too long: half as long, from where it began.
             if (++halvings > maxHalvings) break;
@@ -85,7 +85,7 @@ double distanceToFace(const CheckedMesh& mesh, int face, const Place& point) {
 
 double distance(const Place& a, const Place& b) {
     const Place away = minus(a, b);
-    return std::sqrt(dot(away, away));
+    return length(away);
 }
 
 double distanceToFace(const CheckedMesh& mesh, int face, Parameters start, const Place& point) {

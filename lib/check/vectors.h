@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 
 namespace qm::check {
 
@@ -16,6 +17,9 @@ using Vector = Place;
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+[[nodiscard]] inline double length(const Vector& a) {
+    return std::sqrt(dot(a, a));
+}
 [[nodiscard]] inline Vector cross(const Vector& a, const Vector& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }

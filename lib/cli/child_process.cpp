@@ -42,19 +42,17 @@ pid_t start(std::vector<std::string>& words, const sigset_t& signals, const std:
     return problem == 0 ? process : 0;
 }
 
-} // namespace
-
-HeldSignals::HeldSignals() {
+sigset_t heldSet() {
     sigset_t held;
     sigemptyset(&held);
     for (const int signal : heldSignals)
         sigaddset(&held, signal);
-    pthread_sigmask(SIG_BLOCK, &held, &before_);
+    return held;
 }
 
-HeldSignals::~HeldSignals() {
-    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
-}
+} // namespace
+
+HeldSignals::HeldSignals() : BlockedSignals(heldSet()) {}
 
 bool HeldSignals::oneWaits() {
     sigset_t waiting;

@@ -1,28 +1,22 @@
 /// \file Running other programs, and temporary folders for their files.
 #pragma once
 
+#include "cli/signals.h"
+
 #include <chrono>
-#include <csignal>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace qm {
 
-/// Blocks signals during its lifetime, so that nothing is left behind; a waiting signal ends a child at once.
-class HeldSignals {
+/// Blocks the signals that end the process, so that nothing is left behind; a waiting one ends a child at
+/// once.
+class HeldSignals : public BlockedSignals {
 public:
     HeldSignals();
-    ~HeldSignals();
-    HeldSignals(const HeldSignals&) = delete;
-    HeldSignals& operator=(const HeldSignals&) = delete;
 
-    /// The signals that were blocked before.
-    [[nodiscard]] const sigset_t& before() const { return before_; }
     [[nodiscard]] static bool oneWaits();
-
-private:
-    sigset_t before_;
 };
 
 /// A new folder, which is removed together with its contents.

@@ -54,21 +54,11 @@ mode_t defaultMode() {
     return 0666 & ~mask;
 }
 
-/// Holds back all signals while it exists.
-class SignalsBlocked {
-public:
-    SignalsBlocked() {
-        sigset_t all;
-        sigfillset(&all);
-        pthread_sigmask(SIG_BLOCK, &all, &before_);
-    }
-    ~SignalsBlocked() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-    SignalsBlocked(const SignalsBlocked&) = delete;
-    SignalsBlocked& operator=(const SignalsBlocked&) = delete;
-
-private:
-    sigset_t before_{};
-};
+sigset_t allSignals() {
+    sigset_t all;
+    sigfillset(&all);
+    return all;
+}
 
 } // namespace
 
@@ -93,7 +83,7 @@ OutputFile::OutputFile(const std::string& path) : name_(path == "-" ? "standard 
 void OutputFile::openBeside() {
     temporary_ = target_ + ".XXXXXX";
     // A signal that came after making the file and before registering it would leave it behind.
-    const SignalsBlocked blocked;
+    const BlockedSignals blocked(allSignals());
     descriptor_ = mkostemp(temporary_.data(), O_CLOEXEC);
     if (descriptor_ < 0) refuse(name_);
     try {

@@ -2,9 +2,25 @@
 /// best result so far.
 #pragma once
 
+#include <csignal>
 #include <string>
 
 namespace qm {
+
+/// Blocks signals during its lifetime; those that come are delivered at its end.
+class BlockedSignals {
+public:
+    explicit BlockedSignals(const sigset_t& signals) { pthread_sigmask(SIG_BLOCK, &signals, &before_); }
+    ~BlockedSignals() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+    BlockedSignals(const BlockedSignals&) = delete;
+    BlockedSignals& operator=(const BlockedSignals&) = delete;
+
+    /// The signals that were blocked before.
+    [[nodiscard]] const sigset_t& before() const { return before_; }
+
+private:
+    sigset_t before_{};
+};
 
 /// From now on signals that end the process remove its temporary files first. Signals ignored by the parent
 /// process stay ignored. Writing beyond the limit on file sizes fails like any other write.

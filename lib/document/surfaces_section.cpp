@@ -165,7 +165,7 @@ Patch readPatch(const JsonPlace& place, std::size_t index, const std::array<int,
     patch.segment = SegmentId(index);
     if (place["segment"].whole() != static_cast<std::int64_t>(index))
         place["segment"].fail("patches stand in the order of the segments; segment " + std::to_string(index) +
-                              " belongs");
+                              " belongs here");
     readPoints(place["controlPoints"], patch);
     if (place["degree"].size() != 2 || place["knots"].size() != 2)
         place.fail("degree and knots have two entries each");

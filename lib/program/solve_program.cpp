@@ -150,7 +150,8 @@ double boundProgram(const IntegerProgram& program, double seconds, const Control
     // The time limit may end the first relaxation but no later one: CBC takes a node whose relaxation was not
     // finished for infeasible, and would report a false proof.
     if (!relax(solver, seconds, control)) return nothing;
-    // CbcMain1 is not used: its cuts and heuristics would only cost time in programs this small.
+    // CbcMain1 is not used because it keeps a state in globals; its cuts and heuristics would only cost time
+    // in programs this small.
     CbcModel model(solver);
     model.setLogLevel(0);
     model.solver()->setHintParam(OsiDoReducePrint, true);

@@ -79,12 +79,9 @@ TEST(MisspeltKeys, ResembleAKnownKeyThatIsMissing) {
 
 TEST(MisspeltKeys, TakeLinearTimeForManyKeys) {
     Json root = Json::object();
-    for (int i = 0; i < 40000; ++i)
+    for (int i = 0; i < 400'000; ++i) // in quadratic time, a quarter of an hour
         root.get_ref<Json::object_t&>().emplace_back("foreign" + std::to_string(i), 0);
-    const auto start = std::chrono::steady_clock::now();
     EXPECT_TRUE(qm::misspeltKeys(root, "layout").empty());
-    // Looking for every known key again for every foreign one took a quarter of a minute.
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
 }
 
 TEST(PrintJson, ReadsBackAsTheSame) {

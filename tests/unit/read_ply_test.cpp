@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <string>
 
 namespace qm {
@@ -68,11 +67,9 @@ TEST(ReadPly, RefusesBadHeaders) {
 
 TEST(ReadPly, TakesLinearTimeForManyElements) {
     std::string header = "ply\nformat ascii 1.0\n";
-    for (int k = 0; k < 80000; ++k)
+    for (int k = 0; k < 1'000'000; ++k) // in quadratic time, a quarter of an hour
         header += "element e" + std::to_string(k) + " 0\n";
-    const auto start = std::chrono::steady_clock::now();
     EXPECT_TRUE(says(refusal(header + "end_header\n", "a.ply"), "holds no faces"));
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(3));
 }
 
 TEST(ReadPly, RefusesWhatWasCutOff) {

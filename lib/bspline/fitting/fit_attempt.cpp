@@ -14,6 +14,7 @@
 namespace qm {
 namespace {
 
+/// How often a search tries to do with fewer knots.
 constexpr int maxRemovals = 6;
 /// Rounds are no longer flattened after this has broken the tolerance so often.
 constexpr int maxFlattenings = 8;

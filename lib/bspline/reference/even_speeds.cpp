@@ -30,11 +30,10 @@ public:
     }
 
     void run(unsigned jobs) {
-        const std::vector<bool> isSound = soundFaces(mesh_);
+        const std::vector<bool> isSound = soundVertices(mesh_);
         parallelForMany(mesh_.n_vertices(), jobs, [&](std::size_t k) {
             const VertexId vertex(static_cast<int>(k));
-            if (!std::ranges::all_of(mesh_.vf_range(vertex), [&](FaceId face) { return isSound[at(face)]; }))
-                return;
+            if (!isSound[k]) return;
             // The derivatives of a subdivision surface at an extraordinary vertex are what the polynomials
             // make of them.
             if (!mesh_.is_boundary(vertex) && mesh_.valence(vertex) != 4) return;
@@ -64,7 +63,7 @@ private:
     /// By what share of itself the derivative along an edge changes at its beginning.
     [[nodiscard]] double changeOf(HalfedgeId leaving) const {
         const Point chord = mesh_.calc_edge_vector(leaving);
-        const Point speed = derivative(0, [&](std::size_t k) { return before(leaving, k, 0); });
+        const Point speed = before_.derivative(leaving);
         const double product = chord.norm() * speed.norm();
         if (!(product > 0)) return 0;
         // A cubic is nearest to an arc if its derivative exceeds the chord by this factor.

@@ -11,7 +11,7 @@ constexpr int maxSteps = 16;
 /// The value of a function of one parameter, and its first two derivatives.
 using Jet = std::array<double, 3>;
 
-/// By point; the rest is 0.
+/// The jets of the weights of points, in their order; those of points that there are not are 0.
 using LagrangeWeights = std::array<Jet, maxSteps + 1>;
 
 /// The weights of steps + 1 equally spaced points in the jet of the polynomial through them.

@@ -3,7 +3,6 @@
 #include "base/at.h"
 #include "base/parallel.h"
 #include "bspline/reference/bending_equations.h"
-#include "bspline/reference/lagrange.h"
 #include "bspline/reference/quad_bending.h"
 #include "bspline/reference/sound_faces.h"
 
@@ -28,12 +27,10 @@ class LeastBending {
 public:
     LeastBending(MeshLattice& lattice, const std::vector<VertexRule>& rules)
         : lattice_(lattice), before_(lattice), mesh_(lattice.numbers().mesh()), frames_(mesh_.n_vertices()) {
-        const std::vector<bool> isSound = soundFaces(mesh_);
+        const std::vector<bool> isSound = soundVertices(mesh_);
         const std::vector<Eigen::Vector3d> normals = sumsOfNormals();
         for (const VertexId vertex : mesh_.vertices()) {
-            const bool isFree =
-                rules[at(vertex)].kind == VertexRule::Kind::smooth &&
-                std::ranges::all_of(mesh_.vf_range(vertex), [&](FaceId face) { return isSound[at(face)]; });
+            const bool isFree = rules[at(vertex)].kind == VertexRule::Kind::smooth && isSound[at(vertex)];
             if (isFree && normals[at(vertex)].norm() > minAgreement * mesh_.valence(vertex))
                 frames_[at(vertex)] = frameAround(vertex, normals[at(vertex)].normalized());
         }
@@ -105,25 +102,16 @@ private:
     [[nodiscard]] TangentFrame frameAround(VertexId vertex, const Eigen::Vector3d& normal) const {
         const Eigen::Vector3d along = normal.unitOrthogonal();
         TangentFrame frame{normal, {along, normal.cross(along)}, {}};
-        frame.steps.fill(Eigen::Vector3d::Zero());
+        frame.dual.fill(Eigen::Vector3d::Zero());
         if (mesh_.valence(vertex) != 4) return frame;
         const HalfedgeId first = mesh_.halfedge_handle(vertex);
-        const Eigen::Vector3d u = derivative(first);
-        const Eigen::Vector3d v = derivative(mesh_.ccw_rotated_halfedge_handle(first));
+        const Eigen::Vector3d u = vector(before_.derivative(first));
+        const Eigen::Vector3d v = vector(before_.derivative(mesh_.ccw_rotated_halfedge_handle(first)));
         const double area = normal.dot(u.cross(v));
         constexpr double minSine = 0.1;
         if (area > minSine * u.norm() * v.norm())
-            frame.steps = {v.cross(normal) / area, normal.cross(u) / area};
+            frame.dual = {v.cross(normal) / area, normal.cross(u) / area};
         return frame;
-    }
-
-    /// Along an edge, at the beginning of a halfedge.
-    [[nodiscard]] Eigen::Vector3d derivative(HalfedgeId leaving) const {
-        const auto weights = lagrange(steps(), 0);
-        Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-        for (int k = 0; k <= steps(); ++k)
-            sum += weights[at(k)][1] * vector(before_.point(before_.numbers()(leaving, k, 0)));
-        return sum;
     }
 
     void move(const std::vector<Eigen::Vector3d>& tilts, unsigned jobs) {

@@ -2,6 +2,7 @@
 
 #include "base/at.h"
 #include "base/parallel.h"
+#include "bspline/reference/lagrange.h"
 #include "bspline/reference/vertex_stencil.h"
 
 #include <span>
@@ -41,6 +42,14 @@ MeshLattice::MeshLattice(const QuadMesh& mesh, const std::vector<Point>& points)
 
 MeshLattice::MeshLattice(const LatticeNumbers& numbers)
     : numbers_(numbers), points_(numbers.count(), Eigen::Vector3d::Zero()) {}
+
+Point MeshLattice::derivative(HalfedgeId leaving) const {
+    const LagrangeWeights weights = lagrange(squares(), 0);
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (int k = 0; k <= squares(); ++k)
+        sum += weights[at(k)][1] * points_[numbers_(leaving, k, 0)];
+    return qm::point(sum);
+}
 
 MeshLattice MeshLattice::subdivided(const std::vector<VertexRule>& rules, const std::vector<bool>& sharp,
                                     unsigned jobs) const {

@@ -22,6 +22,8 @@ public:
     [[nodiscard]] int squares() const { return numbers_.squares(); }
     [[nodiscard]] const LatticeNumbers& numbers() const { return numbers_; }
     [[nodiscard]] Point point(std::size_t number) const { return qm::point(points_[number]); }
+    /// Of the polynomial through the points above an edge, at the beginning of a halfedge.
+    [[nodiscard]] Point derivative(HalfedgeId leaving) const;
     void move(std::size_t number, const Point& to) { points_[number] = vector(to); }
     void move(VertexId vertex, const Point& to) { move(at(vertex), to); }
 

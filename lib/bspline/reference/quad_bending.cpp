@@ -50,7 +50,7 @@ CornerChange changeOf(const QuadSurface& surface, std::size_t corner, const Tang
     const Eigen::Vector3d slope = tilt[0] * frame.axes[0] + tilt[1] * frame.axes[1];
     const Eigen::Vector3d& u = surface.derivative(corner, 0);
     const Eigen::Vector3d& v = surface.derivative(corner, 1);
-    const auto& [first, second] = frame.steps;
+    const auto& [first, second] = frame.dual;
     return {{slope.dot(u), slope.dot(v)},
             tilt[2] * (first.dot(u) * second.dot(v) + second.dot(u) * first.dot(v))};
 }

@@ -18,8 +18,9 @@ namespace qm {
 struct TangentFrame {
     Eigen::Vector3d normal;
     std::array<Eigen::Vector3d, 2> axes;
-    /// Their products with a vector are its steps along the mesh lines; zero where there is no twist.
-    std::array<Eigen::Vector3d, 2> steps;
+    /// The dual basis of the mesh lines: its products with a vector are the vector's steps along them; zero
+    /// where there is no twist.
+    std::array<Eigen::Vector3d, 2> dual;
 };
 
 /// The frames at a quad's corners, counter-clockwise from (0, 0); null where the tangent plane is fixed.
@@ -41,7 +42,6 @@ public:
     /// Of unit length, or zero if the surface has none.
     [[nodiscard]] Eigen::Vector3d normal(std::size_t corner) const;
 
-    /// The first and second derivatives.
     /// First and second partial derivatives.
     struct SecondOrder {
         Eigen::Vector3d u, v, uu, uv, vv;

@@ -10,7 +10,7 @@ namespace {
 /// A quad of one direction, and what its lattice points count at a parameter.
 struct Weights {
     std::size_t first = 0; ///< of its lattice points
-    std::array<Jet, maxSteps + 1> jets{};
+    LagrangeWeights jets{};
 };
 
 Weights weightsAt(int quads, int steps, double parameter) {

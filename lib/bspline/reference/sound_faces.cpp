@@ -62,4 +62,13 @@ std::vector<bool> soundFaces(const QuadMesh& mesh) {
     return isSound;
 }
 
+std::vector<bool> soundVertices(const QuadMesh& mesh) {
+    const std::vector<bool> isSound = soundFaces(mesh);
+    std::vector<bool> result(mesh.n_vertices(), true);
+    for (const FaceId face : mesh.faces())
+        for (const VertexId vertex : mesh.fv_range(face))
+            if (!isSound[at(face)]) result[at(vertex)] = false;
+    return result;
+}
+
 } // namespace qm

@@ -13,6 +13,9 @@ namespace qm {
 /// over such faces even where interpolation makes the reference fold.
 [[nodiscard]] std::vector<bool> soundFaces(const QuadMesh& mesh);
 
+/// By vertex: whether all faces around it are sound.
+[[nodiscard]] std::vector<bool> soundVertices(const QuadMesh& mesh);
+
 /// The bilinear surface through four points, counter-clockwise from the lowest parameters.
 class BilinearQuad {
 public:

@@ -1,0 +1,51 @@
+// Limit surfaces of sample meshes whose vertices lie unevenly.
+#pragma once
+
+#include "bspline/reference/control_mesh.h"
+#include "bspline/reference/mesh_lattice.h"
+#include "shape/shape.h"
+#include "support/quad_layout.h"
+
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace qm::testing {
+
+/// A mesh, and the limit surface of its subdivision on a lattice of four steps an edge.
+struct LimitSample {
+    QuadMesh mesh;
+    std::vector<VertexRule> rules;
+    MeshLattice limit;
+
+    explicit LimitSample(QuadMesh given) : mesh(std::move(given)), limit(mesh, {}) {
+        const auto sharp = creasesAndBoundary(mesh, std::vector<bool>(mesh.n_edges()));
+        rules = vertexRules(mesh, segmentPerQuad(mesh), sharp);
+        const ControlMesh control = interpolatingControlMesh(mesh, rules);
+        MeshLattice lattice(mesh, control.points);
+        for (int k = 0; k < 2; ++k)
+            lattice = lattice.subdivided(rules, sharp, 1);
+        limit = lattice.limit(rules, sharp, 1);
+    }
+};
+
+inline QuadMesh shape(const std::string& name, int resolution) {
+    ShapeOptions options;
+    options.resolution = resolution;
+    return makeShape(name, options);
+}
+
+/// Moves every vertex along its sphere or plane, so that no line remains straight or evenly divided.
+template <class Onto> QuadMesh stirred(QuadMesh mesh, double largest, const Onto& onto) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> shift(-largest, largest);
+    for (const VertexId vertex : mesh.vertices()) {
+        const Point by =
+            mesh.is_boundary(vertex) ? Point(0, 0, 0) : Point(shift(random), shift(random), shift(random));
+        mesh.set_point(vertex, onto(mesh.point(vertex) + by));
+    }
+    return mesh;
+}
+
+} // namespace qm::testing
