@@ -1,5 +1,6 @@
 #include "base/at.h"
 #include "bspline/reference/even_speeds.h"
+#include "bspline/splines/evaluate.h"
 #include "support/limit_sample.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +17,7 @@ using testing::stirred;
 TEST(EvenSpeeds, AreThoseOfArcsBetweenTheVertices) {
     const LimitSample sample(stirred(shape("torus", 4), 0.04, [](const Point& point) { return point; }));
     MeshLattice even = sample.limit;
-    evenSpeeds(even, 1);
+    evenSpeeds(even, sample.rules, 1);
     const auto unevenness = [&](const MeshLattice& lattice) {
         double sum = 0;
         for (const HalfedgeId side : sample.mesh.halfedges()) {
@@ -37,17 +38,48 @@ TEST(EvenSpeeds, AreThoseOfArcsBetweenTheVertices) {
 TEST(EvenSpeeds, LeaveEvenLinesAsTheyAre) {
     const LimitSample sample(shape("tube", 4));
     MeshLattice even = sample.limit;
-    evenSpeeds(even, 1);
+    evenSpeeds(even, sample.rules, 1);
     for (std::size_t k = 0; k < even.numbers().count(); ++k)
         EXPECT_LT((even.point(k) - sample.limit.point(k)).norm(), 1e-3);
+}
+
+/// A cylinder whose vertices are turned about its axis by different angles, at its ends too.
+QuadMesh unevenTube() {
+    QuadMesh mesh = shape("tube", 4);
+    for (const VertexId vertex : mesh.vertices()) {
+        const Point point = mesh.point(vertex);
+        const double angle = 0.08 * std::sin(17.0 * static_cast<double>(at(vertex)));
+        mesh.set_point(vertex, Point(std::cos(angle) * point[0] - std::sin(angle) * point[1],
+                                     std::sin(angle) * point[0] + std::cos(angle) * point[1], point[2]));
+    }
+    return mesh;
+}
+
+TEST(EvenSpeeds, BoundariesFollowTheirCurveWhereTheirEdgesAreUneven) {
+    const LimitSample sample(unevenTube());
+    MeshLattice even = sample.limit;
+    evenSpeeds(even, sample.rules, 1);
+    // Along a circle derivatives are perpendicular to the radius.
+    const auto maxRise = [&](const MeshLattice& lattice) {
+        double max = 0;
+        for (const HalfedgeId side : sample.mesh.halfedges()) {
+            if (!sample.mesh.is_boundary(sample.mesh.edge_handle(side))) continue;
+            Point radius = sample.mesh.point(sample.mesh.from_vertex_handle(side));
+            radius[2] = 0;
+            max = std::max(max, std::abs(unit(lattice.derivative(side)) | unit(radius)));
+        }
+        return max;
+    };
+    EXPECT_GT(maxRise(sample.limit), 0.01);
+    EXPECT_LT(maxRise(even), 0.5 * maxRise(sample.limit));
 }
 
 TEST(EvenSpeeds, AreTheSameOnAnyNumberOfThreads) {
     const LimitSample sample(shape("genus2", 6));
     MeshLattice one = sample.limit;
     MeshLattice three = sample.limit;
-    evenSpeeds(one, 1);
-    evenSpeeds(three, 3);
+    evenSpeeds(one, sample.rules, 1);
+    evenSpeeds(three, sample.rules, 3);
     for (std::size_t k = 0; k < one.numbers().count(); ++k)
         ASSERT_EQ(one.point(k), three.point(k));
 }

@@ -16,6 +16,22 @@ namespace {
 /// Factor of a point's weight where the reference folds over a sound quad.
 constexpr double ofGuesses = 0.05;
 
+/// Factor of a point's weight. Points of a crease stand for half a cell, those of corners for a quarter or
+/// less, and nothing but them draws a curve to its place: where they weigh no more than others, creases and
+/// corners take what the tolerance leaves, and knots are spent on bringing them back.
+double factorOf(Freedom freedom) {
+    constexpr double ofCreases = 2;
+    constexpr double ofCorners = 16;
+    switch (freedom) {
+    case Freedom::crease:
+        return ofCreases;
+    case Freedom::corner:
+        return ofCorners;
+    default:
+        return 1;
+    }
+}
+
 /// The share of a direction that each of its parameters represents.
 std::vector<double> widths(const std::vector<double>& parameters) {
     std::vector<double> result(parameters.size());
@@ -210,6 +226,7 @@ void weighTargets(const LatticeSource& source, FitLattice& lattice) {
         for (std::size_t i = 0; i < us.size(); ++i) {
             double weight = us[i] * vs[j] * lattice.emphasis[weights.size()];
             if (lattice.isGuess[weights.size()]) weight *= ofGuesses;
+            weight *= factorOf(lattice.freedom[weights.size()]);
             if (source.weights != nullptr)
                 weight *= (*source.weights)[nearest(lattice.targets.parameters[1][j]) * width +
                                             nearest(lattice.targets.parameters[0][i])];

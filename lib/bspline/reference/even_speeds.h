@@ -2,14 +2,19 @@
 /// (docs/METHOD.md#reference).
 #pragma once
 
+#include "bspline/network/vertex_rules.h"
 #include "bspline/reference/mesh_lattice.h"
+
+#include <vector>
 
 namespace qm {
 
 /// A spline with uniform parameters leaves a vertex along both edges of a line at the same speed, although
 /// one may be much shorter than the other, and so waves along both. Here the surface leaves each vertex along
-/// each edge at the speed of an arc between the edge's ends; vertices and tangent planes stay. Nothing
-/// changes at extraordinary vertices, and where a quad is not sound (see `soundFaces`). Linear in the mesh.
-void evenSpeeds(MeshLattice& lattice, unsigned jobs);
+/// each edge at the speed of an arc between the edge's ends, and along creases in the direction that the
+/// lengths of edges demand (see `creaseDirections`); vertices stay, and so do tangent planes but at creases.
+/// Nothing changes at extraordinary vertices, and where a quad is not sound (see `soundFaces`). Linear in the
+/// mesh.
+void evenSpeeds(MeshLattice& lattice, const std::vector<VertexRule>& rules, unsigned jobs);
 
 } // namespace qm

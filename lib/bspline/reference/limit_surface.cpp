@@ -26,7 +26,7 @@ MeshLattice limitLattice(const QuadMesh& mesh, const Layout& layout, const std::
     for (const VertexId vertex : mesh.vertices())
         if (control.interpolates[at(vertex)]) lattice.move(vertex, mesh.point(vertex));
     unfold(lattice, rules, sharp, jobs);
-    evenSpeeds(lattice, jobs);
+    evenSpeeds(lattice, rules, jobs);
     bendLeast(lattice, rules, jobs);
     return lattice;
 }
