@@ -1,6 +1,7 @@
 #include "bspline/measure/scan_deviation.h"
 
 #include "base/parallel.h"
+#include "bspline/measure/gauss_points.h"
 #include "bspline/measure/largest_first.h"
 #include "bspline/splines/eigen_point.h"
 #include "bspline/splines/patch_bezier.h"
@@ -17,9 +18,8 @@ namespace {
 /// A box of the patch, and its polynomial.
 struct Box {
     BezierPiece piece;
-    std::array<double, 2> from{};
-    std::array<double, 2> to{};
-    double upper = 0; ///< 0 where the scan tells nothing
+    std::array<std::array<double, 2>, 2> range{}; ///< along u and along v
+    double upper = 0;                             ///< 0 where the scan tells nothing
 };
 
 double farthestFrom(const Eigen::Vector3d& place, const BezierPiece& piece) {
@@ -47,8 +47,7 @@ public:
             for (std::size_t i = 0; i + 1 < breaks[0].size(); ++i) {
                 Box box;
                 pieces.get(i, j, box.piece);
-                box.from = {breaks[0][i], breaks[1][j]};
-                box.to = {breaks[0][i + 1], breaks[1][j + 1]};
+                box.range = {{{breaks[0][i], breaks[0][i + 1]}, {breaks[1][j], breaks[1][j + 1]}}};
                 addCell(std::move(box));
             }
         const std::size_t effort = 996 + options_.effort * boxes_.size();
@@ -71,21 +70,17 @@ private:
     }
 
     void addCell(Box box) {
-        const double area = (box.to[0] - box.from[0]) * (box.to[1] - box.from[1]) / 4;
         box.upper = HUGE_VAL;
         bool isCovered = false;
-        for (const double v : gaussNodes)
-            for (const double u : gaussNodes) {
-                const Eigen::Vector3d place = evaluate(box.piece, u, v).position;
-                const auto foot = witness(place);
-                if (!foot) continue;
-                isCovered = true;
-                result_.samples.emplace_back(foot->distance, area);
-                box.upper = std::min(box.upper, foot->distance + farthestFrom(place, box.piece));
-                result_.raise(
-                    foot->distance,
-                    {number_, {std::lerp(box.from[0], box.to[0], u), std::lerp(box.from[1], box.to[1], v)}});
-            }
+        for (const GaussPoint& at : gaussPoints(box.range)) {
+            const Eigen::Vector3d place = evaluate(box.piece, at.u, at.v).position;
+            const auto foot = witness(place);
+            if (!foot) continue;
+            isCovered = true;
+            result_.samples.emplace_back(foot->distance, at.area);
+            box.upper = std::min(box.upper, foot->distance + farthestFrom(place, box.piece));
+            result_.raise(foot->distance, {number_, at.at});
+        }
         if (isCovered) boxes_.push_back(std::move(box));
     }
 
@@ -95,9 +90,9 @@ private:
         const std::array<double, 2> begin{u, v};
         std::array<double, 2> middle{};
         for (std::size_t k = 0; k < 2; ++k) {
-            result.from[k] = std::lerp(box.from[k], box.to[k], begin[k]);
-            result.to[k] = std::lerp(box.from[k], box.to[k], begin[k] + 0.5);
-            middle[k] = 0.5 * (result.from[k] + result.to[k]);
+            const auto& [from, to] = box.range[k];
+            result.range[k] = {std::lerp(from, to, begin[k]), std::lerp(from, to, begin[k] + 0.5)};
+            middle[k] = 0.5 * (result.range[k][0] + result.range[k][1]);
         }
         const auto foot = witness(evaluate(result.piece, 0.5, 0.5).position);
         if (!foot) return result;
