@@ -2,6 +2,7 @@
 
 #include "base/parallel.h"
 #include "bspline/measure/distance_bound.h"
+#include "bspline/measure/gauss_points.h"
 #include "bspline/measure/largest_first.h"
 
 #include <algorithm>
@@ -19,7 +20,7 @@ public:
     CertifiedDeviation run() {
         const auto cells = surfaces_.cells(patch_);
         parts_.reserve(cells[0] * cells[1]);
-        result_.samples.reserve(gaussNodes.size() * gaussNodes.size() * parts_.capacity());
+        result_.samples.reserve(4 * cells[0] * cells[1]);
         for (std::size_t j = 0; j < cells[1]; ++j)
             for (std::size_t i = 0; i < cells[0]; ++i)
                 addCell({patch_, {i, j}});
@@ -49,18 +50,14 @@ private:
         part.upper = std::sqrt(square);
         parts_.push_back(part);
 
-        const auto [u0, u1] = surfaces_.range(cell, 0);
-        const auto [v0, v1] = surfaces_.range(cell, 1);
-        const double area = (u1 - u0) * (v1 - v0) / 4;
-        for (const double v : gaussNodes)
-            for (const double u : gaussNodes) {
-                const double distance =
-                    distanceAt({patch_, {std::lerp(u0, u1, u), std::lerp(v0, v1, v)}}, u, v);
-                result_.samples.emplace_back(distance, area);
-                if (distance <= farthest_) continue;
-                farthest_ = distance;
-                farthestAt_ = {patch_, {std::lerp(u0, u1, u), std::lerp(v0, v1, v)}};
-            }
+        for (const GaussPoint& point : gaussPoints({surfaces_.range(cell, 0), surfaces_.range(cell, 1)})) {
+            const LayoutPlace place{patch_, point.at};
+            const double distance = distanceAt(place, point.u, point.v);
+            result_.samples.emplace_back(distance, point.area);
+            if (distance <= farthest_) continue;
+            farthest_ = distance;
+            farthestAt_ = place;
+        }
     }
 
     /// To first order, where little slides along the reference.
@@ -81,18 +78,14 @@ private:
 
     /// A first lower bound, from the farthest sample.
     void seed() {
-        const Cell cell = surfaces_.cellAt(farthestAt_);
+        FootSearch& search = bound_.search();
         for (std::size_t surface : {0U, 1U}) {
-            surfaces_.get(surface, cell, piece_);
-            const auto [u0, u1] = surfaces_.range(cell, 0);
-            const auto [v0, v1] = surfaces_.range(cell, 1);
-            const double u = (farthestAt_.at[0] - u0) / (u1 - u0);
-            const double v = (farthestAt_.at[1] - v0) / (v1 - v0);
-            const Foot foot = bound_.search()(1 - surface, farthestAt_, evaluate(piece_, u, v).position);
-            result_.raise(foot.distance, farthestAt_);
+            const Eigen::Vector3d point = search.evaluateAt(surface, farthestAt_).position;
+            result_.raise(search(1 - surface, farthestAt_, point).distance, farthestAt_);
         }
     }
 
+    /// Hands over the parts of a part, bounded.
     template <class Add> void divide(const SurfacePart& part, const Add& add) {
         const auto addBounded = [&](SurfacePart& one) {
             bound_.tighten(one, result_.lower);
