@@ -22,10 +22,7 @@ BilinearQuad quadAt(const ReferenceGrid& reference, const Parameters& place) {
     std::array<int, 2> quad{};
     for (std::size_t way = 0; way < 2; ++way)
         quad[way] = std::clamp(static_cast<int>(place[way]), 0, reference.size[way] - 1);
-    const auto corner = [&](int i, int j) {
-        return reference.points[at((quad[1] + j) * reference.steps) * reference.columns() +
-                                at((quad[0] + i) * reference.steps)];
-    };
+    const auto corner = [&](int i, int j) { return reference.vertex(quad[0] + i, quad[1] + j); };
     return BilinearQuad({corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)});
 }
 
