@@ -62,12 +62,8 @@ constexpr double noiseLeft = 1.5;
 /// Of the surfaces from the scan itself, noise and all.
 ScanFigures scanFigures(const std::vector<Patch>& patches, const FitTarget& target,
                         const TriangleSurface& scan, double negligible, unsigned jobs) {
-    const auto nearest = [&](const Point& from) {
-        const auto found = scan.nearest(from).value();
-        return ScanPoint{scan.corners(found.face), found.distance, found.onBoundary};
-    };
     const ScanDeviations found =
-        deviationFromScan(patches, nearest, target.maxDistance, {.negligible = negligible}, jobs);
+        deviationFromScan(patches, scan, target.maxDistance, {.negligible = negligible}, jobs);
     return {target.coverage, target.noise, found.max, found.rms, found.percentile95, found.farthest};
 }
 

@@ -1,7 +1,9 @@
 // Limit surfaces of sample meshes whose vertices lie unevenly.
 #pragma once
 
+#include "base/at.h"
 #include "bspline/reference/control_mesh.h"
+#include "bspline/reference/limit_surface.h"
 #include "bspline/reference/mesh_lattice.h"
 #include "shape/shape.h"
 #include "support/quad_layout.h"
@@ -12,6 +14,20 @@
 #include <vector>
 
 namespace qm::testing {
+
+/// Every edge that is a crease or lies on the mesh boundary, by edge.
+inline std::vector<bool> creasesAndBoundary(const QuadMesh& mesh, std::vector<bool> isCrease) {
+    for (const EdgeId edge : mesh.edges())
+        if (mesh.is_boundary(edge)) isCrease[at(edge)] = true;
+    return isCrease;
+}
+
+/// The limit surface with given creases and the rules that they make.
+inline std::vector<ReferenceGrid> limitSurface(const QuadMesh& mesh, const Layout& layout,
+                                               const std::vector<bool>& isCrease, int steps, unsigned jobs) {
+    const auto sharp = creasesAndBoundary(mesh, isCrease);
+    return qm::limitSurface(mesh, layout, vertexRules(mesh, layout, sharp), sharp, steps, jobs);
+}
 
 /// A mesh, and the limit surface of its subdivision on a lattice of four steps an edge.
 struct LimitSample {

@@ -24,7 +24,7 @@ protected:
                  [height](double i, double j) { return Point(i, j, height * std::sin(1.5 * i)); }},
           mesh_(test::makeMesh(sheet_)),
           layout_(test::makeLayout(sheet_, {{0, 0, columns, 1, 0}, {0, 1, columns, 2, 2}})),
-          plan_(layout_, buildNetwork(mesh_, layout_, dihedralAngles(mesh_), 3)) {
+          network_(buildNetwork(mesh_, layout_, dihedralAngles(mesh_), 3)), plan_(layout_, network_) {
         for (const bool isTurned : {false, true}) {
             ReferenceGrid& grid = grids_.emplace_back();
             grid.size = {columns, 1};
@@ -60,6 +60,7 @@ protected:
     test::Grid sheet_;
     QuadMesh mesh_;
     Layout layout_;
+    SmoothNetwork network_;
     KnotPlan plan_;
     std::vector<ReferenceGrid> grids_;
     std::vector<FitLattice> lattices_;
@@ -104,7 +105,7 @@ TEST_F(BorderKnots, PreferThoseOfOneSide) {
     insert(0.01);
     const double first = knots(0).back();
     ASSERT_LT(first, columns - 2);
-    plan_ = KnotPlan(layout_, buildNetwork(mesh_, layout_, dihedralAngles(mesh_), 3));
+    plan_ = KnotPlan(layout_, network_);
     plan_.insert(1, 0, columns - (first + 1));
     insert(0.01);
     EXPECT_EQ(knots(0).back(), first + 1);

@@ -1,13 +1,13 @@
 #include "base/at.h"
 #include "bspline/network/vertex_rules.h"
 #include "bspline/reference/control_mesh.h"
-#include "bspline/reference/limit_surface.h"
 #include "bspline/reference/mesh_lattice.h"
 #include "bspline/reference/vertex_stencil.h"
 #include "bspline/splines/evaluate.h"
 #include "mesh/dihedral.h"
 #include "shape/shape.h"
 #include "support/grid_layout.h"
+#include "support/limit_sample.h"
 #include "support/polycube.h"
 #include "support/quad_layout.h"
 #include "support/random_graph.h"
@@ -29,6 +29,8 @@ namespace {
 
 using Kind = VertexRule::Kind;
 using test::Grid;
+using testing::creasesAndBoundary;
+using testing::limitSurface;
 using testing::segmentPerQuad;
 
 std::vector<bool> noCreases(const QuadMesh& mesh) {

@@ -1,8 +1,7 @@
 #include "base/at.h"
-#include "bspline/reference/limit_surface.h"
 #include "bspline/reference/scan_folds.h"
 #include "shape/shape.h"
-#include "support/quad_layout.h"
+#include "support/limit_sample.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +14,8 @@ namespace {
 struct Targets {
     QuadMesh mesh = makeShape("torus", {.resolution = 2});
     Layout layout = testing::segmentPerQuad(mesh);
-    std::vector<ReferenceGrid> surface = limitSurface(mesh, layout, std::vector<bool>(mesh.n_edges()), 4, 1);
+    std::vector<ReferenceGrid> surface =
+        testing::limitSurface(mesh, layout, std::vector<bool>(mesh.n_edges()), 4, 1);
     LatticeNormals lattice = latticeNormals(mesh, layout, surface, 1);
     FitTarget reference{surface, {}};
 

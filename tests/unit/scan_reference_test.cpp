@@ -1,10 +1,9 @@
 #include "base/at.h"
-#include "bspline/reference/limit_surface.h"
 #include "bspline/reference/scan_reference.h"
 #include "mesh/dihedral.h"
 #include "shape/scan.h"
 #include "shape/shape.h"
-#include "support/quad_layout.h"
+#include "support/limit_sample.h"
 #include "support/true_surface.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +28,7 @@ struct Part {
         std::vector<bool> creases;
         for (const double angle : dihedralAngles(mesh))
             creases.push_back(angle > rho);
-        limit = limitSurface(mesh, layout, creases, 2, 1);
+        limit = testing::limitSurface(mesh, layout, creases, 2, 1);
     }
 
     [[nodiscard]] FitTarget against(const Triangles& scan, double maxDistance = 0, unsigned jobs = 1) const {

@@ -278,7 +278,7 @@ TEST(SmoothSystem, FindsTheSamePatchWhileItsNeighboursStay) {
     const QuadMesh mesh = test::makeMesh(test::sheet());
     const Layout layout = test::makeLayout(test::sheet(), test::tJoint());
     const SmoothNetwork network = networkOf(mesh, layout);
-    const auto grids = limitSurface(mesh, layout, network.marks.isCrease, 4, 1);
+    const auto grids = limitSurface(mesh, layout, network.rules, network.marks.isCrease, 4, 1);
     const auto sources = latticeSources(mesh, layout, network, grids, {});
     const KnotPlan plan(layout, network);
     const std::vector<PatchSpace> spaces = plan.spaces();
@@ -290,7 +290,7 @@ TEST(SmoothSystem, FindsTheSamePatchWhileItsNeighboursStay) {
         plates.push_back(thinPlates(grids[k], 0.1));
     }
     const auto solve = [&](const std::vector<bool>& isFree, std::vector<Patch>& patches) {
-        SmoothSystem system(layout, plan.network(), spaces, lattices, plates, isFree, patches, 1);
+        SmoothSystem system(layout, plan, spaces, lattices, plates, isFree, patches, 1);
         system.solve(lattices, Accuracy::rounding, patches);
         return system.holds();
     };
@@ -343,7 +343,8 @@ TEST(KnotPlan, HasIntervalsOfALengthAtLeast) {
     const Grid sheet{8, 6, [](double i, double j) { return Point(i, j, 0); }};
     const QuadMesh mesh = test::makeMesh(sheet);
     const Layout layout = test::makeLayout(sheet, {{0, 0, 8, 6}});
-    KnotPlan plan(layout, networkOf(mesh, layout), lengths);
+    const SmoothNetwork network = networkOf(mesh, layout);
+    KnotPlan plan(layout, network, lengths);
     EXPECT_NEAR(plan.minInterval(0, 0), 6, 1e-12);
     EXPECT_TRUE(plan.allowShorter());
     EXPECT_NEAR(plan.minInterval(0, 0), 3, 1e-12);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 namespace qm {
@@ -94,6 +95,15 @@ TEST(TriangleSurface, ALineMeetsTheNearestFaceThatLooksTheRightWay) {
     EXPECT_FALSE(cube.alongLine({2, 2, 2}, {0, 0, 1}, 9).has_value());
     EXPECT_FALSE(TriangleSurface(square()).alongLine({-1, 0.2, 0}, {1, 0, 0}, 9).has_value())
         << "seen edge on";
+}
+
+TEST(TriangleSurface, DistanceFromATriangleIsThatFromItsNearestPoint) {
+    const TriangleSurface triangle({{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}}, {{0, 1, 2}}});
+    EXPECT_NEAR(triangle.distance(0, {0.5, 0.5, -3}), 3, 1e-12);
+    EXPECT_NEAR(triangle.distance(0, {2, 2, 0}), std::sqrt(2.0), 1e-12);
+    EXPECT_NEAR(triangle.distance(0, {-3, -4, 0}), 5, 1e-12);
+    EXPECT_NEAR(TriangleSurface({{{0, 0, 0}, {1, 0, 0}, {3, 0, 0}}, {{0, 1, 2}}}).distance(0, {2, 1, 0}), 1,
+                1e-12);
 }
 
 TEST(TriangleSurface, FlatAndFarTrianglesDoNoHarm) {

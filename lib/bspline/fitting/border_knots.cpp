@@ -66,7 +66,7 @@ int nextKnot(const StretchKnots& knots, int begin, int farthest) {
 
 void insertBorderKnots(const Layout& layout, const std::vector<FitLattice>& lattices,
                        const std::vector<NormalLimits>& limits, double tolerance, KnotPlan& plan) {
-    for (const Stretch& stretch : plan.network().stretches) {
+    for (const Stretch& stretch : plan.stretches()) {
         const StretchSide& place = stretch.sides[0];
         const auto& size = layout.segments[place.patch].size;
         LatticeLines lines(lattices[place.patch], limits[place.patch], directionAlong(place.side), tolerance);

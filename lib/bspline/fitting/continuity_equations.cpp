@@ -6,7 +6,7 @@
 
 namespace qm {
 
-std::vector<LinearForm> continuityEquations(const Layout& layout, const SmoothNetwork& network,
+std::vector<LinearForm> continuityEquations(const Layout& layout, const KnotPlan& plan,
                                             const std::vector<PatchSpace>& spaces,
                                             const std::vector<bool>& isFree) {
     const auto counts = [&](const Stretch& stretch) {
@@ -19,14 +19,14 @@ std::vector<LinearForm> continuityEquations(const Layout& layout, const SmoothNe
         return std::array{strip(stretch.sides[0]), strip(stretch.sides[1])};
     };
     std::vector<LinearForm> equations;
-    for (const Stretch& stretch : network.stretches) {
+    for (const Stretch& stretch : plan.stretches()) {
         if (!counts(stretch)) continue;
         const auto both = strips(stretch);
         addPositionEquations(stretch, both[0], both[1], equations);
     }
-    for (const SmoothRun& run : network.runs) {
-        if (!counts(network.stretches[run.stretch])) continue;
-        const auto both = strips(network.stretches[run.stretch]);
+    for (const SmoothRun& run : plan.runs()) {
+        if (!counts(plan.stretches()[run.stretch])) continue;
+        const auto both = strips(plan.stretches()[run.stretch]);
         addTangentEquations(run, both[0], both[1], equations);
     }
     return equations;

@@ -1,8 +1,8 @@
 /// \file The continuity equations of all surfaces of a layout.
 #pragma once
 
+#include "bspline/fitting/knot_plan.h"
 #include "bspline/network/border_strip.h"
-#include "bspline/network/smooth_network.h"
 #include "layout/layout.h"
 
 #include <cstddef>
@@ -11,8 +11,9 @@
 namespace qm {
 
 /// C0 along all stretches and G1 along all smooth runs: each form must be 0 in every coordinate.
+/// \param plan    of the network, with the runs' ratios
 /// \param isFree  by patch; equations between patches that are not free are left out
-[[nodiscard]] std::vector<LinearForm> continuityEquations(const Layout& layout, const SmoothNetwork& network,
+[[nodiscard]] std::vector<LinearForm> continuityEquations(const Layout& layout, const KnotPlan& plan,
                                                           const std::vector<PatchSpace>& spaces,
                                                           const std::vector<bool>& isFree);
 

@@ -220,7 +220,6 @@ void weighTargets(const LatticeSource& source, FitLattice& lattice) {
     weights.clear();
     weights.reserve(lattice.emphasis.size());
     const ReferenceGrid& grid = *source.grid;
-    const std::size_t width = at(grid.size[0]) * at(grid.steps) + 1;
     const auto nearest = [&](double parameter) { return at(std::lround(parameter * grid.steps)); };
     for (std::size_t j = 0; j < vs.size(); ++j)
         for (std::size_t i = 0; i < us.size(); ++i) {
@@ -228,7 +227,7 @@ void weighTargets(const LatticeSource& source, FitLattice& lattice) {
             if (lattice.isGuess[weights.size()]) weight *= ofGuesses;
             weight *= factorOf(lattice.freedom[weights.size()]);
             if (source.weights != nullptr)
-                weight *= (*source.weights)[nearest(lattice.targets.parameters[1][j]) * width +
+                weight *= (*source.weights)[nearest(lattice.targets.parameters[1][j]) * grid.columns() +
                                             nearest(lattice.targets.parameters[0][i])];
             weights.push_back(weight);
         }

@@ -71,8 +71,8 @@ std::vector<bool> FitState::changedPatches(const std::vector<PatchSpace>& before
     for (std::size_t k = 0; k < sources_.size(); ++k)
         if (spaces_[k].knots != before[k].knots || errors_[k].max() > 1) changed[k] = true;
     for (std::size_t k = 0; k < solvedRuns_.size(); ++k)
-        if (const SmoothRun& run = plan_.network().runs[k]; run.ratio != solvedRuns_[k].ratio)
-            for (const StretchSide& side : plan_.network().stretches[run.stretch].sides)
+        if (const SmoothRun& run = plan_.runs()[k]; run.ratio != solvedRuns_[k].ratio)
+            for (const StretchSide& side : plan_.stretches()[run.stretch].sides)
                 changed[side.patch] = true;
     return changed;
 }
@@ -80,14 +80,14 @@ std::vector<bool> FitState::changedPatches(const std::vector<PatchSpace>& before
 void FitState::solve(int slides, bool forAll) {
     const std::vector<PatchSpace> before = std::exchange(spaces_, plan_.spaces());
     std::vector<bool> isFree = everywhere();
-    if (!forAll) isFree = freePatches(plan_.network(), spaces_, changedPatches(before), options_);
+    if (!forAll) isFree = freePatches(plan_.stretches(), spaces_, changedPatches(before), options_);
     if (!solveFor(isFree, slides)) {
         isFree = everywhere();
         solveFor(isFree, slides);
     }
     assess(isFree);
     reweighed_.assign(sources_.size(), false);
-    solvedRuns_ = plan_.network().runs;
+    solvedRuns_ = plan_.runs();
 }
 
 /// \return false if only some patches are free and these cannot meet the others; then no target has slid
@@ -104,7 +104,7 @@ bool FitState::solveFor(const std::vector<bool>& isFree, int slides) {
         if (parameters != lattice.targets.parameters) lattice = resample(sources_[k], lattice, parameters);
         releaseHolds(lattice);
     });
-    SmoothSystem system(layout_, plan_.network(), spaces_, lattices_, plates_, isFree, patches_, jobs_);
+    SmoothSystem system(layout_, plan_, spaces_, lattices_, plates_, isFree, patches_, jobs_);
     if (isFree != everywhere()) {
         system.solve(lattices_, Accuracy::rounding, patches_);
         if (!system.holds()) return false;
@@ -165,12 +165,12 @@ void FitState::restore(const FitRound& round) {
     givenUp_ = round.givenUp;
     reweighed_.assign(sources_.size(), false);
     patches_ = round.patches;
-    solvedRuns_ = plan_.network().runs;
+    solvedRuns_ = plan_.runs();
     assess(everywhere());
 }
 
 void FitState::flatten(const std::vector<std::optional<Plane>>& planes) {
-    qm::flatten(layout_, plan_.network(), spaces_, planes, patches_, jobs_);
+    qm::flatten(layout_, plan_, spaces_, planes, patches_, jobs_);
     assess(everywhere());
 }
 

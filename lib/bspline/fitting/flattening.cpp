@@ -19,11 +19,11 @@ namespace {
 using Planes = std::vector<std::optional<Plane>>;
 
 /// The plane patches and those within two patches of them; all others stay as they are.
-std::vector<bool> movingPatches(const SmoothNetwork& network, const Planes& planes) {
+std::vector<bool> movingPatches(const KnotPlan& plan, const Planes& planes) {
     std::vector<bool> moves(planes.size());
     for (std::size_t k = 0; k < planes.size(); ++k)
         moves[k] = planes[k].has_value();
-    return withNeighbours(network, std::move(moves), 2);
+    return withNeighbours(plan.stretches(), std::move(moves), 2);
 }
 
 /// Moving patches that are joined by equations, and are not joined to others.
@@ -35,10 +35,10 @@ struct Group {
 
 /// Divides the patches that move into groups with their patches and unknowns, but no equations yet.
 /// \return by patch: its group; patches that stay have none
-std::vector<std::size_t> groupPatches(const SmoothNetwork& network, const std::vector<PatchSpace>& spaces,
+std::vector<std::size_t> groupPatches(const KnotPlan& plan, const std::vector<PatchSpace>& spaces,
                                       const std::vector<bool>& moves, std::vector<Group>& groups) {
     DisjointSets joined(spaces.size());
-    for (const Stretch& stretch : network.stretches)
+    for (const Stretch& stretch : plan.stretches())
         if (moves[stretch.sides[0].patch] && moves[stretch.sides[1].patch])
             joined.join(stretch.sides[0].patch, stretch.sides[1].patch);
     std::vector<std::size_t> groupOf(spaces.size());
@@ -57,10 +57,10 @@ std::vector<std::size_t> groupPatches(const SmoothNetwork& network, const std::v
 }
 
 /// Divides the moving patches and the equations between them into groups.
-std::vector<Group> divided(const Layout& layout, const SmoothNetwork& network,
-                           const std::vector<PatchSpace>& spaces, const std::vector<bool>& moves) {
+std::vector<Group> divided(const Layout& layout, const KnotPlan& plan, const std::vector<PatchSpace>& spaces,
+                           const std::vector<bool>& moves) {
     std::vector<Group> groups;
-    const std::vector<std::size_t> groupOfPatch = groupPatches(network, spaces, moves, groups);
+    const std::vector<std::size_t> groupOfPatch = groupPatches(plan, spaces, moves, groups);
     // By moving unknown: its group, and its number within the group.
     std::vector<std::size_t> groupOf;
     std::vector<std::size_t> ofGroup;
@@ -71,7 +71,7 @@ std::vector<Group> divided(const Layout& layout, const SmoothNetwork& network,
             ofGroup.push_back(next[groupOfPatch[patch]]++);
         }
     const FreeUnknowns moving(spaces, moves);
-    for (const LinearForm& equation : continuityEquations(layout, network, spaces, moves)) {
+    for (const LinearForm& equation : continuityEquations(layout, plan, spaces, moves)) {
         LinearForm form = moving.among(equation);
         if (form.unknowns.empty()) continue;
         Group& group = groups[groupOf[form.unknowns.front()]];
@@ -157,9 +157,9 @@ private:
 
 } // namespace
 
-void flatten(const Layout& layout, const SmoothNetwork& network, const std::vector<PatchSpace>& spaces,
-             Planes planes, std::vector<Patch>& patches, unsigned jobs) {
-    const std::vector<Group> groups = divided(layout, network, spaces, movingPatches(network, planes));
+void flatten(const Layout& layout, const KnotPlan& plan, const std::vector<PatchSpace>& spaces, Planes planes,
+             std::vector<Patch>& patches, unsigned jobs) {
+    const std::vector<Group> groups = divided(layout, plan, spaces, movingPatches(plan, planes));
     parallelFor(groups.size(), jobs,
                 [&](std::size_t k) { GroupFlattening(groups[k], planes, patches).run(); });
 }

@@ -1,9 +1,9 @@
 /// \file Moves the control points of plane patches into their planes.
 #pragma once
 
+#include "bspline/fitting/knot_plan.h"
 #include "bspline/fitting/plane_patches.h"
 #include "bspline/network/border_strip.h"
-#include "bspline/network/smooth_network.h"
 #include "bspline/splines/surfaces.h"
 #include "layout/layout.h"
 
@@ -17,7 +17,7 @@ namespace qm {
 /// neighbours is dropped.
 /// \param spaces  the spline spaces of the patches
 /// \param jobs    threads; the result does not depend on their number
-void flatten(const Layout& layout, const SmoothNetwork& network, const std::vector<PatchSpace>& spaces,
+void flatten(const Layout& layout, const KnotPlan& plan, const std::vector<PatchSpace>& spaces,
              std::vector<std::optional<Plane>> planes, std::vector<Patch>& patches, unsigned jobs);
 
 } // namespace qm

@@ -8,21 +8,22 @@
 
 namespace qm {
 
-std::vector<bool> withNeighbours(const SmoothNetwork& network, std::vector<bool> patches, int rings) {
+std::vector<bool> withNeighbours(const std::vector<Stretch>& stretches, std::vector<bool> patches,
+                                 int rings) {
     for (int ring = 0; ring < rings; ++ring) {
         const std::vector<bool> before = patches;
-        for (const Stretch& stretch : network.stretches)
+        for (const Stretch& stretch : stretches)
             for (const std::size_t side : {0U, 1U})
                 if (before[stretch.sides[side].patch]) patches[stretch.sides[1 - side].patch] = true;
     }
     return patches;
 }
 
-std::vector<bool> freePatches(const SmoothNetwork& network, const std::vector<PatchSpace>& spaces,
+std::vector<bool> freePatches(const std::vector<Stretch>& stretches, const std::vector<PatchSpace>& spaces,
                               const std::vector<bool>& changed, const SmoothFitOptions& options) {
     // If few patches have changed, more of those around are solved for, up to this many control points.
     constexpr double minPoints = 1000;
-    std::vector<bool> isFree = withNeighbours(network, changed, options.ringsAround);
+    std::vector<bool> isFree = withNeighbours(stretches, changed, options.ringsAround);
     const auto points = [&] {
         std::size_t count = 0;
         for (std::size_t k = 0; k < spaces.size(); ++k)
@@ -32,7 +33,7 @@ std::vector<bool> freePatches(const SmoothNetwork& network, const std::vector<Pa
     const double limit = options.worthAll * static_cast<double>(unknownsOf(spaces));
     for (double last = -1; points() > last && points() < std::min(minPoints, limit);) {
         last = points();
-        isFree = withNeighbours(network, std::move(isFree), 1);
+        isFree = withNeighbours(stretches, std::move(isFree), 1);
     }
     if (points() > limit) isFree.assign(spaces.size(), true);
     return isFree;

@@ -3,19 +3,19 @@
 
 #include "bspline/fitting/fit_options.h"
 #include "bspline/network/border_strip.h"
-#include "bspline/network/smooth_network.h"
+#include "bspline/network/stretches.h"
 
 #include <vector>
 
 namespace qm {
 
 /// Adds to a set of patches those that share a border with one of them, `rings` times.
-[[nodiscard]] std::vector<bool> withNeighbours(const SmoothNetwork& network, std::vector<bool> patches,
-                                               int rings);
+[[nodiscard]] std::vector<bool> withNeighbours(const std::vector<Stretch>& stretches,
+                                               std::vector<bool> patches, int rings);
 
 /// The patches that have changed and those around them; all if that is most of them.
 /// \param changed  by patch
-[[nodiscard]] std::vector<bool> freePatches(const SmoothNetwork& network,
+[[nodiscard]] std::vector<bool> freePatches(const std::vector<Stretch>& stretches,
                                             const std::vector<PatchSpace>& spaces,
                                             const std::vector<bool>& changed,
                                             const SmoothFitOptions& options);

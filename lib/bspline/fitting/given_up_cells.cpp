@@ -5,18 +5,6 @@
 #include <cstddef>
 
 namespace qm {
-namespace {
-
-template <class Function>
-void forPoints(const KnotCell& cell, const FitLattice& lattice, const Function& function) {
-    const LatticeRange range = rangeOf(cell, lattice);
-    for (std::size_t j = range.begin[1]; j < range.end[1]; ++j)
-        for (std::size_t i = range.begin[0]; i < range.end[0]; ++i)
-            function(j * lattice.columns() + i);
-}
-
-} // namespace
-
 void GivenUpCells::add(const KnotCell& cell, FitLattice& lattice, PatchErrors& errors) {
     constexpr double slack = 1.1;
     Place place{cell, 1, false};

@@ -9,10 +9,9 @@ namespace qm {
 std::vector<double> knotsBeside(const Layout& layout, const StretchMap& map, const KnotPlan& plan,
                                 std::size_t patch, std::size_t direction) {
     std::vector<double> knots;
-    const auto& stretches = plan.network().stretches;
     for (const int side : {static_cast<int>(direction), static_cast<int>(direction) + 2})
         for (const StretchEnd& end : map.on(patch, side)) {
-            const Stretch& stretch = stretches[end.stretch];
+            const Stretch& stretch = plan.stretches()[end.stretch];
             const StretchSide& other = stretch.sides[1 - end.which];
             for (const double knot : plan.chosen(other.patch, directionAlong(other.side))) {
                 const double x = stretchParameter(layout.segments[other.patch].size, other, knot);

@@ -19,7 +19,7 @@ public:
     }
 
     bool run() {
-        for (std::size_t run = 0; run < plan_.network().runs.size(); ++run)
+        for (std::size_t run = 0; run < plan_.runs().size(); ++run)
             for (std::size_t end = 0; end < 2; ++end)
                 shortenIfNeeded(run, end);
         for (std::size_t patch = 0; patch < lattices_.size(); ++patch)
@@ -36,7 +36,7 @@ private:
         for (const PatchErrors& ofPatch : errors_)
             own.push_back(ofPatch.max());
         limits_ = own;
-        for (const Stretch& stretch : plan_.network().stretches) {
+        for (const Stretch& stretch : plan_.stretches()) {
             const std::size_t a = stretch.sides[0].patch;
             const std::size_t b = stretch.sides[1].patch;
             limits_[a] = std::max(limits_[a], own[b]);
@@ -63,11 +63,11 @@ private:
     }
 
     void shortenIfNeeded(std::size_t index, std::size_t end) {
-        const SmoothRun& run = plan_.network().runs[index];
+        const SmoothRun& run = plan_.runs()[index];
         if (run.ratio.atEnd[end] == 0) return;
         const double reach = run.ratio.reach[end];
         const double x = end == 0 ? run.begin : run.end - reach;
-        for (const StretchSide& place : plan_.network().stretches[run.stretch].sides) {
+        for (const StretchSide& place : plan_.stretches()[run.stretch].sides) {
             const WorstPoint worst =
                 worstIn(along(place, x, reach), lattices_[place.patch], errors_[place.patch]);
             if (worst.error <= limits_[place.patch]) continue;

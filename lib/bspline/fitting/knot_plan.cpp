@@ -55,8 +55,7 @@ constexpr double shortestInEdges = 0.125;
 
 /// The mean length of a grid's edges along u (0) or v (1).
 double meanEdge(const ReferenceGrid& grid, std::size_t direction) {
-    const std::array<std::size_t, 2> lines{static_cast<std::size_t>(grid.size[0] * grid.steps) + 1,
-                                           static_cast<std::size_t>(grid.size[1] * grid.steps) + 1};
+    const std::array<std::size_t, 2> lines{grid.columns(), grid.rows()};
     const std::size_t stride = direction == 0 ? 1 : lines[0];
     double sum = 0;
     for (std::size_t k = 0; k + stride < grid.points.size(); ++k)
@@ -79,13 +78,14 @@ IntervalLengths shortestIntervals(const std::vector<ReferenceGrid>& grids, doubl
     return lengths;
 }
 
-KnotPlan::KnotPlan(const Layout& layout, SmoothNetwork network, IntervalLengths shortest)
-    : network_(std::move(network)), chosen_(layout.segments.size()), shortest_(std::move(shortest)) {
+KnotPlan::KnotPlan(const Layout& layout, const SmoothNetwork& network, IntervalLengths shortest)
+    : stretches_(&network.stretches), runs_(network.runs), chosen_(layout.segments.size()),
+      shortest_(std::move(shortest)) {
     shortest_.resize(layout.segments.size(), {shortestInEdges, shortestInEdges});
     for (const Segment& segment : layout.segments)
         sizes_.push_back(segment.size);
-    turns_ = findTurns(sizes_, network_);
-    for (SmoothRun& run : network_.runs) {
+    turns_ = findTurns(sizes_, network);
+    for (SmoothRun& run : runs_) {
         TangentRatio& ratio = run.ratio;
         ratio.isLinear = ratio.atEnd[0] != 0 && ratio.atEnd[1] != 0;
         for (std::size_t end = 0; end < 2; ++end)
@@ -107,7 +107,7 @@ void KnotPlan::erase(std::size_t patch, std::size_t direction, double knot) {
 
 double KnotPlan::firstKnot(const SmoothRun& run, std::size_t end) const {
     double reach = run.ratio.length;
-    for (const StretchSide& place : network_.stretches[run.stretch].sides)
+    for (const StretchSide& place : stretches()[run.stretch].sides)
         for (const double knot : chosen_[place.patch][directionAlong(place.side)]) {
             const double x = stretchParameter(sizes_[place.patch], place, knot);
             if (x > run.begin && x < run.end) reach = std::min(reach, end == 0 ? x - run.begin : run.end - x);
@@ -116,7 +116,7 @@ double KnotPlan::firstKnot(const SmoothRun& run, std::size_t end) const {
 }
 
 void KnotPlan::endAtFirstKnots() {
-    for (SmoothRun& run : network_.runs) {
+    for (SmoothRun& run : runs_) {
         TangentRatio& ratio = run.ratio;
         for (std::size_t end = 0; end < 2; ++end)
             if (ratio.atEnd[end] != 0) ratio.reach[end] = firstKnot(run, end);
@@ -128,14 +128,14 @@ void KnotPlan::endAtFirstKnots() {
 }
 
 bool KnotPlan::shorten(std::size_t run, std::size_t end) {
-    TangentRatio& ratio = network_.runs[run].ratio;
+    TangentRatio& ratio = runs_[run].ratio;
     if (ratio.atEnd[end] == 0) return false;
     if (ratio.isLinear) {
         ratio.isLinear = false;
         ratio.reach.fill(half(ratio.length));
         return true;
     }
-    for (const StretchSide& place : network_.stretches[network_.runs[run].stretch].sides)
+    for (const StretchSide& place : stretches()[runs_[run].stretch].sides)
         if (ratio.reach[end] / 2 < minInterval(place.patch, directionAlong(place.side))) return false;
     ratio.reach[end] = half(ratio.reach[end]);
     return true;
@@ -143,12 +143,12 @@ bool KnotPlan::shorten(std::size_t run, std::size_t end) {
 
 KnotLists KnotPlan::doubleKnots() const {
     KnotLists knots = turns_;
-    for (const SmoothRun& run : network_.runs) {
+    for (const SmoothRun& run : runs_) {
         if (run.ratio.isLinear) continue;
         for (std::size_t end = 0; end < 2; ++end) {
             if (run.ratio.atEnd[end] == 0) continue;
             const double x = end == 0 ? run.begin + run.ratio.reach[0] : run.end - run.ratio.reach[1];
-            for (const StretchSide& place : network_.stretches[run.stretch].sides) {
+            for (const StretchSide& place : stretches()[run.stretch].sides) {
                 const auto& size = sizes_[place.patch];
                 const std::size_t direction = directionAlong(place.side);
                 const double knot = patchParameter(size, place, x);

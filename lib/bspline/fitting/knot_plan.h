@@ -27,10 +27,12 @@ using IntervalLengths = std::vector<std::array<double, 2>>;
 /// to end.
 class KnotPlan {
 public:
+    /// \param network   must outlive the plan
     /// \param shortest  see `shortestIntervals`; if it is empty, an eighth of an edge everywhere
-    KnotPlan(const Layout& layout, SmoothNetwork network, IntervalLengths shortest = {});
+    KnotPlan(const Layout& layout, const SmoothNetwork& network, IntervalLengths shortest = {});
 
-    [[nodiscard]] const SmoothNetwork& network() const { return network_; }
+    [[nodiscard]] const std::vector<Stretch>& stretches() const { return *stretches_; }
+    [[nodiscard]] const std::vector<SmoothRun>& runs() const { return runs_; } ///< with their present ratios
 
     /// The spline spaces of all patches: the chosen knots, and double knots where tangent ratios end and
     /// where smooth borders turn into creases.
@@ -64,7 +66,8 @@ private:
     [[nodiscard]] double firstKnot(const SmoothRun& run, std::size_t end) const;
 
     std::vector<std::array<int, 2>> sizes_;
-    SmoothNetwork network_;
+    const std::vector<Stretch>* stretches_;
+    std::vector<SmoothRun> runs_;
     KnotLists chosen_;
     IntervalLengths shortest_;
     bool allowsShorter_ = false;

@@ -29,26 +29,20 @@ LatticeRange rangeOf(const KnotCell& cell, const FitLattice& lattice) {
 }
 
 WorstPoint worstIn(const KnotCell& cell, const FitLattice& lattice, const PatchErrors& errors) {
-    const LatticeRange range = rangeOf(cell, lattice);
     WorstPoint worst;
-    for (std::size_t j = range.begin[1]; j < range.end[1]; ++j)
-        for (std::size_t i = range.begin[0]; i < range.end[0]; ++i) {
-            const std::size_t point = j * lattice.columns() + i;
-            const double error = errors.error[point];
-            if (error <= worst.error) continue;
-            worst.error = error;
-            worst.at = {lattice.targets.parameters[0][i], lattice.targets.parameters[1][j]};
-            worst.isFolded = errors.isFolded[point];
-        }
+    forPoints(cell, lattice, [&](std::size_t point) {
+        if (errors.error[point] <= worst.error) return;
+        worst = {errors.error[point], lattice.parametersAt(point), errors.isFolded[point]};
+    });
     return worst;
 }
 
 bool isNear(const KnotCell& cell, const FitLattice& lattice, const PatchErrors& errors) {
-    const LatticeRange range = rangeOf(cell, lattice);
-    for (std::size_t j = range.begin[1]; j < range.end[1]; ++j)
-        for (std::size_t i = range.begin[0]; i < range.end[0]; ++i)
-            if (std::abs(errors.signedDistance[j * lattice.columns() + i]) > 1) return false;
-    return true;
+    bool areNear = true;
+    forPoints(cell, lattice, [&](std::size_t point) {
+        if (std::abs(errors.signedDistance[point]) > 1) areNear = false;
+    });
+    return areNear;
 }
 
 std::array<double, 2> variation(const KnotCell& cell, const FitLattice& lattice, const PatchErrors& errors) {

@@ -30,6 +30,15 @@ struct LatticeRange {
 
 [[nodiscard]] LatticeRange rangeOf(const KnotCell& cell, const FitLattice& lattice);
 
+/// Calls a function with the number of each of these points, row by row.
+template <class Function>
+void forPoints(const KnotCell& cell, const FitLattice& lattice, const Function& function) {
+    const LatticeRange range = rangeOf(cell, lattice);
+    for (std::size_t j = range.begin[1]; j < range.end[1]; ++j)
+        for (std::size_t i = range.begin[0]; i < range.end[0]; ++i)
+            function(j * lattice.columns() + i);
+}
+
 struct WorstPoint {
     double error = 0;
     std::array<double, 2> at{};

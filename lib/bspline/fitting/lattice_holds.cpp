@@ -1,6 +1,7 @@
 #include "bspline/fitting/lattice_holds.h"
 
 #include "base/positions.h"
+#include "bspline/fitting/lattice_cells.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -13,9 +14,10 @@ struct Interval {
     std::size_t end = 0;
 };
 
-Interval positionsWithin(const std::vector<double>& parameters, double from, double to) {
-    return {positionIn(parameters, std::ranges::lower_bound(parameters, from)),
-            positionIn(parameters, std::ranges::upper_bound(parameters, to))};
+/// Of the parameters up to one edge away.
+Interval positionsAround(const std::vector<double>& parameters, double at) {
+    return {positionIn(parameters, std::ranges::lower_bound(parameters, at - 1)),
+            positionIn(parameters, std::ranges::upper_bound(parameters, at + 1))};
 }
 
 void hold(std::size_t point, int times, FitLattice& lattice) {
@@ -56,7 +58,7 @@ void holdAroundFolds(const std::vector<bool>& isFolded, FitLattice& lattice) {
     std::array<std::vector<Interval>, 2> around; // by column and by row
     for (std::size_t k = 0; k < 2; ++k)
         for (const double at : lattice.targets.parameters[k])
-            around[k].push_back(positionsWithin(lattice.targets.parameters[k], at - 1, at + 1));
+            around[k].push_back(positionsAround(lattice.targets.parameters[k], at));
     std::size_t point = 0;
     for (const Interval& rows : around[1])
         for (const Interval& columns : around[0]) {
@@ -66,15 +68,11 @@ void holdAroundFolds(const std::vector<bool>& isFolded, FitLattice& lattice) {
 }
 
 bool holdTargets(const std::array<double, 2>& begin, const std::array<double, 2>& end, FitLattice& lattice) {
-    const Interval columns = positionsWithin(lattice.targets.parameters[0], begin[0], end[0]);
-    const Interval rows = positionsWithin(lattice.targets.parameters[1], begin[1], end[1]);
     bool isNew = false;
-    for (std::size_t j = rows.begin; j < rows.end; ++j)
-        for (std::size_t i = columns.begin; i < columns.end; ++i) {
-            const std::size_t point = j * lattice.columns() + i;
-            isNew = isNew || lattice.holds[point] < maxHolds;
-            hold(point, maxHolds, lattice);
-        }
+    forPoints({begin, end}, lattice, [&](std::size_t point) {
+        isNew = isNew || lattice.holds[point] < maxHolds;
+        hold(point, maxHolds, lattice);
+    });
     return isNew;
 }
 

@@ -1,11 +1,11 @@
 #include "bspline/fitting/normal_limits.h"
 
+#include "bspline/splines/bezier_extraction.h"
 #include "bspline/splines/evaluate.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 namespace qm {
 namespace {
@@ -14,12 +14,6 @@ namespace {
 constexpr double minLimit = 0.1 / 180 * std::numbers::pi;
 /// Factor of the unevenness with which the normal turns: closer limits would follow noise.
 constexpr double share = 2;
-
-std::vector<double> integersTo(int last) {
-    std::vector<double> result(static_cast<std::size_t>(last) + 1);
-    std::iota(result.begin(), result.end(), 0.0);
-    return result;
-}
 
 /// The difference between the turns into and out of a direction, in radians.
 double unevenness(const Point& before, const Point& here, const Point& after) {
@@ -31,7 +25,7 @@ double unevenness(const Point& before, const Point& here, const Point& after) {
 
 NormalLimits::NormalLimits(const ReferenceGrid& grid) : columns_(static_cast<std::size_t>(grid.size[0]) + 1) {
     std::vector<Point> normals;
-    for (const SurfacePoint& point : grid.evaluateLattice(integersTo(grid.size[0]), integersTo(grid.size[1])))
+    for (const SurfacePoint& point : grid.evaluateLattice(gridLines(grid.size[0]), gridLines(grid.size[1])))
         normals.push_back(unitNormal(point.du, point.dv).value_or(Point(0, 0, 0)));
     const std::array<std::size_t, 2> stride{1, columns_};
     for (std::size_t d = 0; d < 2; ++d) {

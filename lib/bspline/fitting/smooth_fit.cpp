@@ -28,7 +28,7 @@ Attempt attempt(int number, const Fitted& before, const SmoothNetwork& network, 
     if (number > 2) return next;
     for (std::size_t k = 0; k < patches; ++k)
         next.isSoft[k] = before.distances[k] > 1;
-    next.isSoft = withNeighbours(network, std::move(next.isSoft), 1);
+    next.isSoft = withNeighbours(network.stretches, std::move(next.isSoft), 1);
     return next;
 }
 

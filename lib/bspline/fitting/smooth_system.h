@@ -3,8 +3,8 @@
 
 #include "bspline/fitting/constrained_system.h"
 #include "bspline/fitting/fit_lattice.h"
+#include "bspline/fitting/knot_plan.h"
 #include "bspline/fitting/thin_plate.h"
-#include "bspline/network/smooth_network.h"
 #include "bspline/splines/surfaces.h"
 #include "layout/layout.h"
 
@@ -22,7 +22,7 @@ public:
     /// \param plates    by patch and quad
     /// \param isFree    by patch
     /// \param patches   those that are not free stay as they are and have the given spaces
-    SmoothSystem(const Layout& layout, const SmoothNetwork& network, const std::vector<PatchSpace>& spaces,
+    SmoothSystem(const Layout& layout, const KnotPlan& plan, const std::vector<PatchSpace>& spaces,
                  const std::vector<FitLattice>& lattices, const std::vector<std::vector<ThinPlate>>& plates,
                  const std::vector<bool>& isFree, const std::vector<Patch>& patches, unsigned jobs);
 

@@ -25,12 +25,8 @@ ThinPlate plate(double weight, double aspect) {
 } // namespace
 
 std::vector<ThinPlate> thinPlates(const ReferenceGrid& reference, double tolerance) {
-    const auto corner = [&](int i, int j) {
-        const int width = reference.size[0] * reference.steps + 1;
-        return reference.points[at(j * reference.steps * width + i * reference.steps)];
-    };
     const auto length = [&](int i, int j, int di, int dj) {
-        return (corner(i + di, j + dj) - corner(i, j)).norm();
+        return (reference.vertex(i + di, j + dj) - reference.vertex(i, j)).norm();
     };
     std::vector<ThinPlate> plates;
     for (int j = 0; j < reference.size[1]; ++j)

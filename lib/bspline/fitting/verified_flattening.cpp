@@ -12,9 +12,9 @@ namespace {
 
 /// Drops the planes of spoiled patches and of those beside them.
 /// \return whether there are any
-bool dropSpoiled(const SmoothNetwork& network, const std::vector<bool>& isSpoiled,
+bool dropSpoiled(const std::vector<Stretch>& stretches, const std::vector<bool>& isSpoiled,
                  std::vector<std::optional<Plane>>& planes) {
-    const std::vector<bool> dropped = withNeighbours(network, isSpoiled, 1);
+    const std::vector<bool> dropped = withNeighbours(stretches, isSpoiled, 1);
     for (std::size_t patch = 0; patch < planes.size(); ++patch)
         if (dropped[patch]) planes[patch].reset();
     return std::ranges::find(isSpoiled, true) != isSpoiled.end();
@@ -26,16 +26,16 @@ void flattenWhereKept(const Layout& layout, std::vector<std::optional<Plane>> pl
                       const Verification& verify, FitRound& round, unsigned jobs) {
     constexpr int attempts = 5;
     constexpr double worse = 1.01;
-    const SmoothNetwork& network = round.plan->network();
-    const std::vector<PatchSpace> spaces = round.plan->spaces();
+    const KnotPlan& plan = *round.plan;
+    const std::vector<PatchSpace> spaces = plan.spaces();
     for (int k = 0; k < attempts; ++k) {
         std::vector<Patch> flat = round.patches;
-        flatten(layout, network, spaces, planes, flat, jobs);
+        flatten(layout, plan, spaces, planes, flat, jobs);
         std::vector<double> distances = verify(flat);
         std::vector<bool> isSpoiled(flat.size());
         for (std::size_t patch = 0; patch < flat.size(); ++patch)
             isSpoiled[patch] = distances[patch] > std::max(1.0, worse * round.distances[patch]);
-        if (dropSpoiled(network, isSpoiled, planes)) continue;
+        if (dropSpoiled(plan.stretches(), isSpoiled, planes)) continue;
         round.patches = std::move(flat);
         round.distances = std::move(distances);
         return;

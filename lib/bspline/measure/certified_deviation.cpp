@@ -2,6 +2,8 @@
 
 #include "base/parallel.h"
 #include "bspline/measure/distance_bound.h"
+#include "bspline/measure/gauss_points.h"
+#include "bspline/measure/largest_first.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,10 +11,6 @@
 
 namespace qm {
 namespace {
-
-bool lower(const SurfacePart& a, const SurfacePart& b) {
-    return a.upper < b.upper;
-}
 
 class PatchSearch {
 public:
@@ -22,12 +20,15 @@ public:
     CertifiedDeviation run() {
         const auto cells = surfaces_.cells(patch_);
         parts_.reserve(cells[0] * cells[1]);
-        result_.samples.reserve(gaussNodes.size() * gaussNodes.size() * parts_.capacity());
+        result_.samples.reserve(4 * cells[0] * cells[1]);
         for (std::size_t j = 0; j < cells[1]; ++j)
             for (std::size_t i = 0; i < cells[0]; ++i)
                 addCell({patch_, {i, j}});
         if (farthest_ > 0) seed();
-        refine();
+        const std::size_t effort = 992 + options_.effort * parts_.size();
+        result_.upper = boundLargestFirst(
+            std::move(parts_), effort, [&](double upper) { return options_.areClose(upper, result_.lower); },
+            [&](const SurfacePart& part, const auto& add) { divide(part, add); });
         result_.rms = rootMeanSquare(result_.samples);
         return std::move(result_);
     }
@@ -49,18 +50,14 @@ private:
         part.upper = std::sqrt(square);
         parts_.push_back(part);
 
-        const auto [u0, u1] = surfaces_.range(cell, 0);
-        const auto [v0, v1] = surfaces_.range(cell, 1);
-        const double area = (u1 - u0) * (v1 - v0) / 4;
-        for (const double v : gaussNodes)
-            for (const double u : gaussNodes) {
-                const double distance =
-                    distanceAt({patch_, {std::lerp(u0, u1, u), std::lerp(v0, v1, v)}}, u, v);
-                result_.samples.emplace_back(distance, area);
-                if (distance <= farthest_) continue;
-                farthest_ = distance;
-                farthestAt_ = {patch_, {std::lerp(u0, u1, u), std::lerp(v0, v1, v)}};
-            }
+        for (const GaussPoint& point : gaussPoints({surfaces_.range(cell, 0), surfaces_.range(cell, 1)})) {
+            const LayoutPlace place{patch_, point.at};
+            const double distance = distanceAt(place, point.u, point.v);
+            result_.samples.emplace_back(distance, point.area);
+            if (distance <= farthest_) continue;
+            farthest_ = distance;
+            farthestAt_ = place;
+        }
     }
 
     /// To first order, where little slides along the reference.
@@ -81,52 +78,29 @@ private:
 
     /// A first lower bound, from the farthest sample.
     void seed() {
-        const Cell cell = surfaces_.cellAt(farthestAt_);
+        FootSearch& search = bound_.search();
         for (std::size_t surface : {0U, 1U}) {
-            surfaces_.get(surface, cell, piece_);
-            const auto [u0, u1] = surfaces_.range(cell, 0);
-            const auto [v0, v1] = surfaces_.range(cell, 1);
-            const double u = (farthestAt_.at[0] - u0) / (u1 - u0);
-            const double v = (farthestAt_.at[1] - v0) / (v1 - v0);
-            const Foot foot = bound_.search()(1 - surface, farthestAt_, evaluate(piece_, u, v).position);
-            raise(foot.distance, farthestAt_);
+            const Eigen::Vector3d point = search.evaluateAt(surface, farthestAt_).position;
+            result_.raise(search(1 - surface, farthestAt_, point).distance, farthestAt_);
         }
     }
 
-    void raise(double distance, const LayoutPlace& place) {
-        if (distance <= result_.lower) return;
-        result_.lower = distance;
-        result_.place = place;
-    }
-
-    [[nodiscard]] bool isClosed(double upper) const {
-        return upper <= std::max(options_.negligible, (1 + options_.closing) * result_.lower);
-    }
-
-    void refine() {
-        std::ranges::make_heap(parts_, lower);
-        std::size_t effort = 1000 + options_.effort * parts_.size();
-        while (!parts_.empty() && !isClosed(parts_.front().upper) && effort > 8) {
-            std::ranges::pop_heap(parts_, lower);
-            const SurfacePart part = parts_.back();
-            parts_.pop_back();
-            effort -= divide(part);
-        }
-        if (!parts_.empty()) kept_ = std::max(kept_, parts_.front().upper);
-        result_.upper = kept_;
-    }
-
-    /// \return how many parts that made
-    std::size_t divide(const SurfacePart& part) {
+    /// Hands over the parts of a part, bounded.
+    template <class Add> void divide(const SurfacePart& part, const Add& add) {
+        const auto addBounded = [&](SurfacePart& one) {
+            bound_.tighten(one, result_.lower);
+            result_.raise(one.foot.distance, bound_.middle(one));
+            add(one);
+        };
         if (!part.isDirected) {
             for (std::size_t surface : {0U, 1U}) {
                 SurfacePart whole = part;
                 whole.isDirected = true;
                 whole.surface = surface;
                 whole.foot.place = bound_.middle(whole);
-                add(whole);
+                addBounded(whole);
             }
-            return 2;
+            return;
         }
         const LayoutPlace middle = bound_.middle(part);
         for (const bool right : {false, true})
@@ -140,20 +114,8 @@ private:
                 const auto extent = surfaces_.extent(quarter.foot.place.patch);
                 for (std::size_t k = 0; k < 2; ++k)
                     quarter.foot.place.at[k] = std::clamp(quarter.foot.place.at[k] + way[k], 0.0, extent[k]);
-                add(quarter);
+                addBounded(quarter);
             }
-        return 4;
-    }
-
-    void add(SurfacePart& part) {
-        bound_.tighten(part, result_.lower);
-        raise(part.foot.distance, bound_.middle(part));
-        if (isClosed(part.upper)) {
-            kept_ = std::max(kept_, part.upper);
-            return;
-        }
-        parts_.push_back(part);
-        std::ranges::push_heap(parts_, lower);
     }
 
     const PairedSurfaces& surfaces_;
@@ -163,14 +125,23 @@ private:
     BezierPiece piece_;
     BezierPiece reference_;
     BezierPiece difference_;
-    std::vector<SurfacePart> parts_; ///< a heap, from `refine` on
-    double kept_ = 0;                ///< upper bound of all parts that are not in the heap any more
-    double farthest_ = 0;            ///< of the samples
+    std::vector<SurfacePart> parts_;
+    double farthest_ = 0; ///< of the samples
     LayoutPlace farthestAt_;
     CertifiedDeviation result_;
 };
 
 } // namespace
+
+void CertifiedDeviation::raise(double distance, const LayoutPlace& at) {
+    if (distance <= lower) return;
+    lower = distance;
+    place = at;
+}
+
+bool CertificationOptions::areClose(double upper, double lower) const {
+    return upper <= std::max(negligible, (1 + closing) * lower);
+}
 
 CertifiedDeviation certifiedDeviation(const PairedSurfaces& surfaces, std::size_t patch,
                                       const CertificationOptions& options) {
@@ -188,8 +159,8 @@ std::vector<CertifiedDeviation> certifiedDeviations(const PairedSurfaces& surfac
     for (const CertifiedDeviation& one : result)
         close.negligible = std::max(close.negligible, one.lower / 2);
     parallelFor(result.size(), jobs, [&](std::size_t k) {
-        const double enough = std::max(close.negligible, (1 + close.closing) * result[k].lower);
-        if (result[k].upper > enough) result[k] = certifiedDeviation(surfaces, k, close);
+        if (!close.areClose(result[k].upper, result[k].lower))
+            result[k] = certifiedDeviation(surfaces, k, close);
     });
     return result;
 }

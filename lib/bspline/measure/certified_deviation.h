@@ -18,12 +18,17 @@ struct CertifiedDeviation {
     double rms = 0;    ///< over four samples per cell, weighted by their area of parameters
     /// The distances at these samples, with that area.
     std::vector<std::pair<double, double>> samples;
+
+    /// Takes note of a distance that was found at a point.
+    void raise(double distance, const LayoutPlace& at);
 };
 
 struct CertificationOptions {
     double closing = 0.02;   ///< the search ends once `upper` is within this share of `lower`,
     double negligible = 0;   ///< or below this,
-    std::size_t effort = 16; ///< or after this number of steps per cell, and 1000
+    std::size_t effort = 16; ///< or after this number of steps per cell, and about 1000
+
+    [[nodiscard]] bool areClose(double upper, double lower) const;
 };
 
 /// Branch and bound over the cells of a patch. Every cell is first bounded by the Bezier net of the

@@ -5,8 +5,6 @@
 #include "bspline/measure/foot_search.h"
 #include "bspline/measure/paired_surfaces.h"
 
-#include <Eigen/Core>
-
 #include <cstddef>
 
 namespace qm {
@@ -29,11 +27,8 @@ public:
                                     double known);
 
 private:
-    [[nodiscard]] Eigen::Vector3d pointAt(std::size_t surface, const LayoutPlace& place);
-
     const PairedSurfaces& surfaces_;
     BoxPieces pieces_;
-    BezierPiece cell_;
 };
 
 } // namespace qm

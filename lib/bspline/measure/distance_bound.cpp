@@ -25,6 +25,22 @@ double division(double low, double high) {
     return std::abs(nearer) < thin ? nearer / 2 : 0;
 }
 
+/// The own surface minus the other, by the other's parameters.
+/// \param difference  the other surface, written over
+void subtractFrom(const BezierPiece& own, int turns, BezierPiece& difference) {
+    const int degree = own.degree[0];
+    const std::size_t width = at(degree) + 1;
+    auto point = own.points.begin();
+    for (int j = 0; j <= degree; ++j)
+        for (int i = 0; i <= degree; ++i, ++point) {
+            const std::array<std::array<int, 2>, 4> places{
+                {{i, j}, {degree - j, i}, {degree - i, degree - j}, {j, degree - i}}};
+            const auto& [column, row] = places[at(turns)];
+            Eigen::Vector3d& here = difference.points[at(row) * width + at(column)];
+            here = *point - here;
+        }
+}
+
 } // namespace
 
 LayoutPlace DistanceBound::middle(const SurfacePart& part) const {
@@ -34,21 +50,6 @@ LayoutPlace DistanceBound::middle(const SurfacePart& part) const {
         place.at[k] = std::lerp(from, to, 0.5 * (part.from[k] + part.to[k]));
     }
     return place;
-}
-
-void DistanceBound::subtractOther(int turns) {
-    const int degree = own_.degree[0];
-    const std::size_t width = at(degree) + 1;
-    difference_ = other_;
-    auto point = own_.points.begin();
-    for (int j = 0; j <= degree; ++j)
-        for (int i = 0; i <= degree; ++i, ++point) {
-            const std::array<std::array<int, 2>, 4> places{
-                {{i, j}, {degree - j, i}, {degree - i, degree - j}, {j, degree - i}}};
-            const auto& [column, row] = places[at(turns)];
-            Eigen::Vector3d& here = difference_.points[at(row) * width + at(column)];
-            here = *point - here;
-        }
 }
 
 double DistanceBound::tangentVariation(std::size_t surface, const Foot& foot, const ParameterBox& touched) {
@@ -102,57 +103,65 @@ double DistanceBound::slidingBound(std::size_t surface, const Foot& foot, const 
     return remaining + slide * tangentVariation(surface, foot, touched);
 }
 
-void DistanceBound::tighten(SurfacePart& part, double surprising) {
+DistanceBound::BoxMiddle DistanceBound::takeOwn(const SurfacePart& part) {
     surfaces_.get(part.surface, part.cell, cell_);
     restrict(cell_, part.from, part.to, own_);
-    PiecePoint here = evaluate(own_, 0.5, 0.5);
-    Parameters half{};
+    BoxMiddle result{evaluate(own_, 0.5, 0.5), {}};
     for (std::size_t k = 0; k < 2; ++k) {
         const auto [from, to] = surfaces_.range(part.cell, k);
-        half[k] = 0.5 * (to - from) * (part.to[k] - part.from[k]);
+        result.half[k] = 0.5 * (to - from) * (part.to[k] - part.from[k]);
     }
-    here.du /= 2 * half[0];
-    here.dv /= 2 * half[1];
+    result.here.du /= 2 * result.half[0];
+    result.here.dv /= 2 * result.half[1];
+    return result;
+}
 
+void DistanceBound::findFoot(const Eigen::Vector3d& ofMiddle, double surprising, SurfacePart& part) {
     const int before = part.foot.turns;
-    part.foot = search_(1 - part.surface, part.foot.place, here.position);
+    part.foot = search_(1 - part.surface, part.foot.place, ofMiddle);
     part.foot.turns = (part.foot.turns + before) % 4;
-    if (part.foot.distance > surprising) {
-        const Foot other = search_(1 - part.surface, middle(part), here.position);
-        if (other.distance < part.foot.distance) part.foot = other;
-    }
+    if (!(part.foot.distance > surprising)) return;
+    const Foot other = search_(1 - part.surface, middle(part), ofMiddle);
+    if (other.distance < part.foot.distance) part.foot = other;
+}
 
-    const Cell target = surfaces_.cellAt(part.foot.place);
+ParameterBox DistanceBound::pairWithOther(const BoxMiddle& own, SurfacePart& part) {
+    const Foot& foot = part.foot;
+    const Cell target = surfaces_.cellAt(foot.place);
+    ParameterBox box{};
     Parameters begin{};
     Parameters end{};
     for (std::size_t k = 0; k < 2; ++k) {
         Parameters unit{};
         unit[k] = 1;
-        const Parameters own = turned(unit, (4 - part.foot.turns) % 4);
-        const std::size_t ownAxis = own[0] != 0 ? 0 : 1;
-        const double reach = half[ownAxis] * speedRatio(own[0] * here.du + own[1] * here.dv,
-                                                        k == 0 ? part.foot.du : part.foot.dv);
+        const Parameters way = turned(unit, (4 - foot.turns) % 4);
+        const std::size_t ownAxis = way[0] != 0 ? 0 : 1;
+        const double reach = own.half[ownAxis] * speedRatio(way[0] * own.here.du + way[1] * own.here.dv,
+                                                            k == 0 ? foot.du : foot.dv);
         const auto [from, to] = surfaces_.range(target, k);
-        const double at = part.foot.place.at[k];
+        const double at = foot.place.at[k];
         // What reaches beyond the other's cell is squeezed into it.
         begin[k] = std::clamp((at - reach - from) / (to - from), 0.0, 1.0);
         end[k] = std::clamp((at + reach - from) / (to - from), 0.0, 1.0);
+        box[k] = {std::lerp(from, to, begin[k]), std::lerp(from, to, end[k])};
         part.division[ownAxis] =
             std::lerp(part.from[ownAxis], part.to[ownAxis],
-                      0.5 + own[ownAxis] * division((from - at) / reach, (to - at) / reach));
+                      0.5 + way[ownAxis] * division((from - at) / reach, (to - at) / reach));
     }
     surfaces_.get(1 - part.surface, target, cell_);
-    restrict(cell_, begin, end, other_);
-    subtractOther(part.foot.turns);
+    restrict(cell_, begin, end, difference_);
+    subtractFrom(own_, foot.turns, difference_);
+    return box;
+}
+
+void DistanceBound::tighten(SurfacePart& part, double surprising) {
+    const BoxMiddle own = takeOwn(part);
+    findFoot(own.here.position, surprising, part);
+    const ParameterBox box = pairWithOther(own, part);
     double square = 0;
     for (const Eigen::Vector3d& point : difference_.points)
         square = std::max(square, point.squaredNorm());
     part.upper = std::min(part.upper, std::sqrt(square));
-    ParameterBox box{};
-    for (std::size_t k = 0; k < 2; ++k) {
-        const auto [from, to] = surfaces_.range(target, k);
-        box[k] = {std::lerp(from, to, begin[k]), std::lerp(from, to, end[k])};
-    }
     part.upper = std::min(part.upper, slidingBound(1 - part.surface, part.foot, box, part.upper));
     part.upper = covering_(own_, 1 - part.surface, part.foot, part.upper);
 }

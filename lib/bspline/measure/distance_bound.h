@@ -49,7 +49,17 @@ public:
     [[nodiscard]] FootSearch& search() { return search_; }
 
 private:
-    void subtractOther(int turns);
+    /// The middle of a box of the own surface.
+    struct BoxMiddle {
+        PiecePoint here;              ///< with derivatives by the parameters of the patch
+        std::array<double, 2> half{}; ///< of the box's extent, in these parameters
+    };
+    /// Restricts the own surface to a box.
+    [[nodiscard]] BoxMiddle takeOwn(const SurfacePart& part);
+    void findFoot(const Eigen::Vector3d& ofMiddle, double surprising, SurfacePart& part);
+    /// Subtracts a box of the other surface around the foot, and finds where to divide.
+    /// \return the other box
+    ParameterBox pairWithOther(const BoxMiddle& own, SurfacePart& part);
     [[nodiscard]] double slidingBound(std::size_t surface, const Foot& foot, const ParameterBox& box,
                                       double known);
     [[nodiscard]] double tangentVariation(std::size_t surface, const Foot& foot, const ParameterBox& touched);
@@ -60,7 +70,6 @@ private:
     BoxPieces pieces_;
     BezierPiece cell_;
     BezierPiece own_;
-    BezierPiece other_;
     BezierPiece difference_; ///< with the directions of the other surface's parameters
 };
 

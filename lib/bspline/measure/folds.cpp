@@ -17,72 +17,57 @@ using Parameters = std::array<double, 2>;
 
 constexpr int maxHalvings = 5; ///< to 1/32 of a piece
 
-/// Looks at one patch.
-class FoldSearch {
-public:
-    explicit FoldSearch(const ReferenceGrid& reference) : reference_(reference) {}
+/// The mesh's quad, of which the reference interpolates the corners.
+BilinearQuad quadAt(const ReferenceGrid& reference, const Parameters& place) {
+    std::array<int, 2> quad{};
+    for (std::size_t way = 0; way < 2; ++way)
+        quad[way] = std::clamp(static_cast<int>(place[way]), 0, reference.size[way] - 1);
+    const auto corner = [&](int i, int j) { return reference.vertex(quad[0] + i, quad[1] + j); };
+    return BilinearQuad({corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)});
+}
 
-    /// A place of the box that is not certain to be free of folds.
-    /// \param piece  over the box
-    [[nodiscard]] std::optional<Parameters> fold(const BezierPiece& piece, const Parameters& from,
-                                                 const Parameters& to, int halvings) const {
-        const Parameters middle{0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])};
-        if (isTowards(normalPiece(piece), middle)) return std::nullopt;
-        if (halvings == maxHalvings) return middle;
-        BezierPiece quarter;
-        for (const double u : {0.0, 0.5})
-            for (const double v : {0.0, 0.5}) {
-                restrict(piece, {u, v}, {u + 0.5, v + 0.5}, quarter);
-                const Parameters begin{u > 0 ? middle[0] : from[0], v > 0 ? middle[1] : from[1]};
-                const Parameters end{u > 0 ? to[0] : middle[0], v > 0 ? to[1] : middle[1]};
-                const auto place = fold(quarter, begin, end, halvings + 1);
-                if (place) return place;
-            }
-        return std::nullopt;
+/// \param normal  of the patch, over a box around a place
+bool isTowards(const ReferenceGrid& reference, const BezierPiece& normal, const Parameters& middle) {
+    const SurfacePoint there = reference.evaluate(middle[0], middle[1]);
+    Eigen::Vector3d direction = vector(there.du).cross(vector(there.dv));
+    // Where the reference has no normal, the mean of the patch's own, which is that of the points.
+    if (!(direction.squaredNorm() > 1e-12 * there.du.sqrnorm() * there.dv.sqrnorm()))
+        direction = std::accumulate(normal.points.begin(), normal.points.end(),
+                                    Eigen::Vector3d(Eigen::Vector3d::Zero()));
+    // Over a quad that does not fold itself, a reference that is turned over has overshot.
+    const BilinearQuad quad = quadAt(reference, middle);
+    if (quad.minCosine() > 0 && direction.dot(vector(quad.normal())) < 0) direction = vector(quad.normal());
+    double highest = 0;
+    double lowest = HUGE_VAL;
+    for (const Eigen::Vector3d& point : normal.points) {
+        highest = std::max(highest, point.dot(direction));
+        lowest = std::min(lowest, point.dot(direction));
     }
+    constexpr double rounding = 1e-10; // of products of degree 11
+    return lowest > rounding * highest;
+}
 
-private:
-    [[nodiscard]] bool isTowards(const BezierPiece& normal, const Parameters& middle) const {
-        const SurfacePoint there = reference_.evaluate(middle[0], middle[1]);
-        Eigen::Vector3d direction = vector(there.du).cross(vector(there.dv));
-        // Where the reference has no normal, the mean of the patch's own, which is that of the points.
-        if (!(direction.squaredNorm() > 1e-12 * there.du.sqrnorm() * there.dv.sqrnorm()))
-            direction = std::accumulate(normal.points.begin(), normal.points.end(),
-                                        Eigen::Vector3d(Eigen::Vector3d::Zero()));
-        // Over a quad that does not fold itself, a reference that is turned over has overshot.
-        const BilinearQuad quad = quadAt(middle);
-        if (quad.minCosine() > 0 && direction.dot(vector(quad.normal())) < 0)
-            direction = vector(quad.normal());
-        double highest = 0;
-        double lowest = HUGE_VAL;
-        for (const Eigen::Vector3d& point : normal.points) {
-            highest = std::max(highest, point.dot(direction));
-            lowest = std::min(lowest, point.dot(direction));
+/// A place of a box that is not certain to be free of folds.
+/// \param piece  over the box
+std::optional<Parameters> fold(const ReferenceGrid& reference, const BezierPiece& piece,
+                               const Parameters& from, const Parameters& to, int halvings = 0) {
+    const Parameters middle{0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])};
+    if (isTowards(reference, normalPiece(piece), middle)) return std::nullopt;
+    if (halvings == maxHalvings) return middle;
+    BezierPiece quarter;
+    for (const double u : {0.0, 0.5})
+        for (const double v : {0.0, 0.5}) {
+            restrict(piece, {u, v}, {u + 0.5, v + 0.5}, quarter);
+            const Parameters begin{u > 0 ? middle[0] : from[0], v > 0 ? middle[1] : from[1]};
+            const Parameters end{u > 0 ? to[0] : middle[0], v > 0 ? to[1] : middle[1]};
+            if (const auto place = fold(reference, quarter, begin, end, halvings + 1)) return place;
         }
-        constexpr double rounding = 1e-10; // of products of degree 11
-        return lowest > rounding * highest;
-    }
-
-    /// The mesh's quad, of which the reference interpolates the corners.
-    [[nodiscard]] BilinearQuad quadAt(const Parameters& place) const {
-        std::array<int, 2> quad{};
-        for (std::size_t way = 0; way < 2; ++way)
-            quad[way] = std::clamp(static_cast<int>(place[way]), 0, reference_.size[way] - 1);
-        const int steps = reference_.steps;
-        const auto corner = [&](int i, int j) {
-            return reference_
-                .points[at((quad[1] + j) * steps) * reference_.columns() + at((quad[0] + i) * steps)];
-        };
-        return BilinearQuad({corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)});
-    }
-
-    const ReferenceGrid& reference_;
-};
+    return std::nullopt;
+}
 
 } // namespace
 
 std::vector<std::array<double, 2>> findFolds(const Patch& patch, const ReferenceGrid& reference) {
-    const FoldSearch search(reference);
     const BezierPieces pieces = bezierPieces(patch);
     std::vector<std::array<double, 2>> places;
     BezierPiece piece;
@@ -91,7 +76,7 @@ std::vector<std::array<double, 2>> findFolds(const Patch& patch, const Reference
             pieces.get(i, j, piece);
             const std::vector<double>& us = pieces.along[0].breaks;
             const std::vector<double>& vs = pieces.along[1].breaks;
-            const auto place = search.fold(piece, {us[i], vs[j]}, {us[i + 1], vs[j + 1]}, 0);
+            const auto place = fold(reference, piece, {us[i], vs[j]}, {us[i + 1], vs[j + 1]});
             if (place) places.push_back(*place);
         }
     return places;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace qm {
 namespace {
@@ -55,6 +56,50 @@ Step gaussNewton(const PiecePoint& here, const Eigen::Vector3d& away, const Para
     return result;
 }
 
+/// Where a walk is, and where it has been.
+struct Walk {
+    const PairedSurfaces& surfaces;
+    int& crossings; ///< that are left
+    LayoutPlace place;
+    int turns = 0;
+    Foot best{};                         ///< the nearest place so far
+    std::optional<LayoutPlace> border{}; ///< of the patch that was left with the last step
+    int halvings = 0;                    ///< of the last step
+
+    /// Takes a step from the nearest place so far, if need be across a border.
+    /// \return false if it hardly moves
+    bool goOn(const Step& step) {
+        halvings = 0;
+        border.reset();
+        const double moved = std::hypot(step.to[0] - place.at[0], step.to[1] - place.at[1]);
+        place.at = step.to;
+        const auto crossing =
+            step.side >= 0 && crossings > 0 ? surfaces.across(place, step.side) : std::nullopt;
+        if (!crossing) return !(moved < minStep);
+        --crossings;
+        border = std::exchange(place, crossing->to);
+        turns = (turns + crossing->turns) % 4;
+        return true;
+    }
+
+    /// Takes back some of a step that has not led nearer.
+    /// \return false if it has been halved too often
+    bool goBack() {
+        if (border) {
+            // What lies beyond is farther away: only the border remains.
+            place = *border;
+            turns = best.turns;
+            border.reset();
+            crossings = 0;
+            return true;
+        }
+        if (++halvings > maxHalvings) return false;
+        for (std::size_t d = 0; d < 2; ++d)
+            place.at[d] = 0.5 * (place.at[d] + best.place.at[d]);
+        return true;
+    }
+};
+
 } // namespace
 
 PiecePoint FootSearch::evaluateAt(std::size_t surface, const LayoutPlace& place) {
@@ -102,57 +147,26 @@ Foot FootSearch::operator()(std::size_t surface, const LayoutPlace& start, const
 
 Foot FootSearch::walk(std::size_t surface, const LayoutPlace& start, const Eigen::Vector3d& point,
                       int& crossings) {
-    Foot best;
-    best.place = start;
-    best.distance = HUGE_VAL;
-    LayoutPlace place = start;
-    int turns = 0;
-    int halvings = 0;
-    std::optional<LayoutPlace> border; ///< of the patch that was left with the last step
-    Parameters extent = surfaces_.extent(place.patch);
+    Walk walk{surfaces_, crossings, start};
+    walk.best.place = start;
+    walk.best.distance = HUGE_VAL;
     for (int k = 0; k < maxIterations; ++k) {
-        const PiecePoint here = evaluateAt(surface, place);
+        const PiecePoint here = evaluateAt(surface, walk.place);
         const Eigen::Vector3d away = point - here.position;
         const double distance = away.norm();
+        const bool hasCrossed = walk.border.has_value();
         // What is as near beyond a border as on it may lead on.
-        const bool hasCrossed = border.has_value();
-        if (!(distance < (hasCrossed ? 1 + 1e-9 : 1) * best.distance)) {
-            if (border) {
-                // What lies beyond is farther away: only the border remains.
-                place = *border;
-                turns = best.turns;
-                extent = surfaces_.extent(place.patch);
-                border.reset();
-                crossings = 0;
-                continue;
-            }
-            // The step was too long.
-            if (++halvings > maxHalvings) break;
-            for (std::size_t d = 0; d < 2; ++d)
-                place.at[d] = 0.5 * (place.at[d] + best.place.at[d]);
+        if (!(distance < (hasCrossed ? 1 + 1e-9 : 1) * walk.best.distance)) {
+            if (!walk.goBack()) break;
             continue;
         }
-        const bool hardly = !hasCrossed && distance > (1 - 1e-7) * best.distance;
-        best = {place, turns, distance, here.du, here.dv};
+        const bool hardly = !hasCrossed && distance > (1 - 1e-7) * walk.best.distance;
+        walk.best = {walk.place, walk.turns, distance, here.position, here.du, here.dv};
         if (hardly) break;
-        halvings = 0;
-        border.reset();
-        const Step step = gaussNewton(here, away, place.at, extent);
-        const double moved = std::hypot(step.to[0] - place.at[0], step.to[1] - place.at[1]);
-        place.at = step.to;
-        if (step.side >= 0 && crossings > 0) {
-            if (const auto crossing = surfaces_.across(place, step.side)) {
-                --crossings;
-                border = place;
-                place = crossing->to;
-                turns = (turns + crossing->turns) % 4;
-                extent = surfaces_.extent(place.patch);
-                continue;
-            }
-        }
-        if (moved < minStep) break;
+        const auto extent = surfaces_.extent(walk.place.patch);
+        if (!walk.goOn(gaussNewton(here, away, walk.place.at, extent))) break;
     }
-    return best;
+    return walk.best;
 }
 
 } // namespace qm

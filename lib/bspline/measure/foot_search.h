@@ -14,7 +14,8 @@ struct Foot {
     int turns = 0; ///< counter-clockwise quarter turns from the directions of the start's patch to those of
                    ///< the place's patch
     double distance = 0;
-    Eigen::Vector3d du{0, 0, 0}; ///< derivative of the surface there, by the parameters of its patch
+    Eigen::Vector3d position{0, 0, 0}; ///< of the place, and derivatives by the parameters of its patch
+    Eigen::Vector3d du{0, 0, 0};
     Eigen::Vector3d dv{0, 0, 0};
 };
 
@@ -28,12 +29,14 @@ public:
     [[nodiscard]] Foot operator()(std::size_t surface, const LayoutPlace& start,
                                   const Eigen::Vector3d& point);
 
+    /// Point of a surface, and derivatives by the parameters of its patch.
+    [[nodiscard]] PiecePoint evaluateAt(std::size_t surface, const LayoutPlace& place);
+
 private:
     /// Walks from a start to the nearest place around it.
     /// \param crossings  number of borders that may still be crossed; reduced by those that were
     [[nodiscard]] Foot walk(std::size_t surface, const LayoutPlace& start, const Eigen::Vector3d& point,
                             int& crossings);
-    [[nodiscard]] PiecePoint evaluateAt(std::size_t surface, const LayoutPlace& place);
 
     const PairedSurfaces& surfaces_;
     BezierPiece piece_;

@@ -1,11 +1,14 @@
 #include "bspline/measure/scan_deviation.h"
 
 #include "base/parallel.h"
+#include "bspline/measure/gauss_points.h"
+#include "bspline/measure/largest_first.h"
 #include "bspline/splines/eigen_point.h"
 #include "bspline/splines/patch_bezier.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -15,14 +18,9 @@ namespace {
 /// A box of the patch, and its polynomial.
 struct Box {
     BezierPiece piece;
-    std::array<double, 2> from{};
-    std::array<double, 2> to{};
-    double upper = 0;
+    std::array<std::array<double, 2>, 2> range{}; ///< along u and along v
+    double upper = 0;                             ///< 0 where the scan tells nothing
 };
-
-bool isNearer(const Box& a, const Box& b) {
-    return a.upper < b.upper;
-}
 
 double farthestFrom(const Eigen::Vector3d& place, const BezierPiece& piece) {
     double square = 0;
@@ -33,9 +31,9 @@ double farthestFrom(const Eigen::Vector3d& place, const BezierPiece& piece) {
 
 class ScanSearch {
 public:
-    ScanSearch(const Patch& patch, std::size_t number, const NearestOnScan& nearest, double cutOff,
+    ScanSearch(const Patch& patch, std::size_t number, const TriangleSurface& scan, double cutOff,
                const CertificationOptions& options)
-        : patch_(patch), number_(number), nearest_(nearest), cutOff_(cutOff), options_(options) {}
+        : patch_(patch), number_(number), scan_(scan), cutOff_(cutOff), options_(options) {}
 
     CertifiedDeviation run() {
         std::array<std::vector<double>, 2> breaks;
@@ -49,101 +47,78 @@ public:
             for (std::size_t i = 0; i + 1 < breaks[0].size(); ++i) {
                 Box box;
                 pieces.get(i, j, box.piece);
-                box.from = {breaks[0][i], breaks[1][j]};
-                box.to = {breaks[0][i + 1], breaks[1][j + 1]};
+                box.range = {{{breaks[0][i], breaks[0][i + 1]}, {breaks[1][j], breaks[1][j + 1]}}};
                 addCell(std::move(box));
             }
-        refine();
+        const std::size_t effort = 996 + options_.effort * boxes_.size();
+        result_.upper = boundLargestFirst(
+            std::move(boxes_), effort, [&](double upper) { return options_.areClose(upper, result_.lower); },
+            [&](const Box& box, const auto& add) {
+                for (const double u : {0.0, 0.5})
+                    for (const double v : {0.0, 0.5})
+                        add(quarter(box, u, v));
+            });
         return std::move(result_);
     }
 
 private:
-    [[nodiscard]] bool isWitness(const ScanPoint& foot) const {
-        return !foot.onBoundary && foot.distance <= cutOff_;
-    }
-
-    void raise(double distance, const std::array<double, 2>& at) {
-        if (distance <= result_.lower) return;
-        result_.lower = distance;
-        result_.place = {number_, at};
+    /// What the scan tells about a place, if anything.
+    [[nodiscard]] std::optional<TriangleSurface::Nearest> witness(const Eigen::Vector3d& place) const {
+        auto foot = scan_.nearest(point(place), cutOff_);
+        if (foot && foot->onBoundary) foot.reset();
+        return foot;
     }
 
     void addCell(Box box) {
-        const double area = (box.to[0] - box.from[0]) * (box.to[1] - box.from[1]) / 4;
         box.upper = HUGE_VAL;
         bool isCovered = false;
-        for (const double v : gaussNodes)
-            for (const double u : gaussNodes) {
-                const Eigen::Vector3d place = evaluate(box.piece, u, v).position;
-                const ScanPoint foot = nearest_(point(place));
-                if (!isWitness(foot)) continue;
-                isCovered = true;
-                result_.samples.emplace_back(foot.distance, area);
-                box.upper = std::min(box.upper, foot.distance + farthestFrom(place, box.piece));
-                raise(foot.distance,
-                      {std::lerp(box.from[0], box.to[0], u), std::lerp(box.from[1], box.to[1], v)});
-            }
+        for (const GaussPoint& at : gaussPoints(box.range)) {
+            const Eigen::Vector3d place = evaluate(box.piece, at.u, at.v).position;
+            const auto foot = witness(place);
+            if (!foot) continue;
+            isCovered = true;
+            result_.samples.emplace_back(foot->distance, at.area);
+            box.upper = std::min(box.upper, foot->distance + farthestFrom(place, box.piece));
+            result_.raise(foot->distance, {number_, at.at});
+        }
         if (isCovered) boxes_.push_back(std::move(box));
     }
 
-    [[nodiscard]] bool isClosed(double upper) const {
-        return upper <= std::max(options_.negligible, (1 + options_.closing) * result_.lower);
-    }
-
-    void refine() {
-        std::ranges::make_heap(boxes_, isNearer);
-        std::size_t effort = 1000 + options_.effort * boxes_.size();
-        while (!boxes_.empty() && !isClosed(boxes_.front().upper) && effort > 4) {
-            std::ranges::pop_heap(boxes_, isNearer);
-            const Box box = std::move(boxes_.back());
-            boxes_.pop_back();
-            for (const double u : {0.0, 0.5})
-                for (const double v : {0.0, 0.5})
-                    addQuarter(box, u, v);
-            effort -= 4;
-        }
-    }
-
-    void addQuarter(const Box& box, double u, double v) {
-        Box quarter;
-        restrict(box.piece, {u, v}, {u + 0.5, v + 0.5}, quarter.piece);
+    [[nodiscard]] Box quarter(const Box& box, double u, double v) {
+        Box result;
+        restrict(box.piece, {u, v}, {u + 0.5, v + 0.5}, result.piece);
         const std::array<double, 2> begin{u, v};
         std::array<double, 2> middle{};
         for (std::size_t k = 0; k < 2; ++k) {
-            quarter.from[k] = std::lerp(box.from[k], box.to[k], begin[k]);
-            quarter.to[k] = std::lerp(box.from[k], box.to[k], begin[k] + 0.5);
-            middle[k] = 0.5 * (quarter.from[k] + quarter.to[k]);
+            const auto& [from, to] = box.range[k];
+            result.range[k] = {std::lerp(from, to, begin[k]), std::lerp(from, to, begin[k] + 0.5)};
+            middle[k] = 0.5 * (result.range[k][0] + result.range[k][1]);
         }
-        const Eigen::Vector3d place = evaluate(quarter.piece, 0.5, 0.5).position;
-        const ScanPoint foot = nearest_(point(place));
-        if (!isWitness(foot)) return;
-        raise(foot.distance, middle);
-        double fromTriangle = 0;
-        for (const Eigen::Vector3d& corner : quarter.piece.points)
-            fromTriangle = std::max(fromTriangle, distanceToTriangle(foot.triangle, point(corner)));
-        quarter.upper = std::min(box.upper, fromTriangle);
-        if (isClosed(quarter.upper)) return;
-        boxes_.push_back(std::move(quarter));
-        std::ranges::push_heap(boxes_, isNearer);
+        const auto foot = witness(evaluate(result.piece, 0.5, 0.5).position);
+        if (!foot) return result;
+        result_.raise(foot->distance, {number_, middle});
+        for (const Eigen::Vector3d& corner : result.piece.points)
+            result.upper = std::max(result.upper, scan_.distance(foot->face, point(corner)));
+        result.upper = std::min(box.upper, result.upper);
+        return result;
     }
 
     const Patch& patch_;
     std::size_t number_;
-    const NearestOnScan& nearest_;
+    const TriangleSurface& scan_;
     double cutOff_;
     CertificationOptions options_;
-    std::vector<Box> boxes_;    ///< a heap, from `refine` on
-    CertifiedDeviation result_; ///< without an upper bound
+    std::vector<Box> boxes_;
+    CertifiedDeviation result_; ///< whose upper bound holds only where the scan tells something
 };
 
 } // namespace
 
-ScanDeviations deviationFromScan(const std::vector<Patch>& patches, const NearestOnScan& nearest,
+ScanDeviations deviationFromScan(const std::vector<Patch>& patches, const TriangleSurface& scan,
                                  double cutOff, const CertificationOptions& options, unsigned jobs) {
     std::vector<CertifiedDeviation> ofPatch(patches.size());
-    parallelFor(patches.size(), jobs, [&](std::size_t k) {
-        ofPatch[k] = ScanSearch(patches[k], k, nearest, cutOff, options).run();
-    });
+    parallelFor(patches.size(), jobs,
+                [&](std::size_t k) { ofPatch[k] = ScanSearch(patches[k], k, scan, cutOff, options).run(); });
     ScanDeviations result;
     std::vector<std::pair<double, double>> samples;
     for (const CertifiedDeviation& one : ofPatch) {
@@ -156,24 +131,6 @@ ScanDeviations deviationFromScan(const std::vector<Patch>& patches, const Neares
     result.rms = rootMeanSquare(samples);
     result.percentile95 = percentile95(std::move(samples));
     return result;
-}
-
-double distanceToTriangle(const std::array<Point, 3>& triangle, const Point& point) {
-    const Point normal = (triangle[1] - triangle[0]) % (triangle[2] - triangle[0]);
-    const double area = normal.sqrnorm();
-    bool isAbove = area > 0;
-    double square = HUGE_VAL;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const Point& from = triangle[k];
-        const Point along = triangle[(k + 1) % 3] - from;
-        const Point away = point - from;
-        isAbove = isAbove && ((normal % along) | away) >= 0;
-        const double length = along.sqrnorm();
-        const double t = length > 0 ? std::clamp((away | along) / length, 0.0, 1.0) : 0;
-        square = std::min(square, (away - t * along).sqrnorm());
-    }
-    if (isAbove) return std::abs((point - triangle[0]) | normal) / std::sqrt(area);
-    return std::sqrt(square);
 }
 
 } // namespace qm

@@ -2,22 +2,12 @@
 #pragma once
 
 #include "bspline/measure/certified_deviation.h"
+#include "bspline/reference/triangle_surface.h"
 #include "bspline/splines/surfaces.h"
 
-#include <array>
-#include <functional>
 #include <vector>
 
 namespace qm {
-
-/// The nearest point of a triangulated scan.
-struct ScanPoint {
-    std::array<Point, 3> triangle; ///< the triangle that contains it
-    double distance = 0;
-    bool onBoundary = false; ///< the scan ends there, so it tells nothing about the place in question
-};
-/// The nearest point of the scan to any point; may be called from several threads.
-using NearestOnScan = std::function<ScanPoint(const Point&)>;
 
 /// The distances of all patches from a scan.
 struct ScanDeviations {
@@ -33,10 +23,8 @@ struct ScanDeviations {
 /// so a piece is no farther from it than the farthest of its Bezier points. Places whose nearest point lies
 /// on the scan's boundary or beyond the cut-off do not count.
 /// \param cutOff  distance beyond which the scan tells nothing about the surface
-[[nodiscard]] ScanDeviations deviationFromScan(const std::vector<Patch>& patches,
-                                               const NearestOnScan& nearest, double cutOff,
-                                               const CertificationOptions& options, unsigned jobs);
-
-[[nodiscard]] double distanceToTriangle(const std::array<Point, 3>& triangle, const Point& point);
+[[nodiscard]] ScanDeviations deviationFromScan(const std::vector<Patch>& patches, const TriangleSurface& scan,
+                                               double cutOff, const CertificationOptions& options,
+                                               unsigned jobs);
 
 } // namespace qm

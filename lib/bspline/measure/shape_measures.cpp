@@ -1,5 +1,6 @@
 #include "bspline/measure/shape_measures.h"
 
+#include "bspline/measure/gauss_points.h"
 #include "bspline/splines/eigen_point.h"
 #include "bspline/splines/evaluate.h"
 
@@ -77,22 +78,18 @@ ShapeMeasures measureShape(const PairedSurfaces& surfaces, std::size_t patch) {
             const DerivedPiece surface(piece);
             surfaces.get(1, cell, piece);
             const DerivedPiece reference(piece);
-            const auto [u0, u1] = surfaces.range(cell, 0);
-            const auto [v0, v1] = surfaces.range(cell, 1);
-            const double area = (u1 - u0) * (v1 - v0) / 4;
-            for (const double v : gaussNodes)
-                for (const double u : gaussNodes) {
-                    const auto own = surface.at(u, v);
-                    const auto other = reference.at(u, v);
-                    if (!own || !other) continue;
-                    const double angle = angleInDegrees(point(own->normal), point(other->normal));
-                    ShapeMeasures here;
-                    here.largestNormalDeviation = angle;
-                    here.squaredNormalDeviation = area * angle * angle;
-                    here.area = area;
-                    here.bending = {own->bending / 4, other->bending / 4};
-                    measures.add(here);
-                }
+            for (const GaussPoint& place : gaussPoints({surfaces.range(cell, 0), surfaces.range(cell, 1)})) {
+                const auto own = surface.at(place.u, place.v);
+                const auto other = reference.at(place.u, place.v);
+                if (!own || !other) continue;
+                const double angle = angleInDegrees(point(own->normal), point(other->normal));
+                ShapeMeasures here;
+                here.largestNormalDeviation = angle;
+                here.squaredNormalDeviation = place.area * angle * angle;
+                here.area = place.area;
+                here.bending = {own->bending / 4, other->bending / 4};
+                measures.add(here);
+            }
         }
     return measures;
 }

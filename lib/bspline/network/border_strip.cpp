@@ -1,7 +1,7 @@
 #include "bspline/network/border_strip.h"
 
 #include "base/positions.h"
-#include "bspline/splines/basis.h"
+#include "bspline/splines/blossom.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,24 +10,6 @@ namespace qm {
 namespace {
 
 constexpr int degree = 3;
-
-/// The weights of the control points of knot interval `span` in the polar form at three parameters (de Boor's
-/// algorithm with one parameter a step, docs/METHOD.md#de-boor-1978).
-std::array<double, 4> blossomWeights(std::span<const double> knots, std::size_t span,
-                                     const std::array<double, 3>& at) {
-    std::array<std::array<double, 4>, 4> points{};
-    for (std::size_t k = 0; k < 4; ++k)
-        points[k][k] = 1;
-    for (std::size_t step = 1; step <= 3; ++step)
-        for (std::size_t k = 3; k >= step; --k) {
-            const double left = knots[span - 3 + k];
-            const double right = knots[span + 1 + k - step];
-            const double share = (at[step - 1] - left) / (right - left);
-            for (std::size_t i = 0; i < 4; ++i)
-                points[k][i] = (1 - share) * points[k - 1][i] + share * points[k][i];
-        }
-    return points[3];
-}
 
 } // namespace
 
@@ -73,25 +55,22 @@ std::size_t BorderStrip::unknown(std::size_t along, std::size_t layer) const {
     }
 }
 
-void BorderStrip::addPoints(Across what, std::size_t first, std::span<const double> weights, double factor,
-                            LinearForm& form) const {
-    const double slope = degree / firstInterval_;
-    for (std::size_t k = 0; k < weights.size(); ++k) {
-        if (what == Across::position) {
-            form.add(unknown(first + k, 0), factor * weights[k]);
-        } else {
-            form.add(unknown(first + k, 1), factor * slope * weights[k]);
-            form.add(unknown(first + k, 0), -factor * slope * weights[k]);
-        }
-    }
-}
-
 void BorderStrip::addBlossom(Across what, const std::array<double, 3>& at, double within, double factor,
                              LinearForm& form) const {
     const auto& knots = space_.knots[directionAlong(side_)];
     const std::size_t span = knotSpan(knots, degree, parameter(within));
-    const auto weights = blossomWeights(knots, span, {parameter(at[0]), parameter(at[1]), parameter(at[2])});
-    addPoints(what, span - 3, weights, factor, form);
+    const std::array arguments{parameter(at[0]), parameter(at[1]), parameter(at[2])};
+    const double slope = degree / firstInterval_;
+    std::size_t point = span - degree;
+    for (const double weight : blossomWeights(knots, span, arguments)) {
+        if (what == Across::position) {
+            form.add(unknown(point, 0), factor * weight);
+        } else {
+            form.add(unknown(point, 1), factor * slope * weight);
+            form.add(unknown(point, 0), -factor * slope * weight);
+        }
+        ++point;
+    }
 }
 
 void BorderStrip::addDerivativeAlong(double at, double within, double factor, LinearForm& form) const {

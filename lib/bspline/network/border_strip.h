@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cstddef>
-#include <span>
 #include <vector>
 
 namespace qm {
@@ -58,8 +57,6 @@ public:
 private:
     [[nodiscard]] std::size_t unknown(std::size_t along, std::size_t layer) const;
     [[nodiscard]] double parameter(double x) const { return origin_ + direction_ * x; }
-    void addPoints(Across what, std::size_t first, std::span<const double> weights, double factor,
-                   LinearForm& form) const;
 
     const PatchSpace& space_;
     int side_;

@@ -48,13 +48,6 @@ bool isCurve(const QuadMesh& mesh, const std::array<HalfedgeId, 2>& creases) {
            straightness(mesh, creases) >= std::cos(cornerAngle);
 }
 
-std::vector<bool> creasesAndBoundary(const QuadMesh& mesh, const std::vector<bool>& isCrease) {
-    std::vector<bool> sharp = isCrease;
-    for (const EdgeId edge : mesh.edges())
-        if (mesh.is_boundary(edge)) sharp[at(edge)] = true;
-    return sharp;
-}
-
 std::vector<VertexRule> vertexRules(const QuadMesh& mesh, const Layout& layout,
                                     const std::vector<bool>& sharp) {
     std::vector<VertexRule> rules(mesh.n_vertices());

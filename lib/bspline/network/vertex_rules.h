@@ -23,9 +23,6 @@ struct VertexRule {
     std::array<HalfedgeId, 2> along = {HalfedgeId(), HalfedgeId()};
 };
 
-/// Every edge that is a crease or lies on the mesh boundary, by edge.
-[[nodiscard]] std::vector<bool> creasesAndBoundary(const QuadMesh& mesh, const std::vector<bool>& isCrease);
-
 /// Whether one smooth curve may follow two creases that leave a vertex: two or more quads lie on either side
 /// between them, so that no quad alone has to fill a flat angle, and they turn by at most `cornerAngle`.
 [[nodiscard]] bool isCurve(const QuadMesh& mesh, const std::array<HalfedgeId, 2>& creases);
@@ -38,7 +35,7 @@ struct VertexRule {
 ///
 /// OpenSubdiv and the subdivision literature count creases alone: they have no rule for a crease that ends on
 /// another one, which is what tracks of a layout do.
-/// \param sharp  by edge, from `creasesAndBoundary`
+/// \param sharp  by edge: creases, and the mesh boundary
 [[nodiscard]] std::vector<VertexRule> vertexRules(const QuadMesh& mesh, const Layout& layout,
                                                   const std::vector<bool>& sharp);
 

@@ -22,6 +22,10 @@ public:
     /// The point of a halfedge's face that is `along` squares from the halfedge's beginning and `depth`
     /// squares away from the halfedge; for a boundary halfedge `depth` must be 0.
     [[nodiscard]] std::size_t operator()(HalfedgeId halfedge, int along, int depth) const;
+    /// The point in column i and row j of a face.
+    [[nodiscard]] std::size_t operator()(FaceId face, int i, int j) const {
+        return (*this)(mesh_->halfedge_handle(face), i, j);
+    }
     /// All points of a segment in the order of `ReferenceGrid::points`.
     [[nodiscard]] std::vector<std::size_t> ofSegment(const Segment& segment) const;
 

@@ -12,7 +12,6 @@
 #include <array>
 #include <cstddef>
 #include <optional>
-#include <utility>
 
 namespace qm {
 namespace {
@@ -75,17 +74,7 @@ private:
         return result;
     }
 
-    [[nodiscard]] std::size_t number(FaceId face, int i, int j) const {
-        return before_.numbers()(mesh_.halfedge_handle(face), i, j);
-    }
-
-    [[nodiscard]] QuadSurface surface(FaceId face) const {
-        std::vector<Eigen::Vector3d> points;
-        for (int j = 0; j <= steps(); ++j)
-            for (int i = 0; i <= steps(); ++i)
-                points.push_back(vector(before_.point(number(face, i, j))));
-        return {steps(), std::move(points)};
-    }
+    [[nodiscard]] QuadSurface surface(FaceId face) const { return {steps(), before_.points(face)}; }
 
     /// Of the quads around every vertex.
     [[nodiscard]] std::vector<Eigen::Vector3d> sumsOfNormals() const {
@@ -127,9 +116,11 @@ private:
             const auto ways = surface(face).displacements(frames(face), ofCorners);
             auto way = ways.begin();
             for (int j = 0; j <= steps(); ++j)
-                for (int i = 0; i <= steps(); ++i, ++way)
-                    if (isMovedBy(face, i, j))
-                        lattice_.move(number(face, i, j), before_.point(number(face, i, j)) + point(*way));
+                for (int i = 0; i <= steps(); ++i, ++way) {
+                    if (!isMovedBy(face, i, j)) continue;
+                    const std::size_t number = before_.numbers()(face, i, j);
+                    lattice_.move(number, before_.point(number) + point(*way));
+                }
         });
     }
 

@@ -2,7 +2,6 @@
 
 #include "base/at.h"
 #include "base/parallel.h"
-#include "bspline/network/vertex_rules.h"
 #include "bspline/reference/control_mesh.h"
 #include "bspline/reference/even_speeds.h"
 #include "bspline/reference/least_bending.h"
@@ -14,10 +13,8 @@
 namespace qm {
 namespace {
 
-MeshLattice limitLattice(const QuadMesh& mesh, const Layout& layout, const std::vector<bool>& isCrease,
-                         int steps, unsigned jobs) {
-    const std::vector<bool> sharp = creasesAndBoundary(mesh, isCrease);
-    const std::vector<VertexRule> rules = vertexRules(mesh, layout, sharp);
+MeshLattice limitLattice(const QuadMesh& mesh, const std::vector<VertexRule>& rules,
+                         const std::vector<bool>& sharp, int steps, unsigned jobs) {
     const ControlMesh control = interpolatingControlMesh(mesh, rules);
     MeshLattice lattice(mesh, control.points);
     while (lattice.squares() < steps)
@@ -44,8 +41,9 @@ ReferenceGrid gridOf(const Segment& segment, const MeshLattice& lattice) {
 } // namespace
 
 std::vector<ReferenceGrid> limitSurface(const QuadMesh& mesh, const Layout& layout,
-                                        const std::vector<bool>& isCrease, int steps, unsigned jobs) {
-    const MeshLattice lattice = limitLattice(mesh, layout, isCrease, steps, jobs);
+                                        const std::vector<VertexRule>& rules, const std::vector<bool>& sharp,
+                                        int steps, unsigned jobs) {
+    const MeshLattice lattice = limitLattice(mesh, rules, sharp, steps, jobs);
     std::vector<ReferenceGrid> grids(layout.segments.size());
     parallelFor(grids.size(), jobs, [&](std::size_t k) { grids[k] = gridOf(layout.segments[k], lattice); });
     return grids;

@@ -51,6 +51,15 @@ Point MeshLattice::derivative(HalfedgeId leaving) const {
     return qm::point(sum);
 }
 
+std::vector<Eigen::Vector3d> MeshLattice::points(FaceId face) const {
+    std::vector<Eigen::Vector3d> result;
+    result.reserve(at(squares() + 1) * at(squares() + 1));
+    for (int j = 0; j <= squares(); ++j)
+        for (int i = 0; i <= squares(); ++i)
+            result.push_back(points_[numbers_(face, i, j)]);
+    return result;
+}
+
 MeshLattice MeshLattice::subdivided(const std::vector<VertexRule>& rules, const std::vector<bool>& sharp,
                                     unsigned jobs) const {
     return filtered({true, 1.0 / 8, subdivisionStencil}, rules, sharp, jobs);
@@ -100,22 +109,17 @@ void MeshLattice::filterEdge(const Step& step, EdgeId edge, bool sharp, MeshLatt
 }
 
 void MeshLattice::filterFace(const Step& step, FaceId face, MeshLattice& to) const {
-    const HalfedgeId first = numbers_.mesh().halfedge_handle(face);
-    thread_local std::vector<Eigen::Vector3d> rows;
+    const std::vector<Eigen::Vector3d> rows = points(face);
     thread_local std::vector<Eigen::Vector3d> half; // filtered along the rows, not yet across
     const std::size_t width = at(squares()) + 1;
     const std::size_t newWidth = at(to.squares()) + 1;
-    rows.clear();
-    for (int j = 0; j <= squares(); ++j)
-        for (int i = 0; i <= squares(); ++i)
-            rows.push_back(points_[numbers_(first, i, j)]);
     half.assign(width * newWidth, Eigen::Vector3d::Zero());
     for (std::size_t j = 0; j < width; ++j)
         step.line(squares(), std::span(rows).subspan(j * width), 1,
                   [&](int i, const Eigen::Vector3d& point) { half[j * newWidth + at(i)] = point; });
     for (int i = 1; i < to.squares(); ++i)
         step.line(squares(), std::span(half).subspan(at(i)), newWidth,
-                  [&](int j, const Eigen::Vector3d& point) { to.points_[to.numbers_(first, i, j)] = point; });
+                  [&](int j, const Eigen::Vector3d& point) { to.points_[to.numbers_(face, i, j)] = point; });
 }
 
 } // namespace qm

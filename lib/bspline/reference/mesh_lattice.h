@@ -22,6 +22,8 @@ public:
     [[nodiscard]] int squares() const { return numbers_.squares(); }
     [[nodiscard]] const LatticeNumbers& numbers() const { return numbers_; }
     [[nodiscard]] Point point(std::size_t number) const { return qm::point(points_[number]); }
+    /// All points of a face, row by row.
+    [[nodiscard]] std::vector<Eigen::Vector3d> points(FaceId face) const;
     /// Of the polynomial through the points above an edge, at the beginning of a halfedge.
     [[nodiscard]] Point derivative(HalfedgeId leaving) const;
     void move(std::size_t number, const Point& to) { points_[number] = vector(to); }

@@ -15,9 +15,6 @@
 namespace qm {
 namespace {
 
-/// Where a corner lies, by direction.
-constexpr std::array<std::array<std::size_t, 2>, 4> ends{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
-
 /// What a tilt changes at a corner.
 struct CornerChange {
     std::array<double, 2> slopes; ///< of the lines of parameters, by direction
@@ -28,7 +25,7 @@ struct CornerChange {
 class Lift {
 public:
     Lift(const Hermite& u, const Hermite& v, std::size_t corner, const CornerChange& change)
-        : u_(u), v_(v), ends_(ends[corner]), change_(change) {}
+        : u_(u), v_(v), ends_(quadCorners[corner]), change_(change) {}
 
     /// \param du, dv  how often it is derived
     [[nodiscard]] double operator()(std::size_t du, std::size_t dv) const {
@@ -105,11 +102,11 @@ QuadSurface::QuadSurface(int steps, std::vector<Eigen::Vector3d> points)
     const std::size_t width = at(steps_) + 1;
     for (std::size_t end = 0; end < 2; ++end) {
         const auto weights = lagrange(steps_, static_cast<double>(end));
-        for (std::size_t corner = 0; corner < ends.size(); ++corner)
+        for (std::size_t corner = 0; corner < quadCorners.size(); ++corner)
             for (std::size_t direction = 0; direction < 2; ++direction) {
-                if (ends[corner][direction] != end) continue;
+                if (quadCorners[corner][direction] != end) continue;
                 const std::size_t first =
-                    ends[corner][1 - direction] * at(steps_) * (direction == 0 ? width : 1);
+                    quadCorners[corner][1 - direction] * at(steps_) * (direction == 0 ? width : 1);
                 Eigen::Vector3d& sum = derivatives_[corner][direction];
                 sum.setZero();
                 for (std::size_t k = 0; k < width; ++k)

@@ -12,6 +12,9 @@
 
 namespace qm {
 
+/// The parameters of a quad's corners, counter-clockwise.
+constexpr std::array<std::array<std::size_t, 2>, 4> quadCorners{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+
 /// A tangent plane and two axes in it. It may be tilted by slopes along these, upwards positive, and at a
 /// regular vertex the surface may be twisted, which lifts it by the product of the steps along both mesh
 /// lines.
@@ -23,7 +26,7 @@ struct TangentFrame {
     std::array<Eigen::Vector3d, 2> dual;
 };
 
-/// The frames at a quad's corners, counter-clockwise from (0, 0); null where the tangent plane is fixed.
+/// The frames at a quad's corners, in the order of `quadCorners`; null where the tangent plane is fixed.
 using CornerFrames = std::array<const TangentFrame*, 4>;
 
 /// The slopes along the axes of corner c's frame are entries 3 c and 3 c + 1, its twist is entry 3 c + 2.

@@ -22,6 +22,10 @@ struct ReferenceGrid {
 
     [[nodiscard]] std::size_t columns() const { return at(size[0]) * at(steps) + 1; }
     [[nodiscard]] std::size_t rows() const { return at(size[1]) * at(steps) + 1; }
+    /// Corner (i, j) of the segment's quads.
+    [[nodiscard]] const Point& vertex(int i, int j) const {
+        return points[at(j) * at(steps) * columns() + at(i) * at(steps)];
+    }
 
     /// At a grid line the derivatives are those of the quad after it, at the last one those of the quad
     /// before it. Outside the grid the polynomials of the outermost quads are continued.

@@ -38,11 +38,10 @@ void dropFolded(const LatticeNormals& lattice, const std::vector<ReferenceGrid>&
     for (int pass = 0; pass < maxPasses; ++pass) {
         bool hasDropped = false;
         for (std::size_t g = 0; g < surface.size(); ++g) {
-            const std::size_t cellsAcross = at(surface[g].size[0]) * at(surface[g].steps);
-            const std::size_t row = cellsAcross + 1;
+            const std::size_t row = surface[g].columns();
             for (std::size_t first = 0; first + row + 1 < surface[g].points.size(); ++first) {
                 const Cell cell{first, first + 1, first + row + 1, first + row};
-                if (first % row == cellsAcross || !turnsOver(surface[g], reference.grids[g], cell)) continue;
+                if (first % row + 1 == row || !turnsOver(surface[g], reference.grids[g], cell)) continue;
                 for (const std::size_t k : cell) {
                     const std::size_t number = lattice.numbers[g][k];
                     hasDropped = hasDropped || !isDropped[number];

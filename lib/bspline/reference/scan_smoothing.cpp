@@ -111,63 +111,45 @@ std::vector<Point> smoothLine(const std::vector<LinePoint>& line, int steps, dou
     return result;
 }
 
-class Smoothing {
-public:
-    Smoothing(ReferenceGrid& grid, const std::vector<double>& weights, double noise)
-        : grid_(grid), weights_(weights), noise_(noise), count_{grid.columns(), grid.rows()} {}
+/// Smooths a line along u (0) or v (1), but for its ends, which lie on border lines or are corners.
+void smooth(FitTarget& reference, std::size_t g, std::size_t direction, std::size_t line) {
+    ReferenceGrid& grid = reference.grids[g];
+    const std::size_t columns = grid.columns();
+    const auto index = [&](std::size_t along) {
+        return direction == 0 ? line * columns + along : along * columns + line;
+    };
+    std::vector<LinePoint> points;
+    for (std::size_t k = 0; k < (direction == 0 ? columns : grid.rows()); ++k)
+        points.push_back({grid.points[index(k)], reference.weights[g][index(k)]});
+    const auto smoothed = smoothLine(points, grid.steps, reference.noise);
+    for (std::size_t k = 1; k + 1 < smoothed.size(); ++k)
+        grid.points[index(k)] = smoothed[k];
+}
 
-    void inside() {
-        for (const std::size_t direction : {1U, 0U})
-            for (std::size_t line = 1; line + 1 < count_[1 - direction]; ++line)
-                smooth(direction, line);
-    }
-
-    void borders() {
-        for (const std::size_t direction : {0U, 1U}) {
-            smooth(direction, 0);
-            smooth(direction, count_[1 - direction] - 1);
-        }
-    }
-
-private:
-    [[nodiscard]] std::size_t index(std::size_t direction, std::size_t line, std::size_t along) const {
-        return direction == 0 ? line * count_[0] + along : along * count_[0] + line;
-    }
-
-    /// But for the ends, which lie on border lines or are corners.
-    void smooth(std::size_t direction, std::size_t line) {
-        std::vector<LinePoint> points;
-        for (std::size_t k = 0; k < count_[direction]; ++k) {
-            const std::size_t at = index(direction, line, k);
-            points.push_back({grid_.points[at], weights_[at]});
-        }
-        const auto smoothed = smoothLine(points, grid_.steps, noise_);
-        for (std::size_t k = 1; k + 1 < smoothed.size(); ++k)
-            grid_.points[index(direction, line, k)] = smoothed[k];
-    }
-
-    ReferenceGrid& grid_;
-    const std::vector<double>& weights_;
-    double noise_;
-    std::array<std::size_t, 2> count_;
-};
-
-void smoothLines(FitTarget& reference, void (Smoothing::*which)(), unsigned jobs) {
-    if (!(reference.noise > 0)) return;
-    parallelFor(reference.grids.size(), jobs, [&](std::size_t k) {
-        Smoothing smoothing(reference.grids[k], reference.weights[k], reference.noise);
-        (smoothing.*which)();
-    });
+/// Of lines along u (0) or v (1).
+std::size_t lines(const ReferenceGrid& grid, std::size_t direction) {
+    return direction == 0 ? grid.rows() : grid.columns();
 }
 
 } // namespace
 
 void smoothInside(FitTarget& reference, unsigned jobs) {
-    smoothLines(reference, &Smoothing::inside, jobs);
+    if (!(reference.noise > 0)) return;
+    parallelFor(reference.grids.size(), jobs, [&](std::size_t g) {
+        for (const std::size_t direction : {1U, 0U})
+            for (std::size_t line = 1; line + 1 < lines(reference.grids[g], direction); ++line)
+                smooth(reference, g, direction, line);
+    });
 }
 
 void smoothBorders(FitTarget& reference, unsigned jobs) {
-    smoothLines(reference, &Smoothing::borders, jobs);
+    if (!(reference.noise > 0)) return;
+    parallelFor(reference.grids.size(), jobs, [&](std::size_t g) {
+        for (const std::size_t direction : {0U, 1U}) {
+            smooth(reference, g, direction, 0);
+            smooth(reference, g, direction, lines(reference.grids[g], direction) - 1);
+        }
+    });
 }
 
 } // namespace qm

@@ -143,6 +143,12 @@ std::array<Point, 3> TriangleSurface::corners(std::size_t face) const {
     return {point(a), point(b), point(c)};
 }
 
+double TriangleSurface::distance(std::size_t face, const Point& place) const {
+    const Vector3d point = vector(place);
+    const Weights weights = nearestWeights(tree_->cornersOf(face), point);
+    return (tree_->interpolated(face, weights, tree_->points) - point).norm();
+}
+
 TriangleSurface::TriangleSurface(const Triangles& triangles) : tree_(std::make_unique<Tree>(triangles)) {}
 TriangleSurface::~TriangleSurface() = default;
 TriangleSurface::TriangleSurface(TriangleSurface&&) noexcept = default;

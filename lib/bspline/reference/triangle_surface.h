@@ -47,6 +47,8 @@ public:
     [[nodiscard]] std::size_t size() const; ///< number of triangles
     /// The corners of a triangle that was found.
     [[nodiscard]] std::array<Point, 3> corners(std::size_t face) const;
+    /// Its distance from any point.
+    [[nodiscard]] double distance(std::size_t face, const Point& point) const;
 
 private:
     struct Tree;

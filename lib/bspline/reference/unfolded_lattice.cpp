@@ -11,10 +11,8 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace qm {
@@ -54,11 +52,10 @@ public:
 private:
     [[nodiscard]] double share(int k) const { return static_cast<double>(k) / squares_; }
 
-    /// Of the lattice point in column i and row j of a face.
-    [[nodiscard]] std::size_t number(FaceId face, int i, int j) const {
-        return numbers_(mesh_.halfedge_handle(face), i, j);
+    /// In column i and row j of a face.
+    [[nodiscard]] Point point(FaceId face, int i, int j) const {
+        return lattice_.point(numbers_(face, i, j));
     }
-    [[nodiscard]] Point point(FaceId face, int i, int j) const { return lattice_.point(number(face, i, j)); }
 
     /// Faces that were drawn along with their neighbours may fold for that reason.
     /// \return whether there are new ones
@@ -78,7 +75,7 @@ private:
                 return quad.evaluate(share(i), share(j)).position;
             });
         else if (std::ranges::any_of(mesh_.fe_range(face), [&](EdgeId edge) { return isRedrawn_[at(edge)]; }))
-            fill(face, [&](int i, int j) { return before.point(number(face, i, j)); });
+            fill(face, [&](int i, int j) { return before.point(numbers_(face, i, j)); });
     }
 
     [[nodiscard]] BilinearQuad quadBetween(FaceId face) const {
@@ -104,14 +101,10 @@ private:
     }
 
     [[nodiscard]] bool foldsAtCorner(FaceId face, const BilinearQuad& quad) const {
-        constexpr std::array<std::array<double, 2>, 4> corners{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
-        std::vector<Eigen::Vector3d> points;
-        for (int j = 0; j <= squares_; ++j)
-            for (int i = 0; i <= squares_; ++i)
-                points.push_back(vector(point(face, i, j)));
-        const QuadSurface surface(squares_, std::move(points));
-        for (std::size_t corner = 0; corner < corners.size(); ++corner) {
-            const SurfacePoint even = quad.evaluate(corners[corner][0], corners[corner][1]);
+        const QuadSurface surface(squares_, lattice_.points(face));
+        for (std::size_t corner = 0; corner < quadCorners.size(); ++corner) {
+            const auto& [u, v] = quadCorners[corner];
+            const SurfacePoint even = quad.evaluate(static_cast<double>(u), static_cast<double>(v));
             const Eigen::Vector3d turn = surface.derivative(corner, 0).cross(surface.derivative(corner, 1));
             const double upright = turn.dot(vector(quad.normal()));
             if (!(upright >= minAreaAtCorner * (even.du % even.dv).norm())) return true;
@@ -157,9 +150,9 @@ private:
         for (int j = 1; j < squares_; ++j)
             for (int i = 1; i < squares_; ++i) {
                 const double s = share(i), t = share(j);
-                lattice_.move(number(face, i, j), form(i, j) + (1 - t) * missing(i, 0) +
-                                                      t * missing(i, squares_) + (1 - s) * missing(0, j) +
-                                                      s * missing(squares_, j));
+                lattice_.move(numbers_(face, i, j), form(i, j) + (1 - t) * missing(i, 0) +
+                                                        t * missing(i, squares_) + (1 - s) * missing(0, j) +
+                                                        s * missing(squares_, j));
             }
     }
 

@@ -2,7 +2,7 @@
 
 #include "base/at.h"
 #include "base/positions.h"
-#include "bspline/splines/basis.h"
+#include "bspline/splines/blossom.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,47 +15,28 @@ namespace {
 /// Rows of weights.
 using Weights = std::vector<std::vector<double>>;
 
-Weights identity(std::size_t size) {
-    Weights rows(size, std::vector<double>(size, 0.0));
-    for (std::size_t i = 0; i < size; ++i)
-        rows[i][i] = 1;
-    return rows;
-}
-
 /// a * x + b * y into x.
 void mix(double a, std::vector<double>& x, double b, const std::vector<double>& y) {
     for (std::size_t k = 0; k < x.size(); ++k)
         x[k] = a * x[k] + b * y[k];
 }
 
-/// The polar form of a spline's polynomial over knot interval `span` at parameters that are `to` `times`
-/// times and else `from`: as weights of the control points span - degree ... span.
-std::vector<double> splineBlossom(std::span<const double> knots, int degree, std::size_t span, double from,
-                                  double to, int times) {
-    const std::size_t p = at(degree);
-    Weights rows = identity(p + 1);
-    for (std::size_t level = 1; level <= p; ++level) {
-        const double t = static_cast<int>(level) <= times ? to : from;
-        for (std::size_t i = p; i >= level; --i) {
-            const double low = knots[span - p + i];
-            const double high = knots[span + 1 + i - level];
-            const double share = (t - low) / (high - low);
-            mix(share, rows[i], 1 - share, rows[i - 1]);
-        }
-    }
-    return rows[p];
+/// A Bezier point over [from, to] of the polynomial over knot interval `span`: weights of the control points
+/// span - degree ... span.
+std::vector<double> bezierPoint(std::span<const double> knots, int degree, std::size_t span, double from,
+                                double to, int number) {
+    std::vector<double> arguments(at(degree), from);
+    std::fill_n(arguments.begin(), number, to);
+    const BlossomWeights weights = blossomWeights(knots, span, arguments);
+    return {weights.begin(), weights.end()};
 }
 
-/// The same of a polynomial over [0, 1] as weights of its Bezier points.
-std::vector<double> bezierBlossom(int degree, double from, double to, int times) {
-    const std::size_t p = at(degree);
-    Weights rows = identity(p + 1);
-    for (std::size_t level = 1; level <= p; ++level) {
-        const double t = static_cast<int>(level) <= times ? to : from;
-        for (std::size_t i = 0; i + level <= p; ++i)
-            mix(1 - t, rows[i], t, rows[i + 1]);
-    }
-    return rows[0];
+/// The knots of a polynomial over [0, 1] whose control points are its Bezier points; interval `degree` of
+/// them is not empty.
+std::vector<double> bezierKnots(int degree) {
+    std::vector<double> knots(2 * (at(degree) + 1), 0.0);
+    std::fill(knots.begin() + degree + 1, knots.end(), 1.0);
+    return knots;
 }
 
 /// The same polynomial's Bezier points of one degree more.
@@ -80,30 +61,26 @@ void append(Weights rows, BezierExtraction& extraction) {
 /// Bezier points over [0, 1] as weights of the values at equal steps.
 Weights bezierThroughSteps(int steps) {
     const std::size_t n = at(steps) + 1;
-    // Bernstein's polynomials at the steps; the inverse by Gauss and Jordan with pivots.
-    Weights matrix;
-    Weights inverse = identity(n);
+    // Bernstein's polynomials at the steps, beside the identity; the inverse by Gauss and Jordan with pivots.
+    Weights rows;
     for (std::size_t k = 0; k < n; ++k) {
         const double t = static_cast<double>(k) / steps;
-        matrix.push_back(bezierBlossom(steps, t, t, 0));
+        rows.push_back(bezierPoint(bezierKnots(steps), steps, at(steps), t, t, 0));
+        rows[k].resize(2 * n);
+        rows[k][n + k] = 1;
     }
     for (std::size_t column = 0; column < n; ++column) {
-        std::size_t pivot = column;
-        for (std::size_t row = column + 1; row < n; ++row)
-            if (std::abs(matrix[row][column]) > std::abs(matrix[pivot][column])) pivot = row;
-        std::swap(matrix[pivot], matrix[column]);
-        std::swap(inverse[pivot], inverse[column]);
-        const double scale = 1 / matrix[column][column];
-        mix(scale, matrix[column], 0, matrix[column]);
-        mix(scale, inverse[column], 0, inverse[column]);
-        for (std::size_t row = 0; row < n; ++row) {
-            if (row == column) continue;
-            const double factor = -matrix[row][column];
-            mix(1, matrix[row], factor, matrix[column]);
-            mix(1, inverse[row], factor, inverse[column]);
-        }
+        const auto size = [&](const std::vector<double>& row) { return std::abs(row[column]); };
+        std::vector<double>& own = rows[column];
+        std::swap(own, *std::ranges::max_element(rows.begin() + static_cast<std::ptrdiff_t>(column),
+                                                 rows.end(), {}, size));
+        mix(1 / own[column], own, 0, own);
+        for (std::vector<double>& row : rows)
+            if (&row != &own) mix(1, row, -row[column], own);
     }
-    return inverse;
+    for (std::vector<double>& row : rows)
+        row.erase(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(n));
+    return rows;
 }
 
 } // namespace
@@ -151,7 +128,7 @@ BezierExtraction splineExtraction(std::span<const double> knots, int degree, std
         const std::size_t span = knotSpan(knots, degree, 0.5 * (from + to));
         Weights rows;
         for (int times = 0; times <= degree; ++times)
-            rows.push_back(splineBlossom(knots, degree, span, from, to, times));
+            rows.push_back(bezierPoint(knots, degree, span, from, to, times));
         extraction.first.push_back(span - at(degree));
         append(std::move(rows), extraction);
     }
@@ -161,13 +138,14 @@ BezierExtraction splineExtraction(std::span<const double> knots, int degree, std
 BezierExtraction latticeExtraction(int steps, std::vector<double> breaks, int elevatedTo) {
     BezierExtraction extraction{steps + 1, elevatedTo, std::move(breaks), {}, {}};
     const Weights ofWhole = bezierThroughSteps(steps);
+    const std::vector<double> knots = bezierKnots(steps);
     for (std::size_t k = 0; k + 1 < extraction.breaks.size(); ++k) {
         const double begin = std::floor(0.5 * (extraction.breaks[k] + extraction.breaks[k + 1]));
         const double from = extraction.breaks[k] - begin;
         const double to = extraction.breaks[k + 1] - begin;
         Weights rows;
         for (int times = 0; times <= steps; ++times) {
-            const std::vector<double> ofBezier = bezierBlossom(steps, from, to, times);
+            const std::vector<double> ofBezier = bezierPoint(knots, steps, at(steps), from, to, times);
             std::vector<double> row(ofWhole.size(), 0.0);
             for (std::size_t i = 0; i < row.size(); ++i)
                 mix(1, row, ofBezier[i], ofWhole[i]);

@@ -42,9 +42,6 @@ struct BezierPieces {
 [[nodiscard]] BezierPieces bezierPieces(const Patch& patch, const std::array<std::vector<double>, 2>& breaks,
                                         int elevatedTo);
 
-/// The two Gauss nodes of [0, 1]; with weights of 1/2 they integrate cubics exactly.
-constexpr std::array<double, 2> gaussNodes = {0.21132486540518712, 0.78867513459481288};
-
 /// The piece over a box within (0, 0) to (1, 1).
 /// \param result  another piece; keeps its memory
 void restrict(const BezierPiece& piece, const std::array<double, 2>& from, const std::array<double, 2>& to,

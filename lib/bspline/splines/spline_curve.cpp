@@ -1,6 +1,6 @@
 #include "bspline/splines/spline_curve.h"
 
-#include "bspline/splines/basis.h"
+#include "bspline/splines/blossom.h"
 
 #include <algorithm>
 #include <array>
@@ -8,26 +8,19 @@
 namespace qm {
 namespace {
 
-/// The blossom, at three arguments, of the polynomial that the curve is on knot interval `span`: the control
-/// point that belongs to three successive knots, whatever the knots around them.
-Point blossom(const SplineCurve& curve, std::size_t span, const std::array<double, 3>& arguments) {
+/// The control point that belongs to three successive knots, whatever the knots around them, of the
+/// polynomial around a parameter.
+Point blossomAround(const SplineCurve& curve, double parameter, const std::array<double, 3>& arguments) {
+    const std::size_t span = knotSpan(curve.knots, 3, parameter);
     std::array<Point, 4> points;
-    for (std::size_t k = 0; k < 4; ++k)
-        points[k] = curve.points[span - 3 + k];
-    for (std::size_t round = 1; round <= 3; ++round)
-        for (std::size_t k = 0; k + round <= 3; ++k) {
-            const double left = curve.knots[span - 3 + k + round];
-            const double right = curve.knots[span + 1 + k];
-            const double share = (arguments[round - 1] - left) / (right - left);
-            points[k] = (1 - share) * points[k] + share * points[k + 1];
-        }
-    return points[0];
+    std::copy_n(curve.points.begin() + static_cast<std::ptrdiff_t>(span - 3), points.size(), points.begin());
+    return blossom<Point>(curve.knots, span, arguments, points);
 }
 
 } // namespace
 
 Point evaluate(const SplineCurve& curve, double t) {
-    return blossom(curve, knotSpan(curve.knots, 3, t), {t, t, t});
+    return blossomAround(curve, t, {t, t, t});
 }
 
 SplineCurve withKnots(const SplineCurve& curve, const std::vector<double>& knots) {
@@ -40,8 +33,7 @@ SplineCurve withKnots(const SplineCurve& curve, const std::vector<double>& knots
         while (interval < k + 3 && !(knots[interval] < knots[interval + 1]))
             ++interval;
         const double middle = (knots[interval] + knots[interval + 1]) / 2;
-        result.points.push_back(
-            blossom(curve, knotSpan(curve.knots, 3, middle), {knots[k + 1], knots[k + 2], knots[k + 3]}));
+        result.points.push_back(blossomAround(curve, middle, {knots[k + 1], knots[k + 2], knots[k + 3]}));
     }
     return result;
 }
