@@ -4,7 +4,7 @@
 #pragma once
 
 #include "base/at.h"
-#include "cut/front.h"
+#include "cut/bucket_queue.h"
 #include "mesh/quad_mesh.h"
 
 #include <array>
@@ -70,7 +70,7 @@ private:
     std::vector<double> distance_;             ///< of every vertex
     std::vector<int> touched_;                 ///< nodes with a distance
     std::vector<int> improved_;                ///< nodes that have become nearer and must be queued
-    Front front_;
+    BucketQueue front_;
 };
 
 } // namespace qm
