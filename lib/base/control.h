@@ -16,4 +16,8 @@ struct Control {
     unsigned jobs = 1;
 };
 
+/// Called now and then, from any thread, with the cost of the best result so far and with a lower bound of
+/// all costs; the bound is minus infinity while none is known.
+using KnownCost = std::function<void(double cost, double lowerBound)>;
+
 } // namespace qm

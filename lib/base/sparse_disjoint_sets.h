@@ -19,6 +19,7 @@ public:
         return root;
     }
 
+    /// The representative of b becomes that of both.
     /// \return false if both are in one set already
     bool join(int a, int b) {
         const int from = find(a), to = find(b);

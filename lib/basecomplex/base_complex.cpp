@@ -2,7 +2,7 @@
 
 #include "base/at.h"
 #include "base/error.h"
-#include "base/positions.h"
+#include "basecomplex/arc_graph.h"
 #include "mesh/topology.h"
 
 #include <algorithm>
@@ -104,23 +104,6 @@ void measureReach(const QuadMesh& mesh, Separatrix& separatrix, Visits& visits) 
         }
 }
 
-std::size_t countJunctions(const QuadMesh& mesh, const BaseComplex& complex) {
-    std::vector<int> passes(mesh.n_vertices(), 0); // number of undirected lines that pass each vertex
-    const auto pass = [&](HalfedgeId from) { ++passes[at(mesh.from_vertex_handle(from))]; };
-    for (const Seed seed : complex.seeds)
-        pass(seed.direction);
-    for (std::size_t i = 0; i < complex.separatrices.size(); ++i) {
-        const Separatrix& separatrix = complex.separatrices[i];
-        const std::size_t length = separatrix.halfedges.size();
-        const bool twice =
-            separatrix.opposite && separatrix.opposite->idx() < i; // counted from the other end already
-        const std::size_t counted = twice ? complex.separatrices[separatrix.opposite->idx()].reach : 0;
-        for (std::size_t k = 1; k < length && k <= separatrix.reach && length - k > counted; ++k)
-            pass(separatrix.halfedges[k]);
-    }
-    return countIn(passes, 2);
-}
-
 } // namespace
 
 BaseComplex buildBaseComplex(const QuadMesh& mesh, std::span<const Seed> seeds) {
@@ -135,7 +118,7 @@ BaseComplex buildBaseComplex(const QuadMesh& mesh, std::span<const Seed> seeds) 
     Visits visits(mesh.n_vertices());
     for (Separatrix& separatrix : complex.separatrices)
         measureReach(mesh, separatrix, visits);
-    complex.ordinaryJunctions = countJunctions(mesh, complex);
+    complex.ordinaryJunctions = buildArcGraph(mesh, complex).junctions.size();
     return complex;
 }
 

@@ -1,7 +1,7 @@
 /// \file Output of a running tool on standard error: messages, and a progress bar that makes room for them.
 #pragma once
 
-#include "base/known_cost.h"
+#include "base/control.h"
 #include "cli/general_options.h"
 #include "cli/progress.h"
 

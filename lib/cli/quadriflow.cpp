@@ -6,6 +6,7 @@
 #include "cli/output_file.h"
 #include "document/files.h"
 #include "mesh/boundary_loops.h"
+#include "mesh/bounding_box.h"
 #include "mesh/read_mesh.h"
 #include "mesh/triangle_edges.h"
 #include "mesh/write_soup.h"
@@ -13,7 +14,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <limits>
 #include <optional>
 #include <string>
 
@@ -26,15 +26,9 @@ constexpr int maxAttempts = 3;
 class UnitBox {
 public:
     explicit UnitBox(const std::vector<Point>& points) {
-        constexpr double infinity = std::numeric_limits<double>::infinity();
-        Point low{infinity, infinity, infinity};
-        Point high = -low;
-        for (const Point& point : points) {
-            low.minimize(point);
-            high.maximize(point);
-        }
-        centre_ = low / 2 + high / 2;
-        size_ = (high - low).max();
+        const BoundingBox box = boundingBoxOf(points);
+        centre_ = box.low / 2 + box.high / 2;
+        size_ = box.size().max();
     }
     [[nodiscard]] Point to(const Point& point) const { return (point - centre_) / size_; }
     [[nodiscard]] Point from(const Point& point) const { return point * size_ + centre_; }

@@ -1,5 +1,6 @@
 #include "cli/shape_request.h"
 
+#include "mesh/bounding_box.h"
 #include "mesh/write_soup.h"
 #include "shape/scan.h"
 
@@ -72,7 +73,8 @@ std::string listOfShapes() {
 Soup makeRequested(const ShapeRequest& request) {
     if (request.scan == 0) return soupOf(makeShape(request.name, request.shape));
     Triangles scan = makeScan(request.name, request.scan, request.shape);
-    if (request.noise.value > 0) addNoise(scan, request.noise.length(diagonalOf(scan)), request.shape.seed);
+    if (request.noise.value > 0)
+        addNoise(scan, request.noise.length(boundingBoxOf(scan.points).diagonal()), request.shape.seed);
     return soupOf(scan);
 }
 

@@ -22,7 +22,6 @@
 #pragma once
 
 #include "base/control.h"
-#include "base/known_cost.h"
 #include "cli/command_line.h"
 #include "cli/exit_status.h"
 #include "cli/option_record.h"

@@ -1,6 +1,7 @@
 #include "cut/geodesics.h"
 
 #include "base/at.h"
+#include "mesh/bounding_box.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,14 +26,9 @@ double stepOf(const std::vector<Point>& points, const std::vector<std::array<int
 class SpaceCurve {
 public:
     explicit SpaceCurve(const std::vector<Point>& points) {
-        if (points.empty()) return;
-        Point high = low_ = points.front();
-        for (const Point& point : points) {
-            low_.minimize(point);
-            high.maximize(point);
-        }
-        const double size = (high - low_).max();
-        if (size > 0) cellsPerLength_ = (cells - 1) / size;
+        const BoundingBox box = boundingBoxOf(points);
+        low_ = box.low;
+        if (const double size = box.size().max(); size > 0) cellsPerLength_ = (cells - 1) / size;
     }
 
     [[nodiscard]] std::uint64_t place(const Point& point) const {
@@ -48,7 +44,7 @@ public:
 private:
     static constexpr unsigned bits = 16;
     static constexpr double cells = 1U << bits;
-    Point low_{0, 0, 0};
+    Point low_;
     double cellsPerLength_ = 0;
 };
 

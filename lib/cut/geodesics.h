@@ -4,7 +4,7 @@
 #pragma once
 
 #include "base/at.h"
-#include "cut/front.h"
+#include "cut/bucket_queue.h"
 #include "mesh/quad_mesh.h"
 
 #include <array>
@@ -25,16 +25,15 @@ public:
     /// \param quads   indices of their corners in `points`; a triangle or an edge repeats its last corner
     Geodesics(const std::vector<Point>& points, const std::vector<std::array<int, 4>>& quads);
 
-    /// The distance of every vertex from the source; infinity for vertices that cannot be reached. Valid
-    /// until the next call.
-    const std::vector<double>& from(int source) { return from(std::array{Start{source, 0}}); }
-
     /// A vertex where a front begins, and its distance from the source.
     struct Start {
         int vertex;
         double distance;
     };
-    /// The same from several vertices; at least one.
+
+    /// The distance of every vertex from the source; infinity for vertices that cannot be reached. Valid
+    /// until the next call.
+    /// \param starts  at least one
     const std::vector<double>& from(std::span<const Start> starts);
 
 private:
@@ -70,7 +69,7 @@ private:
     std::vector<double> distance_;             ///< of every vertex
     std::vector<int> touched_;                 ///< nodes with a distance
     std::vector<int> improved_;                ///< nodes that have become nearer and must be queued
-    Front front_;
+    BucketQueue front_;
 };
 
 } // namespace qm

@@ -12,8 +12,7 @@ namespace qm {
 PieceCutter::PieceCutter(const QuadMesh& mesh, const BaseComplex& complex,
                          const std::vector<double>& dihedralAngles, const CutOptions& options)
     : mesh_(mesh), options_(options), division_(mesh, complex), components_(mesh, division_.labels()),
-      fineGeodesics_(mesh, division_.labels()), coarseGeodesics_(mesh, division_.labels()),
-      energy_(mesh, dihedralAngles, options, division_.labels()) {}
+      distances_(mesh, division_.labels()), energy_(mesh, dihedralAngles, options, division_.labels()) {}
 
 std::vector<Piece> PieceCutter::simplify(const Piece& piece) {
     const double complexity = piece.measures.quasiComplexity;
@@ -52,27 +51,16 @@ std::vector<Piece> PieceCutter::separate(const Piece& piece) {
     return division_.divide(piece, partOf, parts + (others ? 1 : 0));
 }
 
-/// Over all vertices where that takes little time, else over fewer places.
-SurfaceDistances& PieceCutter::distancesIn(const Piece& piece) {
-    constexpr std::size_t maxFine = 16000;
-    if (piece.vertices.size() <= maxFine) {
-        fineGeodesics_.prepare(piece.vertices);
-        return fineGeodesics_;
-    }
-    coarseGeodesics_.coarsen(piece.vertices);
-    return coarseGeodesics_;
-}
-
 /// The cut whose more complicated part is the simplest.
 /// \return nothing if that is no simpler than the whole
 std::vector<Piece> PieceCutter::cutBetween(const Piece& piece, Terminals kind) {
     const PieceSources sources = division_.sourcesOf(piece);
     double minComplexity = piece.measures.quasiComplexity;
     std::vector<Piece> best;
-    SurfaceDistances& distances = distancesIn(piece);
+    distances_.prepare(piece.vertices);
     for (const TerminalPair& terminals :
-         chooseTerminals(mesh_, piece.vertices, sources.extraordinary, sources.seeds, kind, distances)) {
-        std::vector<Piece> parts = divideBetween(piece, sources, terminals, distances);
+         chooseTerminals(mesh_, piece.vertices, sources.extraordinary, sources.seeds, kind, distances_)) {
+        std::vector<Piece> parts = divideBetween(piece, sources, terminals);
         division_.label(piece);
         const double worst = std::max(parts[0].measures.quasiComplexity, parts[1].measures.quasiComplexity);
         if (worst >= minComplexity) continue;
@@ -83,8 +71,8 @@ std::vector<Piece> PieceCutter::cutBetween(const Piece& piece, Terminals kind) {
 }
 
 std::vector<Piece> PieceCutter::divideBetween(const Piece& piece, const PieceSources& sources,
-                                              const TerminalPair& terminals, SurfaceDistances& distances) {
-    const CutProblem problem = energy_(piece.vertices, sources.extraordinary, terminals, distances);
+                                              const TerminalPair& terminals) {
+    const CutProblem problem = energy_(piece.vertices, sources.extraordinary, terminals, distances_);
     std::vector<Piece> parts = division_.divide(piece, minimumCut(problem), 2);
     for (Piece& part : parts) {
         part.measures.source = terminals.source;

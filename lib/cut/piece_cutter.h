@@ -2,12 +2,11 @@
 #pragma once
 
 #include "basecomplex/base_complex.h"
-#include "cut/coarse_geodesics.h"
 #include "cut/cut.h"
 #include "cut/energy.h"
-#include "cut/fine_geodesics.h"
 #include "cut/label_components.h"
 #include "cut/pieces.h"
+#include "cut/surface_distances.h"
 #include "cut/terminals.h"
 
 #include <vector>
@@ -32,15 +31,13 @@ private:
     std::vector<Piece> separate(const Piece& piece);
     std::vector<Piece> cutBetween(const Piece& piece, Terminals kind);
     std::vector<Piece> divideBetween(const Piece& piece, const PieceSources& sources,
-                                     const TerminalPair& terminals, SurfaceDistances& distances);
-    SurfaceDistances& distancesIn(const Piece& piece);
+                                     const TerminalPair& terminals);
 
     const QuadMesh& mesh_;
     const CutOptions& options_;
     PieceDivision division_;
     LabelComponents components_;
-    FineGeodesics fineGeodesics_;
-    CoarseGeodesics coarseGeodesics_;
+    SurfaceDistances distances_;
     Energy energy_;
 };
 

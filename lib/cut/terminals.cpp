@@ -1,11 +1,13 @@
 #include "cut/terminals.h"
 
 #include "cut/farthest_pair.h"
+#include "mesh/bounding_box.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <ranges>
 
 namespace qm {
 namespace {
@@ -94,17 +96,14 @@ std::vector<TerminalPair> farthest(const QuadMesh& mesh, const std::vector<Verte
     return {{a, b, {}}};
 }
 
-std::vector<TerminalPair> box(const QuadMesh& mesh, const std::vector<VertexId>& vertices) {
-    Point low = mesh.point(vertices.front()), high = low;
-    for (const VertexId vertex : vertices) {
-        low.minimize(mesh.point(vertex));
-        high.maximize(mesh.point(vertex));
-    }
+std::vector<TerminalPair> betweenWalls(const QuadMesh& mesh, const std::vector<VertexId>& vertices) {
+    const BoundingBox box =
+        boundingBoxOf(vertices | std::views::transform([&](VertexId vertex) { return mesh.point(vertex); }));
     std::vector<TerminalPair> pairs;
     for (unsigned axis = 0; axis < 3; ++axis) {
-        Point lowWall = (low + high) / 2, highWall = lowWall;
-        lowWall[axis] = low[axis];
-        highWall[axis] = high[axis];
+        Point lowWall = box.centre(), highWall = lowWall;
+        lowWall[axis] = box.low[axis];
+        highWall[axis] = box.high[axis];
         pairs.push_back({nearestTo(mesh, vertices, lowWall), nearestTo(mesh, vertices, highWall), {}});
     }
     return pairs;
@@ -122,7 +121,7 @@ std::vector<TerminalPair> chooseTerminals(const QuadMesh& mesh, const std::vecto
     else if (kind == Terminals::farthest)
         pairs = farthest(mesh, vertices);
     else
-        pairs = box(mesh, vertices);
+        pairs = betweenWalls(mesh, vertices);
     std::erase_if(pairs, [](const TerminalPair& pair) { return pair.source == pair.sink; });
     return pairs;
 }

@@ -95,7 +95,8 @@ template <class Visitor> void describe(CutOptions& options, Visitor&& option) {
            "m1, the nearness up to which the high penalty applies");
     option("far-limit", options.farLimit, Range{0, 1},
            "m2, the nearness above which the low penalty applies");
-    option("avoid-features", options.avoidFeatures, Range{}, "make cutting across sharp edges dearer");
+    option("avoid-features", options.avoidFeatures, Range{},
+           "make cutting across sharp edges more expensive");
 }
 
 template <class Visitor> void describe(EnumerationOptions& options, Visitor&& option) {

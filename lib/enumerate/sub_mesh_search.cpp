@@ -48,11 +48,11 @@ SubMeshSearch::SubMeshSearch(const QuadMesh& mesh, const BaseComplex& complex,
     : mesh_(mesh), complex_(complex), edgeCosts_(edgeCosts), options_(options),
       space_(makeSearchSpace(mesh, complex, edgeCosts, subMeshes, options.constraints,
                              cornerCost(options.cost.terms))) {
-    sureCosts_.assign(at(subMeshes.count), 0);
+    fixedCosts_.assign(at(subMeshes.count), 0);
     if (space_.cornerCost == 0) return;
     const Corners corners(mesh, subMeshes);
     for (const SubMeshId subMesh : subMeshes.ids())
-        sureCosts_[subMesh] = space_.cornerCost * static_cast<double>(corners.sure(subMesh));
+        fixedCosts_[subMesh] = space_.cornerCost * static_cast<double>(corners.fixed(subMesh));
 }
 
 SubMeshSearch::Task SubMeshSearch::task(SubMeshId subMesh) const {
@@ -66,7 +66,7 @@ SubMeshSearch::Task SubMeshSearch::task(SubMeshId subMesh) const {
 
 /// The highest cost of the variables in a sub-mesh's problem.
 double SubMeshSearch::maxCost(SubMeshId subMesh) const {
-    return options_.maxCost - sureCosts_[subMesh];
+    return options_.maxCost - fixedCosts_[subMesh];
 }
 
 MotorcycleGraph SubMeshSearch::graph(const Task& task, const Assignment& assignment) const {
@@ -76,7 +76,7 @@ MotorcycleGraph SubMeshSearch::graph(const Task& task, const Assignment& assignm
     MotorcycleGraph result = task.problem.gaps
                                  ? graphOf(mesh_, complex_, arcs, present, edgeCosts_, task.walkers)
                                  : tMeshOf(mesh_, complex_, arcs, present, edgeCosts_);
-    if (space_.cornerCost != 0) result.cost = costOf(task.problem, assignment) + sureCosts_[task.subMesh];
+    if (space_.cornerCost != 0) result.cost = costOf(task.problem, assignment) + fixedCosts_[task.subMesh];
     return result;
 }
 
@@ -146,7 +146,7 @@ SubMeshGraphs SubMeshSearch::searchOptimum(const Task& task, const Control& cont
     SubMeshGraphs result;
     for (const Assignment& assignment : found.graphs)
         result.graphs.push_back(graph(task, assignment));
-    if (std::isfinite(found.lowerBound)) result.lowerBound = found.lowerBound + sureCosts_[task.subMesh];
+    if (std::isfinite(found.lowerBound)) result.lowerBound = found.lowerBound + fixedCosts_[task.subMesh];
     // The bound adds costs in another order than the tracks' costs do, and proofs hold up to the tolerance
     // only.
     if (!result.graphs.empty() && result.lowerBound &&

@@ -54,7 +54,7 @@ private:
     const std::vector<double>& edgeCosts_;
     const EnumerationOptions& options_;
     SearchSpace space_;
-    IdVector<SubMeshId, double> sureCosts_; ///< of the corners that all graphs of a sub-mesh have
+    IdVector<SubMeshId, double> fixedCosts_; ///< of the corners that all graphs of a sub-mesh have
 };
 
 } // namespace qm

@@ -2,6 +2,7 @@
 
 #include "bspline/splines/eigen_point.h"
 #include "bspline/splines/evaluate.h"
+#include "mesh/bounding_box.h"
 
 #include <vector>
 
@@ -35,14 +36,9 @@ std::vector<double> thinned(const std::vector<double>& values, std::size_t max) 
 
 PatchCloud cloudOf(const Patch& patch, std::size_t max) {
     PatchCloud cloud;
-    Vector3d low = vector(patch.controlPoints.front());
-    Vector3d high = low;
-    for (const Point& point : patch.controlPoints) {
-        low = low.cwiseMin(vector(point));
-        high = high.cwiseMax(vector(point));
-    }
-    cloud.centre = (low + high) / 2;
-    cloud.size = (high - low).norm();
+    const BoundingBox box = boundingBoxOf(patch.controlPoints);
+    cloud.centre = vector(box.centre());
+    cloud.size = vector(box.size()).norm();
     if (!(cloud.size > 0)) return cloud;
     for (const SurfacePoint& at :
          evaluateLattice(patch, thinned(parameters(patch.knots[0], samplesPerInterval), max),

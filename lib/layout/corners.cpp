@@ -18,12 +18,12 @@ std::size_t facesAround(const QuadMesh& mesh, VertexId vertex) {
 } // namespace
 
 Corners::Corners(const QuadMesh& mesh, const SubMeshes& subMeshes)
-    : mesh_(mesh), subMeshes_(subMeshes), sure_(at(subMeshes.count), 0) {
+    : mesh_(mesh), subMeshes_(subMeshes), fixed_(at(subMeshes.count), 0) {
     for (const VertexId vertex : mesh.vertices()) {
         const bool regular = isRegular(mesh, vertex);
         if (regular && !mesh.is_boundary(vertex)) continue;
         const std::size_t faces = facesAround(mesh, vertex);
-        if (!regular || faces == 1) sure_[subMeshes.of(vertex)] += faces;
+        if (!regular || faces == 1) fixed_[subMeshes.of(vertex)] += faces;
     }
 }
 
@@ -38,7 +38,7 @@ std::size_t Corners::between(const std::vector<Track>& tracks, SubMeshId subMesh
     const auto onTrack = [&](HalfedgeId halfedge) {
         return edges.contains(mesh_.edge_handle(halfedge).idx());
     };
-    std::size_t corners = sure(subMesh);
+    std::size_t corners = fixed(subMesh);
     for (const VertexId vertex : vertices) {
         if (!isRegular(mesh_, vertex)) continue;
         if (mesh_.is_boundary(vertex))

@@ -18,16 +18,16 @@ public:
 
     /// The number of corners that all graphs of a sub-mesh have: those at its extraordinary vertices and at
     /// convex vertices of its boundary.
-    [[nodiscard]] std::size_t sure(SubMeshId subMesh) const { return sure_[subMesh]; }
+    [[nodiscard]] std::size_t fixed(SubMeshId subMesh) const { return fixed_[subMesh]; }
 
-    /// The number of all corners: the sure ones, those at the other vertices of the sub-mesh, and two for
+    /// The number of all corners: the fixed ones, those at the other vertices of the sub-mesh, and two for
     /// every track that ends on the mesh boundary, even beyond the cut. Time is linear in the tracks.
     [[nodiscard]] std::size_t between(const std::vector<Track>& tracks, SubMeshId subMesh) const;
 
 private:
     const QuadMesh& mesh_;
     const SubMeshes& subMeshes_;
-    IdVector<SubMeshId, std::size_t> sure_;
+    IdVector<SubMeshId, std::size_t> fixed_;
 };
 
 } // namespace qm

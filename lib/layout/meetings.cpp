@@ -16,7 +16,7 @@ public:
         for (std::size_t i = 0; i < graph.lines.size(); ++i) {
             const Line& line = graph.lines[i];
             const auto begin = present.begin() + line.firstArc.value();
-            const bool both = line.backward && walkers.begin(LineId(i)) && walkers.end(LineId(i));
+            const bool both = line.backward && walkers.fromBegin(LineId(i)) && walkers.fromEnd(LineId(i));
             full_.push_back(both && std::all_of(begin, begin + line.arcCount, [](bool in) { return in; }));
             if (full_.back()) meetingOf_[i] = walkers.meeting(LineId(i));
         }

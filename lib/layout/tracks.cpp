@@ -31,11 +31,11 @@ std::vector<Coverage> coverLines(const ArcGraph& graph, const std::vector<bool>&
         const Line& line = graph.lines[i];
         const auto in = [&](int k) { return present[at(line.firstArc.value() + k)]; };
         Coverage coverage;
-        if (walkers.begin(LineId(i)))
+        if (walkers.fromBegin(LineId(i)))
             while (coverage.fromBegin < line.arcCount && in(coverage.fromBegin))
                 ++coverage.fromBegin;
         if (meetings[i].valid()) coverage.fromBegin = meetings[i].value() - line.firstArc.value() + 1;
-        if (line.backward && walkers.end(LineId(i)))
+        if (line.backward && walkers.fromEnd(LineId(i)))
             while (coverage.fromEnd < line.arcCount - coverage.fromBegin &&
                    in(line.arcCount - 1 - coverage.fromEnd))
                 ++coverage.fromEnd;

@@ -27,8 +27,8 @@ public:
     explicit Walkers(std::unordered_map<LineId, LineWalkers> ofLine) : ofLine_(std::move(ofLine)) {}
 
     [[nodiscard]] ArcId meeting(LineId line) const { return of(line).meeting; }
-    [[nodiscard]] bool begin(LineId line) const { return of(line).fromBegin; }
-    [[nodiscard]] bool end(LineId line) const { return of(line).fromEnd; }
+    [[nodiscard]] bool fromBegin(LineId line) const { return of(line).fromBegin; }
+    [[nodiscard]] bool fromEnd(LineId line) const { return of(line).fromEnd; }
 
 private:
     [[nodiscard]] LineWalkers of(LineId line) const {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "base/control.h"
-#include "base/known_cost.h"
 
 #include <atomic>
 #include <limits>

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "base/control.h"
-#include "base/known_cost.h"
 #include "enumerate/enumerate.h"
 
 namespace qm {

@@ -1,4 +1,5 @@
 #include "base/at.h"
+#include "mesh/bounding_box.h"
 #include "mesh/soup_edges.h"
 #include "mesh/soup_repairs.h"
 
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <ranges>
 #include <utility>
 
 namespace qm {
@@ -21,13 +23,8 @@ std::size_t cornerAt(const Soup& soup, Side side) {
 }
 
 double toleranceOf(const Soup& soup) {
-    if (soup.corners.empty()) return 0;
-    Point low = soup.points[cornerAt(soup, 0)], high = low;
-    for (Side side = 0; side < soup.corners.size(); ++side) {
-        low.minimize(soup.points[cornerAt(soup, side)]);
-        high.maximize(soup.points[cornerAt(soup, side)]);
-    }
-    return 1e-9 * (high - low).max();
+    const auto point = [&](std::int64_t corner) -> const Point& { return soup.points[at(corner)]; };
+    return 1e-9 * boundingBoxOf(soup.corners | std::views::transform(point)).size().max();
 }
 
 /// The sides that begin at each vertex.

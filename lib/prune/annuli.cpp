@@ -2,9 +2,8 @@
 
 #include "base/at.h"
 #include "base/sort_unique.h"
+#include "base/sparse_disjoint_sets.h"
 #include "mesh/mesh_lines.h"
-
-#include <numeric>
 
 namespace qm {
 namespace {
@@ -67,10 +66,7 @@ private:
 class Bands {
 public:
     Bands(const QuadMesh& mesh, const std::vector<ArcId>& arcOf)
-        : mesh_(mesh), arcOf_(arcOf), strips_(mesh), parent_(strips_.size()),
-          endless_(strips_.size(), false) {
-        std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-    }
+        : mesh_(mesh), arcOf_(arcOf), strips_(mesh), endless_(strips_.size(), false) {}
 
     AnnulusBands find() {
         std::vector<Side> sides;
@@ -118,23 +114,19 @@ private:
         return arcs;
     }
 
-    std::size_t root(std::size_t strip) {
-        while (parent_[strip] != strip)
-            strip = parent_[strip] = parent_[parent_[strip]];
-        return strip;
-    }
+    std::size_t root(std::size_t strip) { return at(bands_.find(static_cast<int>(strip))); }
 
     /// Joins two strips that nothing ever separates. A band joined to itself in this way goes round a torus.
     void unite(const std::array<std::size_t, 2>& strips) {
         const std::size_t one = root(strips[0]), other = root(strips[1]);
         endless_[one] = endless_[one] || endless_[other] || one == other;
-        parent_[other] = one;
+        bands_.join(static_cast<int>(other), static_cast<int>(one));
     }
 
     const QuadMesh& mesh_;
     const std::vector<ArcId>& arcOf_;
     Strips strips_;
-    std::vector<std::size_t> parent_;
+    SparseDisjointSets bands_;  ///< of strips
     std::vector<bool> endless_; ///< for the root of every band: it goes round a torus
 };
 

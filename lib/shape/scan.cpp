@@ -48,17 +48,6 @@ Triangles trianglesOf(const QuadList& list) {
     return triangles;
 }
 
-double diagonalOf(const Triangles& triangles) {
-    if (triangles.points.empty()) return 0;
-    Point low = triangles.points.front();
-    Point high = low;
-    for (const Point& point : triangles.points) {
-        low.minimize(point);
-        high.maximize(point);
-    }
-    return (high - low).norm();
-}
-
 void addNoise(Triangles& triangles, double deviation, std::uint64_t seed) {
     std::vector<Point> normals(triangles.points.size(), Point(0, 0, 0));
     for (const auto& face : triangles.faces) {

@@ -12,9 +12,6 @@ struct QuadList;
 /// Every quad becomes two triangles, divided by its shorter diagonal.
 [[nodiscard]] Triangles trianglesOf(const QuadList& list);
 
-/// The diagonal of the bounding box.
-[[nodiscard]] double diagonalOf(const Triangles& triangles);
-
 /// Moves every point along its normal, the mean of those around it, by a normally distributed length.
 /// \param deviation  the standard deviation of that length
 void addNoise(Triangles& triangles, double deviation, std::uint64_t seed);

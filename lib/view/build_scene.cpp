@@ -1,25 +1,16 @@
 #include "view/build_scene.h"
 
+#include "mesh/bounding_box.h"
 #include "view/layers.h"
-
-#include <limits>
 
 namespace qm {
 namespace {
 
 /// Middle and radius of a ball about the box of all vertices that a face uses.
 std::pair<Point, double> ballAround(const QuadMesh& mesh) {
-    constexpr double far = std::numeric_limits<double>::infinity();
-    Point low(far, far, far);
-    Point high(-far, -far, -far);
-    for (const VertexId vertex : mesh.vertices()) {
-        if (mesh.is_isolated(vertex)) continue;
-        low.minimize(mesh.point(vertex));
-        high.maximize(mesh.point(vertex));
-    }
-    if (!(low[0] <= high[0])) return {{0, 0, 0}, 1};
-    const double radius = (high - low).norm() / 2;
-    return {(low + high) / 2, radius > 0 ? radius : 1};
+    const BoundingBox box = boundingBox(mesh);
+    const double radius = box.diagonal() / 2;
+    return {box.centre(), radius > 0 ? radius : 1};
 }
 
 void addFigures(Scene& scene, const Viewed& viewed) {

@@ -34,19 +34,12 @@ void addTerminal(PointLayer& layer, const std::optional<VertexId>& vertex, SubMe
 void addCut(Scene& scene, const QuadMesh& mesh, const Cut& cut) {
     for (const SubMeshId label : cut.labels)
         scene.subMeshOfVertex.push_back(label.value());
-    FaceLayer faces;
-    faces.name = "submeshes";
-    faces.title = "sub-meshes";
+    auto faces = newLayer<FaceLayer>("submeshes", "sub-meshes", "sub-mesh", "/cut/subMeshes/");
     faces.paint = Paint::items;
     faces.groups = labelsOfQuads(scene.mesh, cut.labels);
-    faces.items.noun = "sub-mesh";
-    faces.items.pointer = "/cut/subMeshes/";
     faces.items.count = cut.subMeshes.size();
-    PointLayer terminals;
-    terminals.name = "terminals";
-    terminals.title = "terminals of the cuts";
-    terminals.items.noun = "terminal";
-    terminals.items.pointer = "/cut/subMeshes/{sub-mesh}";
+    auto terminals =
+        newLayer<PointLayer>("terminals", "terminals of the cuts", "terminal", "/cut/subMeshes/{sub-mesh}");
     for (const SubMeshId id : cut.subMeshes.ids()) {
         const SubMesh& subMesh = cut.subMeshes[id];
         addFigure(faces.items, "quasi-complexity", subMesh.quasiComplexity);

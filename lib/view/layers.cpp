@@ -18,12 +18,8 @@ void addFigure(Items& items, const std::string& name, double value) {
 
 LineLayer newLines(const std::string& name, const std::string& title, const std::string& noun,
                    const std::string& pointer) {
-    LineLayer layer;
-    layer.name = name;
-    layer.title = title;
+    auto layer = newLayer<LineLayer>(name, title, noun, pointer);
     layer.starts = {0};
-    layer.items.noun = noun;
-    layer.items.pointer = pointer;
     return layer;
 }
 

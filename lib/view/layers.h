@@ -6,6 +6,8 @@
 #include "view/scene.h"
 
 #include <limits>
+#include <string>
+#include <vector>
 
 namespace qm {
 
@@ -31,7 +33,19 @@ constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 /// Adds a figure of the next item to the column of that name, which is made when it is first used.
 void addFigure(Items& items, const std::string& name, double value);
 
-/// An empty layer, with the place where its first item begins.
+/// A layer without items.
+template <class Layer>
+[[nodiscard]] Layer newLayer(const std::string& name, const std::string& title, const std::string& noun = {},
+                             const std::string& pointer = {}) {
+    Layer layer;
+    layer.name = name;
+    layer.title = title;
+    layer.items.noun = noun;
+    layer.items.pointer = pointer;
+    return layer;
+}
+
+/// The same for lines, with the place where the first item begins.
 [[nodiscard]] LineLayer newLines(const std::string& name, const std::string& title, const std::string& noun,
                                  const std::string& pointer);
 

@@ -19,13 +19,9 @@ neighbouringSegments(const QuadMesh& mesh, const std::vector<std::uint32_t>& of)
 }
 
 void addSegments(Scene& scene, const QuadMesh& mesh, const Layout& layout) {
-    FaceLayer faces;
-    faces.name = "segments";
-    faces.title = "segments";
+    auto faces = newLayer<FaceLayer>("segments", "segments", "segment", "/layout/segments/");
     faces.paint = Paint::items;
     faces.groups.assign(mesh.n_faces(), noItem);
-    faces.items.noun = "segment";
-    faces.items.pointer = "/layout/segments/";
     faces.items.count = layout.segments.size();
     LineLayer borders =
         newLines("borders", "borders of segments", "side", "/layout/segments/{of segment}/sides/{side}");

@@ -28,15 +28,12 @@ void addMesh(Scene& scene, const Viewed& viewed, const Point& centre) {
     for (const FaceId face : mesh.faces())
         for (const VertexId vertex : mesh.fv_range(face))
             scene.mesh.quads.push_back(static_cast<std::uint32_t>(vertex.idx()));
-    FaceLayer faces;
-    faces.name = "mesh";
-    faces.title = "mesh";
-    scene.faces.push_back(faces);
+    scene.faces.push_back(newLayer<FaceLayer>("mesh", "mesh"));
     // Stripes on the mesh are called like those on the surfaces, unless both are there.
-    faces.name = viewed.surfaces == nullptr ? "zebra" : "mesh-zebra";
-    faces.title = viewed.surfaces == nullptr ? "zebra stripes" : "zebra stripes on the mesh";
-    faces.paint = Paint::stripes;
-    scene.faces.push_back(std::move(faces));
+    scene.faces.push_back(viewed.surfaces == nullptr
+                              ? newLayer<FaceLayer>("zebra", "zebra stripes")
+                              : newLayer<FaceLayer>("mesh-zebra", "zebra stripes on the mesh"));
+    scene.faces.back().paint = Paint::stripes;
     addEdges(scene, mesh, viewed.dihedralAngles);
 }
 
@@ -51,11 +48,8 @@ void addBaseComplex(Scene& scene, const Viewed& viewed) {
     }
     scene.lines.push_back(std::move(lines));
 
-    PointLayer points;
-    points.name = "extraordinary";
-    points.title = "extraordinary vertices";
-    points.items.noun = "extraordinary vertex";
-    points.items.pointer = "/baseComplex/extraordinaryVertices/";
+    auto points = newLayer<PointLayer>("extraordinary", "extraordinary vertices", "extraordinary vertex",
+                                       "/baseComplex/extraordinaryVertices/");
     for (const VertexId vertex : viewed.baseComplex.extraordinaryVertices) {
         addPoint(points, vertex);
         addFigure(points.items, "vertex", vertex.idx());
@@ -68,11 +62,7 @@ void addBaseComplex(Scene& scene, const Viewed& viewed) {
 void addFeatures(Scene& scene, const Viewed& viewed) {
     if (viewed.features.curves.empty()) return;
     LineLayer lines = newLines("features", "feature curves", "feature curve", "/features/curves/");
-    PointLayer seeds;
-    seeds.name = "seeds";
-    seeds.title = "feature seeds";
-    seeds.items.noun = "seed of feature curve";
-    seeds.items.pointer = "/features/curves/";
+    auto seeds = newLayer<PointLayer>("seeds", "feature seeds", "seed of feature curve", "/features/curves/");
     for (const FeatureCurve& curve : viewed.features.curves) {
         addPath(lines, verticesAlong(viewed.mesh, curve.halfedges));
         addPoint(seeds, curve.seed);

@@ -111,9 +111,7 @@ LineLayer smoothBorders(const Viewed& viewed, const Lattice& lattice, const Bord
 }
 
 FaceLayer surfaceLayer(const std::string& name, const std::string& title, Paint paint, Mapped mapped = {}) {
-    FaceLayer layer;
-    layer.name = name;
-    layer.title = title;
+    auto layer = newLayer<FaceLayer>(name, title);
     layer.base = Base::surfaces;
     layer.paint = paint;
     layer.mapped = std::move(mapped);
@@ -123,10 +121,9 @@ FaceLayer surfaceLayer(const std::string& name, const std::string& title, Paint 
 
 /// The layer whose items are the patches, coloured like the segments.
 FaceLayer patchLayer(const Scene& scene, const Viewed& viewed) {
-    FaceLayer layer = surfaceLayer("surfaces", "patches", Paint::items);
-    layer.itemsOf.clear();
-    layer.items.noun = "patch";
-    layer.items.pointer = "/surfaces/patches/";
+    auto layer = newLayer<FaceLayer>("surfaces", "patches", "patch", "/surfaces/patches/");
+    layer.base = Base::surfaces;
+    layer.paint = Paint::items;
     const std::vector<Patch>& patches = viewed.surfaces->patches;
     layer.items.count = patches.size();
     for (std::size_t k = 0; k < patches.size(); ++k) {
@@ -172,11 +169,8 @@ Mapped distanceFromScan(const Viewed& viewed, double cutOff, std::size_t steps, 
 
 /// Nets and knots are drawn of the patches themselves.
 LineLayer derivedLines(const char* name, const char* title, Base base, const char* noun) {
-    LineLayer lines;
-    lines.name = name;
-    lines.title = title;
+    auto lines = newLayer<LineLayer>(name, title, noun);
     lines.base = base;
-    lines.items.noun = noun;
     return lines;
 }
 

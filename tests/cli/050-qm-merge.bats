@@ -57,7 +57,7 @@ is() { assert_equal "$(field "$1" out.json)" true; }
     quietly qm-check out.json
 }
 
-@test "an improved layout is never dearer, and proven where there is time" {
+@test "an improved layout is never more expensive, and proven where there is time" {
     for model in block random helix; do
         merge "$model"
         before=$(field .layout.cost out.json)

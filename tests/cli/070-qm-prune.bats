@@ -67,7 +67,7 @@ objective() { field ".layout.cost + $1 * (.layout.segments | length)" "$2"; }
     done
 }
 
-@test "the smoothness criterion can only make the optimum dearer" {
+@test "the smoothness criterion can only make the optimum more expensive" {
     prune random --method optimum --no-smooth
     rough=$(objective 1 out.json)
     prune random --method optimum --max-turn 1

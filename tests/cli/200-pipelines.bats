@@ -321,6 +321,35 @@ refused_in_one_line() {
     assert_equal "$(cd out && echo *.surfaces.json)" 'BIG.surfaces.json small.surfaces.json'
 }
 
+@test "a repaired mesh edited by hand is put aside when it is repaired again" {
+    awk '/^f / && ++n == 5 { print } { print }' "$(sample cube)" >part.obj
+    layout_mk -s BASECOMPLEX_OPTIONS=--repair out/part.basecomplex.json
+    mesh=out/part.repaired.obj
+    cp "$mesh" first.obj
+    touch part.obj
+    layout_mk -s BASECOMPLEX_OPTIONS=--repair out/part.basecomplex.json
+    assert_equal "$(find out -name '*.edited*')" ''
+    for number in '' .2; do
+        echo "# mine$number" >>"$mesh"
+        cp "$mesh" mine.obj
+        touch part.obj
+        run --separate-stderr layout_mk -s BASECOMPLEX_OPTIONS=--repair out/part.basecomplex.json
+        assert_success
+        assert_regex "$stderr" "$mesh was edited by hand.* It is now $mesh.edited$number$"
+        assert_same_bytes mine.obj "$mesh.edited$number"
+        assert_same_bytes first.obj "$mesh"
+    done
+    # A stage that fails leaves it in its place.
+    echo '# mine' >>"$mesh"
+    run layout_mk -s BASECOMPLEX_OPTIONS='--repair --jobs x' out/part.basecomplex.json
+    assert_failure
+    assert_equal "$(tail -n 1 "$mesh")" '# mine'
+    assert_equal "$(echo out/*.edited*)" "$mesh.edited $mesh.edited.2"
+    # Nor is it taken for what the stage wrote.
+    layout_mk -s BASECOMPLEX_OPTIONS=--repair out/part.basecomplex.json
+    assert [ -e "$mesh.edited.3" ]
+}
+
 # Tools, with one in the place of qm-remesh that needs no Blender.
 remeshing_tools() {
     mkdir tools

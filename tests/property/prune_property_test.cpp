@@ -138,7 +138,7 @@ bool hasRoom(const Case& drawn, const Layout& layout, double minCorner) {
 }
 
 TEST_P(AllSetsOfArcs, HaveNoneWithRoomForCornersThatIsBetterThanTheOptimum) {
-    std::size_t compared = 0, dearer = 0;
+    std::size_t compared = 0, moreExpensive = 0;
     for (unsigned number = 0; number < 600 && compared < 60; ++number) {
         const auto drawn = drawSmallCase(number, GetParam());
         if (!drawn) continue;
@@ -157,7 +157,7 @@ TEST_P(AllSetsOfArcs, HaveNoneWithRoomForCornersThatIsBetterThanTheOptimum) {
             }
             EXPECT_TRUE(hasRoom(*drawn, pruned.layout, minCorner)) << "case " << number;
             EXPECT_NEAR(objective(pruned.layout, beta), lowest, 1e-6) << "case " << number;
-            if (lowest > lowestOfAll + 1e-6) ++dearer;
+            if (lowest > lowestOfAll + 1e-6) ++moreExpensive;
             options.eta = -1e9;
             const Layout greedy =
                 pruneLayout(drawn->mesh, drawn->layout, drawn->angles, drawn->costs, options).layout;
@@ -165,7 +165,7 @@ TEST_P(AllSetsOfArcs, HaveNoneWithRoomForCornersThatIsBetterThanTheOptimum) {
         }
     }
     EXPECT_GT(compared, 10U);
-    EXPECT_GT(dearer, 3U);
+    EXPECT_GT(moreExpensive, 3U);
 }
 
 TEST_P(AllSetsOfArcs, HaveNoneOfFewerPatchesThanTheFewest) {

@@ -1,6 +1,6 @@
 #include "base/at.h"
 #include "cut/energy.h"
-#include "cut/fine_geodesics.h"
+#include "cut/surface_distances.h"
 #include "mesh/build_mesh.h"
 #include "support/track_along.h"
 #include "support/vertices.h"
@@ -20,7 +20,7 @@ CutProblem problemOf(const QuadMesh& mesh, const std::vector<VertexId>& extraord
                      const TerminalPair& terminals, const CutOptions& options,
                      const std::vector<double>& angles) {
     const std::vector<SubMeshId> labels(mesh.n_vertices(), SubMeshId(0));
-    FineGeodesics geodesics(mesh, labels);
+    SurfaceDistances geodesics(mesh, labels);
     geodesics.prepare(verticesOf(mesh));
     return Energy(mesh, angles, options, labels)(verticesOf(mesh), extraordinary, terminals, geodesics);
 }
@@ -102,7 +102,7 @@ TEST(CutEnergy, HoldsOnlyForTheSubMesh) {
     const std::vector<VertexId> inside{VertexId(0), VertexId(1), VertexId(5), VertexId(6)};
     for (const VertexId vertex : inside)
         labels[at(vertex)] = SubMeshId(8);
-    FineGeodesics geodesics(mesh, labels);
+    SurfaceDistances geodesics(mesh, labels);
     geodesics.prepare(inside);
     const std::vector<double> flat(mesh.n_edges(), 0);
     Energy energy(mesh, flat, {}, labels);

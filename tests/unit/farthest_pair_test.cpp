@@ -1,6 +1,6 @@
 #include "base/at.h"
 #include "cut/farthest_pair.h"
-#include "cut/fine_geodesics.h"
+#include "cut/surface_distances.h"
 #include "mesh/build_mesh.h"
 #include "mesh/topology.h"
 #include "support/random_graph.h"
@@ -16,7 +16,7 @@ namespace qm::testing {
 namespace {
 
 /// The largest distance, found by sweeping from every vertex.
-double longestOfAll(const std::vector<VertexId>& vertices, FineGeodesics& geodesics) {
+double longestOfAll(const std::vector<VertexId>& vertices, SurfaceDistances& geodesics) {
     double longest = 0;
     for (const VertexId from : vertices)
         longest = std::max(longest, std::ranges::max(geodesics.between(from, vertices)));
@@ -31,7 +31,7 @@ std::vector<VertexId> someVertices(const QuadMesh& mesh, std::size_t count, std:
 }
 
 void expectConsistent(const FarthestPair& pair, const std::vector<VertexId>& vertices,
-                      FineGeodesics& geodesics) {
+                      SurfaceDistances& geodesics) {
     ASSERT_LT(pair.first, pair.second);
     ASSERT_LT(pair.second, vertices.size());
     EXPECT_EQ(pair.fromFirst, geodesics.between(vertices[pair.first], vertices));
@@ -42,7 +42,7 @@ TEST(FarthestPair, IsThatOfAllPairsInThePlane) {
     std::mt19937 random(3);
     const QuadMesh mesh = rectangle(30, 20);
     const std::vector<SubMeshId> whole(mesh.n_vertices(), SubMeshId(0));
-    FineGeodesics geodesics(mesh, whole);
+    SurfaceDistances geodesics(mesh, whole);
     geodesics.prepare(verticesOf(mesh));
     for (const std::size_t count : {2U, 3U, 5U, 20U, 60U}) {
         const std::vector<VertexId> vertices = someVertices(mesh, count, random);
@@ -60,7 +60,7 @@ TEST(FarthestPair, IsNearlyThatOfAllPairsOnAnySurface) {
         // The result may be shorter only by what distances there and back differ on such coarse meshes.
         const std::vector<int> component = components(*mesh).ofVertex;
         const std::vector<SubMeshId> part(component.begin(), component.end());
-        FineGeodesics geodesics(*mesh, part);
+        SurfaceDistances geodesics(*mesh, part);
         std::vector<VertexId> vertices;
         for (const VertexId vertex : mesh->vertices())
             if (component[at(vertex)] == 0) vertices.push_back(vertex);
@@ -76,7 +76,7 @@ TEST(FarthestPair, CopesWithMoreVerticesThanPairsAreKeptFor) {
     const QuadMesh mesh = rectangle(60, 50);
     const std::vector<SubMeshId> whole(mesh.n_vertices(), SubMeshId(0));
     const std::vector<VertexId> all = verticesOf(mesh);
-    FineGeodesics geodesics(mesh, whole);
+    SurfaceDistances geodesics(mesh, whole);
     geodesics.prepare(all);
     ASSERT_GT(all.size(), 2048U);
     const FarthestPair pair = farthestPair(all, geodesics);
@@ -87,7 +87,7 @@ TEST(FarthestPair, OfPointsInOnePlaceIsSome) {
     const QuadMesh mesh =
         buildMesh({{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}}, {std::array<int, 4>{0, 1, 2, 3}});
     const std::vector<SubMeshId> whole(4, SubMeshId(0));
-    FineGeodesics geodesics(mesh, whole);
+    SurfaceDistances geodesics(mesh, whole);
     geodesics.prepare(verticesOf(mesh));
     const FarthestPair pair = farthestPair({VertexId(0), VertexId(2), VertexId(3)}, geodesics);
     EXPECT_EQ(pair.fromFirst[pair.second], 0);

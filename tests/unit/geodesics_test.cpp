@@ -1,6 +1,5 @@
 #include "base/at.h"
-#include "cut/coarse_geodesics.h"
-#include "cut/fine_geodesics.h"
+#include "cut/surface_distances.h"
 #include "mesh/build_mesh.h"
 #include "support/polycube.h"
 #include "support/random_graph.h"
@@ -70,7 +69,7 @@ public:
     /// Of every vertex of the mesh; infinity outside the part.
     std::vector<double> from(VertexId source) {
         const std::vector<VertexId> vertices = verticesOf(mesh_, part_, part_[at(source)].value());
-        geodesics_.prepare(vertices);
+        geodesics_.prepare(vertices, 0);
         const std::vector<double> distances = geodesics_.between(source, vertices);
         std::vector<double> all(mesh_.n_vertices(), infinity);
         for (std::size_t k = 0; k < vertices.size(); ++k)
@@ -81,7 +80,7 @@ public:
 private:
     const QuadMesh& mesh_;
     const std::vector<SubMeshId>& part_;
-    FineGeodesics geodesics_;
+    SurfaceDistances geodesics_;
 };
 
 /// Relative errors of the distances from some vertices to all others.
@@ -171,10 +170,10 @@ TEST(Geodesics, BeginAtSeveralVerticesAndWalkEdgesAndTriangles) {
     // An edge, a triangle and a square in a row, each repeating its last corner.
     const std::vector<Point> points{{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {2, 0, 0}, {3, 0, 0}, {3, 1, 0}};
     Geodesics geodesics(points, {{0, 1, 1, 1}, {1, 3, 2, 2}, {3, 4, 5, 2}});
-    EXPECT_DOUBLE_EQ(geodesics.from(0)[1], 1);
-    EXPECT_NEAR(geodesics.from(0)[5], 1 + std::hypot(2, 1), 0.05);
-    const std::array<Geodesics::Start, 2> starts{{{0, 0.5}, {5, 0.25}}};
-    const std::vector<double>& distance = geodesics.from(starts);
+    const std::vector<double>& distance = geodesics.from(std::array<Geodesics::Start, 1>{{{0, 0}}});
+    EXPECT_DOUBLE_EQ(distance[1], 1);
+    EXPECT_NEAR(distance[5], 1 + std::hypot(2, 1), 0.05);
+    geodesics.from(std::array<Geodesics::Start, 2>{{{0, 0.5}, {5, 0.25}}});
     EXPECT_DOUBLE_EQ(distance[0], 0.5);
     EXPECT_DOUBLE_EQ(distance[1], 1.5);
     EXPECT_DOUBLE_EQ(distance[4], 1.25);
@@ -229,8 +228,8 @@ TEST(Geodesics, AreNumbersOnMeshesWithoutSizeAndOfAnySize) {
 Errors coarseErrors(const QuadMesh& mesh, const std::function<double(const Point&, const Point&)>& exact) {
     const std::vector<SubMeshId> whole(mesh.n_vertices(), SubMeshId(0));
     const std::vector<VertexId> vertices = verticesOf(mesh, whole, 0);
-    CoarseGeodesics geodesics(mesh, whole);
-    geodesics.coarsen(vertices);
+    SurfaceDistances geodesics(mesh, whole);
+    geodesics.prepare(vertices);
     Errors result;
     double longest = 0;
     std::size_t count = 0;
@@ -249,7 +248,7 @@ Errors coarseErrors(const QuadMesh& mesh, const std::function<double(const Point
     return result;
 }
 
-TEST(CoarseGeodesics, AreNearTheTruthInThePlane) {
+TEST(CoarseDistances, AreNearTheTruthInThePlane) {
     const Errors even =
         coarseErrors(square(200, [](double i, double j) { return Point(i, j, 0); }), straight);
     EXPECT_LT(even.mean, 0.005);
@@ -260,21 +259,21 @@ TEST(CoarseGeodesics, AreNearTheTruthInThePlane) {
     EXPECT_LT(sheared.worst, 0.03);
 }
 
-TEST(CoarseGeodesics, AreNearTheTruthOnASphere) {
+TEST(CoarseDistances, AreNearTheTruthOnASphere) {
     const Errors errors = coarseErrors(sphere(60), greatCircle);
     EXPECT_LT(errors.mean, 0.01);
     EXPECT_LT(errors.worst, 0.03);
 }
 
-TEST(CoarseGeodesics, StayInTheirPartAndTurnToAnother) {
+TEST(CoarseDistances, StayInTheirPartAndTurnToAnother) {
     const int size = 120;
     const QuadMesh mesh = square(size, [](double i, double j) { return Point(i, j, 0); });
     // A wall in the middle column with a gap in the last rows.
     std::vector<SubMeshId> part(mesh.n_vertices(), SubMeshId(0));
     for (int j = 0; j < size - 4; ++j)
         part[at(j * (size + 1) + size / 2)] = SubMeshId(1);
-    CoarseGeodesics geodesics(mesh, part);
-    geodesics.coarsen(verticesOf(mesh, part, 0));
+    SurfaceDistances geodesics(mesh, part);
+    geodesics.prepare(verticesOf(mesh, part, 0), 1);
     const auto distance = [&](int from, int to) {
         return geodesics.between(VertexId(from), {VertexId(to)}).front();
     };
@@ -282,18 +281,18 @@ TEST(CoarseGeodesics, StayInTheirPartAndTurnToAnother) {
     EXPECT_NEAR(distance(0, size), aroundTheWall, 0.02 * aroundTheWall);
     EXPECT_EQ(distance(0, 0), 0);
     EXPECT_DOUBLE_EQ(distance(0, 1), 1);
-    geodesics.coarsen(verticesOf(mesh, part, 1));
+    geodesics.prepare(verticesOf(mesh, part, 1), 1);
     const int last = (size - 5) * (size + 1) + size / 2;
     EXPECT_NEAR(distance(size / 2, last), size - 5, 1e-9);
 }
 
-TEST(CoarseGeodesics, DoNotReachOtherComponents) {
+TEST(CoarseDistances, DoNotReachOtherComponents) {
     std::vector<Point> points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
                               {9, 0, 0}, {8, 0, 0}, {8, 1, 0}, {9, 1, 0}};
     const QuadMesh mesh = buildMesh(points, {{0, 1, 2, 3}, {7, 6, 5, 4}});
     const std::vector<SubMeshId> whole(mesh.n_vertices(), SubMeshId(0));
-    CoarseGeodesics geodesics(mesh, whole);
-    geodesics.coarsen(verticesOf(mesh, whole, 0));
+    SurfaceDistances geodesics(mesh, whole);
+    geodesics.prepare(verticesOf(mesh, whole, 0), 1);
     const std::vector<double> distances = geodesics.between(VertexId(0), verticesOf(mesh, whole, 0));
     EXPECT_NEAR(distances[2], std::sqrt(2), 0.6);
     for (const std::size_t other : {4U, 5U, 6U, 7U})

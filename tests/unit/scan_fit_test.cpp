@@ -1,6 +1,7 @@
 #include "base/at.h"
 #include "bspline/fit.h"
 #include "bspline/splines/evaluate.h"
+#include "mesh/bounding_box.h"
 #include "mesh/dihedral.h"
 #include "shape/scan.h"
 #include "shape/shape.h"
@@ -24,7 +25,7 @@ TEST_P(NoisyScan, IsFartherFromTheTruthThanTheSurfacesFittedToIt) {
     const std::vector<double> angles = dihedralAngles(mesh);
     const Layout layout = testing::cheapestLayout(mesh);
     Triangles scan = makeScan(name, 60'000);
-    addNoise(scan, 0.0005 * diagonalOf(scan), 3);
+    addNoise(scan, 0.0005 * boundingBoxOf(scan.points).diagonal(), 3);
     double ofScan = 0;
     for (const Point& point : scan.points)
         ofScan += std::pow(truth->nearest(point).distance, 2);
@@ -65,7 +66,7 @@ TEST(DirtyScan, NeedsFewMoreControlPointsThanACleanOne) {
     const std::size_t expected = controlPointsFor(mesh, clean);
 
     Triangles torn{clean.points, {}};
-    const double radius = 0.08 * diagonalOf(clean);
+    const double radius = 0.08 * boundingBoxOf(clean.points).diagonal();
     const Point middle = clean.points[clean.points.size() / 3];
     for (const auto& face : clean.faces)
         if ((clean.points[at(face[0])] - middle).norm() > radius) torn.faces.push_back(face);
@@ -74,7 +75,7 @@ TEST(DirtyScan, NeedsFewMoreControlPointsThanACleanOne) {
     Triangles spiked = clean;
     const Triangles noise = [&] {
         Triangles all = clean;
-        addNoise(all, 0.01 * diagonalOf(clean), 1);
+        addNoise(all, 0.01 * boundingBoxOf(clean.points).diagonal(), 1);
         return all;
     }();
     for (std::size_t k = 0; k < spiked.points.size(); k += 100)

@@ -1,5 +1,6 @@
 #include "base/at.h"
 #include "bspline/reference/scan_reference.h"
+#include "mesh/bounding_box.h"
 #include "mesh/dihedral.h"
 #include "shape/scan.h"
 #include "shape/shape.h"
@@ -24,7 +25,8 @@ struct Part {
 
     Part(const std::string& part, int resolution, double rho = 0.6)
         : name(part), mesh(makeShape(part, {.resolution = resolution})),
-          layout(testing::segmentPerQuad(mesh)), diagonal(diagonalOf(makeScan(part, 2000))) {
+          layout(testing::segmentPerQuad(mesh)),
+          diagonal(boundingBoxOf(makeScan(part, 2000).points).diagonal()) {
         std::vector<bool> creases;
         for (const double angle : dihedralAngles(mesh))
             creases.push_back(angle > rho);

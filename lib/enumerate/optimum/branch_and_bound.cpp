@@ -168,10 +168,10 @@ bool BranchAndBound::comeBack(ColumnState::Mark mark, const Relaxation::Basis& b
 }
 
 void BranchAndBound::polish() {
-    if (!part_.options.polish || root_.presence().empty() || part_.incumbents.empty() ||
+    if (!polisher_ || root_.presence().empty() || part_.incumbents.empty() ||
         part_.incumbents.bestCost() >= polished_)
         return;
-    offer(part_.options.polish(part_.incumbents.graphs().begin()->second, root_.presence()));
+    offer(polisher_(part_.incumbents.graphs().begin()->second, root_.presence()));
     polished_ = part_.incumbents.bestCost();
 }
 

@@ -5,8 +5,10 @@
 #include "enumerate/optimum/root_relaxation.h"
 #include "enumerate/optimum/search_tree.h"
 
+#include <functional>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace qm {
@@ -24,6 +26,11 @@ public:
 
     /// Offers a known graph to begin with; only its values of the part's variables count.
     void offer(const Assignment& assignment);
+    /// Returns a graph that is at most as expensive; `relaxed` holds the values of the part's variables in
+    /// their order.
+    using Polish = std::function<Assignment(const Assignment& graph, const std::vector<double>& relaxed)>;
+    /// What to call in a hard part after its relaxation.
+    void polishWith(Polish polish) { polisher_ = std::move(polish); }
     void run();
     /// Searches on after `run` has come to the limit of nodes.
     void resume(std::size_t nodes);
@@ -60,6 +67,7 @@ private:
     bool complete_ = true;
     std::size_t nodes_ = 0;
     std::size_t nextLook_ = 1;
+    Polish polisher_;
     double polished_ = std::numeric_limits<double>::infinity(); ///< cost of the last graph that was
 };
 

@@ -6,12 +6,14 @@
 #include "enumerate/state/independent_parts.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace qm {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
 
 /// The cost of the variables that are in already, and of the corners between them.
 double fixedCost(const SearchState& state) {
@@ -65,6 +67,10 @@ private:
     bool searchPart(const Part& part) {
         BranchAndBound search(state_, part, optionsOf(part), control_);
         if (options_.start) search.offer(*options_.start);
+        if (options_.start && options_.polish)
+            search.polishWith([&](const Assignment& best, const std::vector<double>& relaxed) {
+                return polish(part, best, relaxed);
+            });
         search.run();
         if (mayUseDiagram(part) && !search.complete() && !control_.stopRequested()) {
             if (const auto& best = diagramOptimum_())
@@ -85,18 +91,15 @@ private:
     }
 
     [[nodiscard]] PartOptions optionsOf(const Part& part) const {
-        PartOptions options{1,
-                            infinity,
-                            options_.gap / static_cast<double>(parts_.size()),
-                            mayUseDiagram(part) ? options_.nodesBeforeDiagram : options_.nodes,
-                            options_.hard,
-                            options_.cut};
-        if (options_.start) options.large = options_.large;
-        if (part.size() >= options.large) options.nodes = 1;
-        if (options_.start && options_.polish)
-            options.polish = [this, &part](const Assignment& best, const std::vector<double>& relaxed) {
-                return polish(part, best, relaxed);
-            };
+        PartOptions options = options_;
+        options.best = 1;
+        options.maxCost = infinity; // that of the whole graph counts
+        options.gap /= static_cast<double>(parts_.size());
+        if (!options_.start) options.large = never;
+        if (part.size() >= options.large)
+            options.nodes = 1;
+        else if (mayUseDiagram(part))
+            options.nodes = options_.nodesBeforeDiagram;
         return options;
     }
 
@@ -139,10 +142,11 @@ void searchTogether(SearchState& state, const OptimumOptions& options, const Con
     std::vector<VariableId> variables;
     for (const VariableId v : state.problem().variables())
         if (state.isFree(v)) variables.push_back(v);
-    BranchAndBound search(
-        state, variables,
-        {options.best, options.maxCost - result.lowerBound, 0, options.nodes, options.hard, options.cut},
-        control);
+    PartOptions together = options;
+    together.maxCost -= result.lowerBound;
+    together.gap = 0;
+    together.large = never;
+    BranchAndBound search(state, variables, together, control);
     if (options.start) search.offer(*options.start);
     search.run();
     result.nodes = search.nodes();

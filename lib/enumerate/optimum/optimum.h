@@ -2,37 +2,25 @@
 #pragma once
 
 #include "base/control.h"
+#include "enumerate/optimum/part_options.h"
 #include "enumerate/state/search_state.h"
 #include "program/decomposition_bound.h"
 
 #include <functional>
-#include <limits>
 #include <optional>
 #include <vector>
 
 namespace qm {
 
-struct OptimumOptions {
-    std::size_t best = 1; ///< how many of the cheapest graphs to find
-    double maxCost = std::numeric_limits<double>::infinity();
-    double gap = 0;                  ///< stop when cost less lower bound is at most this
+struct OptimumOptions : PartOptions {
     std::optional<Assignment> start; ///< a valid graph to begin with
-    std::size_t nodes = 20'000'000;  ///< limit of the search tree of each part
     /// Returns a graph that is at most as expensive as the given one; needs a start. Called for hard parts
     /// after their relaxation; `relaxed` holds the relaxed value of every variable.
     std::function<Assignment(const Assignment& graph, const IdVector<VariableId, double>& relaxed)> polish =
         {};
-    /// From this number of variables on a part is hard, and smaller searches look for early graphs.
-    std::size_t hard = 1500;
-    /// From this number of variables on, cuts are added to the relaxation; smaller parts are proven as fast
-    /// without.
-    std::size_t cut = 300;
     /// Limit of the tree of a part that is not hard, before a decision diagram is tried. Few trees grow
     /// larger, but where the relaxation is weak they may grow without end.
     std::size_t nodesBeforeDiagram = 1000;
-    /// From this number of variables on, only the root of a part is searched, and its relaxation begins with
-    /// gradients, because the simplex method alone would take too long. Needs a start.
-    std::size_t large = std::numeric_limits<std::size_t>::max();
     bool keepOpenParts = false; ///< fill OptimumResult::openParts
 };
 

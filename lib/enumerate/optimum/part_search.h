@@ -4,29 +4,13 @@
 #include "base/control.h"
 #include "enumerate/optimum/column_state.h"
 #include "enumerate/optimum/part_cost.h"
+#include "enumerate/optimum/part_options.h"
 #include "enumerate/optimum/relaxation.h"
 #include "enumerate/state/incumbents.h"
 
-#include <functional>
-#include <limits>
 #include <vector>
 
 namespace qm {
-
-/// The task and the limits of the search of one part.
-struct PartOptions {
-    std::size_t best = 1;
-    double maxCost = std::numeric_limits<double>::infinity(); ///< of the part's variables and corners
-    double gap = 0;
-    std::size_t nodes = 20'000'000; ///< limit of the search tree; the default is what fits into memory
-    std::size_t hard = 1500; ///< from this number of variables on, smaller searches look for early graphs
-    std::size_t cut = 300;   ///< from this number of variables on, cuts are added to the relaxation
-    /// From this number of variables on, the relaxation begins near an optimum found by gradients.
-    std::size_t large = std::numeric_limits<std::size_t>::max();
-    /// Returns a graph that is at most as expensive; `relaxed` holds the values of the part's variables in
-    /// their order.
-    std::function<Assignment(const Assignment& graph, const std::vector<double>& relaxed)> polish = {};
-};
 
 /// A part of a problem, its relaxation, and the best graphs found so far.
 struct PartSearch {

@@ -8,11 +8,11 @@ bool LineRule::visit(VariableId variable) {
     const Chain& chain = problem_.chains[id];
     const ArcState state = assignment_.value(variable);
     if (chain.coveredBefore && chain.coveredAfter) {
-        const Hull& hull = hulls_[id];
+        const Gap& gap = gaps_[id];
         if (state == ArcState::out) {
             if (!openGap(id, variable)) return false;
-        } else if (!hull.empty()) {
-            const int step = variable < hull.first ? -1 : 1;
+        } else if (!gap.empty()) {
+            const int step = variable < gap.first ? -1 : 1;
             for (VariableId v = variable + step; chain.has(v); v = v + step)
                 if (!assignment_.set(v, ArcState::in)) return false;
         }
@@ -37,14 +37,14 @@ bool LineRule::closeOneSided(const Chain& chain, VariableId variable, ArcState s
 /// For a chain covered from both sides: extends the gap to a variable that is out, with everything between.
 bool LineRule::openGap(ChainId id, VariableId variable) {
     const Chain& chain = problem_.chains[id];
-    Hull& hull = hulls_[id];
-    const Hull before = hull;
-    if (!hull.empty() && variable >= hull.first && variable <= hull.last) return true;
-    hullTrail_.push_back({id, before});
+    Gap& gap = gaps_[id];
+    const Gap before = gap;
+    if (!gap.empty() && variable >= gap.first && variable <= gap.last) return true;
+    gapTrail_.push_back({id, before});
     const bool first = before.empty();
-    hull = first ? Hull{variable, variable}
-                 : Hull{std::min(before.first, variable), std::max(before.last, variable)};
-    for (const VariableId v : IdRange(hull.first, hull.last + 1))
+    gap = first ? Gap{variable, variable}
+                : Gap{std::min(before.first, variable), std::max(before.last, variable)};
+    for (const VariableId v : IdRange(gap.first, gap.last + 1))
         if (!assignment_.set(v, ArcState::out)) return false;
     if (!first) return true;
     for (const int step : {-1, 1}) {
@@ -70,9 +70,9 @@ void LineRule::promiseGap(ChainId chain) {
 }
 
 void LineRule::undo(const Mark& mark) {
-    while (hullTrail_.size() > mark.hulls) {
-        hulls_[hullTrail_.back().chain] = hullTrail_.back().before;
-        hullTrail_.pop_back();
+    while (gapTrail_.size() > mark.gaps) {
+        gaps_[gapTrail_.back().chain] = gapTrail_.back().before;
+        gapTrail_.pop_back();
     }
     while (promiseTrail_.size() > mark.promises) {
         promised_[promiseTrail_.back()] = false;

@@ -16,7 +16,7 @@ class LineRule {
 public:
     /// \param assignment  must outlive this
     LineRule(const Problem& problem, PartialAssignment& assignment)
-        : problem_(problem), assignment_(assignment), hulls_(problem.chains.size()),
+        : problem_(problem), assignment_(assignment), gaps_(problem.chains.size()),
           promised_(problem.chains.size(), false) {}
 
     [[nodiscard]] Cover coverOf(ChainId chain) const {
@@ -24,7 +24,7 @@ public:
         return isFull(chain) ? Cover::full : Cover::open;
     }
     /// True once a variable of the chain is out; always false for a chain not covered from both sides.
-    [[nodiscard]] bool hasGap(ChainId chain) const { return !hulls_[chain].empty(); }
+    [[nodiscard]] bool hasGap(ChainId chain) const { return !gaps_[chain].empty(); }
     /// All variables of the chain are in.
     [[nodiscard]] bool isFull(ChainId chain) const {
         return assignment_.inCount(chain) == problem_.chains[chain].count;
@@ -42,21 +42,21 @@ public:
     void promiseGap(ChainId chain);
 
     struct Mark {
-        std::size_t hulls = 0;
+        std::size_t gaps = 0;
         std::size_t promises = 0;
     };
-    [[nodiscard]] Mark mark() const { return {hullTrail_.size(), promiseTrail_.size()}; }
+    [[nodiscard]] Mark mark() const { return {gapTrail_.size(), promiseTrail_.size()}; }
     void undo(const Mark& mark);
 
 private:
-    struct Hull { ///< from the first to the last variable of a chain that is out
+    struct Gap { ///< from the first to the last variable of a chain that is out
         VariableId first;
         VariableId last;
         [[nodiscard]] bool empty() const { return !first.valid(); }
     };
-    struct HullChange {
+    struct GapChange {
         ChainId chain;
-        Hull before;
+        Gap before;
     };
 
     bool closeOneSided(const Chain& chain, VariableId variable, ArcState value);
@@ -64,9 +64,9 @@ private:
 
     const Problem& problem_;
     PartialAssignment& assignment_;
-    IdVector<ChainId, Hull> hulls_;
+    IdVector<ChainId, Gap> gaps_;
     IdVector<ChainId, bool> promised_; ///< whether a chain must have a gap
-    std::vector<HullChange> hullTrail_;
+    std::vector<GapChange> gapTrail_;
     std::vector<ChainId> promiseTrail_;
 };
 

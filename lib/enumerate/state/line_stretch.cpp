@@ -19,7 +19,7 @@ bool allIn(const ProblemInput& input, const Line& line, int begin, int end) {
 }
 
 bool hasSourceAtEnd(const ProblemInput& input, LineId line) {
-    return input.graph.lines[line.idx()].backward && input.walkers.end(line);
+    return input.graph.lines[line.idx()].backward && input.walkers.fromEnd(line);
 }
 
 /// The stretch from the first free arc to the last; `last` is negative if there is none.
@@ -34,7 +34,7 @@ LineStretch wholeStretch(const ProblemInput& input, LineId id) {
         }
     if (stretch.last < 0) return stretch;
     const bool atBegin = stretch.first == 0, atEnd = stretch.last == line.arcCount - 1;
-    const bool sourceAtBegin = input.walkers.begin(id), sourceAtEnd = hasSourceAtEnd(input, id);
+    const bool sourceAtBegin = input.walkers.fromBegin(id), sourceAtEnd = hasSourceAtEnd(input, id);
     stretch.beforeAnchored = sourceAtBegin && allIn(input, line, 0, stretch.first);
     stretch.beforeIn = atBegin ? sourceAtBegin : stateAt(input, line, stretch.first - 1) == ArcState::in;
     stretch.afterAnchored = sourceAtEnd && allIn(input, line, stretch.last + 1, line.arcCount);
@@ -77,7 +77,7 @@ ArcState domainOf(const ProblemInput& input, LineId id, const LineStretch& stret
     const bool mustCover =
         (stretch.beforeIn && !stretch.beforeAnchored) || (stretch.afterIn && !stretch.afterAnchored);
     const bool unreachable = !stretch.beforeAnchored && !stretch.afterAnchored && !mustCover;
-    const bool atSource = (position == 0 && input.walkers.begin(id)) ||
+    const bool atSource = (position == 0 && input.walkers.fromBegin(id)) ||
                           (position == line.arcCount - 1 && hasSourceAtEnd(input, id));
     ArcState domain = stateAt(input, line, position);
     if (atSource || mustCover) restrictDomain(input.graph, arc, domain, ArcState::in);

@@ -1,4 +1,4 @@
-#include "cut/front.h"
+#include "cut/bucket_queue.h"
 
 #include <gtest/gtest.h>
 
@@ -8,21 +8,21 @@
 namespace qm::testing {
 namespace {
 
-TEST(Front, HasTheOrderOfAHeapWhateverItsSteps) {
+TEST(BucketQueue, HasTheOrderOfAHeapWhateverItsSteps) {
     for (const double step : {0.0, 1e-9, 0.03, 1.0, 1e9}) {
         std::mt19937 random(7);
-        Front front(step);
-        std::priority_queue<Front::Entry, std::vector<Front::Entry>, std::greater<>> heap;
-        for (int use = 0; use < 2; ++use) { // an empty front can be used again
+        BucketQueue queue(step);
+        std::priority_queue<BucketQueue::Entry, std::vector<BucketQueue::Entry>, std::greater<>> heap;
+        for (int use = 0; use < 2; ++use) { // an empty queue can be used again
             const auto put = [&](double distance) {
-                const Front::Entry entry{distance, static_cast<int>(random() % 100),
-                                         static_cast<int>(random() % 9)};
-                front.push(entry);
+                const BucketQueue::Entry entry{distance, static_cast<int>(random() % 100),
+                                               static_cast<int>(random() % 9)};
+                queue.push(entry);
                 heap.push(entry);
             };
             put(0);
-            for (int k = 0; k < 5000 && !front.empty(); ++k) {
-                const Front::Entry entry = front.pop();
+            for (int k = 0; k < 5000 && !queue.empty(); ++k) {
+                const BucketQueue::Entry entry = queue.pop();
                 ASSERT_EQ(entry.distance, heap.top().distance);
                 ASSERT_EQ(entry.rank, heap.top().rank);
                 heap.pop();
@@ -31,8 +31,8 @@ TEST(Front, HasTheOrderOfAHeapWhateverItsSteps) {
                     put(std::max(0.0, entry.distance +
                                           static_cast<double>(static_cast<int>(random() % 50) - 5) / 100));
             }
-            while (!front.empty()) {
-                ASSERT_EQ(front.pop().distance, heap.top().distance);
+            while (!queue.empty()) {
+                ASSERT_EQ(queue.pop().distance, heap.top().distance);
                 heap.pop();
             }
             EXPECT_TRUE(heap.empty());

@@ -12,7 +12,7 @@ namespace qm {
 /// A priority queue for distances that mostly grow. Far entries are only sorted into buckets ("steps"), and
 /// only the nearest bucket is a heap. Entries are ordered by distance, and among equal distances by rank,
 /// whatever the width of the buckets.
-class Front {
+class BucketQueue {
 public:
     struct Entry {
         double distance;
@@ -25,7 +25,7 @@ public:
     };
 
     /// \param step  the usual difference of distance between neighbouring vertices; not negative
-    explicit Front(double step) : stepsPerLength_(step > 0 ? 1 / step : 0) {}
+    explicit BucketQueue(double step) : stepsPerLength_(step > 0 ? 1 / step : 0) {}
 
     /// \pre the distance is not negative; it may be below that of entries already taken
     void push(const Entry& entry) {

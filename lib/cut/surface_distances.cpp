@@ -1,4 +1,4 @@
-#include "cut/coarse_geodesics.h"
+#include "cut/surface_distances.h"
 
 #include "base/at.h"
 #include "base/sort_unique.h"
@@ -12,23 +12,31 @@ namespace {
 
 constexpr int unknown = std::numeric_limits<int>::max();
 
-/// The radius of a cell, in edges. In a grid of quads, cells of this radius have about 3/4 (radius + 1)^2
-/// vertices.
+/// The radius of a cell, in edges. Small sub-meshes take little time as they are. Large ones are divided into
+/// about 5,000 cells, however large they are: in a grid of quads, cells of this radius have about
+/// 3/4 (radius + 1)^2 vertices.
 int radiusFor(std::size_t vertices) {
-    constexpr double share = 0.75;
-    const double wanted = static_cast<double>(vertices) / (share * CoarseGeodesics::wantedCells);
+    constexpr std::size_t maxFine = 16000;
+    constexpr double wantedCells = 5000, share = 0.75;
+    if (vertices <= maxFine) return 0;
+    const double wanted = static_cast<double>(vertices) / (share * wantedCells);
     return std::max(1, static_cast<int>(std::lround(std::sqrt(wanted))) - 1);
 }
 
 } // namespace
 
-CoarseGeodesics::CoarseGeodesics(const QuadMesh& mesh, const std::vector<SubMeshId>& labels)
+SurfaceDistances::SurfaceDistances(const QuadMesh& mesh, const std::vector<SubMeshId>& labels)
     : mesh_(mesh), labels_(labels), steps_(mesh.n_vertices(), unknown), cellOf_(mesh.n_vertices(), 0) {}
 
-void CoarseGeodesics::coarsen(const std::vector<VertexId>& vertices) {
-    makeCells(vertices);
+void SurfaceDistances::prepare(const std::vector<VertexId>& vertices) {
+    prepare(vertices, radiusFor(vertices.size()));
+}
+
+void SurfaceDistances::prepare(const std::vector<VertexId>& vertices, int radius) {
+    makeCells(vertices, radius);
     const std::vector<CellTie> ties = cellTies(mesh_, labels_, vertices, cellOf_);
-    findNeighbours(ties);
+    // The front itself finds the distances of single vertices from their neighbours.
+    findNeighbours(radius > 0 ? ties : std::vector<CellTie>{});
     std::vector<Point> points;
     points.reserve(centres_.size());
     for (const VertexId centre : centres_)
@@ -38,8 +46,7 @@ void CoarseGeodesics::coarsen(const std::vector<VertexId>& vertices) {
 
 /// Every vertex that no cell has reached becomes a centre, and takes all vertices that are nearer to it than
 /// to earlier centres.
-void CoarseGeodesics::makeCells(const std::vector<VertexId>& vertices) {
-    const int radius = radiusFor(vertices.size());
+void SurfaceDistances::makeCells(const std::vector<VertexId>& vertices, int radius) {
     centres_.clear();
     for (const VertexId vertex : vertices)
         steps_[at(vertex)] = unknown;
@@ -47,7 +54,7 @@ void CoarseGeodesics::makeCells(const std::vector<VertexId>& vertices) {
         if (steps_[at(vertex)] == unknown) growCell(vertex, radius);
 }
 
-void CoarseGeodesics::growCell(VertexId centre, int radius) {
+void SurfaceDistances::growCell(VertexId centre, int radius) {
     const int cell = static_cast<int>(centres_.size());
     centres_.push_back(centre);
     steps_[at(centre)] = 0;
@@ -66,7 +73,7 @@ void CoarseGeodesics::growCell(VertexId centre, int radius) {
     }
 }
 
-void CoarseGeodesics::findNeighbours(const std::vector<CellTie>& ties) {
+void SurfaceDistances::findNeighbours(const std::vector<CellTie>& ties) {
     around_.assign(centres_.size(), {});
     for (std::size_t cell = 0; cell < around_.size(); ++cell)
         around_[cell].push_back(static_cast<int>(cell));
@@ -78,11 +85,11 @@ void CoarseGeodesics::findNeighbours(const std::vector<CellTie>& ties) {
     }
 }
 
-double CoarseGeodesics::length(VertexId vertex, int cell) const {
+double SurfaceDistances::length(VertexId vertex, int cell) const {
     return (mesh_.point(vertex) - mesh_.point(centres_[at(cell)])).norm();
 }
 
-std::vector<double> CoarseGeodesics::between(VertexId source, const std::vector<VertexId>& targets) {
+std::vector<double> SurfaceDistances::between(VertexId source, const std::vector<VertexId>& targets) {
     const std::vector<int>& near = around_[at(cellOf(source))];
     std::vector<Geodesics::Start> starts;
     starts.reserve(near.size());

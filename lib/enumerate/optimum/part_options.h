@@ -1,0 +1,25 @@
+/// \file The task and the limits of a search for the cheapest graphs.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+
+namespace qm {
+
+struct PartOptions {
+    std::size_t best = 1; ///< how many of the cheapest graphs to find
+    double maxCost = std::numeric_limits<double>::infinity();
+    double gap = 0; ///< stop when cost less lower bound is at most this
+    /// Limit of the search tree of each part; the default is what fits into memory.
+    std::size_t nodes = 20'000'000;
+    /// From this number of variables on a part is hard, and smaller searches look for early graphs.
+    std::size_t hard = 1500;
+    /// From this number of variables on, cuts are added to the relaxation; smaller parts are proven as fast
+    /// without.
+    std::size_t cut = 300;
+    /// From this number of variables on, only the root of a part is searched, and its relaxation begins with
+    /// gradients, because the simplex method alone would take too long. Needs a start.
+    std::size_t large = std::numeric_limits<std::size_t>::max();
+};
+
+} // namespace qm
