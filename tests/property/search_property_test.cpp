@@ -150,12 +150,12 @@ TEST(SearchProperty, CornersOfSegmentsAreThoseOfTheMesh) {
             const SubMeshes whole;
             const Corners corners(drawn->mesh, whole);
             const std::vector<double> free(drawn->mesh.n_edges(), 0);
-            const auto sure = static_cast<double>(corners.sure(SubMeshId(0)));
+            const auto fixed = static_cast<double>(corners.fixed(SubMeshId(0)));
             for (const Assignment& graph : *graphs) {
                 const auto all = static_cast<double>(countCorners(drawn->mesh, edgesOf(*drawn, graph)));
-                ASSERT_NEAR(costOf(drawn->problem, graph) + sure, all, 1e-9) << "case " << number;
+                ASSERT_NEAR(costOf(drawn->problem, graph) + fixed, all, 1e-9) << "case " << number;
                 const std::vector<bool> present = presentIn(*drawn, graph);
-                ASSERT_NEAR(costOf(space, present) + sure, all, 1e-9) << "case " << number;
+                ASSERT_NEAR(costOf(space, present) + fixed, all, 1e-9) << "case " << number;
                 const auto tracks = (gaps ? graphOf(drawn->mesh, drawn->complex, drawn->graph, present, free)
                                           : tMeshOf(drawn->mesh, drawn->complex, drawn->graph, present, free))
                                         .tracks;
