@@ -11,6 +11,7 @@
 #include "bspline/reference/limit_surface.h"
 #include "bspline/reference/sound_faces.h"
 #include "bspline/splines/interpolate.h"
+#include "mesh/bounding_box.h"
 #include "mesh/dihedral.h"
 #include "shape/shape.h"
 #include "support/cheapest_layout.h"
@@ -451,7 +452,9 @@ TEST(SmoothFit, DoesNotDependOnWhereTheModelLies) {
     const Surfaces there = fitSurfaces(far, layout, dihedralAngles(far), {});
     EXPECT_EQ(controlPointCount(there.patches), controlPointCount(here.patches));
     EXPECT_NEAR(there.deviation.bendingRatio, here.deviation.bendingRatio, 1e-3);
-    EXPECT_LT(there.deviation.largestGapRelative, 1e-12);
+    // Both sides of a gap are rounded as coordinates are there.
+    const double rounding = std::nextafter(moved[2], INFINITY) - moved[2];
+    EXPECT_LT(there.deviation.largestGapRelative, 4 * rounding / boundingBox(far).diagonal());
     EXPECT_LT(there.deviation.largestNormalAngle, 1e-7);
 }
 
