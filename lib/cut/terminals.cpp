@@ -7,7 +7,6 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
-#include <ranges>
 
 namespace qm {
 namespace {
@@ -97,8 +96,7 @@ std::vector<TerminalPair> farthest(const QuadMesh& mesh, const std::vector<Verte
 }
 
 std::vector<TerminalPair> betweenWalls(const QuadMesh& mesh, const std::vector<VertexId>& vertices) {
-    const BoundingBox box =
-        boundingBoxOf(vertices | std::views::transform([&](VertexId vertex) { return mesh.point(vertex); }));
+    const BoundingBox box = boundingBoxOf(vertices, [&](VertexId vertex) { return mesh.point(vertex); });
     std::vector<TerminalPair> pairs;
     for (unsigned axis = 0; axis < 3; ++axis) {
         Point lowWall = box.centre(), highWall = lowWall;

@@ -3,6 +3,7 @@
 
 #include "mesh/quad_mesh.h"
 
+#include <functional>
 #include <ranges>
 
 namespace qm {
@@ -17,13 +18,16 @@ struct BoundingBox {
     [[nodiscard]] double diagonal() const { return size().norm(); }
 };
 
-/// \return the origin if there are no points
-template <std::ranges::forward_range Points> [[nodiscard]] BoundingBox boundingBoxOf(const Points& points) {
-    if (std::ranges::empty(points)) return {};
-    BoundingBox box{*std::ranges::begin(points), *std::ranges::begin(points)};
-    for (const Point& point : points) {
-        box.low.minimize(point);
-        box.high.maximize(point);
+/// \param pointOf the point of an element of `items`
+/// \return the origin if there are no items
+template <std::ranges::forward_range Items, typename PointOf = std::identity>
+[[nodiscard]] BoundingBox boundingBoxOf(const Items& items, const PointOf& pointOf = {}) {
+    if (std::ranges::empty(items)) return {};
+    const Point first = std::invoke(pointOf, *std::ranges::begin(items));
+    BoundingBox box{first, first};
+    for (const auto& item : items) {
+        box.low.minimize(std::invoke(pointOf, item));
+        box.high.maximize(std::invoke(pointOf, item));
     }
     return box;
 }

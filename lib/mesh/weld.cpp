@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <ranges>
 #include <utility>
 
 namespace qm {
@@ -24,7 +23,7 @@ std::size_t cornerAt(const Soup& soup, Side side) {
 
 double toleranceOf(const Soup& soup) {
     const auto point = [&](std::int64_t corner) -> const Point& { return soup.points[at(corner)]; };
-    return 1e-9 * boundingBoxOf(soup.corners | std::views::transform(point)).size().max();
+    return 1e-9 * boundingBoxOf(soup.corners, point).size().max();
 }
 
 /// The sides that begin at each vertex.
