@@ -1,4 +1,5 @@
 #include "base/at.h"
+#include "bspline/measure/box_pieces.h"
 #include "bspline/measure/certified_deviation.h"
 #include "bspline/measure/folds.h"
 #include "bspline/measure/foot_search.h"
@@ -127,6 +128,56 @@ TEST(CertifiedDeviation, LooksLittleAtPlanesHoweverTheirParametersRun) {
     const auto deviation = certifiedDeviation(tilted.paired(), 0, {.negligible = 0.0021, .effort = 30});
     EXPECT_GE(deviation.upper, 0.00199);
     EXPECT_LE(deviation.upper, 0.0021);
+}
+
+TEST(CertifiedDeviation, ClosesWhereBordersSlideInAPlane) {
+    const auto plane = [](double i, double j) { return Point(i, j, 2); };
+    const auto slid = [](double i, double j) {
+        constexpr double wave = std::numbers::pi / 8; // zero on the boundary
+        return Point(i + 0.3 * std::sin(wave * i) * std::cos(0.8 * j), j, 2);
+    };
+    for (int turns = 0; turns < 4; ++turns) {
+        const Pair pair{{8, 8, plane}, {{0, 0, 4, 8}, {4, 0, 8, 8, turns}}, slid};
+        const PairedSurfaces surfaces = pair.paired();
+        for (std::size_t patch : {0U, 1U})
+            EXPECT_LE(certifiedDeviation(surfaces, patch, {.negligible = 1e-5}).upper, 1e-5) << turns;
+    }
+}
+
+TEST(BoxPieces, ContinueInTheNeighbourWhateverItsDirectionsAre) {
+    const ParameterBox box{{{3.5, 4.5}, {2, 3.25}}};
+    for (int turns = 0; turns < 4; ++turns) {
+        const Pair pair{{8, 6, wave}, {{0, 0, 4, 6}, {4, 0, 8, 6, turns}}, wave};
+        const PairedSurfaces surfaces = pair.paired();
+        int corners = 0;
+        double area = 0;
+        ASSERT_TRUE(BoxPieces(surfaces).visit(1, 0, box, [&](const BoxPiece& part) {
+            area += part.width[0] * part.width[1];
+            const int degree = part.piece.degree[0];
+            for (const std::size_t i : {0U, 1U})
+                for (const std::size_t j : {0U, 1U}) {
+                    if (!part.isAtEnd[0][i] || !part.isAtEnd[1][j]) continue;
+                    ++corners;
+                    const Point expected = wave(box[0][i], box[1][j]);
+                    const Eigen::Vector3d& found = part.piece.at(i == 0 ? 0 : degree, j == 0 ? 0 : degree);
+                    for (unsigned k = 0; k < 3; ++k)
+                        EXPECT_NEAR(found[k], expected[k], 1e-9) << turns;
+                }
+        }));
+        EXPECT_EQ(corners, 4);
+        EXPECT_NEAR(area, 1.25, 1e-9);
+    }
+}
+
+TEST(BoxPieces, EndWhereTwoNeighboursLieBeyondASide) {
+    const Pair pair{{8, 6, wave}, {{0, 0, 4, 6}, {4, 0, 8, 3}, {4, 3, 8, 6}}, wave};
+    const auto parts = [&](double from, double to) {
+        return boxParts(pair.paired(), 0, {{{3.5, 4.5}, {from, to}}});
+    };
+    EXPECT_EQ(parts(2, 3).size(), 2);
+    ASSERT_EQ(parts(2.5, 3.5).size(), 1);
+    EXPECT_EQ(parts(2.5, 3.5)[0].box[0][1], 4);
+    EXPECT_TRUE(parts(2.5, 3.5)[0].isAtEnd[0][1]);
 }
 
 TEST(CertifiedDeviation, FindsASpikeBetweenSamples) {

@@ -6,13 +6,14 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <vector>
 
 namespace qm {
 
 /// The ends along u and along v.
 using ParameterBox = std::array<std::array<double, 2>, 2>;
 
-/// A part of a box over which the surface is one polynomial.
+/// A part of a box over which the surface is one polynomial. Directions are those of the box's patch.
 struct BoxPiece {
     const BezierPiece& piece;    ///< over this part alone
     std::array<double, 2> width; ///< of the part, along u and v
@@ -20,47 +21,64 @@ struct BoxPiece {
         isAtEnd; ///< along u and v: whether it touches the first and the last side of the box
 };
 
+/// A part of a box that lies in one patch.
+struct BoxPart {
+    std::size_t patch = 0;
+    ParameterBox box; ///< in this patch's parameters
+    int turns = 0;    ///< counter-clockwise quarters from directions of the box to those of this patch
+    std::array<std::array<bool, 2>, 2> isAtEnd; ///< as of `BoxPiece`
+};
+
+/// Divides a box among patches. What reaches beyond a side of its own patch continues in the neighbour, if
+/// only one lies there, for as far as that reaches; what is left over is cut off.
+/// \param patch  whose parameters those of the box are
+[[nodiscard]] std::vector<BoxPart> boxParts(const PairedSurfaces& surfaces, std::size_t patch,
+                                            const ParameterBox& box);
+
 /// Reuses its memory, so every thread needs its own.
 class BoxPieces {
 public:
     explicit BoxPieces(const PairedSurfaces& surfaces) : surfaces_(surfaces) {}
 
-    /// \param box       within the patch
+    /// \param box       divided by `boxParts`
     /// \param function  called with every `BoxPiece`
     /// \return false, without any call, if there are too many pieces for a useful bound
     template <class Function>
     bool visit(std::size_t surface, std::size_t patch, const ParameterBox& box, const Function& function) {
-        const Cell first = surfaces_.cellAt({patch, {box[0][0], box[1][0]}});
-        const Cell last = surfaces_.cellAt({patch, {box[0][1], box[1][1]}});
+        const std::vector<BoxPart> parts = boxParts(surfaces_, patch, box);
         constexpr std::size_t many = 9;
-        constexpr double minWidth = 1e-12; // where a box only touches a cell: derivatives are divided by it
-        if ((last.interval[0] - first.interval[0] + 1) * (last.interval[1] - first.interval[1] + 1) > many)
-            return false;
-        Cell cell = first;
-        for (auto& row = cell.interval[1] = first.interval[1]; row <= last.interval[1]; ++row)
-            for (auto& column = cell.interval[0] = first.interval[0]; column <= last.interval[0]; ++column) {
-                std::array<double, 2> begin{};
-                std::array<double, 2> end{};
-                BoxPiece result{part_, {}, {}};
-                for (std::size_t k = 0; k < 2; ++k) {
-                    const auto [from, to] = surfaces_.range(cell, k);
-                    begin[k] = std::clamp((box[k][0] - from) / (to - from), 0.0, 1.0);
-                    end[k] = std::clamp((box[k][1] - from) / (to - from), 0.0, 1.0);
-                    result.width[k] = (to - from) * std::max(end[k] - begin[k], minWidth);
-                    result.isAtEnd[k] = {cell.interval[k] == first.interval[k],
-                                         cell.interval[k] == last.interval[k]};
-                }
-                surfaces_.get(surface, cell, cell_);
-                restrict(cell_, begin, end, part_);
-                function(result);
-            }
+        std::size_t number = 0;
+        for (const BoxPart& part : parts)
+            number += cellsOf(part).number();
+        if (number > many) return false;
+        for (const BoxPart& part : parts) {
+            const Cells cells = cellsOf(part);
+            for (std::size_t row = cells.first[1]; row <= cells.last[1]; ++row)
+                for (std::size_t column = cells.first[0]; column <= cells.last[0]; ++column)
+                    function(take(surface, part, cells, {column, row}));
+        }
         return true;
     }
 
 private:
+    /// Those that a part touches.
+    struct Cells {
+        std::array<std::size_t, 2> first;
+        std::array<std::size_t, 2> last;
+
+        [[nodiscard]] std::size_t number() const {
+            return (last[0] - first[0] + 1) * (last[1] - first[1] + 1);
+        }
+    };
+
+    [[nodiscard]] Cells cellsOf(const BoxPart& part) const;
+    [[nodiscard]] BoxPiece take(std::size_t surface, const BoxPart& part, const Cells& cells,
+                                const std::array<std::size_t, 2>& interval);
+
     const PairedSurfaces& surfaces_;
     BezierPiece cell_;
-    BezierPiece part_;
+    BezierPiece restricted_;
+    BezierPiece piece_;
 };
 
 } // namespace qm

@@ -26,7 +26,7 @@ struct CertifiedDeviation {
 struct CertificationOptions {
     double closing = 0.02;   ///< the search ends once `upper` is within this share of `lower`,
     double negligible = 0;   ///< or below this,
-    std::size_t effort = 16; ///< or after this number of steps per cell, and about 1000
+    std::size_t effort = 64; ///< or after this number of steps per cell, and about 1000
 
     [[nodiscard]] bool areClose(double upper, double lower) const;
 };

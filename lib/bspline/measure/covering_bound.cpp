@@ -90,11 +90,7 @@ double CoveringBound::operator()(const BezierPiece& box, std::size_t surface, co
         const double more = margin * own.along[k].width();
         sides[k] = {foot.place.at[k] + own.along[k].low - more, foot.place.at[k] + own.along[k].high + more};
     }
-    const auto extent = surfaces_.extent(foot.place.patch);
     for (int attempt = 0; attempt < attempts; ++attempt) {
-        for (std::size_t k = 0; k < 2; ++k)
-            for (double& end : sides[k])
-                end = std::clamp(end, 0.0, extent[k]);
         const auto covering = rectangleOver(sides, surface, foot, *frame, own, pieces_);
         if (!covering) break;
         const auto& [height, missing] = *covering;

@@ -16,7 +16,7 @@ namespace qm {
 /// Reuses its memory, so every thread needs its own.
 class CoveringBound {
 public:
-    explicit CoveringBound(const PairedSurfaces& surfaces) : surfaces_(surfaces), pieces_(surfaces) {}
+    explicit CoveringBound(const PairedSurfaces& surfaces) : pieces_(surfaces) {}
 
     /// \param box      of the one surface, as one polynomial
     /// \param surface  number of the other surface
@@ -27,7 +27,6 @@ public:
                                     double known);
 
 private:
-    const PairedSurfaces& surfaces_;
     BoxPieces pieces_;
 };
 

@@ -33,9 +33,7 @@ void subtractFrom(const BezierPiece& own, int turns, BezierPiece& difference) {
     auto point = own.points.begin();
     for (int j = 0; j <= degree; ++j)
         for (int i = 0; i <= degree; ++i, ++point) {
-            const std::array<std::array<int, 2>, 4> places{
-                {{i, j}, {degree - j, i}, {degree - i, degree - j}, {j, degree - i}}};
-            const auto& [column, row] = places[at(turns)];
+            const auto [column, row] = turnedIndex({i, j}, degree, turns);
             Eigen::Vector3d& here = difference.points[at(row) * width + at(column)];
             here = *point - here;
         }

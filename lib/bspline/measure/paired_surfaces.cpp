@@ -104,4 +104,11 @@ std::array<double, 2> turned(const std::array<double, 2>& vector, int quarters) 
     }
 }
 
+std::array<int, 2> turnedIndex(const std::array<int, 2>& index, int degree, int quarters) {
+    const auto [i, j] = index;
+    const std::array<std::array<int, 2>, 4> places{
+        {{i, j}, {degree - j, i}, {degree - i, degree - j}, {j, degree - i}}};
+    return places[at(quarters)];
+}
+
 } // namespace qm

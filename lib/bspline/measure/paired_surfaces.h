@@ -58,5 +58,7 @@ private:
 
 /// A vector of parameters after a number of counter-clockwise quarter turns.
 [[nodiscard]] std::array<double, 2> turned(const std::array<double, 2>& vector, int quarters);
+/// The column and row that control points of a square net have after so many quarter turns about its middle.
+[[nodiscard]] std::array<int, 2> turnedIndex(const std::array<int, 2>& index, int degree, int quarters);
 
 } // namespace qm
