@@ -1,5 +1,6 @@
 #include "cli/tool.h"
 
+#include "cli/allocation.h"
 #include "cli/command_line_rules.h"
 #include "cli/console.h"
 #include "cli/general_options.h"
@@ -236,6 +237,7 @@ int Tool::answer(const ToolBody& body) {
 
 int Tool::run(int argc, char** argv, const std::function<ToolBody(Tool&)>& declare) {
     const auto work = [&] {
+        keepFreedMemory();
         openStandardStreams();
         watchSignals();
         watchMemory(state_->usage.tool);
