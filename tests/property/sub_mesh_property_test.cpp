@@ -18,7 +18,7 @@
 namespace qm::testing {
 namespace {
 
-constexpr unsigned cases = 200;
+constexpr unsigned cases = 2000;
 
 struct Case {
     QuadMesh mesh;

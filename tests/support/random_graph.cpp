@@ -45,7 +45,8 @@ check::CheckedMesh randomGlued(std::mt19937& random) {
         sides[s] = static_cast<int>(s);
     std::shuffle(sides.begin(), sides.end(), random);
     std::vector<std::array<int, 2>> pairs;
-    const int open = draw(random, 0, 1) * draw(random, 0, squares);
+    const bool isOpen = draw(random, 0, 1) == 1;
+    const int open = draw(random, 0, squares) * (isOpen ? 1 : 0);
     for (std::size_t s = 0; s + 1 < sides.size() - static_cast<std::size_t>(2 * open); s += 2)
         pairs.push_back({sides[s], sides[s + 1]});
     return glued(squares, pairs, draw(random, 2, 4));
@@ -61,12 +62,17 @@ QuadMesh quadMesh(const check::CheckedMesh& mesh) {
 }
 
 std::optional<QuadMesh> randomMesh(std::mt19937& random) {
+    // Compilers evaluate arguments in different orders: numbers that are arguments are drawn before.
     try {
         switch (draw(random, 0, 9)) {
-        case 0:
-            return quadMesh(torus(draw(random, 3, 6), draw(random, 3, 6)));
-        case 1:
-            return quadMesh(tube(draw(random, 3, 6), draw(random, 1, 6)));
+        case 0: {
+            const int around = draw(random, 3, 6), along = draw(random, 3, 6);
+            return quadMesh(torus(around, along));
+        }
+        case 1: {
+            const int around = draw(random, 3, 6), along = draw(random, 1, 6);
+            return quadMesh(tube(around, along));
+        }
         case 2:
         case 3:
             return quadMesh(randomCubes(random));
