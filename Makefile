@@ -31,7 +31,7 @@ version := $(shell cat VERSION)
 # clang++ compiles a release in little more than half the time of g++; the tools run as fast and write the same bytes.
 # libFuzzer is clang's, too; the other configurations need what comes with g++. Make's own CXX counts as unset.
 ifeq ($(origin CXX),default)
-CXX := $(if $(filter fuzz,$(config)),clang++,$(if $(filter release,$(config)),$(notdir $(shell type -P clang++ || echo g++)),g++))
+CXX := $(or $(if $(filter fuzz,$(config)),clang++),$(if $(filter release,$(config)),$(notdir $(shell type -P clang++ || true))),g++)
 endif
 
 # The loops over the three coordinates of OpenMesh's vectors unrolled: a third of the time of a fit. Clang does so anyway.

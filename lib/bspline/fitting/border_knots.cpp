@@ -1,6 +1,7 @@
 #include "bspline/fitting/border_knots.h"
 
 #include "bspline/fitting/lattice_lines.h"
+#include "bspline/network/borders.h"
 
 #include <algorithm>
 #include <array>
@@ -47,7 +48,7 @@ private:
 
 /// The number of the lattice line that runs along a side.
 std::size_t lineAlong(const LatticeLines& lines, int side) {
-    return side == 1 || side == 2 ? lines.count() - 1 : 0;
+    return isFarSide(side) ? lines.count() - 1 : 0;
 }
 
 /// The knot that ends the interval from `begin`, if a cubic reaches to `farthest`: one that both sides have,

@@ -3,6 +3,7 @@
 #include "base/at.h"
 #include "base/positions.h"
 #include "bspline/fitting/folded_quads.h"
+#include "bspline/network/borders.h"
 #include "bspline/reference/sound_faces.h"
 #include "bspline/splines/evaluate.h"
 
@@ -48,8 +49,8 @@ void markSide(const LatticeSource& source, std::size_t side, const std::vector<S
               FitLattice& lattice) {
     const std::size_t along = side % 2;
     const auto& parameters = lattice.targets.parameters[along];
-    const bool isFar = side == 1 || side == 2;
-    const std::size_t across = isFar ? lattice.targets.parameters[1 - along].size() - 1 : 0;
+    const std::size_t across =
+        isFarSide(static_cast<int>(side)) ? lattice.targets.parameters[1 - along].size() - 1 : 0;
     const auto& isCrease = source.isCrease[side];
     const std::size_t last = parameters.size() - 1;
     for (std::size_t k = 0; k <= last; ++k) { // counter-clockwise

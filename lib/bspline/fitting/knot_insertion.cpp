@@ -2,6 +2,7 @@
 
 #include "bspline/fitting/initial_knots.h"
 #include "bspline/fitting/lattice_cells.h"
+#include "bspline/network/borders.h"
 #include "bspline/splines/basis.h"
 
 #include <algorithm>
@@ -52,7 +53,7 @@ private:
         const std::size_t direction = directionAlong(place.side);
         const double a = patchParameter(size, place, x);
         const double b = patchParameter(size, place, x + reach);
-        const bool isFar = place.side == 1 || place.side == 2;
+        const bool isFar = isFarSide(place.side);
         const double across = isFar ? size[1 - direction] : 0;
         KnotCell cell;
         cell.begin[direction] = std::min(a, b);
@@ -109,8 +110,7 @@ private:
         for (const bool isFar : {false, true}) {
             const double border = isFar ? size[other] : 0;
             if (border != (isFar ? cell.end[other] : cell.begin[other])) continue;
-            const int side = direction == 0 ? (isFar ? 2 : 0) : (isFar ? 1 : 3);
-            const auto across = map_.across(patch, side, worst.at[direction]);
+            const auto across = map_.across(patch, sideAcross(other, isFar), worst.at[direction]);
             if (!across) continue;
             const bool isOnBorder = worst.at[other] == border;
             if (!isOnBorder && !across->isSmooth) continue;

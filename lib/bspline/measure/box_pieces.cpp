@@ -1,5 +1,6 @@
 #include "bspline/measure/box_pieces.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -21,11 +22,6 @@ struct Continuation {
     }
 };
 
-/// The number of the side at the beginning or the end of a direction.
-int sideAt(std::size_t direction, std::size_t end) {
-    return direction == 0 ? (end == 0 ? 3 : 1) : (end == 0 ? 0 : 2);
-}
-
 /// The one beyond a stretch of a side; nothing if there is none, or more than one.
 std::optional<Continuation> continuationOver(const PairedSurfaces& surfaces, std::size_t patch,
                                              std::size_t direction, std::size_t end,
@@ -36,7 +32,7 @@ std::optional<Continuation> continuationOver(const PairedSurfaces& surfaces, std
     // What lies beyond is the same over a whole edge.
     for (double edge = std::floor(stretch[0]); edge < stretch[1]; ++edge) {
         at[1 - direction] = edge + 0.5;
-        const auto crossing = surfaces.across({patch, at}, sideAt(direction, end));
+        const auto crossing = surfaces.across({patch, at}, sideAcross(direction, end == 1));
         if (!crossing) return {};
         if (!result) {
             result = {at, crossing->to, crossing->turns};
@@ -62,17 +58,16 @@ bool seenTurned(const std::array<std::array<bool, 2>, 2>& flags, int turns, std:
 
 } // namespace
 
-std::vector<BoxPart> boxParts(const PairedSurfaces& surfaces, std::size_t patch, const ParameterBox& box) {
+BoxParts boxParts(const PairedSurfaces& surfaces, std::size_t patch, const ParameterBox& box) {
     const Parameters extent = surfaces.extent(patch);
     BoxPart inner{patch, box, 0, {{{true, true}, {true, true}}}};
     for (std::size_t k = 0; k < 2; ++k)
         for (double& end : inner.box[k])
             end = std::clamp(end, 0.0, extent[k]);
-    std::vector<BoxPart> beyond;
-    for (std::size_t k = 0; k < 2 && beyond.empty(); ++k)
+    BoxParts result;
+    for (std::size_t k = 0; k < 2 && result.empty(); ++k)
         for (const std::size_t end : {0U, 1U}) {
-            const double overshoot = std::abs(box[k][end] - inner.box[k][end]);
-            if (!(overshoot > 0)) continue;
+            if (box[k][end] == inner.box[k][end]) continue;
             const auto onwards = continuationOver(surfaces, patch, k, end, inner.box[1 - k]);
             if (!onwards) continue;
             ParameterBox strip = inner.box;
@@ -86,10 +81,10 @@ std::vector<BoxPart> boxParts(const PairedSurfaces& surfaces, std::size_t patch,
                                std::clamp(std::max(begin[d], to[d]), 0.0, there[d])};
             part.isAtEnd[k][1 - end] = false;
             inner.isAtEnd[k][end] = false;
-            beyond.push_back(part);
+            result.push_back(part);
         }
-    beyond.push_back(inner);
-    return beyond;
+    result.push_back(inner);
+    return result;
 }
 
 BoxPieces::Cells BoxPieces::cellsOf(const BoxPart& part) const {

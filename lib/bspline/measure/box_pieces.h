@@ -3,10 +3,10 @@
 
 #include "bspline/measure/paired_surfaces.h"
 
-#include <algorithm>
+#include <boost/container/static_vector.hpp>
+
 #include <array>
 #include <cstddef>
-#include <vector>
 
 namespace qm {
 
@@ -29,11 +29,14 @@ struct BoxPart {
     std::array<std::array<bool, 2>, 2> isAtEnd; ///< as of `BoxPiece`
 };
 
+/// The own one, and one beyond either end of a direction.
+using BoxParts = boost::container::static_vector<BoxPart, 3>;
+
 /// Divides a box among patches. What reaches beyond a side of its own patch continues in the neighbour, if
-/// only one lies there, for as far as that reaches; what is left over is cut off.
+/// only one lies there, for as far as that reaches; what is left over is cut off. A box that reaches beyond
+/// two neighbouring sides continues beyond one of them.
 /// \param patch  whose parameters those of the box are
-[[nodiscard]] std::vector<BoxPart> boxParts(const PairedSurfaces& surfaces, std::size_t patch,
-                                            const ParameterBox& box);
+[[nodiscard]] BoxParts boxParts(const PairedSurfaces& surfaces, std::size_t patch, const ParameterBox& box);
 
 /// Reuses its memory, so every thread needs its own.
 class BoxPieces {
@@ -45,7 +48,7 @@ public:
     /// \return false, without any call, if there are too many pieces for a useful bound
     template <class Function>
     bool visit(std::size_t surface, std::size_t patch, const ParameterBox& box, const Function& function) {
-        const std::vector<BoxPart> parts = boxParts(surfaces_, patch, box);
+        const BoxParts parts = boxParts(surfaces_, patch, box);
         constexpr std::size_t many = 9;
         std::size_t number = 0;
         for (const BoxPart& part : parts)

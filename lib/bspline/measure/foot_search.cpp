@@ -43,7 +43,7 @@ Step gaussNewton(const PiecePoint& here, const Eigen::Vector3d& away, const Para
         const double beyond = std::max(-result.to[k], result.to[k] - extent[k]);
         if (beyond <= overshoot) continue;
         overshoot = beyond;
-        result.side = k == 0 ? (result.to[k] < 0 ? 3 : 1) : (result.to[k] < 0 ? 0 : 2);
+        result.side = sideAcross(k, result.to[k] > 0);
     }
     if (result.side < 0) return result;
     // On the border the other parameter alone is free.
@@ -136,8 +136,8 @@ Foot FootSearch::operator()(std::size_t surface, const LayoutPlace& start, const
     };
     for (int side = 0; side < 4; ++side) {
         const std::size_t across = side % 2 == 1 ? 0 : 1;
-        const bool isFar = side == 1 || side == 2;
-        if (best.place.at[across] != (isFar ? surfaces_.extent(best.place.patch)[across] : 0)) continue;
+        if (best.place.at[across] != (isFarSide(side) ? surfaces_.extent(best.place.patch)[across] : 0))
+            continue;
         const auto crossing = surfaces_.across(best.place, side);
         if (crossing) tryFrom(crossing->to, (best.turns + crossing->turns) % 4);
     }

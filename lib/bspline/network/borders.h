@@ -30,4 +30,14 @@ struct BorderEdge {
 /// The parameters (u, v) at distance `along` from the beginning of a side.
 [[nodiscard]] std::array<double, 2> parametersOnSide(const std::array<int, 2>& size, int side, double along);
 
+/// Whether the parameter that runs across a side ends there, and does not begin.
+constexpr bool isFarSide(int side) {
+    return side == 1 || side == 2;
+}
+
+/// The side at which u (0) or v (1) begins, or ends if it `isFar`.
+constexpr int sideAcross(std::size_t direction, bool isFar) {
+    return direction == 0 ? (isFar ? 1 : 3) : (isFar ? 2 : 0);
+}
+
 } // namespace qm

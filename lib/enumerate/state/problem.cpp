@@ -131,7 +131,7 @@ private:
     /// The two particles of a line can only meet here, so that neither passes.
     bool isMeeting(const Junction& junction) const {
         for (const std::size_t k : {0U, 1U}) {
-            if (junction.seeded && k == 0) continue; // its particles begin here, and meet elsewhere
+            if (junction.seeded && k == 0) continue; // the seed's particles begin here, and meet elsewhere
             const ArcId before = std::min(junction.arcs[k], junction.arcs[k + 2]);
             if (before.valid() && input_.walkers.meeting(graph_.arcs[before.idx()].line) == before)
                 return true;
