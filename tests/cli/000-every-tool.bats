@@ -56,15 +56,15 @@ refuses_output_without_name() { misused "$1" -o; }
 @test "-o without a name is a usage error" { for_every_tool refuses_output_without_name; }
 
 opens_nothing_when_misused() {
-    run --separate-stderr "$1" no-such-file --no-such-option
+    captured "$1" no-such-file --no-such-option
     assert_equal "$status" 2
 }
 @test "the command line is read to its end before a file is opened" { for_every_tool opens_nothing_when_misused; }
 
 reports_a_closed_output() {
-    run --separate-stderr bash -c "$1 --help >&-"
+    captured bash -c "$1 --help >&-"
     assert_failure
-    run --separate-stderr bash -c "$1 --help >/dev/full"
+    captured bash -c "$1 --help >/dev/full"
     assert_equal "$status" 1
     assert_regex "$stderr" "^$1: "
 }

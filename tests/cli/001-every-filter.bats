@@ -71,7 +71,7 @@ for_every_filter() {
 @test "brackets nested without end" {
     { printf '{"x":'; head -c 1000000 /dev/zero | tr '\0' '['; } >nested
     for tool in "${FILTERS[@]}"; do
-        run --separate-stderr timeout 20 "$tool" nested
+        captured timeout 20 "$tool" nested
         assert_complaint "$tool"
     done
 }
@@ -140,7 +140,7 @@ for_every_filter() {
 @test "a full disk is an error" {
     for tool in "${FILTERS[@]}"; do
         input=$(input_of "$tool" block)
-        run --separate-stderr bash -c "$tool '$input' >/dev/full"
+        captured bash -c "$tool '$input' >/dev/full"
         assert_complaint "$tool"
     done
 }
@@ -149,7 +149,7 @@ for_every_filter() {
     for tool in "${FILTERS[@]}"; do
         input=$(input_of "$tool" block)
         # The reader is gone before the first byte is written.
-        run --separate-stderr bash -c "{ sleep 0.2; $tool '$input'; echo \"status \$?\" >&2; } | true"
+        captured bash -c "{ sleep 0.2; $tool '$input'; echo \"status \$?\" >&2; } | true"
         assert_regex "$stderr" 'status [1-9]'
         refute_regex "$stderr" 'terminate called'
     done
@@ -157,7 +157,7 @@ for_every_filter() {
 
 @test "a closed standard output is an error" {
     for tool in "${FILTERS[@]}"; do
-        run --separate-stderr bash -c "$tool '$(input_of "$tool" block)' >&-"
+        captured bash -c "$tool '$(input_of "$tool" block)' >&-"
         assert_failure
     done
 }
@@ -221,7 +221,7 @@ for_every_filter() {
     for tool in qm-basecomplex "${FILTERS[@]}"; do
         quietly "$tool" --schema
         echo "$output" | jq -e '."$schema" | test("draft-07")' >/dev/null
-        run --separate-stderr "$tool" --stats "$(input_of "$tool" block)" -o /dev/null
+        captured "$tool" --stats "$(input_of "$tool" block)" -o /dev/null
         assert_success
         assert_equal "${#stderr_lines[@]}" 1
         echo "$stderr" | jq -e 'type == "object"' >/dev/null
