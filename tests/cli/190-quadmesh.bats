@@ -4,7 +4,7 @@ load helpers.bash
 
 setup() {
     empty_folder
-    cp "$(sample block)" part.obj
+    cp "$(sample cube)" part.obj
     export TMPDIR=$PWD/temporary
     mkdir "$TMPDIR"
 }
@@ -32,6 +32,7 @@ fails_with() {
 }
 
 @test "a mesh becomes a STEP file, and a summary fits a terminal" {
+    cp "$(sample block)" part.obj
     quietly quadmesh part.obj -o part.step
     assert_line --regexp '^quads +3072 in 1 piece$'
     assert_line --regexp '^size +3 x 3 x 2 mm$'
@@ -46,6 +47,7 @@ fails_with() {
 }
 
 @test "every ending has its format, and several are written at once" {
+    cp "$(sample block)" part.obj
     quietly quadmesh part.obj -o a.step -o b.STP -o c.igs -o d.obj -o e.ply -o f.glb -o g.html -o h.json
     assert_equal "$(head -1 b.STP)" 'ISO-10303-21;'
     assert [ -s c.igs ]
@@ -105,6 +107,7 @@ fails_with() {
 }
 
 @test "--json gives the same figures" {
+    cp "$(sample block)" part.obj
     quietly quadmesh --json part.obj --unit inch -o part.step
     jq -e '.unit == "inch" and .quads == 3072 and .solid and .surfaces.deviation <= .surfaces.tolerance
         and .surfaces.gap < 1e-9 and .seconds > 0 and .unmet == [] and .boundaryLoops == []' <<<"$output"
@@ -126,6 +129,7 @@ fails_with() {
 }
 
 @test "values may be attached to the names of options" {
+    cp "$(sample block)" part.obj
     quietly quadmesh -j1 -opart.step --tolerance=1% --cut.chi=20 part.obj
     assert_line --regexp 'tolerance, 0\.0469 mm$'
     assert [ -s part.step ]
@@ -262,6 +266,7 @@ fails_with() {
 }
 
 @test "a full disk is one message, and leaves no part of a file" {
+    cp "$(sample block)" part.obj
     [[ -e /dev/shm && $(id -u) == 0 ]] || skip 'a small disk can be made by root only'
     mkdir small
     mount -t tmpfs -o size=64k tmpfs small || skip 'a small disk cannot be made here'
@@ -282,6 +287,7 @@ fails_with() {
 }
 
 @test "a file that other programs will hardly take is told, and the exit status is 3" {
+    cp "$(sample block)" part.obj
     run --separate-stderr quadmesh part.obj --bspline.fit interpolate -o part.step
     assert_equal "$status" 3
     assert_equal "${#stderr_lines[@]}" 1

@@ -4,7 +4,7 @@ load helpers.bash
 
 setup() {
     empty_folder
-    cp "$(sample block)" part.obj
+    cp "$(sample cube)" part.obj
 }
 
 layout_mk() { make --no-print-directory -f "$ROOT/pipelines/layout.mk" "$@"; }

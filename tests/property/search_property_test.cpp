@@ -285,10 +285,11 @@ double vectorsOf(const Problem& problem) {
 }
 
 TEST(SearchProperty, ThePapersAlgorithmsFindTheSameGraphs) {
+    constexpr int many = 4 * cases; // a ring through a seed with two arcs is rare
     for (const auto method :
          {CoordinateMethod::naive, CoordinateMethod::bounds, CoordinateMethod::improved}) {
         int compared = 0;
-        for (unsigned number = 0; number < cases; ++number) {
+        for (unsigned number = 0; number < many; ++number) {
             const auto drawn = drawCase(number);
             if (!drawn) continue;
             if (method == CoordinateMethod::naive && vectorsOf(drawn->problem) > 3e5) continue;
@@ -307,7 +308,7 @@ TEST(SearchProperty, ThePapersAlgorithmsFindTheSameGraphs) {
             ++compared;
             EXPECT_EQ(found, *graphs) << "case " << number << " method " << static_cast<int>(method);
         }
-        EXPECT_GT(compared, cases / 4) << "method " << static_cast<int>(method);
+        EXPECT_GT(compared, many / 4) << "method " << static_cast<int>(method);
     }
 }
 

@@ -13,7 +13,7 @@ struct Owners {
 
     /// Whether particles can pass this side; not at a feature seed or on a fixed line.
     [[nodiscard]] bool canPass(const CrossingSide& side) const {
-        return chain[side.before].valid() && chain[side.before] == chain[side.after] &&
+        return !side.seeded && chain[side.before].valid() && chain[side.before] == chain[side.after] &&
                side.after == side.before + 1;
     }
 };

@@ -111,9 +111,9 @@ private:
     CrossingSide side(JunctionId id, std::size_t k) const {
         const Junction& junction = graph_.junctions[id.idx()];
         const LineId line = graph_.arcs[junction.arcs[k].idx()].line;
-        const bool ends = junction.seeded && k == 0;
+        const bool seeded = junction.seeded && k == 0;
         return {variable(junction.arcs[k]), variable(junction.arcs[k + 2]),
-                ends ? CrackNodeId() : nodeOf_[line]};
+                seeded ? CrackNodeId() : nodeOf_[line], seeded};
     }
 
     /// One line is absent and the other a single variable or a seed's, so that no rule is left to obey.

@@ -45,6 +45,7 @@ struct CrossingSide {
     VariableId before;
     VariableId after;
     CrackNodeId node;
+    bool seeded = false; ///< a feature seed: particles begin here, both ways, and none passes
 };
 
 /// An ordinary junction between variables and constants (rules 2 and 4).
