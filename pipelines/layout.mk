@@ -172,7 +172,7 @@ $(eval $(call stamp,summary.json,SUMMARY))
 # -------------------------------------------------------------------------------------------- the report
 
 # Pictures are taken by Chromium; without it the report has none.
-pictures := $(if $(shell command -v chromium || command -v chromium-browser || command -v google-chrome),png)
+pictures := $(if $(shell command -v chromium-headless-shell || command -v chromium || command -v chromium-browser || command -v google-chrome),png)
 
 .PHONY: report report-parts
 report-parts: $(foreach model,$(models),$(addprefix $(OUT)/$(model).,summary.json step html $(pictures)))

@@ -10,13 +10,13 @@ setup_file() {
 KINDS=(basecomplex features cut enumeration layout surfaces)
 
 # A test that needs a browser ends here where there is none.
-needs_browser() { command -v chromium >/dev/null || skip 'there is no Chromium'; }
+needs_browser() { [[ $browser ]] || skip 'there is no Chromium'; }
 
 # seen PAGE: how many items of each layer a headless Chromium sees, as JSON; fails if the page complains in any way.
 seen() {
     local root=()
     ((EUID != 0)) || root=(--no-sandbox)
-    timeout 120 chromium --headless "${root[@]}" --use-angle=swiftshader --enable-unsafe-swiftshader --window-size="${window_size:-1000,700}" \
+    timeout 120 "$browser" --headless "${root[@]}" --use-angle=swiftshader --enable-unsafe-swiftshader --window-size="${window_size:-600,420}" \
         --user-data-dir="$PWD/profile" --virtual-time-budget="${virtual_time:-5000}" --enable-logging=stderr --v=0 \
         --dump-dom "file://$PWD/$1#census" >dom 2>log
     # What the graphics driver says about reading pixels back is no fault of the page.

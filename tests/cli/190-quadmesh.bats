@@ -59,7 +59,7 @@ fails_with() {
 }
 
 @test "pictures need Chromium" {
-    command -v chromium >/dev/null || skip 'there is no Chromium'
+    [[ $browser ]] || skip 'there is no Chromium'
     quietly quadmesh part.obj -o part.png -o part.html --view.size 320x240
     assert_equal "$(head -c 4 part.png | tail -c 3)" PNG
 }

@@ -19,6 +19,9 @@ export LSAN_OPTIONS=print_suppressions=0
 unset COMMON_OPTIONS BASECOMPLEX_OPTIONS FEATURES_OPTIONS CUT_OPTIONS ENUMERATION_OPTIONS LAYOUT_OPTIONS \
     PRUNED_OPTIONS SURFACES_OPTIONS MAKEFLAGS MAKELEVEL MFLAGS
 
+# What takes pictures of pages; empty if there is nothing.
+browser=$(type -P chromium-headless-shell chromium | head -n 1)
+
 # The real meshes, if this machine has them.
 SHARED_MESHES=${QM_SHARED_MESHES:-$ROOT/../shared/meshes}
 

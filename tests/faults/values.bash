@@ -36,7 +36,7 @@ texts() {
     'qm-view --view') echo 0,0,1 ;;
     'qm-view --up') echo 0,1,0 ;;
     'qm-view --section') echo x:0.5 ;;
-    'qm-view --png') ! command -v chromium >/dev/null || echo picture.png ;;
+    'qm-view --png') ! type -P chromium-headless-shell chromium >/dev/null || echo picture.png ;;
     'qm-view --size') echo 200x100 ;;
     'quadmesh --tolerance') echo 1% ;;
     'quadmesh --max-patches') printf '%s\n' 1 50 ;;
