@@ -52,9 +52,7 @@ quietly = $(if $(V),,@printf '%9s  %s\n' $(1) $(2) &&)
 
 warnings := -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror
 # With sanitizers GCC 12 takes initialised temporaries of the standard library for uninitialised.
-ifneq ($(filter sanitize tsan,$(config)),)
-warnings += -Wno-maybe-uninitialized
-endif
+warnings += $(if $(unrolled),$(if $(filter sanitize tsan,$(config)),-Wno-maybe-uninitialized))
 defines  := -DQM_VERSION='"$(version)"' -DVALIJSON_USE_EXCEPTIONS=1 -DJSON_DIAGNOSTICS=1
 # Boost.Graph warns about deprecated headers of its own.
 defines  += -DBOOST_ALLOW_DEPRECATED_HEADERS

@@ -2,7 +2,7 @@
 
 #include "bspline/fitting/fit_round.h"
 #include "bspline/fitting/fit_state.h"
-#include "bspline/fitting/plane_patches.h"
+#include "bspline/fitting/flat_patches.h"
 #include "bspline/fitting/verified_flattening.h"
 
 #include <algorithm>
@@ -61,7 +61,7 @@ public:
                const FitTarget& reference, const SmoothFitOptions& options, const std::vector<bool>& isSoft,
                const Verification& verify, unsigned jobs)
         : layout_(layout), options_(options), verify_(verify), jobs_(jobs),
-          planes_(planesOf(reference.grids, network, options.flatness)),
+          planes_(flatPatches(layout, reference.grids, network, options.flatness)),
           state_(mesh, layout, network, reference, options, isSoft, jobs) {}
 
     Fitted run(bool isLast, const Control& control) {
@@ -176,7 +176,7 @@ private:
     const SmoothFitOptions& options_;
     const Verification& verify_;
     unsigned jobs_;
-    std::vector<std::optional<Plane>> planes_;
+    std::vector<std::optional<FlatPatch>> planes_;
     FitState state_;
     int flattenings_ = 0; ///< that broke the tolerance
     int rounds_ = 0;      ///< in all searches together

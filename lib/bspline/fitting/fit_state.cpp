@@ -169,7 +169,7 @@ void FitState::restore(const FitRound& round) {
     assess(everywhere());
 }
 
-void FitState::flatten(const std::vector<std::optional<Plane>>& planes) {
+void FitState::flatten(const std::vector<std::optional<FlatPatch>>& planes) {
     qm::flatten(layout_, plan_, spaces_, planes, patches_, jobs_);
     assess(everywhere());
 }

@@ -4,11 +4,11 @@
 #include "bspline/fitting/fit_lattice.h"
 #include "bspline/fitting/fit_options.h"
 #include "bspline/fitting/fit_round.h"
+#include "bspline/fitting/flat_patches.h"
 #include "bspline/fitting/given_up_cells.h"
 #include "bspline/fitting/knot_plan.h"
 #include "bspline/fitting/lattice_errors.h"
 #include "bspline/fitting/normal_limits.h"
-#include "bspline/fitting/plane_patches.h"
 #include "bspline/fitting/thin_plate.h"
 #include "bspline/network/stretch_map.h"
 #include "bspline/reference/fit_target.h"
@@ -47,7 +47,7 @@ public:
     void restore(const FitRound& round);
 
     /// Moves plane patches into their planes, as far as these can be reached, and measures all patches again.
-    void flatten(const std::vector<std::optional<Plane>>& planes);
+    void flatten(const std::vector<std::optional<FlatPatch>>& planes);
 
     /// Increases the weights of points that are too far away, so that the largest error decides and not the
     /// mean.

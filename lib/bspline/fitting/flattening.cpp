@@ -3,10 +3,12 @@
 #include "base/at.h"
 #include "base/disjoint_sets.h"
 #include "base/parallel.h"
+#include "base/sort_unique.h"
 #include "bspline/fitting/continuity_equations.h"
 #include "bspline/fitting/free_patches.h"
 #include "bspline/fitting/free_unknowns.h"
 #include "bspline/fitting/least_change.h"
+#include "bspline/network/borders.h"
 #include "bspline/splines/eigen_point.h"
 
 #include <algorithm>
@@ -16,13 +18,13 @@
 namespace qm {
 namespace {
 
-using Planes = std::vector<std::optional<Plane>>;
+using FlatPatches = std::vector<std::optional<FlatPatch>>;
 
 /// The plane patches and those within two patches of them; all others stay as they are.
-std::vector<bool> movingPatches(const KnotPlan& plan, const Planes& planes) {
-    std::vector<bool> moves(planes.size());
-    for (std::size_t k = 0; k < planes.size(); ++k)
-        moves[k] = planes[k].has_value();
+std::vector<bool> movingPatches(const KnotPlan& plan, const FlatPatches& flat) {
+    std::vector<bool> moves(flat.size());
+    for (std::size_t k = 0; k < flat.size(); ++k)
+        moves[k] = flat[k].has_value();
     return withNeighbours(plan.stretches(), std::move(moves), 2);
 }
 
@@ -82,15 +84,30 @@ std::vector<Group> divided(const Layout& layout, const KnotPlan& plan, const std
     return groups;
 }
 
+/// What the patches of a group demand of their control points.
+struct Demands {
+    std::vector<PlaneDemand> planes;
+    std::vector<std::size_t> patchOf; ///< by demand
+};
+
+/// Whether a control point lies on a side of its patch.
+bool isOnSide(const std::array<int, 2>& count, std::size_t k, int side) {
+    const std::size_t across = 1 - directionAlong(side);
+    const std::size_t columns = at(count[0]);
+    const std::size_t index = across == 0 ? k % columns : k / columns;
+    return index == (isFarSide(side) ? at(count[across]) - 1 : 0);
+}
+
 /// Moves the plane patches of one group into their planes.
 class GroupFlattening {
 public:
-    GroupFlattening(const Group& group, Planes& planes, std::vector<Patch>& patches)
-        : group_(group), planes_(planes), patches_(patches), change_(group.unknowns, group.equations),
+    GroupFlattening(const Group& group, FlatPatches& flat, std::vector<Patch>& patches)
+        : group_(group), flat_(flat), patches_(patches), change_(group.unknowns, group.equations),
           points_(static_cast<Eigen::Index>(group.unknowns), 3) {
-        forEach([&](std::size_t, std::size_t unknown, const Point& point) {
-            points_.row(row(unknown)) = vector(point);
-        });
+        std::size_t unknown = 0;
+        for (const std::size_t patch : group_.patches)
+            for (const Point& point : patches_[patch].controlPoints)
+                points_.row(row(unknown++)) = vector(point);
     }
 
     void run() {
@@ -102,54 +119,79 @@ public:
 private:
     static Eigen::Index row(std::size_t unknown) { return static_cast<Eigen::Index>(unknown); }
 
-    template <class Function> void forEach(const Function& f) {
-        std::size_t unknown = 0;
-        for (const std::size_t patch : group_.patches)
-            for (Point& point : patches_[patch].controlPoints)
-                f(patch, unknown++, point);
+    Demands demands() const {
+        Demands result;
+        std::size_t first = 0;
+        for (const std::size_t patch : group_.patches) {
+            const std::size_t size = patches_[patch].controlPoints.size();
+            for (std::size_t k = 0; flat_[patch] && k < size; ++k) {
+                const auto add = [&](const Plane& plane) {
+                    result.planes.push_back({first + k, plane});
+                    result.patchOf.push_back(patch);
+                };
+                add(flat_[patch]->plane);
+                for (int side = 0; side < 4; ++side) {
+                    const auto& outline = flat_[patch]->outlines[at(side)];
+                    if (outline && isOnSide(patches_[patch].count, k, side)) add(*outline);
+                }
+            }
+            first += size;
+        }
+        return result;
+    }
+
+    /// Gives up what the worst demands are for.
+    void giveUp(const Demands& demands, const Eigen::VectorXd& blame) {
+        // Of the farthest: one that cannot be had keeps its neighbours away, too.
+        constexpr double worst = 0.8;
+        std::vector<std::size_t> blamed;
+        for (std::size_t k = 0; k < demands.patchOf.size(); ++k)
+            if (blame[row(k)] >= worst * blame.maxCoeff()) blamed.push_back(demands.patchOf[k]);
+        sortUnique(blamed);
+        for (const std::size_t patch : blamed) {
+            auto& outlines = flat_[patch]->outlines;
+            const bool hasOutlines =
+                std::ranges::any_of(outlines, [](const auto& o) { return o.has_value(); });
+            if (hasOutlines)
+                outlines = {};
+            else
+                flat_[patch].reset();
+        }
     }
 
     /// \return whether all planes could be reached at once; if not, the worst are dropped and the patches stay
     bool tryAll() {
-        std::vector<PlaneDemand> demands;
-        std::vector<std::size_t> demanding;
-        forEach([&](std::size_t patch, std::size_t unknown, const Point&) {
-            if (!planes_[patch]) return;
-            demands.push_back({unknown, *planes_[patch]});
-            demanding.push_back(patch);
-        });
-        if (demands.empty()) return true;
-        const Eigen::MatrixX3d flat = change_.run(demands, points_);
+        const Demands wanted = demands();
+        if (wanted.planes.empty()) return true;
+        const Eigen::MatrixX3d flat = change_.run(wanted.planes, points_);
 
         constexpr double rounding = 1e-12;
         constexpr double tooFar = 1e-8;
-        constexpr double worst =
-            0.8; // of the farthest: one that cannot be had keeps its neighbours away, too
         // In multiples of the distance that was missing: planes that can hardly be reached push all patches
         // around away.
         constexpr double tooMuch = 20;
         const double size = largestDistance(points_);
-        const Eigen::VectorXd left = missingHeights(demands, flat).cwiseAbs();
+        const Eigen::VectorXd left = missingHeights(wanted.planes, flat).cwiseAbs();
         const Eigen::VectorXd moved = (flat - points_).rowwise().norm();
-        const double before = missingHeights(demands, points_).lpNorm<Eigen::Infinity>();
+        const double before = missingHeights(wanted.planes, points_).lpNorm<Eigen::Infinity>();
         const bool misses = left.maxCoeff() > tooFar * size;
         if (misses || moved.maxCoeff() > tooMuch * before + tooFar * size ||
             change_.violation(flat - points_) > rounding * size) {
             Eigen::VectorXd blame = left;
             for (Eigen::Index k = 0; !misses && k < blame.size(); ++k)
-                blame[k] = moved[row(demands[at(k)].unknown)];
-            for (std::size_t k = 0; k < demanding.size(); ++k)
-                if (blame[row(k)] >= worst * blame.maxCoeff()) planes_[demanding[k]].reset();
+                blame[k] = moved[row(wanted.planes[at(k)].unknown)];
+            giveUp(wanted, blame);
             return false;
         }
-        forEach([&](std::size_t, std::size_t unknown, Point& to) {
-            to = point(Eigen::Vector3d(flat.row(row(unknown))));
-        });
+        std::size_t unknown = 0;
+        for (const std::size_t patch : group_.patches)
+            for (Point& to : patches_[patch].controlPoints)
+                to = point(Eigen::Vector3d(flat.row(row(unknown++))));
         return true;
     }
 
     const Group& group_;
-    Planes& planes_;
+    FlatPatches& flat_;
     std::vector<Patch>& patches_;
     LeastChange change_;
     Eigen::MatrixX3d points_; ///< before flattening
@@ -157,11 +199,10 @@ private:
 
 } // namespace
 
-void flatten(const Layout& layout, const KnotPlan& plan, const std::vector<PatchSpace>& spaces, Planes planes,
-             std::vector<Patch>& patches, unsigned jobs) {
-    const std::vector<Group> groups = divided(layout, plan, spaces, movingPatches(plan, planes));
-    parallelFor(groups.size(), jobs,
-                [&](std::size_t k) { GroupFlattening(groups[k], planes, patches).run(); });
+void flatten(const Layout& layout, const KnotPlan& plan, const std::vector<PatchSpace>& spaces,
+             FlatPatches flat, std::vector<Patch>& patches, unsigned jobs) {
+    const std::vector<Group> groups = divided(layout, plan, spaces, movingPatches(plan, flat));
+    parallelFor(groups.size(), jobs, [&](std::size_t k) { GroupFlattening(groups[k], flat, patches).run(); });
 }
 
 } // namespace qm

@@ -13,7 +13,7 @@ namespace {
 /// Drops the planes of spoiled patches and of those beside them.
 /// \return whether there are any
 bool dropSpoiled(const std::vector<Stretch>& stretches, const std::vector<bool>& isSpoiled,
-                 std::vector<std::optional<Plane>>& planes) {
+                 std::vector<std::optional<FlatPatch>>& planes) {
     const std::vector<bool> dropped = withNeighbours(stretches, isSpoiled, 1);
     for (std::size_t patch = 0; patch < planes.size(); ++patch)
         if (dropped[patch]) planes[patch].reset();
@@ -22,7 +22,7 @@ bool dropSpoiled(const std::vector<Stretch>& stretches, const std::vector<bool>&
 
 } // namespace
 
-void flattenWhereKept(const Layout& layout, std::vector<std::optional<Plane>> planes,
+void flattenWhereKept(const Layout& layout, std::vector<std::optional<FlatPatch>> planes,
                       const Verification& verify, FitRound& round, unsigned jobs) {
     constexpr int attempts = 5;
     constexpr double worse = 1.01;

@@ -3,7 +3,7 @@
 
 #include "bspline/fitting/fit_options.h"
 #include "bspline/fitting/fit_round.h"
-#include "bspline/fitting/plane_patches.h"
+#include "bspline/fitting/flat_patches.h"
 #include "layout/layout.h"
 
 #include <optional>
@@ -16,7 +16,7 @@ namespace qm {
 /// are, the round stays as it is.
 /// \param planes  by patch
 /// \param round   with verified distances
-void flattenWhereKept(const Layout& layout, std::vector<std::optional<Plane>> planes,
+void flattenWhereKept(const Layout& layout, std::vector<std::optional<FlatPatch>> planes,
                       const Verification& verify, FitRound& round, unsigned jobs);
 
 } // namespace qm
