@@ -3,6 +3,8 @@
 #include "base/parallel.h"
 
 #include <algorithm>
+#include <atomic>
+#include <optional>
 #include <utility>
 
 namespace qm {
@@ -34,15 +36,29 @@ OptimumResult GraphImprover::searchTree(const Control& control, const Control& o
     options.start = assignmentOf(problem_, present_);
     options.large = Tuning::large;
     options.keepOpenParts = true;
-    Ahead windows(control.jobs, [&] { searchWindows({}, fastWindows(Tuning::fastShare), ofFirstWindows); });
+    std::atomic<bool> areOver = false;
+    Control beside = ofFirstWindows;
+    beside.stopRequested = [&] { return areOver || ofFirstWindows.stopRequested(); };
+    std::optional<Ahead> windows(std::in_place, control.jobs,
+                                 [&] { searchWindows({}, fastWindows(Tuning::fastShare), beside); });
+    options.near = [&](double bound, const IdVector<VariableId, double>& relaxed) {
+        known_.setBound(bound);
+        if (control.jobs == 1) return; // the relaxation would wait for them
+        areOver = true;
+        windows->wait();
+        areOver = false;
+        windows.emplace(control.jobs, [&, relaxed] { searchWindows(relaxed, patientWindows(), beside); });
+    };
     options.polish = [&](const Assignment& graph, const IdVector<VariableId, double>& relaxed) {
-        windows.wait();
+        areOver = isLarge();
+        windows->wait();
         take(graph);
         searchWindows(relaxed, fastWindows(isLarge() ? Tuning::relaxedShare : Tuning::fastShare), control);
         return assignmentOf(problem_, present_);
     };
     OptimumResult found = findOptimum(problem_, options, control);
-    windows.wait();
+    areOver = isLarge();
+    windows->wait();
     if (!found.graphs.empty()) take(found.graphs.front());
     return found;
 }
@@ -68,6 +84,12 @@ void GraphImprover::take(const Assignment& graph) {
 WindowOptions GraphImprover::fastWindows(std::size_t share) const {
     WindowOptions options;
     options.maxVariables = std::max(Tuning::fastWindow, problem_.arcs.size() / share);
+    return options;
+}
+
+WindowOptions patientWindows() {
+    WindowOptions options;
+    options.patient = true;
     return options;
 }
 

@@ -25,7 +25,8 @@ public:
     /// would take half a minute.
     [[nodiscard]] bool isLarge() const;
 
-    /// Searches the whole mesh, and at the same time windows of the present graph.
+    /// Searches the whole mesh, and at the same time windows of the present graph: of large problems those
+    /// that gradients show to be in need of it, as soon as these have been used.
     /// \param control         of the search of the whole mesh
     /// \param ofFirstWindows  of the windows that are searched before the relaxation is known
     /// \return includes the lower bound
@@ -52,5 +53,8 @@ private:
     std::size_t windows_ = 0;
     std::size_t improvements_ = 0;
 };
+
+/// Options for windows of all sizes, which are searched until the time is up.
+[[nodiscard]] WindowOptions patientWindows();
 
 } // namespace qm

@@ -18,7 +18,7 @@ namespace {
 
 struct Tuning {
     /// Share of the time for the search of the whole mesh, which gives both bound and graph. If parts are
-    /// large, their root may take all of the time, because there is no bound before.
+    /// large, their root may take all of the time: no window finds graphs as good as those near its solution.
     static constexpr double shareOfTree = 0.55;
     /// Share of the time for the windows that a single thread searches before the whole mesh.
     static constexpr double shareOfFirst = 0.2;
@@ -66,12 +66,10 @@ Improvement improveGraph(const QuadMesh& mesh, const BaseComplex& complex,
     if (!found.complete) {
         const std::array<std::function<void()>, 2> work{
             [&] {
-                WindowOptions allSizes;
-                allSizes.patient = true;
                 // Without open parts there is no bound to improve, and windows get all of the time.
                 Control ofWindows = (found.openParts.empty() ? end : windows).control();
                 if (together) ofWindows.jobs -= telling.jobs / 2;
-                improver.searchWindows(found.relaxed, allSizes, ofWindows);
+                improver.searchWindows(found.relaxed, patientWindows(), ofWindows);
             },
             [&] {
                 Control ofBounds = telling;

@@ -158,7 +158,8 @@ TEST(RelaxationCuts, EveryGraphObeysThem) {
                     formulation.rows.push_back(row);
                 }
         }
-        Relaxation relaxation(formulation, columns);
+        const Control control;
+        Relaxation relaxation(formulation, columns, control);
         for (const Assignment& assignment : drawn->graphs) {
             const ColumnState::Mark mark = columns.mark();
             for (const VariableId v : drawn->problem->variables())

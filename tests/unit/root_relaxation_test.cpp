@@ -2,6 +2,7 @@
 #include "enumerate/optimum/near_start.h"
 #include "enumerate/optimum/node_relaxation.h"
 #include "enumerate/optimum/root_relaxation.h"
+#include "enumerate/optimum/stop_on_request.h"
 #include "support/random_problem.h"
 
 #include <coin/ClpSimplex.hpp>
@@ -132,7 +133,8 @@ TEST(RootRelaxation, IsBoundedByGradients) {
     const int searches = forEachSearch([](WholeSearch& search, const std::vector<Assignment>&) {
         RootRelaxation root(search.part);
         EXPECT_FALSE(root.takeNear());
-        const double near = root.startByGradients();
+        const double near = root.relaxNearly();
+        root.startFromNear();
         EXPECT_EQ(root.presence().size(), search.part.variables.size());
         double bound = -infinity;
         ASSERT_EQ(relaxNode(search.part, bound), RelaxedNode::solved);
@@ -196,7 +198,7 @@ protected:
 };
 
 TEST_F(NearStart, IsSoonAtTheOptimum) {
-    solveFromNear(solver, near, rows, {});
+    solveFromNear(solver, near, rows);
     EXPECT_EQ(solver.status(), 0);
     EXPECT_NEAR(solver.objectiveValue(), columns / 2.0, 1e-9);
     EXPECT_LE(solver.numberIterations(), 5) << "the basis was that of the optimum already";
@@ -208,9 +210,12 @@ TEST_F(NearStart, StopsWhenItIsAskedTo) {
     const int perturbation = solver.perturbation();
     Control stopped;
     stopped.stopRequested = [] { return true; };
-    solveFromNear(solver, near, rows, stopped);
-    EXPECT_NE(solver.status(), 0);
+    StopOnRequest handler(stopped);
+    solver.passInEventHandler(&handler);
+    solveFromNear(solver, near, rows);
+    EXPECT_EQ(solver.status(), 5);
     EXPECT_EQ(solver.perturbation(), perturbation);
+    stopped.stopRequested = [] { return false; };
     solver.primal();
     EXPECT_EQ(solver.status(), 0) << "nobody asks it to stop any more";
     EXPECT_NEAR(solver.objectiveValue(), columns / 2.0, 1e-9);

@@ -29,12 +29,19 @@ void BranchAndBound::offer(const Assignment& assignment) {
 void BranchAndBound::run() {
     if (part_.columns.consistent()) {
         double bound = part_.cost.lowerBound(part_.state);
-        if (part_.variables.size() >= part_.options.large) bound = std::max(bound, root_.startByGradients());
+        if (part_.variables.size() >= part_.options.large) bound = std::max(bound, relaxNearly());
         tree_.open(tree_.add({}, {}), bound);
         guessGraphs(part_);
         search();
     }
     summarise();
+}
+
+double BranchAndBound::relaxNearly() {
+    const double bound = root_.relaxNearly();
+    if (near_) near_(bound, root_.presence());
+    root_.startFromNear();
+    return bound;
 }
 
 void BranchAndBound::resume(std::size_t nodes) {

@@ -31,6 +31,10 @@ public:
     using Polish = std::function<Assignment(const Assignment& graph, const std::vector<double>& relaxed)>;
     /// What to call in a hard part after its relaxation.
     void polishWith(Polish polish) { polisher_ = std::move(polish); }
+    /// Learns a lower bound and the relaxed values of the part's variables in their order.
+    using Near = std::function<void(double bound, const std::vector<double>& relaxed)>;
+    /// What to call in a large part as soon as it is nearly relaxed, long before it is relaxed.
+    void tellNear(Near near) { near_ = std::move(near); }
     void run();
     /// Searches on after `run` has come to the limit of nodes.
     void resume(std::size_t nodes);
@@ -49,6 +53,7 @@ public:
     [[nodiscard]] const std::vector<double>& rootPresence() const { return root_.presence(); }
 
 private:
+    double relaxNearly();
     void search();
     void summarise();
     bool replay(SearchTree::NodeId node);
@@ -68,6 +73,7 @@ private:
     std::size_t nodes_ = 0;
     std::size_t nextLook_ = 1;
     Polish polisher_;
+    Near near_;
     double polished_ = std::numeric_limits<double>::infinity(); ///< cost of the last graph that was
 };
 

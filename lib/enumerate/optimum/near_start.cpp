@@ -2,7 +2,6 @@
 
 #include "base/at.h"
 
-#include <coin/ClpEventHandler.hpp>
 #include <coin/ClpSimplex.hpp>
 
 #include <algorithm>
@@ -18,18 +17,6 @@ constexpr double fractional = 0.02;
 
 /// Clp's value for "none". Perturbed costs would lead away from a solution that is nearly optimal.
 constexpr int noPerturbation = 100;
-
-/// Stops the solver when the caller asks for it.
-class StopOnRequest : public ClpEventHandler {
-public:
-    explicit StopOnRequest(const Control& control) : control_(&control) {}
-    int event(Event /*event*/) override { return control_->stopRequested() ? stop : goOn; }
-    [[nodiscard]] ClpEventHandler* clone() const override { return new StopOnRequest(*this); }
-
-private:
-    static constexpr int stop = 5, goOn = -1; ///< return values defined by Clp
-    const Control* control_;
-};
 
 /// Sets the values and the status of all columns.
 /// \return the number of basic columns
@@ -66,18 +53,13 @@ void setTightRows(ClpSimplex& solver, const IdVector<RowId, double>& duals,
 
 } // namespace
 
-void solveFromNear(ClpSimplex& solver, const RelaxedProgram& near, const std::vector<std::size_t>& rows,
-                   const Control& control) {
+void solveFromNear(ClpSimplex& solver, const RelaxedProgram& near, const std::vector<std::size_t>& rows) {
     solver.createStatus();
     setTightRows(solver, near.duals, rows, setColumns(solver, near.values));
     const int perturbation = solver.perturbation();
     solver.setPerturbation(noPerturbation);
-    StopOnRequest handler(control);
-    solver.passInEventHandler(&handler);
     solver.setMaximumIterations(std::numeric_limits<int>::max());
     solver.primal();
-    ClpEventHandler none;
-    solver.passInEventHandler(&none);
     solver.setPerturbation(perturbation);
 }
 

@@ -2,7 +2,6 @@
 /// (docs/METHOD.md#large-relaxations).
 #pragma once
 
-#include "base/control.h"
 #include "program/decomposition_bound.h"
 
 #include <cstddef>
@@ -13,10 +12,9 @@ class ClpSimplex;
 namespace qm {
 
 /// Makes a basis near the solution: columns strictly between 0 and 1 are basic, and as many rows are tight,
-/// those with the largest duals. Then solves from this basis, until `control.stopRequested` at the latest.
+/// those with the largest duals. Then solves from this basis.
 /// \param solver  has the columns of `near`, in their order
 /// \param rows    for every row of the solver, its number in `near`
-void solveFromNear(ClpSimplex& solver, const RelaxedProgram& near, const std::vector<std::size_t>& rows,
-                   const Control& control);
+void solveFromNear(ClpSimplex& solver, const RelaxedProgram& near, const std::vector<std::size_t>& rows);
 
 } // namespace qm

@@ -71,6 +71,12 @@ private:
             search.polishWith([&](const Assignment& best, const std::vector<double>& relaxed) {
                 return polish(part, best, relaxed);
             });
+        if (options_.start && options_.near)
+            search.tellNear([&](double bound, const std::vector<double>& relaxed) {
+                // Of later parts nothing is known yet, but usually only the last is large.
+                const bool isLast = &part == &parts_.back();
+                options_.near(isLast ? result_.lowerBound + bound : -infinity, withRelaxed(part, relaxed));
+            });
         search.run();
         if (mayUseDiagram(part) && !search.complete() && !control_.stopRequested()) {
             if (const auto& best = diagramOptimum_())
@@ -107,12 +113,18 @@ private:
     [[nodiscard]] Assignment polish(const Part& part, const Assignment& best,
                                     const std::vector<double>& relaxedPart) const {
         Assignment graph = *options_.start;
+        for (const VariableId v : part)
+            graph[v] = best[v];
+        return options_.polish(graph, withRelaxed(part, relaxedPart));
+    }
+
+    /// What is known of the relaxed values of all variables, and those of one part.
+    [[nodiscard]] IdVector<VariableId, double> withRelaxed(const Part& part,
+                                                           const std::vector<double>& relaxedPart) const {
         IdVector<VariableId, double> relaxed = result_.relaxed;
-        for (std::size_t k = 0; k < part.size(); ++k) {
-            graph[part[k]] = best[part[k]];
+        for (std::size_t k = 0; k < part.size(); ++k)
             relaxed[part[k]] = relaxedPart[k];
-        }
-        return options_.polish(graph, relaxed);
+        return relaxed;
     }
 
     /// Adds what a search has found out about a part, other than its graph.

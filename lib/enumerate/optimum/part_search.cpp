@@ -7,7 +7,7 @@ PartSearch::PartSearch(SearchState& searched, std::vector<VariableId> free, cons
                        const Control& controls)
     : state(searched), variables(std::move(free)), cost(state, variables), options(wanted), control(controls),
       incumbents(options.best, options.maxCost), formulation(formulate(state, variables)),
-      columns(state, formulation), relaxation(formulation, columns) {}
+      columns(state, formulation), relaxation(formulation, columns, control) {}
 
 bool PartSearch::allDecided() const {
     return std::ranges::none_of(variables, [this](VariableId variable) { return state.isFree(variable); });

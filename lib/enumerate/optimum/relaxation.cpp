@@ -2,6 +2,7 @@
 
 #include "base/at.h"
 #include "enumerate/optimum/near_start.h"
+#include "enumerate/optimum/stop_on_request.h"
 
 #include <coin/ClpSimplex.hpp>
 
@@ -11,7 +12,7 @@
 
 namespace qm {
 
-Relaxation::Relaxation(const Formulation& formulation, const ColumnState& state)
+Relaxation::Relaxation(const Formulation& formulation, const ColumnState& state, const Control& control)
     : formulation_(&formulation), rows_(formulation), solver_(std::make_unique<ClpSimplex>()),
       values_(formulation.costs.size(), 0), reducedCosts_(formulation.costs.size(), 0) {
     fixedCost_ = formulation.constant;
@@ -20,6 +21,8 @@ Relaxation::Relaxation(const Formulation& formulation, const ColumnState& state)
         if (state.value(column) == ArcState::free) columns_.push_back(column);
     }
     addRows(state);
+    StopOnRequest handler(control);
+    solver_->passInEventHandler(&handler);
     solver_->setLogLevel(0);
     solver_->scaling(0);
     solver_->resize(0, static_cast<int>(columns_.size()));
@@ -85,11 +88,12 @@ Relaxation::Result Relaxation::solve(const ColumnState& state, double cutoff, in
     if (rows_.rows().empty()) return solveWithoutRows(state, cutoff);
     setBounds(state);
     solver_->setDualObjectiveLimit(std::isinf(cutoff) ? COIN_DBL_MAX : cutoff - fixedCost_);
+    constexpr int failed = 4; // a status of Clp
     Result result;
     for (;;) {
         solver_->setMaximumIterations(iterations);
         solver_->dual();
-        if (solver_->status() > 3) solver_->primal();
+        if (solver_->status() == failed) solver_->primal();
         iterations -= solver_->numberIterations();
         if (solver_->status() == 1) return {Result::Kind::tooExpensive};
         result.bound = solver_->objectiveValue() + fixedCost_;
@@ -138,12 +142,15 @@ RelaxedProgram Relaxation::program(const ColumnState& state) const {
     return relaxed;
 }
 
-void Relaxation::startNear(const RelaxedProgram& near, const ColumnState& state, const Control& control) {
+void Relaxation::takeNear(const RelaxedProgram& near, const ColumnState& state) {
     rows_.giveTight(*solver_, state, near.duals);
     read(state);
     for (const ColumnId column : near.values.ids())
         values_[columns_[column.idx()]] = near.values[column];
-    solveFromNear(*solver_, near, rows_.inSolver(), control);
+}
+
+void Relaxation::startNear(const RelaxedProgram& near) {
+    solveFromNear(*solver_, near, rows_.inSolver());
 }
 
 double Relaxation::fixedShare(const ColumnState& state) const {

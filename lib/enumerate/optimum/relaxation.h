@@ -20,7 +20,8 @@ namespace qm {
 class Relaxation {
 public:
     /// Columns that the state has fixed and rows that these satisfy are left out for good.
-    Relaxation(const Formulation& formulation, const ColumnState& state);
+    /// \param control  whose `stopRequested` leaves every solution unfinished
+    Relaxation(const Formulation& formulation, const ColumnState& state, const Control& control);
     ~Relaxation();
     Relaxation(Relaxation&&) noexcept;
     Relaxation& operator=(Relaxation&&) noexcept;
@@ -35,13 +36,14 @@ public:
     };
 
     /// Minimises the relaxed cost under what the state has fixed. Too expensive: infeasible, or at least
-    /// `cutoff`. Unfinished: the iterations were used up or the solver failed.
+    /// `cutoff`. Unfinished: the iterations were used up, the solver was stopped, or it failed.
     Result solve(const ColumnState& state, double cutoff, int iterations);
 
-    /// Begins at a solution that is nearly optimal, from which the simplex method is soon done; at any rate
-    /// until `control.stopRequested`.
+    /// Takes over a solution that is nearly optimal, with the rows that are tight there.
     /// \param near  the program of a relaxation that has not been solved yet, see `program`
-    void startNear(const RelaxedProgram& near, const ColumnState& state, const Control& control);
+    void takeNear(const RelaxedProgram& near, const ColumnState& state);
+    /// Begins at the solution taken over, from which the simplex method is soon done.
+    void startNear(const RelaxedProgram& near);
 
     /// Takes up the rows that the formulation has got since.
     void addRows(const ColumnState& state);

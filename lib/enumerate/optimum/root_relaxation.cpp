@@ -8,14 +8,14 @@
 
 namespace qm {
 
-double RootRelaxation::startByGradients() {
+double RootRelaxation::relaxNearly() {
     near_ = part_.relaxation.program(part_.columns);
     GradientOptions options;
     options.tolerance = TreeTuning::nearlySolved;
     NearOptimum found = relaxByGradients(near_->program, options, part_.control);
     near_->values = std::move(found.values);
     near_->duals = std::move(found.duals);
-    part_.relaxation.startNear(*near_, part_.columns, part_.control);
+    part_.relaxation.takeNear(*near_, part_.columns);
     rememberPresence();
     return near_->constant + found.lowerBound;
 }
@@ -43,7 +43,7 @@ bool RootRelaxation::tighten() {
     if (!fixByReducedCosts(part_.columns, values_, reducedCosts_, cutoff_ - bound_)) return false;
     state_ = part_.columns.mark();
     if (part_.relaxation.fixedShare(part_.columns) > TreeTuning::fixedShareToRebuild) {
-        part_.relaxation = Relaxation(part_.formulation, part_.columns);
+        part_.relaxation = Relaxation(part_.formulation, part_.columns, part_.control);
         basis_ = {};
     }
     return true;

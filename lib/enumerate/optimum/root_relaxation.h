@@ -16,10 +16,11 @@ class RootRelaxation {
 public:
     explicit RootRelaxation(PartSearch& part) : part_(part), state_(part.columns.mark()) {}
 
-    /// Solves the root's relaxation approximately by gradients, and starts the simplex method from there,
-    /// which would take too long otherwise.
+    /// Solves the root's relaxation approximately by gradients. `presence` is then known.
     /// \return a lower bound
-    [[nodiscard]] double startByGradients();
+    [[nodiscard]] double relaxNearly();
+    /// Starts the simplex method from the solution found by gradients; it would take too long otherwise.
+    void startFromNear() { part_.relaxation.startNear(*near_); }
 
     /// Whether a solution has been remembered.
     [[nodiscard]] bool isKnown() const { return !values_.empty(); }
