@@ -11,8 +11,6 @@ namespace qm {
 namespace {
 
 struct Tuning {
-    /// From this number of variables on, only the root of a part is searched.
-    static constexpr std::size_t large = 15000;
     /// Size of the largest windows that the search of the whole mesh waits for: at least `fastWindow`
     /// variables, one in `fastShare` of all, or one in `relaxedShare` after the relaxation of large parts.
     /// Such windows take little of the time of the search itself.
@@ -23,18 +21,19 @@ struct Tuning {
 
 } // namespace
 
-GraphImprover::GraphImprover(const SearchSpace& space, std::vector<bool> present, KnownSoFar& known)
+GraphImprover::GraphImprover(const SearchSpace& space, std::vector<bool> present, KnownSoFar& known,
+                             std::size_t large)
     : space_(space), input_(wholeInput(space)), problem_(makeProblem(input_)), present_(std::move(present)),
-      known_(known) {}
+      known_(known), large_(large) {}
 
 bool GraphImprover::isLarge() const {
-    return problem_.arcs.size() >= Tuning::large;
+    return problem_.arcs.size() >= large_;
 }
 
 OptimumResult GraphImprover::searchTree(const Control& control, const Control& ofFirstWindows) {
     OptimumOptions options;
     options.start = assignmentOf(problem_, present_);
-    options.large = Tuning::large;
+    options.large = large_;
     options.keepOpenParts = true;
     std::atomic<bool> areOver = false;
     Control beside = ofFirstWindows;

@@ -17,9 +17,11 @@ namespace qm {
 class GraphImprover {
 public:
     /// \param present  the arcs of a valid graph
-    /// \param known    gets the cost of every cheaper graph
+    /// \param known    gets the cost of every cheaper graph, and early bounds
+    /// \param large    from this number of variables on, only the root of a part is searched
     /// The space and `known` must outlive the object.
-    GraphImprover(const SearchSpace& space, std::vector<bool> present, KnownSoFar& known);
+    GraphImprover(const SearchSpace& space, std::vector<bool> present, KnownSoFar& known,
+                  std::size_t large = 15000);
 
     /// Whether the problem has so many variables that only its root is searched: the simplex method alone
     /// would take half a minute.
@@ -50,6 +52,7 @@ private:
     const Problem problem_;
     std::vector<bool> present_;
     KnownSoFar& known_;
+    std::size_t large_;
     std::size_t windows_ = 0;
     std::size_t improvements_ = 0;
 };

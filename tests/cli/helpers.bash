@@ -7,8 +7,11 @@
 #   sample MODEL            path of a sample mesh of qm-shape, made once
 
 bats_require_minimum_version 1.5.0
-bats_load_library bats-support
-bats_load_library bats-assert
+# What loads these libraries starts a process for each of their files, before every test.
+for library in "${BATS_LIB_PATH%%:*}"/bats-{support,assert}/src/*.bash; do
+    # shellcheck disable=SC1090  # of Debian's packages
+    source "$library"
+done
 
 ROOT=$(cd "$BATS_TEST_DIRNAME/../.." && pwd)
 QM_BIN=${QM_BIN:-$ROOT/bin}
@@ -20,7 +23,10 @@ unset COMMON_OPTIONS BASECOMPLEX_OPTIONS FEATURES_OPTIONS CUT_OPTIONS ENUMERATIO
     PRUNED_OPTIONS SURFACES_OPTIONS MAKEFLAGS MAKELEVEL MFLAGS
 
 # What takes pictures of pages; empty if there is nothing.
-browser=$(type -P chromium-headless-shell chromium | head -n 1)
+browser=''
+for program in chromium chromium-headless-shell; do
+    ! hash "$program" 2>/dev/null || browser=$program
+done
 
 # The real meshes, if this machine has them.
 SHARED_MESHES=${QM_SHARED_MESHES:-$ROOT/../shared/meshes}

@@ -112,7 +112,14 @@ TEST(HardSearchProperty, LargePartsAreRelaxedFromGradientsToTheSameBound) {
         ofRoots += findOptimum(drawn.problem, options).lowerBound;
         options.large = 1;
         options.keepOpenParts = true;
+        std::size_t told = 0;
+        options.near = [&](double lowerBound, const IdVector<VariableId, double>& relaxed) {
+            ++told;
+            EXPECT_LE(lowerBound, drawn.minCost + 1e-6) << "case " << number;
+            EXPECT_EQ(relaxed.size(), options.start->size()) << "case " << number;
+        };
         const OptimumResult found = findOptimum(drawn.problem, options);
+        EXPECT_GT(told, 0U) << "case " << number;
         EXPECT_EQ(found.complete, found.openParts.empty()) << "case " << number;
         const double cost = costOf(drawn.problem, found.graphs.front());
         const double ofPlain = costOf(drawn.problem, drawn.plain);

@@ -143,5 +143,34 @@ TEST(GraphImprover, TellsOfEveryCheaperGraphAndEndsWithTheOptimum) {
     }
 }
 
+TEST(GraphImprover, LetsGradientsGuideTheWindowsOfLargeMeshes) {
+    int bounded = 0;
+    for (unsigned number = 0; number < 10; ++number) {
+        const PlainCase plain(number);
+        Control control;
+        const KnownCost silent;
+        KnownSoFar exact(control, silent, 0);
+        const double optimum =
+            GraphImprover(plain.space, plain.present, exact).searchTree(control, control).lowerBound;
+        for (const unsigned jobs : {1U, 2U}) {
+            control.jobs = jobs;
+            double told = 0;
+            const KnownCost tell = [&](double, double lowerBound) { told = lowerBound; };
+            const double before = costOf(plain.space, plain.present);
+            KnownSoFar known(control, tell, before);
+            GraphImprover improver(plain.space, plain.present, known, 1);
+            EXPECT_TRUE(improver.isLarge());
+            const OptimumResult found = improver.searchTree(control, control);
+            EXPECT_TRUE(testing::isMotorcycleGraph(plain.space.graph, improver.present()));
+            EXPECT_LE(costOf(plain.space, improver.present()), before + 1e-9);
+            EXPECT_LE(found.lowerBound, optimum + 1e-6);
+            EXPECT_FALSE(known.control().stopRequested());
+            EXPECT_LE(told, optimum + 1e-6) << "what gradients prove";
+            if (told > -std::numeric_limits<double>::infinity()) ++bounded;
+        }
+    }
+    EXPECT_GT(bounded, 10);
+}
+
 } // namespace
 } // namespace qm

@@ -2,10 +2,10 @@
 
 #include "base/at.h"
 #include "base/disjoint_sets.h"
+#include "bspline/fitting/principal_axes.h"
 #include "bspline/network/borders.h"
 #include "bspline/splines/eigen_point.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -56,18 +56,13 @@ std::optional<StraightLine> lineThrough(const std::vector<const OutlineSide*>& s
     std::vector<Eigen::Vector3d> points;
     for (const OutlineSide* side : sides)
         points.insert(points.end(), side->points.begin(), side->points.end());
-    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-    for (const Eigen::Vector3d& at : points)
-        middle += at / static_cast<double>(points.size());
-    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-    for (const Eigen::Vector3d& at : points)
-        spread += (at - middle) * (at - middle).transpose() / static_cast<double>(points.size());
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
-    const Eigen::Vector3d direction = solver.eigenvectors().col(2);
-    const double allowed = std::min(tolerance, straight * std::sqrt(std::max(0.0, solver.eigenvalues()[2])));
-    const bool isStraight = std::ranges::all_of(
-        points, [&](const Eigen::Vector3d& at) { return direction.cross(at - middle).norm() < allowed; });
-    return isStraight ? std::optional(StraightLine{middle, direction}) : std::nullopt;
+    const PrincipalAxes spread = principalAxes(points);
+    const Eigen::Vector3d direction = spread.axes.col(2);
+    const double allowed = std::min(tolerance, straight * spread.extents[2]);
+    const bool isStraight = std::ranges::all_of(points, [&](const Eigen::Vector3d& at) {
+        return direction.cross(at - spread.middle).norm() < allowed;
+    });
+    return isStraight ? std::optional(StraightLine{spread.middle, direction}) : std::nullopt;
 }
 
 /// Divides straight sides into those that continue one another: where lines turn by less than this, points on

@@ -1,13 +1,13 @@
 #include "bspline/fitting/plane_patches.h"
 
 #include "base/disjoint_sets.h"
+#include "bspline/fitting/principal_axes.h"
 #include "bspline/splines/eigen_point.h"
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <span>
 
 namespace qm {
@@ -19,29 +19,16 @@ namespace {
 /// plane just because they bend little in absolute terms
 std::optional<Plane> planeThrough(const std::vector<ReferenceGrid>& reference,
                                   std::span<const std::size_t> patches, double tolerance, double share) {
-    const auto forEachPoint = [&](const auto& f) {
-        for (const std::size_t patch : patches)
-            for (const Point& at : reference[patch].points)
-                f(vector(at));
-    };
-    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-    double count = 0;
-    forEachPoint([&](const Eigen::Vector3d& at) {
-        middle += at;
-        ++count;
+    std::vector<Eigen::Vector3d> points;
+    for (const std::size_t patch : patches)
+        std::ranges::transform(reference[patch].points, std::back_inserter(points), vector);
+    const PrincipalAxes spread = principalAxes(points);
+    const Eigen::Vector3d normal = spread.axes.col(0);
+    const double allowed = std::min(tolerance, share * spread.extents[1]);
+    const bool isPlane = std::ranges::all_of(points, [&](const Eigen::Vector3d& at) {
+        return std::abs(normal.dot(at - spread.middle)) < allowed;
     });
-    middle /= count;
-    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-    forEachPoint([&](const Eigen::Vector3d& at) { spread += (at - middle) * (at - middle).transpose(); });
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
-    const double allowed =
-        std::min(tolerance, share * std::sqrt(std::max(0.0, solver.eigenvalues()[1]) / count));
-    const Eigen::Vector3d normal = solver.eigenvectors().col(0);
-    double farthest = 0;
-    forEachPoint(
-        [&](const Eigen::Vector3d& at) { farthest = std::max(farthest, std::abs(normal.dot(at - middle))); });
-    if (!(farthest < allowed)) return std::nullopt;
-    return Plane{point(normal), normal.dot(middle)};
+    return isPlane ? std::optional(Plane{point(normal), normal.dot(spread.middle)}) : std::nullopt;
 }
 
 constexpr double flat = 1e-4; ///< share of its extent that a plane may be thick
