@@ -141,7 +141,7 @@ completed() {
     chmod +x folder/dpkg-query
     PATH=$PWD/folder:$PATH run --separate-stderr "$ROOT/scripts/install-dependencies" --verify fuzz lint
     assert_equal "$status" 1
-    assert_equal "$stderr" 'packages are missing. As root, run: apt-get install clang clang-format clang-tidy shellcheck'
+    assert_equal "$stderr" 'packages are missing. As root, run: apt-get install clang clang-format clang-tidy libclang-rt-dev shellcheck'
 }
 
 @test "nothing installs packages but deps, check and demo" {
