@@ -47,6 +47,8 @@ struct Junction {
     bool seeded = false;
 
     [[nodiscard]] bool crossed() const { return arcs[1].valid(); }
+    /// Whether arcs[k] and arcs[k + 2], k being 0 or 1, start here.
+    [[nodiscard]] bool isSeedOf(std::size_t k) const { return seeded && k == 0; }
     /// The arcs of the other line than that of an arc here.
     [[nodiscard]] std::array<ArcId, 2> across(ArcId arc) const {
         const std::size_t other = arcs[0] == arc || arcs[2] == arc ? 1 : 0;

@@ -56,7 +56,7 @@ private:
     Side sideOf(const Junction& junction, std::size_t k) const {
         const ArcId before = std::min(junction.arcs[k], junction.arcs[k + 2]);
         const LineId line = graph_.arcs[before.idx()].line;
-        const bool crackable = full_[line.idx()] && !(junction.seeded && k == 0);
+        const bool crackable = full_[line.idx()] && !junction.isSeedOf(k);
         return {crackable ? line : LineId{}, before};
     }
 

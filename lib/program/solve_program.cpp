@@ -1,12 +1,12 @@
 #include "program/solve_program.h"
 
 #include "base/deadline.h"
+#include "program/stop_on_request.h"
 
 #include <coin/CbcCompareObjective.hpp>
 #include <coin/CbcEventHandler.hpp>
 #include <coin/CbcModel.hpp>
 #include <coin/CbcSolver.hpp>
-#include <coin/ClpEventHandler.hpp>
 #include <coin/CoinPackedMatrix.hpp>
 #include <coin/OsiClpSolverInterface.hpp>
 
@@ -28,21 +28,6 @@ public:
     explicit StopHandler(const Control& control) : control_(control) {}
     CbcAction event(CbcEvent) override { return control_.stopRequested() ? stop : noAction; }
     [[nodiscard]] CbcEventHandler* clone() const override { return new StopHandler(*this); }
-
-private:
-    const Control& control_;
-};
-
-/// Ends relaxations, which CBC would complete before it asks its own handler.
-class StopSimplex : public ClpEventHandler {
-public:
-    explicit StopSimplex(const Control& control) : control_(control) {}
-    int event(Event) override {
-        constexpr int goOn = -1;
-        constexpr int stopped = 5; // Clp's secondary status of an end by such a handler
-        return control_.stopRequested() ? stopped : goOn;
-    }
-    [[nodiscard]] ClpEventHandler* clone() const override { return new StopSimplex(*this); }
 
 private:
     const Control& control_;
@@ -89,7 +74,7 @@ double maxCost(const IntegerProgram& program) {
 /// \return whether it was solved to optimality
 bool relax(OsiClpSolverInterface& solver, double seconds, const Control& control) {
     ClpSimplex& simplex = *solver.getModelPtr();
-    StopSimplex handler(control);
+    StopOnRequest handler(control);
     simplex.passInEventHandler(&handler); // copied, as it is to all copies of the solver
     simplex.setMaximumWallSeconds(seconds);
     solver.setHintParam(OsiDoDualInInitial, true);

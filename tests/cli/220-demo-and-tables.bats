@@ -26,10 +26,10 @@ bench() { QM_SHARED_MESHES=$PWD OUT=$PWD/out run --separate-stderr "$ROOT/script
 
 @test "the table has a line for every mesh and chi, and the verdict of qm-check" {
     mkdir dev
-    cp "$(sample cube)" "$(sample block)" dev
+    cp "$(sample cube)" "$(sample block)" "$(sample plate)" dev
     bench '' pipeline
     assert_success
-    assert_equal "$(grep -c ' accepted$' <<<"$output")" 4
+    assert_equal "$(grep -c ' accepted$' <<<"$output")" 6
     assert_line --regexp '^cube.obj +384 +386 +8 +0 +20 +1 '
     assert_line --regexp '^block.obj .* 40 .*accepted$'
     CHI=30 bench '^block' pipeline

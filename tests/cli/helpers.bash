@@ -1,5 +1,6 @@
 # Shared by all tests of the tools; every .bats file loads it first.
 #
+#   captured COMMAND...     runs it and sets what `run --separate-stderr` sets
 #   quietly TOOL ...        must succeed with nothing on standard error
 #   complains TOOL ...      must exit with status 1 and exactly one line on standard error that begins with "TOOL: "
 #   misused TOOL ...        must exit with status 2 and say how to get help
@@ -7,10 +8,13 @@
 #   sample MODEL            path of a sample mesh of qm-shape, made once
 
 bats_require_minimum_version 1.5.0
-# What loads these libraries starts a process for each of their files, before every test.
-for library in "${BATS_LIB_PATH%%:*}"/bats-{support,assert}/src/*.bash; do
-    # shellcheck disable=SC1090  # of Debian's packages
-    source "$library"
+# As `bats_load_library`, without the processes that it starts for each of their files before every test.
+IFS=: read -r -a library_folders <<<"$BATS_LIB_PATH"
+for folder in "${library_folders[@]}"; do
+    for library in "$folder"/bats-{support,assert}/src/*.bash; do
+        # shellcheck disable=SC1090  # of Debian's packages
+        [[ ! -e $library ]] || source "$library"
+    done
 done
 
 ROOT=$(cd "$BATS_TEST_DIRNAME/../.." && pwd)
@@ -105,7 +109,7 @@ stage() {
 
 # ------------------------------------------------------------------------------------------------ verdicts
 
-# captured COMMAND...: as `run --separate-stderr`, but for commands only, and without the three processes that it starts.
+# For commands, not for functions that end the shell; without the processes that `run` starts beside the command.
 captured() {
     local messages=$BATS_TEST_TMPDIR/messages results=$BATS_TEST_TMPDIR/results
     status=0

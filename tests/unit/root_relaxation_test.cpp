@@ -2,7 +2,7 @@
 #include "enumerate/optimum/near_start.h"
 #include "enumerate/optimum/node_relaxation.h"
 #include "enumerate/optimum/root_relaxation.h"
-#include "enumerate/optimum/stop_on_request.h"
+#include "program/stop_on_request.h"
 #include "support/random_problem.h"
 
 #include <coin/ClpSimplex.hpp>

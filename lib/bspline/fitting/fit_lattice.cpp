@@ -49,8 +49,6 @@ void markSide(const LatticeSource& source, std::size_t side, const std::vector<S
               FitLattice& lattice) {
     const std::size_t along = side % 2;
     const auto& parameters = lattice.targets.parameters[along];
-    const std::size_t across =
-        isFarSide(static_cast<int>(side)) ? lattice.targets.parameters[1 - along].size() - 1 : 0;
     const auto& isCrease = source.isCrease[side];
     const std::size_t last = parameters.size() - 1;
     for (std::size_t k = 0; k <= last; ++k) { // counter-clockwise
@@ -59,8 +57,8 @@ void markSide(const LatticeSource& source, std::size_t side, const std::vector<S
         const auto after = std::min(static_cast<std::size_t>(at), isCrease.size() - 1);
         if (!isCrease[before] && !isCrease[after]) continue;
         const std::size_t place = side < 2 ? k : last - k;
-        const std::size_t point =
-            along == 0 ? across * lattice.columns() + place : place * lattice.columns() + across;
+        const std::size_t point = pointOnSide(lattice.columns(), lattice.targets.parameters[1].size(),
+                                              static_cast<int>(side), place);
         const bool isEnd = k == 0 || k == last;
         const VertexRule::Kind end = source.corners[k == 0 ? side : (side + 1) % 4];
         if (isEnd && end == VertexRule::Kind::corner) lattice.freedom[point] = Freedom::corner;

@@ -31,12 +31,10 @@ struct StraightLine {
 };
 
 std::vector<Eigen::Vector3d> pointsOnSide(const ReferenceGrid& grid, int side) {
-    const bool alongColumns = directionAlong(side) == 0;
-    const std::size_t across = isFarSide(side) ? (alongColumns ? grid.rows() : grid.columns()) - 1 : 0;
+    const std::size_t count = directionAlong(side) == 0 ? grid.columns() : grid.rows();
     std::vector<Eigen::Vector3d> points;
-    for (std::size_t k = 0; k < (alongColumns ? grid.columns() : grid.rows()); ++k)
-        points.push_back(
-            vector(grid.points[alongColumns ? across * grid.columns() + k : k * grid.columns() + across]));
+    for (std::size_t k = 0; k < count; ++k)
+        points.push_back(vector(grid.points[pointOnSide(grid.columns(), grid.rows(), side, k)]));
     return points;
 }
 

@@ -90,14 +90,6 @@ struct Demands {
     std::vector<std::size_t> patchOf; ///< by demand
 };
 
-/// Whether a control point lies on a side of its patch.
-bool isOnSide(const std::array<int, 2>& count, std::size_t k, int side) {
-    const std::size_t across = 1 - directionAlong(side);
-    const std::size_t columns = at(count[0]);
-    const std::size_t index = across == 0 ? k % columns : k / columns;
-    return index == (isFarSide(side) ? at(count[across]) - 1 : 0);
-}
-
 /// Moves the plane patches of one group into their planes.
 class GroupFlattening {
 public:
@@ -123,21 +115,25 @@ private:
         Demands result;
         std::size_t first = 0;
         for (const std::size_t patch : group_.patches) {
-            const std::size_t size = patches_[patch].controlPoints.size();
-            for (std::size_t k = 0; flat_[patch] && k < size; ++k) {
-                const auto add = [&](const Plane& plane) {
-                    result.planes.push_back({first + k, plane});
-                    result.patchOf.push_back(patch);
-                };
-                add(flat_[patch]->plane);
-                for (int side = 0; side < 4; ++side) {
-                    const auto& outline = flat_[patch]->outlines[at(side)];
-                    if (outline && isOnSide(patches_[patch].count, k, side)) add(*outline);
-                }
-            }
-            first += size;
+            if (flat_[patch]) addOf(patch, first, result);
+            first += patches_[patch].controlPoints.size();
         }
         return result;
+    }
+
+    /// Adds what a plane patch demands, whose first control point has the number `first`.
+    void addOf(std::size_t patch, std::size_t first, Demands& result) const {
+        const auto add = [&](std::size_t k, const Plane& plane) {
+            result.planes.push_back({first + k, plane});
+            result.patchOf.push_back(patch);
+        };
+        for (std::size_t k = 0; k < patches_[patch].controlPoints.size(); ++k)
+            add(k, flat_[patch]->plane);
+        const std::array<std::size_t, 2> count{at(patches_[patch].count[0]), at(patches_[patch].count[1])};
+        for (int side = 0; side < 4; ++side)
+            if (const auto& outline = flat_[patch]->outlines[at(side)])
+                for (std::size_t k = 0; k < count[directionAlong(side)]; ++k)
+                    add(pointOnSide(count[0], count[1], side, k), *outline);
     }
 
     /// Gives up what the worst demands are for.

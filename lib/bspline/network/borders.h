@@ -40,4 +40,10 @@ constexpr int sideAcross(std::size_t direction, bool isFar) {
     return direction == 0 ? (isFar ? 1 : 3) : (isFar ? 2 : 0);
 }
 
+/// The number of point `k` of a side, in the order of u or v, on a lattice of so many columns and rows.
+constexpr std::size_t pointOnSide(std::size_t columns, std::size_t rows, int side, std::size_t k) {
+    return side % 2 == 0 ? (isFarSide(side) ? rows - 1 : 0) * columns + k
+                         : k * columns + (isFarSide(side) ? columns - 1 : 0);
+}
+
 } // namespace qm

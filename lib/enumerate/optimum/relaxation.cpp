@@ -2,7 +2,7 @@
 
 #include "base/at.h"
 #include "enumerate/optimum/near_start.h"
-#include "enumerate/optimum/stop_on_request.h"
+#include "program/stop_on_request.h"
 
 #include <coin/ClpSimplex.hpp>
 

@@ -111,7 +111,7 @@ private:
     CrossingSide side(JunctionId id, std::size_t k) const {
         const Junction& junction = graph_.junctions[id.idx()];
         const LineId line = graph_.arcs[junction.arcs[k].idx()].line;
-        const bool seeded = junction.seeded && k == 0;
+        const bool seeded = junction.isSeedOf(k);
         return {variable(junction.arcs[k]), variable(junction.arcs[k + 2]),
                 seeded ? CrackNodeId() : nodeOf_[line], seeded};
     }
@@ -120,7 +120,7 @@ private:
     bool isSettled(const Junction& junction) const {
         for (const std::size_t k : {0U, 1U}) {
             const bool together =
-                variable(junction.arcs[k]) == variable(junction.arcs[k + 2]) || (junction.seeded && k == 0);
+                variable(junction.arcs[k]) == variable(junction.arcs[k + 2]) || junction.isSeedOf(k);
             if (together && variable(junction.arcs[1 - k]) == problem_.out() &&
                 variable(junction.arcs[3 - k]) == problem_.out())
                 return true;
@@ -131,7 +131,7 @@ private:
     /// The two particles of a line can only meet here, so that neither passes.
     bool isMeeting(const Junction& junction) const {
         for (const std::size_t k : {0U, 1U}) {
-            if (junction.seeded && k == 0) continue; // the seed's particles begin here, and meet elsewhere
+            if (junction.isSeedOf(k)) continue; // the seed's particles begin here, and meet elsewhere
             const ArcId before = std::min(junction.arcs[k], junction.arcs[k + 2]);
             if (before.valid() && input_.walkers.meeting(graph_.arcs[before.idx()].line) == before)
                 return true;
