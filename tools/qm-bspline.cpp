@@ -10,8 +10,10 @@ int main(int argc, char** argv) {
         [&](qm::Tool& tool) -> qm::ToolBody {
             auto stage =
                 std::make_shared<qm::Stage>(tool, qm::Kind::layout, qm::Kind::layout, qm::Kind::surfaces);
+            tool.explain("An interrupt ends the fit with the best surfaces so far.");
             tool.options(options);
             qm::declareRequests(tool, requests, options);
+            tool.stopsGracefully();
             tool.example("qm-bspline part.layout.json -o part.surfaces.json");
             tool.example("qm-prune part.layout.json | qm-bspline --tolerance 0.5% > "
                          "part.surfaces.json");

@@ -16,6 +16,12 @@ struct Control {
     unsigned jobs = 1;
 };
 
+/// The same without reports of progress: for work that the reports do not count.
+[[nodiscard]] inline Control unreported(Control control) {
+    control.progress = Control().progress;
+    return control;
+}
+
 /// Called now and then, from any thread, with the cost of the best result so far and with a lower bound of
 /// all costs; the bound is minus infinity while none is known.
 using KnownCost = std::function<void(double cost, double lowerBound)>;

@@ -20,11 +20,11 @@ struct Candidate {
 };
 
 /// \param model  read by the stage
-Candidate fitted(const Tool& tool, Stage& stage, const Model& model, const FitOptions& options,
-                 const ScanInput& scan) {
+Candidate fitted(Stage& stage, const Model& model, const FitOptions& options, const ScanInput& scan,
+                 const Control& control) {
     Candidate candidate;
     candidate.surfaces = fitSurfaces(model.mesh, *model.layout, model.dihedralAngles, options,
-                                     scan.surface ? &*scan.surface : nullptr, tool.control("fitting"));
+                                     scan.surface ? &*scan.surface : nullptr, control);
     candidate.layout =
         rankedLayout(*model.layout, candidate.surfaces, missedTolerance(candidate.surfaces, options).empty());
     candidate.document = stage.release();
@@ -32,14 +32,17 @@ Candidate fitted(const Tool& tool, Stage& stage, const Model& model, const FitOp
     return candidate;
 }
 
-/// Fits and ranks all layouts, best first; all but the best keep only their figures.
+/// Fits and ranks all layouts, or those until an interrupt, best first; all but the best keep only their
+/// figures.
 std::vector<Candidate> ranked(const Tool& tool, Stage& stage, const Model& first, const FitOptions& options,
                               const std::vector<std::string>& furtherFiles, const ScanInput& scan) {
     std::vector<Candidate> candidates;
-    candidates.push_back(fitted(tool, stage, first, options, scan));
+    candidates.push_back(fitted(stage, first, options, scan, tool.control("fitting")));
     for (const std::string& file : furtherFiles) {
+        const Control control = tool.control("fitting");
+        if (control.stopRequested()) break;
         const Model& model = stage.readAnother(file, candidates.front().document);
-        candidates.push_back(fitted(tool, stage, model, options, scan));
+        candidates.push_back(fitted(stage, model, options, scan, control));
         if (ranksBefore(candidates.back().layout, candidates.front().layout))
             std::swap(candidates.front(), candidates.back());
         candidates.back().document = {};

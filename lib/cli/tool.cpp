@@ -224,7 +224,7 @@ int Tool::answer(const ToolBody& body) {
     noteSettings();
     if (s.hasOutput) verifyWritable(s.general.output);
     int status = body();
-    if (wasInterrupted() && status == exitDone) {
+    if (wasInterrupted() && (status == exitDone || status == exitUnmet)) {
         warn("interrupted: what is written is the best that was found until then");
         status = exitUnmet;
     }

@@ -77,6 +77,16 @@ is() { assert_equal "$(field "$1" out.json)" true; }
     is '.history[-1].options.tolerance == 0.05 and .surfaces.deviation.max <= 0.05'
 }
 
+@test "a fit that is interrupted is written, whole, and says so" {
+    for signal in INT TERM; do
+        # The tolerance cannot be kept, so it is tried for long; timeout sends its signal to the tool and to its group.
+        run -3 --separate-stderr timeout --preserve-status -s "$signal" 1 \
+            qm-bspline --tolerance 1e-9 "$(stage pruned genus3)" -o "$signal.json"
+        assert_regex "$stderr" 'interrupted'
+        quietly qm-check "$signal.json"
+    done
+}
+
 @test "a tolerance that cannot be kept is told with its place, and the exit status" {
     run -3 --separate-stderr qm-bspline --tolerance 1e-12 "$(stage pruned bracket)" -o out.json
     assert_regex "$stderr" 'tolerance is missed in patch [0-9]+ at u = .*times as far'

@@ -441,6 +441,22 @@ TEST(SmoothFit, SaysWhereItMissesATolerance) {
     EXPECT_NE(missedTolerance(surfaces, options).find("missed in patch"), std::string::npos);
 }
 
+TEST(SmoothFit, EndsWithWhatItHasWhenItIsStopped) {
+    const QuadMesh mesh = test::makeMesh(test::sheet());
+    const Layout layout = test::makeLayout(test::sheet(), test::tJoint());
+    FitOptions options;
+    options.tolerance = {0.001, true};
+    const Surfaces whole = fitSurfaces(mesh, layout, dihedralAngles(mesh), options);
+    Control stopped;
+    stopped.stopRequested = [] { return true; };
+    const Surfaces early = fitSurfaces(mesh, layout, dihedralAngles(mesh), options, nullptr, stopped);
+    EXPECT_LT(controlPointCount(early.patches), controlPointCount(whole.patches));
+    EXPECT_GT(early.deviation.max, whole.deviation.max);
+    EXPECT_LT(early.deviation.largestGapRelative, 1e-13);
+    EXPECT_LT(early.deviation.largestNormalAngle, 1e-9);
+    EXPECT_FALSE(missedTolerance(early, options).empty());
+}
+
 TEST(SmoothFit, DoesNotDependOnWhereTheModelLies) {
     const QuadMesh mesh = makeShape("genus2", {});
     const Layout layout = testing::cheapestLayout(mesh);

@@ -74,12 +74,13 @@ public:
             Fitted found{best_.patches, best_.distances};
             const bool isAstray = !isLast && k > 1 && isAstrayFrom(nearest, found);
             if (k == 1 || found.farthest() < nearest.farthest()) nearest = std::move(found);
-            if (isAstray || nearest.isHopeless() || k == options_.verifications) return nearest;
+            if (isAstray || nearest.isHopeless() || k == options_.verifications || control.stopRequested())
+                return nearest;
             state_.restore(best_);
             if (!state_.tighten(best_)) return nearest;
             best_ = {};
             nearest_ = {};
-            search(roundsOfMending, false, {});
+            search(roundsOfMending, false, unreported(control));
         }
     }
 
@@ -99,7 +100,7 @@ private:
             if (round > 0) state_.solve(options_.slides, false);
             flattenIfKept();
             idle = keepIfBest() ? 0 : idle + 1;
-            if (idle == maxIdle) break;
+            if (idle == maxIdle || control.stopRequested()) break;
             if (2 * state_.worst() <= halvedWorst) {
                 halvedWorst = state_.worst();
                 halved = round;

@@ -44,12 +44,11 @@ std::vector<Patch> fitSmooth(const QuadMesh& mesh, const Layout& layout, const S
     Fitted nearest;
     for (int k = 1;; ++k) {
         const auto [isSoft, ofAttempt] = attempt(k, nearest, network, patches, options);
-        Control ofControl = control;
-        if (k > 1) ofControl.progress = Control().progress;
         Fitted fitted = attemptFit(mesh, layout, network, reference, ofAttempt, isSoft, k == options.attempts,
-                                   verify, ofControl);
+                                   verify, k == 1 ? control : unreported(control));
         if (k == 1 || fitted.farthest() < nearest.farthest()) nearest = std::move(fitted);
-        if (k == options.attempts || nearest.farthest() <= uncertain || nearest.isHopeless())
+        if (k == options.attempts || nearest.farthest() <= uncertain || nearest.isHopeless() ||
+            control.stopRequested())
             return nearest.patches;
     }
 }
