@@ -13,6 +13,7 @@
 #include <Geom_ToroidalSurface.hxx>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -101,23 +102,31 @@ Handle(Geom_BSplineCurve)
         const double share = (t - first) / (last - first);
         return commonPoint(near->Value(t).XYZ() + moveFirst * (1 - share) + moveLast * share, both);
     };
-    constexpr int maxSteps =
-        64; // in an interval; if the gap is still too large then, the edge gets it as its tolerance
-    for (int perInterval = steps;; perInterval *= 2) {
+    constexpr int maxSteps = 64; // in an interval
+    // Twice the steps make the gap 16 times smaller, except where the surfaces do not meet. What remains of
+    // the gap becomes the edge's tolerance.
+    constexpr double worthwhile = 0.5;
+    Handle(Geom_BSplineCurve) best;
+    double gapOfBest = std::numeric_limits<double>::infinity();
+    for (int perInterval = steps; perInterval <= maxSteps; perInterval *= 2) {
         const auto parameters = parametersOf(*near, perInterval);
         std::vector<gp_Pnt> points{ends[0]};
         for (std::size_t k = 1; k + 1 < parameters.size(); ++k)
             points.push_back(pointAt(parameters[k]));
         points.push_back(ends[1]);
-        auto curve = interpolated(points, parameters);
+        const auto curve = interpolated(points, parameters);
         double gap = 0;
         for (std::size_t k = 0; k + 1 < parameters.size(); ++k) {
             const gp_Pnt between = curve->Value((parameters[k] + parameters[k + 1]) / 2);
             for (const SimpleSurface& surface : both)
                 gap = std::max(gap, between.Distance(projected(between, surface)));
         }
-        if (gap <= resolution / 2 || perInterval >= maxSteps) return curve;
+        if (!best.IsNull() && !(gap < worthwhile * gapOfBest)) break;
+        best = curve;
+        gapOfBest = gap;
+        if (gap <= resolution / 2) break;
     }
+    return best;
 }
 
 CurveOnSurface curveOnSurface(const Handle(Geom_BSplineCurve) & curve, const SimpleSurface& on) {

@@ -4,6 +4,9 @@
 #include "bspline/splines/evaluate.h"
 #include "mesh/bounding_box.h"
 
+#include <Eigen/Geometry>
+
+#include <utility>
 #include <vector>
 
 namespace qm {
@@ -57,6 +60,16 @@ PatchCloud inFrame(PatchCloud cloud, const Vector3d& centre, double size) {
     cloud.centre = centre;
     cloud.size = size;
     return cloud;
+}
+
+PatchCloud centred(PatchCloud cloud) {
+    Eigen::AlignedBox3d box;
+    for (const Vector3d& point : cloud.samples.points)
+        box.extend(point);
+    if (!(box.diagonal().norm() > 0)) return cloud;
+    const Vector3d centre = cloud.centre + box.center() * cloud.size;
+    const double size = box.diagonal().norm() * cloud.size;
+    return inFrame(std::move(cloud), centre, size);
 }
 
 } // namespace qm

@@ -24,4 +24,7 @@ struct PatchCloud {
 /// The same points about another origin and in another unit.
 [[nodiscard]] PatchCloud inFrame(PatchCloud cloud, const Eigen::Vector3d& centre, double size);
 
+/// The same points about the middle of their bounding box, in units of its diagonal.
+[[nodiscard]] PatchCloud centred(PatchCloud cloud);
+
 } // namespace qm

@@ -20,16 +20,19 @@ using Eigen::Vector3d;
 /// Between a patch's normals and those of what takes its place: more would show as an edge.
 constexpr double maxNormalAngle = 3 * (std::numbers::pi / 180);
 
-/// Whether the shape lies along the points, on one and the same side of them.
-/// \return 1, or -1 if its normals point the other way, or 0
-int agreement(const SimpleShape& shape, const OrientedPoints& samples, double tolerance) {
+/// \return 1, or -1 if the shape's normals point the other way than the points'
+int sideOf(const SimpleShape& shape, const OrientedPoints& samples) {
+    return shape.normal(samples.points.front()).dot(samples.normals.front()) < 0 ? -1 : 1;
+}
+
+/// Whether the shape lies along the points, on this side of all of them.
+bool isAlong(const SimpleShape& shape, int side, const OrientedPoints& samples, double tolerance) {
     const double limit = std::cos(maxNormalAngle);
-    const int side = shape.normal(samples.points.front()).dot(samples.normals.front()) < 0 ? -1 : 1;
     for (std::size_t k = 0; k < samples.points.size(); ++k)
         if (std::abs(shape.distance(samples.points[k])) > tolerance ||
             side * shape.normal(samples.points[k]).dot(samples.normals[k]) < limit)
-            return 0;
-    return side;
+            return false;
+    return true;
 }
 
 /// Around the tube of a torus, from its outermost circle, the middle of the points.
@@ -53,8 +56,10 @@ struct Group {
 };
 
 std::optional<SimpleShape> fittingShape(SimpleKind kind, const Group& group) {
-    auto shape = fitShape(kind, group.cloud.samples);
-    if (shape && agreement(*shape, group.cloud.samples, group.tolerance / group.cloud.size) == 0) return {};
+    const OrientedPoints& samples = group.cloud.samples;
+    auto shape = fitShape(kind, samples);
+    const double tolerance = group.tolerance / group.cloud.size;
+    if (shape && !isAlong(*shape, sideOf(*shape, samples), samples, tolerance)) return std::nullopt;
     return shape;
 }
 
@@ -67,30 +72,45 @@ std::optional<SimpleShape> recognised(const Group& group) {
     return std::nullopt;
 }
 
-/// Of a group, for the points of another.
-SimpleShape inFrame(SimpleShape shape, const PatchCloud& from, const PatchCloud& to) {
-    shape.origin = (from.centre + shape.origin * from.size - to.centre) / to.size;
-    shape.radius *= from.size / to.size;
-    shape.tubeRadius *= from.size / to.size;
-    return shape;
+/// Gives a group the best surface of its kind.
+/// \return false if that is not within the tolerance, and nothing has changed
+bool refit(Group& group) {
+    Group fitted{centred(group.cloud), std::nullopt, group.tolerance};
+    fitted.shape = fittingShape(group.shape->kind, fitted);
+    if (!fitted.shape) return false;
+    group = std::move(fitted);
+    return true;
 }
 
-/// Both as one group, if there is one surface for both: for now the one of the larger group, if that will do.
-std::optional<Group> united(const Group& one, const Group& other) {
-    if (!one.shape || !other.shape || one.shape->kind != other.shape->kind) return std::nullopt;
-    const Vector3d centre = (one.cloud.centre + other.cloud.centre) / 2;
-    const double size =
-        (one.cloud.centre - other.cloud.centre).norm() + (one.cloud.size + other.cloud.size) / 2;
-    Group result{inFrame(one.cloud, centre, size), {}, std::min(one.tolerance, other.tolerance)};
-    const PatchCloud more = inFrame(other.cloud, centre, size);
-    auto& samples = result.cloud.samples;
-    samples.points.insert(samples.points.end(), more.samples.points.begin(), more.samples.points.end());
-    samples.normals.insert(samples.normals.end(), more.samples.normals.begin(), more.samples.normals.end());
-    const Group& larger = one.cloud.samples.points.size() < other.cloud.samples.points.size() ? other : one;
-    result.shape = inFrame(*larger.shape, larger.cloud, result.cloud);
-    result.isFitted = agreement(*result.shape, samples, result.tolerance / size) == 0;
-    if (result.isFitted) result.shape = fittingShape(one.shape->kind, result);
-    return result.shape ? std::optional(std::move(result)) : std::nullopt;
+/// Moves the patches of the smaller group into the larger one, if there is one surface for both: for now the
+/// larger group's, if that will do. Then only the smaller group's points are looked at, or uniting many
+/// patches one by one would look at all of them every time.
+/// \return false if there is no such surface, and nothing has changed
+bool unite(Group& larger, const Group& smaller) {
+    if (!larger.shape || !smaller.shape || larger.shape->kind != smaller.shape->kind) return false;
+    const PatchCloud more = inFrame(smaller.cloud, larger.cloud.centre, larger.cloud.size);
+    const auto append = [&](Group& group) {
+        OrientedPoints& samples = group.cloud.samples;
+        samples.points.insert(samples.points.end(), more.samples.points.begin(), more.samples.points.end());
+        samples.normals.insert(samples.normals.end(), more.samples.normals.begin(),
+                               more.samples.normals.end());
+    };
+    const double tolerance = smaller.tolerance / larger.cloud.size;
+    const int side = sideOf(*larger.shape, larger.cloud.samples);
+    if (isAlong(*larger.shape, side, more.samples, tolerance) &&
+        (smaller.tolerance >= larger.tolerance ||
+         isAlong(*larger.shape, side, larger.cloud.samples, tolerance))) {
+        append(larger);
+        larger.tolerance = std::min(larger.tolerance, smaller.tolerance);
+        larger.isFitted = false;
+        return true;
+    }
+    Group both = larger;
+    append(both);
+    both.tolerance = std::min(larger.tolerance, smaller.tolerance);
+    if (!refit(both)) return false;
+    larger = std::move(both);
+    return true;
 }
 
 /// Unites groups of one patch each with those of smooth neighbours.
@@ -100,12 +120,14 @@ std::vector<std::size_t> uniteNeighbours(std::vector<Group>& groups,
     DisjointSets sets(groups.size());
     std::set<std::pair<std::size_t, std::size_t>> isInVain; // more patches do not make it easier
     for (const auto& [one, other] : smoothNeighbours) {
-        const std::size_t into = sets.find(one);
-        const std::size_t from = sets.find(other);
+        std::size_t into = sets.find(one);
+        std::size_t from = sets.find(other);
         if (into == from || isInVain.contains(std::minmax(into, from))) continue;
-        if (auto both = united(groups[into], groups[from])) {
+        const auto points = [&](std::size_t k) { return groups[k].cloud.samples.points.size(); };
+        if (points(into) < points(from)) std::swap(into, from);
+        if (unite(groups[into], groups[from])) {
             sets.join(into, from);
-            groups[sets.find(into)] = std::move(*both);
+            if (sets.find(into) != into) groups[from] = std::move(groups[into]);
         } else {
             isInVain.insert(std::minmax(into, from));
         }
@@ -113,8 +135,7 @@ std::vector<std::size_t> uniteNeighbours(std::vector<Group>& groups,
     std::vector<std::size_t> groupOf;
     for (std::size_t k = 0; k < groups.size(); ++k) {
         groupOf.push_back(sets.find(k));
-        if (groupOf[k] != k || groups[k].isFitted) continue;
-        if (auto shape = fittingShape(groups[k].shape->kind, groups[k])) groups[k].shape = shape;
+        if (groupOf[k] == k && !groups[k].isFitted) refit(groups[k]);
     }
     return groupOf;
 }
@@ -122,8 +143,8 @@ std::vector<std::size_t> uniteNeighbours(std::vector<Group>& groups,
 /// The group's surface with its seam on the other side of a patch.
 std::optional<SimpleSurface> surfaceFor(const Group& group, const PatchCloud& patch, double tolerance) {
     const PatchCloud cloud = inFrame(patch, group.cloud.centre, group.cloud.size);
-    const int side = agreement(*group.shape, cloud.samples, tolerance / cloud.size);
-    if (side == 0) return std::nullopt;
+    const int side = sideOf(*group.shape, cloud.samples);
+    if (!isAlong(*group.shape, side, cloud.samples, tolerance / cloud.size)) return std::nullopt;
     SimpleShape facing = *group.shape;
     const bool isPlane = facing.kind == SimpleKind::plane;
     if (isPlane) facing.axis *= side;

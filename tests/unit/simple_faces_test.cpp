@@ -10,6 +10,9 @@
 
 #include <gtest/gtest.h>
 
+#include <Geom_CylindricalSurface.hxx>
+#include <Geom_Plane.hxx>
+#include <cmath>
 #include <vector>
 
 namespace qm {
@@ -60,6 +63,33 @@ TEST(SimpleFaces, AreNothingButPlanesUnlessMoreIsAllowed) {
     const std::vector<Point> before = made.shared.vertexPoint;
     simple.moveVertices(made.shared);
     EXPECT_EQ(made.shared.vertexPoint, before);
+}
+
+TEST(CommonCurve, IsNoFinerThanHelpsWhereSurfacesDoNotMeet) {
+    const auto parabola = [] {
+        TColgp_Array1OfPnt poles(1, 3);
+        poles(1) = {0, 0, 0};
+        poles(2) = {1, 1, 0};
+        poles(3) = {2, 0, 0};
+        TColStd_Array1OfReal knots(1, 2);
+        knots(1) = 0;
+        knots(2) = 1;
+        TColStd_Array1OfInteger times(1, 2);
+        times.Init(3);
+        return Handle(Geom_BSplineCurve)(new Geom_BSplineCurve(poles, knots, times, 2));
+    }();
+    const gp_Pnt end(2, 0, 0);
+    const auto plane = [](double height, double slope) {
+        return SimpleSurface{new Geom_Plane(gp_Pnt(0, 0, height), gp_Dir(0, -slope, 1)), false, 0};
+    };
+    const auto knots = [&](const std::vector<SimpleSurface>& both) {
+        return commonCurve(parabola, {gp_Pnt(0, 0, 0), end}, both, 1e-9)->NbKnots();
+    };
+    EXPECT_LE(knots({plane(0, 0), plane(0.001, 0)}), 5);
+    EXPECT_LE(knots({plane(0, 0), plane(0, 0)}), 5);
+    const SimpleSurface cylinder{
+        new Geom_CylindricalSurface(gp_Ax3(gp_Pnt(1, 0, 1), gp_Dir(0, 1, 0)), std::sqrt(2.0)), false, 0};
+    EXPECT_GT(knots({cylinder, cylinder}), 5) << "which no cubic follows exactly";
 }
 
 TEST(BoundaryParts, AreClosedAndLookInwardsOrNot) {
