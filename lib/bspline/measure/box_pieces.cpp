@@ -30,7 +30,7 @@ std::optional<Continuation> continuationOver(const PairedSurfaces& surfaces, std
     Parameters at{};
     at[direction] = end == 0 ? 0 : surfaces.extent(patch)[direction];
     // What lies beyond is the same over a whole edge.
-    for (double edge = std::floor(stretch[0]); edge < stretch[1]; ++edge) {
+    for (auto edge = static_cast<int>(std::floor(stretch[0])); edge < stretch[1]; ++edge) {
         at[1 - direction] = edge + 0.5;
         const auto crossing = surfaces.across({patch, at}, sideAcross(direction, end == 1));
         if (!crossing) return {};
