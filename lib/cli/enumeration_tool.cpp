@@ -147,21 +147,26 @@ int judge(const Tool& tool, const Enumeration& enumeration, const EnumerationReq
     const auto isOptimal = [](const SubMeshGraphs& subMesh) {
         return subMesh.cost && subMesh.lowerBound && *subMesh.lowerBound >= *subMesh.cost;
     };
-    int searched = 0, optimal = 0;
+    int searched = 0, optimal = 0, withoutGraph = 0;
     for (const SubMeshId subMesh : enumeration.subMeshes.ids()) {
         if (!enumeration.part.holds(subMesh)) continue;
         ++searched;
         if (isOptimal(enumeration.subMeshes[subMesh])) ++optimal;
+        if (!enumeration.subMeshes[subMesh].cost) ++withoutGraph;
     }
     tool.count("subMeshes", searched);
     tool.count("provedOptimal", optimal);
     const bool allOptimal = optimal == searched;
-    if (!enumeration.complete)
-        tool.warn(tool.inputName() + ": a limit ended the search; the best graph of " +
-                  std::to_string(optimal) + " of " + std::to_string(searched) +
-                  " sub-meshes is proved optimal");
     const bool unmet =
         (requests.requireComplete && !enumeration.complete) || (requests.requireOptimal && !allOptimal);
+    if (!enumeration.complete || unmet) {
+        std::string message = tool.inputName() + ": ";
+        if (!enumeration.complete) message += "a limit ended the search; ";
+        message += "the best graph of " + std::to_string(optimal) + " of " + std::to_string(searched) +
+                   " sub-meshes is proved optimal";
+        if (withoutGraph > 0) message += ", and no graph is known of " + std::to_string(withoutGraph);
+        tool.warn(message);
+    }
     return unmet ? exitUnmet : exitDone;
 }
 

@@ -178,6 +178,12 @@ is() { assert_equal "$(field "$1" out.json)" true; }
     assert_success
 }
 
+@test "a requirement that is missed is told, although no limit ended the search" {
+    run -3 --separate-stderr qm-enum --max-cost -1e9 --require-optimal "$(stage basecomplex bracket)" -o out.json
+    assert_equal "$stderr" "qm-enum: $(stage basecomplex bracket): the best graph of 0 of 1 sub-meshes is proved optimal, and no graph is known of 1"
+    is '.enumeration.complete == true'
+}
+
 @test "the paper's algorithms too end when told to, and when time is up" {
     input=$(stage basecomplex block)
     for method in naive bounds improved; do

@@ -170,7 +170,15 @@ TEST(BoxPieces, ContinueInTheNeighbourWhateverItsDirectionsAre) {
 }
 
 TEST(BoxPieces, EndWhereTwoNeighboursLieBeyondASide) {
-    const Pair pair{{8, 6, wave}, {{0, 0, 4, 6}, {4, 0, 8, 3}, {4, 3, 8, 6}}, wave};
+    const auto plane = [](double i, double j) { return Point(i, j, 0); };
+    Pair pair{{8, 6, plane}, {{0, 0, 4, 6}, {4, 0, 8, 3}, {4, 3, 8, 6}}, plane};
+    for (std::size_t p = 0; p < 3; ++p) { // the patches meet with equal parameters
+        Patch& patch = pair.patches[p];
+        const auto& corner = pair.rectangles[p];
+        for (int k = 0; k < std::ssize(patch.controlPoints); ++k)
+            patch.controlPoints[at(k)] =
+                Point(corner.i0 + k % patch.count[0] - 1, corner.j0 + k / patch.count[0] - 1, 0);
+    }
     const auto parts = [&](double from, double to) {
         return boxParts(pair.paired(), 0, {{{3.5, 4.5}, {from, to}}});
     };
@@ -178,6 +186,52 @@ TEST(BoxPieces, EndWhereTwoNeighboursLieBeyondASide) {
     ASSERT_EQ(parts(2.5, 3.5).size(), 1);
     EXPECT_EQ(parts(2.5, 3.5)[0].box[0][1], 4);
     EXPECT_TRUE(parts(2.5, 3.5)[0].isAtEnd[0][1]);
+    for (Point& point : pair.patches[1].controlPoints)
+        point[2] = 0.01;
+    EXPECT_EQ(parts(2, 3).size(), 1) << "there is a gap between them";
+}
+
+TEST(CertifiedDeviation, SeesGapsBetweenPatches) {
+    const auto plane = [](double i, double j) { return Point(i, j, 0); };
+    Pair pair{{8, 6, plane}, {{0, 0, 4, 6}, {4, 0, 8, 6}}, plane};
+    EXPECT_LT(certifiedDeviation(pair.paired(), 1, {}).upper, 1e-6);
+    // The second patch begins at 4.02 in the place of 4: all points lie in the plane, but the reference
+    // between is up to 0.01 away from both patches.
+    for (Point& point : pair.patches[1].controlPoints)
+        point[0] = 8 - 0.995 * (8 - point[0]);
+    const auto deviation = certifiedDeviation(pair.paired(), 1, {.effort = 200});
+    EXPECT_GE(deviation.upper, 0.01 - 1e-9);
+    EXPECT_LT(deviation.upper, 0.0201);
+}
+
+TEST(CertifiedDeviation, IsAboveAllSamples) {
+    // A surface that lies on its reference, but with points that slide along the bend, where distances to
+    // first order are too large.
+    const auto bend = [](double shift) {
+        return [=](double i, double j) {
+            const double unit = std::numbers::pi / 48;
+            const double x = unit * (i + shift * std::sin(unit * i));
+            return Point(x, unit * j, std::sin(x));
+        };
+    };
+    const Pair pair{{96, 4, bend(0)}, {{0, 0, 96, 4}}, bend(0.08)};
+    const auto deviation = certifiedDeviation(pair.paired(), 0, {.effort = 200});
+    for (const auto& [distance, area] : deviation.samples)
+        EXPECT_LE(distance, deviation.upper);
+    EXPECT_LE(percentile95(deviation.samples), deviation.upper);
+    EXPECT_LE(deviation.rms, deviation.upper);
+}
+
+TEST(CertifiedDeviation, Percentile95IsByArea) {
+    EXPECT_EQ(percentile95({}), 0);
+    EXPECT_EQ(percentile95({{3, 0}}), 0);
+    EXPECT_EQ(percentile95({{3, 2}}), 3);
+    EXPECT_EQ(percentile95({{1, 90}, {5, 4}, {2, 6}}), 2);
+    EXPECT_EQ(percentile95({{1, 90}, {5, 6}, {2, 4}}), 5);
+    std::vector<std::pair<double, double>> even;
+    for (int k = 0; k < 1000; ++k)
+        even.emplace_back((k * 37) % 1000, 1);
+    EXPECT_EQ(percentile95(even), 949);
 }
 
 TEST(CertifiedDeviation, FindsASpikeBetweenSamples) {

@@ -58,7 +58,7 @@ SparseFactors::SparseFactors(const Eigen::SparseMatrix<double>& lower, unsigned 
         starts_.push_back(starts_.back() + at(node.height()) * at(node.columns()));
         maxHeight_ = std::max<Index>(maxHeight_, node.height());
     }
-    values_.resize(starts_.back());
+    values_.resize(static_cast<Index>(starts_.back()));
     std::vector<Eigen::MatrixXd> complements(plan_.nodes.size());
     const auto eliminate = [&](int number, unsigned threads) {
         const Supernode& supernode = plan_.nodes[at(number)];
@@ -68,8 +68,8 @@ SparseFactors::SparseFactors(const Eigen::SparseMatrix<double>& lower, unsigned 
             complements[at(child)].resize(0, 0);
         }
         eliminateColumns(dense, threads);
-        std::ranges::copy(dense.columns.reshaped(),
-                          values_.begin() + static_cast<std::ptrdiff_t>(starts_[at(number)]));
+        values_.segment(static_cast<Index>(starts_[at(number)]), dense.columns.size()) =
+            dense.columns.reshaped();
         complements[at(number)] = std::move(dense.rest);
     };
     parallelFor(plan_.parts.size() - 1, jobs_, [&](std::size_t part) {

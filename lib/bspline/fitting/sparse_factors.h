@@ -24,7 +24,7 @@ public:
 private:
     [[nodiscard]] Eigen::Map<const Eigen::MatrixXd> columnsOf(std::size_t supernode) const {
         const Supernode& node = plan_.nodes[supernode];
-        return {&values_[starts_[supernode]], node.height(), node.columns()};
+        return {values_.data() + starts_[supernode], node.height(), node.columns()};
     }
 
     using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
@@ -37,7 +37,7 @@ private:
     Supernodes plan_;
     Eigen::Index maxHeight_ = 0;      ///< largest number of rows of a supernode
     std::vector<std::size_t> starts_; ///< by supernode: where its values begin, and the end of all
-    std::vector<double> values_;      ///< by supernode: columns of L below the diagonal, which holds D
+    Eigen::VectorXd values_;          ///< by supernode: columns of L below the diagonal, which holds D
 };
 
 } // namespace qm

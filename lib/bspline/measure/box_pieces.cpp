@@ -22,7 +22,7 @@ struct Continuation {
     }
 };
 
-/// The one beyond a stretch of a side; nothing if there is none, or more than one.
+/// The one beyond a stretch of a side; nothing if there is none, or more than one, or a gap between.
 std::optional<Continuation> continuationOver(const PairedSurfaces& surfaces, std::size_t patch,
                                              std::size_t direction, std::size_t end,
                                              const std::array<double, 2>& stretch) {
@@ -33,7 +33,7 @@ std::optional<Continuation> continuationOver(const PairedSurfaces& surfaces, std
     for (auto edge = static_cast<int>(std::floor(stretch[0])); edge < stretch[1]; ++edge) {
         at[1 - direction] = edge + 0.5;
         const auto crossing = surfaces.across({patch, at}, sideAcross(direction, end == 1));
-        if (!crossing) return {};
+        if (!crossing || !crossing->isGapless) return {};
         if (!result) {
             result = {at, crossing->to, crossing->turns};
             continue;

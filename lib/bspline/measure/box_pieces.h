@@ -33,8 +33,8 @@ struct BoxPart {
 using BoxParts = boost::container::static_vector<BoxPart, 3>;
 
 /// Divides a box among patches. What reaches beyond a side of its own patch continues in the neighbour, if
-/// only one lies there, for as far as that reaches; what is left over is cut off. A box that reaches beyond
-/// two neighbouring sides continues beyond one of them.
+/// only one lies there and meets it, for as far as that reaches; what is left over is cut off. A box that
+/// reaches beyond two neighbouring sides continues beyond one of them.
 /// \param patch  whose parameters those of the box are
 [[nodiscard]] BoxParts boxParts(const PairedSurfaces& surfaces, std::size_t patch, const ParameterBox& box);
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numeric>
 
 namespace qm {
 namespace {
@@ -29,6 +30,9 @@ public:
         result_.upper = boundLargestFirst(
             std::move(parts_), effort, [&](double upper) { return options_.areClose(upper, result_.lower); },
             [&](const SurfacePart& part, const auto& add) { divide(part, add); });
+        // To first order, samples can be too large.
+        for (auto& sample : result_.samples)
+            sample.first = std::min(sample.first, result_.upper);
         result_.rms = rootMeanSquare(result_.samples);
         return std::move(result_);
     }
@@ -176,16 +180,26 @@ double rootMeanSquare(const std::vector<std::pair<double, double>>& samples) {
 }
 
 double percentile95(std::vector<std::pair<double, double>> samples) {
-    std::ranges::sort(samples, std::greater<>());
-    double above = 0;
-    for (const auto& sample : samples)
-        above += sample.second;
-    above *= 0.05;
-    for (const auto& [distance, weight] : samples) {
-        above -= weight;
-        if (above < 0) return distance;
+    const auto weight = [](auto begin, auto end) {
+        return std::accumulate(begin, end, 0.0,
+                               [](double sum, const auto& sample) { return sum + sample.second; });
+    };
+    auto begin = samples.begin();
+    auto end = samples.end();
+    double above = 0.05 * weight(begin, end);
+    if (!(above > 0)) return 0;
+    while (end - begin > 1) {
+        const auto middle = begin + (end - begin) / 2;
+        std::nth_element(begin, middle, end, std::greater<>());
+        const double upper = weight(begin, middle);
+        if (upper > above) {
+            end = middle;
+        } else {
+            above -= upper;
+            begin = middle;
+        }
     }
-    return 0;
+    return begin->first;
 }
 
 } // namespace qm

@@ -132,7 +132,8 @@ public:
     }
 
 private:
-    /// From every vertex of a patch's grid to the surfaces.
+    /// From every vertex of a patch's grid to the surfaces. Where these fold, the search may miss the nearest
+    /// place; but no distance is more than that of the reference and that from there.
     [[nodiscard]] Samples vertexDistances(std::size_t k) const {
         const Segment& segment = layout_.segments[k];
         FootSearch search(toReference_);
@@ -141,7 +142,9 @@ private:
         std::size_t row = 0;
         for (const Point& vertex : pointGrid(mesh_, segment)) {
             const LayoutPlace place{k, {static_cast<double>(column), static_cast<double>(row)}};
-            distances.emplace_back(search(0, place, vector(vertex)).distance, 1);
+            const double offReference = (search.evaluateAt(1, place).position - vector(vertex)).norm();
+            const double found = search(0, place, vector(vertex)).distance;
+            distances.emplace_back(std::min(found, offReference + result_.ofPatch[k].deviation.max), 1);
             if (++column > at(segment.size[0])) {
                 column = 0;
                 ++row;

@@ -1,6 +1,7 @@
 #include "bspline/measure/paired_surfaces.h"
 
 #include "base/at.h"
+#include "bspline/splines/evaluate.h"
 
 #include <algorithm>
 #include <utility>
@@ -17,7 +18,23 @@ int commonDegree(const std::vector<Patch>& patches, const std::vector<ReferenceG
     return degree;
 }
 
-constexpr std::size_t none = static_cast<std::size_t>(-1);
+/// Whether patches meet along a border edge up to rounding.
+bool isGapless(const Layout& layout, const std::vector<Patch>& patches, const BorderEdge& border) {
+    constexpr double negligible = 1e-7; // of the border's length
+    // As many points as cubics that are not equal cannot have in common.
+    std::array<std::array<Point, 4>, 2> points;
+    for (std::size_t side = 0; side < 2; ++side)
+        for (std::size_t k = 0; k < 4; ++k) {
+            const BorderPlace& place = border.places[side];
+            const double along = static_cast<double>(k) / 3;
+            const auto at = parametersOnSide(layout.segments[place.patch].size, place.side,
+                                             place.position + (side == 0 ? along : 1 - along));
+            points[side][k] = evaluate(patches[place.patch], at[0], at[1]).position;
+        }
+    const double length = (points[0].front() - points[0].back()).norm();
+    const auto meet = [&](const Point& a, const Point& b) { return (a - b).norm() <= negligible * length; };
+    return std::ranges::equal(points[0], points[1], meet);
+}
 
 } // namespace
 
@@ -42,15 +59,16 @@ PairedSurfaces::PairedSurfaces(const Layout& layout, const std::vector<Patch>& p
 
         auto& sides = beyond_.emplace_back();
         for (std::size_t k = 0; k < 4; ++k)
-            sides[k].assign(at(layout.segments[p].size[k % 2]), {none, 0, 0});
+            sides[k].resize(at(layout.segments[p].size[k % 2]));
     }
-    const auto entry = [this](const BorderPlace& place) -> BorderPlace& {
+    const auto entry = [this](const BorderPlace& place) -> Beyond& {
         return beyond_[place.patch][at(place.side)][at(place.position)];
     };
     for (const BorderEdge& border : borders)
         if (border.places.size() == 2) {
-            entry(border.places[0]) = border.places[1];
-            entry(border.places[1]) = border.places[0];
+            const bool gapless = isGapless(layout, patches, border);
+            entry(border.places[0]) = {border.places[1], gapless};
+            entry(border.places[1]) = {border.places[0], gapless};
         }
 }
 
@@ -84,11 +102,12 @@ std::optional<PairedSurfaces::Crossing> PairedSurfaces::across(const LayoutPlace
                                        size[1] - place.at[1]};
     const double along = walked[at(side)];
     const int position = std::clamp(static_cast<int>(along), 0, size[at(side) % 2] - 1);
-    const BorderPlace& other = beyond_[place.patch][at(side)][at(position)];
-    if (other.patch == none) return std::nullopt;
-    const double there = other.position + 1 - std::clamp(along - position, 0.0, 1.0);
-    return Crossing{{other.patch, parametersOnSide(layout_.segments[other.patch].size, other.side, there)},
-                    (other.side - side + 6) % 4};
+    const auto& [other, gapless] = beyond_[place.patch][at(side)][at(position)];
+    if (!other) return std::nullopt;
+    const double there = other->position + 1 - std::clamp(along - position, 0.0, 1.0);
+    return Crossing{{other->patch, parametersOnSide(layout_.segments[other->patch].size, other->side, there)},
+                    (other->side - side + 6) % 4,
+                    gapless};
 }
 
 std::array<double, 2> turned(const std::array<double, 2>& vector, int quarters) {

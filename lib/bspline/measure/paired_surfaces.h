@@ -46,6 +46,7 @@ public:
     struct Crossing {
         LayoutPlace to;
         int turns = 0; ///< counter-clockwise quarters from a direction in the old patch to that in the new
+        bool isGapless = false; ///< the fitted patches meet there, over a whole mesh edge
     };
     /// The step from a place on a side of its patch; none on the mesh boundary.
     [[nodiscard]] std::optional<Crossing> across(const LayoutPlace& place, int side) const;
@@ -53,7 +54,12 @@ public:
 private:
     const Layout& layout_;
     std::array<std::vector<BezierPieces>, 2> pieces_;
-    std::vector<std::array<std::vector<BorderPlace>, 4>> beyond_; ///< by patch, side and position
+    /// What lies beyond an edge of a side.
+    struct Beyond {
+        std::optional<BorderPlace> place; ///< none on the mesh boundary
+        bool isGapless = false;
+    };
+    std::vector<std::array<std::vector<Beyond>, 4>> beyond_; ///< by patch, side and position
 };
 
 /// A vector of parameters after a number of counter-clockwise quarter turns.

@@ -1,6 +1,7 @@
 #include "bspline/reference/bending_equations.h"
 
 #include "base/at.h"
+#include "base/parallel.h"
 
 #include <Eigen/LU>
 
@@ -27,14 +28,18 @@ Values rightHandSide(const std::vector<BendingTerm>& terms, Eigen::Index size) {
     return sum;
 }
 
-Values product(const std::vector<BendingTerm>& terms, const Values& tilts) {
-    Values sum = Values::Zero(tilts.size());
-    CornerTilts ofTerm;
-    for (const BendingTerm& term : terms) {
+/// \param products  scratch, by term
+Values product(const std::vector<BendingTerm>& terms, const Values& tilts, std::vector<CornerTilts>& products,
+               unsigned jobs) {
+    parallelForMany(terms.size(), jobs, [&](std::size_t k) {
+        CornerTilts ofTerm;
         for (int corner = 0; corner < 4; ++corner)
-            ofTerm.segment<3>(row(corner)) = tilts.segment<3>(row(term.vertices()[at(corner)]));
-        add(term.vertices(), term.matrix() * ofTerm, sum);
-    }
+            ofTerm.segment<3>(row(corner)) = tilts.segment<3>(row(terms[k].vertices()[at(corner)]));
+        products[k] = terms[k].matrix() * ofTerm;
+    });
+    Values sum = Values::Zero(tilts.size());
+    for (std::size_t k = 0; k < terms.size(); ++k)
+        add(terms[k].vertices(), products[k], sum);
     return sum;
 }
 
@@ -88,7 +93,8 @@ Eigen::Matrix<double, 12, 12> BendingTerm::matrix() const {
     return matrix;
 }
 
-std::vector<Eigen::Vector3d> leastBendingTilts(const std::vector<BendingTerm>& terms, std::size_t vertices) {
+std::vector<Eigen::Vector3d> leastBendingTilts(const std::vector<BendingTerm>& terms, std::size_t vertices,
+                                               unsigned jobs) {
     constexpr double accuracy = 1e-6;
     constexpr int maxRounds = 100; // ten times what real meshes take
     const Preconditioner preconditioner(terms, vertices);
@@ -97,8 +103,9 @@ std::vector<Eigen::Vector3d> leastBendingTilts(const std::vector<BendingTerm>& t
     Values direction = preconditioner * residual;
     double size = residual.dot(direction);
     const double enough = accuracy * accuracy * size;
+    std::vector<CornerTilts> products(terms.size());
     for (int k = 0; k < maxRounds && size > enough; ++k) {
-        const Values change = product(terms, direction);
+        const Values change = product(terms, direction, products, jobs);
         const double step = size / direction.dot(change);
         tilts += step * direction;
         residual -= step * change;

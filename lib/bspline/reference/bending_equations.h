@@ -33,6 +33,6 @@ private:
 /// \param vertices  number of vertices
 /// \return by vertex: its tilts; zero where no term depends on them
 [[nodiscard]] std::vector<Eigen::Vector3d> leastBendingTilts(const std::vector<BendingTerm>& terms,
-                                                             std::size_t vertices);
+                                                             std::size_t vertices, unsigned jobs);
 
 } // namespace qm

@@ -19,4 +19,11 @@ LagrangeWeights lagrange(int steps, double parameter) {
     return weights;
 }
 
+const LagrangeWeights& lagrangeAtEnd(int steps, std::size_t end) {
+    static const auto weights = forAllSteps([](int number) {
+        return std::array{lagrange(number, 0), lagrange(number, 1)};
+    });
+    return weights[at(steps - 1)][end];
+}
+
 } // namespace qm

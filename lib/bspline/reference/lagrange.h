@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <vector>
 
 namespace qm {
 
@@ -18,5 +20,16 @@ using LagrangeWeights = std::array<Jet, maxSteps + 1>;
 /// \param steps      from 1 to maxSteps
 /// \param parameter  0 at the first point, 1 at the last
 [[nodiscard]] LagrangeWeights lagrange(int steps, double parameter);
+
+/// A function's values for all numbers of steps, beginning with 1.
+template <class Function> auto forAllSteps(const Function& function) {
+    std::vector<decltype(function(1))> values;
+    for (int steps = 1; steps <= maxSteps; ++steps)
+        values.push_back(function(steps));
+    return values;
+}
+
+/// The same weights at the first point (end 0) or the last one (end 1), computed once.
+[[nodiscard]] const LagrangeWeights& lagrangeAtEnd(int steps, std::size_t end);
 
 } // namespace qm

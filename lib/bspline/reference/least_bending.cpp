@@ -24,29 +24,31 @@ constexpr double minAgreement = 0.5;
 
 class LeastBending {
 public:
-    LeastBending(MeshLattice& lattice, const std::vector<VertexRule>& rules)
-        : lattice_(lattice), before_(lattice), mesh_(lattice.numbers().mesh()), frames_(mesh_.n_vertices()) {
+    LeastBending(MeshLattice& lattice, const std::vector<VertexRule>& rules, unsigned jobs)
+        : lattice_(lattice), before_(lattice), mesh_(lattice.numbers().mesh()), jobs_(jobs),
+          frames_(mesh_.n_vertices()) {
         const std::vector<bool> isSound = soundVertices(mesh_);
         const std::vector<Eigen::Vector3d> normals = sumsOfNormals();
-        for (const VertexId vertex : mesh_.vertices()) {
-            const bool isFree = rules[at(vertex)].kind == VertexRule::Kind::smooth && isSound[at(vertex)];
-            if (isFree && normals[at(vertex)].norm() > minAgreement * mesh_.valence(vertex))
-                frames_[at(vertex)] = frameAround(vertex, normals[at(vertex)].normalized());
-        }
+        parallelForMany(frames_.size(), jobs_, [&](std::size_t k) {
+            const VertexId vertex(static_cast<int>(k));
+            const bool isFree = rules[k].kind == VertexRule::Kind::smooth && isSound[k];
+            if (isFree && normals[k].norm() > minAgreement * mesh_.valence(vertex))
+                frames_[k] = frameAround(vertex, normals[k].normalized());
+        });
     }
 
-    void run(unsigned jobs) {
+    void run() {
         std::vector<BendingTerm> terms(mesh_.n_faces());
-        parallelForMany(terms.size(), jobs, [&](std::size_t k) {
+        parallelForMany(terms.size(), jobs_, [&](std::size_t k) {
             const FaceId face(static_cast<int>(k));
             if (hasFreeCorner(face))
                 terms[k] = BendingTerm(vertices(face), quadBending(surface(face), frames(face)));
         });
-        std::vector<Eigen::Vector3d> tilts = leastBendingTilts(terms, mesh_.n_vertices());
+        std::vector<Eigen::Vector3d> tilts = leastBendingTilts(terms, mesh_.n_vertices(), jobs_);
         terms = {};
         for (Eigen::Vector3d& tilt : tilts)
             if (const double slope = tilt.head<2>().norm(); slope > maxSlope) tilt *= maxSlope / slope;
-        move(tilts, jobs);
+        move(tilts);
     }
 
 private:
@@ -78,12 +80,17 @@ private:
 
     /// Of the quads around every vertex.
     [[nodiscard]] std::vector<Eigen::Vector3d> sumsOfNormals() const {
+        std::vector<std::array<Eigen::Vector3d, 4>> normals(mesh_.n_faces());
+        parallelForMany(normals.size(), jobs_, [&](std::size_t k) {
+            const QuadSurface ofFace = surface(FaceId(static_cast<int>(k)));
+            for (std::size_t corner = 0; corner < 4; ++corner)
+                normals[k][corner] = ofFace.normal(corner);
+        });
         std::vector<Eigen::Vector3d> sums(mesh_.n_vertices(), Eigen::Vector3d::Zero());
         for (const FaceId face : mesh_.faces()) {
-            const QuadSurface ofFace = surface(face);
             std::size_t corner = 0;
             for (const int vertex : vertices(face))
-                sums[at(vertex)] += ofFace.normal(corner++);
+                sums[at(vertex)] += normals[at(face)][corner++];
         }
         return sums;
     }
@@ -103,8 +110,8 @@ private:
         return frame;
     }
 
-    void move(const std::vector<Eigen::Vector3d>& tilts, unsigned jobs) {
-        parallelForMany(mesh_.n_faces(), jobs, [&](std::size_t k) {
+    void move(const std::vector<Eigen::Vector3d>& tilts) {
+        parallelForMany(mesh_.n_faces(), jobs_, [&](std::size_t k) {
             const FaceId face(static_cast<int>(k));
             if (!hasFreeCorner(face)) return;
             CornerTilts ofCorners;
@@ -141,13 +148,14 @@ private:
     MeshLattice& lattice_;
     const MeshLattice before_;
     const QuadMesh& mesh_;
+    unsigned jobs_;
     std::vector<std::optional<TangentFrame>> frames_; ///< by vertex, where the tangent plane may be tilted
 };
 
 } // namespace
 
 void bendLeast(MeshLattice& lattice, const std::vector<VertexRule>& rules, unsigned jobs) {
-    LeastBending(lattice, rules).run(jobs);
+    LeastBending(lattice, rules, jobs).run();
 }
 
 } // namespace qm

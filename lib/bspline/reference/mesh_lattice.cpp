@@ -40,11 +40,10 @@ MeshLattice::MeshLattice(const QuadMesh& mesh, const std::vector<Point>& points)
         points_.push_back(vector(point));
 }
 
-MeshLattice::MeshLattice(const LatticeNumbers& numbers)
-    : numbers_(numbers), points_(numbers.count(), Eigen::Vector3d::Zero()) {}
+MeshLattice::MeshLattice(const LatticeNumbers& numbers) : numbers_(numbers), points_(numbers.count()) {}
 
 Point MeshLattice::derivative(HalfedgeId leaving) const {
-    const LagrangeWeights weights = lagrange(squares(), 0);
+    const LagrangeWeights& weights = lagrangeAtEnd(squares(), 0);
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (int k = 0; k <= squares(); ++k)
         sum += weights[at(k)][1] * points_[numbers_(leaving, k, 0)];

@@ -3,7 +3,6 @@
 #include "base/at.h"
 #include "bspline/reference/hermite.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
@@ -58,7 +57,9 @@ class Geometry {
 public:
     explicit Geometry(const QuadSurface::SecondOrder& at) : at_(at) {
         metric_ << at.u.squaredNorm(), at.u.dot(at.v), at.u.dot(at.v), at.v.squaredNorm();
-        factors_.compute(metric_);
+        const double length = std::sqrt(metric_(0, 0));
+        const double height = std::sqrt(metric_.determinant()) / length;
+        frame_ << 1 / length, 0, -metric_(0, 1) / (metric_(0, 0) * height), 1 / height;
     }
 
     /// False where the derivatives are parallel, or nearly so, or one is zero.
@@ -73,8 +74,7 @@ public:
     [[nodiscard]] Eigen::Vector3d inFrame(double uu, double uv, double vv) const {
         Eigen::Matrix2d form;
         form << uu, uv, uv, vv;
-        const Eigen::Matrix2d half = factors_.matrixL().solve(form);
-        const Eigen::Matrix2d whole = factors_.matrixL().solve(half.transpose());
+        const Eigen::Matrix2d whole = frame_ * form * frame_.transpose();
         return {whole(0, 0), std::numbers::sqrt2 * whole(0, 1), whole(1, 1)};
     }
     [[nodiscard]] Eigen::Vector3d ofSurface() const {
@@ -83,7 +83,8 @@ public:
     }
     /// \param share  of the lift that is along the normal here
     [[nodiscard]] Eigen::Vector3d ofLift(const Lift& lift, double share) const {
-        const Eigen::Vector2d slopes = factors_.solve(Eigen::Vector2d(lift(1, 0), lift(0, 1)));
+        const Eigen::Vector2d slopes =
+            frame_.transpose() * (frame_ * Eigen::Vector2d(lift(1, 0), lift(0, 1)));
         const Eigen::Vector3d gradient = slopes[0] * at_.u + slopes[1] * at_.v;
         return share * inFrame(lift(2, 0) - gradient.dot(at_.uu), lift(1, 1) - gradient.dot(at_.uv),
                                lift(0, 2) - gradient.dot(at_.vv));
@@ -92,7 +93,7 @@ public:
 private:
     const QuadSurface::SecondOrder& at_;
     Eigen::Matrix2d metric_;
-    Eigen::LLT<Eigen::Matrix2d> factors_;
+    Eigen::Matrix2d frame_; ///< its rows: an orthonormal frame's vectors in terms of u and v
 };
 
 } // namespace
@@ -101,7 +102,7 @@ QuadSurface::QuadSurface(int steps, std::vector<Eigen::Vector3d> points)
     : steps_(steps), points_(std::move(points)) {
     const std::size_t width = at(steps_) + 1;
     for (std::size_t end = 0; end < 2; ++end) {
-        const auto weights = lagrange(steps_, static_cast<double>(end));
+        const LagrangeWeights& weights = lagrangeAtEnd(steps_, end);
         for (std::size_t corner = 0; corner < quadCorners.size(); ++corner)
             for (std::size_t direction = 0; direction < 2; ++direction) {
                 if (quadCorners[corner][direction] != end) continue;
@@ -163,7 +164,9 @@ struct GaussPoint {
 };
 
 /// Three points: with two, some twists would not bend anything.
-std::array<GaussPoint, 3> gaussPoints(int steps) {
+using GaussRule = std::array<GaussPoint, 3>;
+
+GaussRule gaussRule(int steps) {
     constexpr double outer = 0.3872983346207417; // half of the root of 3/5
     const auto point = [&](double t, double weight) {
         return GaussPoint{weight, Hermite(t), lagrange(steps, t)};
@@ -185,7 +188,8 @@ std::array<std::array<CornerChange, 3>, 4> unitChanges(const QuadSurface& surfac
 } // namespace
 
 QuadBending quadBending(const QuadSurface& surface, const CornerFrames& frames) {
-    const auto points = gaussPoints(surface.steps());
+    static const auto rules = forAllSteps(gaussRule);
+    const GaussRule& points = rules[at(surface.steps() - 1)];
     const auto changes = unitChanges(surface, frames);
     QuadBending bending{Eigen::Matrix<double, 12, 12>::Zero(), CornerTilts::Zero()};
     for (const GaussPoint& u : points)

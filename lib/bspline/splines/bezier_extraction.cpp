@@ -4,6 +4,8 @@
 #include "base/positions.h"
 #include "bspline/splines/blossom.h"
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -60,26 +62,17 @@ void append(Weights rows, BezierExtraction& extraction) {
 
 /// Bezier points over [0, 1] as weights of the values at equal steps.
 Weights bezierThroughSteps(int steps) {
-    const std::size_t n = at(steps) + 1;
-    // Bernstein's polynomials at the steps, beside the identity; the inverse by Gauss and Jordan with pivots.
-    Weights rows;
-    for (std::size_t k = 0; k < n; ++k) {
+    const int n = steps + 1;
+    Eigen::MatrixXd atSteps(n, n); // of Bernstein's polynomials
+    for (int k = 0; k < n; ++k) {
         const double t = static_cast<double>(k) / steps;
-        rows.push_back(bezierPoint(bezierKnots(steps), steps, at(steps), t, t, 0));
-        rows[k].resize(2 * n);
-        rows[k][n + k] = 1;
+        const std::vector<double> row = bezierPoint(bezierKnots(steps), steps, at(steps), t, t, 0);
+        atSteps.row(k) = Eigen::Map<const Eigen::RowVectorXd>(row.data(), n);
     }
-    for (std::size_t column = 0; column < n; ++column) {
-        const auto size = [&](const std::vector<double>& row) { return std::abs(row[column]); };
-        std::vector<double>& own = rows[column];
-        std::swap(own, *std::ranges::max_element(rows.begin() + static_cast<std::ptrdiff_t>(column),
-                                                 rows.end(), {}, size));
-        mix(1 / own[column], own, 0, own);
-        for (std::vector<double>& row : rows)
-            if (&row != &own) mix(1, row, -row[column], own);
-    }
-    for (std::vector<double>& row : rows)
-        row.erase(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(n));
+    const Eigen::MatrixXd ofValues = atSteps.inverse();
+    Weights rows(at(n), std::vector<double>(at(n)));
+    for (int k = 0; k < n; ++k)
+        Eigen::Map<Eigen::RowVectorXd>(rows[at(k)].data(), n) = ofValues.row(k);
     return rows;
 }
 
