@@ -60,6 +60,22 @@ std::size_t controlPointsFor(const QuadMesh& mesh, const Triangles& scan) {
     return controlPointCount(surfaces.patches);
 }
 
+TEST(DirtyScan, IsGivenUpWhereOnlyNoiseIsLeftToFollow) {
+    // About two triangles a quad, so that noise cannot be told from the shape.
+    const QuadMesh mesh = makeShape("torus", {.around = 24});
+    Triangles scan = makeScan("torus", 2 * static_cast<double>(mesh.n_faces()));
+    addNoise(scan, 0.01 * boundingBoxOf(scan.points).diagonal(), 1);
+    const TriangleSurface surface(scan);
+    const FitOptions options{.tolerance = {0.02, true}, .rho = 0.2};
+    int rounds = 0; // every one asks
+    Control control;
+    control.stopRequested = [&] { return ++rounds < 0; };
+    const Surfaces surfaces =
+        fitSurfaces(mesh, testing::cheapestLayout(mesh), dihedralAngles(mesh), options, &surface, control);
+    EXPECT_FALSE(missedTolerance(surfaces, options).empty());
+    EXPECT_LT(rounds, 10);
+}
+
 TEST(DirtyScan, NeedsFewMoreControlPointsThanACleanOne) {
     const QuadMesh mesh = makeShape("block");
     const Triangles clean = makeScan("block", 60'000);

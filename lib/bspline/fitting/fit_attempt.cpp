@@ -41,10 +41,12 @@ struct Astray {
 };
 
 /// A fit that is so many tolerances away will not come within one. It is not verified again and not attempted
-/// anew, and its search ends if this many rounds together do not halve the distance.
+/// anew, and its search ends if this many rounds together do not halve the distance. Nor will a fit for which
+/// so many times the control points of its first round do not halve it: it follows noise.
 struct Hopeless {
     static constexpr double distance = 1000;
     static constexpr int rounds = 6;
+    static constexpr double growth = 8;
 };
 
 bool isAstrayFrom(const Fitted& before, const Fitted& found) {
@@ -71,7 +73,7 @@ public:
         for (int k = 1;; ++k) {
             chooseBest();
             if (hasPlanes()) flattenWhereKept(layout_, planes_, verify_, best_, jobs_);
-            Fitted found{best_.patches, best_.distances};
+            Fitted found{best_.patches, best_.distances, followsNoise()};
             const bool isAstray = !isLast && k > 1 && isAstrayFrom(nearest, found);
             if (k == 1 || found.farthest() < nearest.farthest()) nearest = std::move(found);
             if (isAstray || nearest.isHopeless() || k == options_.verifications || control.stopRequested())
@@ -106,6 +108,8 @@ private:
                 halved = round;
             }
             if (state_.worst() > Hopeless::distance && round - halved >= Hopeless::rounds) break;
+            if (rounds_ == 0) firstRound_ = {state_.worst(), state_.score().controlPoints};
+            if (followsNoise()) break;
             if (++rounds_ > roundsForFolds) state_.giveUpFolds();
             if (state_.worst() <= 1) {
                 const auto count = static_cast<double>(controlPointCount(best_.patches));
@@ -125,6 +129,13 @@ private:
             if (refined || (weighed && gains)) continue;
             if (!tryHarder()) state_.giveUp();
         }
+    }
+
+    /// Whether very many control points have not brought it much nearer than it was in its first round.
+    [[nodiscard]] bool followsNoise() const {
+        const auto points = static_cast<double>(state_.score().controlPoints);
+        return state_.worst() > 1 && 2 * state_.worst() > firstRound_.worst &&
+               points > Hopeless::growth * static_cast<double>(firstRound_.controlPoints);
     }
 
     /// Does what helps where neither knots nor weights do. Beside folds short intervals would only make
@@ -181,6 +192,10 @@ private:
     FitState state_;
     int flattenings_ = 0; ///< that broke the tolerance
     int rounds_ = 0;      ///< in all searches together
+    struct {
+        double worst = 0;
+        std::size_t controlPoints = 0;
+    } firstRound_;
     FitRound best_;
     FitRound nearest_; ///< the best if errors that are given up count like all others
 };
@@ -192,7 +207,7 @@ double Fitted::farthest() const {
 }
 
 bool Fitted::isHopeless() const {
-    return farthest() > Hopeless::distance;
+    return followsNoise || farthest() > Hopeless::distance;
 }
 
 Fitted attemptFit(const QuadMesh& mesh, const Layout& layout, const SmoothNetwork& network,

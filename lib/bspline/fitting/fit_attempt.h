@@ -15,10 +15,11 @@ namespace qm {
 struct Fitted {
     std::vector<Patch> patches;
     std::vector<double> distances; ///< by patch, in tolerances, verified
+    bool followsNoise = false;     ///< took very many control points, which hardly brought it nearer
 
     [[nodiscard]] double farthest() const;
-    /// Whether the fit is so far away that neither mending nor another attempt will bring it within the
-    /// tolerance.
+    /// Whether neither mending nor another attempt will bring the fit within the tolerance: it is far away,
+    /// or follows noise.
     [[nodiscard]] bool isHopeless() const;
 };
 
