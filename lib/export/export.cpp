@@ -34,14 +34,19 @@ struct CheckedShape {
     Boundary boundary;
     Origins origins; ///< of every face
     BoundaryShape shape;
-    BRepCheck_Analyzer check;
+    bool isValid = false;            ///< OpenCASCADE takes it
+    std::vector<bool> isFaceValid{}; ///< by face
 };
 
 CheckedShape checked(Boundary boundary, const Origins& origins) {
     orderFaces(boundary);
-    BoundaryShape shape = buildShape(boundary);
-    BRepCheck_Analyzer check(shape.shape, Standard_True, Standard_True);
-    return {std::move(boundary), origins, std::move(shape), std::move(check)};
+    CheckedShape made{std::move(boundary), origins, {}};
+    made.shape = buildShape(made.boundary);
+    const BRepCheck_Analyzer check(made.shape.shape, Standard_True, Standard_True);
+    made.isValid = check.IsValid();
+    for (const TopoDS_Face& face : made.shape.faces)
+        made.isFaceValid.push_back(check.IsValid(face));
+    return made;
 }
 
 /// A simple surface is given up where OpenCASCADE finds that its borders do not allow it.
@@ -49,10 +54,10 @@ CheckedShape checkedShape(const QuadMesh& mesh, const FacePatches& faces, double
     std::vector<double> simplifyFace(faces.patches.size(), simplify);
     while (true) {
         CheckedShape made = checked(makeBoundary(mesh, faces, simplifyFace), faces.origins);
-        if (made.check.IsValid()) return made;
+        if (made.isValid) return made;
         bool changed = false;
         for (std::size_t f = 0; f < simplifyFace.size(); ++f)
-            if (simplifyFace[f] > 0 && !made.check.IsValid(made.shape.faces[f])) {
+            if (simplifyFace[f] > 0 && !made.isFaceValid[f]) {
                 simplifyFace[f] = 0;
                 changed = true;
             }
@@ -66,7 +71,7 @@ CheckedShape withPlanesMerged(CheckedShape shape) {
     Origins origins = shape.origins;
     if (!mergePlanes(boundary, origins)) return shape;
     CheckedShape merged = checked(std::move(boundary), origins);
-    return merged.check.IsValid() || !shape.check.IsValid() ? merged : shape;
+    return merged.isValid || !shape.isValid ? merged : shape;
 }
 
 ShapeReport reportOf(const Boundary& boundary) {
@@ -103,7 +108,7 @@ Exported exportShape(const QuadMesh& mesh, const Layout& layout, const Surfaces&
                             ? boundaryAsStep(made.boundary, made.origins, options)
                             : shapeAsIges(made.shape, made.origins, options),
                         reportOf(made.boundary)};
-        result.shape->valid = made.check.IsValid();
+        result.shape->valid = made.isValid;
         return result;
     } catch (const Standard_Failure& failure) {
         throw Error("surfaces",

@@ -74,7 +74,7 @@ struct Rank {
     int detached = 0;      ///< number of fans with faces that are listed, none of them a neighbour
     int minusAttached = 0; ///< minus the number of fans with a neighbour that is listed
     std::size_t face = 0;
-    auto operator<=>(const Rank&) const = default;
+    auto operator<=>(const Rank&) const = default; // NOLINT(modernize-use-nullptr): no pointer
 };
 
 /// Which faces are listed, and the ranks of the others.
