@@ -115,6 +115,7 @@ Kind neededKind(const ExportOptions& options) {
 
 bool reportShape(Tool& tool, const ShapeReport& shape, const Model& model, LengthUnit unit) {
     tool.count("solids", static_cast<double>(shape.solids));
+    tool.count("cavities", static_cast<double>(shape.cavities));
     tool.count("openEdges", static_cast<double>(shape.openEdges));
     tool.count("shapeFaces", static_cast<double>(shape.faces));
     tool.count("simpleFaces", static_cast<double>(shape.simpleFaces));

@@ -54,6 +54,7 @@ Json summaryToJson(const Summary& summary, const std::string& name, const std::s
                    std::optional<double> seconds, const std::vector<std::string>& unmet) {
     Json json{{"mesh", name}, {"unit", unit}, {"quads", summary.quads}, {"vertices", summary.vertices}};
     json["pieces"] = summary.pieces;
+    json["cavities"] = summary.cavities;
     json["size"] = summary.size;
     json["diagonal"] = summary.diagonal;
     json["boundaryLoops"] = Json::array();

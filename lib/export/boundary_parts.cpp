@@ -1,22 +1,10 @@
 #include "export/boundary_parts.h"
 
 #include "base/disjoint_sets.h"
+#include "mesh/nesting.h"
 
 namespace qm {
 namespace {
-
-/// Of the mesh's quads, times six: negative if they look inwards.
-double signedVolume(const QuadMesh& mesh, const Segment& segment, const Point& origin) {
-    double sum = 0;
-    for (const FaceId face : segment.faces) {
-        std::vector<Point> corners;
-        for (const VertexId vertex : mesh.fv_range(face))
-            corners.push_back(mesh.point(vertex) - origin);
-        for (std::size_t k = 2; k < corners.size(); ++k)
-            sum += corners[0] | (corners[k - 1] % corners[k]);
-    }
-    return sum;
-}
 
 /// By patch: its connected component, numbered in the order of the patches.
 std::vector<std::size_t> patchComponents(const SharedEdges& shared) {
@@ -34,23 +22,33 @@ std::vector<std::size_t> patchComponents(const SharedEdges& shared) {
 
 } // namespace
 
+std::vector<std::vector<std::size_t>> cavitiesOf(const std::vector<BoundaryPart>& parts) {
+    std::vector<std::vector<std::size_t>> cavities(parts.size());
+    for (std::size_t k = 0; k < parts.size(); ++k)
+        if (parts[k].cavityOf) cavities[*parts[k].cavityOf].push_back(k);
+    return cavities;
+}
+
 std::vector<BoundaryPart> boundaryParts(const QuadMesh& mesh, const Layout& layout,
                                         const SharedEdges& shared) {
     const std::vector<std::size_t> component = patchComponents(shared);
     std::vector<BoundaryPart> parts;
-    std::vector<double> volume;
     for (std::size_t k = 0; k < component.size(); ++k) {
-        if (component[k] == parts.size()) {
-            parts.push_back({{}, true, false});
-            volume.push_back(0);
-        }
+        if (component[k] == parts.size()) parts.push_back({{}, true, false});
         parts[component[k]].faces.push_back(k);
-        volume[component[k]] += signedVolume(mesh, layout.segments[k], mesh.point(VertexId(0)));
     }
     for (const SharedEdge& edge : shared.edges)
         if (edge.places.size() < 2) parts[component[edge.places.front().patch]].closed = false;
-    for (std::size_t k = 0; k < volume.size(); ++k)
-        parts[k].inward = parts[k].closed && volume[k] < 0;
+    std::vector<ClosedMesh> meshes(parts.size());
+    for (std::size_t k = 0; k < parts.size(); ++k)
+        for (const std::size_t face : parts[k].faces)
+            for (const FaceId quad : layout.segments[face].faces)
+                if (parts[k].closed) addQuad(mesh, quad, meshes[k]);
+    const std::vector<Nesting> nesting = nestingOf(meshes);
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+        parts[k].inward = nesting[k].inward;
+        parts[k].cavityOf = nesting[k].cavityOf;
+    }
     return parts;
 }
 

@@ -1,4 +1,4 @@
-/// \file Connected components of the faces: shells, and whether they are inside out.
+/// \file Connected components of the faces: shells, which of them are cavities, and which are inside out.
 #pragma once
 
 #include "export/shared_edges.h"
@@ -6,6 +6,7 @@
 #include "mesh/quad_mesh.h"
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace qm {
@@ -14,8 +15,12 @@ namespace qm {
 struct BoundaryPart {
     std::vector<std::size_t> faces; ///< ascending
     bool closed = false;            ///< every edge has faces on both sides
-    bool inward = false;            ///< closed, and its faces look inwards: all of them must be reversed
+    bool inward = false; ///< closed, and all of its faces must be reversed to look out of the solid
+    std::optional<std::size_t> cavityOf{}; ///< the part around it, if this one is a cavity (see `Nesting`)
 };
+
+/// By part: its cavities, ascending.
+[[nodiscard]] std::vector<std::vector<std::size_t>> cavitiesOf(const std::vector<BoundaryPart>& parts);
 
 /// The components, ordered by their lowest face.
 /// \param layout  one segment per face

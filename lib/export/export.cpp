@@ -44,8 +44,13 @@ CheckedShape checked(Boundary boundary, const Origins& origins) {
     made.shape = buildShape(made.boundary);
     const BRepCheck_Analyzer check(made.shape.shape, Standard_True, Standard_True);
     made.isValid = check.IsValid();
-    for (const TopoDS_Face& face : made.shape.faces)
-        made.isFaceValid.push_back(check.IsValid(face));
+    made.isFaceValid.resize(made.shape.faces.size());
+    for (const BoundaryPart& part : made.boundary.parts)
+        for (const std::size_t face : part.faces) {
+            const TopoDS_Face& own = made.shape.faces[face];
+            // Of a shell that is reversed, the analyser knows the faces reversed.
+            made.isFaceValid[face] = check.IsValid(part.inward ? own.Reversed() : TopoDS_Shape(own));
+        }
     return made;
 }
 
@@ -85,7 +90,7 @@ ShapeReport reportOf(const Boundary& boundary) {
     report.smoothEdges = count(boundary.edges, &BoundaryEdge::isSmooth);
     report.simpleFaces = count(boundary.faces, &BoundaryFace::isSimple);
     for (const BoundaryPart& part : boundary.parts)
-        ++(part.closed ? report.solids : report.shells);
+        ++(!part.closed ? report.shells : part.cavityOf ? report.cavities : report.solids);
     report.lostEdges = at(std::ranges::count_if(
         boundary.edges, [&](const BoundaryEdge& edge) { return maxLength(edge) < boundary.resolution; }));
     report.resolution = boundary.resolution;

@@ -47,7 +47,8 @@ struct ShapeReport {
     /// Number of edges whose faces' normals differ by less than 0.01 radians: readers take them for smooth.
     std::size_t smoothEdges = 0;
     std::size_t simpleFaces = 0; ///< number of planes, cylinders, cones, spheres and tori
-    std::size_t solids = 0;      ///< number of closed components
+    std::size_t solids = 0;      ///< number of closed components that are no cavities
+    std::size_t cavities = 0;    ///< number of closed components inside of solids, which look the other way
     std::size_t shells = 0;      ///< number of open components
     std::size_t lostEdges = 0;   ///< number of edges shorter than `resolution`, which readers may lose
     bool valid = false;

@@ -31,8 +31,8 @@ public:
         for (const BoundaryFace& face : boundary_.faces)
             result.faces.push_back(makeFace(face));
         std::vector<TopoDS_Shape> parts;
-        for (const BoundaryPart& part : boundary_.parts)
-            parts.push_back(makePart(part, result.faces));
+        for (std::size_t part = 0; part < boundary_.parts.size(); ++part)
+            if (!boundary_.parts[part].cavityOf) parts.push_back(makePart(part, result.faces));
         result.shape = parts.size() == 1 ? parts.front() : compound(parts);
         return result;
     }
@@ -62,17 +62,25 @@ private:
         builder_.Add(wire, edges_[use.edge].Oriented(use.forwards ? TopAbs_FORWARD : TopAbs_REVERSED));
     }
 
-    TopoDS_Shape makePart(const BoundaryPart& part, const std::vector<TopoDS_Face>& faces) {
+    /// A shell, or a solid with its cavities.
+    TopoDS_Shape makePart(std::size_t part, const std::vector<TopoDS_Face>& faces) {
+        const TopoDS_Shape outer = makeShell(boundary_.parts[part], faces);
+        if (!boundary_.parts[part].closed) return outer;
+        TopoDS_Solid solid;
+        builder_.MakeSolid(solid);
+        builder_.Add(solid, outer);
+        for (const std::size_t cavity : cavities_[part])
+            builder_.Add(solid, makeShell(boundary_.parts[cavity], faces));
+        return solid;
+    }
+
+    TopoDS_Shape makeShell(const BoundaryPart& part, const std::vector<TopoDS_Face>& faces) {
         TopoDS_Shell shell;
         builder_.MakeShell(shell);
         for (const std::size_t face : part.faces)
             builder_.Add(shell, faces[face]);
         shell.Closed(part.closed);
-        if (!part.closed) return shell;
-        TopoDS_Solid solid;
-        builder_.MakeSolid(solid);
-        builder_.Add(solid, part.inward ? shell.Reversed() : TopoDS_Shape(shell));
-        return solid;
+        return part.inward ? shell.Reversed() : TopoDS_Shape(shell);
     }
 
     TopoDS_Shape compound(const std::vector<TopoDS_Shape>& parts) {
@@ -84,6 +92,7 @@ private:
     }
 
     const Boundary& boundary_;
+    const std::vector<std::vector<std::size_t>> cavities_{cavitiesOf(boundary_.parts)}; ///< by part
     std::vector<TopoDS_Vertex> vertices_;
     std::vector<TopoDS_Edge> edges_;
     BRep_Builder builder_;

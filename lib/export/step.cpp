@@ -2,6 +2,7 @@
 #include "export/length_unit_names.h"
 #include "export/step_geometry.h"
 
+#include <algorithm>
 #include <array>
 #include <gp_Ax3.hxx>
 #include <optional>
@@ -73,8 +74,12 @@ public:
         for (const BoundaryFace& face : boundary_.faces)
             surfaces_.push_back(addSurface(file_, face.surface));
         addEdges();
-        for (std::size_t k = 0; k < boundary_.parts.size(); ++k)
-            addPart(boundary_.parts[k], boundary_.parts.size() == 1 ? "" : " " + std::to_string(k + 1));
+        const auto bodies =
+            std::ranges::count_if(boundary_.parts, [](const BoundaryPart& part) { return !part.cavityOf; });
+        int number = 0;
+        for (std::size_t part = 0; part < boundary_.parts.size(); ++part)
+            if (!boundary_.parts[part].cavityOf)
+                addPart(part, bodies == 1 ? "" : " " + std::to_string(++number));
         return file_.text({stepText(options_.name), options_.date},
                           "AUTOMOTIVE_DESIGN { 1 0 10303 214 1 1 1 1 }");
     }
@@ -125,18 +130,34 @@ private:
                          face.reversed == turned);
     }
 
-    /// \param number  the end of its name
-    void addPart(const BoundaryPart& part, const std::string& number) {
-        const std::string name = stepText(options_.name, maxName - number.size()) + number;
+    StepId addShell(const BoundaryPart& part) {
         std::vector<StepId> faces;
         for (const std::size_t face : part.faces)
             faces.push_back(addFace(face, part.inward));
-        const StepId shell = file_.add(part.closed ? "CLOSED_SHELL" : "OPEN_SHELL", "", faces);
-        const StepId body = part.closed ? file_.add("MANIFOLD_SOLID_BREP", name, shell)
-                                        : file_.add("SHELL_BASED_SURFACE_MODEL", name, std::array{shell});
+        return file_.add(part.closed ? "CLOSED_SHELL" : "OPEN_SHELL", "", faces);
+    }
+
+    /// \param name  of the solid
+    StepId addSolid(std::size_t part, const std::string& name) {
+        const StepId outer = addShell(boundary_.parts[part]);
+        std::vector<StepId> cavities;
+        for (const std::size_t cavity : cavities_[part])
+            cavities.push_back(file_.add("ORIENTED_CLOSED_SHELL", "", derivedValue,
+                                         addShell(boundary_.parts[cavity]), true));
+        return cavities.empty() ? file_.add("MANIFOLD_SOLID_BREP", name, outer)
+                                : file_.add("BREP_WITH_VOIDS", name, outer, cavities);
+    }
+
+    /// \param number  the end of its name
+    void addPart(std::size_t part, const std::string& number) {
+        const std::string name = stepText(options_.name, maxName - number.size()) + number;
+        const bool isSolid = boundary_.parts[part].closed;
+        const StepId body = isSolid ? addSolid(part, name)
+                                    : file_.add("SHELL_BASED_SURFACE_MODEL", name,
+                                                std::array{addShell(boundary_.parts[part])});
         addProduct(stepText(options_.name) + number,
-                   file_.add(part.closed ? "ADVANCED_BREP_SHAPE_REPRESENTATION"
-                                         : "MANIFOLD_SURFACE_SHAPE_REPRESENTATION",
+                   file_.add(isSolid ? "ADVANCED_BREP_SHAPE_REPRESENTATION"
+                                     : "MANIFOLD_SURFACE_SHAPE_REPRESENTATION",
                              "", std::array{origin_, body}, context_));
     }
 
@@ -153,6 +174,7 @@ private:
     }
 
     const Boundary& boundary_;
+    const std::vector<std::vector<std::size_t>> cavities_{cavitiesOf(boundary_.parts)}; ///< by part
     const std::vector<std::vector<std::size_t>>& origins_;
     const ExportOptions& options_;
     StepFile file_;

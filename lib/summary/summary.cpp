@@ -1,7 +1,9 @@
 #include "summary/summary.h"
 
+#include "base/at.h"
 #include "bspline/splines/evaluate.h"
 #include "mesh/bounding_box.h"
+#include "mesh/nesting.h"
 #include "mesh/topology.h"
 #include "summary/figure_text.h"
 
@@ -14,6 +16,16 @@ int piecesOf(const QuadMesh& mesh) {
     const auto isolated =
         std::ranges::count_if(mesh.vertices(), [&](VertexId vertex) { return mesh.is_isolated(vertex); });
     return components(mesh).count - static_cast<int>(isolated);
+}
+
+/// Of a closed mesh.
+int cavitiesOf(const QuadMesh& mesh) {
+    const Components parts = components(mesh);
+    std::vector<ClosedMesh> meshes(at(parts.count));
+    for (const FaceId face : mesh.faces())
+        addQuad(mesh, face, meshes[at(parts.ofVertex[at(*mesh.cfv_iter(face))])]);
+    return static_cast<int>(std::ranges::count_if(
+        nestingOf(meshes), [](const Nesting& nesting) { return nesting.cavityOf.has_value(); }));
 }
 
 std::string missedTolerance(const Summary& summary, const std::string& unit) {
@@ -44,6 +56,7 @@ Summary summarise(const QuadMesh& mesh, const Layout* layout, const Surfaces* su
     summary.vertices = mesh.n_vertices();
     summary.pieces = piecesOf(mesh);
     summary.loops = boundaryLoops(mesh);
+    if (summary.loops.empty() && summary.pieces > 1) summary.cavities = cavitiesOf(mesh);
     const BoundingBox box = boundingBox(mesh);
     const Point size = box.size();
     summary.size = {size[0], size[1], size[2]};

@@ -29,7 +29,13 @@ std::string loopsText(const Summary& summary, const std::string& unit) {
 
 std::string shapeText(const Summary& summary, const std::string& unit) {
     if (!summary.loops.empty()) return (summary.fit ? "shell, " : "") + loopsText(summary, unit);
-    if (isSolid(summary)) return summary.pieces == 1 ? "solid" : countText(at(summary.pieces), "solid");
+    if (isSolid(summary)) {
+        const int solids = summary.pieces - summary.cavities;
+        std::string text = solids == 1 ? "solid" : countText(at(solids), "solid");
+        if (summary.cavities == 1) text += " with a cavity";
+        if (summary.cavities > 1) text += " with " + std::to_string(summary.cavities) + " cavities";
+        return text;
+    }
     return summary.fit ? "closed, but patches are apart" : "closed";
 }
 

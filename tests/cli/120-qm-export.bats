@@ -26,6 +26,26 @@ PRODUCT('two 2'"
     assert_equal "$(grep -c "ADVANCED_FACE('segment " two.step)" 2
 }
 
+@test "a closed mesh inside another that looks the other way is a cavity" {
+    # A cube of half the size in the middle of a cube, its faces turned.
+    qm-shape cube -o cube.obj
+    awk '/^v /{ v[++n] = $0; $2 = $2 / 2 + 0.25; $3 = $3 / 2 + 0.25; $4 = $4 / 2 + 0.25; w[n] = $0 }
+         /^f /{ f[++m] = $0 }
+         END { for (k = 1; k <= n; ++k) print v[k]; for (k = 1; k <= n; ++k) print w[k]
+               for (k = 1; k <= m; ++k) { print f[k]; split(f[k], c); print "f", c[5] + n, c[4] + n, c[3] + n, c[2] + n } }' \
+        cube.obj >hollow.obj
+    qm-basecomplex -q hollow.obj | qm-features | qm-cut | qm-enum -q | qm-merge -q | qm-prune -q | qm-bspline -q >hollow.json
+    captured qm-export --stats --analytic hollow.json -o hollow.step
+    assert_success
+    [[ $stderr == *'"solids": 1, "cavities": 1'*'"valid": 1'* ]]
+    assert_equal "$(grep -c BREP_WITH_VOIDS hollow.step)" 1
+    assert_equal "$(grep -c CLOSED_SHELL\(\'\' hollow.step)" 3 # one of them oriented
+    quietly qm-summary hollow.json
+    assert_regex "$output" 'shape +solid with a cavity'
+    quietly qm-summary --json hollow.json
+    jq -e '.pieces == 2 and .cavities == 1' <<<"$output"
+}
+
 @test "simple surfaces on request" {
     qm-bspline --tolerance 0.1% "$(stage pruned torus)" -o torus.json
     quietly qm-export torus.json -o plain.step
