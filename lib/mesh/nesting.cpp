@@ -21,7 +21,8 @@ using Corner = boost::geometry::model::point<double, 2, boost::geometry::cs::car
 using Box = boost::geometry::model::box<Corner>;
 using Triangle = std::array<Point, 3>;
 
-/// Seen along a direction in which no edges or faces of parts run, so that a ray meets neither edge on.
+/// Seen along a direction that is hardly ever that of a part's edges or faces, so that rays meet faces and
+/// not edges.
 Point seen(const Point& point) {
     static const std::array<Point, 3> axes = [] {
         const Point along = Point(0.5257, 0.3141, 0.7905).normalized();

@@ -134,7 +134,7 @@ private:
     /// Whether very many control points have not brought it much nearer than it was in its first round.
     [[nodiscard]] bool followsNoise() const {
         const auto points = static_cast<double>(state_.score().controlPoints);
-        return state_.worst() > 1 && 2 * state_.worst() > firstRound_.worst &&
+        return !best_.score.keeps && state_.worst() > 1 && 2 * state_.worst() > firstRound_.worst &&
                points > Hopeless::growth * static_cast<double>(firstRound_.controlPoints);
     }
 
