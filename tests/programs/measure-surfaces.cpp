@@ -2,13 +2,13 @@
 /// usage: measure-surfaces DOCUMENT [MESH]
 ///
 /// Surfaces are evaluated by the checker's recursion. The reference is the Catmull-Clark limit surface
-/// through the vertices by plain uniform subdivision (`measure/subdivision.h`), with creases at borders above
-/// the document's rho. Nothing is shared with lib/bspline. Lengths are shares of the bounding box's diagonal,
+/// through the vertices by plain uniform subdivision (`measure/subdivision.h`), with creases where the
+/// document has them. Nothing is shared with lib/bspline. Lengths are shares of the bounding box's diagonal,
 /// angles are in degrees. Places within one edge of a folded or flat quad count as `besideBad`.
-#include "check/angles.h"
 #include "check/check_segments.h"
 #include "check/distance.h"
 #include "check/patch_borders.h"
+#include "check/paths.h"
 #include "check/read_document.h"
 #include "check/spline.h"
 #include "document/document.h"
@@ -79,10 +79,8 @@ class Measurement {
 public:
     Measurement(const CheckedMesh& mesh, const CheckedDocument& document)
         : mesh_(mesh), around_(mesh), layout_(*document.layout), part_(*document.surfaces),
-          angles_(dihedralAngles(mesh, around_)), borders_(patchBorders(around_, layout_)) {
-        const double rho = part_.rho.value_or(0.45);
-        for (std::size_t e = 0; e < borders_.size(); ++e)
-            sharp_.push_back(!borders_[e].empty() && angles_.angle[e] > rho ? 1 : 0);
+          borders_(patchBorders(around_, layout_)), sharp_(borders_.size(), 0) {
+        markCreases();
         findDiagonal();
         findBad();
         limit_ = limitThroughVertices(mesh_, around_, sharp_, layout_);
@@ -120,6 +118,17 @@ public:
     }
 
 private:
+    void markCreases() {
+        if (!part_.creases) throw std::runtime_error("the document does not list its creases");
+        Report report;
+        for (const std::vector<int>& vertices : *part_.creases) {
+            const auto steps = readPath(around_, vertices, "/surfaces/creases", report);
+            if (!steps) throw std::runtime_error("a crease is no path of edges");
+            for (const int step : *steps)
+                sharp_[index(around_.edge(step))] = 1;
+        }
+    }
+
     void findDiagonal() {
         Place low{HUGE_VAL, HUGE_VAL, HUGE_VAL};
         Place high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
@@ -356,7 +365,6 @@ private:
     Neighbourhoods around_;
     const LayoutPart& layout_;
     const SurfacesPart& part_;
-    Angles angles_;
     std::vector<std::vector<BorderPlace>> borders_;
     std::vector<char> sharp_; ///< of every edge
     std::vector<char> bad_;   ///< of every vertex: of a bad quad, or within one edge of one

@@ -66,8 +66,9 @@ TEST(Nesting, TheHoleOfARingIsNotInside) {
 
 TEST(Nesting, ManyCavitiesAreFoundAtOnce) {
     std::vector<ClosedMesh> meshes{closed("cube", 20, {-10, -10, -10})};
-    for (int k = 0; k < 200; ++k)
-        meshes.push_back(closed("sphere", 0.3, {k % 10 - 4.5, k / 10 % 10 - 4.5, k / 100 - 0.5}, true));
+    for (int i = 0; i < 10; ++i)
+        for (int j = 0; j < 20; ++j)
+            meshes.push_back(closed("sphere", 0.3, Point(i - 4.5, 0.9 * j - 9, 0.1), true));
     std::size_t found = 0;
     for (const auto& of : cavities(meshes))
         if (of == 0) ++found;

@@ -4,6 +4,7 @@
 #include "bench/search_problem.h"
 #include "cli/graph_line.h"
 #include "enumerate/diagram/walk.h"
+#include "enumerate/enumerate.h"
 
 #include <cstdint>
 #include <cstdio>
