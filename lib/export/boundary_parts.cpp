@@ -39,12 +39,13 @@ std::vector<BoundaryPart> boundaryParts(const QuadMesh& mesh, const Layout& layo
     }
     for (const SharedEdge& edge : shared.edges)
         if (edge.places.size() < 2) parts[component[edge.places.front().patch]].closed = false;
-    std::vector<ClosedMesh> meshes(parts.size());
-    for (std::size_t k = 0; k < parts.size(); ++k)
-        for (const std::size_t face : parts[k].faces)
-            for (const FaceId quad : layout.segments[face].faces)
-                if (parts[k].closed) addQuad(mesh, quad, meshes[k]);
-    const std::vector<Nesting> nesting = nestingOf(meshes);
+    std::vector<std::vector<FaceId>> quads(parts.size()); // of the closed ones
+    for (std::size_t k = 0; k < component.size(); ++k) {
+        const std::vector<FaceId>& ofFace = layout.segments[k].faces;
+        std::vector<FaceId>& ofPart = quads[component[k]];
+        if (parts[component[k]].closed) ofPart.insert(ofPart.end(), ofFace.begin(), ofFace.end());
+    }
+    const std::vector<Nesting> nesting = nestingOf(mesh, quads);
     for (std::size_t k = 0; k < parts.size(); ++k) {
         parts[k].inward = nesting[k].inward;
         parts[k].cavityOf = nesting[k].cavityOf;

@@ -35,7 +35,7 @@ struct CheckedShape {
     Origins origins; ///< of every face
     BoundaryShape shape;
     bool isValid = false;            ///< OpenCASCADE takes it
-    std::vector<bool> isFaceValid{}; ///< by face
+    std::vector<bool> isFaceValid{}; ///< by face; empty if all are
 };
 
 CheckedShape checked(Boundary boundary, const Origins& origins) {
@@ -44,6 +44,7 @@ CheckedShape checked(Boundary boundary, const Origins& origins) {
     made.shape = buildShape(made.boundary);
     const BRepCheck_Analyzer check(made.shape.shape, Standard_True, Standard_True);
     made.isValid = check.IsValid();
+    if (made.isValid) return made;
     made.isFaceValid.resize(made.shape.faces.size());
     for (const BoundaryPart& part : made.boundary.parts)
         for (const std::size_t face : part.faces) {

@@ -8,6 +8,7 @@
 #include <boost/geometry/strategies/strategies.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <utility>
@@ -52,17 +53,30 @@ int crossing(const Triangle& triangle, const Point& from) {
     return whole > 0 ? 1 : -1;
 }
 
-/// Tells quickly whether points are inside a mesh.
+/// Calls a function with the two triangles of every quad.
+template <class Function>
+void forEachTriangle(const QuadMesh& mesh, const std::vector<FaceId>& faces, const Function& function) {
+    for (const FaceId face : faces) {
+        std::array<Point, 4> corners;
+        auto corner = corners.begin();
+        for (const VertexId vertex : mesh.fv_range(face))
+            *corner++ = mesh.point(vertex);
+        function(Triangle{corners[0], corners[1], corners[2]});
+        function(Triangle{corners[0], corners[2], corners[3]});
+    }
+}
+
+/// Tells quickly whether points are inside a part.
 class Inside {
 public:
-    explicit Inside(const ClosedMesh& mesh) {
+    Inside(const QuadMesh& mesh, const std::vector<FaceId>& faces) {
         std::vector<std::pair<Box, std::size_t>> boxes;
-        for (const Triangle& triangle : mesh) {
+        forEachTriangle(mesh, faces, [&](const Triangle& triangle) {
             const Triangle& own =
                 triangles_.emplace_back(Triangle{seen(triangle[0]), seen(triangle[1]), seen(triangle[2])});
             const BoundingBox box = boundingBoxOf(own);
             boxes.emplace_back(Box{{box.low[0], box.low[1]}, {box.high[0], box.high[1]}}, boxes.size());
-        }
+        });
         tree_ = Tree(boxes);
     }
 
@@ -83,14 +97,28 @@ private:
     Tree tree_;
 };
 
-BoundingBox boxOf(const ClosedMesh& mesh) {
-    BoundingBox box{mesh.front().front(), mesh.front().front()};
-    for (const Triangle& triangle : mesh)
-        for (const Point& point : triangle) {
-            box.low.minimize(point);
-            box.high.maximize(point);
+Point firstCorner(const QuadMesh& mesh, const std::vector<FaceId>& faces) {
+    return mesh.point(*mesh.cfv_iter(faces.front()));
+}
+
+/// Size and place of a part.
+struct Extent {
+    double volume = 0; ///< times six; negative if the faces look inwards
+    BoundingBox box;
+};
+
+Extent extentOf(const QuadMesh& mesh, const std::vector<FaceId>& faces) {
+    const Point origin = firstCorner(mesh, faces);
+    Extent extent{0, {origin, origin}};
+    forEachTriangle(mesh, faces, [&](const Triangle& triangle) {
+        const auto& [a, b, c] = triangle;
+        extent.volume += (a - origin) | ((b - origin) % (c - origin));
+        for (const Point& corner : triangle) {
+            extent.box.low.minimize(corner);
+            extent.box.high.maximize(corner);
         }
-    return box;
+    });
+    return extent;
 }
 
 bool contains(const BoundingBox& outer, const BoundingBox& inner) {
@@ -99,51 +127,33 @@ bool contains(const BoundingBox& outer, const BoundingBox& inner) {
     return true;
 }
 
-/// Six times the volume inside; negative if the triangles look inwards.
-double sixfoldVolume(const ClosedMesh& mesh) {
-    double sum = 0;
-    for (const auto& [a, b, c] : mesh) {
-        const Point& origin = mesh.front().front();
-        sum += (a - origin) | ((b - origin) % (c - origin));
-    }
-    return sum;
-}
-
 } // namespace
 
-void addQuad(const QuadMesh& mesh, FaceId face, ClosedMesh& triangles) {
-    std::vector<Point> corners;
-    for (const VertexId vertex : mesh.fv_range(face))
-        corners.push_back(mesh.point(vertex));
-    for (std::size_t k = 2; k < corners.size(); ++k)
-        triangles.push_back({corners[0], corners[k - 1], corners[k]});
-}
-
-std::vector<Nesting> nestingOf(const std::vector<ClosedMesh>& meshes) {
-    std::vector<Nesting> result(meshes.size());
-    std::vector<BoundingBox> boxes(meshes.size());
+std::vector<Nesting> nestingOf(const QuadMesh& mesh, const std::vector<std::vector<FaceId>>& parts) {
+    std::vector<Nesting> result(parts.size());
+    std::vector<BoundingBox> boxes(parts.size());
     std::vector<std::pair<double, std::size_t>> bySize; // the largest first
-    for (std::size_t k = 0; k < meshes.size(); ++k) {
-        if (meshes[k].empty()) continue;
-        const double volume = sixfoldVolume(meshes[k]);
-        result[k].inward = volume < 0;
-        boxes[k] = boxOf(meshes[k]);
-        bySize.emplace_back(-std::abs(volume), k);
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+        if (parts[k].empty()) continue;
+        const Extent extent = extentOf(mesh, parts[k]);
+        result[k].inward = extent.volume < 0;
+        boxes[k] = extent.box;
+        bySize.emplace_back(-std::abs(extent.volume), k);
     }
     std::ranges::sort(bySize);
-    std::vector<std::optional<std::size_t>> around(meshes.size());
+    std::vector<std::optional<std::size_t>> around(parts.size());
     for (std::size_t rank = 0; rank < bySize.size(); ++rank) {
-        const std::size_t mesh = bySize[rank].second;
+        const std::size_t part = bySize[rank].second;
         // All larger ones have been here: the last one that this one was found in is the smallest around it.
-        const auto& outer = around[mesh];
-        if (outer && !result[*outer].cavityOf && result[*outer].inward != result[mesh].inward)
-            result[mesh] = {result[*outer].inward, outer};
+        const auto& outer = around[part];
+        if (outer && !result[*outer].cavityOf && result[*outer].inward != result[part].inward)
+            result[part] = {result[*outer].inward, outer};
         std::optional<Inside> inside; // made only if there is something to ask
         for (std::size_t smaller = rank + 1; smaller < bySize.size(); ++smaller) {
             const std::size_t other = bySize[smaller].second;
-            if (!contains(boxes[mesh], boxes[other])) continue;
-            if (!inside) inside.emplace(meshes[mesh]);
-            if (inside->holds(meshes[other].front().front())) around[other] = mesh;
+            if (!contains(boxes[part], boxes[other])) continue;
+            if (!inside) inside.emplace(mesh, parts[part]);
+            if (inside->holds(firstCorner(mesh, parts[other]))) around[other] = part;
         }
     }
     return result;

@@ -18,14 +18,14 @@ int piecesOf(const QuadMesh& mesh) {
     return components(mesh).count - static_cast<int>(isolated);
 }
 
-/// Of a closed mesh.
-int cavitiesOf(const QuadMesh& mesh) {
-    const Components parts = components(mesh);
-    std::vector<ClosedMesh> meshes(at(parts.count));
+/// The number of those of a closed mesh's pieces that are cavities of others.
+int cavityCount(const QuadMesh& mesh) {
+    const Components pieces = components(mesh);
+    std::vector<std::vector<FaceId>> faces(at(pieces.count));
     for (const FaceId face : mesh.faces())
-        addQuad(mesh, face, meshes[at(parts.ofVertex[at(*mesh.cfv_iter(face))])]);
-    return static_cast<int>(std::ranges::count_if(
-        nestingOf(meshes), [](const Nesting& nesting) { return nesting.cavityOf.has_value(); }));
+        faces[at(pieces.ofVertex[at(*mesh.cfv_iter(face))])].push_back(face);
+    const auto isCavity = [](const Nesting& nesting) { return nesting.cavityOf.has_value(); };
+    return static_cast<int>(std::ranges::count_if(nestingOf(mesh, faces), isCavity));
 }
 
 std::string missedTolerance(const Summary& summary, const std::string& unit) {
@@ -56,7 +56,7 @@ Summary summarise(const QuadMesh& mesh, const Layout* layout, const Surfaces* su
     summary.vertices = mesh.n_vertices();
     summary.pieces = piecesOf(mesh);
     summary.loops = boundaryLoops(mesh);
-    if (summary.loops.empty() && summary.pieces > 1) summary.cavities = cavitiesOf(mesh);
+    if (summary.loops.empty() && summary.pieces > 1) summary.cavities = cavityCount(mesh);
     const BoundingBox box = boundingBox(mesh);
     const Point size = box.size();
     summary.size = {size[0], size[1], size[2]};

@@ -3,76 +3,89 @@
 
 #include <gtest/gtest.h>
 
-#include <utility>
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace qm {
 namespace {
 
-/// A sample mesh, scaled about the origin and then moved.
-ClosedMesh closed(const char* name, double scale, const Point& to = {0, 0, 0}, bool inwards = false) {
-    const QuadMesh mesh = makeShape(name);
-    ClosedMesh triangles;
-    for (const FaceId face : mesh.faces())
-        addQuad(mesh, face, triangles);
-    for (auto& triangle : triangles) {
-        for (Point& corner : triangle)
-            corner = scale * corner + to;
-        if (inwards) std::swap(triangle[0], triangle[1]);
+/// Sample meshes as the parts of one.
+class Parts {
+public:
+    /// \param name  empty for a part that is not closed
+    Parts& add(const std::string& name, double scale, const Point& to, bool inwards) {
+        std::vector<FaceId>& faces = faces_.emplace_back();
+        if (name.empty()) return *this;
+        const QuadMesh sample = makeShape(name);
+        const auto first = static_cast<int>(mesh_.n_vertices());
+        for (const VertexId vertex : sample.vertices())
+            mesh_.add_vertex(scale * sample.point(vertex) + to);
+        for (const FaceId face : sample.faces()) {
+            std::vector<VertexId> corners;
+            for (const VertexId vertex : sample.fv_range(face))
+                corners.emplace_back(first + vertex.idx());
+            if (inwards) std::ranges::reverse(corners);
+            faces.push_back(mesh_.add_face(corners));
+        }
+        return *this;
     }
-    return triangles;
-}
+    Parts& out(double radius) { return add("sphere", radius, {0, 0, 0}, false); }
+    Parts& in(double radius, const Point& to = {0, 0, 0}) { return add("sphere", radius, to, true); }
 
-ClosedMesh sphere(double radius, bool inwards = false) {
-    return closed("sphere", radius, {0, 0, 0}, inwards);
-}
+    [[nodiscard]] std::vector<Nesting> nesting() const { return nestingOf(mesh_, faces_); }
+    [[nodiscard]] std::vector<std::optional<std::size_t>> cavities() const {
+        std::vector<std::optional<std::size_t>> result;
+        for (const Nesting& one : nesting())
+            result.push_back(one.cavityOf);
+        return result;
+    }
 
-std::vector<std::optional<std::size_t>> cavities(const std::vector<ClosedMesh>& meshes) {
-    std::vector<std::optional<std::size_t>> result;
-    for (const Nesting& nesting : nestingOf(meshes))
-        result.push_back(nesting.cavityOf);
-    return result;
-}
+private:
+    QuadMesh mesh_;
+    std::vector<std::vector<FaceId>> faces_;
+};
 
 using Of = std::vector<std::optional<std::size_t>>;
 
 TEST(Nesting, CavitiesAreInsideAndLookTheOtherWay) {
-    EXPECT_EQ(cavities({sphere(2), sphere(1, true)}), (Of{{}, 0}));
-    EXPECT_EQ(cavities({sphere(1, true), sphere(2)}), (Of{1, {}})) << "in any order";
-    EXPECT_EQ(cavities({sphere(2), sphere(1)}), (Of{{}, {}})) << "two solids";
-    EXPECT_EQ(cavities({sphere(2), closed("sphere", 1, {5, 0, 0}, true)}), (Of{{}, {}})) << "beside";
-    EXPECT_EQ(cavities({sphere(1), {}, closed("cube", 0.2, {-0.1, 0.3, 0.2}, true)}), (Of{{}, {}, 0}));
+    EXPECT_EQ(Parts().out(2).in(1).cavities(), (Of{{}, 0}));
+    EXPECT_EQ(Parts().in(1).out(2).cavities(), (Of{1, {}})) << "in any order";
+    EXPECT_EQ(Parts().out(2).out(1).cavities(), (Of{{}, {}})) << "two solids";
+    EXPECT_EQ(Parts().out(2).in(1, {5, 0, 0}).cavities(), (Of{{}, {}})) << "beside";
+    const Parts withOpen = Parts().out(1).add("", 1, {}, false).add("cube", 0.2, {-0.1, 0.3, 0.2}, true);
+    EXPECT_EQ(withOpen.cavities(), (Of{{}, {}, 0}));
 }
 
 TEST(Nesting, WhatLiesInACavityIsASolid) {
-    EXPECT_EQ(cavities({sphere(4), sphere(3, true), sphere(2), sphere(1, true)}), (Of{{}, 0, {}, 2}));
-    const std::vector<Nesting> turned = nestingOf({sphere(4), sphere(3, true), sphere(2, true)});
+    EXPECT_EQ(Parts().out(4).in(3).out(2).in(1).cavities(), (Of{{}, 0, {}, 2}));
+    const std::vector<Nesting> turned = Parts().out(4).in(3).in(2).nesting();
     EXPECT_FALSE(turned[2].cavityOf);
     EXPECT_TRUE(turned[2].inward);
 }
 
 TEST(Nesting, AMeshThatIsInsideOutIsTurnedWithItsCavities) {
-    const std::vector<Nesting> nesting = nestingOf({sphere(2, true), sphere(1)});
+    const std::vector<Nesting> nesting = Parts().in(2).out(1).nesting();
     EXPECT_TRUE(nesting[0].inward);
     EXPECT_EQ(nesting[1].cavityOf, 0U);
     EXPECT_TRUE(nesting[1].inward);
 }
 
 TEST(Nesting, TheHoleOfARingIsNotInside) {
-    EXPECT_EQ(cavities({closed("torus", 1), closed("sphere", 0.3, {0, 0, 0}, true)}), (Of{{}, {}}));
-    const ClosedMesh inTube = closed("sphere", 0.3, {3, 0, 0}, true); // from the axis to the tube
-    EXPECT_EQ(cavities({closed("torus", 1), inTube}), (Of{{}, 0}));
+    const Parts ring = Parts().add("torus", 1, {0, 0, 0}, false); // of radius 3
+    EXPECT_EQ(Parts(ring).in(0.3).cavities(), (Of{{}, {}}));
+    EXPECT_EQ(Parts(ring).in(0.3, {3, 0, 0}).cavities(), (Of{{}, 0}));
 }
 
 TEST(Nesting, ManyCavitiesAreFoundAtOnce) {
-    std::vector<ClosedMesh> meshes{closed("cube", 20, {-10, -10, -10})};
+    Parts parts;
+    parts.add("cube", 20, {-10, -10, -10}, false);
     for (int i = 0; i < 10; ++i)
         for (int j = 0; j < 20; ++j)
-            meshes.push_back(closed("sphere", 0.3, Point(i - 4.5, 0.9 * j - 9, 0.1), true));
-    std::size_t found = 0;
-    for (const auto& of : cavities(meshes))
-        if (of == 0) ++found;
-    EXPECT_EQ(found, 200U);
+            parts.in(0.3, {i - 4.5, 0.9 * j - 9, 0.1});
+    EXPECT_EQ(std::ranges::count(parts.cavities(), std::optional<std::size_t>(0)), 200);
 }
 
 } // namespace

@@ -108,7 +108,10 @@ private:
                 halved = round;
             }
             if (state_.worst() > Hopeless::distance && round - halved >= Hopeless::rounds) break;
-            if (rounds_ == 0) firstRound_ = {state_.worst(), state_.score().controlPoints};
+            if (rounds_ == 0) {
+                firstWorst_ = state_.worst();
+                firstPoints_ = state_.score().controlPoints;
+            }
             if (followsNoise()) break;
             if (++rounds_ > roundsForFolds) state_.giveUpFolds();
             if (state_.worst() <= 1) {
@@ -134,8 +137,8 @@ private:
     /// Whether very many control points have not brought it much nearer than it was in its first round.
     [[nodiscard]] bool followsNoise() const {
         const auto points = static_cast<double>(state_.score().controlPoints);
-        return !best_.score.keeps && state_.worst() > 1 && 2 * state_.worst() > firstRound_.worst &&
-               points > Hopeless::growth * static_cast<double>(firstRound_.controlPoints);
+        return !best_.score.keeps && state_.worst() > 1 && 2 * state_.worst() > firstWorst_ &&
+               points > Hopeless::growth * static_cast<double>(firstPoints_);
     }
 
     /// Does what helps where neither knots nor weights do. Beside folds short intervals would only make
@@ -190,12 +193,10 @@ private:
     unsigned jobs_;
     std::vector<std::optional<FlatPatch>> planes_;
     FitState state_;
-    int flattenings_ = 0; ///< that broke the tolerance
-    int rounds_ = 0;      ///< in all searches together
-    struct {
-        double worst = 0;
-        std::size_t controlPoints = 0;
-    } firstRound_;
+    int flattenings_ = 0;   ///< that broke the tolerance
+    int rounds_ = 0;        ///< in all searches together
+    double firstWorst_ = 0; ///< of the first round of all
+    std::size_t firstPoints_ = 0;
     FitRound best_;
     FitRound nearest_; ///< the best if errors that are given up count like all others
 };

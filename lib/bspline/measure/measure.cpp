@@ -142,9 +142,12 @@ private:
         std::size_t row = 0;
         for (const Point& vertex : pointGrid(mesh_, segment)) {
             const LayoutPlace place{k, {static_cast<double>(column), static_cast<double>(row)}};
-            const double offReference = (search.evaluateAt(1, place).position - vector(vertex)).norm();
-            const double found = search(0, place, vector(vertex)).distance;
-            distances.emplace_back(std::min(found, offReference + result_.ofPatch[k].deviation.max), 1);
+            double distance = search(0, place, vector(vertex)).distance;
+            if (const double ofReference = result_.ofPatch[k].deviation.max; distance > ofReference) {
+                const double toReference = (search.evaluateAt(1, place).position - vector(vertex)).norm();
+                distance = std::min(distance, toReference + ofReference);
+            }
+            distances.emplace_back(distance, 1);
             if (++column > at(segment.size[0])) {
                 column = 0;
                 ++row;

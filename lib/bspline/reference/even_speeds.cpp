@@ -34,8 +34,6 @@ public:
           changes_(mesh_.n_halfedges()) {
         for (std::size_t k = 0; k <= steps_; ++k)
             hermite_.emplace_back(static_cast<double>(k) / static_cast<double>(steps_));
-        for (std::size_t end = 0; end < 2; ++end)
-            slopes_[end] = lagrange(lattice.squares(), static_cast<double>(end));
     }
 
     void run(const std::vector<VertexRule>& rules, unsigned jobs) {
@@ -82,9 +80,10 @@ private:
 
     /// The derivative along a row of points at one of its ends.
     template <class Row> [[nodiscard]] Point derivative(std::size_t end, const Row& row) const {
+        const LagrangeWeights& weights = lagrangeAtEnd(before_.squares(), end);
         Point sum(0, 0, 0);
         for (std::size_t k = 0; k <= steps_; ++k)
-            sum += slopes_[end][k][1] * row(k);
+            sum += weights[k][1] * row(k);
         return sum;
     }
 
@@ -164,7 +163,6 @@ private:
     std::size_t steps_;
     std::vector<Change> changes_; ///< by halfedge: of the derivative at its beginning
     std::vector<Hermite> hermite_;
-    std::array<LagrangeWeights, 2> slopes_;
 };
 
 } // namespace

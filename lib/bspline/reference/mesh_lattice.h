@@ -40,6 +40,7 @@ public:
 
 private:
     struct Step;
+    /// With points that are still to be set.
     explicit MeshLattice(const LatticeNumbers& numbers);
     [[nodiscard]] MeshLattice filtered(const Step& step, const std::vector<VertexRule>& rules,
                                        const std::vector<bool>& sharp, unsigned jobs) const;
