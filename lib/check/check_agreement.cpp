@@ -42,17 +42,18 @@ constexpr std::array<const char*, 7> maxima{"max",
                                             "largestInnerNormalAngle",
                                             "largestNormalDeviation"};
 
-/// Whether no quad is folded or has a corner that is so flat that the vertices around it may have been moved
-/// before the fit.
+/// Whether no quad is folded or has a corner that is so flat, seen along the quad's normal, that the vertices
+/// around it may have been moved before the fit.
 bool hasOnlySoundCorners(const CheckedMesh& mesh) {
     constexpr double minSine = 0.14; // of 8 degrees
     for (std::size_t face = 0; face < mesh.quads.size(); ++face) {
         const BilinearQuad quad = quadOf(mesh, static_cast<int>(face));
-        if (!quad.isConvex()) return false;
+        const Vector normal = quad.normal();
+        const double size = length(normal);
         for (std::size_t k = 0; k < 4; ++k) {
             const Vector to = minus(quad.corners[(k + 1) % 4], quad.corners[k]);
             const Vector from = minus(quad.corners[(k + 3) % 4], quad.corners[k]);
-            if (!(length(cross(to, from)) > minSine * length(to) * length(from))) return false;
+            if (!(dot(cross(to, from), normal) > minSine * size * length(to) * length(from))) return false;
         }
     }
     return true;

@@ -1,6 +1,7 @@
 // True documents pass; for every rule there is a document that breaks it, and the place is named.
 #include "base/error.h"
 #include "check/check_document.h"
+#include "check/check_sections.h"
 #include "support/true_models.h"
 
 #include <gtest/gtest.h>
@@ -459,6 +460,28 @@ TEST(CheckFigures, BelievesVerticesOfScansToBeAnywhere) {
     EXPECT_FALSE(checkDocument(model.mesh, model.document).ok());
     model.document.surfaces->isOfScan = true;
     EXPECT_TRUE(checkDocument(model.mesh, model.document).ok());
+}
+
+TEST(CheckFigures, BelievesThatVerticesAroundFlatCornersWereMoved) {
+    Model model = statingModel();
+    model.document.surfaces->figures.stated = {{"max", 1}, {"maxFromVertices", 1.01}};
+    const auto complains = [&] {
+        Report report;
+        checkAgreement(model.mesh, *model.document.surfaces, report);
+        return !report.ok();
+    };
+    EXPECT_TRUE(complains());
+    // A quad bent about its diagonal, almost onto itself: flat corners only as seen along its normal.
+    const auto& [a, b, c, d] = model.mesh.quads[0];
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto coordinate = [&](int vertex) -> double& {
+            return model.mesh.points[static_cast<std::size_t>(vertex)][k];
+        };
+        const double middle = (coordinate(a) + coordinate(c)) / 2;
+        for (const int corner : {b, d})
+            coordinate(corner) = middle + 0.25 * (coordinate(corner) - middle) + (k == 2 ? 2 : 0);
+    }
+    EXPECT_FALSE(complains());
 }
 
 TEST(CheckFigures, AcceptsWhatIsTrue) {
