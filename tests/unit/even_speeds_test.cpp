@@ -1,11 +1,14 @@
 #include "base/at.h"
 #include "bspline/reference/even_speeds.h"
 #include "bspline/splines/evaluate.h"
+#include "support/grid_layout.h"
 #include "support/limit_sample.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 namespace qm {
 namespace {
@@ -41,6 +44,26 @@ TEST(EvenSpeeds, LeaveEvenLinesAsTheyAre) {
     evenSpeeds(even, sample.rules, 1);
     for (std::size_t k = 0; k < even.numbers().count(); ++k)
         EXPECT_LT((even.point(k) - sample.limit.point(k)).norm(), 1e-3);
+}
+
+TEST(EvenSpeeds, AreThoseOfTheirEdgesWhereQuadsAreBentToo) {
+    // Corners go up and down in turn, so that no quad is flat within 20 degrees.
+    const std::vector<double> columns{0, 1, 2, 2.4, 2.8, 3.8, 4.8};
+    const test::Grid grid{6, 4, [&](double i, double j) {
+                              const bool isUp = static_cast<int>(i + j) % 2 == 0;
+                              return Point(columns[static_cast<std::size_t>(i)], j, isUp ? 0.2 : 0);
+                          }};
+    const LimitSample sample(test::makeMesh(grid));
+    MeshLattice even = sample.limit;
+    evenSpeeds(even, sample.rules, 1);
+    const auto maxSpeed = [&](const MeshLattice& lattice) {
+        double max = 0;
+        for (const HalfedgeId side : sample.mesh.halfedges())
+            max = std::max(max, lattice.derivative(side).norm() / sample.mesh.calc_edge_length(side));
+        return max;
+    };
+    EXPECT_GT(maxSpeed(sample.limit), 1.6);
+    EXPECT_LT(maxSpeed(even), 1.3);
 }
 
 /// A cylinder whose vertices are turned about its axis by different angles, at its ends too.

@@ -220,13 +220,18 @@ QuadMesh starMesh(const std::vector<StarEdge>& edges) {
     return mesh;
 }
 
-TEST(LimitSurface, DoesNotFoldAtFlatCornersOfPlaneQuads) {
-    // Corners of up to 141 degrees between edges of very different lengths, where the surface once turned
-    // over between the lattice's points.
+TEST(LimitSurface, DoesNotFoldOverPlaneQuadsOfVeryDifferentShape) {
+    // Edges of very different lengths, where the surface once turned over between the lattice's points: at
+    // corners of up to 141 degrees, and then along edges.
     const std::vector<std::vector<StarEdge>> stars{
         {{0.26, 0}, {1.12, 42}, {0.46, 183}, {0.24, 244}, {0.75, 315}},
         {{1.19, 0}, {0.27, 54}, {0.36, 127}, {1.16, 234}, {0.31, 321}},
-        {{1.04, 0}, {0.21, 60}, {0.84, 178}, {0.75, 276}, {0.32, 316}}};
+        {{1.04, 0}, {0.21, 60}, {0.84, 178}, {0.75, 276}, {0.32, 316}},
+        {{0.99, 0}, {0.62, 76}, {0.24, 169}, {0.79, 259}, {0.21, 310}},
+        {{0.27, 0}, {0.3, 62}, {0.51, 113}, {1.19, 200}, {0.32, 245}, {1.12, 288}},
+        {{1.16, 0}, {0.2, 72}, {0.19, 114}, {0.19, 171}, {1.14, 235}, {0.2, 292}},
+        {{0.24, 0}, {0.32, 75}, {1.11, 128}, {0.31, 181}, {1.04, 243}, {1.01, 284}},
+        {{0.6, 0}, {0.31, 52}, {1.1, 136}, {0.25, 184}, {1.18, 225}, {0.78, 274}}};
     for (const auto& edges : stars) {
         const QuadMesh mesh = starMesh(edges);
         const auto grids = limitSurface(mesh, segmentPerQuad(mesh), noCreases(mesh), 4, 1);

@@ -18,6 +18,9 @@ namespace {
 /// too short by far, and their directions are no better: they are not made much longer.
 constexpr double minFactor = 0.2;
 constexpr double maxFactor = 1.25;
+/// Cosine of the angle between the normals in the middle and at the corners of quads along which speeds may
+/// change: 78 degrees.
+constexpr double unfolded = 0.2;
 
 /// Of a derivative: it is turned first.
 struct Change {
@@ -38,14 +41,15 @@ public:
 
     void run(const std::vector<VertexRule>& rules, unsigned jobs) {
         const std::vector<bool> isSound = soundVertices(mesh_);
+        const std::vector<bool> isUnfolded = soundVertices(mesh_, unfolded);
         const std::vector<Point> directions = creaseDirections(lattice_, rules);
         parallelForMany(mesh_.n_vertices(), jobs, [&](std::size_t k) {
             const VertexId vertex(static_cast<int>(k));
-            if (!isSound[k]) return;
+            if (!isUnfolded[k]) return;
             // The derivatives of a subdivision surface at an extraordinary vertex are what the polynomials
             // make of them.
             if (!mesh_.is_boundary(vertex) && mesh_.valence(vertex) != 4) return;
-            if (isRegularCrease(vertex, rules[k])) turn(rules[k], directions[k]);
+            if (isSound[k] && isRegularCrease(vertex, rules[k])) turn(rules[k], directions[k]);
             for (const HalfedgeId leaving : mesh_.voh_range(vertex))
                 changes_[at(leaving)].share = shareOf(leaving);
         });

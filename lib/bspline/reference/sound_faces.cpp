@@ -38,14 +38,13 @@ double BilinearQuad::minCosine() const {
     return min;
 }
 
-std::vector<bool> soundFaces(const QuadMesh& mesh) {
-    constexpr double flat = 0.94;       // cosine of 20 degrees
+std::vector<bool> soundFaces(const QuadMesh& mesh, double minCosine) {
     constexpr double turnedOver = -0.5; // cosine between faces that share an edge
     std::vector<bool> isSound(mesh.n_faces());
     std::vector<bool> isTurnedOver(mesh.n_faces());
     for (const FaceId face : mesh.faces()) {
         const double cosine = quadOf(mesh, face).minCosine();
-        isSound[at(face)] = cosine > flat;
+        isSound[at(face)] = cosine > minCosine;
         if (!(cosine > 0)) isTurnedOver[at(face)] = true;
     }
     for (const EdgeId edge : mesh.edges()) {
@@ -62,8 +61,8 @@ std::vector<bool> soundFaces(const QuadMesh& mesh) {
     return isSound;
 }
 
-std::vector<bool> soundVertices(const QuadMesh& mesh) {
-    const std::vector<bool> isSound = soundFaces(mesh);
+std::vector<bool> soundVertices(const QuadMesh& mesh, double minCosine) {
+    const std::vector<bool> isSound = soundFaces(mesh, minCosine);
     std::vector<bool> result(mesh.n_vertices(), true);
     for (const FaceId face : mesh.faces())
         for (const VertexId vertex : mesh.fv_range(face))

@@ -9,12 +9,16 @@
 
 namespace qm {
 
+/// Cosine of the angle between the normals in the middle and at a corner of a nearly flat quad: 20 degrees.
+constexpr double nearlyFlat = 0.94;
+
 /// By face: whether it is nearly flat and convex, and no face around it is folded. Surfaces can be upright
 /// over such faces even where interpolation makes the reference fold.
-[[nodiscard]] std::vector<bool> soundFaces(const QuadMesh& mesh);
+/// \param minCosine  of the angle between the normals in the middle and at any corner
+[[nodiscard]] std::vector<bool> soundFaces(const QuadMesh& mesh, double minCosine = nearlyFlat);
 
 /// By vertex: whether all faces around it are sound.
-[[nodiscard]] std::vector<bool> soundVertices(const QuadMesh& mesh);
+[[nodiscard]] std::vector<bool> soundVertices(const QuadMesh& mesh, double minCosine = nearlyFlat);
 
 /// The bilinear surface through four points, counter-clockwise from the lowest parameters.
 class BilinearQuad {

@@ -3,7 +3,7 @@
 #include "base/at.h"
 #include "base/parallel.h"
 #include "bspline/reference/edge_curves.h"
-#include "bspline/reference/quad_bending.h"
+#include "bspline/reference/lagrange.h"
 #include "bspline/reference/sound_faces.h"
 #include "bspline/splines/eigen_point.h"
 #include "bspline/splines/spline_curve.h"
@@ -22,7 +22,7 @@ namespace {
 constexpr double minCosine = 0.5;
 /// Of the area that a part of the quad has itself: surfaces that follow less are easily turned over.
 constexpr double minArea = 0.3;
-constexpr double minAreaAtCorner = 0.1;
+constexpr double minAreaAtPoint = 0.1;
 /// Over the mesh: folds that spread farther than real ones, which take two, are left.
 constexpr int maxPasses = 8;
 
@@ -31,7 +31,10 @@ public:
     Unfolding(MeshLattice& lattice, const std::vector<VertexRule>& rules, const std::vector<bool>& sharp)
         : lattice_(lattice), numbers_(lattice.numbers()), mesh_(numbers_.mesh()), squares_(lattice.squares()),
           rules_(rules), sharp_(sharp), isSound_(soundFaces(mesh_)), isFolded_(mesh_.n_faces()),
-          isRedrawn_(mesh_.n_edges()) {}
+          isRedrawn_(mesh_.n_edges()) {
+        for (int k = 0; k <= squares_; ++k)
+            weights_.push_back(lagrange(squares_, share(k)));
+    }
 
     void run(unsigned jobs) {
         if (!findFolds(jobs)) return;
@@ -84,10 +87,10 @@ private:
     }
 
     /// Some square of the lattice is turned over, or nearly so, or has hardly any area left; or the surface
-    /// does at a corner, between the lattice's points.
+    /// does so at one of the lattice's points.
     [[nodiscard]] bool folds(FaceId face) const {
         const BilinearQuad quad = quadBetween(face);
-        if (foldsAtCorner(face, quad)) return true;
+        if (foldsAtPoint(face, quad)) return true;
         for (int j = 0; j < squares_; ++j)
             for (int i = 0; i < squares_; ++i) {
                 const Point turn = (point(face, i + 1, j + 1) - point(face, i, j)) %
@@ -100,15 +103,21 @@ private:
         return false;
     }
 
-    [[nodiscard]] bool foldsAtCorner(FaceId face, const BilinearQuad& quad) const {
-        const QuadSurface surface(squares_, lattice_.points(face));
-        for (std::size_t corner = 0; corner < quadCorners.size(); ++corner) {
-            const auto& [u, v] = quadCorners[corner];
-            const SurfacePoint even = quad.evaluate(static_cast<double>(u), static_cast<double>(v));
-            const Eigen::Vector3d turn = surface.derivative(corner, 0).cross(surface.derivative(corner, 1));
-            const double upright = turn.dot(vector(quad.normal()));
-            if (!(upright >= minAreaAtCorner * (even.du % even.dv).norm())) return true;
-        }
+    [[nodiscard]] bool foldsAtPoint(FaceId face, const BilinearQuad& quad) const {
+        const std::vector<Eigen::Vector3d> points = lattice_.points(face);
+        const auto width = at(squares_) + 1;
+        for (std::size_t j = 0; j < width; ++j)
+            for (std::size_t i = 0; i < width; ++i) {
+                Eigen::Vector3d du(0, 0, 0), dv(0, 0, 0);
+                for (std::size_t k = 0; k < width; ++k) {
+                    du += weights_[i][k][1] * points[j * width + k];
+                    dv += weights_[j][k][1] * points[k * width + i];
+                }
+                const SurfacePoint even =
+                    quad.evaluate(share(static_cast<int>(i)), share(static_cast<int>(j)));
+                const double upright = du.cross(dv).dot(vector(quad.normal()));
+                if (!(upright >= minAreaAtPoint * (even.du % even.dv).norm())) return true;
+            }
         return false;
     }
 
@@ -162,9 +171,10 @@ private:
     int squares_;
     const std::vector<VertexRule>& rules_;
     const std::vector<bool>& sharp_;
-    std::vector<bool> isSound_;   ///< by face
-    std::vector<char> isFolded_;  ///< by face; bytes, as threads write them
-    std::vector<bool> isRedrawn_; ///< by edge
+    std::vector<LagrangeWeights> weights_; ///< at the lattice's parameters
+    std::vector<bool> isSound_;            ///< by face
+    std::vector<char> isFolded_;           ///< by face; bytes, as threads write them
+    std::vector<bool> isRedrawn_;          ///< by edge
 };
 
 } // namespace
