@@ -22,9 +22,9 @@ int main(int argc, char** argv) {
                       "date of the mesh file; by default 1970-01-01, so that equal input gives equal bytes");
             tool.option("colour", options.colour, "meaning of the colours in PLY and glTF");
             tool.option("join", options.join,
-                        "merge neighbours that are one smooth surface, or lie in one plane, into one face");
+                        "merge faces that are one smooth surface or plane, and edges that are one curve");
             tool.option("analytic", options.analytic,
-                        "replace patches by cylinders, cones, spheres and tori where they match");
+                        "replace patches by cylinders, cones, spheres and tori, edges by lines and conics");
             tool.option(
                 "analytic-tolerance", options.analyticTolerance, qm::Range{0, 100},
                 "largest distance of a patch from the surface that replaces it, in per cent of the diagonal");

@@ -54,8 +54,6 @@ public:
     }
 
 private:
-    [[nodiscard]] double toleranceFor(double gap) const { return std::max(gapMargin * gap, resolution_); }
-
     void makeFaces() {
         for (std::size_t k = 0; k < patches_.size(); ++k) {
             const auto& found = simple_[k];
@@ -80,17 +78,16 @@ private:
         auto from = parametersOnSide(size, at.side, at.position);
         auto to = parametersOnSide(size, at.side, at.position + edge.length);
         if (use > 0) std::swap(from, to);
-        return line({from[0], from[1]}, {to[0], to[1]}, edge.length);
+        return line({from[0], from[1]}, {to[0], to[1]}, 0, edge.length);
     }
 
     /// Its curve is the border of the first patch that uses it, if not better known.
     void makeEdge(const SharedEdge& edge) {
         const BorderPlace& at = edge.places.front();
         BoundaryEdge& made = result_.edges.emplace_back();
-        made.curve =
+        const Handle(Geom_BSplineCurve) known =
             splineCurve(restricted(border(at.patch, at.side), at.position, at.position + edge.length));
-        if (const auto exact = simple_.exactCurve(edge, shared_, made.curve); !exact.IsNull())
-            made.curve = exact;
+        made.curve = simple_.exactCurve(edge, shared_, known).value_or(wholeCurve(known));
         double gap = edge.gap;
         result_.largestGap = std::max(result_.largestGap, gap);
         for (std::size_t use = 0; use < edge.places.size(); ++use) {
@@ -98,12 +95,12 @@ private:
             if (!simple) {
                 made.onFaces.at(use) = inPlane(edge, use);
             } else {
-                const CurveOnSurface found = curveOnSurface(made.curve, *simple);
+                const CurveOnSurface found = curveOnSurface(made.curve, *simple, resolution_);
                 made.onFaces.at(use) = found.curve;
                 gap = std::max(gap, found.gap);
             }
         }
-        made.tolerance = toleranceFor(gap);
+        made.tolerance = toleranceOf(gap, resolution_);
         made.isOpen = edge.places.size() < 2;
         made.isSmooth = !made.isOpen && edge.angle < smoothAngle;
     }
@@ -122,8 +119,7 @@ private:
                 BoundaryEdge& edge = result_.edges[e];
                 edge.ends.at(atEnd ? 1 : 0) = at(number[v]);
                 BoundaryVertex& made = result_.vertices[at(number[v])];
-                const double gap =
-                    made.point.Distance(atEnd ? edge.curve->EndPoint() : edge.curve->StartPoint());
+                const double gap = made.point.Distance(atEnd ? edge.curve.end() : edge.curve.start());
                 made.tolerance =
                     std::max(made.tolerance, edge.tolerance + (gap > resolution_ ? gapMargin * gap : 0));
             }
@@ -142,10 +138,15 @@ private:
 
 } // namespace
 
+double toleranceOf(double gap, double resolution) {
+    return std::max(gapMargin * gap, resolution);
+}
+
 double maxLength(const BoundaryEdge& edge) {
     double length = 0;
-    for (int k = 1; k < edge.curve->NbPoles(); ++k)
-        length += edge.curve->Pole(k).Distance(edge.curve->Pole(k + 1));
+    const std::vector<gp_Pnt> points = controlPoints(edge.curve);
+    for (std::size_t k = 1; k < points.size(); ++k)
+        length += points[k - 1].Distance(points[k]);
     return length;
 }
 

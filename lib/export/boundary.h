@@ -2,12 +2,12 @@
 #pragma once
 
 #include "export/boundary_parts.h"
+#include "export/curve_piece.h"
 #include "export/face_patches.h"
 #include "export/shared_edges.h"
 #include "mesh/quad_mesh.h"
 
 #include <Geom2d_BSplineCurve.hxx>
-#include <Geom_BSplineCurve.hxx>
 #include <Geom_Surface.hxx>
 #include <array>
 #include <cstddef>
@@ -16,15 +16,13 @@
 
 namespace qm {
 
-using CurveHandle = opencascade::handle<Geom_BSplineCurve>;
-
 struct BoundaryVertex {
     gp_Pnt point;
     double tolerance = 0; ///< largest of all edges that end here
 };
 
 struct BoundaryEdge {
-    CurveHandle curve; ///< from start to end; has the same parameters as the curves of `onFaces`
+    CurvePiece curve; ///< from start to end; has the same parameters as the curves of `onFaces`
     std::array<Handle(Geom2d_BSplineCurve), 2> onFaces; ///< forwards and backwards; none on planes
     std::array<std::size_t, 2> ends{};                  ///< numbers of the vertices at its start and its end
     double tolerance = 0;                               ///< largest distance from the faces' surfaces
@@ -49,6 +47,9 @@ struct Boundary {
     double flatness = 0;   ///< largest distance of a plane face from its patch
     double largestGap = 0; ///< between patches, before simple surfaces replace them
 };
+
+/// The tolerance that covers a gap which was sampled.
+[[nodiscard]] double toleranceOf(double gap, double resolution);
 
 /// The length of the curve's control polygon: the edge is no longer.
 [[nodiscard]] double maxLength(const BoundaryEdge& edge);

@@ -1,6 +1,7 @@
 #include "export/curve_on_surface.h"
 
 #include "base/at.h"
+#include "export/geometry.h"
 
 #include <ElSLib.hxx>
 #include <Geom2dAPI_Interpolate.hxx>
@@ -45,14 +46,6 @@ double angleNear(double angle, double other) {
     return angle - turn * std::round((angle - other) / turn);
 }
 
-std::vector<double> parametersOf(const Geom_BSplineCurve& curve, int perInterval) {
-    std::vector<double> result{curve.FirstParameter()};
-    for (int k = curve.FirstUKnotIndex(); k < curve.LastUKnotIndex(); ++k)
-        for (int step = 1; step <= perInterval; ++step)
-            result.push_back(curve.Knot(k) + (curve.Knot(k + 1) - curve.Knot(k)) * step / perInterval);
-    return result;
-}
-
 gp_Pnt projected(const gp_Pnt& point, const SimpleSurface& on) {
     const gp_Pnt2d at = nearest(on.surface, point);
     return on.surface->Value(at.X(), at.Y());
@@ -72,6 +65,21 @@ Handle(Geom_BSplineCurve)
         places->SetValue(k, parameters[at(k - 1)]);
     }
     GeomAPI_Interpolate interpolation(through, places, Standard_False, samePoint);
+    interpolation.Perform();
+    return interpolation.Curve();
+}
+
+/// Likewise, in a parameter plane.
+Handle(Geom2d_BSplineCurve)
+    interpolated(const std::vector<gp_Pnt2d>& points, const std::vector<double>& parameters) {
+    const auto size = static_cast<int>(points.size());
+    const Handle(TColgp_HArray1OfPnt2d) through = new TColgp_HArray1OfPnt2d(1, size);
+    const Handle(TColStd_HArray1OfReal) places = new TColStd_HArray1OfReal(1, size);
+    for (int k = 1; k <= size; ++k) {
+        through->SetValue(k, points[at(k - 1)]);
+        places->SetValue(k, parameters[at(k - 1)]);
+    }
+    Geom2dAPI_Interpolate interpolation(through, places, Standard_False, samePoint);
     interpolation.Perform();
     return interpolation.Curve();
 }
@@ -109,7 +117,7 @@ Handle(Geom_BSplineCurve)
     Handle(Geom_BSplineCurve) best;
     double gapOfBest = std::numeric_limits<double>::infinity();
     for (int perInterval = steps; perInterval <= maxSteps; perInterval *= 2) {
-        const auto parameters = parametersOf(*near, perInterval);
+        const auto parameters = parametersOf(wholeCurve(near), perInterval);
         std::vector<gp_Pnt> points{ends[0]};
         for (std::size_t k = 1; k + 1 < parameters.size(); ++k)
             points.push_back(pointAt(parameters[k]));
@@ -129,35 +137,33 @@ Handle(Geom_BSplineCurve)
     return best;
 }
 
-CurveOnSurface curveOnSurface(const Handle(Geom_BSplineCurve) & curve, const SimpleSurface& on) {
+CurveOnSurface curveOnSurface(const CurvePiece& piece, const SimpleSurface& on, double resolution) {
     const Handle(Geom_ElementarySurface)& surface = on.surface;
-    CurveOnSurface result;
-    const bool isPlane = surface->IsKind(STANDARD_TYPE(Geom_Plane));
-    if (!isPlane) {
-        const auto parameters = parametersOf(*curve, steps);
-        const auto size = static_cast<int>(parameters.size());
-        const Handle(TColgp_HArray1OfPnt2d) points = new TColgp_HArray1OfPnt2d(1, size);
-        const Handle(TColStd_HArray1OfReal) places = new TColStd_HArray1OfReal(1, size);
-        // The patch lies about the middle of all angles u, opposite to the seam.
-        gp_Pnt2d last(std::numbers::pi, on.tubeAngle);
-        for (int k = 1; k <= size; ++k) {
-            const double t = parameters[at(k - 1)];
-            gp_Pnt2d point = nearest(surface, curve->Value(t));
-            if (surface->IsUPeriodic()) point.SetX(angleNear(point.X(), last.X()));
-            if (surface->IsVPeriodic()) point.SetY(angleNear(point.Y(), last.Y()));
-            points->SetValue(k, last = point);
-            places->SetValue(k, t);
+    const auto gapOf = [&](const auto& pointOnSurface) {
+        double gap = 0;
+        for (const double t : parametersOf(piece, steps * checks)) {
+            const gp_Pnt2d at = pointOnSurface(t);
+            gap = std::max(gap, piece.at(t).Distance(surface->Value(at.X(), at.Y())));
         }
-        Geom2dAPI_Interpolate interpolation(points, places, Standard_False, samePoint);
-        interpolation.Perform();
-        result.curve = interpolation.Curve();
+        return gap;
+    };
+    if (surface->IsKind(STANDARD_TYPE(Geom_Plane)))
+        return {{}, gapOf([&](double t) { return nearest(surface, piece.at(t)); })};
+    const auto parameters = parametersOf(piece, steps);
+    std::vector<gp_Pnt2d> points;
+    // The patch lies about the middle of all angles u, opposite to the seam.
+    gp_Pnt2d last(std::numbers::pi, on.tubeAngle);
+    for (const double t : parameters) {
+        gp_Pnt2d point = nearest(surface, piece.at(t));
+        if (surface->IsUPeriodic()) point.SetX(angleNear(point.X(), last.X()));
+        if (surface->IsVPeriodic()) point.SetY(angleNear(point.Y(), last.Y()));
+        points.push_back(last = point);
     }
-    for (const double t : parametersOf(*curve, steps * checks)) {
-        const gp_Pnt point = curve->Value(t);
-        const gp_Pnt2d at = isPlane ? nearest(surface, point) : result.curve->Value(t);
-        result.gap = std::max(result.gap, point.Distance(surface->Value(at.X(), at.Y())));
-    }
-    return result;
+    const auto along = [&](const Handle(Geom2d_BSplineCurve) & curve) -> CurveOnSurface {
+        return {curve, gapOf([&](double t) { return curve->Value(t); })};
+    };
+    const CurveOnSurface straight = along(line(points.front(), points.back(), piece.first, piece.last));
+    return straight.gap <= resolution / 2 ? straight : along(interpolated(points, parameters));
 }
 
 } // namespace qm

@@ -1,6 +1,7 @@
 /// \file Curves in the parameter planes of planes, cylinders, cones, spheres and tori.
 #pragma once
 
+#include "export/curve_piece.h"
 #include "export/simple_surface.h"
 
 #include <Geom2d_BSplineCurve.hxx>
@@ -26,7 +27,9 @@ struct CurveOnSurface {
     commonCurve(const Handle(Geom_BSplineCurve) & near, const std::array<gp_Pnt, 2>& ends,
                 const std::vector<SimpleSurface>& both, double resolution);
 
-/// The curve through the points of the surface that are nearest to the points of a curve in space.
-[[nodiscard]] CurveOnSurface curveOnSurface(const Handle(Geom_BSplineCurve) & curve, const SimpleSurface& on);
+/// The curve through the points of the surface that are nearest to the points of a curve in space; straight
+/// if it is so within the resolution.
+[[nodiscard]] CurveOnSurface curveOnSurface(const CurvePiece& piece, const SimpleSurface& on,
+                                            double resolution);
 
 } // namespace qm

@@ -6,6 +6,7 @@
 #include "export/colours.h"
 #include "export/face_order.h"
 #include "export/join.h"
+#include "export/merge_edges.h"
 #include "export/merge_planes.h"
 #include "export/quads.h"
 #include "export/separate.h"
@@ -71,13 +72,20 @@ CheckedShape checkedShape(const QuadMesh& mesh, const FacePatches& faces, double
     }
 }
 
-/// The same with one face for every plane, unless OpenCASCADE takes the one and not the other.
-CheckedShape withPlanesMerged(CheckedShape shape) {
+/// The same after a change, unless OpenCASCADE takes the one and not the other.
+/// \param change  of a boundary and the origins of its faces; says whether it changed anything
+template <class Change> CheckedShape changed(CheckedShape shape, const Change& change) {
     Boundary boundary = shape.boundary;
     Origins origins = shape.origins;
-    if (!mergePlanes(boundary, origins)) return shape;
-    CheckedShape merged = checked(std::move(boundary), origins);
-    return merged.isValid || !shape.isValid ? merged : shape;
+    if (!change(boundary, origins)) return shape;
+    CheckedShape made = checked(std::move(boundary), origins);
+    return made.isValid || !shape.isValid ? made : shape;
+}
+
+/// The same with one face for every plane, and one edge for what is one line, circle or ellipse.
+CheckedShape merged(CheckedShape shape) {
+    shape = changed(std::move(shape), mergePlanes);
+    return changed(std::move(shape), [](Boundary& boundary, const Origins&) { return mergeEdges(boundary); });
 }
 
 ShapeReport reportOf(const Boundary& boundary) {
@@ -109,7 +117,7 @@ Exported exportShape(const QuadMesh& mesh, const Layout& layout, const Surfaces&
         faces = separated(mesh, std::move(faces), knotTolerance * diagonal);
         CheckedShape made =
             checkedShape(mesh, faces, options.analytic ? options.analyticTolerance / 100 * diagonal : 0);
-        if (options.join) made = withPlanesMerged(std::move(made));
+        if (options.join) made = merged(std::move(made));
         Exported result{options.format == ExportFormat::step
                             ? boundaryAsStep(made.boundary, made.origins, options)
                             : shapeAsIges(made.shape, made.origins, options),

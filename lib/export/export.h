@@ -30,8 +30,12 @@ struct ExportOptions {
     ExportFormat format = ExportFormat::step;
     LengthUnit unit = LengthUnit::mm;
     ColourBy colour = ColourBy::segment; ///< PLY and glTF
-    bool join = false;     ///< STEP and IGES: neighbours that are one surface, or one plane, become one face
-    bool analytic = false; ///< STEP and IGES: patches become cylinders, cones and so on where they can
+    /// STEP and IGES: neighbours that are one surface, or one plane, become one face, and edges that are one
+    /// line, circle or ellipse one edge.
+    bool join = false;
+    /// STEP and IGES: patches become cylinders, cones and so on where they can, and the edges between them
+    /// lines, circles and ellipses.
+    bool analytic = false;
     /// Largest distance between a patch and the surface that replaces it, in per cent of the diagonal; the
     /// default equals the default tolerance of fits.
     double analyticTolerance = 0.1;

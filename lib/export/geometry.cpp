@@ -74,11 +74,11 @@ Handle(Geom_BSplineCurve) splineCurve(const SplineCurve& curve) {
     return new Geom_BSplineCurve(poles, knots.values, knots.multiplicities, 3);
 }
 
-Handle(Geom2d_BSplineCurve) line(const gp_Pnt2d& from, const gp_Pnt2d& to, double length) {
+Handle(Geom2d_BSplineCurve) line(const gp_Pnt2d& from, const gp_Pnt2d& to, double first, double last) {
     TColgp_Array1OfPnt2d poles(1, 2);
     poles.SetValue(1, from);
     poles.SetValue(2, to);
-    const KnotTable knots = knotTable({0, 0, length, length});
+    const KnotTable knots = knotTable({first, first, last, last});
     return new Geom2d_BSplineCurve(poles, knots.values, knots.multiplicities, 1);
 }
 

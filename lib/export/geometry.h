@@ -18,8 +18,9 @@ namespace qm {
 /// \throw Standard_Failure  if OpenCASCADE considers two knots equal
 [[nodiscard]] Handle(Geom_BSplineSurface) splineSurface(const Patch& clampedPatch);
 [[nodiscard]] Handle(Geom_BSplineCurve) splineCurve(const SplineCurve& curve);
-/// A straight line from one point to another, over [0, length].
-[[nodiscard]] Handle(Geom2d_BSplineCurve) line(const gp_Pnt2d& from, const gp_Pnt2d& to, double length);
+/// A straight line from one point to another, over the parameters from first to last.
+[[nodiscard]] Handle(Geom2d_BSplineCurve)
+    line(const gp_Pnt2d& from, const gp_Pnt2d& to, double first, double last);
 
 /// Removes repetitions of inner knots that the patch's shape does not need.
 /// \param tolerance  largest distance by which a point of the surface may move

@@ -1,5 +1,7 @@
 #include "export/merge_planes.h"
 
+#include "export/drop_unused.h"
+
 #include <Geom_Plane.hxx>
 #include <algorithm>
 #include <gp_Pln.hxx>
@@ -31,8 +33,8 @@ std::optional<gp_Pln> planeOf(const BoundaryFace& face) {
 /// The largest distance of an edge's control points from a plane: no point of it is farther away.
 double distance(const BoundaryEdge& edge, const gp_Pln& plane) {
     double largest = 0;
-    for (int k = 1; k <= edge.curve->NbPoles(); ++k)
-        largest = std::max(largest, plane.Distance(edge.curve->Pole(k)));
+    for (const gp_Pnt& point : controlPoints(edge.curve))
+        largest = std::max(largest, plane.Distance(point));
     return largest;
 }
 
@@ -104,10 +106,9 @@ private:
         gp_XYZ sum(0, 0, 0);
         const gp_XYZ origin = plane_.Location().XYZ();
         for (const EdgeUse& use : loop) {
-            const auto& curve = boundary_.edges[use.edge].curve;
-            for (int k = 1; k < curve->NbPoles(); ++k) {
-                const gp_XYZ cross =
-                    (curve->Pole(k).XYZ() - origin).Crossed(curve->Pole(k + 1).XYZ() - origin);
+            const std::vector<gp_Pnt> points = controlPoints(boundary_.edges[use.edge].curve);
+            for (std::size_t k = 1; k < points.size(); ++k) {
+                const gp_XYZ cross = (points[k - 1].XYZ() - origin).Crossed(points[k].XYZ() - origin);
                 sum += use.forwards ? cross : cross.Reversed();
             }
         }
@@ -132,42 +133,6 @@ Region regionFrom(const Boundary& boundary, std::size_t face,
                 if (!taken[beside] && region.add(beside)) grown = taken[beside] = true;
     }
     return region;
-}
-
-/// Keeps what is marked, and says where it has gone.
-template <class Value>
-std::vector<std::size_t> keepMarked(std::vector<Value>& values, const std::vector<bool>& isKept) {
-    std::vector<std::size_t> numbers(values.size());
-    std::size_t count = 0;
-    for (std::size_t k = 0; k < values.size(); ++k) {
-        numbers[k] = count;
-        if (!isKept[k]) continue;
-        if (count != k) values[count] = std::move(values[k]);
-        ++count;
-    }
-    values.resize(count);
-    return numbers;
-}
-
-/// Drops edges that no face uses, and vertices without edges.
-void dropUnused(Boundary& boundary) {
-    std::vector<bool> isUsed(boundary.edges.size());
-    for (const BoundaryFace& face : boundary.faces)
-        for (const auto& loop : face.loops)
-            for (const EdgeUse& use : loop)
-                isUsed[use.edge] = true;
-    const auto edgeNumbers = keepMarked(boundary.edges, isUsed);
-    for (BoundaryFace& face : boundary.faces)
-        for (auto& loop : face.loops)
-            for (EdgeUse& use : loop)
-                use.edge = edgeNumbers[use.edge];
-    isUsed.assign(boundary.vertices.size(), false);
-    for (const BoundaryEdge& edge : boundary.edges)
-        isUsed[edge.ends[0]] = isUsed[edge.ends[1]] = true;
-    const auto vertexNumbers = keepMarked(boundary.vertices, isUsed);
-    for (BoundaryEdge& edge : boundary.edges)
-        for (std::size_t& end : edge.ends)
-            end = vertexNumbers[end];
 }
 
 } // namespace

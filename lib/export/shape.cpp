@@ -19,10 +19,10 @@ public:
             builder_.MakeVertex(vertices_.emplace_back(), vertex.point, vertex.tolerance);
         for (const BoundaryEdge& edge : boundary.edges) {
             TopoDS_Edge& made = edges_.emplace_back();
-            builder_.MakeEdge(made, edge.curve, edge.tolerance);
+            builder_.MakeEdge(made, edge.curve.curve, edge.tolerance);
             builder_.Add(made, vertices_[edge.ends[0]].Oriented(TopAbs_FORWARD));
             builder_.Add(made, vertices_[edge.ends[1]].Oriented(TopAbs_REVERSED));
-            builder_.Range(made, edge.curve->FirstParameter(), edge.curve->LastParameter());
+            builder_.Range(made, edge.curve.first, edge.curve.last);
         }
     }
 

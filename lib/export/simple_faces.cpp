@@ -1,6 +1,7 @@
 #include "export/simple_faces.h"
 
 #include "base/at.h"
+#include "export/conic_curve.h"
 #include "export/curve_on_surface.h"
 #include "export/geometry.h"
 
@@ -68,17 +69,19 @@ void SimpleFaces::moveVertices(SharedEdges& shared) {
     }
 }
 
-Handle(Geom_BSplineCurve) SimpleFaces::exactCurve(const SharedEdge& edge, const SharedEdges& shared,
+std::optional<CurvePiece> SimpleFaces::exactCurve(const SharedEdge& edge, const SharedEdges& shared,
                                                   const Handle(Geom_BSplineCurve) & border) const {
-    if (edge.places.size() < 2 || !isCommon_[at(edge.start)] || !isCommon_[at(edge.end)]) return nullptr;
+    if (edge.places.size() < 2 || !isCommon_[at(edge.start)] || !isCommon_[at(edge.end)]) return std::nullopt;
     const auto& one = surfaces_[edge.places[0].patch];
     const auto& other = surfaces_[edge.places[1].patch];
-    if (!one || !other) return nullptr;
+    if (!one || !other) return std::nullopt;
     const std::array ends{toGp(shared.vertexPoint[at(edge.start)]), toGp(shared.vertexPoint[at(edge.end)])};
-    auto curve = commonCurve(border, ends, {*one, *other}, resolution_);
+    const auto curve = commonCurve(border, ends, {*one, *other}, resolution_);
     for (int k = curve->FirstUKnotIndex(); k <= curve->LastUKnotIndex(); ++k)
-        if (!(curve->Value(curve->Knot(k)).Distance(border->Value(curve->Knot(k))) <= reach_)) return nullptr;
-    return curve;
+        if (!(curve->Value(curve->Knot(k)).Distance(border->Value(curve->Knot(k))) <= reach_))
+            return std::nullopt;
+    const CurvePiece spline = wholeCurve(curve);
+    return conicCurve({*one, *other}, ends, spline.middle(), resolution_).value_or(spline);
 }
 
 } // namespace qm

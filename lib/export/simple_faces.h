@@ -1,6 +1,7 @@
 /// \file Faces that are planes, cylinders, cones, spheres or tori, and the edges where two of them meet.
 #pragma once
 
+#include "export/curve_piece.h"
 #include "export/shared_edges.h"
 #include "export/simple_surface.h"
 
@@ -37,10 +38,10 @@ public:
     void moveVertices(SharedEdges& shared);
 
     /// The curve where the two faces of an edge meet, if both are simple and `moveVertices` has moved its
-    /// ends onto both.
-    /// \param border  of the patches; has the same parameters as the result
-    /// \return null if there is none, or if it is far from the border
-    [[nodiscard]] Handle(Geom_BSplineCurve) exactCurve(const SharedEdge& edge, const SharedEdges& shared,
+    /// ends onto both: a line, circle or ellipse, or else a spline.
+    /// \param border  of the patches
+    /// \return nothing if there is none, or if it is far from the border
+    [[nodiscard]] std::optional<CurvePiece> exactCurve(const SharedEdge& edge, const SharedEdges& shared,
                                                        const Handle(Geom_BSplineCurve) & border) const;
 
 private:

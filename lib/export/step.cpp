@@ -96,7 +96,7 @@ private:
                 }
         for (std::size_t e = 0; e < edges_.size(); ++e) {
             const BoundaryEdge& edge = boundary_.edges[e];
-            StepId curve = addCurve(file_, edge.curve);
+            StepId curve = addCurve(file_, edge.curve.curve);
             std::vector<StepId> known;
             for (const auto& onFace : onFaces[e])
                 if (onFace) known.push_back(*onFace);

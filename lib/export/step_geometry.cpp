@@ -2,9 +2,13 @@
 
 #include "base/at.h"
 
+#include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
+#include <Geom_Circle.hxx>
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
+#include <Geom_Ellipse.hxx>
+#include <Geom_Line.hxx>
 #include <Geom_Plane.hxx>
 #include <Geom_SphericalSurface.hxx>
 #include <Geom_ToroidalSurface.hxx>
@@ -61,8 +65,20 @@ StepId addPlacement(StepFile& file, const gp_Ax3& axes) {
     return file.add("AXIS2_PLACEMENT_3D", "", location, axis, addDirection(file, axes.XDirection()));
 }
 
-StepId addCurve(StepFile& file, const Handle(Geom_BSplineCurve) & curve) {
-    return addSplineCurve(file, *curve);
+StepId addCurve(StepFile& file, const Handle(Geom_Curve) & curve) {
+    if (const auto spline = Handle(Geom_BSplineCurve)::DownCast(curve); !spline.IsNull())
+        return addSplineCurve(file, *spline);
+    if (const auto line = Handle(Geom_Line)::DownCast(curve); !line.IsNull()) {
+        const StepId point = addPoint(file, line->Position().Location());
+        const StepId direction = addDirection(file, line->Position().Direction());
+        return file.add("LINE", "", point, file.add("VECTOR", "", direction, 1.0));
+    }
+    const auto conic = Handle(Geom_Conic)::DownCast(curve);
+    const StepId placement = addPlacement(file, gp_Ax3(conic->Position()));
+    if (const auto circle = Handle(Geom_Circle)::DownCast(curve); !circle.IsNull())
+        return file.add("CIRCLE", "", placement, circle->Radius());
+    const auto ellipse = Handle(Geom_Ellipse)::DownCast(curve);
+    return file.add("ELLIPSE", "", placement, ellipse->MajorRadius(), ellipse->MinorRadius());
 }
 
 StepId addPlaneCurve(StepFile& file, const Handle(Geom2d_BSplineCurve) & curve) {

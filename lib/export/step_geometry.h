@@ -4,14 +4,15 @@
 #include "export/step_file.h"
 
 #include <Geom2d_BSplineCurve.hxx>
-#include <Geom_BSplineCurve.hxx>
+#include <Geom_Curve.hxx>
 #include <Geom_Surface.hxx>
 
 namespace qm {
 
 [[nodiscard]] StepId addPoint(StepFile& file, const gp_Pnt& point);
 [[nodiscard]] StepId addPlacement(StepFile& file, const gp_Ax3& axes);
-[[nodiscard]] StepId addCurve(StepFile& file, const Handle(Geom_BSplineCurve) & curve);
+/// \param curve  a spline that is not rational, a line, a circle or an ellipse
+[[nodiscard]] StepId addCurve(StepFile& file, const Handle(Geom_Curve) & curve);
 [[nodiscard]] StepId addPlaneCurve(StepFile& file, const Handle(Geom2d_BSplineCurve) & curve);
 /// \param surface  not rational; or a plane, cylinder, cone, sphere or torus with right-handed axes
 [[nodiscard]] StepId addSurface(StepFile& file, const Handle(Geom_Surface) & surface);

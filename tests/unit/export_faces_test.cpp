@@ -16,8 +16,11 @@
 #include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
 #include <Geom_BSplineSurface.hxx>
+#include <Geom_Circle.hxx>
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
+#include <Geom_Ellipse.hxx>
+#include <Geom_Line.hxx>
 #include <Geom_Plane.hxx>
 #include <Geom_SphericalSurface.hxx>
 #include <Geom_ToroidalSurface.hxx>
@@ -286,6 +289,54 @@ TEST(Analytic, EdgesAreWhereSurfacesMeet) {
         }
     }
     EXPECT_EQ(rims, 1);
+}
+
+template <class Curve> int countCurves(const TopoDS_Shape& shape) {
+    int count = 0;
+    for (const TopoDS_Shape& edge : all(shape, TopAbs_EDGE)) {
+        double first = 0;
+        double last = 0;
+        if (BRep_Tool::Curve(TopoDS::Edge(edge), first, last)->IsKind(STANDARD_TYPE(Curve))) ++count;
+    }
+    return count;
+}
+
+/// A sheet with a sharp bend, or bent around a cylinder and cut off at an angle: four patches.
+FittedModel bent(bool isRound, double slope) {
+    const Grid grid{
+        36, 8, [=](double i, double j) {
+            const double away = j <= 4 ? 1 + j / 2 : 3;
+            const double angle = 0.07 * i;
+            const double height = j <= 4 ? 0 : (j - 4) / 2;
+            const Point point(isRound ? away * std::cos(angle) : i, isRound ? away * std::sin(angle) : away,
+                              height);
+            return point + Point(0, 0, slope * point[0] * std::max(0.0, 1 - (j > 4 ? 0.25 * (j - 4) : 0)));
+        }};
+    FitOptions options;
+    options.tolerance.value = 0.01;
+    return fitted(grid, {{0, 0, 15, 4}, {15, 0, 36, 4}, {0, 4, 20, 8}, {20, 4, 36, 8}}, options);
+}
+
+TEST(Analytic, EdgesAreLinesCirclesAndEllipses) {
+    EXPECT_EQ(countCurves<Geom_Line>(readBack(bent(false, 0), analytic())), 3) << "of the bend";
+    EXPECT_EQ(countCurves<Geom_Circle>(readBack(bent(true, 0), analytic())), 3);
+    EXPECT_EQ(countCurves<Geom_Ellipse>(readBack(bent(true, 0.3), analytic())), 3);
+    EXPECT_EQ(countCurves<Geom_Line>(readBack(bent(false, 0))), 0) << "only on request";
+}
+
+TEST(MergeEdges, MakesOneEdgeOfWhatIsOneCurve) {
+    ExportOptions options = analytic();
+    options.join = true;
+    const TopoDS_Shape flat = readBack(bent(false, 0), options);
+    EXPECT_EQ(all(flat, TopAbs_FACE).size(), 2U);
+    EXPECT_EQ(countCurves<Geom_Line>(flat), 1);
+    for (const double slope : {0.0, 0.3}) {
+        const TopoDS_Shape round = readBack(bent(true, slope), options);
+        EXPECT_EQ(countSurfaces<Geom_Plane>(round), 1);
+        EXPECT_EQ(countSurfaces<Geom_CylindricalSurface>(round), 1);
+        EXPECT_EQ(countCurves<Geom_Ellipse>(round), slope > 0 ? 1 : 0);
+        EXPECT_EQ(countCurves<Geom_Circle>(round), slope > 0 ? 0 : 1);
+    }
 }
 
 class Tori : public testing::TestWithParam<std::vector<std::array<int, 4>>> {};

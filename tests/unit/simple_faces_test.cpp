@@ -43,13 +43,13 @@ TEST(SimpleFaces, MeetInExactCurves) {
         const BorderPlace& place = edge.places.front();
         const auto border = splineCurve(restricted(borderCurve(made.faces.patches[place.patch], place.side),
                                                    place.position, place.position + edge.length));
-        EXPECT_TRUE(simple.exactCurve(edge, made.shared, border).IsNull()) << "no vertex has been moved";
+        EXPECT_FALSE(simple.exactCurve(edge, made.shared, border)) << "no vertex has been moved";
         const auto curve = moved.exactCurve(edge, made.shared, border);
-        EXPECT_EQ(curve.IsNull(), edge.places.size() < 2);
-        if (curve.IsNull()) continue;
+        EXPECT_EQ(curve.has_value(), edge.places.size() > 1);
+        if (!curve) continue;
         ++exact;
         for (const std::size_t face : {edge.places[0].patch, edge.places[1].patch})
-            EXPECT_LT(curveOnSurface(curve, *simple[face]).gap, 1e-7);
+            EXPECT_LT(curveOnSurface(*curve, *simple[face], 1e-7).gap, 1e-7);
     }
     EXPECT_EQ(exact, 1U);
 }
