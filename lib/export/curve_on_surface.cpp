@@ -14,14 +14,18 @@
 #include <Geom_ToroidalSurface.hxx>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace qm {
 namespace {
 
-constexpr int steps = 4;  ///< interpolated points in every knot interval
+constexpr int steps = 4; ///< interpolated points in every knot interval, at first
+constexpr int maxSteps = 64;
+/// Twice the steps make a gap 16 times smaller, except where surfaces do not meet. What remains of the gap
+/// becomes the edge's tolerance.
+constexpr double worthwhile = 0.5;
 constexpr int checks = 3; ///< samples of the gap between two of those
 
 gp_Pnt2d nearest(const Handle(Geom_ElementarySurface) & surface, const gp_Pnt& point) {
@@ -84,6 +88,34 @@ Handle(Geom2d_BSplineCurve)
     return interpolation.Curve();
 }
 
+/// The parameters of the nearest points of a surface, as they continue one another.
+std::vector<gp_Pnt2d> pointsOn(const SimpleSurface& on, const CurvePiece& piece,
+                               const std::vector<double>& parameters) {
+    std::vector<gp_Pnt2d> points;
+    // The patch lies about the middle of all angles u, opposite to the seam.
+    gp_Pnt2d last(std::numbers::pi, on.tubeAngle);
+    for (const double t : parameters) {
+        gp_Pnt2d point = nearest(on.surface, piece.at(t));
+        if (on.surface->IsUPeriodic()) point.SetX(angleNear(point.X(), last.X()));
+        if (on.surface->IsVPeriodic()) point.SetY(angleNear(point.Y(), last.Y()));
+        points.push_back(last = point);
+    }
+    return points;
+}
+
+/// A curve through more and more points, until it is within half the resolution or they no longer help.
+/// \param make  the curve through a number of points in every interval, with its gap
+template <class Make> auto refined(double resolution, const Make& make) {
+    auto best = make(steps);
+    for (int perInterval = 2 * steps; best.gap > resolution / 2 && perInterval <= maxSteps;
+         perInterval *= 2) {
+        auto finer = make(perInterval);
+        if (!(finer.gap < worthwhile * best.gap)) break;
+        best = std::move(finer);
+    }
+    return best;
+}
+
 } // namespace
 
 gp_Pnt commonPoint(const gp_Pnt& near, const std::vector<SimpleSurface>& surfaces) {
@@ -110,60 +142,50 @@ Handle(Geom_BSplineCurve)
         const double share = (t - first) / (last - first);
         return commonPoint(near->Value(t).XYZ() + moveFirst * (1 - share) + moveLast * share, both);
     };
-    constexpr int maxSteps = 64; // in an interval
-    // Twice the steps make the gap 16 times smaller, except where the surfaces do not meet. What remains of
-    // the gap becomes the edge's tolerance.
-    constexpr double worthwhile = 0.5;
-    Handle(Geom_BSplineCurve) best;
-    double gapOfBest = std::numeric_limits<double>::infinity();
-    for (int perInterval = steps; perInterval <= maxSteps; perInterval *= 2) {
-        const auto parameters = parametersOf(wholeCurve(near), perInterval);
-        std::vector<gp_Pnt> points{ends[0]};
-        for (std::size_t k = 1; k + 1 < parameters.size(); ++k)
-            points.push_back(pointAt(parameters[k]));
-        points.push_back(ends[1]);
-        const auto curve = interpolated(points, parameters);
+    struct Common {
+        Handle(Geom_BSplineCurve) curve;
         double gap = 0;
-        for (std::size_t k = 0; k + 1 < parameters.size(); ++k) {
-            const gp_Pnt between = curve->Value((parameters[k] + parameters[k + 1]) / 2);
-            for (const SimpleSurface& surface : both)
-                gap = std::max(gap, between.Distance(projected(between, surface)));
-        }
-        if (!best.IsNull() && !(gap < worthwhile * gapOfBest)) break;
-        best = curve;
-        gapOfBest = gap;
-        if (gap <= resolution / 2) break;
-    }
-    return best;
+    };
+    return refined(resolution,
+                   [&](int perInterval) {
+                       const auto parameters = parametersOf(wholeCurve(near), perInterval);
+                       std::vector<gp_Pnt> points{ends[0]};
+                       for (std::size_t k = 1; k + 1 < parameters.size(); ++k)
+                           points.push_back(pointAt(parameters[k]));
+                       points.push_back(ends[1]);
+                       Common found{interpolated(points, parameters)};
+                       for (std::size_t k = 0; k + 1 < parameters.size(); ++k) {
+                           const gp_Pnt between = found.curve->Value((parameters[k] + parameters[k + 1]) / 2);
+                           for (const SimpleSurface& surface : both)
+                               found.gap = std::max(found.gap, between.Distance(projected(between, surface)));
+                       }
+                       return found;
+                   })
+        .curve;
 }
 
 CurveOnSurface curveOnSurface(const CurvePiece& piece, const SimpleSurface& on, double resolution) {
     const Handle(Geom_ElementarySurface)& surface = on.surface;
-    const auto gapOf = [&](const auto& pointOnSurface) {
+    const auto gapOf = [&](int perInterval, const auto& pointOnSurface) {
         double gap = 0;
-        for (const double t : parametersOf(piece, steps * checks)) {
+        for (const double t : parametersOf(piece, perInterval * checks)) {
             const gp_Pnt2d at = pointOnSurface(t);
             gap = std::max(gap, piece.at(t).Distance(surface->Value(at.X(), at.Y())));
         }
         return gap;
     };
     if (surface->IsKind(STANDARD_TYPE(Geom_Plane)))
-        return {{}, gapOf([&](double t) { return nearest(surface, piece.at(t)); })};
-    const auto parameters = parametersOf(piece, steps);
-    std::vector<gp_Pnt2d> points;
-    // The patch lies about the middle of all angles u, opposite to the seam.
-    gp_Pnt2d last(std::numbers::pi, on.tubeAngle);
-    for (const double t : parameters) {
-        gp_Pnt2d point = nearest(surface, piece.at(t));
-        if (surface->IsUPeriodic()) point.SetX(angleNear(point.X(), last.X()));
-        if (surface->IsVPeriodic()) point.SetY(angleNear(point.Y(), last.Y()));
-        points.push_back(last = point);
-    }
-    const auto along = [&](const Handle(Geom2d_BSplineCurve) & curve) -> CurveOnSurface {
-        return {curve, gapOf([&](double t) { return curve->Value(t); })};
+        return {{}, gapOf(steps, [&](double t) { return nearest(surface, piece.at(t)); })};
+    const auto along = [&](int perInterval, const Handle(Geom2d_BSplineCurve) & curve) -> CurveOnSurface {
+        return {curve, gapOf(perInterval, [&](double t) { return curve->Value(t); })};
     };
-    const CurveOnSurface straight = along(line(points.front(), points.back(), piece.first, piece.last));
-    return straight.gap <= resolution / 2 ? straight : along(interpolated(points, parameters));
+    const auto few = pointsOn(on, piece, parametersOf(piece, steps));
+    const CurveOnSurface straight = along(steps, line(few.front(), few.back(), piece.first, piece.last));
+    if (straight.gap <= resolution / 2) return straight;
+    return refined(resolution, [&](int perInterval) {
+        const auto parameters = parametersOf(piece, perInterval);
+        return along(perInterval, interpolated(pointsOn(on, piece, parameters), parameters));
+    });
 }
 
 } // namespace qm
