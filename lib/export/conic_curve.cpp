@@ -1,6 +1,7 @@
 #include "export/conic_curve.h"
 
 #include "export/curve_on_surface.h"
+#include "export/straight_seam.h"
 
 #include <ElCLib.hxx>
 #include <Geom_Circle.hxx>
@@ -150,7 +151,10 @@ std::optional<CurvePiece> conicCurve(const std::array<SimpleSurface, 2>& surface
     if (ends[0].Distance(ends[1]) <= resolution) return std::nullopt;
     std::optional<CurvePiece> best;
     double distance = std::numeric_limits<double>::infinity();
-    for (const Handle(Geom_Curve) & curve : meetings(surfaces, resolution / 4)) {
+    std::vector<Handle(Geom_Curve)> candidates = meetings(surfaces, resolution / 4);
+    if (areOneRuledSurface(surfaces[0], surfaces[1], resolution / 4))
+        candidates.emplace_back(new Geom_Line(ends[0], gp_Dir(ends[1].XYZ() - ends[0].XYZ())));
+    for (const Handle(Geom_Curve) & curve : candidates) {
         if (!passes(curve, ends[0], resolution / 2) || !passes(curve, ends[1], resolution / 2)) continue;
         const CurvePiece piece = pieceOf(curve, ends, through);
         const double away = piece.middle().Distance(through);

@@ -9,7 +9,8 @@
 
 namespace qm {
 
-/// The line, circle or ellipse in which two surfaces meet, from one point of it to another.
+/// The line, circle or ellipse in which two surfaces meet, from one point of it to another; or a line on a
+/// cylinder or cone that both are.
 /// \param ends        lie on both surfaces
 /// \param through     near the middle of the result
 /// \param resolution  closer points are taken for one

@@ -4,6 +4,7 @@
 #include "export/conic_curve.h"
 #include "export/curve_on_surface.h"
 #include "export/geometry.h"
+#include "export/straight_seam.h"
 
 #include <algorithm>
 #include <array>
@@ -66,6 +67,37 @@ void SimpleFaces::moveVertices(SharedEdges& shared) {
         if (!(after.Distance(before) <= reach_)) continue;
         shared.vertexPoint[v] = fromGp(after);
         isCommon_[v] = true;
+    }
+    straightenSeams(shared, facesAt);
+}
+
+void SimpleFaces::straightenSeams(SharedEdges& shared, const std::vector<std::vector<std::size_t>>& facesAt) {
+    std::vector<bool> mayMove = isCommon_;
+    for (const SharedEdge& edge : shared.edges)
+        for (const BorderPlace& place : edge.places)
+            if (!surfaces_[place.patch] || edge.places.size() < 2)
+                mayMove[at(edge.start)] = mayMove[at(edge.end)] = false;
+    for (const SharedEdge& edge : shared.edges) {
+        if (edge.places.size() < 2 || !mayMove[at(edge.start)] || !mayMove[at(edge.end)]) continue;
+        const SimpleSurface& seam = *surfaces_[edge.places[0].patch];
+        const auto isSeam = [&](std::size_t face) {
+            return areOneRuledSurface(seam, *surfaces_[face], resolution_);
+        };
+        if (!isSeam(edge.places[1].patch)) continue;
+        const std::array vertices{at(edge.start), at(edge.end)};
+        std::array<gp_Pnt, 2> ends;
+        std::array<std::vector<SimpleSurface>, 2> others;
+        for (std::size_t k = 0; k < 2; ++k) {
+            ends[k] = toGp(shared.vertexPoint[vertices[k]]);
+            for (const std::size_t face : facesAt[vertices[k]])
+                if (!isSeam(face)) others[k].push_back(*surfaces_[face]);
+        }
+        const auto moved = straightened(seam, ends, others);
+        if (!moved) continue;
+        for (std::size_t k = 0; k < 2; ++k)
+            if ((*moved)[k].Distance(ends[k]) <= reach_ / 2)
+                shared.vertexPoint[vertices[k]] = fromGp((*moved)[k]);
+        mayMove[vertices[0]] = mayMove[vertices[1]] = false; // once only
     }
 }
 

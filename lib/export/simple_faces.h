@@ -32,8 +32,9 @@ public:
         return surfaces_[face];
     }
 
-    /// Moves vertices where several simple faces meet onto all of these, unless that is far away. Does
-    /// nothing if all simple faces are planes within the flatness.
+    /// Moves vertices where several simple faces meet onto all of these, unless that is far away, and then
+    /// to where edges between two faces of one cylinder or cone can be straight. Does nothing if all simple
+    /// faces are planes within the flatness.
     /// \param shared  the edges of the patches; its `vertexPoint` changes
     void moveVertices(SharedEdges& shared);
 
@@ -45,6 +46,9 @@ public:
                                                        const Handle(Geom_BSplineCurve) & border) const;
 
 private:
+    /// \param facesAt  by vertex: the simple faces there
+    void straightenSeams(SharedEdges& shared, const std::vector<std::vector<std::size_t>>& facesAt);
+
     std::vector<std::optional<SimpleSurface>> surfaces_;
     double resolution_;
     double reach_ = 0;           ///< largest distance by which a vertex or an edge may move

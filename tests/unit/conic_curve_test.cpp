@@ -103,6 +103,16 @@ TEST(ConicCurve, OfSurfacesOfRevolutionAroundOneAxisIsACircle) {
     }
 }
 
+TEST(ConicCurve, IsALineAlongACylinderThatBothFacesAre) {
+    const SimpleSurface same = simple(new Geom_CylindricalSurface(upright(1), 2));
+    const auto piece =
+        conicCurve({cylinder, same}, {around(2, 30), around(2, 30, 3)}, around(2, 31, 1), resolution);
+    ASSERT_TRUE(piece);
+    EXPECT_TRUE(piece->curve->IsKind(STANDARD_TYPE(Geom_Line)));
+    EXPECT_FALSE(conicCurve({floor, floor}, {around(2, 0), around(2, 90)}, around(2, 45), resolution))
+        << "a border within one plane may be bent";
+}
+
 TEST(ConicCurve, IsNothingWhereThereIsNone) {
     const SimpleSurface across = simple(new Geom_CylindricalSurface(gp_Ax3({0, 0, 0}, {1, 0, 0}), 1));
     const gp_Pnt start(std::sqrt(3), 1, 0); // on both cylinders
@@ -110,7 +120,7 @@ TEST(ConicCurve, IsNothingWhereThereIsNone) {
     EXPECT_FALSE(conicCurve({across, cylinder}, {start, end}, {1.9, 0.6, 0.8}, resolution))
         << "no plane curve";
     EXPECT_FALSE(
-        conicCurve({cylinder, cylinder}, {around(2, 0), around(2, 0, 3)}, around(2, 0, 1), resolution))
+        conicCurve({cylinder, cylinder}, {around(2, 0), around(2, 45, 3)}, around(2, 22, 1), resolution))
         << "one surface";
     EXPECT_FALSE(conicCurve({cylinder, floor}, {around(2, 0), around(2, 90, 1)}, around(2, 45), resolution))
         << "an end is elsewhere";
