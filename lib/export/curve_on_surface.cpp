@@ -58,32 +58,17 @@ gp_Pnt projected(const gp_Pnt& point, const SimpleSurface& on) {
 /// Points closer than this are one, to OpenCASCADE's interpolation: so small that none is left out.
 constexpr double samePoint = 1e-12;
 
-/// Through points at parameters; C2.
-Handle(Geom_BSplineCurve)
-    interpolated(const std::vector<gp_Pnt>& points, const std::vector<double>& parameters) {
+/// A curve through points at parameters; C2.
+template <class Interpolation, class Array, class Point>
+auto interpolated(const std::vector<Point>& points, const std::vector<double>& parameters) {
     const auto size = static_cast<int>(points.size());
-    const Handle(TColgp_HArray1OfPnt) through = new TColgp_HArray1OfPnt(1, size);
+    const opencascade::handle<Array> through = new Array(1, size);
     const Handle(TColStd_HArray1OfReal) places = new TColStd_HArray1OfReal(1, size);
     for (int k = 1; k <= size; ++k) {
         through->SetValue(k, points[at(k - 1)]);
         places->SetValue(k, parameters[at(k - 1)]);
     }
-    GeomAPI_Interpolate interpolation(through, places, Standard_False, samePoint);
-    interpolation.Perform();
-    return interpolation.Curve();
-}
-
-/// Likewise, in a parameter plane.
-Handle(Geom2d_BSplineCurve)
-    interpolated(const std::vector<gp_Pnt2d>& points, const std::vector<double>& parameters) {
-    const auto size = static_cast<int>(points.size());
-    const Handle(TColgp_HArray1OfPnt2d) through = new TColgp_HArray1OfPnt2d(1, size);
-    const Handle(TColStd_HArray1OfReal) places = new TColStd_HArray1OfReal(1, size);
-    for (int k = 1; k <= size; ++k) {
-        through->SetValue(k, points[at(k - 1)]);
-        places->SetValue(k, parameters[at(k - 1)]);
-    }
-    Geom2dAPI_Interpolate interpolation(through, places, Standard_False, samePoint);
+    Interpolation interpolation(through, places, Standard_False, samePoint);
     interpolation.Perform();
     return interpolation.Curve();
 }
@@ -146,22 +131,21 @@ Handle(Geom_BSplineCurve)
         Handle(Geom_BSplineCurve) curve;
         double gap = 0;
     };
-    return refined(resolution,
-                   [&](int perInterval) {
-                       const auto parameters = parametersOf(wholeCurve(near), perInterval);
-                       std::vector<gp_Pnt> points{ends[0]};
-                       for (std::size_t k = 1; k + 1 < parameters.size(); ++k)
-                           points.push_back(pointAt(parameters[k]));
-                       points.push_back(ends[1]);
-                       Common found{interpolated(points, parameters)};
-                       for (std::size_t k = 0; k + 1 < parameters.size(); ++k) {
-                           const gp_Pnt between = found.curve->Value((parameters[k] + parameters[k + 1]) / 2);
-                           for (const SimpleSurface& surface : both)
-                               found.gap = std::max(found.gap, between.Distance(projected(between, surface)));
-                       }
-                       return found;
-                   })
-        .curve;
+    const auto make = [&](int perInterval) {
+        const auto parameters = parametersOf(wholeCurve(near), perInterval);
+        std::vector<gp_Pnt> points{ends[0]};
+        for (std::size_t k = 1; k + 1 < parameters.size(); ++k)
+            points.push_back(pointAt(parameters[k]));
+        points.push_back(ends[1]);
+        Common found{interpolated<GeomAPI_Interpolate, TColgp_HArray1OfPnt>(points, parameters)};
+        for (std::size_t k = 0; k + 1 < parameters.size(); ++k) {
+            const gp_Pnt between = found.curve->Value((parameters[k] + parameters[k + 1]) / 2);
+            for (const SimpleSurface& surface : both)
+                found.gap = std::max(found.gap, between.Distance(projected(between, surface)));
+        }
+        return found;
+    };
+    return refined(resolution, make).curve;
 }
 
 CurveOnSurface curveOnSurface(const CurvePiece& piece, const SimpleSurface& on, double resolution) {
@@ -180,11 +164,12 @@ CurveOnSurface curveOnSurface(const CurvePiece& piece, const SimpleSurface& on, 
         return {curve, gapOf(perInterval, [&](double t) { return curve->Value(t); })};
     };
     const auto few = pointsOn(on, piece, parametersOf(piece, steps));
-    const CurveOnSurface straight = along(steps, line(few.front(), few.back(), piece.first, piece.last));
+    CurveOnSurface straight = along(steps, line(few.front(), few.back(), piece.first, piece.last));
     if (straight.gap <= resolution / 2) return straight;
     return refined(resolution, [&](int perInterval) {
         const auto parameters = parametersOf(piece, perInterval);
-        return along(perInterval, interpolated(pointsOn(on, piece, parameters), parameters));
+        return along(perInterval, interpolated<Geom2dAPI_Interpolate, TColgp_HArray1OfPnt2d>(
+                                      pointsOn(on, piece, parameters), parameters));
     });
 }
 

@@ -1,6 +1,8 @@
 /// \file Curves between two parameters.
 #pragma once
 
+#include "mesh/quad_mesh.h" // before OpenCASCADE, whose macro `Handle` is a name in OpenMesh
+
 #include <Geom_Curve.hxx>
 #include <gp_Pnt.hxx>
 #include <vector>
