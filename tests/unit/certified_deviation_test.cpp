@@ -133,8 +133,8 @@ TEST(CertifiedDeviation, LooksLittleAtPlanesHoweverTheirParametersRun) {
 TEST(CertifiedDeviation, ClosesWhereBordersSlideInAPlane) {
     const auto plane = [](double i, double j) { return Point(i, j, 2); };
     const auto slid = [](double i, double j) {
-        constexpr double wave = std::numbers::pi / 8; // zero on the boundary
-        return Point(i + 0.3 * std::sin(wave * i) * std::cos(0.8 * j), j, 2);
+        constexpr double waves = std::numbers::pi / 8; // zero on the boundary
+        return Point(i + 0.3 * std::sin(waves * i) * std::cos(0.8 * j), j, 2);
     };
     for (int turns = 0; turns < 4; ++turns) {
         const Pair pair{{8, 8, plane}, {{0, 0, 4, 8}, {4, 0, 8, 8, turns}}, slid};
