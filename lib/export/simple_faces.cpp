@@ -93,10 +93,14 @@ void SimpleFaces::straightenSeams(SharedEdges& shared, const std::vector<std::ve
                 if (!isSeam(face)) others[k].push_back(*surfaces_[face]);
         }
         const auto moved = straightened(seam, ends, others);
-        if (!moved) continue;
+        const auto isGood = [&](std::size_t k) {
+            const gp_Pnt& to = (*moved)[k];
+            return to.Distance(ends[k]) <= reach_ / 2 &&
+                   commonPoint(to, others[k]).Distance(to) <= resolution_ / 2;
+        };
+        if (!moved || !isGood(0) || !isGood(1)) continue;
         for (std::size_t k = 0; k < 2; ++k)
-            if ((*moved)[k].Distance(ends[k]) <= reach_ / 2)
-                shared.vertexPoint[vertices[k]] = fromGp((*moved)[k]);
+            shared.vertexPoint[vertices[k]] = fromGp((*moved)[k]);
         mayMove[vertices[0]] = mayMove[vertices[1]] = false; // once only
     }
 }

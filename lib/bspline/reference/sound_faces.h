@@ -12,8 +12,8 @@ namespace qm {
 /// Cosine of the angle between the normals in the middle and at a corner of a nearly flat quad: 20 degrees.
 constexpr double nearlyFlat = 0.94;
 
-/// By face: whether it is nearly flat and convex, and no face around it is folded. Surfaces can be upright
-/// over such faces even where interpolation makes the reference fold.
+/// By face: whether it is flat within an angle, nearly if not told otherwise, and convex, and no face around
+/// it is folded. Surfaces can be upright over such faces even where interpolation makes the reference fold.
 /// \param minCosine  of the angle between the normals in the middle and at any corner
 [[nodiscard]] std::vector<bool> soundFaces(const QuadMesh& mesh, double minCosine = nearlyFlat);
 
