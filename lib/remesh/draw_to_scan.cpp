@@ -4,6 +4,7 @@
 #include "mesh/quad_geometry.h"
 #include "remesh/scan_equations.h"
 #include "remesh/surface_samples.h"
+#include "remesh/unfold_quads.h"
 
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
@@ -105,10 +106,11 @@ QuadMesh drawToScan(QuadMesh mesh, const Triangles& scan, unsigned jobs) {
     constexpr std::size_t samplesOfQuad = 40; // of very fine scans
     constexpr double shareOfQuad = 1.0 / 6;   // the area of a sample, of coarse ones
     const double edge = meanEdgeLength(mesh);
+    const double reach = 1.5 * edge;
     const TriangleSurface surface(scan);
     const auto samples = samplesOfScan(scan, shareOfQuad * edge * edge, samplesOfQuad * mesh.n_faces());
     for (int round = 1; round <= rounds; ++round) {
-        const auto equations = scanEquations(mesh, surface, samples, 1.5 * edge, jobs);
+        const auto equations = scanEquations(mesh, surface, samples, reach, jobs);
         const Weights weights = weightsOf(static_cast<double>(round) / rounds);
         const Eigen::VectorXd moved = movements(mesh, equations, weights, edge);
         for (const VertexId vertex : mesh.vertices()) {
@@ -116,6 +118,7 @@ QuadMesh drawToScan(QuadMesh mesh, const Triangles& scan, unsigned jobs) {
             mesh.point(vertex) += Point(moved[first], moved[first + 1], moved[first + 2]);
         }
     }
+    unfoldQuads(mesh, surface, reach);
     return mesh;
 }
 

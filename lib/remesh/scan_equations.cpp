@@ -2,6 +2,7 @@
 
 #include "base/at.h"
 #include "base/parallel.h"
+#include "bspline/splines/evaluate.h"
 #include "mesh/quad_geometry.h"
 
 #include <cmath>
@@ -54,9 +55,7 @@ public:
         if (!normal) return equation;
         const Point own = (pointOf(sample.vertices[2]) - pointOf(sample.vertices[0])) %
                           (pointOf(sample.vertices[3]) - pointOf(sample.vertices[1]));
-        // On a sharp edge the nearest triangle is that of either side: the mean of both normals decides too.
-        if (!foot->onBoundary && !agree(own, *normal) && !(foot->normal && agree(own, *foot->normal)))
-            return equation;
+        if (!foot->onBoundary && scan_.cosineAt(*foot, unit(own)) <= minCosine) return equation;
         require(equation, foot->position - place, *normal, foot->onBoundary, sample.area);
         return equation;
     }

@@ -2,6 +2,7 @@
 #include "mesh/quad_geometry.h"
 #include "remesh/draw_to_scan.h"
 #include "remesh/scan_equations.h"
+#include "remesh/unfold_quads.h"
 #include "shape/scan.h"
 #include "shape/shape.h"
 #include "support/true_surface.h"
@@ -88,6 +89,41 @@ TEST(DrawToScan, FoldedQuadsUnfold) {
     };
     EXPECT_GT(folded(mesh), 0);
     EXPECT_EQ(folded(drawToScan(mesh, makeScan("sphere", 20000), 1)), 0);
+}
+
+/// A net of 4 rows and 12 columns around the corner of an L whose arms are one wide and six long. Columns
+/// lean more and more towards the corner.
+QuadMesh leaningNet() {
+    constexpr int rows = 4;
+    constexpr int columns = 12;
+    QuadMesh mesh;
+    for (int j = 0; j <= rows; ++j)
+        for (int i = 0; i <= columns; ++i) {
+            const double across = static_cast<double>(j) / rows;
+            const double share = static_cast<double>(i) / columns;
+            const double along = 2 * share + 0.8 * share * (1 - share) * (1 - 2 * across) - 1;
+            const double far = across + std::abs(along) * (6 - across);
+            mesh.add_vertex(along < 0 ? Point(across, far, 0) : Point(far, across, 0));
+        }
+    for (int j = 0; j < rows; ++j)
+        for (int i = 0; i < columns; ++i) {
+            const VertexId first(j * (columns + 1) + i);
+            const VertexId above(first.idx() + columns + 1);
+            mesh.add_face(first, VertexId(first.idx() + 1), VertexId(above.idx() + 1), above);
+        }
+    return mesh;
+}
+
+TEST(DrawToScan, QuadsThatEvenNetsFoldAroundACornerUnfold) {
+    const Triangles corner{{{0, 6, 0}, {0, 0, 0}, {6, 0, 0}, {6, 1, 0}, {1, 1, 0}, {1, 6, 0}},
+                           {{0, 1, 4}, {0, 4, 5}, {1, 2, 3}, {1, 3, 4}}};
+    const TriangleSurface surface(corner);
+    const auto folded = [&](const QuadMesh& mesh) {
+        return std::ranges::count_if(mesh.faces(),
+                                     [&](FaceId face) { return uprightness(mesh, face, surface, 1) < 0; });
+    };
+    EXPECT_GT(folded(leaningNet()), 0);
+    EXPECT_EQ(folded(drawToScan(leaningNet(), corner, 1)), 0);
 }
 
 TEST(DrawToScan, WhatHangsOverASharpEdgeIsPulledBack) {

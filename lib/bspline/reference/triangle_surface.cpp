@@ -3,6 +3,7 @@
 #include "base/at.h"
 #include "bspline/reference/boundary_sides.h"
 #include "bspline/splines/eigen_point.h"
+#include "mesh/quad_geometry.h"
 
 #include <Eigen/Geometry>
 #include <boost/geometry/geometries/box.hpp>
@@ -141,6 +142,12 @@ std::size_t TriangleSurface::size() const {
 std::array<Point, 3> TriangleSurface::corners(std::size_t face) const {
     const auto [a, b, c] = tree_->cornersOf(face);
     return {point(a), point(b), point(c)};
+}
+
+double TriangleSurface::cosineAt(const Nearest& place, const Point& direction) const {
+    const auto [a, b, c] = corners(place.face);
+    const std::optional<Point> ofTriangle = triangleNormal(a, b, c);
+    return std::max(ofTriangle ? *ofTriangle | direction : -1, place.normal ? *place.normal | direction : -1);
 }
 
 double TriangleSurface::distance(std::size_t face, const Point& place) const {

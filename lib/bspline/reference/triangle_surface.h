@@ -44,6 +44,11 @@ public:
     [[nodiscard]] std::optional<Nearest> alongLine(const Point& point, const Point& direction,
                                                    double maxDistance, double minCosine = -1) const;
 
+    /// The cosine of the angle between a direction of unit length and the normal at a place that was found:
+    /// that of its triangle or the mean one there, whichever is nearer, because on a sharp edge the triangle
+    /// is that of either side. -1 where there is no normal.
+    [[nodiscard]] double cosineAt(const Nearest& place, const Point& direction) const;
+
     [[nodiscard]] std::size_t size() const; ///< number of triangles
     /// The corners of a triangle that was found.
     [[nodiscard]] std::array<Point, 3> corners(std::size_t face) const;
