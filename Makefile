@@ -163,7 +163,7 @@ $(unit_tests): $(O)/%.o: %.cpp $(O)/flags $(O)/precompiled/tests.h.gch
 $(O)/precompiled/%.h.gch: $(O)/flags
 	@mkdir -p $(@D)
 	@printf '#include <%s>\n' $(common.$*) > $(@:.gch=)
-	$(call quietly,compile,$*.h) $(compile) $(kept_templates) -MMD -MP -c -x c++-header $(@:.gch=) -o $@
+	$(call quietly,compile,$*.h) $(compile) $(kept_templates) -MD -MP -c -x c++-header $(@:.gch=) -o $@
 
 $(O)/gen/schemas.cpp: $(schemas) scripts/embed
 	@mkdir -p $(@D)

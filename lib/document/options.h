@@ -76,10 +76,13 @@ template <class Visitor> void describe(FeatureOptions& options, Visitor&& option
            "minimum distance, along its line, of the ends of a curve from every extraordinary vertex");
     option("tau", options.tau, Range{1, maxCount},
            "minimum number of edges of a curve; the paper uses 15. With this option --min-length is 0 unless "
-           "given");
+           "given, and --max-roundness is 1");
     option("zeta", options.zeta, Range{0, maxCount},
            "the ends of a curve are more than this many edges, along its line, from every extraordinary "
            "vertex; the paper uses 30. With this option --min-distance is 0 unless given");
+    option("max-roundness", options.maxRoundness, Range{0, 1},
+           "leave out curves beside which the surface bends by more than this share of their own bend, as it "
+           "does on a tube of few quads around; 1 leaves out nothing");
 }
 
 template <class Visitor> void describe(CutOptions& options, Visitor&& option) {
@@ -178,7 +181,8 @@ template <class Visitor> void describe(FitOptions& options, Visitor&& option) {
            "surface through the mesh's vertices; or the scan, whose noise is allowed in addition), in the "
            "mesh's unit or, with %, as a share of the bounding box's diagonal");
     option("rho", options.rho, Range{0, std::numbers::pi},
-           "borders are smooth up to this dihedral angle, in radians");
+           "borders are smooth up to this dihedral angle, in radians, and beyond it where a coarse mesh bends as "
+           "much beside them");
 }
 
 template <class Visitor> void conditions(const FitOptions& options, Visitor&& needs) {

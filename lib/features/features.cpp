@@ -3,6 +3,7 @@
 #include "base/at.h"
 #include "mesh/bounding_box.h"
 #include "mesh/mesh_lines.h"
+#include "mesh/roundness.h"
 #include "mesh/topology.h"
 
 #include <algorithm>
@@ -27,7 +28,7 @@ public:
         const int length = static_cast<int>(line.halfedges.size());
         const int begin = line.closed ? firstBlunt(line) : 0;
         if (begin == length) { // a closed line that is sharp all round
-            if (isLong(line, 0, length)) curves_.push_back({line.halfedges, VertexId()});
+            if (isLong(line, 0, length)) add(line, 0, length);
             return;
         }
         for (int k = begin; k < begin + length; ++k) {
@@ -35,7 +36,7 @@ public:
             int end = k + 1;
             while (end < begin + length && sharp(line, end))
                 ++end;
-            if (isLong(line, k, end) && farFromSources(line, k, end)) curves_.push_back(cut(line, k, end));
+            if (isLong(line, k, end) && farFromSources(line, k, end)) add(line, k, end);
             k = end;
         }
     }
@@ -93,11 +94,11 @@ private:
             lengthUpTo_.push_back(lengthUpTo_.back() + mesh_.calc_edge_length(halfedge));
     }
 
-    static FeatureCurve cut(const MeshLine& line, int begin, int end) {
+    void add(const MeshLine& line, int begin, int end) {
         FeatureCurve curve;
         for (int k = begin; k < end; ++k)
             curve.halfedges.push_back(line.halfedges[at(k) % line.halfedges.size()]);
-        return curve;
+        if (roundness(mesh_, curve.halfedges) <= options_.maxRoundness) curves_.push_back(std::move(curve));
     }
 
     [[nodiscard]] int lowestEdge(const FeatureCurve& curve) const {

@@ -70,6 +70,16 @@ curves() { field '.features.curves | length' out.json; }
     assert_equal "$(field '.features | [.minLength, .minDistance] | join(" ")' out.json)" '0.5 1%'
 }
 
+@test "lines of a coarse tube are no curves, unless the paper's limits are asked for" {
+    qm-shape tube --around 12 -o tube.obj
+    qm-basecomplex --quiet tube.obj -o tube.json
+    lines() { qm-features "$@" tube.json | jq '.features | "\(.curves | length) \(.maxRoundness)"' -r; }
+    assert_equal "$(lines)" '0 0.5'
+    assert_equal "$(lines --max-roundness 1)" '12 1'
+    assert_equal "$(lines --tau 2)" '12 1'
+    assert_equal "$(lines --tau 2 --max-roundness 0.9)" '0 0.9'
+}
+
 @test "an angle in degrees is rho" {
     find_curves genus2 --min-angle 30deg
     assert_equal "$(field '.features.rho * 6 * 1000 | round' out.json)" 3142
@@ -94,7 +104,7 @@ curves() { field '.features.curves | length' out.json; }
 }
 
 @test "options out of range" {
-    for options in '--min-length -1' '--min-length x%' '--min-distance -1%' '--rho -1' '--rho 4' '--rho nan' '--tau 0' '--tau 1.5' '--zeta -1' '--tau x' '--rho'; do
+    for options in '--min-length -1' '--min-length x%' '--min-distance -1%' '--rho -1' '--rho 4' '--rho nan' '--max-roundness 2' '--max-roundness -0.1' '--tau 0' '--tau 1.5' '--zeta -1' '--tau x' '--rho'; do
         # shellcheck disable=SC2086  # a list of words
         misused qm-features $options "$(stage basecomplex block)"
     done

@@ -19,7 +19,7 @@ constexpr double sharp = 1;
 /// Options for curves of at least `tau` edges sharper than 0.5, with ends more than `zeta` edges from
 /// sources.
 FeatureOptions limits(int tau, int zeta) {
-    return {0.5, {0, true}, {0, true}, tau, zeta};
+    return {0.5, {0, true}, {0, true}, tau, zeta, 1};
 }
 
 std::vector<Path> paths(const QuadMesh& mesh, const Features& features) {

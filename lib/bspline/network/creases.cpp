@@ -2,6 +2,7 @@
 
 #include "base/at.h"
 #include "bspline/network/vertex_rules.h"
+#include "mesh/roundness.h"
 #include "mesh/topology.h"
 
 #include <algorithm>
@@ -21,10 +22,33 @@ constexpr std::size_t maxEdges = 4;
 /// Of rho: what is sharper may be a crease because of those that it meets.
 constexpr double shareBetween = 0.5;
 
+/// Curves of more roundness are no creases. Those of machine parts stay below .4 nearly everywhere, and most
+/// of coarse meshes of organic shapes are above .6.
+constexpr double maxRoundness = 0.5;
+/// The same for curves that end in nothing, which is suspicious itself.
+constexpr double maxRoundnessIfLoose = 0.25;
+
 class Creases {
 public:
     Creases(const QuadMesh& mesh, const std::vector<double>& dihedralAngles, BorderMarks marks)
         : mesh_(mesh), angles_(dihedralAngles), marks_(std::move(marks)) {}
+
+    void smoothRoundCurves() {
+        std::vector<HalfedgeId> ofRound;
+        std::vector<bool> isVisited(mesh_.n_edges());
+        for (const EdgeId edge : mesh_.edges()) {
+            const HalfedgeId first = mesh_.halfedge_handle(edge, 0);
+            if (isVisited[at(edge)] || !isCrease(first) || mesh_.is_boundary(edge)) continue;
+            // To one end, and from there to the other.
+            const auto curve = curveFrom(mesh_.opposite_halfedge_handle(curveFrom(first).back()));
+            for (const HalfedgeId halfedge : curve)
+                isVisited[index(halfedge)] = true;
+            if (roundness(mesh_, curve) > maxRoundness)
+                ofRound.insert(ofRound.end(), curve.begin(), curve.end());
+        }
+        for (const HalfedgeId halfedge : ofRound)
+            marks_.isCrease[index(halfedge)] = false;
+    }
 
     void closeGaps(double minAngle) {
         spread([&](VertexId vertex, std::vector<VertexId>& waiting) {
@@ -96,14 +120,15 @@ private:
         return {};
     }
 
-    /// Straight on over borders above an angle as far as creases; nothing if there are none.
+    /// Straight on over borders above an angle as far as creases; nothing if there are none, or if the
+    /// surface is round there.
     [[nodiscard]] std::vector<HalfedgeId> gapFrom(HalfedgeId first, double minAngle) const {
         std::vector<HalfedgeId> gap;
         for (HalfedgeId next = first;; next = straightOn(mesh_, next)) {
             if (!marks_.isBorder[index(next)] || angles_[index(next)] <= minAngle) return {};
             gap.push_back(next);
             const VertexId end = mesh_.to_vertex_handle(next);
-            if (hasCrease(end)) return gap;
+            if (hasCrease(end)) return roundness(mesh_, gap) > maxRoundness ? std::vector<HalfedgeId>{} : gap;
             if (!continuesStraight(mesh_, end)) return {};
         }
     }
@@ -121,19 +146,28 @@ private:
         return only;
     }
 
+    /// A curve of creases inside the mesh from one of them on: as far as none follows or several do, and once
+    /// around if it is closed.
+    [[nodiscard]] std::vector<HalfedgeId> curveFrom(HalfedgeId first) const {
+        std::vector<HalfedgeId> curve;
+        for (HalfedgeId next = first; next.is_valid() && !mesh_.is_boundary(mesh_.edge_handle(next));
+             next = onlyCrease(mesh_.to_vertex_handle(next), next)) {
+            if (!curve.empty() && next == first) break;
+            curve.push_back(next);
+        }
+        return curve;
+    }
+
     /// \return the other end of the curve that was taken back
     std::optional<VertexId> takeBackFrom(VertexId vertex) {
-        std::vector<HalfedgeId> curve;
-        VertexId end = vertex;
-        for (HalfedgeId next = onlyCrease(vertex, HalfedgeId()); next.is_valid();
-             next = onlyCrease(end, next)) {
-            if (curve.size() == maxEdges || mesh_.is_boundary(mesh_.edge_handle(next)) ||
-                angles_[index(next)] > certain)
-                return std::nullopt;
-            curve.push_back(next);
-            end = mesh_.to_vertex_handle(next);
-        }
+        const HalfedgeId first = onlyCrease(vertex, HalfedgeId());
+        if (!first.is_valid()) return std::nullopt;
+        const std::vector<HalfedgeId> curve = curveFrom(first);
         if (curve.empty()) return std::nullopt;
+        const VertexId end = mesh_.to_vertex_handle(curve.back());
+        const auto isCertain = [&](HalfedgeId halfedge) { return angles_[index(halfedge)] > certain; };
+        if (std::ranges::any_of(curve, isCertain)) return std::nullopt;
+        if (curve.size() > maxEdges && roundness(mesh_, curve) <= maxRoundnessIfLoose) return std::nullopt;
         for (const HalfedgeId halfedge : curve)
             marks_.isCrease[index(halfedge)] = false;
         if (!isCornerOfTwo(end)) return end;
@@ -186,6 +220,7 @@ BorderMarks markBorders(const QuadMesh& mesh, const std::vector<BorderEdge>& bor
         marks.isCrease[edge] = border.places.size() != 2 || dihedralAngles[edge] > rho;
     }
     Creases creases(mesh, dihedralAngles, std::move(marks));
+    creases.smoothRoundCurves();
     creases.closeGaps(shareBetween * rho);
     creases.takeBackLooseEnds();
     creases.giveCornersThirdCreases(shareBetween * rho);

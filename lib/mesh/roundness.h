@@ -1,0 +1,18 @@
+/// \file How round a surface is across a line of edges, although its quads are coarse.
+#pragma once
+
+#include "mesh/quad_mesh.h"
+
+#include <vector>
+
+namespace qm {
+
+/// Tells a crease from a coarse mesh of a round part, whose dihedral angles are large everywhere: 30 degrees
+/// on a cylinder of twelve quads around. Compares the bends at the edges of a line with those at the opposite
+/// edges of the quads on both sides, about the same axes (docs/METHOD.md#roundness).
+/// \param line  halfedges of edges inside the mesh
+/// \return  the sum of the lesser bends of both sides as a share of the sum of the line's own: about 1, and at
+///          most 1, where all is round; 0 beside a plane, or where the line is sharper than round parts are
+[[nodiscard]] double roundness(const QuadMesh& mesh, const std::vector<HalfedgeId>& line);
+
+} // namespace qm
