@@ -291,6 +291,18 @@ END
     assert_equal "$(seen page.html | jq -c '.[0], .[1][0]' | xargs)" '[0.5,250000] 0.0005'
 }
 
+@test "figures below a scale do not cover one another, however long they are" {
+    needs_browser
+    qm-view --show deviation "$(stage surfaces block)" >page.html
+    cat >>page.html <<'END'
+<script>
+const boxes = [...document.querySelectorAll('.ticks')].map((ticks) => [...ticks.children].map((tick) => tick.getBoundingClientRect()));
+document.body.dataset.census = JSON.stringify(boxes.map((of) => [of.length, of.every((box, k) => k === 0 || box.left > of[k - 1].right)]));
+</script>
+END
+    assert_equal "$(seen page.html | head -n 1)" '[[3,true]]'
+}
+
 @test "a section opens the model" {
     needs_browser
     for section in x:1 x:0.5 x:0; do

@@ -59,7 +59,9 @@ function bars(counts) {
 function ticksOf(mapped, top) {
   if (mapped.scale === 'verdict') return [['0', 0], [tickText(mapped.limit / 2), 0.4], [tickText(mapped.limit), 0.8]];
   if (mapped.scale === 'centred') return [[tickText(-top), 0], ['0', 0.5], [tickText(top), 1]];
-  return [0, 0.25, 0.5, 0.75, 1].map((share) => [tickText(share * top), share]);
+  const ticks = [0, 0.25, 0.5, 0.75, 1].map((share) => [tickText(share * top), share]);
+  const fit = ticks.every(([text]) => text.length < 6); // on a scale of 240 pixels, whose last text ends at its end
+  return fit ? ticks : ticks.filter((_, k) => k % 2 === 0);
 }
 
 function notesOf(mapped, model) {
