@@ -7,7 +7,7 @@ namespace qm {
 
 /// Sorts values, and removes all but one of those that are equal.
 template <class Values> void sortUnique(Values& values) {
-    std::ranges::sort(values);
+    std::sort(values.begin(), values.end()); // OpenMesh's ids are less ordered than std::ranges asks
     values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 

@@ -3,7 +3,6 @@
 #include "base/at.h"
 #include "mesh/bounding_box.h"
 #include "mesh/mesh_lines.h"
-#include "mesh/roundness.h"
 #include "mesh/topology.h"
 
 #include <algorithm>

@@ -4,6 +4,7 @@
 #include "base/length.h"
 #include "basecomplex/base_complex.h"
 #include "mesh/quad_mesh.h"
+#include "mesh/roundness.h"
 
 #include <vector>
 
@@ -16,7 +17,7 @@ struct FeatureOptions {
     Length minDistance{1, true}; ///< least distance of its ends from extraordinary vertices
     int tau = 6;                 ///< least number of edges of a curve
     int zeta = 1;                ///< its ends are more than this many edges away from extraordinary vertices
-    double maxRoundness = 0.5;   ///< of a curve, see `roundness`; 1 admits all
+    double maxRoundness = roundLine; ///< of a curve, see `roundness`; 1 admits all
 };
 
 /// A run of sharp edges along one mesh line. A closed loop repeats its first vertex at the end.

@@ -2,6 +2,7 @@
 
 #include "base/at.h"
 #include "base/error.h"
+#include "mesh/topology.h"
 
 #include <algorithm>
 #include <string>
@@ -45,9 +46,6 @@ void readSides(const QuadMesh& mesh, const BorderLoop& loop, Segment& segment) {
 }
 
 void layFaces(const QuadMesh& mesh, HalfedgeId start, Segment& segment) {
-    const auto above = [&](HalfedgeId bottom) {
-        return mesh.opposite_halfedge_handle(mesh.next_halfedge_handle(mesh.next_halfedge_handle(bottom)));
-    };
     const auto beside = [&](HalfedgeId bottom) {
         return mesh.next_halfedge_handle(mesh.opposite_halfedge_handle(mesh.next_halfedge_handle(bottom)));
     };
@@ -60,7 +58,7 @@ void layFaces(const QuadMesh& mesh, HalfedgeId start, Segment& segment) {
             segment.faces.push_back(face);
             if (i + 1 < segment.size[0]) bottom = beside(bottom);
         }
-        if (j + 1 < segment.size[1]) row = above(row);
+        if (j + 1 < segment.size[1]) row = acrossQuad(mesh, row);
     }
 }
 

@@ -148,8 +148,7 @@ std::vector<VertexId> vertexGrid(const QuadMesh& mesh, const Segment& segment) {
             grid[(j + 1) * (columns + 1) + i + 1] = mesh.from_vertex_handle(top);
             if (i + 1 < columns) bottom = mesh.next_halfedge_handle(mesh.opposite_halfedge_handle(right));
         }
-        const HalfedgeId top = mesh.next_halfedge_handle(mesh.next_halfedge_handle(rowStart));
-        if (j + 1 < rows) rowStart = mesh.opposite_halfedge_handle(top);
+        if (j + 1 < rows) rowStart = acrossQuad(mesh, rowStart);
     }
     return grid;
 }

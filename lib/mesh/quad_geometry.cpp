@@ -69,18 +69,24 @@ std::optional<Point> middleNormal(const QuadMesh& mesh, FaceId face) {
     return unit(scaled(mesh.point(c) - mesh.point(a)) % scaled(mesh.point(d) - mesh.point(b)));
 }
 
-bool isFolded(const QuadMesh& mesh, FaceId face) {
-    constexpr double minSine = 0.1;
+std::optional<double> minCornerSine(const QuadMesh& mesh, FaceId face) {
     const std::optional<Point> normal = middleNormal(mesh, face);
-    if (!normal) return true;
+    if (!normal) return std::nullopt;
     const auto corners = cornersOf(mesh, face);
+    double least = 1;
     for (std::size_t k = 0; k < 4; ++k) {
         const Point corner = mesh.point(corners[k]);
         const Point onward = scaled(mesh.point(corners[(k + 1) % 4]) - corner);
         const Point back = scaled(mesh.point(corners[(k + 3) % 4]) - corner);
-        if (!(((onward % back) | *normal) > minSine * onward.norm() * back.norm())) return true;
+        const double lengths = onward.norm() * back.norm();
+        least = std::min(least, lengths > 0 ? ((onward % back) | *normal) / lengths : 0);
     }
-    return false;
+    return least;
+}
+
+bool isFolded(const QuadMesh& mesh, FaceId face) {
+    constexpr double minSine = 0.1;
+    return !(minCornerSine(mesh, face).value_or(-1) > minSine);
 }
 
 double meanEdgeLength(const QuadMesh& mesh) {

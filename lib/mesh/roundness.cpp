@@ -1,6 +1,7 @@
 #include "mesh/roundness.h"
 
 #include "mesh/quad_geometry.h"
+#include "mesh/topology.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,11 +28,6 @@ Point rotation(const QuadMesh& mesh, HalfedgeId halfedge) {
     return length > 0 ? axis * (std::atan2(length, *left | *right) / length) : none;
 }
 
-/// The opposite edge of the quad on the left of a halfedge.
-HalfedgeId across(const QuadMesh& mesh, HalfedgeId halfedge) {
-    return mesh.next_halfedge_handle(mesh.next_halfedge_handle(halfedge));
-}
-
 } // namespace
 
 double roundness(const QuadMesh& mesh, const std::vector<HalfedgeId>& line) {
@@ -42,9 +38,9 @@ double roundness(const QuadMesh& mesh, const std::vector<HalfedgeId>& line) {
         const double angle = here.norm();
         if (angle > maxSingle) return 0;
         if (!(angle > 0)) continue;
-        const HalfedgeId opposite = mesh.opposite_halfedge_handle(edge);
-        const Point left = rotation(mesh, mesh.opposite_halfedge_handle(across(mesh, edge)));
-        const Point right = rotation(mesh, across(mesh, opposite));
+        const HalfedgeId back = mesh.opposite_halfedge_handle(edge);
+        const Point left = rotation(mesh, acrossQuad(mesh, edge));
+        const Point right = -rotation(mesh, acrossQuad(mesh, back));
         bend += angle;
         beside += std::max(0.0, std::min(left | here, right | here) / angle);
     }

@@ -7,6 +7,10 @@
 
 namespace qm {
 
+/// Lines of more roundness are round, not sharp. Hardly any sharp edge of a finely meshed machine part is
+/// above 0.6, and few edges of coarse meshes of smooth shapes are below.
+inline constexpr double roundLine = 0.5;
+
 /// Tells a crease from a coarse mesh of a round part, whose dihedral angles are large everywhere: 30 degrees
 /// on a cylinder of twelve quads around. Compares the bends at the edges of a line with those at the opposite
 /// edges of the quads on both sides, about the same axes (docs/METHOD.md#roundness).

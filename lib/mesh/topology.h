@@ -25,6 +25,12 @@ namespace qm {
     return !mesh.is_boundary(vertex) && isRegular(mesh, vertex);
 }
 
+/// The opposite side of the quad on the left of a halfedge, in the same direction: the next quad is on its
+/// left.
+[[nodiscard]] inline HalfedgeId acrossQuad(const QuadMesh& mesh, HalfedgeId halfedge) {
+    return mesh.opposite_halfedge_handle(mesh.next_halfedge_handle(mesh.next_halfedge_handle(halfedge)));
+}
+
 /// The vertices along consecutive halfedges, one more than there are halfedges; empty if there are none.
 [[nodiscard]] std::vector<VertexId> verticesAlong(const QuadMesh& mesh,
                                                   std::span<const HalfedgeId> halfedges);

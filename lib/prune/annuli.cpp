@@ -4,6 +4,7 @@
 #include "base/sort_unique.h"
 #include "base/sparse_disjoint_sets.h"
 #include "mesh/mesh_lines.h"
+#include "mesh/topology.h"
 
 namespace qm {
 namespace {
@@ -45,8 +46,7 @@ private:
         do {
             take(mesh_.edge_handle(entering));
             if (mesh_.is_boundary(entering)) return false;
-            entering = mesh_.opposite_halfedge_handle(
-                mesh_.next_halfedge_handle(mesh_.next_halfedge_handle(entering)));
+            entering = acrossQuad(mesh_, entering);
         } while (entering != start);
         return true;
     }

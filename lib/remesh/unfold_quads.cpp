@@ -1,7 +1,7 @@
 #include "remesh/unfold_quads.h"
 
 #include "base/at.h"
-#include "bspline/splines/evaluate.h"
+#include "base/sort_unique.h"
 #include "mesh/quad_geometry.h"
 
 #include <algorithm>
@@ -60,11 +60,11 @@ private:
         for (const HalfedgeId halfedge : mesh_.voh_range(vertex))
             if (!onBoundary || mesh_.is_boundary(mesh_.edge_handle(halfedge)))
                 neighbours.push_back(mesh_.to_vertex_handle(halfedge));
+        if (onBoundary) return {mean(neighbours)};
         std::vector<VertexId> all;
         for (const FaceId face : mesh_.vf_range(vertex))
             for (const VertexId corner : mesh_.fv_range(face))
                 if (corner != vertex) all.push_back(corner);
-        if (onBoundary) return {mean(neighbours)};
         return {mean(neighbours), mean(all)};
     }
 
@@ -106,8 +106,7 @@ private:
             for (const FaceId face : mesh_.vf_range(vertex))
                 for (const VertexId corner : mesh_.fv_range(face))
                     vertices.push_back(corner);
-        std::sort(vertices.begin(), vertices.end()); // OpenMesh's ids are not totally ordered as ranges ask
-        vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+        sortUnique(vertices);
         return vertices;
     }
 
@@ -122,16 +121,12 @@ private:
 double uprightness(const QuadMesh& mesh, FaceId face, const TriangleSurface& scan, double reach) {
     const std::optional<Point> normal = middleNormal(mesh, face);
     if (!normal) return -1;
-    const auto corners = cornersOf(mesh, face);
-    const auto point = [&](std::size_t k) { return mesh.point(corners[k % 4]); };
-    double worst = 1;
+    const double sine = *minCornerSine(mesh, face);
     Point middle{0, 0, 0};
-    for (std::size_t k = 0; k < 4; ++k) {
-        worst = std::min(worst, *normal | (unit(point(k + 1) - point(k)) % unit(point(k + 3) - point(k))));
-        middle += point(k) / 4;
-    }
+    for (const VertexId corner : cornersOf(mesh, face))
+        middle += mesh.point(corner) / 4;
     const auto foot = scan.nearest(middle, reach);
-    return foot ? std::min(worst, scan.cosineAt(*foot, *normal)) : worst;
+    return foot ? std::min(sine, scan.cosineAt(*foot, *normal)) : sine;
 }
 
 void unfoldQuads(QuadMesh& mesh, const TriangleSurface& scan, double reach) {

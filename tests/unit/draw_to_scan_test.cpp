@@ -5,6 +5,7 @@
 #include "remesh/unfold_quads.h"
 #include "shape/scan.h"
 #include "shape/shape.h"
+#include "support/grid_layout.h"
 #include "support/true_surface.h"
 
 #include <gtest/gtest.h>
@@ -94,24 +95,14 @@ TEST(DrawToScan, FoldedQuadsUnfold) {
 /// A net of 4 rows and 12 columns around the corner of an L whose arms are one wide and six long. Columns
 /// lean more and more towards the corner.
 QuadMesh leaningNet() {
-    constexpr int rows = 4;
-    constexpr int columns = 12;
-    QuadMesh mesh;
-    for (int j = 0; j <= rows; ++j)
-        for (int i = 0; i <= columns; ++i) {
-            const double across = static_cast<double>(j) / rows;
-            const double share = static_cast<double>(i) / columns;
-            const double along = 2 * share + 0.8 * share * (1 - share) * (1 - 2 * across) - 1;
-            const double far = across + std::abs(along) * (6 - across);
-            mesh.add_vertex(along < 0 ? Point(across, far, 0) : Point(far, across, 0));
-        }
-    for (int j = 0; j < rows; ++j)
-        for (int i = 0; i < columns; ++i) {
-            const VertexId first(j * (columns + 1) + i);
-            const VertexId above(first.idx() + columns + 1);
-            mesh.add_face(first, VertexId(first.idx() + 1), VertexId(above.idx() + 1), above);
-        }
-    return mesh;
+    return test::makeMesh({12, 4, [](double i, double j) {
+                               const double across = j / 4;
+                               const double share = i / 12;
+                               const double along =
+                                   2 * share + 0.8 * share * (1 - share) * (1 - 2 * across) - 1;
+                               const double far = across + std::abs(along) * (6 - across);
+                               return along < 0 ? Point(across, far, 0) : Point(far, across, 0);
+                           }});
 }
 
 TEST(DrawToScan, QuadsThatEvenNetsFoldAroundACornerUnfold) {

@@ -1,6 +1,7 @@
 #include "remesh/unfold_quads.h"
 #include "shape/scan.h"
 #include "shape/shape.h"
+#include "support/grid_layout.h"
 
 #include <gtest/gtest.h>
 
@@ -42,18 +43,7 @@ TEST(Uprightness, OfAQuadAcrossASharpEdgeGoesByTheMeanNormal) {
 
 /// A plane net of 7 x 7 vertices, counted row by row.
 QuadMesh net() {
-    constexpr int size = 7;
-    QuadMesh mesh;
-    for (int j = 0; j < size; ++j)
-        for (int i = 0; i < size; ++i)
-            mesh.add_vertex({static_cast<double>(i), static_cast<double>(j), 0});
-    for (int j = 0; j + 1 < size; ++j)
-        for (int i = 0; i + 1 < size; ++i) {
-            const int first = j * size + i;
-            mesh.add_face(VertexId(first), VertexId(first + 1), VertexId(first + size + 1),
-                          VertexId(first + size));
-        }
-    return mesh;
+    return test::makeMesh({6, 6, [](double i, double j) { return Point(i, j, 0); }});
 }
 
 TriangleSurface planeOfNet() {

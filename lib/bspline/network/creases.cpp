@@ -22,10 +22,7 @@ constexpr std::size_t maxEdges = 4;
 /// Of rho: what is sharper may be a crease because of those that it meets.
 constexpr double shareBetween = 0.5;
 
-/// Curves of more roundness are no creases. Those of machine parts stay below .4 nearly everywhere, and most
-/// of coarse meshes of organic shapes are above .6.
-constexpr double maxRoundness = 0.5;
-/// The same for curves that end in nothing, which is suspicious itself.
+/// Curves of more roundness that end in nothing, which is suspicious itself, are no creases.
 constexpr double maxRoundnessIfLoose = 0.25;
 
 class Creases {
@@ -43,7 +40,7 @@ public:
             const auto curve = curveFrom(mesh_.opposite_halfedge_handle(curveFrom(first).back()));
             for (const HalfedgeId halfedge : curve)
                 isVisited[index(halfedge)] = true;
-            if (roundness(mesh_, curve) > maxRoundness)
+            if (roundness(mesh_, curve) > roundLine)
                 ofRound.insert(ofRound.end(), curve.begin(), curve.end());
         }
         for (const HalfedgeId halfedge : ofRound)
@@ -128,7 +125,7 @@ private:
             if (!marks_.isBorder[index(next)] || angles_[index(next)] <= minAngle) return {};
             gap.push_back(next);
             const VertexId end = mesh_.to_vertex_handle(next);
-            if (hasCrease(end)) return roundness(mesh_, gap) > maxRoundness ? std::vector<HalfedgeId>{} : gap;
+            if (hasCrease(end)) return roundness(mesh_, gap) > roundLine ? std::vector<HalfedgeId>{} : gap;
             if (!continuesStraight(mesh_, end)) return {};
         }
     }
