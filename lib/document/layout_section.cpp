@@ -83,7 +83,8 @@ Json pruneFigures(const PruneResult& result) {
                          {"capturedSharpness", point.capturedSharpness},
                          {"objectiveBound", point.objectiveBound},
                          {"proven", point.proven}});
-    return {{"removedTracks", result.removedTracks},
+    return {{"addedTracks", result.addedTracks},
+            {"removedTracks", result.removedTracks},
             {"keptNotQuadrilateral", result.keptNotQuadrilateral},
             {"keptNotSmooth", result.keptNotSmooth},
             {"objectiveBound", result.objectiveBound ? Json(*result.objectiveBound) : Json()},

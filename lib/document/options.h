@@ -151,6 +151,9 @@ template <class Visitor> void describe(PruneOptions& options, Visitor&& option) 
     option("min-corner", options.minCorner, Range{0, 90},
            "the smallest angle that a corner keeps beside a side that passes straight through an "
            "extraordinary vertex, in degrees; 0 as in the paper");
+    option("max-sharp-turn", options.maxSharpTurn, Range{0, 180},
+           "where a track ends on sharp edges that turn by more than this angle, in degrees, it is first "
+           "continued to the next boundary; 180 as in the paper");
     option("beta", options.beta, Range{0, highestPrice}, "with --method optimum: the price of a segment");
     option("fewest-patches", options.fewestPatches, Range{},
            "with --method optimum: minimise the number of segments first, then G_T");
@@ -181,7 +184,8 @@ template <class Visitor> void describe(FitOptions& options, Visitor&& option) {
            "surface through the mesh's vertices; or the scan, whose noise is allowed in addition), in the "
            "mesh's unit or, with %, as a share of the bounding box's diagonal");
     option("rho", options.rho, Range{0, std::numbers::pi},
-           "borders are smooth up to this dihedral angle, in radians, and beyond it where a coarse mesh bends as "
+           "borders are smooth up to this dihedral angle, in radians, and beyond it where a coarse mesh "
+           "bends as "
            "much beside them");
 }
 

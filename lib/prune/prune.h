@@ -23,6 +23,8 @@ struct PruneOptions {
     double maxTurn = 25; ///< P, degrees: the largest turn of the boundary where a removed track ended
     /// Least degrees of a corner beside a side that passes straight through an extraordinary vertex.
     double minCorner = 25;
+    /// Degrees: where a track ends on a line of sharp edges that turns by more, it is continued first.
+    double maxSharpTurn = 35;
     double beta = 1; ///< optimum: price of a segment
     /// Optimum: minimises the number of segments first and G_T second; beta is not used.
     bool fewestPatches = false;
@@ -34,6 +36,7 @@ struct PruneOptions {
 
 struct PruneResult {
     Layout layout;
+    std::size_t addedTracks = 0; ///< from corners of sharp edges, before anything is removed
     std::size_t removedTracks = 0;
     std::size_t keptNotQuadrilateral = 0; ///< candidates kept because a segment would lose its four corners
     std::size_t keptNotSmooth = 0;        ///< candidates kept because of the smoothness criterion

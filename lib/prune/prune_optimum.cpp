@@ -1,8 +1,10 @@
 #include "prune/prune_optimum.h"
 
 #include "base/deadline.h"
+#include "base/positions.h"
 #include "layout/quality.h"
 #include "prune/pruning_search.h"
+#include "prune/turned_sides.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,11 +63,13 @@ std::vector<FrontPoint> findFront(PruningSearch& search, const QuadMesh& mesh,
     return front;
 }
 
-} // namespace
+std::size_t numberOfTracks(const Layout& layout) {
+    return countWhere(layout.tracks, [](const LayoutTrack& track) { return !track.transversal; });
+}
 
-PruneResult prune(const QuadMesh& mesh, const BaseComplex& complex, const Layout& layout,
-                  const std::vector<double>& dihedralAngles, const std::vector<double>& edgeCosts,
-                  const PruneOptions& options, double rho, const Control& control) {
+PruneResult pruneFrom(const Layout& layout, const QuadMesh& mesh, const BaseComplex& complex,
+                      const std::vector<double>& dihedralAngles, const std::vector<double>& edgeCosts,
+                      const PruneOptions& options, double rho, const Control& control) {
     const bool greedy = options.method == PruneMethod::greedy;
     PruneResult result;
     if (greedy) result = pruneLayout(mesh, layout, dihedralAngles, edgeCosts, options, control);
@@ -76,6 +80,19 @@ PruneResult prune(const QuadMesh& mesh, const BaseComplex& complex, const Layout
         result = pruneToOptimum(search, options, options.timeLimit / (options.front ? 2 : 1), control);
     if (options.front)
         result.front = findFront(search, mesh, dihedralAngles, rho, end.secondsLeft(), control);
+    return result;
+}
+
+} // namespace
+
+PruneResult prune(const QuadMesh& mesh, const BaseComplex& complex, const Layout& layout,
+                  const std::vector<double>& dihedralAngles, const std::vector<double>& edgeCosts,
+                  const PruneOptions& options, double rho, const Control& control) {
+    if (!options.smooth)
+        return pruneFrom(layout, mesh, complex, dihedralAngles, edgeCosts, options, rho, control);
+    const Layout cut = cutTurnedSides(mesh, layout, dihedralAngles, edgeCosts, options.maxSharpTurn);
+    PruneResult result = pruneFrom(cut, mesh, complex, dihedralAngles, edgeCosts, options, rho, control);
+    result.addedTracks = numberOfTracks(cut) - numberOfTracks(layout);
     return result;
 }
 

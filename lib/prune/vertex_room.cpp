@@ -1,24 +1,13 @@
 #include "prune/vertex_room.h"
 
 #include "base/at.h"
-#include "mesh/quad_geometry.h"
+#include "prune/sharp_edge.h"
 #include "prune/turn.h"
 
 #include <utility>
 
 namespace qm {
 namespace {
-
-/// Radians: edges with larger dihedral angles separate tangent planes.
-constexpr double sharp = 0.6;
-
-/// Beside a folded quad the angle is unreliable, so the edge counts as smooth, which is the stricter rule.
-bool isSharp(const QuadMesh& mesh, const std::vector<double>& dihedralAngles, HalfedgeId halfedge) {
-    const EdgeId edge = mesh.edge_handle(halfedge);
-    if (mesh.is_boundary(edge)) return true;
-    return dihedralAngles[at(edge)] > sharp && !isFolded(mesh, mesh.face_handle(halfedge)) &&
-           !isFolded(mesh, mesh.opposite_face_handle(halfedge));
-}
 
 /// \param total  sum of the angles of all faces, degrees
 std::size_t maxMissing(std::size_t faces, double total, double minCorner) {

@@ -147,7 +147,7 @@ objective() { field ".layout.cost + $1 * (.layout.segments | length)" "$2"; }
 }
 
 @test "options out of range" {
-    for options in '--eta x' '--eta nan' '--max-turn -1' '--max-turn 181' '--max-turn' '--beta -1' '--beta 1e300' '--max-segments -1' '--method best' '--time-limit x'; do
+    for options in '--eta x' '--eta nan' '--max-turn -1' '--max-turn 181' '--max-turn' '--max-sharp-turn -1' '--max-sharp-turn 181' '--beta -1' '--beta 1e300' '--max-segments -1' '--method best' '--time-limit x'; do
         # shellcheck disable=SC2086  # a list of words
         misused qm-prune $options "$(stage layout block)"
     done

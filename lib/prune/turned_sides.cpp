@@ -1,0 +1,100 @@
+#include "prune/turned_sides.h"
+
+#include "base/at.h"
+#include "layout/tracks.h"
+#include "mesh/roundness.h"
+#include "mesh/topology.h"
+#include "prune/sharp_edge.h"
+#include "prune/turn.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace qm {
+namespace {
+
+class Corners {
+public:
+    Corners(const QuadMesh& mesh, const Layout& layout, const std::vector<double>& dihedralAngles)
+        : mesh_(mesh), dihedralAngles_(dihedralAngles), border_(mesh.n_edges()) {
+        for (const EdgeId edge : mesh.edges())
+            border_[at(edge)] = mesh.is_boundary(edge);
+        for (const LayoutTrack& track : layout.tracks)
+            if (!track.transversal) setBorder(track.track.halfedges);
+    }
+
+    /// What goes straight on from the end of a track to the next border; empty if nothing needs to.
+    /// \param arriving  the track's last halfedge
+    std::vector<HalfedgeId> pathFrom(HalfedgeId arriving, double maxTurn) {
+        if (!continuesStraight(mesh_, mesh_.to_vertex_handle(arriving))) return {};
+        std::vector<HalfedgeId> path{straightOn(mesh_, arriving)};
+        const HalfedgeId left = mesh_.next_halfedge_handle(arriving);
+        const HalfedgeId right = mesh_.next_halfedge_handle(mesh_.opposite_halfedge_handle(path.front()));
+        if (isBorder(path.front()) || !isSharpBorder(arriving) || !isSharpBorder(left) ||
+            !isSharpBorder(right))
+            return {};
+        const double turn = turnBetween(mesh_, left, right);
+        if (turn <= maxTurn || isRound(left, right, turn)) return {};
+        while (!meetsBorder(path.back()))
+            path.push_back(straightOn(mesh_, path.back()));
+        setBorder(path);
+        return path;
+    }
+
+private:
+    [[nodiscard]] bool isBorder(HalfedgeId halfedge) const {
+        return border_[at(mesh_.edge_handle(halfedge))];
+    }
+
+    [[nodiscard]] bool isSharpBorder(HalfedgeId halfedge) const {
+        return isBorder(halfedge) && isSharp(mesh_, dihedralAngles_, halfedge);
+    }
+
+    /// Whether a line turns about as much at its next vertices on both sides, like a coarse circle.
+    [[nodiscard]] bool isRound(HalfedgeId left, HalfedgeId right, double turn) const {
+        return std::min(turnAfter(left), turnAfter(right)) > roundLine * turn;
+    }
+
+    /// The turn of a line at the end of a halfedge, degrees; 0 where the line ends.
+    [[nodiscard]] double turnAfter(HalfedgeId halfedge) const {
+        if (!continuesStraight(mesh_, mesh_.to_vertex_handle(halfedge))) return 0;
+        return turnBetween(mesh_, mesh_.opposite_halfedge_handle(halfedge), straightOn(mesh_, halfedge));
+    }
+
+    [[nodiscard]] bool meetsBorder(HalfedgeId arriving) const {
+        const auto leaving = mesh_.voh_range(mesh_.to_vertex_handle(arriving));
+        return std::ranges::any_of(leaving, [&](HalfedgeId halfedge) { return isBorder(halfedge); });
+    }
+
+    void setBorder(const std::vector<HalfedgeId>& path) {
+        for (const HalfedgeId halfedge : path)
+            border_[at(mesh_.edge_handle(halfedge))] = true;
+    }
+
+    const QuadMesh& mesh_;
+    const std::vector<double>& dihedralAngles_;
+    std::vector<bool> border_; ///< by edge
+};
+
+} // namespace
+
+Layout cutTurnedSides(const QuadMesh& mesh, const Layout& layout, const std::vector<double>& dihedralAngles,
+                      const std::vector<double>& edgeCosts, double maxTurn) {
+    Corners corners(mesh, layout, dihedralAngles);
+    std::vector<Track> tracks, added;
+    const auto goOn = [&](HalfedgeId arriving) {
+        const std::vector<HalfedgeId> path = corners.pathFrom(arriving, maxTurn);
+        if (!path.empty()) added.push_back(trackOf(mesh, path, edgeCosts));
+    };
+    for (const LayoutTrack& track : layout.tracks) {
+        if (track.transversal) continue;
+        tracks.push_back(track.track);
+        goOn(track.track.halfedges.back());
+        goOn(mesh.opposite_halfedge_handle(track.track.halfedges.front()));
+    }
+    if (added.empty()) return layout;
+    std::ranges::move(added, std::back_inserter(tracks));
+    return buildLayout(mesh, tracks, dihedralAngles, edgeCosts);
+}
+
+} // namespace qm

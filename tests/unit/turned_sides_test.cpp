@@ -1,0 +1,116 @@
+#include "mesh/dihedral.h"
+#include "prune/prune_optimum.h"
+#include "prune/turned_sides.h"
+#include "support/layout_fault.h"
+#include "support/random_graph.h"
+#include "support/track_along.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numbers>
+
+namespace qm::testing {
+namespace {
+
+constexpr int side = 4; // quads along each side; vertex (i, j) is 5 j + i
+constexpr int middle = side / 2;
+
+// Two walls that meet under (2, 2) at an angle, in degrees, and a roof on both of them: row 2 is the roof's
+// edge, and turns there. Where it is round, it turns as much at its next vertices.
+QuadMesh corner(double between, bool isRound = false) {
+    const double half = between * std::numbers::pi / 360;
+    std::vector<std::array<double, 3>> points;
+    for (int j = 0; j <= side; ++j)
+        for (int i = 0; i <= side; ++i) {
+            const double along = std::abs(i - middle), sign = i < middle ? -1 : 1;
+            const double bend = isRound && along == middle ? (std::numbers::pi - 2 * half) : 0;
+            const double x = sign * (std::min(along, 1.0) * std::sin(half) +
+                                     (along - std::min(along, 1.0)) * std::sin(half - bend));
+            const double y = -std::min(along, 1.0) * std::cos(half) -
+                             (along - std::min(along, 1.0)) * std::cos(half - bend);
+            points.push_back({x, y - std::max(0, j - middle) * 0.4, std::min(0.0, 1.0 * (j - middle))});
+        }
+    std::vector<std::array<int, 4>> quads;
+    for (int j = 0; j < side; ++j)
+        for (int i = 0; i < side; ++i) {
+            const int first = (side + 1) * j + i;
+            quads.push_back({first, first + 1, first + side + 2, first + side + 1});
+        }
+    return quadMesh({points, quads});
+}
+
+const Path roofEdge{10, 11, 12, 13, 14};
+const Path wallEdge{2, 7, 12};
+
+std::vector<Path> pathsAfter(const QuadMesh& mesh, const std::vector<Path>& paths, double maxTurn) {
+    const std::vector<double> angles = dihedralAngles(mesh);
+    const PerEdge costs(mesh, 1);
+    std::vector<Track> tracks;
+    for (const Path& path : paths)
+        tracks.push_back(trackAlong(mesh, path, 1));
+    const Layout layout =
+        cutTurnedSides(mesh, buildLayout(mesh, tracks, angles, costs), angles, costs, maxTurn);
+    EXPECT_EQ(layoutFault(mesh, layout), "");
+    std::vector<Path> result;
+    for (const Track& track : properTracks(layout))
+        result.push_back(pathOf(mesh, track));
+    return result;
+}
+
+TEST(TurnedSides, ACornerOfSharpEdgesGetsATrackToTheNextBorder) {
+    EXPECT_EQ(pathsAfter(corner(90), {roofEdge, wallEdge}, 35),
+              (std::vector<Path>{roofEdge, wallEdge, {12, 17, 22}}));
+}
+
+TEST(TurnedSides, ATrackThatEndsBackwardsAtTheCornerGoesOnToo) {
+    const Path fromCorner(wallEdge.rbegin(), wallEdge.rend());
+    EXPECT_EQ(pathsAfter(corner(90), {roofEdge, fromCorner}, 35),
+              (std::vector<Path>{roofEdge, fromCorner, {12, 17, 22}}));
+}
+
+TEST(TurnedSides, StopsAtTheFirstBorder) {
+    const Path across{15, 16, 17, 18, 19};
+    EXPECT_EQ(pathsAfter(corner(90), {roofEdge, across, wallEdge}, 35),
+              (std::vector<Path>{roofEdge, across, wallEdge, {12, 17}}));
+}
+
+TEST(TurnedSides, ALineThatTurnsLessIsLeftAsItIs) {
+    EXPECT_EQ(pathsAfter(corner(150), {roofEdge, wallEdge}, 35).size(), 2U);
+    EXPECT_EQ(pathsAfter(corner(90), {roofEdge, wallEdge}, 91).size(), 2U);
+    EXPECT_EQ(pathsAfter(corner(90), {roofEdge, wallEdge}, 89).size(), 3U);
+}
+
+TEST(TurnedSides, ALineThatTurnsEverywhereIsRound) {
+    EXPECT_EQ(pathsAfter(corner(140), {roofEdge, wallEdge}, 35).size(), 3U);
+    EXPECT_EQ(pathsAfter(corner(140, true), {roofEdge, wallEdge}, 35).size(), 2U);
+}
+
+TEST(TurnedSides, WhatIsNoCornerOfTracksStays) {
+    EXPECT_EQ(pathsAfter(corner(90), {roofEdge}, 35).size(), 1U);
+    const Path throughout{2, 7, 12, 17, 22};
+    EXPECT_EQ(pathsAfter(corner(90), {roofEdge, throughout}, 35).size(), 2U);
+    EXPECT_EQ(pathsAfter(corner(90), {{2, 7, 12, 17, 22}, {10, 11, 12}}, 35).size(), 2U);
+}
+
+TEST(TurnedSides, PruningKeepsTheTracksUnlessSidesNeedNotBeSmooth) {
+    const QuadMesh mesh = corner(90);
+    const std::vector<double> angles = dihedralAngles(mesh);
+    const PerEdge costs(mesh, 1);
+    const std::vector<Track> tracks{trackAlong(mesh, roofEdge, 1), trackAlong(mesh, wallEdge, 1)};
+    const Layout layout = buildLayout(mesh, tracks, angles, costs);
+    const auto pruned = [&](const PruneOptions& options) {
+        return prune(mesh, buildBaseComplex(mesh), layout, angles, costs, options, 0.45);
+    };
+    PruneOptions options;
+    EXPECT_EQ(pruned(options).addedTracks, 1U);
+    EXPECT_EQ(pruned(options).layout.segments.size(), 4U);
+    options.maxSharpTurn = 180;
+    EXPECT_EQ(pruned(options).addedTracks, 0U);
+    options = {};
+    options.smooth = false;
+    EXPECT_EQ(pruned(options).addedTracks, 0U);
+}
+
+} // namespace
+} // namespace qm::testing
