@@ -157,6 +157,13 @@ double largestTolerance(const Boundary& boundary) {
     return largest;
 }
 
+void raiseTolerance(Boundary& boundary, std::size_t edge, double tolerance) {
+    BoundaryEdge& raised = boundary.edges[edge];
+    raised.tolerance = std::max(raised.tolerance, tolerance);
+    for (const std::size_t end : raised.ends)
+        boundary.vertices[end].tolerance = std::max(boundary.vertices[end].tolerance, raised.tolerance);
+}
+
 std::vector<std::vector<std::size_t>> facesOfEdges(const Boundary& boundary) {
     std::vector<std::vector<std::size_t>> result(boundary.edges.size());
     for (std::size_t f = 0; f < boundary.faces.size(); ++f)

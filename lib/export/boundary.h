@@ -57,6 +57,9 @@ struct Boundary {
 /// The largest tolerance of a vertex; no edge has a larger one.
 [[nodiscard]] double largestTolerance(const Boundary& boundary);
 
+/// Makes the tolerance of an edge, and of the vertices where it ends, at least so large.
+void raiseTolerance(Boundary& boundary, std::size_t edge, double tolerance);
+
 /// By edge: the faces that use it.
 [[nodiscard]] std::vector<std::vector<std::size_t>> facesOfEdges(const Boundary& boundary);
 

@@ -3,16 +3,14 @@
 #include "base/at.h"
 #include "base/error.h"
 #include "export/boundary_files.h"
+#include "export/checked_shape.h"
 #include "export/colours.h"
-#include "export/face_order.h"
 #include "export/join.h"
-#include "export/merge_edges.h"
-#include "export/merge_planes.h"
 #include "export/quads.h"
+#include "export/quarter_turn.h"
 #include "export/separate.h"
 #include "mesh/bounding_box.h"
 
-#include <BRepCheck_Analyzer.hxx>
 #include <Standard_Failure.hxx>
 #include <algorithm>
 #include <utility>
@@ -27,65 +25,6 @@ const Surfaces& required(const Surfaces* surfaces, const std::string& forWhat) {
     if (surfaces == nullptr)
         throw Error("surfaces", "missing, but needed for " + forWhat, "Run qm-bspline first");
     return *surfaces;
-}
-
-using Origins = std::vector<std::vector<std::size_t>>;
-
-struct CheckedShape {
-    Boundary boundary;
-    Origins origins; ///< of every face
-    BoundaryShape shape;
-    bool isValid = false;            ///< OpenCASCADE takes it
-    std::vector<bool> isFaceValid{}; ///< by face; empty if all are
-};
-
-CheckedShape checked(Boundary boundary, const Origins& origins) {
-    orderFaces(boundary);
-    CheckedShape made{std::move(boundary), origins, {}};
-    made.shape = buildShape(made.boundary);
-    const BRepCheck_Analyzer check(made.shape.shape, Standard_True, Standard_True);
-    made.isValid = check.IsValid();
-    if (made.isValid) return made;
-    made.isFaceValid.resize(made.shape.faces.size());
-    for (const BoundaryPart& part : made.boundary.parts)
-        for (const std::size_t face : part.faces) {
-            const TopoDS_Face& own = made.shape.faces[face];
-            // Of a shell that is reversed, the analyser knows the faces reversed.
-            made.isFaceValid[face] = check.IsValid(part.inward ? own.Reversed() : TopoDS_Shape(own));
-        }
-    return made;
-}
-
-/// A simple surface is given up where OpenCASCADE finds that its borders do not allow it.
-CheckedShape checkedShape(const QuadMesh& mesh, const FacePatches& faces, double simplify) {
-    std::vector<double> simplifyFace(faces.patches.size(), simplify);
-    while (true) {
-        CheckedShape made = checked(makeBoundary(mesh, faces, simplifyFace), faces.origins);
-        if (made.isValid) return made;
-        bool changed = false;
-        for (std::size_t f = 0; f < simplifyFace.size(); ++f)
-            if (simplifyFace[f] > 0 && !made.isFaceValid[f]) {
-                simplifyFace[f] = 0;
-                changed = true;
-            }
-        if (!changed) return made;
-    }
-}
-
-/// The same after a change, unless OpenCASCADE takes the one and not the other.
-/// \param change  of a boundary and the origins of its faces; says whether it changed anything
-template <class Change> CheckedShape changed(CheckedShape shape, const Change& change) {
-    Boundary boundary = shape.boundary;
-    Origins origins = shape.origins;
-    if (!change(boundary, origins)) return shape;
-    CheckedShape made = checked(std::move(boundary), origins);
-    return made.isValid || !shape.isValid ? made : shape;
-}
-
-/// The same with one face for every plane, and one edge for what is one line, circle or ellipse.
-CheckedShape merged(CheckedShape shape) {
-    shape = changed(std::move(shape), mergePlanes);
-    return changed(std::move(shape), [](Boundary& boundary, const Origins&) { return mergeEdges(boundary); });
 }
 
 ShapeReport reportOf(const Boundary& boundary) {
@@ -114,7 +53,7 @@ Exported exportShape(const QuadMesh& mesh, const Layout& layout, const Surfaces&
         const double diagonal = boundingBox(mesh).diagonal();
         FacePatches faces = facePatches(layout, surfaces.patches);
         if (options.join) faces = joined(std::move(faces), knotTolerance * diagonal);
-        faces = separated(mesh, std::move(faces), knotTolerance * diagonal);
+        faces = withMostKnotsAlongV(separated(mesh, std::move(faces), knotTolerance * diagonal));
         CheckedShape made =
             checkedShape(mesh, faces, options.analytic ? options.analyticTolerance / 100 * diagonal : 0);
         if (options.join) made = merged(std::move(made));

@@ -6,6 +6,8 @@
 #include "export/patch_cloud.h"
 #include "export/simple_shape_fit.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -17,8 +19,15 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Between a patch's normals and those of what takes its place: more would show as an edge.
-constexpr double maxNormalAngle = 3 * (std::numbers::pi / 180);
+/// Between the normals of a patch and of what takes its place, in radians.
+struct NormalLimits {
+    /// Root mean square: with more, another shape is meant.
+    static constexpr double rms = 3 * (std::numbers::pi / 180);
+    /// Fits wave within their tolerance, most of all at rims and along what was cut into facets.
+    static constexpr double largest = 10 * (std::numbers::pi / 180);
+    /// Patches without any bend do not wave.
+    static constexpr double largestOfPlane = 3 * (std::numbers::pi / 180);
+};
 
 /// \return 1, or -1 if the shape's normals point the other way than the points'
 int sideOf(const SimpleShape& shape, const OrientedPoints& samples) {
@@ -27,12 +36,18 @@ int sideOf(const SimpleShape& shape, const OrientedPoints& samples) {
 
 /// Whether the shape lies along the points, on this side of all of them.
 bool isAlong(const SimpleShape& shape, int side, const OrientedPoints& samples, double tolerance) {
-    const double limit = std::cos(maxNormalAngle);
-    for (std::size_t k = 0; k < samples.points.size(); ++k)
-        if (std::abs(shape.distance(samples.points[k])) > tolerance ||
-            side * shape.normal(samples.points[k]).dot(samples.normals[k]) < limit)
-            return false;
-    return true;
+    const double largest =
+        shape.kind == SimpleKind::plane ? NormalLimits::largestOfPlane : NormalLimits::largest;
+    double squares = 0;
+    for (std::size_t k = 0; k < samples.points.size(); ++k) {
+        if (std::abs(shape.distance(samples.points[k])) > tolerance) return false;
+        const Vector3d normal = side * shape.normal(samples.points[k]);
+        const double angle =
+            std::atan2(normal.cross(samples.normals[k]).norm(), normal.dot(samples.normals[k]));
+        if (!(angle <= largest)) return false;
+        squares += angle * angle;
+    }
+    return squares <= NormalLimits::rms * NormalLimits::rms * static_cast<double>(samples.points.size());
 }
 
 /// Around the tube of a torus, from its outermost circle, the middle of the points.

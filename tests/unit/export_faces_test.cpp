@@ -3,6 +3,7 @@
 #include "export/export.h"
 #include "export/geometry.h"
 #include "export/join.h"
+#include "export/quarter_turn.h"
 #include "export/separate.h"
 #include "export/shape.h"
 #include "export/shared_edges.h"
@@ -339,6 +340,58 @@ TEST(MergeEdges, MakesOneEdgeOfWhatIsOneCurve) {
     }
 }
 
+/// A sheet on a surface of revolution; its distance from the axis is a function of the height.
+FittedModel revolved(const std::function<double(double)>& radius, bool inwards,
+                     const std::vector<test::Rectangle>& rectangles = {{0, 0, 28, 16}, {28, 0, 64, 16}}) {
+    const Grid grid{rectangles.back().i1, 16, [&](double i, double j) {
+                        const double angle = (inwards ? -1 : 1) * 0.06 * i;
+                        const double away = radius(0.2 * j);
+                        return Point(7 + away * std::cos(angle), 0.2 * j - 3, away * std::sin(angle));
+                    }};
+    FitOptions options;
+    options.tolerance.value = 0.01;
+    return fitted(grid, rectangles, options);
+}
+
+TEST(QuarterTurn, VolumesAreRightWhereKnotsAreManyAlongOneSide) {
+    const FittedModel model = test::torus({{0, 0, 16, 12}});
+    for (const TopoDS_Shape& face : all(readBack(model), TopAbs_FACE)) {
+        const auto surface = Handle(Geom_BSplineSurface)::DownCast(BRep_Tool::Surface(TopoDS::Face(face)));
+        ASSERT_FALSE(surface.IsNull());
+        EXPECT_GE(surface->NbVKnots(), surface->NbUKnots());
+    }
+}
+
+TEST(QuarterTurn, TheSurfaceStaysWhereItIs) {
+    const FittedModel model = fitted(sheet(), test::tJoint(), test::interpolating());
+    const FacePatches faces = facePatches(model.layout, model.surfaces.patches);
+    for (std::size_t f = 0; f < faces.patches.size(); ++f) {
+        const Patch turned = quarterTurned(faces.patches[f]);
+        const Segment segment = quarterTurned(faces.layout.segments[f]);
+        const auto [a, b] = faces.layout.segments[f].size;
+        EXPECT_EQ(segment.size, (std::array{b, a}));
+        EXPECT_EQ(segment.corners[0], faces.layout.segments[f].corners[1]);
+        for (const double u : {0.0, 0.3, 1.0})
+            for (const double v : {0.0, 0.6, 1.0})
+                EXPECT_LT((evaluate(turned, v * b, (1 - u) * a).position -
+                           evaluate(faces.patches[f], u * a, v * b).position)
+                              .norm(),
+                          1e-12);
+    }
+}
+
+TEST(Analytic, FitsMayWaveWithinTheTolerance) {
+    const auto rim = [](double height) {
+        return [height](double z) { return 3 + height * std::exp(-z * z / 0.09); };
+    };
+    ExportOptions options = analytic();
+    options.analyticTolerance = 0.5;
+    EXPECT_EQ(countSurfaces<Geom_CylindricalSurface>(readBack(revolved(rim(0.03), false), options)), 2);
+    options.analyticTolerance = 3;
+    EXPECT_EQ(countSurfaces<Geom_CylindricalSurface>(readBack(revolved(rim(0.2), false), options)), 0)
+        << "this is a rim";
+}
+
 class Tori : public testing::TestWithParam<std::vector<std::array<int, 4>>> {};
 
 TEST_P(Tori, AreToriWhereverTheyAreCut) {
@@ -358,16 +411,63 @@ INSTANTIATE_TEST_SUITE_P(
                     std::vector<std::array<int, 4>>{{0, 0, 9, 12}, {9, 0, 16, 4}, {9, 4, 16, 12}},
                     std::vector<std::array<int, 4>>{{3, 5, 11, 13}, {11, 5, 19, 13}, {3, 1, 19, 5}}));
 
-/// A sheet on a surface of revolution; its distance from the axis is a function of the height.
-FittedModel revolved(const std::function<double(double)>& radius, bool inwards) {
-    const Grid grid{64, 16, [&](double i, double j) {
-                        const double angle = (inwards ? -1 : 1) * 0.06 * i;
-                        const double away = radius(0.2 * j);
-                        return Point(7 + away * std::cos(angle), 0.2 * j - 3, away * std::sin(angle));
-                    }};
+/// A tube of radius 3 and height 3.2, cut as the rectangles say.
+FittedModel tube(const std::vector<test::Rectangle>& rectangles) {
+    const Grid grid{48, 16,
+                    [](double i, double j) {
+                        const double angle = std::numbers::pi / 24 * i;
+                        return Point(3 * std::cos(angle), 3 * std::sin(angle), 0.2 * j);
+                    },
+                    true};
     FitOptions options;
     options.tolerance.value = 0.01;
-    return fitted(grid, {{0, 0, 28, 16}, {28, 0, 64, 16}}, options);
+    return fitted(grid, rectangles, options);
+}
+
+ExportOptions joiningAnalytic() {
+    ExportOptions options = analytic();
+    options.join = true;
+    return options;
+}
+
+double area(const TopoDS_Shape& shape) {
+    GProp_GProps properties;
+    BRepGProp::SurfaceProperties(shape, properties);
+    return properties.Mass();
+}
+
+// Five rectangles around one another: no two share a whole side.
+std::vector<test::Rectangle> pinwheel(int from, int to) {
+    const int third = (to - from) / 3;
+    return {{from, 0, to - third, 6},
+            {to - third, 0, to, 10},
+            {from + third, 10, to, 16},
+            {from, 6, from + third, 16},
+            {from + third, 6, to - third, 10}};
+}
+
+TEST(MergeRuled, MakesOneFaceOfAPartOfACylinder) {
+    auto rectangles = pinwheel(0, 24);
+    for (const int from : {24, 30, 36, 42})
+        rectangles.push_back({from, 0, from + 6, 16});
+    const FittedModel model = tube(rectangles);
+    EXPECT_EQ(all(readBack(model, analytic()), TopAbs_FACE).size(), 9U);
+    const TopoDS_Shape shape = readBack(model, joiningAnalytic());
+    EXPECT_EQ(countSurfaces<Geom_CylindricalSurface>(shape), 2) << "halves, as none may meet itself";
+    EXPECT_EQ(all(shape, TopAbs_FACE).size(), 2U);
+    EXPECT_NEAR(area(shape), 2 * std::numbers::pi * 3 * 3.2, 0.01);
+    for (const TopoDS_Shape& face : all(shape, TopAbs_FACE))
+        EXPECT_NEAR(area(face), std::numbers::pi * 3 * 3.2, 0.01);
+}
+
+TEST(MergeRuled, WhatDoesNotGoAroundIsOneFace) {
+    auto rectangles = pinwheel(0, 60);
+    std::swap(rectangles[1], rectangles.back());
+    const FittedModel sheet = revolved([](double) { return 3.0; }, false, rectangles);
+    const TopoDS_Shape shape = readBack(sheet, joiningAnalytic());
+    EXPECT_EQ(countSurfaces<Geom_CylindricalSurface>(shape), 1);
+    EXPECT_EQ(all(shape, TopAbs_FACE).size(), 1U);
+    EXPECT_NEAR(area(shape), 0.06 * 60 * 3 * 3.2, 0.01);
 }
 
 TEST(Analytic, EveryKindIsRecognised) {
