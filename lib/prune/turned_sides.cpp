@@ -83,8 +83,9 @@ Layout cutTurnedSides(const QuadMesh& mesh, const Layout& layout, const std::vec
     Corners corners(mesh, layout, dihedralAngles);
     std::vector<Track> tracks, added;
     const auto goOn = [&](HalfedgeId arriving) {
-        const std::vector<HalfedgeId> path = corners.pathFrom(arriving, maxTurn);
-        if (!path.empty()) added.push_back(trackOf(mesh, path, edgeCosts));
+        for (auto path = corners.pathFrom(arriving, maxTurn); !path.empty();
+             path = corners.pathFrom(path.back(), maxTurn))
+            added.push_back(trackOf(mesh, path, edgeCosts));
     };
     for (const LayoutTrack& track : layout.tracks) {
         if (track.transversal) continue;

@@ -411,12 +411,15 @@ INSTANTIATE_TEST_SUITE_P(
                     std::vector<std::array<int, 4>>{{0, 0, 9, 12}, {9, 0, 16, 4}, {9, 4, 16, 12}},
                     std::vector<std::array<int, 4>>{{3, 5, 11, 13}, {11, 5, 19, 13}, {3, 1, 19, 5}}));
 
-/// A tube of radius 3 and height 3.2, cut as the rectangles say.
-FittedModel tube(const std::vector<test::Rectangle>& rectangles) {
+/// A tube of radius 3 and height 3.2, cut as the rectangles say, with a bump inside columns 8 to 16 and rows
+/// 6 to 10.
+FittedModel tube(const std::vector<test::Rectangle>& rectangles, double bump = 0) {
     const Grid grid{48, 16,
-                    [](double i, double j) {
+                    [bump](double i, double j) {
                         const double angle = std::numbers::pi / 24 * i;
-                        return Point(3 * std::cos(angle), 3 * std::sin(angle), 0.2 * j);
+                        const bool isInside = i > 8 && i < 16 && j > 6 && j < 10;
+                        const double radius = 3 + (isInside ? bump : 0);
+                        return Point(radius * std::cos(angle), radius * std::sin(angle), 0.2 * j);
                     },
                     true};
     FitOptions options;
@@ -458,6 +461,20 @@ TEST(MergeRuled, MakesOneFaceOfAPartOfACylinder) {
     EXPECT_NEAR(area(shape), 2 * std::numbers::pi * 3 * 3.2, 0.01);
     for (const TopoDS_Shape& face : all(shape, TopAbs_FACE))
         EXPECT_NEAR(area(face), std::numbers::pi * 3 * 3.2, 0.01);
+}
+
+TEST(MergeRuled, FacesMayHaveHoles) {
+    for (const double bump : {0.5, -0.5}) {
+        auto rectangles = pinwheel(0, 24);
+        for (const int from : {24, 30, 36, 42})
+            rectangles.push_back({from, 0, from + 6, 16});
+        const TopoDS_Shape shape = readBack(tube(rectangles, bump), joiningAnalytic());
+        EXPECT_EQ(countSurfaces<Geom_CylindricalSurface>(shape), 2);
+        const auto faces = all(shape, TopAbs_FACE);
+        ASSERT_EQ(faces.size(), 3U);
+        EXPECT_EQ(all(faces[0], TopAbs_WIRE).size(), 2U);
+        EXPECT_NEAR(area(faces[0]), 3 * (std::numbers::pi * 3.2 - std::numbers::pi / 3 * 0.8), 0.01);
+    }
 }
 
 TEST(MergeRuled, WhatDoesNotGoAroundIsOneFace) {
