@@ -44,6 +44,16 @@ is() { assert_equal "$(field "$1" out.json)" true; }
     done
 }
 
+@test "tracks go on from corners of sharp edges on request, and qm-check accepts" {
+    prune random
+    is '.layout.prune.addedTracks == 0 and .history[-1].options.maxSharpTurn == 180'
+    for model in random bracket; do
+        prune "$model" --max-sharp-turn 0
+        is '.history[-1].options.maxSharpTurn == 0'
+        quietly qm-check out.json
+    done
+}
+
 @test "pruning what is pruned removes nothing more" {
     prune block
     cp out.json pruned.json
