@@ -20,18 +20,18 @@ CheckedShape checked(Boundary boundary, const Origins& origins) {
     CheckedShape made{std::move(boundary), origins, {}};
     made.shape = buildShape(made.boundary);
     const BRepCheck_Analyzer check(made.shape.shape, Standard_True, Standard_True);
-    made.isFaceValid.assign(made.shape.faces.size(), true);
-    if (!check.IsValid())
+    made.isValid = check.IsValid();
+    made.isFaceSound.assign(made.shape.faces.size(), true);
+    if (!made.isValid)
         for (const BoundaryPart& part : made.boundary.parts)
             for (const std::size_t face : part.faces) {
                 const TopoDS_Face& own = made.shape.faces[face];
                 // Of a shell that is reversed, the analyser knows the faces reversed.
-                made.isFaceValid[face] = check.IsValid(part.inward ? own.Reversed() : TopoDS_Shape(own));
+                made.isFaceSound[face] = check.IsValid(part.inward ? own.Reversed() : TopoDS_Shape(own));
             }
-    for (std::size_t f = 0; f < made.isFaceValid.size(); ++f)
+    for (std::size_t f = 0; f < made.isFaceSound.size(); ++f)
         if (made.boundary.faces[f].isSimple && outlineCrossesItself(made.boundary, f))
-            made.isFaceValid[f] = false;
-    made.isValid = check.IsValid() && std::ranges::find(made.isFaceValid, false) == made.isFaceValid.end();
+            made.isFaceSound[f] = false;
     return made;
 }
 
@@ -43,10 +43,10 @@ CheckedShape withMergedFaces(const CheckedShape& shape, MergedSurface kind) {
         Origins origins = shape.origins;
         if (!mergeFaces(boundary, origins, kind, mayMerge)) return shape;
         CheckedShape made = checked(std::move(boundary), origins);
-        if (made.isValid || !shape.isValid) return made;
+        if (made.isSound() || !shape.isSound()) return made;
         std::set<std::size_t> rejected; // segments
-        for (std::size_t f = 0; f < made.isFaceValid.size(); ++f)
-            if (!made.isFaceValid[f]) rejected.insert(made.origins[f].begin(), made.origins[f].end());
+        for (std::size_t f = 0; f < made.isFaceSound.size(); ++f)
+            if (!made.isFaceSound[f]) rejected.insert(made.origins[f].begin(), made.origins[f].end());
         bool isAny = false;
         for (std::size_t f = 0; f < mayMerge.size(); ++f)
             if (mayMerge[f] && rejected.contains(shape.origins[f].front())) {
@@ -61,19 +61,23 @@ CheckedShape withMergedEdges(CheckedShape shape) {
     Boundary boundary = shape.boundary;
     if (!mergeEdges(boundary)) return shape;
     CheckedShape made = checked(std::move(boundary), shape.origins);
-    return made.isValid || !shape.isValid ? made : shape;
+    return made.isSound() || !shape.isSound() ? made : shape;
 }
 
 } // namespace
+
+bool CheckedShape::isSound() const {
+    return isValid && std::ranges::find(isFaceSound, false) == isFaceSound.end();
+}
 
 CheckedShape checkedShape(const QuadMesh& mesh, const FacePatches& faces, double simplify) {
     std::vector<double> simplifyFace(faces.patches.size(), simplify);
     while (true) {
         CheckedShape made = checked(makeBoundary(mesh, faces, simplifyFace), faces.origins);
-        if (made.isValid) return made;
+        if (made.isSound()) return made;
         bool changed = false;
         for (std::size_t f = 0; f < simplifyFace.size(); ++f)
-            if (simplifyFace[f] > 0 && !made.isFaceValid[f]) {
+            if (simplifyFace[f] > 0 && !made.isFaceSound[f]) {
                 simplifyFace[f] = 0;
                 changed = true;
             }

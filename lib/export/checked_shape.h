@@ -14,11 +14,14 @@ struct CheckedShape {
     Boundary boundary;
     std::vector<std::vector<std::size_t>> origins; ///< of every face
     BoundaryShape shape;
-    bool isValid = false;            ///< OpenCASCADE takes it, and can divide its simple faces into triangles
-    std::vector<bool> isFaceValid{}; ///< by face; empty if all are
+    bool isValid = false; ///< OpenCASCADE finds no faults
+    /// By face: OpenCASCADE finds no faults, and the outline of a simple face does not cross itself.
+    std::vector<bool> isFaceSound{};
+
+    [[nodiscard]] bool isSound() const;
 };
 
-/// A simple surface is given up where OpenCASCADE finds that its borders do not allow it.
+/// A simple surface is given up where its borders do not allow it.
 /// \param simplify  largest distance between a patch and the simple surface that replaces it; 0 allows only exact
 /// planes
 [[nodiscard]] CheckedShape checkedShape(const QuadMesh& mesh, const FacePatches& faces, double simplify);

@@ -28,30 +28,8 @@ constexpr int maxSteps = 64;
 constexpr double worthwhile = 0.5;
 constexpr int checks = 3; ///< samples of the gap between two of those
 
-gp_Pnt2d nearest(const Handle(Geom_ElementarySurface) & surface, const gp_Pnt& point) {
-    double u = 0;
-    double v = 0;
-    if (const auto plane = Handle(Geom_Plane)::DownCast(surface); !plane.IsNull())
-        ElSLib::Parameters(plane->Pln(), point, u, v);
-    else if (const auto cylinder = Handle(Geom_CylindricalSurface)::DownCast(surface); !cylinder.IsNull())
-        ElSLib::Parameters(cylinder->Cylinder(), point, u, v);
-    else if (const auto cone = Handle(Geom_ConicalSurface)::DownCast(surface); !cone.IsNull())
-        ElSLib::Parameters(cone->Cone(), point, u, v);
-    else if (const auto sphere = Handle(Geom_SphericalSurface)::DownCast(surface); !sphere.IsNull())
-        ElSLib::Parameters(sphere->Sphere(), point, u, v);
-    else
-        ElSLib::Parameters(Handle(Geom_ToroidalSurface)::DownCast(surface)->Torus(), point, u, v);
-    return {u, v};
-}
-
-/// The same angle, within half a turn of another.
-double angleNear(double angle, double other) {
-    constexpr double turn = 2 * std::numbers::pi;
-    return angle - turn * std::round((angle - other) / turn);
-}
-
 gp_Pnt projected(const gp_Pnt& point, const SimpleSurface& on) {
-    const gp_Pnt2d at = nearest(on.surface, point);
+    const gp_Pnt2d at = parametersAt(on.surface, point);
     return on.surface->Value(at.X(), at.Y());
 }
 
@@ -80,7 +58,7 @@ std::vector<gp_Pnt2d> pointsOn(const SimpleSurface& on, const CurvePiece& piece,
     // The patch lies about the middle of all angles u, opposite to the seam.
     gp_Pnt2d last(std::numbers::pi, on.tubeAngle);
     for (const double t : parameters) {
-        gp_Pnt2d point = nearest(on.surface, piece.at(t));
+        gp_Pnt2d point = parametersAt(on.surface, piece.at(t));
         if (on.surface->IsUPeriodic()) point.SetX(angleNear(point.X(), last.X()));
         if (on.surface->IsVPeriodic()) point.SetY(angleNear(point.Y(), last.Y()));
         points.push_back(last = point);
@@ -102,6 +80,27 @@ template <class Make> auto refined(double resolution, const Make& make) {
 }
 
 } // namespace
+
+gp_Pnt2d parametersAt(const Handle(Geom_ElementarySurface) & surface, const gp_Pnt& point) {
+    double u = 0;
+    double v = 0;
+    if (const auto plane = Handle(Geom_Plane)::DownCast(surface); !plane.IsNull())
+        ElSLib::Parameters(plane->Pln(), point, u, v);
+    else if (const auto cylinder = Handle(Geom_CylindricalSurface)::DownCast(surface); !cylinder.IsNull())
+        ElSLib::Parameters(cylinder->Cylinder(), point, u, v);
+    else if (const auto cone = Handle(Geom_ConicalSurface)::DownCast(surface); !cone.IsNull())
+        ElSLib::Parameters(cone->Cone(), point, u, v);
+    else if (const auto sphere = Handle(Geom_SphericalSurface)::DownCast(surface); !sphere.IsNull())
+        ElSLib::Parameters(sphere->Sphere(), point, u, v);
+    else
+        ElSLib::Parameters(Handle(Geom_ToroidalSurface)::DownCast(surface)->Torus(), point, u, v);
+    return {u, v};
+}
+
+double angleNear(double angle, double other) {
+    constexpr double turn = 2 * std::numbers::pi;
+    return angle - turn * std::round((angle - other) / turn);
+}
 
 gp_Pnt commonPoint(const gp_Pnt& near, const std::vector<SimpleSurface>& surfaces) {
     constexpr int rounds = 100; // each halves the distance at least where they meet at 45 degrees or more
@@ -159,7 +158,7 @@ CurveOnSurface curveOnSurface(const CurvePiece& piece, const SimpleSurface& on, 
         return gap;
     };
     if (surface->IsKind(STANDARD_TYPE(Geom_Plane)))
-        return {{}, gapOf(steps, [&](double t) { return nearest(surface, piece.at(t)); })};
+        return {{}, gapOf(steps, [&](double t) { return parametersAt(surface, piece.at(t)); })};
     const auto along = [&](int perInterval, const Handle(Geom2d_BSplineCurve) & curve) -> CurveOnSurface {
         return {curve, gapOf(perInterval, [&](double t) { return curve->Value(t); })};
     };

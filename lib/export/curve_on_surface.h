@@ -17,6 +17,12 @@ struct CurveOnSurface {
     double gap = 0; ///< largest distance between points of the same parameter
 };
 
+/// Parameters u and v of the point of a surface that is nearest to a point.
+[[nodiscard]] gp_Pnt2d parametersAt(const Handle(Geom_ElementarySurface) & surface, const gp_Pnt& point);
+
+/// The same angle, within half a turn of another.
+[[nodiscard]] double angleNear(double angle, double other);
+
 /// A point near a given one that lies on all of the surfaces, or is nearest to that.
 [[nodiscard]] gp_Pnt commonPoint(const gp_Pnt& near, const std::vector<SimpleSurface>& surfaces);
 

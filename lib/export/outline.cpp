@@ -1,12 +1,13 @@
 #include "export/outline.h"
 
+#include "export/curve_on_surface.h"
+
 #include <boost/geometry.hpp>
-#include <boost/geometry/geometries/linestring.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
+#include <boost/geometry/geometries/ring.hpp>
 
 #include <Geom_Plane.hxx>
 #include <algorithm>
-#include <gp_Pln.hxx>
 #include <vector>
 
 namespace qm {
@@ -15,12 +16,11 @@ namespace {
 using PlanePoint = boost::geometry::model::d2::point_xy<double>;
 using Ring = boost::geometry::model::ring<PlanePoint>;
 
-/// In the plane of a plane face, or in the parameter plane.
+/// In the parameter plane.
 PlanePoint onFace(const BoundaryFace& face, const BoundaryEdge& edge, const EdgeUse& use, double parameter) {
     if (const auto plane = Handle(Geom_Plane)::DownCast(face.surface); !plane.IsNull()) {
-        const gp_Ax3& axes = plane->Position();
-        const gp_XYZ at = edge.curve.at(parameter).XYZ() - axes.Location().XYZ();
-        return {at.Dot(axes.XDirection().XYZ()), at.Dot(axes.YDirection().XYZ())};
+        const gp_Pnt2d at = parametersAt(plane, edge.curve.at(parameter));
+        return {at.X(), at.Y()};
     }
     const gp_Pnt2d at = edge.onFaces.at(use.forwards ? 0 : 1)->Value(parameter);
     return {at.X(), at.Y()};

@@ -2,10 +2,8 @@
 
 #include "base/at.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <set>
-#include <utility>
 
 namespace qm {
 namespace {

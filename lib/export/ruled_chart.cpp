@@ -52,21 +52,18 @@ public:
 
     [[nodiscard]] bool goesAround() const override { return goesAround_; }
 
-    /// Twice the area in the plane of angles and heights.
+    /// Twice the area in the parameter plane.
     [[nodiscard]] double area(const std::vector<EdgeUse>& loop) const override {
         double sum = 0;
         for (const EdgeUse& use : loop) {
             const auto& edge = boundary_.edges[use.edge];
-            double angle = angleAt_.at(edge.ends[0]);
-            double low = height(edge.curve.start());
+            gp_Pnt2d from(angleAt_.at(edge.ends[0]), parametersAt(surface_.surface, edge.curve.start()).Y());
             double twice = 0;
             for (const double parameter : parametersOf(edge.curve, 4)) {
-                const gp_Pnt point = edge.curve.at(parameter);
-                const double next = angle + std::remainder(angleOf(point) - angle, 2 * pi);
-                const double high = height(point);
-                twice += angle * high - next * low;
-                angle = next;
-                low = high;
+                gp_Pnt2d to = parametersAt(surface_.surface, edge.curve.at(parameter));
+                to.SetX(angleNear(to.X(), from.X()));
+                twice += from.X() * to.Y() - to.X() * from.Y();
+                from = to;
             }
             sum += use.forwards ? twice : -twice;
         }
@@ -92,17 +89,6 @@ private:
     [[nodiscard]] SimpleSurface surfaceOf(std::size_t face) const {
         return {Handle(Geom_ElementarySurface)::DownCast(boundary_.faces[face].surface),
                 boundary_.faces[face].reversed};
-    }
-
-    [[nodiscard]] double angleOf(const gp_Pnt& point) const {
-        const gp_Ax3& axes = surface_.surface->Position();
-        const gp_XYZ out = point.XYZ() - axes.Location().XYZ();
-        return std::atan2(out.Dot(axes.YDirection().XYZ()), out.Dot(axes.XDirection().XYZ()));
-    }
-
-    [[nodiscard]] double height(const gp_Pnt& point) const {
-        const gp_Ax1& axis = surface_.surface->Axis();
-        return (point.XYZ() - axis.Location().XYZ()).Dot(axis.Direction().XYZ());
     }
 
     [[nodiscard]] const Handle(Geom2d_BSplineCurve) & curveOf(const EdgeUse& use) const {

@@ -25,7 +25,8 @@ struct NormalLimits {
     static constexpr double rms = 3 * (std::numbers::pi / 180);
     /// Fits wave within their tolerance, most of all at rims and along what was cut into facets.
     static constexpr double largest = 10 * (std::numbers::pi / 180);
-    /// Patches without any bend do not wave.
+    /// Patches that are plane wave little, and hardly any of those that differ by more has an outline in a
+    /// plane.
     static constexpr double largestOfPlane = 3 * (std::numbers::pi / 180);
 };
 

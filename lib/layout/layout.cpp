@@ -125,6 +125,13 @@ private:
 
 } // namespace
 
+std::vector<Track> properTracks(const Layout& layout) {
+    std::vector<Track> tracks;
+    for (const LayoutTrack& track : layout.tracks)
+        if (!track.transversal) tracks.push_back(track.track);
+    return tracks;
+}
+
 Layout buildLayout(const QuadMesh& mesh, std::span<const Track> tracks,
                    const std::vector<double>& dihedralAngles, const std::vector<double>& edgeCosts) {
     return Builder(mesh, dihedralAngles, edgeCosts).build(tracks);

@@ -35,6 +35,9 @@ struct Layout {
     std::vector<Segment> segments; ///< every quad lies in exactly one segment; ordered by lowest face
 };
 
+/// The tracks that are not transversals.
+[[nodiscard]] std::vector<Track> properTracks(const Layout& layout);
+
 /// Cuts the mesh along the tracks. A component without tracks gets the mesh line through its most curved
 /// edge, and every annulus is split by its cheapest straight transversal (docs/METHOD.md#layout); both are
 /// added to the tracks. Time is linear in the mesh.

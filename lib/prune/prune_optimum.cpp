@@ -1,7 +1,6 @@
 #include "prune/prune_optimum.h"
 
 #include "base/deadline.h"
-#include "base/positions.h"
 #include "layout/quality.h"
 #include "prune/pruning_search.h"
 #include "prune/turned_sides.h"
@@ -63,10 +62,6 @@ std::vector<FrontPoint> findFront(PruningSearch& search, const QuadMesh& mesh,
     return front;
 }
 
-std::size_t numberOfTracks(const Layout& layout) {
-    return countWhere(layout.tracks, [](const LayoutTrack& track) { return !track.transversal; });
-}
-
 PruneResult pruneFrom(const Layout& layout, const QuadMesh& mesh, const BaseComplex& complex,
                       const std::vector<double>& dihedralAngles, const std::vector<double>& edgeCosts,
                       const PruneOptions& options, double rho, const Control& control) {
@@ -88,11 +83,12 @@ PruneResult pruneFrom(const Layout& layout, const QuadMesh& mesh, const BaseComp
 PruneResult prune(const QuadMesh& mesh, const BaseComplex& complex, const Layout& layout,
                   const std::vector<double>& dihedralAngles, const std::vector<double>& edgeCosts,
                   const PruneOptions& options, double rho, const Control& control) {
-    if (!options.smooth)
+    constexpr double halfTurn = 180; // no line turns by more
+    if (!options.smooth || options.maxSharpTurn >= halfTurn)
         return pruneFrom(layout, mesh, complex, dihedralAngles, edgeCosts, options, rho, control);
     const Layout cut = cutTurnedSides(mesh, layout, dihedralAngles, edgeCosts, options.maxSharpTurn);
     PruneResult result = pruneFrom(cut, mesh, complex, dihedralAngles, edgeCosts, options, rho, control);
-    result.addedTracks = numberOfTracks(cut) - numberOfTracks(layout);
+    result.addedTracks = properTracks(cut).size() - properTracks(layout).size();
     return result;
 }
 

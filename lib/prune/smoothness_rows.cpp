@@ -55,9 +55,7 @@ void SmoothnessRows::keepEnds(GridProgram& grids) const {
 
 void SmoothnessRows::keepEnd(HalfedgeId arriving, GridProgram& grids) const {
     if (!continuesStraight(mesh_, mesh_.to_vertex_handle(arriving))) return;
-    const HalfedgeId left = mesh_.next_halfedge_handle(arriving);
-    const HalfedgeId right =
-        mesh_.opposite_halfedge_handle(mesh_.prev_halfedge_handle(mesh_.opposite_halfedge_handle(arriving)));
+    const auto [left, right] = crossingAt(mesh_, arriving);
     if (!arcAt(arriving).valid() || !arcAt(left).valid() || !arcAt(right).valid()) return;
     if (turnBetween(mesh_, left, right) > smoothness_.maxTurn)
         grids.addRow({{arcAt(arriving), 1}, {arcAt(left), -1}, {arcAt(right), -1}}, -1);

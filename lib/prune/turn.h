@@ -3,10 +3,18 @@
 
 #include "mesh/quad_mesh.h"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
 namespace qm {
+
+/// The two halfedges that leave a vertex on the line across, on the left and on the right of who arrives.
+/// \param arriving  ends at an interior regular vertex
+[[nodiscard]] inline std::array<HalfedgeId, 2> crossingAt(const QuadMesh& mesh, HalfedgeId arriving) {
+    return {mesh.next_halfedge_handle(arriving), mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(
+                                                     mesh.opposite_halfedge_handle(arriving)))};
+}
 
 /// The angle in degrees, 0 to 180, between arriving over one edge and leaving over the other.
 /// \param left, right  halfedges that leave the vertex

@@ -15,12 +15,12 @@ namespace {
 
 class Corners {
 public:
-    Corners(const QuadMesh& mesh, const Layout& layout, const std::vector<double>& dihedralAngles)
+    Corners(const QuadMesh& mesh, const std::vector<Track>& tracks, const std::vector<double>& dihedralAngles)
         : mesh_(mesh), dihedralAngles_(dihedralAngles), border_(mesh.n_edges()) {
         for (const EdgeId edge : mesh.edges())
             border_[at(edge)] = mesh.is_boundary(edge);
-        for (const LayoutTrack& track : layout.tracks)
-            if (!track.transversal) setBorder(track.track.halfedges);
+        for (const Track& track : tracks)
+            setBorder(track.halfedges);
     }
 
     /// What goes straight on from the end of a track to the next border; empty if nothing needs to.
@@ -28,8 +28,7 @@ public:
     std::vector<HalfedgeId> pathFrom(HalfedgeId arriving, double maxTurn) {
         if (!continuesStraight(mesh_, mesh_.to_vertex_handle(arriving))) return {};
         std::vector<HalfedgeId> path{straightOn(mesh_, arriving)};
-        const HalfedgeId left = mesh_.next_halfedge_handle(arriving);
-        const HalfedgeId right = mesh_.next_halfedge_handle(mesh_.opposite_halfedge_handle(path.front()));
+        const auto [left, right] = crossingAt(mesh_, arriving);
         if (isBorder(path.front()) || !isSharpBorder(arriving) || !isSharpBorder(left) ||
             !isSharpBorder(right))
             return {};
@@ -80,18 +79,16 @@ private:
 
 Layout cutTurnedSides(const QuadMesh& mesh, const Layout& layout, const std::vector<double>& dihedralAngles,
                       const std::vector<double>& edgeCosts, double maxTurn) {
-    Corners corners(mesh, layout, dihedralAngles);
-    std::vector<Track> tracks, added;
+    std::vector<Track> tracks = properTracks(layout), added;
+    Corners corners(mesh, tracks, dihedralAngles);
     const auto goOn = [&](HalfedgeId arriving) {
         for (auto path = corners.pathFrom(arriving, maxTurn); !path.empty();
              path = corners.pathFrom(path.back(), maxTurn))
             added.push_back(trackOf(mesh, path, edgeCosts));
     };
-    for (const LayoutTrack& track : layout.tracks) {
-        if (track.transversal) continue;
-        tracks.push_back(track.track);
-        goOn(track.track.halfedges.back());
-        goOn(mesh.opposite_halfedge_handle(track.track.halfedges.front()));
+    for (const Track& track : tracks) {
+        goOn(track.halfedges.back());
+        goOn(mesh.opposite_halfedge_handle(track.halfedges.front()));
     }
     if (added.empty()) return layout;
     std::ranges::move(added, std::back_inserter(tracks));

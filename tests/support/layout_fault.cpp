@@ -84,11 +84,4 @@ std::string layoutFault(const QuadMesh& mesh, const Layout& layout) {
     return std::abs(cost - layout.cost) < 1e-9 * (1 + std::abs(cost)) ? "" : "wrong cost";
 }
 
-std::vector<Track> properTracks(const Layout& layout) {
-    std::vector<Track> tracks;
-    for (const LayoutTrack& track : layout.tracks)
-        if (!track.transversal) tracks.push_back(track.track);
-    return tracks;
-}
-
 } // namespace qm::testing

@@ -14,7 +14,4 @@ namespace qm::testing {
 /// \return the first fault; empty if there is none
 [[nodiscard]] std::string layoutFault(const QuadMesh& mesh, const Layout& layout);
 
-/// The tracks that are not transversals.
-[[nodiscard]] std::vector<Track> properTracks(const Layout& layout);
-
 } // namespace qm::testing

@@ -325,14 +325,18 @@ TEST(Analytic, EdgesAreLinesCirclesAndEllipses) {
     EXPECT_EQ(countCurves<Geom_Line>(readBack(bent(false, 0))), 0) << "only on request";
 }
 
-TEST(MergeEdges, MakesOneEdgeOfWhatIsOneCurve) {
+ExportOptions joiningAnalytic() {
     ExportOptions options = analytic();
     options.join = true;
-    const TopoDS_Shape flat = readBack(bent(false, 0), options);
+    return options;
+}
+
+TEST(MergeEdges, MakesOneEdgeOfWhatIsOneCurve) {
+    const TopoDS_Shape flat = readBack(bent(false, 0), joiningAnalytic());
     EXPECT_EQ(all(flat, TopAbs_FACE).size(), 2U);
     EXPECT_EQ(countCurves<Geom_Line>(flat), 1);
     for (const double slope : {0.0, 0.3}) {
-        const TopoDS_Shape round = readBack(bent(true, slope), options);
+        const TopoDS_Shape round = readBack(bent(true, slope), joiningAnalytic());
         EXPECT_EQ(countSurfaces<Geom_Plane>(round), 1);
         EXPECT_EQ(countSurfaces<Geom_CylindricalSurface>(round), 1);
         EXPECT_EQ(countCurves<Geom_Ellipse>(round), slope > 0 ? 1 : 0);
@@ -353,7 +357,7 @@ FittedModel revolved(const std::function<double(double)>& radius, bool inwards,
     return fitted(grid, rectangles, options);
 }
 
-TEST(QuarterTurn, VolumesAreRightWhereKnotsAreManyAlongOneSide) {
+TEST(QuarterTurn, NoFaceHasMoreKnotsAlongU) {
     const FittedModel model = test::torus({{0, 0, 16, 12}});
     for (const TopoDS_Shape& face : all(readBack(model), TopAbs_FACE)) {
         const auto surface = Handle(Geom_BSplineSurface)::DownCast(BRep_Tool::Surface(TopoDS::Face(face)));
@@ -411,9 +415,22 @@ INSTANTIATE_TEST_SUITE_P(
                     std::vector<std::array<int, 4>>{{0, 0, 9, 12}, {9, 0, 16, 4}, {9, 4, 16, 12}},
                     std::vector<std::array<int, 4>>{{3, 5, 11, 13}, {11, 5, 19, 13}, {3, 1, 19, 5}}));
 
-/// A tube of radius 3 and height 3.2, cut as the rectangles say, with a bump inside columns 8 to 16 and rows
-/// 6 to 10.
-FittedModel tube(const std::vector<test::Rectangle>& rectangles, double bump = 0) {
+// Five rectangles around one another: no two share a whole side.
+std::vector<test::Rectangle> pinwheel(int from, int to) {
+    const int third = (to - from) / 3;
+    return {{from, 0, to - third, 6},
+            {to - third, 0, to, 10},
+            {from + third, 10, to, 16},
+            {from, 6, from + third, 16},
+            {from + third, 6, to - third, 10}};
+}
+
+/// A tube of radius 3 and height 3.2: half of it is a pinwheel, with a bump inside the rectangle in its
+/// middle, and half of it four strips.
+FittedModel tube(double bump = 0) {
+    auto rectangles = pinwheel(0, 24);
+    for (const int from : {24, 30, 36, 42})
+        rectangles.push_back({from, 0, from + 6, 16});
     const Grid grid{48, 16,
                     [bump](double i, double j) {
                         const double angle = std::numbers::pi / 24 * i;
@@ -427,33 +444,14 @@ FittedModel tube(const std::vector<test::Rectangle>& rectangles, double bump = 0
     return fitted(grid, rectangles, options);
 }
 
-ExportOptions joiningAnalytic() {
-    ExportOptions options = analytic();
-    options.join = true;
-    return options;
-}
-
 double area(const TopoDS_Shape& shape) {
     GProp_GProps properties;
     BRepGProp::SurfaceProperties(shape, properties);
     return properties.Mass();
 }
 
-// Five rectangles around one another: no two share a whole side.
-std::vector<test::Rectangle> pinwheel(int from, int to) {
-    const int third = (to - from) / 3;
-    return {{from, 0, to - third, 6},
-            {to - third, 0, to, 10},
-            {from + third, 10, to, 16},
-            {from, 6, from + third, 16},
-            {from + third, 6, to - third, 10}};
-}
-
 TEST(MergeRuled, MakesOneFaceOfAPartOfACylinder) {
-    auto rectangles = pinwheel(0, 24);
-    for (const int from : {24, 30, 36, 42})
-        rectangles.push_back({from, 0, from + 6, 16});
-    const FittedModel model = tube(rectangles);
+    const FittedModel model = tube();
     EXPECT_EQ(all(readBack(model, analytic()), TopAbs_FACE).size(), 9U);
     const TopoDS_Shape shape = readBack(model, joiningAnalytic());
     EXPECT_EQ(countSurfaces<Geom_CylindricalSurface>(shape), 2) << "halves, as none may meet itself";
@@ -465,10 +463,7 @@ TEST(MergeRuled, MakesOneFaceOfAPartOfACylinder) {
 
 TEST(MergeRuled, FacesMayHaveHoles) {
     for (const double bump : {0.5, -0.5}) {
-        auto rectangles = pinwheel(0, 24);
-        for (const int from : {24, 30, 36, 42})
-            rectangles.push_back({from, 0, from + 6, 16});
-        const TopoDS_Shape shape = readBack(tube(rectangles, bump), joiningAnalytic());
+        const TopoDS_Shape shape = readBack(tube(bump), joiningAnalytic());
         EXPECT_EQ(countSurfaces<Geom_CylindricalSurface>(shape), 2);
         const auto faces = all(shape, TopAbs_FACE);
         ASSERT_EQ(faces.size(), 3U);
