@@ -337,19 +337,28 @@ TEST(KnotPlan, HasIntervalsOfALengthAtLeast) {
     for (int j = 0; j <= 6; ++j)
         for (int i = 0; i <= 4; ++i)
             grid.points.emplace_back(0.1 * i, 2.0 * j, 0); // edges of length 0.2 and 4
-    const IntervalLengths lengths = shortestIntervals({grid}, 0.6);
+    const IntervalLengths lengths = partsOfEdges({grid}, 0.6);
     EXPECT_NEAR(lengths[0][0], 3, 1e-12);
     EXPECT_NEAR(lengths[0][1], 0.15, 1e-12);
-    EXPECT_NEAR(shortestIntervals({grid}, 0)[0][0], 0.125, 1e-12);
+    EXPECT_EQ(partsOfEdges({grid}, 0)[0][0], 0);
     const Grid sheet{8, 6, [](double i, double j) { return Point(i, j, 0); }};
     const QuadMesh mesh = test::makeMesh(sheet);
     const Layout layout = test::makeLayout(sheet, {{0, 0, 8, 6}});
     const SmoothNetwork network = networkOf(mesh, layout);
     KnotPlan plan(layout, network, lengths);
     EXPECT_NEAR(plan.minInterval(0, 0), 6, 1e-12);
-    EXPECT_TRUE(plan.allowShorter());
+    EXPECT_NEAR(plan.minInterval(0, 1), 0.3, 1e-12);
+    EXPECT_TRUE(plan.allow(MinInterval::Eighth));
     EXPECT_NEAR(plan.minInterval(0, 0), 3, 1e-12);
-    EXPECT_FALSE(plan.allowShorter());
+    EXPECT_NEAR(plan.minInterval(0, 1), 0.15, 1e-12);
+    EXPECT_FALSE(plan.allow(MinInterval::Eighth)) << "again";
+    EXPECT_TRUE(plan.allow(MinInterval::ThirtySecond));
+    EXPECT_NEAR(plan.minInterval(0, 1), 0.15, 1e-12) << "as short as the length, not shorter";
+    EXPECT_FALSE(plan.allow(MinInterval::Quarter)) << "longer";
+    KnotPlan unlimited(layout, network);
+    EXPECT_EQ(unlimited.minInterval(0, 0), 0.25);
+    EXPECT_TRUE(unlimited.allow(MinInterval::ThirtySecond));
+    EXPECT_EQ(unlimited.minInterval(0, 0), 0.03125);
 }
 
 TEST(SoundFaces, AreFlatAndConvexAndHaveNoFoldBesideThem) {

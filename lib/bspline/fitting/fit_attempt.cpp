@@ -145,8 +145,9 @@ private:
     /// spikes.
     /// \return false if all has been done
     bool tryHarder() {
-        return state_.isFolded() ? state_.stopSliding() || state_.allowShorterIntervals()
-                                 : state_.allowShorterIntervals() || state_.stopSliding();
+        if (state_.isFolded()) return state_.stopSliding() || state_.allow(MinInterval::Eighth);
+        return state_.allow(MinInterval::Eighth) || state_.stopSliding() ||
+               state_.allow(MinInterval::ThirtySecond);
     }
 
     /// Once the tolerance is kept, it is to be kept with plane patches in their planes: what these push away

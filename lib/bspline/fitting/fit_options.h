@@ -12,7 +12,7 @@ struct SmoothFitOptions {
     double tolerance = 0;     ///< largest distance from the reference, in its unit; positive
     double flatness = 0;      ///< a reference no farther than this from a plane makes a plane patch
     int steps = 4;            ///< lattice points per mesh edge: 1, 2 or 4
-    double minInterval = 0;   ///< shortest knot interval, in tolerances; never below an eighth of a mesh edge
+    double minInterval = 0;   ///< shortest knot interval, in tolerances; see `MinInterval` as well
     int maxRounds = 30;       ///< largest number of rounds, each with a factorisation
     int slides = 6;           ///< solutions per round, between which the targets slide
     double slack = 0.5;       ///< in tolerances: surfaces may be farther by this if that makes them fairer

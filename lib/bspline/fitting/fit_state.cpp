@@ -41,7 +41,7 @@ FitState::FitState(const QuadMesh& mesh, const Layout& layout, const SmoothNetwo
                    const FitTarget& reference, const SmoothFitOptions& options,
                    const std::vector<bool>& isSoft, unsigned jobs)
     : layout_(layout), options_(options), jobs_(jobs), map_(mesh, layout, network),
-      plan_(layout, network, shortestIntervals(reference.grids, options.minInterval * options.tolerance)),
+      plan_(layout, network, partsOfEdges(reference.grids, options.minInterval * options.tolerance)),
       sources_(latticeSources(mesh, layout, network, reference.grids, reference.weights)),
       normalLimits_(reference.grids.begin(), reference.grids.end()), lattices_(sources_.size()),
       kept_(sources_.size()), errors_(sources_.size()), givenUp_(sources_.size()),

@@ -59,8 +59,8 @@ public:
     /// Where nothing else has helped, sliding may be the cause: stops it there.
     /// \return false if it was stopped there before
     bool stopSliding();
-    /// \return false if it was allowed before
-    bool allowShorterIntervals() { return plan_.allowShorter(); }
+    /// \return false if intervals as short as these were allowed before
+    bool allow(MinInterval length) { return plan_.allow(length); }
     /// From now on ignores the errors of cells in which nothing has helped. The worst are given up first,
     /// since they may be the cause of errors beside them.
     void giveUp();

@@ -51,8 +51,6 @@ double half(double length) {
     return length > 1 ? std::floor(length / 2) : length / 2;
 }
 
-constexpr double shortestInEdges = 0.125;
-
 /// The mean length of a grid's edges along u (0) or v (1).
 double meanEdge(const ReferenceGrid& grid, std::size_t direction) {
     const std::array<std::size_t, 2> lines{grid.columns(), grid.rows()};
@@ -66,22 +64,22 @@ double meanEdge(const ReferenceGrid& grid, std::size_t direction) {
 
 } // namespace
 
-IntervalLengths shortestIntervals(const std::vector<ReferenceGrid>& grids, double minLength) {
-    IntervalLengths lengths;
+IntervalLengths partsOfEdges(const std::vector<ReferenceGrid>& grids, double length) {
+    IntervalLengths parts;
     for (const ReferenceGrid& grid : grids) {
-        std::array<double, 2>& ofPatch = lengths.emplace_back();
+        std::array<double, 2>& ofPatch = parts.emplace_back();
         for (std::size_t d = 0; d < 2; ++d) {
             const double edge = meanEdge(grid, d);
-            ofPatch[d] = edge > 0 ? std::max(shortestInEdges, minLength / edge) : shortestInEdges;
+            ofPatch[d] = edge > 0 ? length / edge : 0;
         }
     }
-    return lengths;
+    return parts;
 }
 
 KnotPlan::KnotPlan(const Layout& layout, const SmoothNetwork& network, IntervalLengths shortest)
     : stretches_(&network.stretches), runs_(network.runs), chosen_(layout.segments.size()),
       shortest_(std::move(shortest)) {
-    shortest_.resize(layout.segments.size(), {shortestInEdges, shortestInEdges});
+    shortest_.resize(layout.segments.size());
     for (const Segment& segment : layout.segments)
         sizes_.push_back(segment.size);
     turns_ = findTurns(sizes_, network);
@@ -91,6 +89,22 @@ KnotPlan::KnotPlan(const Layout& layout, const SmoothNetwork& network, IntervalL
         for (std::size_t end = 0; end < 2; ++end)
             ratio.reach[end] = ratio.atEnd[end] == 0 ? 0 : ratio.length;
     }
+}
+
+double KnotPlan::minInterval(std::size_t patch, std::size_t direction) const {
+    const double shortest = shortest_[patch][direction];
+    switch (minInterval_) {
+    case MinInterval::Quarter: return std::max(0.25, 2 * shortest);
+    case MinInterval::Eighth: return std::max(0.125, shortest);
+    case MinInterval::ThirtySecond: break;
+    }
+    return std::max(0.03125, shortest);
+}
+
+bool KnotPlan::allow(MinInterval length) {
+    if (length <= minInterval_) return false;
+    minInterval_ = length;
+    return true;
 }
 
 bool KnotPlan::insert(std::size_t patch, std::size_t direction, double knot) {

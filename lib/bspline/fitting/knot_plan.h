@@ -8,7 +8,6 @@
 
 #include <array>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace qm {
@@ -19,16 +18,19 @@ using KnotLists = std::vector<std::array<std::vector<double>, 2>>;
 /// The lengths of knot intervals along u and v of every patch, in mesh edges.
 using IntervalLengths = std::vector<std::array<double, 2>>;
 
-/// The shortest interval allowed in every patch: `minLength` on average, but at least an eighth of a mesh
-/// edge, because the reference is smooth between its vertices.
-[[nodiscard]] IntervalLengths shortestIntervals(const std::vector<ReferenceGrid>& grids, double minLength);
+/// The parts of a mesh edge, in every patch, that are as long as a given length on average.
+[[nodiscard]] IntervalLengths partsOfEdges(const std::vector<ReferenceGrid>& grids, double length);
+
+/// How short intervals may become, as a part of a mesh edge. The reference is smooth between its vertices, so
+/// short ones are seldom needed: where the mesh is coarse, and few vertices make strong bends.
+enum class MinInterval { Quarter, Eighth, ThirtySecond };
 
 /// Begins with only those inner knots that smoothness requires, and with tangent ratios that reach from end
 /// to end.
 class KnotPlan {
 public:
     /// \param network   must outlive the plan
-    /// \param shortest  see `shortestIntervals`; if it is empty, an eighth of an edge everywhere
+    /// \param shortest  no interval is divided that is this short; if it is empty, short parts of edges are
     KnotPlan(const Layout& layout, const SmoothNetwork& network, IntervalLengths shortest = {});
 
     [[nodiscard]] const std::vector<Stretch>& stretches() const { return *stretches_; }
@@ -54,12 +56,10 @@ public:
     /// \return false if it is as short as the shortest interval already
     bool shorten(std::size_t run, std::size_t end);
 
-    /// The shortest interval that a knot may make, in mesh edges; twice the final value until `allowShorter`.
-    [[nodiscard]] double minInterval(std::size_t patch, std::size_t direction) const {
-        return (allowsShorter_ ? 1 : 2) * shortest_[patch][direction];
-    }
-    /// \return false if it has been called before
-    bool allowShorter() { return !std::exchange(allowsShorter_, true); }
+    /// The shortest interval that a knot may make, in mesh edges.
+    [[nodiscard]] double minInterval(std::size_t patch, std::size_t direction) const;
+    /// \return false if intervals as short as these were allowed before
+    bool allow(MinInterval length);
 
 private:
     [[nodiscard]] KnotLists doubleKnots() const;
@@ -70,7 +70,7 @@ private:
     std::vector<SmoothRun> runs_;
     KnotLists chosen_;
     IntervalLengths shortest_;
-    bool allowsShorter_ = false;
+    MinInterval minInterval_ = MinInterval::Quarter;
     KnotLists turns_; ///< where smooth borders turn into creases
 };
 

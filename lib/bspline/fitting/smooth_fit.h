@@ -14,8 +14,9 @@
 namespace qm {
 
 /// Fits patches that share their borders and are G1 across all borders that are not creases. The tolerance is
-/// missed where knot intervals of an eighth of a mesh edge do not suffice, or where bicubics cannot follow
-/// the reference, or if `control.stopRequested`, which ends the search for knots after the round it is in.
+/// missed where the shortest knot intervals (see `MinInterval`) do not suffice, or where bicubics cannot
+/// follow the reference, or if `control.stopRequested`, which ends the search for knots after the round it is
+/// in.
 /// \param verify  patches that it finds too far away are fitted more closely
 /// \return one patch per segment, in their order
 [[nodiscard]] std::vector<Patch> fitSmooth(const QuadMesh& mesh, const Layout& layout,
