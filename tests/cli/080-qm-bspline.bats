@@ -70,6 +70,14 @@ is() { assert_equal "$(field "$1" out.json)" true; }
     assert [ "$(control_points)" -le "$strict" ]
 }
 
+@test "a tight tolerance is kept around the bends of a mesh of few quads" {
+    qm-shape random --voxels 5 --resolution 2 -o coarse.obj
+    qm-basecomplex -q coarse.obj | qm-features -q | qm-cut -q | qm-enum -q | qm-merge -q | qm-prune -q >coarse.json
+    quietly qm-bspline --tolerance 0.03% coarse.json -o out.json
+    is '.surfaces.deviation.maxRelative <= 0.0003'
+    quietly qm-check out.json -o verdict
+}
+
 @test "a tolerance is a length, or with % a share of the diagonal; the document says which" {
     fit torus --tolerance 0.1%
     is '.history[-1].options.tolerance == "0.1%"'
