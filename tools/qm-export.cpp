@@ -26,8 +26,9 @@ int main(int argc, char** argv) {
             tool.option("analytic", options.analytic,
                         "replace patches by cylinders, cones, spheres and tori, edges by lines and conics");
             tool.option(
-                "analytic-tolerance", options.analyticTolerance, qm::Range{0, 100},
-                "largest distance of a patch from the surface that replaces it, in per cent of the diagonal");
+                "analytic-tolerance", options.analyticTolerance, {0, qm::infinite},
+                "largest distance of a patch from the surface that replaces it, in the mesh's unit or, "
+                "with %, as a share of the bounding box's diagonal");
             tool.explain(
                 "STEP and IGES need the surfaces of qm-bspline, which have no gaps unless fitted with --fit "
                 "interpolate. The faces form one shell, and a solid where the mesh is closed. Plane patches "

@@ -55,7 +55,7 @@ Exported exportShape(const QuadMesh& mesh, const Layout& layout, const Surfaces&
         if (options.join) faces = joined(std::move(faces), knotTolerance * diagonal);
         faces = withMostKnotsAlongV(separated(mesh, std::move(faces), knotTolerance * diagonal));
         CheckedShape made =
-            checkedShape(mesh, faces, options.analytic ? options.analyticTolerance / 100 * diagonal : 0);
+            checkedShape(mesh, faces, options.analytic ? options.analyticTolerance.length(diagonal) : 0);
         if (options.join) made = merged(std::move(made));
         Exported result{options.format == ExportFormat::step
                             ? boundaryAsStep(made.boundary, made.origins, options)

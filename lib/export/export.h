@@ -1,6 +1,7 @@
 /// \file Layouts and surfaces as files for other programs.
 #pragma once
 
+#include "base/length.h"
 #include "bspline/splines/surfaces.h"
 #include "layout/layout.h"
 
@@ -36,9 +37,8 @@ struct ExportOptions {
     /// STEP and IGES: patches become cylinders, cones and so on where they can, and the edges between them
     /// lines, circles and ellipses.
     bool analytic = false;
-    /// Largest distance between a patch and the surface that replaces it, in per cent of the diagonal; the
-    /// default equals the default tolerance of fits.
-    double analyticTolerance = 0.1;
+    /// Largest distance between a patch and the surface that replaces it; the default equals that of fits.
+    Length analyticTolerance{0.1, true};
     std::string name = "quadmesh";            ///< STEP and IGES: of the product; UTF-8
     std::string date = "1970-01-01T00:00:00"; ///< STEP and IGES: when the file was made
 };

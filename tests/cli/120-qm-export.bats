@@ -49,9 +49,11 @@ PRODUCT('two 2'"
 @test "simple surfaces on request" {
     qm-bspline --tolerance 0.1% "$(stage pruned torus)" -o torus.json
     quietly qm-export torus.json -o plain.step
-    quietly qm-export --analytic --analytic-tolerance 1 torus.json -o analytic.step
+    quietly qm-export --analytic --analytic-tolerance 1% torus.json -o analytic.step
     refute grep -q TOROIDAL_SURFACE plain.step
     assert_equal "$(grep -c TOROIDAL_SURFACE analytic.step)" "$(grep -c ADVANCED_FACE analytic.step)"
+    quietly qm-export --analytic --analytic-tolerance 0.114891 torus.json -o length.step # 1% of the diagonal
+    assert_same_bytes analytic.step length.step
     quietly qm-export --analytic --analytic-tolerance 0 torus.json -o none.step
     assert_same_bytes plain.step none.step
 }
@@ -71,7 +73,7 @@ PRODUCT('two 2'"
 }
 
 @test "options that have no effect are wrong" {
-    misused qm-export --analytic-tolerance 1 "$(stage surfaces block)" -o block.step
+    misused qm-export --analytic-tolerance 1% "$(stage surfaces block)" -o block.step
     misused qm-export --join "$(stage surfaces block)" -o block.ply
     misused qm-export --analytic "$(stage surfaces block)" -o block.obj
     misused qm-export --unit cm "$(stage surfaces block)" -o block.glb

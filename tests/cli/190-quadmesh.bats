@@ -210,7 +210,7 @@ fails_with() {
     refused part.obj --export.join -o part.obj.json
     refused part.obj --export.colour deviation -o part.step
     refused part.obj --remesh.seed 3
-    refused part.obj --export.analytic-tolerance 1 -o part.step
+    refused part.obj --export.analytic-tolerance 1% -o part.step
 }
 
 @test "options of stages that do not go with those of quadmesh are told before the work" {

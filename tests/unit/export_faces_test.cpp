@@ -259,7 +259,7 @@ TEST(MergePlanes, LeavesNoVertexOnAnOutlineTwice) {
 ExportOptions analytic() {
     ExportOptions options;
     options.analytic = true;
-    options.analyticTolerance = 0.1;
+    options.analyticTolerance = {0.1, true};
     return options;
 }
 
@@ -389,9 +389,9 @@ TEST(Analytic, FitsMayWaveWithinTheTolerance) {
         return [height](double z) { return 3 + height * std::exp(-z * z / 0.09); };
     };
     ExportOptions options = analytic();
-    options.analyticTolerance = 0.5;
+    options.analyticTolerance = {0.5, true};
     EXPECT_EQ(countSurfaces<Geom_CylindricalSurface>(readBack(revolved(rim(0.03), false), options)), 2);
-    options.analyticTolerance = 3;
+    options.analyticTolerance = {3, true};
     EXPECT_EQ(countSurfaces<Geom_CylindricalSurface>(readBack(revolved(rim(0.2), false), options)), 0)
         << "this is a rim";
 }
