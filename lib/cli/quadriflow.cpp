@@ -22,20 +22,21 @@ namespace {
 
 constexpr int maxAttempts = 3;
 
-/// Moves the centre of a box to the origin, and scales the box to length 1.
-class UnitBox {
+/// Moves the centre of a box to the origin, and scales the box to a length at which Blender, which takes no
+/// mesh with an edge shorter than 1e-4, takes every edge that single precision tells from none.
+class WorkingBox {
 public:
-    explicit UnitBox(const std::vector<Point>& points) {
+    explicit WorkingBox(const std::vector<Point>& points) {
         const BoundingBox box = boundingBoxOf(points);
         centre_ = box.low / 2 + box.high / 2;
-        size_ = box.size().max();
+        unit_ = box.size().max() / 1024;
     }
-    [[nodiscard]] Point to(const Point& point) const { return (point - centre_) / size_; }
-    [[nodiscard]] Point from(const Point& point) const { return point * size_ + centre_; }
+    [[nodiscard]] Point to(const Point& point) const { return (point - centre_) / unit_; }
+    [[nodiscard]] Point from(const Point& point) const { return point * unit_ + centre_; }
 
 private:
     Point centre_{0, 0, 0};
-    double size_ = 1;
+    double unit_ = 1;
 };
 
 void runBlender(const TemporaryFolder& folder, const HeldSignals& signals, const RemeshOptions& options,
@@ -66,7 +67,7 @@ struct Attempt {
     std::string problem;
 };
 
-Attempt attempt(const TemporaryFolder& folder, const HeldSignals& signals, const UnitBox& box,
+Attempt attempt(const TemporaryFolder& folder, const HeldSignals& signals, const WorkingBox& box,
                 const RemeshOptions& options, std::size_t scanLoops) {
     std::filesystem::remove(folder.file("quads.obj"));
     runBlender(folder, signals, options, scanLoops > 0);
@@ -93,7 +94,7 @@ Remeshed remeshWithBlender(const Triangles& scan, const RemeshOptions& options, 
     const std::size_t scanLoops = validateTriangleEdges(scan);
     const HeldSignals signals;
     const TemporaryFolder folder("qm-remesh");
-    const UnitBox box(scan.points);
+    const WorkingBox box(scan.points);
     Triangles scaled = scan;
     std::ranges::transform(scan.points, scaled.points.begin(),
                            [&](const Point& point) { return box.to(point); });

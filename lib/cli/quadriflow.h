@@ -22,7 +22,7 @@ struct Remeshed {
     int seed = 0;              ///< the one used
 };
 
-/// Blender works on the scan moved and scaled to unit size, because it computes in single precision. If the
+/// Blender works on the scan moved to the origin, because it computes in single precision, and scaled. If the
 /// result is no quad mesh, or has other boundary loops than the scan, the next seeds are tried, three in
 /// total, and the first of the best results is returned.
 /// \throw Error  if Blender is not installed, the scan is no manifold, or no result is a quad mesh

@@ -33,6 +33,21 @@ blender_or_skip() { command -v blender >/dev/null || skip 'there is no Blender';
     jq -e '(.size[0] - 3 | fabs) < 0.05 and (.size[2] - 2 | fabs) < 0.05' <<<"$output"
 }
 
+@test "a scan may have edges that are very short" {
+    blender_or_skip
+    # A point beside the first corner of a triangle, a ten-thousandth of its sides away.
+    awk '/^v / { x[++n] = $2; y[n] = $3; z[n] = $4 }
+         /^f / && !done++ {
+             a = $2; b = $3; c = $4; s = 1e-4
+             printf "v %.17g %.17g %.17g\n", x[a] + s * (x[b] + x[c] - 2 * x[a]), y[a] + s * (y[b] + y[c] - 2 * y[a]), z[a] + s * (z[b] + z[c] - 2 * z[a])
+             print "f", a, b, n + 1; print "f", b, c, n + 1; print "f", c, a, n + 1
+             next
+         }
+         { print }' <(qm-shape block --scan 3000) >scan.obj
+    quietly qm-remesh --quads 400 scan.obj -o part.obj
+    quietly qm-basecomplex part.obj -o part.json
+}
+
 @test "what is asked for reaches QuadriFlow" {
     # In its place: takes down what it is told, and gives back a cube.
     mkdir folder
