@@ -1,5 +1,6 @@
 /// \file qm-remesh: makes quads from the triangles of a scan, by QuadriFlow as included in Blender.
 #include "cli/quadriflow.h"
+#include "cli/repair_text.h"
 #include "cli/tool.h"
 #include "mesh/read_triangles.h"
 #include "mesh/write_soup.h"
@@ -31,10 +32,12 @@ int main(int argc, char** argv) {
                         "random seed; each gives another mesh");
             tool.example("qm-remesh scan.stl --quads 2000 -o part.obj");
             return [&] {
-                const qm::Triangles scan =
+                qm::Triangles scan =
                     qm::readTriangles(tool.readInput(), tool.inputPath() == "-" ? "" : tool.inputPath());
                 tool.protect(tool.inputPath());
                 tool.count("triangles", static_cast<double>(scan.faces.size()));
+                if (const std::string done = qm::repairText(qm::repairTriangles(scan)); !done.empty())
+                    tool.warn(tool.inputName() + ": " + done);
                 const qm::Remeshed remeshed =
                     qm::remeshWithBlender(scan, options, tool.control("drawing").jobs);
                 if (remeshed.loops != remeshed.scanLoops)

@@ -2,6 +2,7 @@
 
 #include "base/number_text.h"
 #include "cli/output_file.h"
+#include "cli/repair_text.h"
 #include "document/mesh_section.h"
 #include "mesh/boundary_loops.h"
 #include "mesh/read_mesh.h"
@@ -23,19 +24,6 @@ std::string repairedName(const std::string& path) {
     if (path == "-") return "mesh.repaired.obj";
     const std::string name = path.substr(folderWithSlash(path).size());
     return name.substr(0, name.rfind('.')) + ".repaired.obj";
-}
-
-std::string countOf(std::size_t count, const std::string& what) {
-    return count == 0 ? "" : ", " + std::to_string(count) + " " + what;
-}
-
-std::string summaryOf(const RepairReport& report) {
-    const std::string list = countOf(report.weldedVertices, "vertices welded") +
-                             countOf(report.degenerateFaces, "degenerate faces removed") +
-                             countOf(report.duplicateFaces, "duplicate faces removed") +
-                             countOf(report.flippedFaces, "faces turned over") +
-                             countOf(report.splitVertices, "vertices split");
-    return list.substr(2);
 }
 
 /// "2 boundary loops, 16 (at vertex 0) and 1.88 (at vertex 40) long".
@@ -71,7 +59,7 @@ MeshInput readMeshInput(const Tool& tool, bool repair) {
     const std::string repaired = writeObj(read.mesh);
     writeFile(folder + name, repaired);
     tool.protect(folder + name);
-    tool.warn(tool.inputName() + ": " + summaryOf(read.repair) + ". The mesh is now " + folder + name);
+    tool.warn(tool.inputName() + ": " + repairText(read.repair) + ". The mesh is now " + folder + name);
     // Reads the file as later tools will, so that both meshes agree exactly.
     ReadResult again = readMesh(repaired, name, {});
     Json section = meshToJson(name, repaired, again.mesh);

@@ -20,7 +20,11 @@
 namespace qm {
 namespace {
 
-constexpr int maxAttempts = 3;
+/// Each makes about one of four closed scans of those closed that were not at first. Open ones seldom change.
+struct MaxAttempts {
+    static constexpr int ofOpen = 3;
+    static constexpr int ofClosed = 8;
+};
 
 /// Moves the centre of a box to the origin, and scales the box to a length at which Blender, which takes no
 /// mesh with an edge shorter than 1e-4, takes every edge that single precision tells from none.
@@ -91,7 +95,8 @@ std::size_t difference(const Remeshed& remeshed) {
 } // namespace
 
 Remeshed remeshWithBlender(const Triangles& scan, const RemeshOptions& options, unsigned jobs) {
-    const std::size_t scanLoops = validateTriangleEdges(scan);
+    const std::size_t scanLoops = boundaryLoopCount(scan);
+    const int maxAttempts = scanLoops > 0 ? MaxAttempts::ofOpen : MaxAttempts::ofClosed;
     const HeldSignals signals;
     const TemporaryFolder folder("qm-remesh");
     const WorkingBox box(scan.points);

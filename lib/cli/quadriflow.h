@@ -23,9 +23,10 @@ struct Remeshed {
 };
 
 /// Blender works on the scan moved to the origin, because it computes in single precision, and scaled. If the
-/// result is no quad mesh, or has other boundary loops than the scan, the next seeds are tried, three in
-/// total, and the first of the best results is returned.
-/// \throw Error  if Blender is not installed, the scan is no manifold, or no result is a quad mesh
+/// result is no quad mesh, or has other boundary loops than the scan, the next seeds are tried, up to a
+/// limit, and the first of the best results is returned.
+/// \param scan  a manifold (see `repairTriangles`)
+/// \throw Error  if Blender is not installed, or no result is a quad mesh
 [[nodiscard]] Remeshed remeshWithBlender(const Triangles& scan, const RemeshOptions& options, unsigned jobs);
 
 } // namespace qm

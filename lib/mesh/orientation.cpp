@@ -1,5 +1,6 @@
+#include "mesh/orientation.h"
+
 #include "base/positions.h"
-#include "mesh/soup_repairs.h"
 
 namespace qm {
 namespace {
@@ -9,12 +10,12 @@ enum class Turn : signed char { unknown, kept, reversed };
 /// Orients each component by breadth-first search from one quad, marking the quads that disagree with it.
 class Spreading {
 public:
-    Spreading(const Soup& soup, const std::vector<Side>& twins)
-        : soup_(soup), twins_(twins), turns_(soup.faceCount(), Turn::unknown) {}
+    Spreading(std::size_t sides, const std::vector<Side>& twins, const std::function<bool(Side, Side)>& agree)
+        : sides_(sides), twins_(twins), agree_(agree), turns_(twins.size() / sides, Turn::unknown) {}
 
     Orientation run() {
         Orientation result;
-        result.reversed.assign(soup_.faceCount(), false);
+        result.reversed.assign(turns_.size(), false);
         for (std::size_t start = 0; start < turns_.size(); ++start) {
             if (turns_[start] != Turn::unknown) continue;
             if (result.contradiction = spread(start); result.contradiction) return result;
@@ -33,33 +34,35 @@ private:
         turns_[start] = Turn::kept;
         for (std::size_t k = 0; k < component_.size(); ++k) {
             const std::size_t face = component_[k];
-            for (Side side = static_cast<Side>(4 * face); side < 4 * (face + 1); ++side) {
+            for (Side side = static_cast<Side>(sides_ * face); side < sides_ * (face + 1); ++side) {
                 const Side twin = twins_[side];
                 if (twin == twins_.size()) continue;
-                const bool agree = sideFrom(soup_, side) != sideFrom(soup_, twin);
-                const Turn wanted = agree == (turns_[face] == Turn::kept) ? Turn::kept : Turn::reversed;
-                Turn& turn = turns_[twin / 4];
+                const bool stays = agree_(side, twin) == (turns_[face] == Turn::kept);
+                const Turn wanted = stays ? Turn::kept : Turn::reversed;
+                Turn& turn = turns_[twin / sides_];
                 if (turn == Turn::unknown) {
                     turn = wanted;
-                    component_.push_back(twin / 4);
+                    component_.push_back(twin / sides_);
                 } else if (turn != wanted) {
-                    return twin / 4;
+                    return twin / sides_;
                 }
             }
         }
         return std::nullopt;
     }
 
-    const Soup& soup_;
+    std::size_t sides_;
     const std::vector<Side>& twins_;
+    const std::function<bool(Side, Side)>& agree_;
     std::vector<Turn> turns_;
     std::vector<std::size_t> component_;
 };
 
 } // namespace
 
-Orientation findOrientation(const Soup& soup, const std::vector<Side>& twins) {
-    return Spreading(soup, twins).run();
+Orientation findOrientation(std::size_t sides, const std::vector<Side>& twins,
+                            const std::function<bool(Side, Side)>& agree) {
+    return Spreading(sides, twins, agree).run();
 }
 
 } // namespace qm

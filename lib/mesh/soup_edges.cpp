@@ -48,4 +48,9 @@ std::vector<Side> twinSides(const Soup& soup, const SoupEdges& edges) {
     return twins;
 }
 
+Orientation findOrientation(const Soup& soup, const std::vector<Side>& twins) {
+    return findOrientation(
+        4, twins, [&](Side side, Side twin) { return sideFrom(soup, side) != sideFrom(soup, twin); });
+}
+
 } // namespace qm

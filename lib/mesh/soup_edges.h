@@ -1,16 +1,13 @@
 /// \file Finding the sides of a soup's quads that lie on the same edge.
 #pragma once
 
+#include "mesh/orientation.h"
 #include "mesh/soup.h"
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
 namespace qm {
-
-/// Side 4 * f + k of quad f leads from its corner k to the next. The number of sides stands for "none".
-using Side = std::uint32_t;
 
 /// Sides in groups: each group holds all sides between the same two vertices.
 struct SoupEdges {
@@ -30,6 +27,10 @@ struct SoupEdges {
 /// For every side, the other one on its edge; none on the boundary, and if more than two sides share the
 /// edge.
 [[nodiscard]] std::vector<Side> twinSides(const Soup& soup, const SoupEdges& edges);
+
+/// Two quads are neighbours if they are the only ones at an edge.
+/// \param twins  the result of `twinSides`
+[[nodiscard]] Orientation findOrientation(const Soup& soup, const std::vector<Side>& twins);
 
 [[nodiscard]] inline std::int64_t sideFrom(const Soup& soup, Side side) {
     return soup.corners[side];

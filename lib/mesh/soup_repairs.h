@@ -1,12 +1,11 @@
-/// \file The single steps of repairing a soup of quads; each is implemented in a file of its own: fans,
-/// orientation, weld, soup_edit.
+/// \file The single steps of repairing a soup of quads; each is implemented in a file of its own: fans, weld,
+/// soup_edit.
 #pragma once
 
 #include "mesh/soup_edges.h"
 
 #include <cstddef>
 #include <functional>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,20 +21,6 @@ std::size_t keepFaces(Soup& soup, const std::vector<bool>& kept);
 /// Removes the replaced vertices; all others keep their order.
 /// \return the number of vertices removed
 std::size_t mergePoints(Soup& soup, const std::vector<std::size_t>& target);
-
-// ---- orientation.cpp
-
-struct Orientation {
-    /// For every quad, whether it must be reversed so that neighbours agree: the minority in each component,
-    /// or, in a tie, the quads that disagree with the component's first.
-    std::vector<bool> reversed;
-    /// The first quad that cannot agree with all its neighbours, if the surface is one-sided.
-    std::optional<std::size_t> contradiction;
-};
-
-/// Two quads are neighbours if they are the only ones at an edge.
-/// \param twins  the result of `twinSides`
-[[nodiscard]] Orientation findOrientation(const Soup& soup, const std::vector<Side>& twins);
 
 // ---- fans.cpp
 

@@ -1,16 +1,31 @@
-/// \file Checking that a surface of triangles is a manifold, and counting its boundary loops.
+/// \file The edges of a surface of triangles.
 #pragma once
 
+#include "mesh/orientation.h"
 #include "mesh/triangles.h"
 
+#include <compare>
 #include <cstddef>
+#include <functional>
+#include <span>
 
 namespace qm {
 
-/// Checks that at most two triangles meet at every edge, and that neighbours are oriented alike. Takes n log
-/// n time.
+/// A side of a triangle, with the lower of its two points first.
+struct TriangleSide {
+    int low = 0;
+    int high = 0;
+    bool ascends = false; ///< whether the triangle runs from the lower to the higher point
+    Side side = 0;        ///< 3 * f + k of triangle f
+    // NOLINTNEXTLINE(modernize-use-nullptr): the compiler generates this 0
+    auto operator<=>(const TriangleSide&) const = default;
+};
+
+/// Calls `visit` once for every edge, with all sides there. Takes n log n time.
+void forEachEdge(const Triangles& triangles, const std::function<void(std::span<const TriangleSide>)>& visit);
+
+/// \param triangles  at most two at every edge
 /// \return the number of boundary loops; loops that touch count as one
-/// \throw Error  with the first faulty edge and the number of such edges
-std::size_t validateTriangleEdges(const Triangles& triangles);
+[[nodiscard]] std::size_t boundaryLoopCount(const Triangles& triangles);
 
 } // namespace qm

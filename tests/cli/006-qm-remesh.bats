@@ -84,14 +84,34 @@ blender_or_skip() { command -v blender >/dev/null || skip 'there is no Blender';
     assert_line --regexp '^shape +2 open loops'
 }
 
-@test "scans that are no manifold are refused with the place" {
+@test "scans that are no manifold are repaired first, and what was done is told" {
+    mkdir folder
+    qm-shape cube --resolution 1 -o cube.obj
+    printf '#!/bin/bash\ncp "${@: -6:1}" %q\ncp %q "${@: -5:1}"\n' "$PWD/told.obj" "$PWD/cube.obj" >folder/blender
+    chmod +x folder/blender
+    export PATH=$PWD/folder:$PATH
     qm-shape block --scan 500 -o scan.obj
+    quietly qm-remesh scan.obj -o part.obj
+    cp told.obj sound.obj
     awk '{ print } /^f / && ++n == 1 { print }' scan.obj >twice.obj
-    complains qm-remesh twice.obj
-    assert_regex "$stderr" 'at \(.*\): 3 triangles meet at an edge, and more than two at 3 in all'
-    awk '/^f / && ++n == 7 { print "f", $3, $2, $4; next } { print }' scan.obj >turned.obj
-    complains qm-remesh turned.obj
-    assert_regex "$stderr" 'two neighbours are oriented inconsistently, as at 3 edges in all'
+    run -0 --separate-stderr qm-remesh twice.obj -o part.obj
+    assert_equal "$stderr" 'qm-remesh: twice.obj: 1 doubled triangles removed'
+    assert_same_bytes told.obj sound.obj
+    awk '/^f / && ++n == 7 { print "f", $2, $4, $3; next } { print }' scan.obj >turned.obj
+    run -0 --separate-stderr qm-remesh turned.obj -o part.obj
+    assert_equal "$stderr" 'qm-remesh: turned.obj: 1 triangles turned over'
+    assert_same_bytes told.obj sound.obj
+    # A fourth and a third side at an edge: a fin.
+    awk '/^v / { ++n } /^f / && !done++ { print "v 9 9 9"; print "f", $3, $2, n + 1 } { print }' scan.obj >fin.obj
+    run -0 --separate-stderr qm-remesh fin.obj -o part.obj
+    assert_regex "$stderr" '1 edges of more than two triangles taken apart, 2 points where the surface touched itself split'
+}
+
+@test "a scan that has one side only is refused with the place" {
+    printf 'v %s\n' '0 0 0' '0 1 0' '1 0 0' '1 1 0' '2 0 1' '2 1 1' >strip.obj
+    printf 'f %s\n' '1 2 3' '2 4 3' '3 4 5' '4 6 5' '5 6 2' '6 1 2' >>strip.obj
+    complains qm-remesh strip.obj
+    assert_regex "$stderr" 'at \(.*\): a triangle cannot be oriented as all its neighbours are'
 }
 
 @test "without Blender it says what to install" {

@@ -348,16 +348,16 @@ TEST(KnotPlan, HasIntervalsOfALengthAtLeast) {
     KnotPlan plan(layout, network, lengths);
     EXPECT_NEAR(plan.minInterval(0, 0), 6, 1e-12);
     EXPECT_NEAR(plan.minInterval(0, 1), 0.3, 1e-12);
-    EXPECT_TRUE(plan.allow(MinInterval::Eighth));
+    EXPECT_TRUE(plan.allow(MinInterval::eighth));
     EXPECT_NEAR(plan.minInterval(0, 0), 3, 1e-12);
     EXPECT_NEAR(plan.minInterval(0, 1), 0.15, 1e-12);
-    EXPECT_FALSE(plan.allow(MinInterval::Eighth)) << "again";
-    EXPECT_TRUE(plan.allow(MinInterval::ThirtySecond));
+    EXPECT_FALSE(plan.allow(MinInterval::eighth)) << "again";
+    EXPECT_TRUE(plan.allow(MinInterval::thirtySecond));
     EXPECT_NEAR(plan.minInterval(0, 1), 0.15, 1e-12) << "as short as the length, not shorter";
-    EXPECT_FALSE(plan.allow(MinInterval::Quarter)) << "longer";
+    EXPECT_FALSE(plan.allow(MinInterval::quarter)) << "longer";
     KnotPlan unlimited(layout, network);
     EXPECT_EQ(unlimited.minInterval(0, 0), 0.25);
-    EXPECT_TRUE(unlimited.allow(MinInterval::ThirtySecond));
+    EXPECT_TRUE(unlimited.allow(MinInterval::thirtySecond));
     EXPECT_EQ(unlimited.minInterval(0, 0), 0.03125);
 }
 

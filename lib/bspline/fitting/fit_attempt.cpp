@@ -145,9 +145,9 @@ private:
     /// spikes.
     /// \return false if all has been done
     bool tryHarder() {
-        if (state_.isFolded()) return state_.stopSliding() || state_.allow(MinInterval::Eighth);
-        return state_.allow(MinInterval::Eighth) || state_.stopSliding() ||
-               state_.allow(MinInterval::ThirtySecond);
+        if (state_.isFolded()) return state_.stopSliding() || state_.allow(MinInterval::eighth);
+        return state_.allow(MinInterval::eighth) || state_.stopSliding() ||
+               state_.allow(MinInterval::thirtySecond);
     }
 
     /// Once the tolerance is kept, it is to be kept with plane patches in their planes: what these push away

@@ -94,9 +94,12 @@ KnotPlan::KnotPlan(const Layout& layout, const SmoothNetwork& network, IntervalL
 double KnotPlan::minInterval(std::size_t patch, std::size_t direction) const {
     const double shortest = shortest_[patch][direction];
     switch (minInterval_) {
-    case MinInterval::Quarter: return std::max(0.25, 2 * shortest);
-    case MinInterval::Eighth: return std::max(0.125, shortest);
-    case MinInterval::ThirtySecond: break;
+    case MinInterval::quarter:
+        return std::max(0.25, 2 * shortest);
+    case MinInterval::eighth:
+        return std::max(0.125, shortest);
+    case MinInterval::thirtySecond:
+        break;
     }
     return std::max(0.03125, shortest);
 }

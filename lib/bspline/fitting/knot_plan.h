@@ -23,7 +23,7 @@ using IntervalLengths = std::vector<std::array<double, 2>>;
 
 /// How short intervals may become, as a part of a mesh edge. The reference is smooth between its vertices, so
 /// short ones are seldom needed: where the mesh is coarse, and few vertices make strong bends.
-enum class MinInterval { Quarter, Eighth, ThirtySecond };
+enum class MinInterval { quarter, eighth, thirtySecond };
 
 /// Begins with only those inner knots that smoothness requires, and with tangent ratios that reach from end
 /// to end.
@@ -70,7 +70,7 @@ private:
     std::vector<SmoothRun> runs_;
     KnotLists chosen_;
     IntervalLengths shortest_;
-    MinInterval minInterval_ = MinInterval::Quarter;
+    MinInterval minInterval_ = MinInterval::quarter;
     KnotLists turns_; ///< where smooth borders turn into creases
 };
 
