@@ -10,6 +10,7 @@
 #include "mesh/read_mesh.h"
 #include "mesh/triangle_edges.h"
 #include "mesh/write_soup.h"
+#include "remesh/close_holes.h"
 #include "remesh/draw_to_scan.h"
 
 #include <algorithm>
@@ -20,11 +21,7 @@
 namespace qm {
 namespace {
 
-/// Each makes about one of four closed scans of those closed that were not at first. Open ones seldom change.
-struct MaxAttempts {
-    static constexpr int ofOpen = 3;
-    static constexpr int ofClosed = 8;
-};
+constexpr int maxAttempts = 3;
 
 /// Moves the centre of a box to the origin, and scales the box to a length at which Blender, which takes no
 /// mesh with an edge shorter than 1e-4, takes every edge that single precision tells from none.
@@ -96,7 +93,6 @@ std::size_t difference(const Remeshed& remeshed) {
 
 Remeshed remeshWithBlender(const Triangles& scan, const RemeshOptions& options, unsigned jobs) {
     const std::size_t scanLoops = boundaryLoopCount(scan);
-    const int maxAttempts = scanLoops > 0 ? MaxAttempts::ofOpen : MaxAttempts::ofClosed;
     const HeldSignals signals;
     const TemporaryFolder folder("qm-remesh");
     const WorkingBox box(scan.points);
@@ -120,6 +116,10 @@ Remeshed remeshWithBlender(const Triangles& scan, const RemeshOptions& options, 
     if (!best)
         throw Error("", "QuadriFlow makes no quad mesh of it: " + problem,
                     "Try another number of quads, or mend the scan");
+    if (scanLoops == 0 && best->loops > 0) {
+        best->mesh = closeHoles(std::move(best->mesh));
+        best->loops = boundaryLoops(best->mesh).size();
+    }
     if (options.draw && !HeldSignals::oneWaits()) best->mesh = drawToScan(std::move(best->mesh), scan, jobs);
     return std::move(*best);
 }

@@ -23,8 +23,8 @@ struct Remeshed {
 };
 
 /// Blender works on the scan moved to the origin, because it computes in single precision, and scaled. If the
-/// result is no quad mesh, or has other boundary loops than the scan, the next seeds are tried, up to a
-/// limit, and the first of the best results is returned.
+/// result is no quad mesh, or has other boundary loops than the scan, the next seeds are tried, three in
+/// total. The first of the best results is returned; if the scan is closed, with its small holes closed.
 /// \param scan  a manifold (see `repairTriangles`)
 /// \throw Error  if Blender is not installed, or no result is a quad mesh
 [[nodiscard]] Remeshed remeshWithBlender(const Triangles& scan, const RemeshOptions& options, unsigned jobs);
