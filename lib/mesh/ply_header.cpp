@@ -93,8 +93,10 @@ private:
             if (name == "y") return PlyRole::y;
             if (name == "z") return PlyRole::z;
         }
-        if (element == "face" && property.countType && (name == "vertex_indices" || name == "vertex_index"))
-            return PlyRole::corners;
+        if (property.countType && (name == "vertex_indices" || name == "vertex_index")) {
+            if (element == "face") return PlyRole::corners;
+            if (element == "tristrips") return PlyRole::strips;
+        }
         return PlyRole::other;
     }
 
@@ -106,6 +108,8 @@ private:
                     requireOne(element, role, "the vertices do not have one x, y and z each");
             if (element.name == "face")
                 requireOne(element, PlyRole::corners, "the faces do not have one list vertex_indices each");
+            if (element.name == "tristrips")
+                requireOne(element, PlyRole::strips, "the strips do not have one list vertex_indices each");
         }
     }
 

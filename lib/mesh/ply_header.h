@@ -15,7 +15,7 @@ enum class PlyFormat { ascii, littleEndian, bigEndian };
 enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 
 /// The meaning of a property for a mesh.
-enum class PlyRole { other, x, y, z, corners };
+enum class PlyRole { other, x, y, z, corners, strips };
 
 struct PlyProperty {
     PlyRole role = PlyRole::other;
@@ -34,7 +34,8 @@ struct PlyHeader {
     std::vector<PlyElement> elements; ///< in the order in which they are stored
 };
 
-/// Reads a header, in which vertices must have coordinates and faces must have corners.
+/// Reads a header, in which vertices must have coordinates, and faces and strips of triangles must have
+/// corners.
 /// \param lines  at the beginning of the file; afterwards at the beginning of the body
 /// \throw Error  with the number of the line
 [[nodiscard]] PlyHeader readPlyHeader(TextLines& lines);

@@ -146,7 +146,26 @@ private:
         for (auto left = static_cast<std::size_t>(count); left > 0; --left) {
             const double value = next(element, k, property.type);
             if (property.role == PlyRole::corners) soup_.corners.push_back(indexOf(value, element, k));
+            if (property.role == PlyRole::strips) addToStrip(indexOf(value, element, k));
         }
+        strip_ = {};
+    }
+
+    /// Every corner of a strip makes a triangle with the two before it; every second one is turned.
+    void addToStrip(std::int64_t corner) {
+        constexpr std::int64_t endOfStrip = -1;
+        if (corner == endOfStrip) {
+            strip_ = {};
+            return;
+        }
+        if (strip_.length >= 2) {
+            const auto [first, second] = strip_.last;
+            const bool isTurned = strip_.length % 2 == 1;
+            soup_.corners.insert(soup_.corners.end(),
+                                 {isTurned ? second : first, isTurned ? first : second, corner});
+            soup_.endFace(values_->line());
+        }
+        strip_ = {{strip_.last[1], corner}, strip_.length + 1};
     }
 
     double next(const PlyElement& element, std::size_t k, PlyType type) {
@@ -175,6 +194,11 @@ private:
     PlyHeader header_;
     std::unique_ptr<Values> values_;
     Soup soup_;
+    struct Strip {
+        std::array<std::int64_t, 2> last{};
+        std::size_t length = 0; ///< in corners
+    };
+    Strip strip_; ///< as far as it is read
 };
 
 } // namespace

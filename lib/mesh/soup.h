@@ -50,7 +50,8 @@ struct Soup {
 /// \throw Error  with the line, if the text is no ASCII OFF, or does not have the size that its header says
 [[nodiscard]] Soup readOff(std::string_view text);
 
-/// Reads PLY, ASCII or binary in either byte order; everything except coordinates and corners is ignored.
+/// Reads PLY, ASCII or binary in either byte order: vertices, faces and strips of triangles; everything
+/// except their coordinates and corners is ignored.
 /// \throw Error  if the bytes are no PLY, or do not have the size that their header says
 [[nodiscard]] Soup readPly(std::string_view bytes);
 

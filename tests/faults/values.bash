@@ -22,6 +22,7 @@ texts() {
     *' --output') ;;         # has values of its own
     *' --reference') echo scan.stl ;; # of samples only
     'qm-features --min-length') printf '%s\n' 0 10% ;;
+    'qm-export --analytic-tolerance') printf '%s\n' 0 0.5% ;;
     'qm-features --min-distance') printf '%s\n' 0.01 5% ;;
     'qm-features --min-angle') printf '%s\n' 0.2 40deg ;;
     'qm-enum --cost') printf '%s\n' segments '2*length+dihedral' ;;

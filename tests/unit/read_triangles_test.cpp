@@ -47,6 +47,19 @@ void expectSquare(const std::string& bytes, const std::string& name) {
     EXPECT_EQ(triangles.faces, square().faces);
 }
 
+TEST(ReadTriangles, StripsOfAPlyTurnEverySecondTriangle) {
+    const std::string header = "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\n"
+                               "property float z\nelement tristrips 1\n";
+    const std::string list = "property list int int vertex_indices\n";
+    const std::string body = "end_header\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n2 1 0\n8 0 1 2 3 -1 3 1 4\n";
+    const Triangles triangles = readTriangles(header + list + body, "a.ply");
+    const std::vector<std::array<int, 3>> expected{{0, 1, 2}, {2, 1, 3}, {3, 1, 4}};
+    EXPECT_EQ(triangles.faces, expected);
+    EXPECT_EQ(triangles.points.size(), 5U);
+    expectRefused(header + body, "a.ply", "the strips do not have one list vertex_indices each");
+    expectRefused(header + list + body.substr(0, body.size() - 3), "a.ply", "the file ends there");
+}
+
 TEST(ReadTriangles, TextStlInSmallAndCapitalLettersIsWeldedIntoOneSurface) {
     expectSquare(textStl(), "a.stl");
     expectSquare(textStl(), "no-ending");
