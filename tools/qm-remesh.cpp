@@ -4,14 +4,7 @@
 #include "cli/tool.h"
 #include "mesh/read_triangles.h"
 #include "mesh/write_soup.h"
-
-namespace {
-
-std::string loopsText(std::size_t count) {
-    return std::to_string(count) + " boundary loop" + (count == 1 ? "" : "s");
-}
-
-} // namespace
+#include "summary/figure_text.h"
 
 int main(int argc, char** argv) {
     qm::RemeshOptions options;
@@ -42,9 +35,9 @@ int main(int argc, char** argv) {
                 const qm::Remeshed remeshed =
                     qm::remeshWithBlender(scan, options, tool.control("drawing").jobs);
                 if (remeshed.loops != remeshed.scanLoops)
-                    tool.warn(tool.inputName() + ": the quad mesh has " + loopsText(remeshed.loops) +
-                              ", the scan has " + std::to_string(remeshed.scanLoops) +
-                              ". Another number of quads may help");
+                    tool.warn(tool.inputName() + ": the quad mesh has " +
+                              qm::countText(remeshed.loops, "boundary loop") + ", the scan has " +
+                              std::to_string(remeshed.scanLoops) + ". Another number of quads may help");
                 if (remeshed.seed != options.seed)
                     tool.note("made with --seed " + std::to_string(remeshed.seed));
                 tool.count("quads", static_cast<double>(remeshed.mesh.n_faces()));

@@ -12,7 +12,6 @@
 #include <array>
 #include <optional>
 #include <span>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -37,31 +36,24 @@ private:
     /// Drops all but one of each group, and marks those that are left where the two orientations are
     /// balanced.
     void findGroups() {
-        struct Entry {
-            std::array<int, 3> points; // ascending
-            std::size_t face = 0;
-            bool operator<(const Entry& other) const {
-                return std::tie(points, face) < std::tie(other.points, other.face);
-            }
-        };
-        std::vector<Entry> entries;
+        std::vector<std::pair<std::array<int, 3>, std::size_t>> entries; // points, ascending, and triangle
         for (const auto& face : triangles_.faces) {
-            entries.push_back({face, entries.size()});
-            std::ranges::sort(entries.back().points);
+            entries.emplace_back(face, entries.size());
+            std::ranges::sort(entries.back().first);
         }
-        std::ranges::sort(entries, std::less<>{});
+        std::ranges::sort(entries);
         for (auto begin = entries.begin(); begin != entries.end();) {
             const auto end = std::find_if(begin, entries.end(),
-                                          [&](const Entry& entry) { return entry.points != begin->points; });
+                                          [&](const auto& entry) { return entry.first != begin->first; });
             const auto ascending =
-                std::count_if(begin, end, [&](const Entry& entry) { return ascends(entry.face); });
+                std::count_if(begin, end, [&](const auto& entry) { return ascends(entry.second); });
             const auto descending = (end - begin) - ascending;
-            const auto stays = std::find_if(begin, end, [&](const Entry& entry) {
-                return ascends(entry.face) == (ascending >= descending);
+            const auto stays = std::find_if(begin, end, [&](const auto& entry) {
+                return ascends(entry.second) == (ascending >= descending);
             });
             for (auto entry = begin; entry != end; ++entry)
-                kept_[entry->face] = entry == stays;
-            isFlap_[stays->face] = ascending == descending;
+                kept_[entry->second] = entry == stays;
+            isFlap_[stays->second] = ascending == descending;
             begin = end;
         }
     }

@@ -133,6 +133,7 @@ private:
     /// Halves the quads of a row, and the sides by which it enters and leaves them, which makes quads of the
     /// triangles at its ends.
     void divide(const std::vector<HalfedgeId>& row) {
+        // Known before any side is halved: what is opposite changes then.
         struct Pass {
             FaceId face;
             int sides = 0; ///< from where the row enters it to where it leaves it

@@ -4,6 +4,15 @@ load helpers.bash
 
 blender_or_skip() { command -v blender >/dev/null || skip 'there is no Blender'; }
 
+# fake_blender COMMAND: in Blender's place, a script that runs the command and gives back a cube.
+fake_blender() {
+    mkdir folder
+    qm-shape cube --resolution 1 -o cube.obj
+    printf '#!/bin/bash\n%s\ncp %q "${@: -5:1}"\n' "$1" "$PWD/cube.obj" >folder/blender
+    chmod +x folder/blender
+    export PATH=$PWD/folder:$PATH
+}
+
 @test "a scan becomes a mesh of about so many quads" {
     blender_or_skip
     qm-shape bracket --scan 6000 -o scan.stl
@@ -49,12 +58,7 @@ blender_or_skip() { command -v blender >/dev/null || skip 'there is no Blender';
 }
 
 @test "what is asked for reaches QuadriFlow" {
-    # In its place: takes down what it is told, and gives back a cube.
-    mkdir folder
-    qm-shape cube --resolution 1 -o cube.obj
-    printf '#!/bin/bash\nprintf "%%s " "${@: -4}" >>%q\ncp %q "${@: -5:1}"\n' "$PWD/told" "$PWD/cube.obj" >folder/blender
-    chmod +x folder/blender
-    export PATH=$PWD/folder:$PATH
+    fake_blender "printf '%s ' \"\${@: -4}\" >>${PWD@Q}/told"
     qm-shape block --scan 500 -o scan.stl
     qm-shape plate --scan 500 -o open.stl
     quietly qm-remesh scan.stl -o part.obj
@@ -85,11 +89,7 @@ blender_or_skip() { command -v blender >/dev/null || skip 'there is no Blender';
 }
 
 @test "scans that are no manifold are repaired first, and what was done is told" {
-    mkdir folder
-    qm-shape cube --resolution 1 -o cube.obj
-    printf '#!/bin/bash\ncp "${@: -6:1}" %q\ncp %q "${@: -5:1}"\n' "$PWD/told.obj" "$PWD/cube.obj" >folder/blender
-    chmod +x folder/blender
-    export PATH=$PWD/folder:$PATH
+    fake_blender "cp \"\${@: -6:1}\" ${PWD@Q}/told.obj"
     qm-shape block --scan 500 -o scan.obj
     quietly qm-remesh scan.obj -o part.obj
     cp told.obj sound.obj

@@ -1,4 +1,5 @@
 #include "base/at.h"
+#include "base/disjoint_sets.h"
 #include "base/error.h"
 #include "mesh/repair_triangles.h"
 #include "mesh/triangle_edges.h"
@@ -6,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <functional>
 #include <map>
 #include <set>
 
@@ -72,20 +72,15 @@ void expectClosed(const Triangles& surface) {
 }
 
 std::size_t componentCount(const Triangles& surface) {
-    std::vector<std::size_t> root(surface.points.size());
-    for (std::size_t k = 0; k < root.size(); ++k)
-        root[k] = k;
-    const std::function<std::size_t(std::size_t)> find = [&](std::size_t k) {
-        return root[k] == k ? k : find(root[k]);
-    };
-    std::set<std::size_t> roots;
+    DisjointSets sets(surface.points.size());
     for (const auto& [a, b, c] : surface.faces) {
-        root[find(at(b))] = find(at(a));
-        root[find(at(c))] = find(at(a));
+        sets.join(at(a), at(b));
+        sets.join(at(b), at(c));
     }
+    std::set<std::size_t> components;
     for (const auto& face : surface.faces)
-        roots.insert(find(at(face[0])));
-    return roots.size();
+        components.insert(sets.find(at(face[0])));
+    return components.size();
 }
 
 TEST(RepairTriangles, LeavesAManifoldAlone) {

@@ -22,7 +22,8 @@ using IntervalLengths = std::vector<std::array<double, 2>>;
 [[nodiscard]] IntervalLengths partsOfEdges(const std::vector<ReferenceGrid>& grids, double length);
 
 /// How short intervals may become, as a part of a mesh edge. The reference is smooth between its vertices, so
-/// short ones are seldom needed: where the mesh is coarse, and few vertices make strong bends.
+/// short ones are seldom needed: where the mesh is coarse, and few vertices make strong bends. With
+/// `quarter`, the length that a plan is given as the shortest counts twice.
 enum class MinInterval { quarter, eighth, thirtySecond };
 
 /// Begins with only those inner knots that smoothness requires, and with tangent ratios that reach from end
@@ -30,7 +31,7 @@ enum class MinInterval { quarter, eighth, thirtySecond };
 class KnotPlan {
 public:
     /// \param network   must outlive the plan
-    /// \param shortest  no interval is divided that is this short; if it is empty, short parts of edges are
+    /// \param shortest  intervals are no shorter, whatever `MinInterval` allows; empty if there is no such limit
     KnotPlan(const Layout& layout, const SmoothNetwork& network, IntervalLengths shortest = {});
 
     [[nodiscard]] const std::vector<Stretch>& stretches() const { return *stretches_; }
