@@ -368,8 +368,24 @@ TEST(LimitSurface, StartsFromTheVerticesWhereNoControlMeshInterpolates) {
     const ControlMesh control = interpolatingControlMesh(mesh, rules);
     EXPECT_EQ(std::ranges::count(control.interpolates, true), 0);
     EXPECT_EQ(control.points[0], mesh.point(VertexId(0)));
-    const auto grids = limitSurface(mesh, segmentPerQuad(mesh), noCreases(mesh), 4, 1);
+    const Layout layout = segmentPerQuad(mesh);
+    const auto grids = limitSurface(mesh, layout, noCreases(mesh), 4, 1);
     EXPECT_LT(largestError(grids, [](const Point& p) { return p.norm(); }), 2);
+    Point inside(0, 0, 0);
+    for (const VertexId vertex : mesh.vertices())
+        inside += 1.0 / 8 * mesh.point(vertex);
+    // The limit of these control points is half as large as the cube, but is drawn through the vertices, and
+    // bulges in between.
+    for (std::size_t k = 0; k < grids.size(); ++k) {
+        for (std::size_t corner = 0; corner < 4; ++corner) {
+            const double u = corner == 1 || corner == 2 ? 1 : 0, v = corner >= 2 ? 1 : 0;
+            EXPECT_EQ(grids[k].evaluate(u, v).position, mesh.point(layout.segments[k].corners[corner]));
+        }
+        Point centre(0, 0, 0);
+        for (const VertexId corner : layout.segments[k].corners)
+            centre += 0.25 * mesh.point(corner);
+        EXPECT_GT((grids[k].evaluate(0.5, 0.5).position - inside).norm(), 0.9 * (centre - inside).norm());
+    }
 }
 
 TEST(LimitSurface, OneHopelessComponentSpoilsNoOther) {

@@ -16,8 +16,8 @@ struct ControlMesh {
 
 /// Solves for the control points by successive over-relaxation, in time linear in the mesh. For a connected
 /// component without a solution, or with one far from its vertices, the vertices serve as control points and
-/// the limit smooths them. A cube without creases is such a case: if all vertices have valence 3 the
-/// equations are singular.
+/// the limit smooths them. If all vertices have valence 3, as those of a cube without creases, the equations
+/// are singular, and only regular positions of the vertices have a solution.
 [[nodiscard]] ControlMesh interpolatingControlMesh(const QuadMesh& mesh,
                                                    const std::vector<VertexRule>& rules);
 

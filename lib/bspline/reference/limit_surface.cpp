@@ -1,11 +1,11 @@
 #include "bspline/reference/limit_surface.h"
 
-#include "base/at.h"
 #include "base/parallel.h"
 #include "bspline/reference/control_mesh.h"
 #include "bspline/reference/even_speeds.h"
 #include "bspline/reference/least_bending.h"
 #include "bspline/reference/mesh_lattice.h"
+#include "bspline/reference/through_vertices.h"
 #include "bspline/reference/unfolded_lattice.h"
 
 #include <cstddef>
@@ -20,8 +20,7 @@ MeshLattice limitLattice(const QuadMesh& mesh, const std::vector<VertexRule>& ru
     while (lattice.squares() < steps)
         lattice = lattice.subdivided(rules, sharp, jobs);
     lattice = lattice.limit(rules, sharp, jobs);
-    for (const VertexId vertex : mesh.vertices())
-        if (control.interpolates[at(vertex)]) lattice.move(vertex, mesh.point(vertex));
+    drawThroughVertices(lattice, control.interpolates, jobs);
     unfold(lattice, rules, sharp, jobs);
     evenSpeeds(lattice, rules, jobs);
     bendLeast(lattice, rules, jobs);

@@ -11,10 +11,10 @@
 namespace qm {
 
 /// The limit of Catmull-Clark subdivision that interpolates the mesh's vertices, with creases at given edges,
-/// and corners where the rules have them. Its tangent planes at smooth vertices
-/// are tilted so that it waves less (see `bendLeast`). Segments have bitwise equal lattice points on their
-/// common borders. Lattice points at vertices equal the vertices, except in components without an
-/// interpolating limit (see `interpolatingControlMesh`). The surface does not fold over sound quads (see
+/// and corners where the rules have them; components without such a limit are drawn through their vertices
+/// (see `interpolatingControlMesh`, `drawThroughVertices`). Its tangent planes at smooth vertices are tilted
+/// so that it waves less (see `bendLeast`). Segments have bitwise equal lattice points on their common
+/// borders. Lattice points at vertices equal the vertices. The surface does not fold over sound quads (see
 /// `unfold`). Linear in the mesh.
 /// \param rules  by vertex, see `vertexRules`
 /// \param sharp  by edge: creases, and the mesh boundary
