@@ -4,6 +4,7 @@
 #include "cli/scan_input.h"
 #include "cli/surface_warnings.h"
 #include "document/surfaces_section.h"
+#include "mesh/bounding_box.h"
 
 #include <algorithm>
 #include <utility>
@@ -97,6 +98,8 @@ int fitAndWrite(const Tool& tool, Stage& stage, const FitOptions& options, const
     stage.write(options, std::move(section));
     warnOfGaps(tool, surfaces);
     warnOfFolds(tool, surfaces);
+    if (options.fit == Fit::smooth)
+        warnOfBridges(tool, surfaces, allowedDistance(surfaces, options, boundingBox(first.mesh).diagonal()));
     const std::string missed = missedTolerance(surfaces, options);
     if (missed.empty()) return exitDone;
     tool.warn(missed);

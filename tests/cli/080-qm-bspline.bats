@@ -109,6 +109,25 @@ is() { assert_equal "$(field "$1" out.json)" true; }
     is '.surfaces.deviation.largestGap <= 1e-7'
 }
 
+@test "vertices that are left because their quads are folded are told" {
+    # A plate one vertex of which lies beyond its neighbours.
+    {
+        for j in {0..8}; do for i in {0..8}; do
+            if ((i == 4 && j == 4)); then echo "v 5.6 4.3 0.8"; else echo "v $i $j 0"; fi
+        done; done
+        for j in {0..7}; do for i in {0..7}; do
+            echo "f $((9 * j + i + 1)) $((9 * j + i + 2)) $((9 * j + i + 11)) $((9 * j + i + 10))"
+        done; done
+    } >plate.obj
+    quietly qm-basecomplex -q plate.obj -o plate.json
+    quietly qm-enum plate.json -o plate.enum.json
+    quietly qm-merge plate.enum.json -o plate.layout.json
+    run -0 --separate-stderr qm-bspline plate.layout.json -o out.json
+    assert_equal "$stderr" "qm-bspline: folded quads are bridged: a vertex is 0.8 away from the surfaces, in patch 0. If they should pass through it, unfold the quads there"
+    run -0 --separate-stderr qm-bspline --fit interpolate plate.layout.json -o out.json
+    refute_regex "$stderr" bridged
+}
+
 @test "patches that may fold are told, with how often and where" {
     run -0 --separate-stderr qm-bspline --tolerance 0.5% "$(stage pruned bracket)" -o out.json
     folds=$(field .surfaces.deviation.folds out.json)

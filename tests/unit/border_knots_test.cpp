@@ -20,51 +20,50 @@ constexpr int columns = 12;
 class BorderKnots : public testing::Test {
 protected:
     explicit BorderKnots(double height = 0.2)
-        : sheet_{columns, 2,
-                 [height](double i, double j) { return Point(i, j, height * std::sin(1.5 * i)); }},
-          mesh_(test::makeMesh(sheet_)),
-          layout_(test::makeLayout(sheet_, {{0, 0, columns, 1, 0}, {0, 1, columns, 2, 2}})),
-          network_(buildNetwork(mesh_, layout_, dihedralAngles(mesh_), 3)), plan_(layout_, network_) {
+        : sheet{columns, 2, [height](double i, double j) { return Point(i, j, height * std::sin(1.5 * i)); }},
+          mesh(test::makeMesh(sheet)),
+          layout(test::makeLayout(sheet, {{0, 0, columns, 1, 0}, {0, 1, columns, 2, 2}})),
+          network(buildNetwork(mesh, layout, dihedralAngles(mesh), 3)), plan(layout, network) {
         for (const bool isTurned : {false, true}) {
-            ReferenceGrid& grid = grids_.emplace_back();
+            ReferenceGrid& grid = grids.emplace_back();
             grid.size = {columns, 1};
             grid.steps = 4;
             for (int v = 0; v <= 4; ++v)
                 for (int u = 0; u <= 4 * columns; ++u)
-                    grid.points.push_back(isTurned ? sheet_.place(columns - u / 4.0, 2 - v / 4.0)
-                                                   : sheet_.place(u / 4.0, v / 4.0));
+                    grid.points.push_back(isTurned ? sheet.place(columns - u / 4.0, 2 - v / 4.0)
+                                                   : sheet.place(u / 4.0, v / 4.0));
         }
-        for (const ReferenceGrid& grid : grids_) {
+        for (const ReferenceGrid& grid : grids) {
             LatticeSource source;
             source.grid = &grid;
             source.isSound.assign(columns, true);
             for (std::size_t side = 0; side < 4; ++side)
                 source.isCrease[side].assign(side % 2 == 0 ? columns : 1, false);
-            lattices_.push_back(
+            lattices.push_back(
                 makeLattice(source, {latticeParameters(columns, 4, {}), latticeParameters(1, 4, {})}));
-            limits_.emplace_back(grid);
+            limits.emplace_back(grid);
         }
     }
 
-    void insert(double tolerance) { insertBorderKnots(layout_, lattices_, limits_, tolerance, plan_); }
+    void insert(double tolerance) { insertBorderKnots(layout, lattices, limits, tolerance, plan); }
 
     /// The knots of a patch along the border, as places i of the sheet, ascending.
     [[nodiscard]] std::vector<double> knots(std::size_t patch) const {
-        std::vector<double> places = plan_.chosen(patch, 0);
+        std::vector<double> places = plan.chosen(patch, 0);
         if (patch == 0) return places;
         for (double& place : places)
             place = columns - place;
         return {places.rbegin(), places.rend()};
     }
 
-    test::Grid sheet_;
-    QuadMesh mesh_;
-    Layout layout_;
-    SmoothNetwork network_;
-    KnotPlan plan_;
-    std::vector<ReferenceGrid> grids_;
-    std::vector<FitLattice> lattices_;
-    std::vector<NormalLimits> limits_;
+    test::Grid sheet;
+    QuadMesh mesh;
+    Layout layout;
+    SmoothNetwork network;
+    KnotPlan plan;
+    std::vector<ReferenceGrid> grids;
+    std::vector<FitLattice> lattices;
+    std::vector<NormalLimits> limits;
 };
 
 class FlatBorderKnots : public BorderKnots {
@@ -82,12 +81,12 @@ TEST_F(BorderKnots, AreTheSameOnBothSides) {
     insert(0.01);
     EXPECT_FALSE(knots(0).empty());
     EXPECT_EQ(knots(0), knots(1));
-    EXPECT_TRUE(plan_.chosen(0, 1).empty()) << "none across the border";
+    EXPECT_TRUE(plan.chosen(0, 1).empty()) << "none across the border";
 }
 
 TEST_F(BorderKnots, LieAsFarApartAsSingleCubicsReach) {
     insert(0.01);
-    LatticeLines lines(lattices_[0], limits_[0], 0, 0.01);
+    LatticeLines lines(lattices[0], limits[0], 0, 0.01);
     std::vector<double> ends = knots(0);
     ends.insert(ends.begin(), 0);
     ends.push_back(columns);
@@ -105,8 +104,8 @@ TEST_F(BorderKnots, PreferThoseOfOneSide) {
     insert(0.01);
     const double first = knots(0).back();
     ASSERT_LT(first, columns - 2);
-    plan_ = KnotPlan(layout_, network_);
-    plan_.insert(1, 0, columns - (first + 1));
+    plan = KnotPlan(layout, network);
+    plan.insert(1, 0, columns - (first + 1));
     insert(0.01);
     EXPECT_EQ(knots(0).back(), first + 1);
     EXPECT_EQ(knots(0), knots(1));
