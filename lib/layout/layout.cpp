@@ -54,7 +54,7 @@ private:
                                 std::to_string(mesh_.to_vertex_handle(halfedge).idx()),
                             "two tracks run over it, or it lies on the mesh boundary",
                             "Take one of them out");
-            borders_.add(mesh_.edge_handle(halfedge));
+            borders_.add(halfedge);
         }
         layout_.tracks.push_back({track, transversal});
         if (!transversal) layout_.cost += track.cost;
@@ -64,8 +64,7 @@ private:
     /// an annulus or a torus, and every line through it is straight.
     void requireBorderAtEveryExtraordinaryVertex() const {
         for (const VertexId vertex : extraordinaryVertices(mesh_))
-            if (std::ranges::none_of(mesh_.voh_range(vertex),
-                                     [this](HalfedgeId h) { return borders_.isBorder(h); }))
+            if (!borders_.hasBorder(vertex))
                 throw Error("vertex " + std::to_string(vertex.idx()),
                             "it is extraordinary and lies inside a segment",
                             "The tracks are no motorcycle graph: search again");

@@ -11,11 +11,6 @@ std::size_t BorderLoop::corners() const {
     return countIn(quads, 1);
 }
 
-Borders::Borders(const QuadMesh& mesh) : border_(mesh.n_edges(), false) {
-    for (const EdgeId edge : mesh.edges())
-        if (mesh.is_boundary(edge)) add(edge);
-}
-
 RegionFinder::RegionFinder(const QuadMesh& mesh, const Borders& borders)
     : mesh_(mesh), borders_(borders), seen_(mesh.n_faces(), false), walked_(mesh.n_halfedges(), false) {}
 

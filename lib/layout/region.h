@@ -1,7 +1,7 @@
 /// \file Regions: faces that tracks leave connected, and their borders (docs/METHOD.md#layout).
 #pragma once
 
-#include "base/at.h"
+#include "layout/borders.h"
 #include "mesh/quad_mesh.h"
 
 #include <vector>
@@ -23,18 +23,6 @@ struct BorderLoop {
 struct Region {
     std::vector<FaceId> faces; ///< ascending
     std::vector<BorderLoop> loops;
-};
-
-/// The edges that separate regions: tracks and the mesh boundary.
-class Borders {
-public:
-    explicit Borders(const QuadMesh& mesh);
-
-    void add(EdgeId edge) { border_[at(edge)] = true; }
-    [[nodiscard]] bool isBorder(HalfedgeId halfedge) const { return border_[at(halfedge.idx() / 2)]; }
-
-private:
-    std::vector<bool> border_;
 };
 
 /// Finds regions. Marks are kept from one search to the next, so that a search takes time linear in the faces

@@ -12,32 +12,16 @@
 namespace qm {
 
 Removal::Removal(const QuadMesh& mesh, const Layout& layout)
-    : mesh_(mesh), border_(mesh.n_edges(), false), segmentOf_(mesh.n_faces(), -1),
-      sets_(layout.segments.size()) {
-    for (const EdgeId edge : mesh.edges())
-        border_[at(edge)] = mesh.is_boundary(edge);
+    : mesh_(mesh), borders_(mesh), segmentOf_(mesh.n_faces(), -1), sets_(layout.segments.size()) {
     for (const LayoutTrack& track : layout.tracks)
-        if (!track.transversal) setBorder(track.track, true);
+        if (!track.transversal) borders_.add(track.track.halfedges);
     for (std::size_t s = 0; s < layout.segments.size(); ++s)
         for (const FaceId face : layout.segments[s].faces)
             segmentOf_[at(face)] = static_cast<int>(s);
 }
 
-bool Removal::isBorder(HalfedgeId halfedge) const {
-    return border_[at(mesh_.edge_handle(halfedge))];
-}
-
-void Removal::setBorder(const Track& track, bool border) {
-    for (const HalfedgeId halfedge : track.halfedges)
-        border_[at(mesh_.edge_handle(halfedge))] = border;
-}
-
 int Removal::find(int segment) {
     return static_cast<int>(sets_.find(at(segment)));
-}
-
-bool Removal::hasBorder(VertexId vertex) const {
-    return std::ranges::any_of(mesh_.voh_range(vertex), [this](HalfedgeId h) { return isBorder(h); });
 }
 
 Removal::Sector Removal::sectorAt(HalfedgeId leaving) const {
@@ -45,18 +29,18 @@ Removal::Sector Removal::sectorAt(HalfedgeId leaving) const {
     do {
         sector.left = mesh_.ccw_rotated_halfedge_handle(sector.left);
         ++sector.quads;
-    } while (!isBorder(sector.left) && sector.left != leaving);
+    } while (!borders_.isBorder(sector.left) && sector.left != leaving);
     do {
         sector.right = mesh_.cw_rotated_halfedge_handle(sector.right);
         ++sector.quads;
-    } while (!isBorder(sector.right) && sector.right != leaving);
+    } while (!borders_.isBorder(sector.right) && sector.right != leaving);
     return sector;
 }
 
 /// Whether a segment has a straight or convex border here, or an ordinary vertex inside.
 bool Removal::properAt(HalfedgeId leaving) const {
     const Sector sector = sectorAt(leaving);
-    return sector.quads <= 2 || (sector.quads == 8 && !isBorder(sector.left));
+    return sector.quads <= 2 || (sector.quads == 8 && !borders_.isBorder(sector.left));
 }
 
 bool Removal::properAlong(const Track& track) const {
@@ -69,13 +53,13 @@ Removal::Pairs Removal::joinedPairs(const Track& track) {
     const VertexId first = mesh_.from_vertex_handle(track.halfedges.front()),
                    last = mesh_.to_vertex_handle(track.halfedges.back());
     Pairs pairs;
-    bool newPiece = first != last || hasBorder(first); // otherwise the last piece continues here
+    bool newPiece = first != last || borders_.hasBorder(first); // otherwise the last piece continues here
     for (const HalfedgeId halfedge : track.halfedges) {
         if (newPiece)
             pairs.push_back(
                 {find(segmentOf_[at(mesh_.face_handle(halfedge))]),
                  find(segmentOf_[at(mesh_.face_handle(mesh_.opposite_halfedge_handle(halfedge)))])});
-        newPiece = hasBorder(mesh_.to_vertex_handle(halfedge));
+        newPiece = borders_.hasBorder(mesh_.to_vertex_handle(halfedge));
     }
     return pairs;
 }
@@ -89,9 +73,9 @@ bool Removal::joinsForest(const Track& track) {
 }
 
 bool Removal::keepsGrids(const Track& track) {
-    setBorder(track, false);
+    borders_.remove(track.halfedges);
     const bool keeps = properAlong(track) && joinsForest(track);
-    setBorder(track, true);
+    borders_.add(track.halfedges);
     return keeps;
 }
 
@@ -109,7 +93,9 @@ bool Removal::leavesRoom(const Track& track, const std::vector<double>& dihedral
                          double minCorner) const {
     const std::array ends{track.halfedges.front(), mesh_.opposite_halfedge_handle(track.halfedges.back())};
     const auto isRemoved = [&](HalfedgeId leaving) { return leaving == ends[0] || leaving == ends[1]; };
-    const auto isMissing = [&](HalfedgeId leaving) { return isRemoved(leaving) || !isBorder(leaving); };
+    const auto isMissing = [&](HalfedgeId leaving) {
+        return isRemoved(leaving) || !borders_.isBorder(leaving);
+    };
     const auto hasRoom = [&](const RoomSector& sector) {
         return std::ranges::none_of(sector.edges, isRemoved) ||
                countWhere(sector.edges, isMissing) <= sector.maxMissing;
@@ -122,7 +108,7 @@ bool Removal::leavesRoom(const Track& track, const std::vector<double>& dihedral
 }
 
 std::vector<EdgeId> Removal::remove(const Track& track) {
-    setBorder(track, false);
+    borders_.remove(track.halfedges);
     for (const auto& [left, right] : joinedPairs(track))
         sets_.join(at(left), at(right));
     std::vector<EdgeId> beside;
@@ -130,7 +116,7 @@ std::vector<EdgeId> Removal::remove(const Track& track) {
         for (const HalfedgeId leaving : {halfedge, mesh_.opposite_halfedge_handle(halfedge)}) {
             const Sector sector = sectorAt(leaving);
             for (const HalfedgeId next : {sector.left, sector.right})
-                if (isBorder(next)) beside.push_back(mesh_.edge_handle(next));
+                if (borders_.isBorder(next)) beside.push_back(mesh_.edge_handle(next));
         }
     return beside;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/disjoint_sets.h"
+#include "layout/borders.h"
 #include "layout/layout.h"
 
 #include <array>
@@ -51,9 +52,6 @@ private:
     /// borders.
     using Pairs = std::vector<std::array<int, 2>>;
 
-    [[nodiscard]] bool isBorder(HalfedgeId halfedge) const;
-    void setBorder(const Track& track, bool border);
-    [[nodiscard]] bool hasBorder(VertexId vertex) const;
     [[nodiscard]] Sector sectorAt(HalfedgeId leaving) const;
     [[nodiscard]] bool properAt(HalfedgeId leaving) const;
     [[nodiscard]] bool properAlong(const Track& track) const;
@@ -63,7 +61,7 @@ private:
     int find(int segment);
 
     const QuadMesh& mesh_;
-    std::vector<bool> border_;   ///< for every edge, whether it is a border
+    Borders borders_;
     std::vector<int> segmentOf_; ///< of every face, in the original layout
     DisjointSets sets_;          ///< of segments that have been joined
 };

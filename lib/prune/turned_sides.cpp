@@ -1,6 +1,7 @@
 #include "prune/turned_sides.h"
 
 #include "base/at.h"
+#include "layout/borders.h"
 #include "layout/tracks.h"
 #include "mesh/roundness.h"
 #include "mesh/topology.h"
@@ -16,11 +17,9 @@ namespace {
 class Corners {
 public:
     Corners(const QuadMesh& mesh, const std::vector<Track>& tracks, const std::vector<double>& dihedralAngles)
-        : mesh_(mesh), dihedralAngles_(dihedralAngles), border_(mesh.n_edges()) {
-        for (const EdgeId edge : mesh.edges())
-            border_[at(edge)] = mesh.is_boundary(edge);
+        : mesh_(mesh), dihedralAngles_(dihedralAngles), borders_(mesh) {
         for (const Track& track : tracks)
-            setBorder(track.halfedges);
+            borders_.add(track.halfedges);
     }
 
     /// What goes straight on from the end of a track to the next border; empty if nothing needs to.
@@ -29,24 +28,20 @@ public:
         if (!continuesStraight(mesh_, mesh_.to_vertex_handle(arriving))) return {};
         std::vector<HalfedgeId> path{straightOn(mesh_, arriving)};
         const auto [left, right] = crossingAt(mesh_, arriving);
-        if (isBorder(path.front()) || !isSharpBorder(arriving) || !isSharpBorder(left) ||
+        if (borders_.isBorder(path.front()) || !isSharpBorder(arriving) || !isSharpBorder(left) ||
             !isSharpBorder(right))
             return {};
         const double turn = turnBetween(mesh_, left, right);
         if (turn <= maxTurn || isRound(left, right, turn)) return {};
-        while (!meetsBorder(path.back()))
+        while (!borders_.hasBorder(mesh_.to_vertex_handle(path.back())))
             path.push_back(straightOn(mesh_, path.back()));
-        setBorder(path);
+        borders_.add(path);
         return path;
     }
 
 private:
-    [[nodiscard]] bool isBorder(HalfedgeId halfedge) const {
-        return border_[at(mesh_.edge_handle(halfedge))];
-    }
-
     [[nodiscard]] bool isSharpBorder(HalfedgeId halfedge) const {
-        return isBorder(halfedge) && isSharp(mesh_, dihedralAngles_, halfedge);
+        return borders_.isBorder(halfedge) && isSharp(mesh_, dihedralAngles_, halfedge);
     }
 
     /// Whether a line turns about as much at its next vertices on both sides, like a coarse circle.
@@ -60,19 +55,9 @@ private:
         return turnBetween(mesh_, mesh_.opposite_halfedge_handle(halfedge), straightOn(mesh_, halfedge));
     }
 
-    [[nodiscard]] bool meetsBorder(HalfedgeId arriving) const {
-        const auto leaving = mesh_.voh_range(mesh_.to_vertex_handle(arriving));
-        return std::ranges::any_of(leaving, [&](HalfedgeId halfedge) { return isBorder(halfedge); });
-    }
-
-    void setBorder(const std::vector<HalfedgeId>& path) {
-        for (const HalfedgeId halfedge : path)
-            border_[at(mesh_.edge_handle(halfedge))] = true;
-    }
-
     const QuadMesh& mesh_;
     const std::vector<double>& dihedralAngles_;
-    std::vector<bool> border_; ///< by edge
+    Borders borders_;
 };
 
 } // namespace
