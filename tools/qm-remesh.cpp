@@ -1,4 +1,5 @@
 /// \file qm-remesh: makes quads from the triangles of a scan, by QuadriFlow as included in Blender.
+#include "base/number_text.h"
 #include "cli/quadriflow.h"
 #include "cli/repair_text.h"
 #include "cli/tool.h"

@@ -36,6 +36,11 @@ template <class Number> [[nodiscard]] std::string numberText(Number value) {
     return text;
 }
 
+/// "1 hole", "2 holes".
+[[nodiscard]] inline std::string countText(std::size_t count, const std::string& noun) {
+    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
 /// Turns -0 into 0, so that a number keeps its text when other programs rewrite a document.
 [[nodiscard]] inline double withoutSignOfZero(double value) {
     return value == 0 ? 0.0 : value;

@@ -6,6 +6,7 @@
 #include "bspline/reference/triangle_surface.h"
 #include "bspline/splines/surfaces.h"
 #include "layout/layout.h"
+#include "mesh/dihedral.h"
 
 #include <string>
 #include <vector>
@@ -22,7 +23,7 @@ struct FitOptions {
     /// Largest distance from the reference; used by Fit::smooth only.
     Length tolerance{0.1, true};
     /// A border edge is smooth if its dihedral angle is at most this, in radians.
-    double rho = 0.45;
+    double rho = defaultRho;
 };
 
 /// One patch for every segment, and how far they are from the reference and from the mesh. The reference is

@@ -14,8 +14,7 @@ ScanInput readScanInput(const Tool& tool, const std::string& path) {
     if (path.empty()) return input;
     tool.protect(path);
     inFile(path, [&] {
-        if (!isUtf8(path))
-            throw Error("", "its name is not UTF-8, so no document can refer to it", "Rename the file");
+        requireUtf8Name(path);
         const std::string bytes = readFile(path);
         input.file = {path, sha256(bytes)};
         input.surface.emplace(readTriangles(bytes, path));

@@ -1,5 +1,6 @@
 #include "cli/surface_warnings.h"
 
+#include "base/number_text.h"
 #include "base/positions.h"
 #include "bspline/splines/evaluate.h"
 #include "cli/tool.h"

@@ -10,8 +10,7 @@
 namespace qm {
 
 Json meshToJson(const std::string& path, std::string_view bytes, const QuadMesh& mesh) {
-    if (!isUtf8(path))
-        throw Error("", "its name is not UTF-8, so no document can refer to it", "Rename the file");
+    requireUtf8Name(path);
     return {{"path", path},
             {"sha256", sha256(bytes)},
             {"vertices", mesh.n_vertices()},

@@ -37,23 +37,14 @@ public:
     }
 
 private:
-    [[nodiscard]] const Json& resolved(const Json& rule) const {
-        const Json* node = &rule;
-        while (node->contains("$ref")) {
-            const auto& reference = node->at("$ref").get_ref<const std::string&>();
-            node = &schema_.at("definitions").at(reference.substr(reference.rfind('/') + 1));
-        }
-        return *node;
-    }
-
     /// Whether values of this rule may contain objects; long lists of numbers need not be visited.
     [[nodiscard]] bool hasKeys(const Json& rule) const {
-        const Json& here = resolved(rule);
+        const Json& here = referredTo(schema_, rule);
         return here.contains("properties") || (here.contains("items") && hasKeys(here.at("items")));
     }
 
     void walk(const Json& value, const Json& rule, const JsonPointer& pointer) {
-        const Json& here = resolved(rule);
+        const Json& here = referredTo(schema_, rule);
         if (value.is_array() && here.contains("items") && hasKeys(here.at("items")))
             for (std::size_t k = 0; k < value.size(); ++k)
                 walk(value[k], here.at("items"), pointer / k);

@@ -9,6 +9,9 @@ namespace qm {
 
 namespace {
 
+/// The beginning of a reference to a definition in the same schema.
+constexpr std::string_view localReference = "#/definitions/";
+
 Json embedded(const std::string& file) {
     for (const EmbeddedText& schema : embeddedSchemas())
         if (schema.name == file) return Json::parse(schema.text);
@@ -81,6 +84,15 @@ Json namelessSchema(const std::string& kind) {
 
 std::string standaloneSchema(const std::string& kind) {
     return printJson(bundledSchema(kind));
+}
+
+const Json& referredTo(const Json& schema, const Json& part) {
+    const Json* node = &part;
+    while (node->is_object() && node->contains("$ref")) {
+        const auto& reference = node->at("$ref").get_ref<const std::string&>();
+        node = &schema.at("definitions").at(reference.substr(localReference.size()));
+    }
+    return *node;
 }
 
 } // namespace qm

@@ -11,14 +11,6 @@ namespace qm {
 
 namespace {
 
-const Json& resolved(const Json& schema, const Json* node) {
-    while (node->is_object() && node->contains("$ref")) {
-        const auto& reference = node->at("$ref").get_ref<const std::string&>();
-        node = &schema.at("definitions").at(reference.substr(localReference.size()));
-    }
-    return *node;
-}
-
 /// A place in a document, and the sub-schema for it.
 struct Place {
     JsonPointer pointer;
@@ -47,7 +39,7 @@ Place follow(const Json& root, const Json& schema, const std::vector<std::string
         }
         static const Json anything = Json::object();
         if (next == nullptr) next = &anything;
-        rule = &resolved(schema, next);
+        rule = &referredTo(schema, *next);
         place.rule = *rule;
         if (next->contains("description")) place.rule["description"] = next->at("description");
     }

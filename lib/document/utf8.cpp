@@ -1,5 +1,7 @@
 #include "document/utf8.h"
 
+#include "base/error.h"
+
 #include <cstddef>
 #include <cstdint>
 
@@ -22,6 +24,11 @@ bool isUtf8(std::string_view text) {
         if (overlong || surrogate || code > 0x10FFFF) return false;
     }
     return true;
+}
+
+void requireUtf8Name(const std::string& path) {
+    if (!isUtf8(path))
+        throw Error("", "its name is not UTF-8, so no document can refer to it", "Rename the file");
 }
 
 } // namespace qm

@@ -3,6 +3,7 @@
 
 #include "base/length.h"
 #include "basecomplex/base_complex.h"
+#include "mesh/dihedral.h"
 #include "mesh/quad_mesh.h"
 #include "mesh/roundness.h"
 
@@ -11,7 +12,7 @@
 namespace qm {
 
 struct FeatureOptions {
-    double rho = 0.45; ///< least dihedral angle of the edges of a curve, radians
+    double rho = defaultRho; ///< least dihedral angle of the edges of a curve, radians
     // Distances of ends are measured along the line to the next extraordinary vertex.
     Length minLength{3, true};   ///< least length of a curve
     Length minDistance{1, true}; ///< least distance of its ends from extraordinary vertices

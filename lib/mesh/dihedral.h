@@ -12,6 +12,9 @@ namespace qm {
 /// split along the diagonal from the face's first vertex; a triangle without area has none.
 [[nodiscard]] std::vector<double> dihedralAngles(const QuadMesh& mesh);
 
+/// Edges of larger dihedral angles count as sharp unless told otherwise: the paper's rho, radians.
+constexpr double defaultRho = 0.45;
+
 /// The weights of the paper's cost.
 struct CostOptions {
     double alpha = 0.4;   ///< penalty of a flat edge

@@ -57,10 +57,7 @@ std::vector<std::string> suspicions(const QuadMesh& mesh) {
         result.push_back(of(flat.size(), mesh.n_faces(), "quads") + (flat.size() == 1 ? "has" : "have") +
                          " no area, the first is face " + std::to_string(flat.front()) +
                          ". Edges there count as flat; --repair takes out what has two corners at one place");
-    const Components parts = components(mesh);
-    const auto isolated =
-        std::ranges::count_if(mesh.vertices(), [&](VertexId vertex) { return mesh.is_isolated(vertex); });
-    if (const auto pieces = parts.count - isolated; pieces > 10)
+    if (const std::size_t pieces = pieceCount(mesh); pieces > 10)
         result.push_back("the mesh has " + std::to_string(pieces) + " components. Should they be joined?");
     if (const std::size_t extraordinary = extraordinaryVertices(mesh).size();
         extraordinary * 10 > mesh.n_vertices())

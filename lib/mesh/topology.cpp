@@ -2,6 +2,7 @@
 
 #include "base/at.h"
 #include "base/disjoint_sets.h"
+#include "base/positions.h"
 
 namespace qm {
 
@@ -58,6 +59,11 @@ Components components(const QuadMesh& mesh) {
         result.ofVertex[k] = lowest == k ? result.count++ : result.ofVertex[lowest];
     }
     return result;
+}
+
+std::size_t pieceCount(const QuadMesh& mesh) {
+    const auto isIsolated = [&](VertexId vertex) { return mesh.is_isolated(vertex); };
+    return at(components(mesh).count) - countWhere(mesh.vertices(), isIsolated);
 }
 
 } // namespace qm

@@ -47,4 +47,7 @@ struct Components {
 };
 [[nodiscard]] Components components(const QuadMesh& mesh);
 
+/// The number of components that have faces.
+[[nodiscard]] std::size_t pieceCount(const QuadMesh& mesh);
+
 } // namespace qm

@@ -27,6 +27,17 @@ void forEachEdge(const Triangles& triangles,
     }
 }
 
+BoundarySides boundarySides(const Triangles& triangles) {
+    BoundarySides boundary{std::vector<bool>(3 * triangles.faces.size()),
+                           std::vector<bool>(triangles.points.size())};
+    forEachEdge(triangles, [&](std::span<const TriangleSide> edge) {
+        if (edge.size() != 1) return;
+        boundary.sides[edge[0].side] = true;
+        boundary.points[at(edge[0].low)] = boundary.points[at(edge[0].high)] = true;
+    });
+    return boundary;
+}
+
 std::size_t boundaryLoopCount(const Triangles& triangles) {
     DisjointSets sets(triangles.points.size());
     std::vector<bool> isOnBoundary(triangles.points.size(), false);

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <functional>
 #include <span>
+#include <vector>
 
 namespace qm {
 
@@ -23,6 +24,14 @@ struct TriangleSide {
 
 /// Calls `visit` once for every edge, with all sides there. Takes n log n time.
 void forEachEdge(const Triangles& triangles, const std::function<void(std::span<const TriangleSide>)>& visit);
+
+struct BoundarySides {
+    std::vector<bool> sides;  ///< by side: whether no other triangle has its edge
+    std::vector<bool> points; ///< by point: whether such a side begins or ends there
+};
+
+/// Takes n log n time.
+[[nodiscard]] BoundarySides boundarySides(const Triangles& triangles);
 
 /// \param triangles  at most two at every edge
 /// \return the number of boundary loops; loops that touch count as one

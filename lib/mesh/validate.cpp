@@ -2,6 +2,7 @@
 
 #include "base/at.h"
 #include "base/error.h"
+#include "base/number_text.h"
 #include "base/positions.h"
 #include "mesh/soup_repairs.h"
 
@@ -14,10 +15,6 @@ namespace qm {
 namespace {
 
 constexpr const char* repairHint = "The option --repair corrects this";
-
-std::string plural(std::size_t count, const std::string& noun) {
-    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
 
 std::string edgePlace(const Soup& soup, Side side) {
     const auto [a, b] = std::minmax({sideFrom(soup, side), sideTo(soup, side)});
@@ -44,8 +41,8 @@ void checkQuads(const Soup& soup) {
     }
     if (first)
         throw Error(soup.facePlace(*first),
-                    "it has " + plural(soup.face(*first).size(), "side") + "; " + std::to_string(others) +
-                        " of " + plural(soup.faceCount(), "face") + (others == 1 ? " is" : " are") +
+                    "it has " + countText(soup.face(*first).size(), "side") + "; " + std::to_string(others) +
+                        " of " + countText(soup.faceCount(), "face") + (others == 1 ? " is" : " are") +
                         " not four-sided",
                     triangles == soup.faceCount()
                         ? "Make quads of the triangles: quadmesh --quads N and qm-remesh do, with Blender"
@@ -55,7 +52,7 @@ void checkQuads(const Soup& soup) {
 void checkSides(const Soup& soup) {
     for (std::size_t k = 0; k < soup.faceCount(); ++k)
         if (soup.face(k).size() < 3)
-            throw Error(soup.facePlace(k), "it has " + plural(soup.face(k).size(), "side"),
+            throw Error(soup.facePlace(k), "it has " + countText(soup.face(k).size(), "side"),
                         "Use another copy of the file, or take the face out");
 }
 
@@ -146,7 +143,7 @@ void checkOrientation(const Soup& soup, const SoupEdges& edges, const std::vecto
     const auto contradiction = findOrientation(soup, twins).contradiction;
     throw Error(edgePlace(soup, *first),
                 soup.facePlace(*first / 4) + " and " + soup.facePlace(twins[*first] / 4) +
-                    " are oriented inconsistently, as at " + plural(wrong, "edge") + " in all",
+                    " are oriented inconsistently, as at " + countText(wrong, "edge") + " in all",
                 contradiction ? "The surface is not orientable, it has one side only like a Moebius strip, "
                                 "so this cannot be repaired: cut it open"
                               : "The option --repair orients them");

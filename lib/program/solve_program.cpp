@@ -1,6 +1,7 @@
 #include "program/solve_program.h"
 
 #include "base/deadline.h"
+#include "program/coin_infinity.h"
 #include "program/stop_on_request.h"
 
 #include <coin/CbcCompareObjective.hpp>
@@ -33,10 +34,6 @@ private:
     const Control& control_;
 };
 
-double bounded(double value) {
-    return std::isinf(value) ? std::copysign(COIN_DBL_MAX, value) : value;
-}
-
 void load(const IntegerProgram& program, OsiClpSolverInterface& solver) {
     std::vector<int> rowOf, columnOf;
     std::vector<double> weights, lower, upper;
@@ -46,8 +43,8 @@ void load(const IntegerProgram& program, OsiClpSolverInterface& solver) {
             columnOf.push_back(row.columns[k].value());
             weights.push_back(row.weights[k]);
         }
-        lower.push_back(bounded(row.lower));
-        upper.push_back(bounded(row.upper));
+        lower.push_back(coinBound(row.lower));
+        upper.push_back(coinBound(row.upper));
     }
     CoinPackedMatrix matrix(true, rowOf.data(), columnOf.data(), weights.data(),
                             static_cast<CoinBigIndex>(weights.size()));

@@ -38,8 +38,4 @@ std::string placeText(const SurfacePlace& place, double extent) {
     return "in patch " + std::to_string(place.place.patch) + " at " + pointText(place.point, extent);
 }
 
-std::string countText(std::size_t count, const std::string& noun) {
-    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
-
 } // namespace qm

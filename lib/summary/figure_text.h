@@ -18,7 +18,4 @@ namespace qm {
 /// "in patch 3 at (0.12, 3.4, 5)".
 [[nodiscard]] std::string placeText(const SurfacePlace& place, double extent);
 
-/// "1 hole", "2 holes".
-[[nodiscard]] std::string countText(std::size_t count, const std::string& noun);
-
 } // namespace qm

@@ -1,6 +1,7 @@
 #include "summary/summary.h"
 
 #include "base/at.h"
+#include "base/positions.h"
 #include "bspline/splines/evaluate.h"
 #include "mesh/bounding_box.h"
 #include "mesh/nesting.h"
@@ -12,20 +13,14 @@
 namespace qm {
 namespace {
 
-int piecesOf(const QuadMesh& mesh) {
-    const auto isolated =
-        std::ranges::count_if(mesh.vertices(), [&](VertexId vertex) { return mesh.is_isolated(vertex); });
-    return components(mesh).count - static_cast<int>(isolated);
-}
-
 /// The number of those of a closed mesh's pieces that are cavities of others.
-int cavityCount(const QuadMesh& mesh) {
+std::size_t cavityCount(const QuadMesh& mesh) {
     const Components pieces = components(mesh);
     std::vector<std::vector<FaceId>> faces(at(pieces.count));
     for (const FaceId face : mesh.faces())
         faces[at(pieces.ofVertex[at(*mesh.cfv_iter(face))])].push_back(face);
     const auto isCavity = [](const Nesting& nesting) { return nesting.cavityOf.has_value(); };
-    return static_cast<int>(std::ranges::count_if(nestingOf(mesh, faces), isCavity));
+    return countWhere(nestingOf(mesh, faces), isCavity);
 }
 
 std::string missedTolerance(const Summary& summary, const std::string& unit) {
@@ -54,7 +49,7 @@ Summary summarise(const QuadMesh& mesh, const Layout* layout, const Surfaces* su
     Summary summary;
     summary.quads = mesh.n_faces();
     summary.vertices = mesh.n_vertices();
-    summary.pieces = piecesOf(mesh);
+    summary.pieces = pieceCount(mesh);
     summary.loops = boundaryLoops(mesh);
     if (summary.loops.empty() && summary.pieces > 1) summary.cavities = cavityCount(mesh);
     const BoundingBox box = boundingBox(mesh);

@@ -35,8 +35,8 @@ struct FitSummary {
 struct Summary {
     std::size_t quads = 0;
     std::size_t vertices = 0;
-    int pieces = 0;   ///< connected components that have faces
-    int cavities = 0; ///< of a closed mesh: those of them that are no solids, but cavities of one
+    std::size_t pieces = 0;   ///< connected components that have faces
+    std::size_t cavities = 0; ///< of a closed mesh: those of them that are no solids, but cavities of one
     std::vector<BoundaryLoop> loops;
     std::array<double, 3> size{}; ///< of the bounding box of all faces
     double diagonal = 0;

@@ -1,4 +1,5 @@
 #include "base/at.h"
+#include "base/number_text.h"
 #include "summary/figure_text.h"
 #include "summary/summary.h"
 
@@ -30,8 +31,8 @@ std::string loopsText(const Summary& summary, const std::string& unit) {
 std::string shapeText(const Summary& summary, const std::string& unit) {
     if (!summary.loops.empty()) return (summary.fit ? "shell, " : "") + loopsText(summary, unit);
     if (isSolid(summary)) {
-        const int solids = summary.pieces - summary.cavities;
-        std::string text = solids == 1 ? "solid" : countText(at(solids), "solid");
+        const std::size_t solids = summary.pieces - summary.cavities;
+        std::string text = solids == 1 ? "solid" : countText(solids, "solid");
         if (summary.cavities == 1) text += " with a cavity";
         if (summary.cavities > 1) text += " with " + std::to_string(summary.cavities) + " cavities";
         return text;
@@ -78,7 +79,7 @@ std::string summaryText(const Summary& summary, const std::string& name, const s
                         std::optional<double> seconds) {
     std::string text =
         line("mesh", name) +
-        line("quads", std::to_string(summary.quads) + " in " + countText(at(summary.pieces), "piece")) +
+        line("quads", std::to_string(summary.quads) + " in " + countText(summary.pieces, "piece")) +
         line("size", sizeText(summary, unit));
     if (summary.patches) text += line("patches", std::to_string(*summary.patches));
     if (summary.fit) text += fitLines(*summary.fit, summary.diagonal, unit);

@@ -26,7 +26,7 @@ public:
             for (std::size_t i = 0; i < cells[0]; ++i)
                 addCell({patch_, {i, j}});
         if (farthest_ > 0) seed();
-        const std::size_t effort = 992 + options_.effort * parts_.size();
+        const std::size_t effort = options_.stepsFor(parts_.size());
         result_.upper = boundLargestFirst(
             std::move(parts_), effort, [&](double upper) { return options_.areClose(upper, result_.lower); },
             [&](const SurfacePart& part, const auto& add) { divide(part, add); });

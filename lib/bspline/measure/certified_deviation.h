@@ -26,8 +26,9 @@ struct CertifiedDeviation {
 struct CertificationOptions {
     double closing = 0.02;   ///< the search ends once `upper` is within this share of `lower`,
     double negligible = 0;   ///< or below this,
-    std::size_t effort = 64; ///< or after this number of steps per cell, and about 1000
+    std::size_t effort = 64; ///< or after this number of steps per cell, and 1000 more
 
+    [[nodiscard]] std::size_t stepsFor(std::size_t cells) const { return 1000 + effort * cells; }
     [[nodiscard]] bool areClose(double upper, double lower) const;
 };
 

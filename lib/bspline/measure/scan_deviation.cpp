@@ -50,7 +50,7 @@ public:
                 box.range = {{{breaks[0][i], breaks[0][i + 1]}, {breaks[1][j], breaks[1][j + 1]}}};
                 addCell(std::move(box));
             }
-        const std::size_t effort = 996 + options_.effort * boxes_.size();
+        const std::size_t effort = options_.stepsFor(boxes_.size());
         result_.upper = boundLargestFirst(
             std::move(boxes_), effort, [&](double upper) { return options_.areClose(upper, result_.lower); },
             [&](const Box& box, const auto& add) {

@@ -15,7 +15,7 @@ struct FitReference {
 };
 
 struct ReferenceOptions {
-    double rho = 0.45;   ///< a border edge of a larger dihedral angle is a crease; radians
+    double rho = 0;      ///< a border edge of a larger dihedral angle is a crease; radians
     bool bridges = true; ///< whether to bridge folded quads (see `bridgedMesh`)
 };
 

@@ -1,9 +1,9 @@
 #include "bspline/reference/triangle_surface.h"
 
 #include "base/at.h"
-#include "bspline/reference/boundary_sides.h"
 #include "bspline/splines/eigen_point.h"
 #include "mesh/quad_geometry.h"
+#include "mesh/triangle_edges.h"
 
 #include <Eigen/Geometry>
 #include <boost/geometry/geometries/box.hpp>

@@ -37,14 +37,7 @@ public:
             if (std::ranges::any_of(nodes, [&](Diagram::NodeId id) { return kept_[outEdge(id)]; }))
                 for (const Diagram::NodeId id : nodes)
                     cut(inEdge(id));
-        Assignment graph = diagram_.fixed;
-        for (Diagram::NodeId id = diagram_.root; id > Diagram::end;) {
-            const Diagram::Node& node = diagram_.nodes[id];
-            const bool in = kept_[inEdge(id)];
-            if (node.variable.valid()) graph[node.variable] = in ? 1 : 0;
-            id = in ? node.in : node.out;
-        }
-        return graph;
+        return graphAlong(diagram_, [&](Diagram::NodeId id) { return kept_[inEdge(id)]; });
     }
 
 private:

@@ -81,15 +81,12 @@ std::optional<BigCount> countUpTo(const Diagram& diagram, double maxCost, const 
 }
 
 Assignment graphOfRank(const Diagram& diagram, const std::vector<BigCount>& paths, BigCount rank) {
-    Assignment graph = diagram.fixed;
-    for (Diagram::NodeId id = diagram.root; id > Diagram::end;) {
-        const Diagram::Node& node = diagram.nodes[id];
-        const bool in = rank < paths[node.in];
-        if (!in) rank -= paths[node.in];
-        if (node.variable.valid()) graph[node.variable] = in ? 1 : 0;
-        id = in ? node.in : node.out;
-    }
-    return graph;
+    return graphAlong(diagram, [&](Diagram::NodeId id) {
+        const BigCount& throughIn = paths[diagram.nodes[id].in];
+        const bool in = rank < throughIn;
+        if (!in) rank -= throughIn;
+        return in;
+    });
 }
 
 std::vector<Assignment> drawGraphs(const Diagram& diagram, std::size_t count, std::size_t seed) {

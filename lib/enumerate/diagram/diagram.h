@@ -31,6 +31,18 @@ struct Diagram {
     double fixedCost = 0;
 };
 
+/// The graph of the path from the root to the end that goes where `isIn(node id)` says; there must be one.
+template <class IsIn> [[nodiscard]] Assignment graphAlong(const Diagram& diagram, const IsIn& isIn) {
+    Assignment graph = diagram.fixed;
+    for (Diagram::NodeId id = diagram.root; id > Diagram::end;) {
+        const Diagram::Node& node = diagram.nodes[id];
+        const bool in = isIn(id);
+        if (node.variable.valid()) graph[node.variable] = in ? 1 : 0;
+        id = in ? node.in : node.out;
+    }
+    return graph;
+}
+
 /// Most nodes of a diagram that a search cannot do without: about a gigabyte.
 constexpr std::size_t diagramNodes = 10'000'000;
 

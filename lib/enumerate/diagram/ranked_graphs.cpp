@@ -117,15 +117,11 @@ private:
         for (; path >= 0; path = paths_[at(path)].before)
             if (const std::uint32_t detour = paths_[at(path)].detour; detour != 0)
                 detours.push_back(detours_[detour].node);
-        graph_ = diagram_.fixed;
-        for (Diagram::NodeId id = diagram_.root; id > Diagram::end;) {
+        graph_ = graphAlong(diagram_, [&](Diagram::NodeId id) {
             const bool leaves = !detours.empty() && detours.back() == id;
             if (leaves) detours.pop_back();
-            const bool in = prefersIn(id) != leaves;
-            const Diagram::Node& node = diagram_.nodes[id];
-            if (node.variable.valid()) graph_[node.variable] = in ? 1 : 0;
-            id = in ? node.in : node.out;
-        }
+            return prefersIn(id) != leaves;
+        });
         return graph_;
     }
 

@@ -1,5 +1,7 @@
 #include "enumerate/optimum/row_pool.h"
 
+#include "program/coin_infinity.h"
+
 #include <coin/ClpSimplex.hpp>
 
 #include <cmath>
@@ -13,11 +15,6 @@ constexpr double broken = 1e-6;
 
 /// Least dual of rows that are given to the solver at once: it is slow with many, and few of them bind.
 constexpr double minDual = 1e-3;
-
-/// The value with Clp's own infinity.
-double bounded(double value) {
-    return std::isinf(value) ? std::copysign(COIN_DBL_MAX, value) : value;
-}
 
 } // namespace
 
@@ -69,8 +66,8 @@ void RowPool::give(ClpSimplex& solver, const std::vector<std::size_t>& rows, con
         columns.insert(columns.end(), row.columns.begin(), row.columns.end());
         weights.insert(weights.end(), row.weights.begin(), row.weights.end());
         starts.push_back(static_cast<CoinBigIndex>(columns.size()));
-        lower.push_back(bounded(state.rowLower(row.row) - row.constant));
-        upper.push_back(bounded(formulation_->rows[row.row].upper - row.constant));
+        lower.push_back(coinBound(state.rowLower(row.row) - row.constant));
+        upper.push_back(coinBound(formulation_->rows[row.row].upper - row.constant));
         inSolver_.push_back(id);
         isInSolver_[id] = true;
     }
@@ -100,7 +97,7 @@ void RowPool::setSides(ClpSimplex& solver, const ColumnState& state) const {
     for (std::size_t k = 0; k < inSolver_.size(); ++k) {
         const OpenRow& row = rows_[inSolver_[k]];
         if (std::isfinite(formulation_->rows[row.row].lower)) continue; // not a cover row
-        const double lower = bounded(state.rowLower(row.row) - row.constant);
+        const double lower = coinBound(state.rowLower(row.row) - row.constant);
         if (solver.rowLower()[k] != lower)
             solver.setRowBounds(static_cast<int>(k), lower, solver.rowUpper()[k]);
     }
