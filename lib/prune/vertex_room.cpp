@@ -4,6 +4,7 @@
 #include "prune/sharp_edge.h"
 #include "prune/turn.h"
 
+#include <cmath>
 #include <utility>
 
 namespace qm {
@@ -12,13 +13,14 @@ namespace {
 /// \param total  sum of the angles of all faces, degrees
 std::size_t maxMissing(std::size_t faces, double total, double minCorner) {
     constexpr double halfTurn = 180;
+    constexpr double maxTurn = 90;
     std::size_t missing = 0;
     for (std::size_t passing = 1; 2 * passing <= faces; ++passing) {
         const std::size_t corners = faces - 2 * passing;
         const double rest = total - static_cast<double>(passing) * halfTurn;
         // Without corners, the remaining angle is that by which the one side turns.
-        const double angle = corners > 0 ? rest / static_cast<double>(corners) : halfTurn / 2;
-        if (angle < minCorner || angle > halfTurn - minCorner || rest < -halfTurn / 2) break;
+        const double angle = corners > 0 ? rest / static_cast<double>(corners) : std::abs(rest);
+        if (corners > 0 ? angle < minCorner || angle > halfTurn - minCorner : angle > maxTurn) break;
         missing = passing;
     }
     return missing;

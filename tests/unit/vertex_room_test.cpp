@@ -70,5 +70,12 @@ TEST(VertexRoom, BeyondTheBoundaryThereIsNone) {
     EXPECT_EQ(roomOf(star(3, 190), 25).front().maxMissing, 0U);
 }
 
+TEST(VertexRoom, ASideThatIsLeftAloneTurnsByARightAngleAtMost) {
+    EXPECT_EQ(roomOf(star(2, 95), 25).front().maxMissing, 1U);
+    EXPECT_EQ(roomOf(star(2, 85), 25).front().maxMissing, 0U);
+    EXPECT_EQ(roomOf(star(2, 265), 25).front().maxMissing, 1U);
+    EXPECT_EQ(roomOf(star(2, 275), 25).front().maxMissing, 0U);
+}
+
 } // namespace
 } // namespace qm::testing
