@@ -7,7 +7,7 @@
 #include "bspline/fitting/continuity_equations.h"
 #include "bspline/fitting/free_patches.h"
 #include "bspline/fitting/free_unknowns.h"
-#include "bspline/fitting/least_change.h"
+#include "bspline/fitting/min_change.h"
 #include "bspline/network/borders.h"
 #include "bspline/splines/eigen_point.h"
 
@@ -189,7 +189,7 @@ private:
     const Group& group_;
     FlatPatches& flat_;
     std::vector<Patch>& patches_;
-    LeastChange change_;
+    MinChange change_;
     Eigen::MatrixX3d points_; ///< before flattening
 };
 
