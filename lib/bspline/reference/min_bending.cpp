@@ -19,7 +19,7 @@ namespace {
 /// Slopes of up to 20 degrees are believed: where minimal bending asks for more, the surface is far from
 /// smooth.
 constexpr double maxSlope = 0.36;
-/// Mean of the one-sided normals at a vertex, below which it has no tangent plane.
+/// Length of the mean of the one-sided normals at a vertex, below which it has no tangent plane.
 constexpr double minAgreement = 0.5;
 
 class MinBending {
