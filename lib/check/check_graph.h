@@ -33,7 +33,7 @@ struct ReadTrack {
 void checkGraph(const Neighbourhoods& around, const LineNetwork& network, std::span<const ReadTrack> tracks,
                 std::span<const char> present, std::size_t count, const std::string& pointer, Report& report);
 
-/// The same where tracks may begin and end on others: they need only be straight and obey arc rules 1, 2.
+/// The same where tracks may begin and end on others: they must only be straight and obey arc rules 1 and 2.
 void checkTMesh(const Neighbourhoods& around, const LineNetwork& network, std::span<const ReadTrack> tracks,
                 std::span<const char> present, std::size_t count, const std::string& pointer, Report& report);
 
