@@ -1,5 +1,6 @@
 /// \file qm-export: writes layouts and surfaces as STEP, IGES, OBJ, PLY and glTF.
 #include "cli/export_choices.h"
+#include "cli/export_date.h"
 #include "cli/stage.h"
 
 #include <filesystem>
@@ -25,10 +26,9 @@ int main(int argc, char** argv) {
                         "merge faces that are one smooth surface or plane, and edges that are one curve");
             tool.option("analytic", options.analytic,
                         "replace patches by cylinders, cones, spheres and tori, edges by lines and conics");
-            tool.option(
-                "analytic-tolerance", options.analyticTolerance, {0, qm::infinite},
-                "largest distance of a patch from the surface that replaces it, in the mesh's unit or, "
-                "with %, as a share of the bounding box's diagonal");
+            tool.option("analytic-tolerance", options.analyticTolerance, {0, qm::infinite},
+                        "largest distance of a patch from the surface that replaces it, in the mesh's unit "
+                        "or, with %, as a share of the bounding box's diagonal");
             tool.explain(
                 "STEP and IGES need the surfaces of qm-bspline, which have no gaps unless fitted with --fit "
                 "interpolate. The faces form one shell, and a solid where the mesh is closed. Plane patches "

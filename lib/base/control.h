@@ -12,7 +12,7 @@ struct Control {
     std::function<void(double fraction)> progress = [](double) {};
     /// Called now and then; if it returns true, the computation returns its best result so far.
     std::function<bool()> stopRequested = [] { return false; };
-    /// The most threads to use. Results do not depend on it, unless the computation is stopped.
+    /// The largest number of threads to use. Results do not depend on it, unless the computation is stopped.
     unsigned jobs = 1;
 };
 

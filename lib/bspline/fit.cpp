@@ -48,7 +48,7 @@ SmoothFitOptions effortFor(const QuadMesh& mesh) {
     return options;
 }
 
-/// Of the tolerance, at the lattice's points: the rest is for what lies between.
+/// Share of the tolerance that is used at the lattice's points: the rest is for what lies between.
 constexpr double shareAtPoints = 0.97;
 
 /// How far a reference may be from a plane that it is taken for: a share of what is allowed, and of the
@@ -56,7 +56,7 @@ constexpr double shareAtPoints = 0.97;
 constexpr double planeShare = 0.005;
 constexpr double maxFlatness = 5e-6;
 
-/// Times a scan's noise: what its smoothing leaves of it, at worst.
+/// Multiple of a scan's noise that its smoothing leaves at worst.
 constexpr double noiseLeft = 1.5;
 
 /// Of the surfaces from the scan itself, noise and all.

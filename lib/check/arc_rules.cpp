@@ -61,7 +61,7 @@ public:
     ArcRules(const Neighbourhoods& around, const LineNetwork& network, std::span<const char> present)
         : around_(around), network_(network), present_(present), sides_(network.crossings.size()) {}
 
-    std::vector<BrokenArcRule> run(std::size_t count, bool tmesh) {
+    std::vector<BrokenArcRule> run(std::size_t count, ArcRuleSet rules) {
         readLines();
         if (edgesOnLines_ != count)
             broken("whole arcs",
@@ -69,7 +69,7 @@ public:
         everySource();
         for (std::size_t c = 0; c < sides_.size(); ++c)
             junction(static_cast<int>(c));
-        if (tmesh) return std::move(broken_);
+        if (rules == ArcRuleSet::ofTMeshes) return std::move(broken_);
         for (const ArcLine& line : lines_)
             oneGap(line);
         cracks();
@@ -179,8 +179,9 @@ private:
 } // namespace
 
 std::vector<BrokenArcRule> brokenArcRules(const Neighbourhoods& around, const LineNetwork& network,
-                                          std::span<const char> present, std::size_t count, bool tmesh) {
-    return ArcRules(around, network, present).run(count, tmesh);
+                                          std::span<const char> present, std::size_t count,
+                                          ArcRuleSet rules) {
+    return ArcRules(around, network, present).run(count, rules);
 }
 
 } // namespace qm::check

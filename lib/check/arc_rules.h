@@ -16,13 +16,18 @@ struct BrokenArcRule {
     std::string explanation;
 };
 
+/// The rules that a set of edges must obey.
+enum class ArcRuleSet {
+    ofGraphs, ///< all four
+    ofTMeshes ///< 1 and 2
+};
+
 /// \param present  by edge: whether it belongs to the graph
 /// \param count    how many edges do
-/// \param tmesh    whether rules 1 and 2 alone are asked for
-/// \return         all breaches; empty if the set is a motorcycle graph. Linear in the network.
+/// \return         all breaches; empty if the set is a motorcycle graph, or a T-mesh. Linear in the network.
 [[nodiscard]] std::vector<BrokenArcRule> brokenArcRules(const Neighbourhoods& around,
                                                         const LineNetwork& network,
                                                         std::span<const char> present, std::size_t count,
-                                                        bool tmesh = false);
+                                                        ArcRuleSet rules = ArcRuleSet::ofGraphs);
 
 } // namespace qm::check

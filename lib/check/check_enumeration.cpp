@@ -114,7 +114,8 @@ private:
         auto edges = edgesOf(around_, tracks, list, report_);
         for (const int edge : edges)
             present_[at(edge)] = 1;
-        checkGraph(around_, network, tracks, present_, edges.size(), part_.tmesh, list, report_);
+        const auto check = part_.tmesh ? checkTMesh : checkGraph;
+        check(around_, network, tracks, present_, edges.size(), list, report_);
         checkConstraints(around_, context_.constraints, present_, networks_.size() == 1, list, report_);
         CostSum cost(context_.costs);
         if (context_.segmentCost != 0) cost.addCost(context_.segmentCost * corners(subMesh, tracks) / 4);

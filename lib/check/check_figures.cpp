@@ -93,7 +93,7 @@ private:
         return false;
     }
 
-    /// Of a distance: what two searches for the nearest point may differ by.
+    /// Share of a distance by which two searches for the nearest point may differ.
     static constexpr double unsure = 1e-4;
 
     bool isTooFar(std::size_t p, const Cell& cell, int i, int j, const Place& on) {

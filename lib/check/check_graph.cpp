@@ -109,14 +109,8 @@ std::vector<int> edgesOf(const Neighbourhoods& around, std::span<const ReadTrack
 }
 
 void checkGraph(const Neighbourhoods& around, const LineNetwork& network, std::span<const ReadTrack> tracks,
-                std::span<const char> present, std::size_t count, bool tmesh, const std::string& pointer,
+                std::span<const char> present, std::size_t count, const std::string& pointer,
                 Report& report) {
-    if (tmesh) {
-        straight(around, tracks, pointer, report);
-        for (const BrokenArcRule& broken : brokenArcRules(around, network, present, count, tmesh))
-            report.violate(pointer, broken.rule, broken.explanation);
-        return;
-    }
     const Coordinates coordinates = coordinatesOf(around, network, tracks, pointer, report);
     if (coordinates.sound)
         for (const BrokenTrackRule& broken : brokenTrackRules(network, coordinates.x)) {
@@ -128,7 +122,15 @@ void checkGraph(const Neighbourhoods& around, const LineNetwork& network, std::s
                            particle + broken.explanation);
         }
 
-    for (const BrokenArcRule& broken : brokenArcRules(around, network, present, count, tmesh))
+    for (const BrokenArcRule& broken : brokenArcRules(around, network, present, count))
+        report.violate(pointer, broken.rule, broken.explanation);
+}
+
+void checkTMesh(const Neighbourhoods& around, const LineNetwork& network, std::span<const ReadTrack> tracks,
+                std::span<const char> present, std::size_t count, const std::string& pointer,
+                Report& report) {
+    straight(around, tracks, pointer, report);
+    for (const BrokenArcRule& broken : brokenArcRules(around, network, present, count, ArcRuleSet::ofTMeshes))
         report.violate(pointer, broken.rule, broken.explanation);
 }
 

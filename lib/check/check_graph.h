@@ -30,10 +30,11 @@ struct ReadTrack {
 /// Tests the tracks by rules A1 to A4 and, apart from that, the set of their edges by the rules on arcs.
 /// \param present  by edge: whether it lies on a track
 /// \param count    how many edges do
-/// \param tmesh    whether tracks may begin and end on others: then they need only be straight, and the rules
-/// 1 and 2 hold
 void checkGraph(const Neighbourhoods& around, const LineNetwork& network, std::span<const ReadTrack> tracks,
-                std::span<const char> present, std::size_t count, bool tmesh, const std::string& pointer,
-                Report& report);
+                std::span<const char> present, std::size_t count, const std::string& pointer, Report& report);
+
+/// The same where tracks may begin and end on others: they must only be straight and obey arc rules 1 and 2.
+void checkTMesh(const Neighbourhoods& around, const LineNetwork& network, std::span<const ReadTrack> tracks,
+                std::span<const char> present, std::size_t count, const std::string& pointer, Report& report);
 
 } // namespace qm::check

@@ -88,7 +88,8 @@ private:
                     count += edge == 0;
                     edge = 1;
                 }
-            checkGraph(around_, network_, tracks, present, count, part_.tmesh, tracksPlace, report_);
+            const auto check = part_.tmesh ? checkTMesh : checkGraph;
+            check(around_, network_, tracks, present, count, tracksPlace, report_);
         }
     }
 

@@ -57,8 +57,9 @@ void verifyParts(const Tool& tool, const EnumerationRequests& requests, Enumerat
 }
 
 void writeGraphs(const Tool& tool, const Model& model, const EnumerationOptions& options,
-                 const std::string& path, bool ranked) {
+                 const std::string& path, ListedGraphs which) {
     if (path.empty()) return;
+    const bool areBest = which == ListedGraphs::best;
     if (path != "-" && isSameFile(path, tool.inputPath()))
         throw FileError(path, "is the input", "Name another file");
     const SeparatrixIndex separatrices(model.mesh, model.baseComplex);
@@ -73,10 +74,10 @@ void writeGraphs(const Tool& tool, const Model& model, const EnumerationOptions&
                                    return true;
                                }};
     const bool all =
-        listGraphs(model.mesh, model.complex, model.dihedralAngles, model.subMeshes, options, ranked, listing,
-                   tool.control(ranked ? "writing the best graphs" : "writing every graph"));
+        listGraphs(model.mesh, model.complex, model.dihedralAngles, model.subMeshes, options, which, listing,
+                   tool.control(areBest ? "writing the best graphs" : "writing every graph"));
     file.commit();
-    tool.count(ranked ? "bestGraphsWritten" : "graphsWritten", static_cast<double>(written));
+    tool.count(areBest ? "bestGraphsWritten" : "graphsWritten", static_cast<double>(written));
     if (!all)
         tool.warn(tool.inputName() + ": the search was ended early; not every graph was written to " + path);
 }
@@ -139,8 +140,8 @@ int joinParts(const Tool& tool, const EnumerationRequests& requests) {
 
 void streamGraphs(const Tool& tool, const Model& model, const EnumerationOptions& options,
                   const EnumerationRequests& requests) {
-    writeGraphs(tool, model, options, requests.allGraphs, false);
-    writeGraphs(tool, model, options, requests.bestGraphs, true);
+    writeGraphs(tool, model, options, requests.allGraphs, ListedGraphs::every);
+    writeGraphs(tool, model, options, requests.bestGraphs, ListedGraphs::best);
 }
 
 int judge(const Tool& tool, const Enumeration& enumeration, const EnumerationRequests& requests) {

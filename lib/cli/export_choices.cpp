@@ -1,7 +1,7 @@
 #include "cli/export_choices.h"
 
-#include "base/error.h"
 #include "base/number_text.h"
+#include "cli/export_date.h"
 #include "cli/surface_warnings.h"
 #include "cli/tool.h"
 #include "document/model.h"
@@ -9,12 +9,8 @@
 #include "mesh/bounding_box.h"
 #include "summary/figure_text.h"
 
-#include <algorithm>
-#include <array>
-#include <chrono>
 #include <filesystem>
 #include <map>
-#include <string_view>
 
 namespace qm {
 namespace {
@@ -61,49 +57,6 @@ void declareNeeds(Tool& tool, const ExportOptions& options, const NamedFormat& f
     tool.needs({"colour"}, "PLY or glTF", [&tool, &format, isSolid] {
         return !isSolid() && exportFormat(format, tool.outputPath()) != obj;
     });
-}
-
-std::string exportDate(const std::string& text, const std::string& meshPath) {
-    using namespace std::chrono;
-    std::array<int, 6> parts{}; // year, month, day, hour, minute, second
-    if (text == "mesh") {
-        std::error_code missing;
-        const auto changed = std::filesystem::last_write_time(meshPath, missing);
-        if (missing) throw Error(meshPath, "is gone", "Give the date itself with --date");
-        const auto time = floor<seconds>(file_clock::to_sys(changed));
-        const year_month_day date(floor<days>(time));
-        const hh_mm_ss clock(time - floor<days>(time));
-        parts = {static_cast<int>(date.year()),
-                 static_cast<int>(static_cast<unsigned>(date.month())),
-                 static_cast<int>(static_cast<unsigned>(date.day())),
-                 static_cast<int>(clock.hours().count()),
-                 static_cast<int>(clock.minutes().count()),
-                 static_cast<int>(clock.seconds().count())};
-    } else {
-        constexpr std::string_view pattern = "0000-00-00T00:00:00";
-        bool sound = text.size() == pattern.size() || text.size() == pattern.find('T');
-        for (std::size_t k = 0, part = 0; sound && k < text.size(); ++k) {
-            const bool isDigit = text[k] >= '0' && text[k] <= '9';
-            sound = pattern[k] == '0' ? isDigit : text[k] == pattern[k];
-            if (isDigit)
-                parts.at(part) = 10 * parts.at(part) + (text[k] - '0');
-            else
-                ++part;
-        }
-        const year_month_day date{year{parts[0]}, month{static_cast<unsigned>(parts[1])},
-                                  day{static_cast<unsigned>(parts[2])}};
-        if (!sound || !date.ok() || parts[3] > 23 || parts[4] > 59 || parts[5] > 59)
-            throw Error("", "'" + text + "' is no date",
-                        "Give one such as 2026-11-22 or 2026-11-22T10:00:00, or mesh");
-    }
-    const auto padded = [](int number, std::size_t digits) {
-        const std::string shortest = numberText(number);
-        return std::string(digits - std::min(digits, shortest.size()), '0') + shortest;
-    };
-    std::string result = padded(parts[0], 4);
-    for (std::size_t k = 1; k < parts.size(); ++k)
-        result += "--T::"[k - 1] + padded(parts.at(k), 2);
-    return result;
 }
 
 Kind neededKind(const ExportOptions& options) {

@@ -42,18 +42,12 @@ template <> struct Choices<ColourBy> {
 /// \throw UsageError  if neither the option nor the output's name determines the format
 [[nodiscard]] ExportFormat exportFormat(NamedFormat format, const std::string& outputPath);
 
-/// \param date  empty, or see `exportDate`
+/// \param date  empty, or see `exportDate` (cli/export_date.h)
 /// \throw Error  if no product can have this name, because it is too long or not UTF-8, or if that is no date
 void verifyNameAndDate(const std::string& name, const std::string& date);
 
 /// Declares which options have an effect on some formats only.
 void declareNeeds(Tool& tool, const ExportOptions& options, const NamedFormat& format);
-
-/// The date that an exported file states.
-/// \param text  a date, with or without a time of day, UTC: "2026-11-22T10:00:00"; or "mesh" for the time at
-/// which the mesh's file was last changed
-/// \throw Error  if the text is neither, or if the mesh's file is missing
-[[nodiscard]] std::string exportDate(const std::string& text, const std::string& meshPath);
 
 /// The kind that a document must have. Quads need no surfaces, unless these determine their colours.
 [[nodiscard]] Kind neededKind(const ExportOptions& options);

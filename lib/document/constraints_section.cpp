@@ -16,27 +16,27 @@ public:
                 onLine_[at(mesh.edge_handle(halfedge))] = true;
     }
 
-    std::vector<EdgeId> read(const JsonPlace& list, bool required) {
-        std::vector<bool>& known = required ? required_ : forbidden_;
-        const std::vector<bool>& others = required ? forbidden_ : required_;
+    enum class Demand { required, forbidden };
+
+    std::vector<EdgeId> read(const JsonPlace& list, Demand demand) {
+        const bool isRequired = demand == Demand::required;
+        std::vector<bool>& known = isRequired ? required_ : forbidden_;
+        const std::vector<bool>& others = isRequired ? forbidden_ : required_;
         std::vector<EdgeId> edges;
         for (std::size_t i = 0; i < list.size(); ++i) {
             const JsonPlace vertices = list[i]["vertices"];
-            const std::vector<HalfedgeId> path = pathAt(mesh_, vertices);
-            for (std::size_t k = 0; k < path.size(); ++k) {
-                const EdgeId edge = mesh_.edge_handle(path[k]);
+            for (const auto& [edge, end] : edgesAlong(vertices)) {
                 if (mesh_.is_boundary(edge)) {
-                    if (required) continue;
+                    if (isRequired) continue;
                     vertices.failAt(
-                        k + 1,
-                        "the edge to this vertex is on the mesh boundary, which always bounds patches");
+                        end, "the edge to this vertex is on the mesh boundary, which always bounds patches");
                 }
                 if (!onLine_[at(edge)])
                     vertices.failAt(
-                        k + 1, "the edge to this vertex lies on no separatrix, so no patch can end there",
+                        end, "the edge to this vertex lies on no separatrix, so no patch can end there",
                         "Demand edges of separatrices or of lines with a feature seed");
                 if (others[at(edge)])
-                    vertices.failAt(k + 1, "the edge to this vertex is both required and forbidden");
+                    vertices.failAt(end, "the edge to this vertex is both required and forbidden");
                 if (!known[at(edge)]) edges.push_back(edge);
                 known[at(edge)] = true;
             }
@@ -50,13 +50,11 @@ public:
         for (std::size_t i = 0; i < list.size(); ++i) {
             const JsonPlace vertices = list[i]["vertices"];
             const double weight = list[i]["weight"].number();
-            const std::vector<HalfedgeId> path = pathAt(mesh_, vertices);
-            for (std::size_t k = 0; k < path.size(); ++k) {
-                const EdgeId edge = mesh_.edge_handle(path[k]);
+            for (const auto& [edge, end] : edgesAlong(vertices)) {
                 if (!onLine_[at(edge)])
                     vertices.failAt(
-                        k + 1, "the edge to this vertex lies on no separatrix, so no patch can end there");
-                if (known[at(edge)]) vertices.failAt(k + 1, "the edge to this vertex has a weight already");
+                        end, "the edge to this vertex lies on no separatrix, so no patch can end there");
+                if (known[at(edge)]) vertices.failAt(end, "the edge to this vertex has a weight already");
                 known[at(edge)] = true;
                 weights.emplace_back(edge, weight);
             }
@@ -65,6 +63,18 @@ public:
     }
 
 private:
+    struct PathEdge {
+        EdgeId edge;
+        std::size_t end; ///< position in the list of the vertex to which it leads
+    };
+
+    [[nodiscard]] std::vector<PathEdge> edgesAlong(const JsonPlace& vertices) const {
+        std::vector<PathEdge> edges;
+        for (const HalfedgeId halfedge : pathAt(mesh_, vertices))
+            edges.push_back({mesh_.edge_handle(halfedge), edges.size() + 1});
+        return edges;
+    }
+
     const QuadMesh& mesh_;
     std::vector<bool> onLine_;
     std::vector<bool> required_;
@@ -76,8 +86,10 @@ private:
 Constraints readConstraints(const QuadMesh& mesh, const BaseComplex& complex, const JsonPlace& section) {
     Reader reader(mesh, complex);
     Constraints constraints;
-    if (const auto list = section.find("required")) constraints.required = reader.read(*list, true);
-    if (const auto list = section.find("forbidden")) constraints.forbidden = reader.read(*list, false);
+    if (const auto list = section.find("required"))
+        constraints.required = reader.read(*list, Reader::Demand::required);
+    if (const auto list = section.find("forbidden"))
+        constraints.forbidden = reader.read(*list, Reader::Demand::forbidden);
     if (const auto list = section.find("weights")) constraints.weights = reader.readWeights(*list);
     return constraints;
 }

@@ -29,7 +29,8 @@ template <class Function> decltype(auto) inFile(const std::string& file, Functio
 [[nodiscard]] bool isRegularFile(const std::string& path);
 
 /// The bytes of a file; "-" is standard input.
-/// \throw FileError  if it cannot be read, is a folder or a device, or larger than any document or mesh can be
+/// \throw FileError  if it cannot be read, is a folder or a device, or is larger than any document or mesh
+/// can be
 [[nodiscard]] std::string readFile(const std::string& path);
 
 /// The name of a file in messages: its path, or "standard input".

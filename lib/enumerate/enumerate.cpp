@@ -105,7 +105,7 @@ Enumeration enumerateGraphs(const QuadMesh& mesh, const BaseComplex& complex,
 }
 
 bool listGraphs(const QuadMesh& mesh, const BaseComplex& complex, const std::vector<double>& dihedralAngles,
-                const SubMeshes& subMeshes, const EnumerationOptions& options, bool ranked,
+                const SubMeshes& subMeshes, const EnumerationOptions& options, ListedGraphs which,
                 const GraphListing& listing, const Control& control) {
     verifyAsked(subMeshes, options);
     const std::vector<double> costs = edgeCosts(mesh, dihedralAngles, options.cost, options.constraints);
@@ -113,7 +113,7 @@ bool listGraphs(const QuadMesh& mesh, const BaseComplex& complex, const std::vec
     const Deadline deadline(control, options.timeLimit);
     const Control limited = deadline.control();
     for (const SubMeshId subMesh : subMeshes.ids()) {
-        if (!search.list(subMesh, ranked, listing, limited)) return false;
+        if (!search.list(subMesh, which, listing, limited)) return false;
         control.progress((subMesh.value() + 1.0) / subMeshes.count);
     }
     return true;

@@ -48,12 +48,17 @@ struct GraphListing {
     std::function<bool(std::string_view text, std::size_t graphs)> take;
 };
 
-/// Lists every graph exactly once, sub-mesh by sub-mesh, in bounded memory; or, with `ranked`, the best
-/// graphs of each sub-mesh, cheapest first. Works on `control.jobs` threads; the list does not depend on
-/// their number.
+/// The graphs of each sub-mesh that are listed.
+enum class ListedGraphs {
+    every, ///< exactly once each
+    best   ///< as many as the options keep, the cheapest first
+};
+
+/// Lists graphs, sub-mesh by sub-mesh, in bounded memory. Works on `control.jobs` threads; the list does not
+/// depend on their number.
 /// \return false if the listing was ended early
 bool listGraphs(const QuadMesh& mesh, const BaseComplex& complex, const std::vector<double>& dihedralAngles,
-                const SubMeshes& subMeshes, const EnumerationOptions& options, bool ranked,
+                const SubMeshes& subMeshes, const EnumerationOptions& options, ListedGraphs which,
                 const GraphListing& listing, const Control& control = {});
 
 } // namespace qm

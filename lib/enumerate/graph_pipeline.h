@@ -29,7 +29,7 @@ struct GraphStages {
 /// Holds at most a few batches of graphs per thread, however many graphs there are.
 class GraphPipeline {
 public:
-    /// \param jobs  most threads, including the one that finds graphs
+    /// \param jobs  largest number of threads, including the one that finds graphs
     GraphPipeline(GraphStages stages, unsigned jobs);
     ~GraphPipeline();
     GraphPipeline(const GraphPipeline&) = delete;

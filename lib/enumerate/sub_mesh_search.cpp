@@ -89,7 +89,7 @@ SubMeshGraphs SubMeshSearch::search(SubMeshId subMesh, const Control& control,
     return result;
 }
 
-bool SubMeshSearch::list(SubMeshId subMesh, bool ranked, const GraphListing& listing,
+bool SubMeshSearch::list(SubMeshId subMesh, ListedGraphs which, const GraphListing& listing,
                          const Control& control) const {
     const Task task = this->task(subMesh);
     GraphPipeline pipeline({[&](const Assignment& assignment, std::string& text) {
@@ -100,7 +100,8 @@ bool SubMeshSearch::list(SubMeshId subMesh, bool ranked, const GraphListing& lis
                             }},
                            control.jobs);
     const auto put = [&](const Assignment& assignment) { return pipeline.put(assignment); };
-    const bool found = ranked ? findRanked(task, put, control) : find(task, put, control);
+    const bool found =
+        which == ListedGraphs::best ? findRanked(task, put, control) : find(task, put, control);
     const bool taken = pipeline.finish();
     return found && taken;
 }

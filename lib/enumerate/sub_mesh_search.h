@@ -22,9 +22,9 @@ public:
     [[nodiscard]] SubMeshGraphs search(SubMeshId subMesh, const Control& control,
                                        std::atomic<bool>& complete) const;
 
-    /// Lists every graph; or, with `ranked`, as many as the options keep, cheapest first.
     /// \return false if `listing` or a limit ended the list early
-    bool list(SubMeshId subMesh, bool ranked, const GraphListing& listing, const Control& control) const;
+    bool list(SubMeshId subMesh, ListedGraphs which, const GraphListing& listing,
+              const Control& control) const;
 
 private:
     struct Task {

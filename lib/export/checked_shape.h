@@ -22,8 +22,8 @@ struct CheckedShape {
 };
 
 /// A simple surface is given up where its borders do not allow it.
-/// \param simplify  largest distance between a patch and the simple surface that replaces it; 0 allows only exact
-/// planes
+/// \param simplify  largest distance between a patch and the simple surface that replaces it; 0 allows only
+/// exact planes
 [[nodiscard]] CheckedShape checkedShape(const QuadMesh& mesh, const FacePatches& faces, double simplify);
 
 /// The same with one face for every plane, cylinder and cone, and one edge for what is one line, circle or

@@ -20,18 +20,19 @@ using Eigen::Vector3d;
 constexpr double degree = std::numbers::pi / 180;
 
 struct Tuning {
-    /// In sizes of the patch: arcs of a larger radius look flat, and where their axes lie depends on rounding
-    /// errors.
+    /// Largest radius, in sizes of the patch: larger arcs look flat, and where their axes lie depends on
+    /// rounding errors.
     static constexpr double maxRadius = 10;
-    /// Between patch and seam, so that no edge touches the seam.
+    /// Smallest angle between patch and seam, so that no edge touches the seam.
     static constexpr double seamMargin = 2 * degree;
-    /// Between patch and a sphere's poles, where parameters run together.
+    /// Smallest angle between patch and a sphere's poles, where parameters run together.
     static constexpr double poleMargin = 15 * degree;
-    /// Of radial directions: if they all but cancel, the patch goes around, and no side is free for the seam.
+    /// Smallest length of the mean of the radial directions: if they all but cancel, the patch goes around,
+    /// and no side is free for the seam.
     static constexpr double minMean = 1e-3;
-    /// Of an axis, the part across the direction to the patch: with less, any other direction serves better.
+    /// Smallest part of an axis across the direction to the patch: with less, another one serves better.
     static constexpr double minAcross = 0.1;
-    /// Between patch and a cone's apex, in sizes of the patch.
+    /// Smallest distance between patch and a cone's apex, in sizes of the patch.
     static constexpr double apexMargin = 1e-3;
 };
 

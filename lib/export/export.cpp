@@ -53,7 +53,7 @@ Exported exportShape(const QuadMesh& mesh, const Layout& layout, const Surfaces&
         const double diagonal = boundingBox(mesh).diagonal();
         FacePatches faces = facePatches(layout, surfaces.patches);
         if (options.join) faces = joined(std::move(faces), knotTolerance * diagonal);
-        faces = withMostKnotsAlongV(separated(mesh, std::move(faces), knotTolerance * diagonal));
+        faces = withMoreKnotsAlongV(separated(mesh, std::move(faces), knotTolerance * diagonal));
         CheckedShape made =
             checkedShape(mesh, faces, options.analytic ? options.analyticTolerance.length(diagonal) : 0);
         if (options.join) made = merged(std::move(made));

@@ -71,7 +71,8 @@ struct Exported {
 /// The same input and options give the same bytes. Segments keep their numbers: as names of faces (STEP, at
 /// most 49 bytes), labels (IGES), groups (OBJ), a property of faces (PLY) or names of nodes (glTF).
 /// \param surfaces  may be null for OBJ, PLY and glTF
-/// \throw Error  if surfaces are needed but missing, do not belong to the layout, or cannot be represented in OpenCASCADE
+/// \throw Error  if surfaces are needed but missing, do not belong to the layout, or cannot be represented in
+/// OpenCASCADE
 [[nodiscard]] Exported exportModel(const QuadMesh& mesh, const Layout& layout, const Surfaces* surfaces,
                                    const ExportOptions& options);
 

@@ -18,8 +18,8 @@ struct FacePatches {
 };
 
 /// Makes one face of every segment.
-/// \throw Error  if patches are not of degrees 1 to 3, have inner knots with a degree below 3, are not continuous, or do not
-/// belong to the layout
+/// \throw Error  if patches are not of degrees 1 to 3, have inner knots with a degree below 3, are not
+/// continuous, or do not belong to the layout
 [[nodiscard]] FacePatches facePatches(const Layout& layout, const std::vector<Patch>& patches);
 
 /// The quads of columns [from[0], to[0]) and rows [from[1], to[1]) of a segment.

@@ -7,7 +7,8 @@
 namespace qm {
 namespace {
 
-/// Between the normals of two planes that are one, in radians; how far edges are apart counts besides.
+/// Largest angle between the normals of two planes that are one, in radians; how far edges are apart counts
+/// besides.
 constexpr double maxAngle = 1e-3;
 
 /// The largest distance of an edge's control points from a plane: no point of it is farther away.

@@ -44,7 +44,7 @@ Patch quarterTurned(const Patch& patch) {
     return result;
 }
 
-FacePatches withMostKnotsAlongV(FacePatches faces) {
+FacePatches withMoreKnotsAlongV(FacePatches faces) {
     for (std::size_t f = 0; f < faces.patches.size(); ++f) {
         const auto& knots = faces.patches[f].knots;
         if (distinct(knots[0]) <= distinct(knots[1])) continue;

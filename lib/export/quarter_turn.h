@@ -12,6 +12,6 @@ namespace qm {
 /// Turns faces that have more knots along u than along v. OpenCASCADE computes volumes with as many points in
 /// both directions as suit the knots along v: where those along u were many more, volumes were wrong by up to
 /// a fifth.
-[[nodiscard]] FacePatches withMostKnotsAlongV(FacePatches faces);
+[[nodiscard]] FacePatches withMoreKnotsAlongV(FacePatches faces);
 
 } // namespace qm

@@ -74,7 +74,7 @@ public:
         SimpleSurface turned = surface_;
         const gp_Ax1& axis = surface_.surface->Axis();
         turned.surface = Handle(Geom_ElementarySurface)::DownCast(
-            surface_.surface->Rotated(axis, (least_ + most_) / 2 - pi)); // the seam is opposite
+            surface_.surface->Rotated(axis, (minAngle_ + maxAngle_) / 2 - pi)); // the seam is opposite
         boundary.faces[face].surface = turned.surface;
         for (const auto& loop : boundary.faces[face].loops)
             for (const EdgeUse& use : loop) {
@@ -108,18 +108,18 @@ private:
 
     /// Takes a face in, unless all together would go around too far.
     bool take(std::size_t face, double shift) {
-        double least = least_, most = most_;
+        double minAngle = minAngle_, maxAngle = maxAngle_;
         for (const EdgeUse& use : boundary_.faces[face].loops.front())
             for (const gp_Pnt2d& point : curveOf(use)->Poles()) {
-                least = std::min(least, point.X() + shift);
-                most = std::max(most, point.X() + shift);
+                minAngle = std::min(minAngle, point.X() + shift);
+                maxAngle = std::max(maxAngle, point.X() + shift);
             }
-        if (most - least > maxTurn_ && !angleAt_.empty()) {
+        if (maxAngle - minAngle > maxTurn_ && !angleAt_.empty()) {
             goesAround_ = true;
             return false;
         }
-        least_ = least;
-        most_ = most;
+        minAngle_ = minAngle;
+        maxAngle_ = maxAngle;
         for (const auto& [vertex, angle] : anglesAt(face))
             angleAt_.emplace(vertex, angle + shift);
         return true;
@@ -131,8 +131,8 @@ private:
     double maxTurn_;
     bool goesAround_ = false;
     std::map<std::size_t, double> angleAt_; ///< by vertex
-    double least_ = std::numeric_limits<double>::infinity();
-    double most_ = -std::numeric_limits<double>::infinity();
+    double minAngle_ = std::numeric_limits<double>::infinity();
+    double maxAngle_ = -std::numeric_limits<double>::infinity();
 };
 
 } // namespace

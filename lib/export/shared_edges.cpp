@@ -11,7 +11,7 @@ namespace qm {
 namespace {
 
 constexpr int samples = 9; ///< of gap and angle along every mesh edge
-/// Between normals, in degrees: two patches are one smooth surface up to here, whatever a program may ask.
+/// Angle between normals, in degrees, below which two patches are one smooth surface for any program.
 constexpr double exactAngle = 0.01;
 
 /// For every side of every patch, the number of the border edge at each position.

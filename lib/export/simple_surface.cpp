@@ -19,7 +19,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Between the normals of a patch and of what takes its place, in radians.
+/// Largest angles between the normals of a patch and of what takes its place, in radians.
 struct NormalLimits {
     /// Root mean square: with more, another shape is meant.
     static constexpr double rms = 3 * (std::numbers::pi / 180);

@@ -10,7 +10,8 @@
 namespace qm {
 namespace {
 
-/// Of solids and faces, in bytes: Netgen copies a name into fifty bytes, however long it is, and crashes.
+/// Largest length of the names of solids and faces, in bytes: Netgen copies a name into fifty bytes, however
+/// long it is, and crashes.
 constexpr std::size_t maxName = 49;
 
 /// "segment 4", or "segments 4 7" of a face that was joined, or "segments 4 7 and 58 more" of very many.

@@ -30,9 +30,9 @@ inline constexpr StepToken unspecified{".UNSPECIFIED."};
 [[nodiscard]] std::string stepText(std::string_view utf8, std::size_t limit = std::string_view::npos);
 
 /// One parameter of an entity.
-/// \param value  a number, with a decimal point and in the fewest digits that read back as the same number if it is real;
-/// .T. or .F.; an entity; a token; the contents of a string, made by `stepText` if need be; or a list of
-/// these
+/// \param value  a number, with a decimal point and in the fewest digits that read back as the same number if
+/// it is real; .T. or .F.; an entity; a token; the contents of a string, made by `stepText` if need be; or a
+/// list of these
 void appendParameter(std::string& text, double value);
 void appendParameter(std::string& text, int value);
 void appendParameter(std::string& text, bool value);

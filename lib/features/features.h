@@ -12,11 +12,11 @@
 namespace qm {
 
 struct FeatureOptions {
-    double rho = defaultRho; ///< least dihedral angle of the edges of a curve, radians
+    double rho = defaultRho; ///< smallest dihedral angle of the edges of a curve, radians
     // Distances of ends are measured along the line to the next extraordinary vertex.
-    Length minLength{3, true};   ///< least length of a curve
-    Length minDistance{1, true}; ///< least distance of its ends from extraordinary vertices
-    int tau = 6;                 ///< least number of edges of a curve
+    Length minLength{3, true};   ///< smallest length of a curve
+    Length minDistance{1, true}; ///< smallest distance of its ends from extraordinary vertices
+    int tau = 6;                 ///< smallest number of edges of a curve
     int zeta = 1;                ///< its ends are more than this many edges away from extraordinary vertices
     double maxRoundness = roundLine; ///< of a curve, see `roundness`; 1 admits all
 };

@@ -24,7 +24,7 @@ void requireExactSums(const std::vector<double>& costs, double costOfSegment) {
 
 /// Adds the term of the edges' lengths to the costs.
 void addLengths(const QuadMesh& mesh, double factor, std::vector<double>& costs) {
-    constexpr double minLength = 1e-5; // a hundred times the least difference that searches tell apart
+    constexpr double minLength = 1e-5; // a hundred times the smallest difference that searches tell apart
     double longest = 0;
     for (const EdgeId edge : mesh.edges()) {
         if (mesh.is_boundary(edge)) continue;

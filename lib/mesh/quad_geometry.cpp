@@ -73,15 +73,15 @@ std::optional<double> minCornerSine(const QuadMesh& mesh, FaceId face) {
     const std::optional<Point> normal = middleNormal(mesh, face);
     if (!normal) return std::nullopt;
     const auto corners = cornersOf(mesh, face);
-    double least = 1;
+    double minSine = 1;
     for (std::size_t k = 0; k < 4; ++k) {
         const Point corner = mesh.point(corners[k]);
         const Point onward = scaled(mesh.point(corners[(k + 1) % 4]) - corner);
         const Point back = scaled(mesh.point(corners[(k + 3) % 4]) - corner);
         const double lengths = onward.norm() * back.norm();
-        least = std::min(least, lengths > 0 ? ((onward % back) | *normal) / lengths : 0);
+        minSine = std::min(minSine, lengths > 0 ? ((onward % back) | *normal) / lengths : 0);
     }
-    return least;
+    return minSine;
 }
 
 bool isFolded(const QuadMesh& mesh, FaceId face) {

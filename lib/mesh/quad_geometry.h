@@ -28,9 +28,9 @@ namespace qm {
 /// alike.
 [[nodiscard]] std::optional<Point> middleNormal(const QuadMesh& mesh, FaceId face);
 
-/// The least sine of the angles at a quad's corners, seen along the normal in its middle: 1 for a rectangle,
-/// 0 where three corners lie in a line or two in one place, negative where a corner is turned over. None if
-/// there is no such normal.
+/// The smallest sine of the angles at a quad's corners, seen along the normal in its middle: 1 for a
+/// rectangle, 0 where three corners lie in a line or two in one place, negative where a corner is turned
+/// over. None if there is no such normal.
 [[nodiscard]] std::optional<double> minCornerSine(const QuadMesh& mesh, FaceId face);
 
 /// Whether some corner is within 6 degrees of flat, is turned over against the quad's middle, or has no area.

@@ -15,8 +15,8 @@ inline constexpr double roundLine = 0.5;
 /// on a cylinder of twelve quads around. Compares the bends at the edges of a line with those at the opposite
 /// edges of the quads on both sides, about the same axes (docs/METHOD.md#roundness).
 /// \param line  halfedges of edges inside the mesh
-/// \return  the sum of the lesser bends of both sides as a share of the sum of the line's own: about 1, and at
-///          most 1, where all is round; 0 beside a plane, or where the line is sharper than round parts are
+/// \return the sum of the lesser bends of both sides as a share of the sum of the line's own: at most 1, and
+/// about 1 where all is round; 0 beside a plane, or where the line is sharper than round parts are
 [[nodiscard]] double roundness(const QuadMesh& mesh, const std::vector<HalfedgeId>& line);
 
 } // namespace qm

@@ -21,7 +21,8 @@ struct PruneOptions {
     double eta = 1;      ///< greedy: tracks that cost more than this are candidates; -3 suits soft models
     bool smooth = true;  ///< whether the smoothness criterion applies
     double maxTurn = 25; ///< P, degrees: the largest turn of the boundary where a removed track ended
-    /// Least degrees of a corner beside a side that passes straight through an extraordinary vertex.
+    /// Smallest angle, in degrees, of a corner beside a side that passes straight through an extraordinary
+    /// vertex.
     double minCorner = 25;
     /// Degrees: where a track ends on a line of sharp edges that turns by more, it is continued first.
     double maxSharpTurn = 180;

@@ -17,9 +17,10 @@ namespace qm {
 /// any of them, and none of them is an extraordinary vertex inside a segment, then by Gauss-Bonnet every new
 /// segment is a disk with four corners, an annulus or a torus. It is a disk exactly if the pieces of the
 /// track between crossing borders join segments as the edges of a forest join nodes. Of the tracks beside an
-/// annulus, only a closed one that no other border touches passes the test at its vertices: elsewhere the
-/// annulus takes two quads at the track's end, and the other side adds at least one. Such a loop stays, so
-/// annuli and their transversals never change.
+/// annulus, only a closed one that no other border touches passes the test at its vertices: at the end of any
+/// other, the annulus takes two quads, and the other side adds at least one. Such a loop has annuli on both
+/// sides. It stays, because without it they would become one annulus or a torus, not a grid with four
+/// corners. So annuli and their transversals never change.
 class Removal {
 public:
     Removal(const QuadMesh& mesh, const Layout& layout);

@@ -15,7 +15,7 @@ namespace qm {
 namespace {
 
 constexpr std::size_t maxEdges = 8; // of a hole
-/// Of a row, in quads: a turn makes two extraordinary vertices.
+/// Cost of a turn of a row, in quads: it makes two extraordinary vertices.
 constexpr int costOfTurn = 8;
 
 class HoleCloser {

@@ -40,8 +40,8 @@ std::optional<std::array<double, 3>> weightsOf(const std::array<Point, 3>& corne
 
 class Equations {
 public:
-    Equations(const QuadMesh& mesh, const TriangleSurface& scan, double edge)
-        : mesh_(mesh), halves_(halves(mesh)), quads_(halves_), scan_(scan), edge_(edge) {}
+    Equations(const QuadMesh& mesh, const TriangleSurface& scan, double reach)
+        : mesh_(mesh), halves_(halves(mesh)), quads_(halves_), scan_(scan), reach_(reach) {}
 
     /// \return of no weight where the scan shows nothing
     [[nodiscard]] ScanEquation towardsScan(const QuadSample& sample) const {
@@ -49,7 +49,7 @@ public:
         Point place{0, 0, 0};
         for (std::size_t k = 0; k < 4; ++k)
             place += sample.weights[k] * pointOf(sample.vertices[k]);
-        const auto foot = scan_.nearest(place, edge_);
+        const auto foot = scan_.nearest(place, reach_);
         if (!foot || foot->onBoundary != sample.onBoundary) return equation;
         const std::optional<Point> normal = normalOf(scan_.corners(foot->face));
         if (!normal) return equation;
@@ -62,7 +62,7 @@ public:
 
     [[nodiscard]] ScanEquation towardsSample(const ScanSample& sample) const {
         ScanEquation equation;
-        const auto foot = quads_.nearest(sample.position, edge_);
+        const auto foot = quads_.nearest(sample.position, reach_);
         if (!foot) return equation;
         const auto corners = quads_.corners(foot->face);
         const std::optional<Point> own = normalOf(corners);
@@ -91,7 +91,7 @@ private:
         straight = straight || std::abs(gap | normal) < beside * length;
         equation.direction = straight && length > 0 ? gap / length : normal;
         equation.distance = gap | equation.direction;
-        const double share = length / (edge_ / 3);
+        const double share = length / (reach_ / 3); // in halves of a mean edge
         equation.weight = area / ((1 + share * share) * (1 + share * share));
     }
 
@@ -99,15 +99,15 @@ private:
     Triangles halves_;
     TriangleSurface quads_;
     const TriangleSurface& scan_;
-    double edge_;
+    double reach_;
 };
 
 } // namespace
 
 std::vector<ScanEquation> scanEquations(const QuadMesh& mesh, const TriangleSurface& scan,
-                                        const std::vector<ScanSample>& samples, double edge, unsigned jobs) {
+                                        const std::vector<ScanSample>& samples, double reach, unsigned jobs) {
     const std::vector<QuadSample> ofQuads = samplesOfQuads(mesh);
-    const Equations equations(mesh, scan, edge);
+    const Equations equations(mesh, scan, reach);
     std::vector<ScanEquation> all(ofQuads.size() + samples.size());
     parallelForMany(all.size(), jobs, [&](std::size_t k) {
         all[k] = k < ofQuads.size() ? equations.towardsScan(ofQuads[k])

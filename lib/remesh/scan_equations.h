@@ -22,11 +22,12 @@ struct ScanEquation {
 
 /// One for every sample of the quads, towards the plane of the nearest triangle of the scan, and one for
 /// every sample of the scan, which draws the nearest place of the quads to its own plane; beyond a boundary
-/// or a sharp edge straight towards one another. There are none where the other surface is more than `edge`
+/// or a sharp edge straight towards one another. There are none where the other surface is more than `reach`
 /// away or shows its other side, and those of far places weigh little.
-/// \param edge  about the length of the quads' sides
+/// \param reach  1.5 times the mean length of the quads' sides; at a third of it, half a mean edge, the
+/// weight has fallen to a quarter
 [[nodiscard]] std::vector<ScanEquation> scanEquations(const QuadMesh& mesh, const TriangleSurface& scan,
-                                                      const std::vector<ScanSample>& samples, double edge,
+                                                      const std::vector<ScanSample>& samples, double reach,
                                                       unsigned jobs);
 
 } // namespace qm

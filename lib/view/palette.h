@@ -7,7 +7,7 @@
 
 namespace qm {
 
-/// As many as the page has colours for items side by side.
+/// Number of colours that the page has for items side by side.
 constexpr std::uint32_t colourCount = 8;
 
 /// A number below `colourCount` for every item: the one that fewest neighbours have, and of several such the

@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "cli/command_line.h"
 #include "cli/export_choices.h"
+#include "cli/export_date.h"
 #include "cli/general_options.h"
 #include "document/options_json.h"
 #include "view/view_options.h"

@@ -24,7 +24,7 @@ struct Torus {
     ArcGraph graph;
     Problem problem;
     Assignment plain;   ///< the plain motorcycle graph
-    double minCost = 0; ///< least cost of all graphs
+    double minCost = 0; ///< lowest cost of all graphs
 };
 
 Torus drawTorus(unsigned number) {

@@ -222,20 +222,24 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     Layout, SpoiltDocument,
     ::testing::Values(
-        Spoilt{"trackCost", cornerModel, [](Doc& d) { *layout(d).tracks[4].cost += 1; }, "/layout/tracks/4/cost",
-               "cost"},
+        Spoilt{"trackCost", cornerModel, [](Doc& d) { *layout(d).tracks[4].cost += 1; },
+               "/layout/tracks/4/cost", "cost"},
         Spoilt{"cost", cornerModel, [](Doc& d) { *layout(d).cost += 1; }, "/layout/cost", "G_T"},
-        Spoilt{"bound", cornerModel, [](Doc& d) { *layout(d).lowerBound += 1; }, "/layout/lowerBound", "bound"},
+        Spoilt{"bound", cornerModel, [](Doc& d) { *layout(d).lowerBound += 1; }, "/layout/lowerBound",
+               "bound"},
         Spoilt{"id", cornerModel, [](Doc& d) { layout(d).tracks[4].id = 3; }, "/layout/tracks/4/id", "id"},
         Spoilt{"idle", cornerModel, [](Doc& d) { layout(d).tracks.pop_back(); }, "/layout/tracks", "A3"},
-        Spoilt{"firstArc", cornerModel, [](Doc& d) { layout(d).tracks.pop_back(); }, "/layout/tracks", "arc rule 1"},
-        Spoilt{"unmarkedBorder", cornerModel, [](Doc& d) { layout(d).tracks.erase(layout(d).tracks.begin()); },
-               "/layout/segments/0", "border"},
+        Spoilt{"firstArc", cornerModel, [](Doc& d) { layout(d).tracks.pop_back(); }, "/layout/tracks",
+               "arc rule 1"},
+        Spoilt{"unmarkedBorder", cornerModel,
+               [](Doc& d) { layout(d).tracks.erase(layout(d).tracks.begin()); }, "/layout/segments/0",
+               "border"},
         Spoilt{"required", cornerModel,
                [](Doc& d) {
                    // The other graphs have edges that are not in the layout.
                    std::vector<std::vector<int>> paths;
-                   for (const auto& track : first(d).graphs[3].tracks) paths.push_back(track.vertices);
+                   for (const auto& track : first(d).graphs[3].tracks)
+                       paths.push_back(track.vertices);
                    d.constraints = {paths, {}, {}};
                },
                "/layout/tracks", "required"},
@@ -246,8 +250,14 @@ INSTANTIATE_TEST_SUITE_P(
                    back.id = 22;
                    layout(d).tracks.push_back(back);
                },
-               "/layout/tracks/22", "edge twice"},
-        Spoilt{"tiling", cornerModel, [](Doc& d) { layout(d).segments[2].faces = layout(d).segments[1].faces; },
+               "/layout/tracks/22", "edge twice"}),
+    nameOf);
+
+INSTANTIATE_TEST_SUITE_P(
+    LayoutSegments, SpoiltDocument,
+    ::testing::Values(
+        Spoilt{"tiling", cornerModel,
+               [](Doc& d) { layout(d).segments[2].faces = layout(d).segments[1].faces; },
                "/layout/segments/2/faces/0", "tiling"},
         Spoilt{"faceMissing", cornerModel, [](Doc& d) { layout(d).segments.pop_back(); }, "/layout/segments",
                "tiling"},
@@ -256,56 +266,87 @@ INSTANTIATE_TEST_SUITE_P(
         Spoilt{"grid", twoHolesModel,
                [](Doc& d) {
                    auto& all = layout(d).segments;
-                   auto wide = std::find_if(all.begin(), all.end(), [](const auto& s) { return s.faces.size() > 1; });
+                   auto wide =
+                       std::find_if(all.begin(), all.end(), [](const auto& s) { return s.faces.size() > 1; });
                    std::swap(*wide, all[0]);
                    std::swap(all[0].id, wide->id);
                    std::swap(all[0].faces[0], all[0].faces[1]);
                },
                "/layout/segments/0/faces/0", "grid"},
-        Spoilt{"size", cornerModel, [](Doc& d) { layout(d).segments[2].size = {3, 3}; }, "/layout/segments/2/faces",
-               "grid"},
-        Spoilt{"corner", cornerModel, [](Doc& d) { layout(d).segments[2].corners[3] = layout(d).segments[2].corners[1]; },
+        Spoilt{"size", cornerModel,
+               [](Doc& d) {
+                   layout(d).segments[2].size = {3, 3};
+               },
+               "/layout/segments/2/faces", "grid"},
+        Spoilt{"corner", cornerModel,
+               [](Doc& d) { layout(d).segments[2].corners[3] = layout(d).segments[2].corners[1]; },
                "/layout/segments/2/corners/3", "corner"},
         Spoilt{"sideVertex", cornerModel, [](Doc& d) { layout(d).segments[2].sides[1][0] = 0; },
                "/layout/segments/2/sides/1/0", "side"},
         Spoilt{"sideLength", cornerModel, [](Doc& d) { layout(d).segments[2].sides[1].pop_back(); },
                "/layout/segments/2/sides/1", "side"},
-        Spoilt{"segmentId", cornerModel, [](Doc& d) { layout(d).segments[2].id = 1; }, "/layout/segments/2/id", "id"},
-        Spoilt{"quality", cornerModel, [](Doc& d) { layout(d).quality.segments = 13; }, "/layout/quality/segments",
-               "quality"},
-        Spoilt{"joints", cornerModel, [](Doc& d) { layout(d).quality.tJoints = 99; }, "/layout/quality/tJoints",
-               "quality"},
-        Spoilt{"aspect", twoHolesModel, [](Doc& d) { layout(d).quality.maxAspect = 77; }, "/layout/quality/maxAspect",
-               "quality"},
-        Spoilt{"gap", cornerModel, [](Doc& d) {
- layout(d).lowerBound = layout(d).cost;
- layout(d).quality.gap = 3; },
-               "/layout/quality/gap", "quality"},
-        Spoilt{"sharpness", cornerModel, [](Doc& d) {
- layout(d).quality.rho = 0.45;
- layout(d).quality.capturedSharpness = 0.5; },
-               "/layout/quality/capturedSharpness", "quality"},
-        Spoilt{"frontCovered", cornerModel, [](Doc& d) {
- layout(d).front = {{1, 9, -5, 0.5, -1.0, false}, {2, 7, -4, 0.4, -2.0, false}, {4, 6, -4, 0.4, 20.0, true}}; },
-               "/layout/prune/front/1", "front"},
-        Spoilt{"frontOrder", cornerModel, [](Doc& d) {
- layout(d).front = {{1, 6, -4, 0.5, 2.0, true}, {2, 7, -5, 0.5, 9.0, true}}; },
-               "/layout/prune/front/1/segments", "front"},
-        Spoilt{"frontBound", cornerModel, [](Doc& d) { layout(d).front = {{1, 6, -4, 0.5, 3.0, false}}; },
-               "/layout/prune/front/0/objectiveBound", "front"},
-        Spoilt{"frontProof", cornerModel, [](Doc& d) { layout(d).front = {{1, 6, -4, 0.5, 1.0, true}}; },
-               "/layout/prune/front/0/proven", "front"},
-        Spoilt{"wholeLine", torusModel, [](Doc& d) { layout(d).tracks[0].vertices.pop_back(); }, "/layout/tracks/0",
-               "whole line"},
-        Spoilt{"transversalBend", torusModel,
-               [](Doc& d) {
-                   auto& vertices = layout(d).tracks[1].vertices;
-                   vertices = {vertices[0], vertices[1], vertices[1] + 1};
-               },
-               "/layout/tracks/1/vertices/2", "transversal straight"},
-        Spoilt{"transversalShort", torusModel, [](Doc& d) { layout(d).tracks[1].vertices.pop_back(); },
-               "/layout/tracks/1/vertices/5", "transversal ends"}),
+        Spoilt{"segmentId", cornerModel, [](Doc& d) { layout(d).segments[2].id = 1; },
+               "/layout/segments/2/id", "id"}),
     nameOf);
+
+INSTANTIATE_TEST_SUITE_P(
+    LayoutQuality, SpoiltDocument,
+    ::testing::Values(Spoilt{"quality", cornerModel, [](Doc& d) { layout(d).quality.segments = 13; },
+                             "/layout/quality/segments", "quality"},
+                      Spoilt{"joints", cornerModel, [](Doc& d) { layout(d).quality.tJoints = 99; },
+                             "/layout/quality/tJoints", "quality"},
+                      Spoilt{"aspect", twoHolesModel, [](Doc& d) { layout(d).quality.maxAspect = 77; },
+                             "/layout/quality/maxAspect", "quality"},
+                      Spoilt{"gap", cornerModel,
+                             [](Doc& d) {
+                                 layout(d).lowerBound = layout(d).cost;
+                                 layout(d).quality.gap = 3;
+                             },
+                             "/layout/quality/gap", "quality"},
+                      Spoilt{"sharpness", cornerModel,
+                             [](Doc& d) {
+                                 layout(d).quality.rho = 0.45;
+                                 layout(d).quality.capturedSharpness = 0.5;
+                             },
+                             "/layout/quality/capturedSharpness", "quality"},
+                      Spoilt{"frontCovered", cornerModel,
+                             [](Doc& d) {
+                                 layout(d).front = {{1, 9, -5, 0.5, -1.0, false},
+                                                    {2, 7, -4, 0.4, -2.0, false},
+                                                    {4, 6, -4, 0.4, 20.0, true}};
+                             },
+                             "/layout/prune/front/1", "front"},
+                      Spoilt{"frontOrder", cornerModel,
+                             [](Doc& d) {
+                                 layout(d).front = {{1, 6, -4, 0.5, 2.0, true}, {2, 7, -5, 0.5, 9.0, true}};
+                             },
+                             "/layout/prune/front/1/segments", "front"},
+                      Spoilt{"frontBound", cornerModel,
+                             [](Doc& d) {
+                                 layout(d).front = {{1, 6, -4, 0.5, 3.0, false}};
+                             },
+                             "/layout/prune/front/0/objectiveBound", "front"},
+                      Spoilt{"frontProof", cornerModel,
+                             [](Doc& d) {
+                                 layout(d).front = {{1, 6, -4, 0.5, 1.0, true}};
+                             },
+                             "/layout/prune/front/0/proven", "front"}),
+    nameOf);
+
+INSTANTIATE_TEST_SUITE_P(LayoutTransversals, SpoiltDocument,
+                         ::testing::Values(Spoilt{"wholeLine", torusModel,
+                                                  [](Doc& d) { layout(d).tracks[0].vertices.pop_back(); },
+                                                  "/layout/tracks/0", "whole line"},
+                                           Spoilt{"transversalBend", torusModel,
+                                                  [](Doc& d) {
+                                                      auto& vertices = layout(d).tracks[1].vertices;
+                                                      vertices = {vertices[0], vertices[1], vertices[1] + 1};
+                                                  },
+                                                  "/layout/tracks/1/vertices/2", "transversal straight"},
+                                           Spoilt{"transversalShort", torusModel,
+                                                  [](Doc& d) { layout(d).tracks[1].vertices.pop_back(); },
+                                                  "/layout/tracks/1/vertices/5", "transversal ends"}),
+                         nameOf);
 
 INSTANTIATE_TEST_SUITE_P(
     Surfaces, SpoiltDocument,

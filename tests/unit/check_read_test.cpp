@@ -20,9 +20,11 @@ Json sample() {
                     {"tool": "qm-bspline", "options": {"fit": "smooth", "tolerance": 0.25}}],
         "constraints": {"required": [{"vertices": [1, 2]}], "forbidden": []},
         "baseComplex": {"extraordinaryVertices": [3, 4], "ordinaryJunctions": 2,
-                        "separatrices": [{"id": 0, "vertices": [3, 4], "opposite": null, "selfCrossing": true}]},
+                        "separatrices": [{"id": 0, "vertices": [3, 4], "opposite": null,
+                                          "selfCrossing": true}]},
         "features": {"rho": 0.5, "curves": [{"id": 0, "vertices": [5, 6], "seed": 6}]},
-        "cut": {"chi": 40, "labels": [0, 1], "subMeshes": [{"id": 0, "quasiComplexity": 2.5, "source": null}]},
+        "cut": {"chi": 40, "labels": [0, 1],
+                "subMeshes": [{"id": 0, "quasiComplexity": 2.5, "source": null}]},
         "enumeration": {"alpha": 0.4, "epsilon": 0.2, "count": "12", "subMeshes": [
             {"id": 0, "cost": -1.5, "lowerBound": null, "count": "12",
              "graphs": [{"cost": -1.5, "tracks": [{"separatrix": 0, "vertices": [3, 4]}]}]}]},

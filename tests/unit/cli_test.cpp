@@ -183,7 +183,8 @@ TEST(Usage, HelpAndJsonSayTheSame) {
     const qm::Json json = qm::parseJson(qm::jsonUsage(usage));
     EXPECT_EQ(json["name"], "qm-test");
     EXPECT_EQ(json["options"][0], qm::parseJson(R"({"name": "--rho", "short": "-r", "group": "Options",
-        "type": "number", "placeholder": "X", "minimum": 0, "maximum": 3, "default": 0.5, "help": "an angle"})"));
+        "type": "number", "placeholder": "X", "minimum": 0, "maximum": 3, "default": 0.5,
+        "help": "an angle"})"));
     EXPECT_EQ(json["examples"], usage.examples);
 }
 

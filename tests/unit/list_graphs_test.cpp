@@ -15,7 +15,7 @@ namespace {
 class ListGraphs : public ::testing::Test {
 protected:
     /// \return false if the list was ended early
-    bool list(unsigned jobs, bool ranked, GraphListing listing, std::function<bool()> stop = {}) {
+    bool list(unsigned jobs, ListedGraphs which, GraphListing listing, std::function<bool()> stop = {}) {
         Control control;
         control.jobs = jobs;
         if (stop) control.stopRequested = std::move(stop);
@@ -23,17 +23,17 @@ protected:
             listing.append = [this](SubMeshId subMesh, const MotorcycleGraph& graph, std::string& text) {
                 appendGraphLine(mesh, separatrices, subMesh, graph, text);
             };
-        return listGraphs(mesh, complex, angles, {}, options, ranked, listing, control);
+        return listGraphs(mesh, complex, angles, {}, options, which, listing, control);
     }
 
-    std::string listed(unsigned jobs, bool ranked) {
+    std::string listed(unsigned jobs, ListedGraphs which) {
         std::string all;
         std::size_t graphs = 0;
-        EXPECT_TRUE(list(jobs, ranked, {{}, [&](std::string_view text, std::size_t count) {
-                                            all += text;
-                                            graphs += count;
-                                            return true;
-                                        }}));
+        EXPECT_TRUE(list(jobs, which, {{}, [&](std::string_view text, std::size_t count) {
+                                           all += text;
+                                           graphs += count;
+                                           return true;
+                                       }}));
         EXPECT_EQ(graphs, static_cast<std::size_t>(std::ranges::count(all, '\n')));
         return all;
     }
@@ -47,11 +47,11 @@ protected:
 
 TEST_F(ListGraphs, TheOrderDoesNotDependOnThreads) {
     options.best = 500;
-    for (const bool ranked : {false, true}) {
-        const std::string one = listed(1, ranked);
+    for (const ListedGraphs which : {ListedGraphs::every, ListedGraphs::best}) {
+        const std::string one = listed(1, which);
         EXPECT_GT(std::ranges::count(one, '\n'), 300); // several batches
         for (const unsigned jobs : {2U, 5U})
-            EXPECT_EQ(listed(jobs, ranked), one);
+            EXPECT_EQ(listed(jobs, which), one);
     }
 }
 
@@ -72,7 +72,8 @@ TEST_F(ListGraphs, LinesAreThoseOfDocuments) {
 TEST_F(ListGraphs, EndsWhenTheTakerHasEnough) {
     for (const unsigned jobs : {1U, 3U}) {
         int taken = 0;
-        EXPECT_FALSE(list(jobs, false, {{}, [&](std::string_view, std::size_t) { return ++taken < 2; }}));
+        EXPECT_FALSE(list(jobs, ListedGraphs::every,
+                          {{}, [&](std::string_view, std::size_t) { return ++taken < 2; }}));
         EXPECT_EQ(taken, 2);
     }
 }
@@ -80,11 +81,11 @@ TEST_F(ListGraphs, EndsWhenTheTakerHasEnough) {
 TEST_F(ListGraphs, HandsFailuresOn) {
     for (const unsigned jobs : {1U, 3U}) {
         EXPECT_THROW(
-            list(jobs, false,
+            list(jobs, ListedGraphs::every,
                  {{}, [](std::string_view, std::size_t) -> bool { throw std::runtime_error("full"); }}),
             std::runtime_error);
         EXPECT_THROW(
-            list(jobs, false,
+            list(jobs, ListedGraphs::every,
                  {[](SubMeshId, const MotorcycleGraph&, std::string&) { throw std::runtime_error("bad"); },
                   [](std::string_view, std::size_t) { return true; }}),
             std::runtime_error);
@@ -92,9 +93,9 @@ TEST_F(ListGraphs, HandsFailuresOn) {
 }
 
 TEST_F(ListGraphs, AsksWhetherToStopThroughout) {
-    for (const bool ranked : {false, true}) {
+    for (const ListedGraphs which : {ListedGraphs::every, ListedGraphs::best}) {
         EXPECT_FALSE(
-            list(2, ranked, {{}, [](std::string_view, std::size_t) { return true; }}, [] { return true; }));
+            list(2, which, {{}, [](std::string_view, std::size_t) { return true; }}, [] { return true; }));
     }
 }
 

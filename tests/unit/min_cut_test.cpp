@@ -32,7 +32,7 @@ double minOverAllLabellings(const CutProblem& problem) {
     return min;
 }
 
-/// The least energy by augmenting paths in the whole graph without fixing labels (Edmonds and Karp).
+/// The lowest energy by augmenting paths in the whole graph without fixing labels (Edmonds and Karp).
 class WholeGraph {
 public:
     explicit WholeGraph(const CutProblem& problem)

@@ -63,7 +63,7 @@ TEST(QuadBending, OfAPlaneAsksForNoTilts) {
     EXPECT_EQ(above.llt().info(), Eigen::Success);
 }
 
-TEST(QuadBending, IsLeastWhereTiltsTakeAwayWhatTiltsGave) {
+TEST(QuadBending, IsMinimalWhereTiltsTakeAwayWhatTiltsGave) {
     const TangentFrame frame = upright();
     const CornerFrames frames{&frame, &frame, &frame, nullptr};
     // The parameter lines of this surface turn and crowd; only its distance from the plane may count.

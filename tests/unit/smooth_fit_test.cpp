@@ -8,6 +8,7 @@
 #include "bspline/network/creases.h"
 #include "bspline/network/smooth_network.h"
 #include "bspline/network/vertex_fan.h"
+#include "bspline/reference/bilinear_quad.h"
 #include "bspline/reference/limit_surface.h"
 #include "bspline/reference/sound_faces.h"
 #include "bspline/splines/interpolate.h"

@@ -50,7 +50,7 @@ TriangleSurface planeOfNet() {
     return TriangleSurface({{{0, 0, 0}, {6, 0, 0}, {6, 6, 0}, {0, 6, 0}}, {{0, 1, 2}, {0, 2, 3}}});
 }
 
-double leastUpright(const QuadMesh& mesh, const TriangleSurface& scan) {
+double minUprightness(const QuadMesh& mesh, const TriangleSurface& scan) {
     double worst = 1;
     for (const FaceId face : mesh.faces())
         worst = std::min(worst, uprightness(mesh, face, scan, farAway));
@@ -62,18 +62,18 @@ TEST(UnfoldQuads, VerticesPulledOverTheirNeighboursGoBack) {
     const TriangleSurface scan = planeOfNet();
     mesh.set_point(VertexId(24), {5.4, 4.3, 0});
     mesh.set_point(VertexId(17), {0.7, 4.6, 0});
-    ASSERT_LT(leastUpright(mesh, scan), 0);
+    ASSERT_LT(minUprightness(mesh, scan), 0);
     unfoldQuads(mesh, scan, farAway);
-    EXPECT_GT(leastUpright(mesh, scan), 0.2);
+    EXPECT_GT(minUprightness(mesh, scan), 0.2);
 }
 
 TEST(UnfoldQuads, VerticesOfTheBoundaryStayOnIt) {
     QuadMesh mesh = net();
     const TriangleSurface scan = planeOfNet();
     mesh.set_point(VertexId(3), {4.6, 0, 0}); // beyond its neighbour
-    ASSERT_LT(leastUpright(mesh, scan), 0);
+    ASSERT_LT(minUprightness(mesh, scan), 0);
     unfoldQuads(mesh, scan, farAway);
-    EXPECT_GT(leastUpright(mesh, scan), 0.2);
+    EXPECT_GT(minUprightness(mesh, scan), 0.2);
     for (const VertexId vertex : mesh.vertices())
         if (mesh.is_boundary(vertex)) {
             const Point& point = mesh.point(vertex);

@@ -24,7 +24,8 @@ enum class Accuracy {
 /// A system that is factorised once and solved for any number of right-hand sides.
 class ConstrainedSystem {
 public:
-    /// \param entries    of the symmetric positive definite matrix, row >= column; entries of the same place are added
+    /// \param entries    of the symmetric positive definite matrix, row >= column; those at equal places are
+    /// added
     /// \param equations  each form must equal its constant; equations may depend on one another
     /// \param constants  one row per equation; without rows they are zero
     ConstrainedSystem(std::size_t unknowns, std::vector<Eigen::Triplet<double>> entries,

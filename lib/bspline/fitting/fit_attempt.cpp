@@ -33,8 +33,7 @@ constexpr int roundsForFolds = 30;
 constexpr int roundsOfMending = 8;
 
 /// If a verification finds a distance or a number of control points larger than the previous one by these
-/// factors, it is the last of its attempt, unless this is the last attempt: more rounds would add ever more
-/// knots.
+/// factors, the attempt ends, unless it is the last one: more rounds would add ever more knots.
 struct Astray {
     static constexpr double distance = 1.2;
     static constexpr double points = 1.5;
@@ -67,8 +66,8 @@ public:
           state_(mesh, layout, network, reference, options, isSoft, jobs) {}
 
     Fitted run(bool isLast, const Control& control) {
-        state_.solve(2 * options_.slides, true); // more slides while there are few knots
-        search(options_.maxRounds, options_.removesKnots, control);
+        state_.solveAll(2 * options_.slides); // more slides while there are few knots
+        search(options_.maxRounds, options_.removesKnots ? Saving::tried : Saving::none, control);
         Fitted nearest;
         for (int k = 1;; ++k) {
             chooseBest();
@@ -82,14 +81,16 @@ public:
             if (!state_.tighten(best_)) return nearest;
             best_ = {};
             nearest_ = {};
-            search(roundsOfMending, false, unreported(control));
+            search(roundsOfMending, Saving::none, unreported(control));
         }
     }
 
 private:
+    /// Whether a search that keeps the tolerance tries to do with fewer knots.
+    enum class Saving { none, tried };
+
     /// Alternates between placing knots and fitting until the tolerance is kept and no knots can be saved.
-    /// \param saves  whether to try to do with fewer knots
-    void search(int maxRounds, bool saves, const Control& control) {
+    void search(int maxRounds, Saving saving, const Control& control) {
         int removals = 0;
         int lastKept = 0;
         int idle = 0;
@@ -99,7 +100,7 @@ private:
         double countBefore = std::numeric_limits<double>::infinity();
         for (int round = 0; round < maxRounds; ++round) {
             control.progress(static_cast<double>(round) / maxRounds);
-            if (round > 0) state_.solve(options_.slides, false);
+            if (round > 0) state_.solveChanged(options_.slides);
             flattenIfKept();
             idle = keepIfBest() ? 0 : idle + 1;
             if (idle == maxIdle || control.stopRequested()) break;
@@ -116,7 +117,8 @@ private:
             if (++rounds_ > roundsForFolds) state_.giveUpFolds();
             if (state_.worst() <= 1) {
                 const auto count = static_cast<double>(controlPointCount(best_.patches));
-                if (!saves || round + maxRepairs > maxRounds) break; // no round is left for repairs
+                if (saving == Saving::none || round + maxRepairs > maxRounds)
+                    break; // no round is left for repairs
                 if (removals++ == maxRemovals || count > worthwhile * countBefore) break;
                 countBefore = count;
                 lastKept = round;
@@ -171,8 +173,8 @@ private:
     /// \return whether the round is the best so far by either criterion
     bool keepIfBest() {
         const RoundScore score = state_.score();
-        const bool isBest = best_.patches.empty() || isBetter(score, best_.score, true);
-        const bool isNearest = nearest_.patches.empty() || isBetter(score, nearest_.score, false);
+        const bool isBest = best_.patches.empty() || isBetter(score, best_.score, Criterion::tolerance);
+        const bool isNearest = nearest_.patches.empty() || isBetter(score, nearest_.score, Criterion::errors);
         if (!isBest && !isNearest) return false;
         const FitRound round = state_.round();
         if (isBest) best_ = round;

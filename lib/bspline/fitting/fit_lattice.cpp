@@ -18,8 +18,8 @@ namespace {
 constexpr double ofGuesses = 0.05;
 
 /// Factor of a point's weight. Points of a crease stand for half a cell, those of corners for a quarter or
-/// less, and nothing but them draws a curve to its place: where they weigh no more than others, creases and
-/// corners take what the tolerance leaves, and knots are spent on bringing them back.
+/// less, and nothing but them draws a curve to its place: where they weigh no more than others, the fit
+/// uses up the whole tolerance at creases and corners, and then needs knots to get back.
 double factorOf(Freedom freedom) {
     constexpr double ofCreases = 2;
     constexpr double ofCorners = 16;
@@ -161,7 +161,7 @@ FitLattice makeLattice(const LatticeSource& source, const std::array<std::vector
     }
     lattice.axes = lattice.normals;
     lattice.isGuess.assign(points.size(), false);
-    unfoldQuads(source, lattice);
+    replaceFoldedNormals(source, lattice);
     forgetFoldedNormals(lattice);
     lattice.targets.points = lattice.reference;
     lattice.freedom.assign(points.size(), Freedom::surface);

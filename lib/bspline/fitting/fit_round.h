@@ -41,10 +41,14 @@ struct FitRound {
 [[nodiscard]] RoundScore scoreOf(const std::vector<double>& missed, bool keeps,
                                  const std::vector<Patch>& patches);
 
+/// What counts first when two rounds are compared.
+enum class Criterion {
+    tolerance, ///< whether a round keeps it, apart from cells that are given up
+    errors     ///< those of cells that are given up as well
+};
+
 /// Compares two rounds: among those that keep the tolerance the one with fewer control points is better,
 /// otherwise the one with smaller errors.
-/// \param keepsFirst  whether a round that keeps the tolerance, apart from cells that are given up, is always better
-/// than one that does not
-[[nodiscard]] bool isBetter(const RoundScore& one, const RoundScore& other, bool keepsFirst);
+[[nodiscard]] bool isBetter(const RoundScore& one, const RoundScore& other, Criterion first);
 
 } // namespace qm

@@ -77,19 +77,18 @@ std::vector<bool> FitState::changedPatches(const std::vector<PatchSpace>& before
     return changed;
 }
 
-void FitState::solve(int slides, bool forAll) {
-    const std::vector<PatchSpace> before = std::exchange(spaces_, plan_.spaces());
-    std::vector<bool> isFree = everywhere();
-    if (!forAll) isFree = freePatches(plan_.stretches(), spaces_, changedPatches(before), options_);
-    if (!solveFor(isFree, slides)) {
-        isFree = everywhere();
-        solveFor(isFree, slides);
-    }
-    assess(isFree);
-    reweighed_.assign(sources_.size(), false);
-    solvedRuns_ = plan_.runs();
+void FitState::solveAll(int slides) {
+    spaces_ = plan_.spaces();
+    solveFor(everywhere(), slides);
 }
 
+void FitState::solveChanged(int slides) {
+    const std::vector<PatchSpace> before = std::exchange(spaces_, plan_.spaces());
+    if (!solveFor(freePatches(plan_.stretches(), spaces_, changedPatches(before), options_), slides))
+        solveFor(everywhere(), slides);
+}
+
+/// Solves for the free patches, and measures them.
 /// \return false if only some patches are free and these cannot meet the others; then no target has slid
 bool FitState::solveFor(const std::vector<bool>& isFree, int slides) {
     const auto forFree = [&](const auto& function) {
@@ -117,6 +116,9 @@ bool FitState::solveFor(const std::vector<bool>& isFree, int slides) {
         });
     }
     system.solve(lattices_, Accuracy::rounding, patches_);
+    assess(isFree);
+    reweighed_.assign(sources_.size(), false);
+    solvedRuns_ = plan_.runs();
     return true;
 }
 
@@ -210,10 +212,10 @@ template <class Function> void FitState::forBadCells(double limit, Function&& fu
             if (worstIn(cell, lattices_[k], errors_[k]).error > limit) function(cell, k);
 }
 
-void FitState::giveUpCells(double limit, bool foldsOnly) {
+void FitState::giveUpCells(double limit, BadCells which) {
     std::vector<bool> changed(sources_.size());
     forBadCells(limit, [&](const KnotCell& cell, std::size_t k) {
-        if (foldsOnly && !isNear(cell, lattices_[k], errors_[k])) return;
+        if (which == BadCells::foldedOnly && !isNear(cell, lattices_[k], errors_[k])) return;
         givenUp_[k].add(cell, changing(k), errors_[k]);
         changed[k] = true;
     });
@@ -223,11 +225,11 @@ void FitState::giveUpCells(double limit, bool foldsOnly) {
 
 void FitState::giveUp() {
     constexpr double share = 0.5;
-    giveUpCells(1 + share * (worst_ - 1), false);
+    giveUpCells(1 + share * (worst_ - 1), BadCells::any);
 }
 
 void FitState::giveUpFolds() {
-    giveUpCells(1, true);
+    giveUpCells(1, BadCells::foldedOnly);
 }
 
 bool FitState::stopSliding() {

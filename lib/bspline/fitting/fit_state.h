@@ -31,9 +31,11 @@ public:
              const FitTarget& reference, const SmoothFitOptions& options, const std::vector<bool>& isSoft,
              unsigned jobs);
 
-    /// Solves for the patches that have changed and those around them, or for all.
+    /// Solves for all patches.
     /// \param slides  number of times that the targets slide in between
-    void solve(int slides, bool forAll);
+    void solveAll(int slides);
+    /// Solves for the patches that have changed and those around them, or for all if that is impossible.
+    void solveChanged(int slides);
 
     [[nodiscard]] double worst() const { return worst_; }   ///< largest error of all patches
     [[nodiscard]] double excess() const { return excess_; } ///< sum over the patches of their error above 1
@@ -85,7 +87,8 @@ private:
     FitLattice& changing(std::size_t patch);
     void assess(const std::vector<bool>& isNew);
     template <class Function> void forBadCells(double limit, Function&& function);
-    void giveUpCells(double limit, bool foldsOnly);
+    enum class BadCells { any, foldedOnly };
+    void giveUpCells(double limit, BadCells which);
     void reweigh(std::size_t patch);
 
     const Layout& layout_;

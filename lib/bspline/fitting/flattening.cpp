@@ -7,7 +7,7 @@
 #include "bspline/fitting/continuity_equations.h"
 #include "bspline/fitting/free_patches.h"
 #include "bspline/fitting/free_unknowns.h"
-#include "bspline/fitting/least_change.h"
+#include "bspline/fitting/min_change.h"
 #include "bspline/network/borders.h"
 #include "bspline/splines/eigen_point.h"
 
@@ -138,7 +138,8 @@ private:
 
     /// Gives up what the worst demands are for.
     void giveUp(const Demands& demands, const Eigen::VectorXd& blame) {
-        // Of the farthest: one that cannot be had keeps its neighbours away, too.
+        // Share of the largest blame from which on patches give up. Less may be the fault of a neighbour, as
+        // a demand that cannot be met keeps those around it away, too.
         constexpr double worst = 0.8;
         std::vector<std::size_t> blamed;
         for (std::size_t k = 0; k < demands.patchOf.size(); ++k)
@@ -155,7 +156,7 @@ private:
         }
     }
 
-    /// \return whether all planes could be reached at once; if not, the worst are dropped and the patches stay
+    /// \return whether all planes could be reached at once; if not, the worst are dropped and no patch moves
     bool tryAll() {
         const Demands wanted = demands();
         if (wanted.planes.empty()) return true;
@@ -163,8 +164,8 @@ private:
 
         constexpr double rounding = 1e-12;
         constexpr double tooFar = 1e-8;
-        // In multiples of the distance that was missing: planes that can hardly be reached push all patches
-        // around away.
+        // Largest movement, in multiples of the distance that was missing: planes that can hardly be reached
+        // push all patches around away.
         constexpr double tooMuch = 20;
         const double size = largestDistance(points_);
         const Eigen::VectorXd left = missingHeights(wanted.planes, flat).cwiseAbs();
@@ -189,7 +190,7 @@ private:
     const Group& group_;
     FlatPatches& flat_;
     std::vector<Patch>& patches_;
-    LeastChange change_;
+    MinChange change_;
     Eigen::MatrixX3d points_; ///< before flattening
 };
 

@@ -2,15 +2,22 @@
 
 #include "base/at.h"
 #include "base/positions.h"
-#include "bspline/reference/sound_faces.h"
+#include "bspline/reference/bilinear_quad.h"
 #include "bspline/splines/evaluate.h"
 
 #include <algorithm>
 #include <cstddef>
 
 namespace qm {
+namespace {
 
-void unfoldQuads(const LatticeSource& source, FitLattice& lattice) {
+/// A surface counts as folded over a sound quad if the cosine of the angle between their normals is less: 80
+/// degrees.
+constexpr double uprightCosine = 0.17;
+
+} // namespace
+
+void replaceFoldedNormals(const LatticeSource& source, FitLattice& lattice) {
     const std::vector<double>& us = lattice.targets.parameters[0];
     const std::vector<double>& vs = lattice.targets.parameters[1];
     const auto first = [](const std::vector<double>& list, int at) {

@@ -8,6 +8,6 @@ namespace qm {
 /// Where the reference folds over a sound quad, replaces its normals by those of the quad, which keeps the
 /// patch upright, and marks its points as guesses.
 /// \param lattice  has the reference's points, normals and Jacobians; the marks are allocated
-void unfoldQuads(const LatticeSource& source, FitLattice& lattice);
+void replaceFoldedNormals(const LatticeSource& source, FitLattice& lattice);
 
 } // namespace qm

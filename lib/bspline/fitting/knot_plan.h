@@ -31,7 +31,7 @@ enum class MinInterval { quarter, eighth, thirtySecond };
 class KnotPlan {
 public:
     /// \param network   must outlive the plan
-    /// \param shortest  intervals are no shorter, whatever `MinInterval` allows; empty if there is no such limit
+    /// \param shortest  intervals are no shorter, whatever `MinInterval` allows; empty if there is no limit
     KnotPlan(const Layout& layout, const SmoothNetwork& network, IntervalLengths shortest = {});
 
     [[nodiscard]] const std::vector<Stretch>& stretches() const { return *stretches_; }

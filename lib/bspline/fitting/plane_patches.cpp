@@ -15,8 +15,8 @@ namespace {
 
 /// The plane through the reference points of some patches, if there is one.
 /// \param patches  the patches whose points it must contain
-/// \param share    largest distance of the points from it, relative to their smaller extent: small patches are not
-/// plane just because they bend little in absolute terms
+/// \param share    largest distance of the points from it, relative to their smaller extent: small patches
+/// are not plane just because they bend little in absolute terms
 std::optional<Plane> planeThrough(const std::vector<ReferenceGrid>& reference,
                                   std::span<const std::size_t> patches, double tolerance, double share) {
     std::vector<Eigen::Vector3d> points;

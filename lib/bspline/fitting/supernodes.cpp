@@ -30,8 +30,8 @@ bool isWorthZeros(double columns, double shareOfZeros) {
         double share;
     };
     constexpr std::array limits{Limit{4, 0.5}, Limit{16, 0.3}, Limit{48, 0.1}};
-    for (const auto& [most, share] : limits)
-        if (columns <= most) return shareOfZeros <= share;
+    for (const auto& [maxColumns, maxZeros] : limits)
+        if (columns <= maxColumns) return shareOfZeros <= maxZeros;
     return shareOfZeros <= 0.05;
 }
 

@@ -68,12 +68,12 @@ std::optional<Rectangle> rectangleOver(const ParameterBox& sides, std::size_t su
     return isDone ? std::optional(result) : std::nullopt;
 }
 
-/// At first the rectangle is larger than the box by this share of it at each side.
+/// Share of the box by which the rectangle is larger than it at each side, at first.
 constexpr double margin = 0.1;
-/// The rectangle grows where its sides do not lie beyond the box, by so much more than they fall short of it.
+/// Multiple of what is missing by which a side is moved that does not lie beyond the box.
 constexpr double growth = 1.5;
 constexpr int attempts = 3;
-/// What they may fall short of in the end, as a share of the heights.
+/// Share of the heights by which sides may still fall short of the box in the end.
 constexpr double negligible = 0.1;
 
 } // namespace

@@ -11,10 +11,9 @@ namespace qm {
 
 /// Seen along the normal at a foot, a rectangle of the other surface covers the box if each of its sides lies
 /// beyond the corresponding side of the box, by the theorem of Poincare and Miranda
-/// (docs/METHOD.md#kulpa-1997), whatever the parametrisations are; then only heights differ. The
-/// rectangle may continue in the patch beyond a border. The bound is
-/// exact at once where both surfaces are plane; where they bend, the pairings of `DistanceBound` are better.
-/// Reuses its memory, so every thread needs its own.
+/// (docs/METHOD.md#kulpa-1997), whatever the parametrisations are; then only heights differ. The rectangle
+/// may continue in the patch beyond a border. The bound is exact at once where both surfaces are plane; where
+/// they bend, the pairings of `DistanceBound` are better. Reuses its memory, so every thread needs its own.
 class CoveringBound {
 public:
     explicit CoveringBound(const PairedSurfaces& surfaces) : pieces_(surfaces) {}

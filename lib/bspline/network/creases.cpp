@@ -19,7 +19,7 @@ constexpr double certain = 1.0;
 /// Longer curves may end anywhere, too.
 constexpr std::size_t maxEdges = 4;
 
-/// Of rho: what is sharper may be a crease because of those that it meets.
+/// Share of rho: an edge that is sharper may be a crease because of those that it meets.
 constexpr double shareBetween = 0.5;
 
 /// Curves of more roundness that end in nothing, which is suspicious itself, are no creases.

@@ -11,8 +11,7 @@
 namespace qm {
 namespace {
 
-/// Consecutive patches of a fan with creases at both ends only; or all of them if there is one crease at
-/// most.
+/// Consecutive patches of a fan with creases at both ends only; or all, if there is at most one crease.
 struct Sector {
     std::size_t begin = 0; ///< the border at which it begins
     std::size_t size = 0;  ///< how many patches it has
@@ -112,7 +111,8 @@ std::optional<std::vector<double>> balancedRatios(const QuadMesh& mesh, const Ve
     return ratios;
 }
 
-/// At corners edges have directions of their own, within a degree: a ratio of zero needs no double knots.
+/// Ratios up to this become zero at corners: the direction of an edge may be off by a degree there, and a
+/// ratio of zero saves double knots.
 constexpr double negligible = 0.02;
 constexpr double rounding = 1e-12; ///< elsewhere: what computing with angles leaves of zero
 

@@ -93,8 +93,8 @@ Eigen::Matrix<double, 12, 12> BendingTerm::matrix() const {
     return matrix;
 }
 
-std::vector<Eigen::Vector3d> leastBendingTilts(const std::vector<BendingTerm>& terms, std::size_t vertices,
-                                               unsigned jobs) {
+std::vector<Eigen::Vector3d> minBendingTilts(const std::vector<BendingTerm>& terms, std::size_t vertices,
+                                             unsigned jobs) {
     constexpr double accuracy = 1e-6;
     constexpr int maxRounds = 100; // ten times what real meshes take
     const Preconditioner preconditioner(terms, vertices);

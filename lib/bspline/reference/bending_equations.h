@@ -32,7 +32,7 @@ private:
 /// Minimises the sum of all terms by conjugate gradients.
 /// \param vertices  number of vertices
 /// \return by vertex: its tilts; zero where no term depends on them
-[[nodiscard]] std::vector<Eigen::Vector3d> leastBendingTilts(const std::vector<BendingTerm>& terms,
-                                                             std::size_t vertices, unsigned jobs);
+[[nodiscard]] std::vector<Eigen::Vector3d> minBendingTilts(const std::vector<BendingTerm>& terms,
+                                                           std::size_t vertices, unsigned jobs);
 
 } // namespace qm

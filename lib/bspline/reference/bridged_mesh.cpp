@@ -14,11 +14,11 @@
 namespace qm {
 namespace {
 
-/// Between the normals around a fold and their mean: the cosine of 50 degrees, beyond which a crease may pass
-/// that the folded quads hide, if it is seen nearby; else of 78, as meshes may be coarse.
+/// Smallest cosine of the angle between the normals around a fold and their mean: 50 degrees if a crease is
+/// near, because one may continue under the fold; otherwise 78, because coarse meshes turn that much.
 constexpr double minCosineNearCreases = 0.64;
 constexpr double minCosine = 0.2;
-/// Of vertices around a fold that are moved with it.
+/// Largest number of rings of vertices around a fold that are moved with it.
 constexpr int maxRings = 3;
 
 class Bridging {

@@ -1,7 +1,7 @@
 #include "bspline/reference/edge_curves.h"
 
 #include "base/at.h"
-#include "bspline/reference/sound_faces.h"
+#include "bspline/reference/bilinear_quad.h"
 
 namespace qm {
 

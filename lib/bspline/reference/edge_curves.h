@@ -16,7 +16,8 @@ namespace qm {
 class EdgeCurves {
 public:
     /// The arguments must outlive the curves.
-    /// \param lattice  the limit surface; only the axes of its normals at vertices are used, as it may be folded
+    /// \param lattice  the limit surface, which may be folded, so only the axes of its normals at vertices
+    /// are used
     /// \param sharp    by edge
     EdgeCurves(const MeshLattice& lattice, const std::vector<VertexRule>& rules,
                const std::vector<bool>& sharp);

@@ -3,8 +3,8 @@
 #include "base/parallel.h"
 #include "bspline/reference/control_mesh.h"
 #include "bspline/reference/even_speeds.h"
-#include "bspline/reference/least_bending.h"
 #include "bspline/reference/mesh_lattice.h"
+#include "bspline/reference/min_bending.h"
 #include "bspline/reference/through_vertices.h"
 #include "bspline/reference/unfolded_lattice.h"
 
@@ -23,7 +23,7 @@ MeshLattice limitLattice(const QuadMesh& mesh, const std::vector<VertexRule>& ru
     drawThroughVertices(lattice, control.interpolates, jobs);
     unfold(lattice, rules, sharp, jobs);
     evenSpeeds(lattice, rules, jobs);
-    bendLeast(lattice, rules, jobs);
+    minimiseBending(lattice, rules, jobs);
     return lattice;
 }
 

@@ -11,7 +11,7 @@
 namespace qm {
 namespace {
 
-/// Times that it is looked again at what has gone back, as cells beside it may fold now.
+/// Largest number of passes: dropping targets may make neighbouring cells fold.
 constexpr int maxPasses = 8;
 
 /// The numbers in its grid of a cell's points, all around.

@@ -10,7 +10,7 @@ namespace {
 
 using Nearest = TriangleSurface::Nearest;
 
-/// Of the angle between the normals of surface and scan: 60 degrees.
+/// Smallest cosine of the angle between the normals of surface and scan: 60 degrees.
 constexpr double minCosine = 0.5;
 
 /// The distance below which this share of the points is from the scan. The scan's holes do not count.

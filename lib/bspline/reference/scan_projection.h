@@ -16,7 +16,7 @@ struct ScanProjection {
     double maxDistance = 0;                  ///< the largest distance at which the scan was looked for
 };
 
-/// The largest distance to look at, and the least if the distances themselves determine it.
+/// The largest distance to look at, and the smallest if the distances themselves determine it.
 struct ScanReach {
     double min = 0;
     double max = 0;

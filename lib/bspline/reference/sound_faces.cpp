@@ -1,9 +1,10 @@
 #include "bspline/reference/sound_faces.h"
 
 #include "base/at.h"
+#include "bspline/reference/bilinear_quad.h"
 
 #include <algorithm>
-#include <cstddef>
+#include <array>
 
 namespace qm {
 
@@ -17,26 +18,6 @@ BilinearQuad quadOf(const QuadMesh& mesh, FaceId face) {
 }
 
 } // namespace
-
-BilinearQuad::BilinearQuad(const std::array<Point, 4>& corners)
-    : corners_(corners), normal_(unit((corners[2] - corners[0]) % (corners[3] - corners[1]))) {}
-
-SurfacePoint BilinearQuad::evaluate(double s, double t) const {
-    const auto& [a, b, c, d] = corners_;
-    SurfacePoint point;
-    point.position = (1 - t) * ((1 - s) * a + s * b) + t * ((1 - s) * d + s * c);
-    point.du = (1 - t) * (b - a) + t * (c - d);
-    point.dv = (1 - s) * (d - a) + s * (c - b);
-    return point;
-}
-
-double BilinearQuad::minCosine() const {
-    double min = 1;
-    for (std::size_t k = 0; k < 4; ++k)
-        min = std::min(min, normal_ | unit((corners_[(k + 1) % 4] - corners_[k]) %
-                                           (corners_[(k + 3) % 4] - corners_[k])));
-    return min;
-}
 
 std::vector<bool> soundFaces(const QuadMesh& mesh, double minCosine) {
     constexpr double turnedOver = -0.5; // cosine between faces that share an edge

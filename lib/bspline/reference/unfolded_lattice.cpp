@@ -2,6 +2,7 @@
 
 #include "base/at.h"
 #include "base/parallel.h"
+#include "bspline/reference/bilinear_quad.h"
 #include "bspline/reference/edge_curves.h"
 #include "bspline/reference/lagrange.h"
 #include "bspline/reference/sound_faces.h"
@@ -18,12 +19,12 @@
 namespace qm {
 namespace {
 
-/// Between the surface and a quad, or a curve and an edge: of 60 degrees.
+/// Smallest cosine of the angle between the surface and a quad, or between a curve and an edge: 60 degrees.
 constexpr double minCosine = 0.5;
-/// Of the area that a part of the quad has itself: surfaces that follow less are easily turned over.
+/// Smallest area over a part of a quad, as a share of the part's own: with less, it is easily turned over.
 constexpr double minArea = 0.3;
 constexpr double minAreaAtPoint = 0.1;
-/// Over the mesh: folds that spread farther than real ones, which take two, are left.
+/// Largest number of passes over the mesh. Real folds take two; those that spread farther are left.
 constexpr int maxPasses = 8;
 
 class Unfolding {

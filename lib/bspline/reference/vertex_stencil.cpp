@@ -53,7 +53,8 @@ void dartLimit(const QuadMesh& mesh, HalfedgeId crease, VertexStencil& stencil) 
     const double squared = static_cast<double>(count) * static_cast<double>(count);
     std::vector<double> edge(count, 4 / squared);
     std::vector<double> diagonal(count, 1 / squared);
-    // A new point on the crease is nothing of its neighbours; any other takes a sixteenth of each.
+    // The new point on the crease does not depend on the vertices beside it; that on any other edge takes a
+    // sixteenth of each.
     const auto shared = [&](std::size_t k) { return k == 0 ? 0 : edge[k] / 16; };
     double change = 1;
     for (int sweep = 0; sweep < maxSweeps && change > 1e-17; ++sweep) {

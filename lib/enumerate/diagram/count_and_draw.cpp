@@ -29,12 +29,12 @@ class PathsUpToCost {
 public:
     PathsUpToCost(const Diagram& diagram, const Control& control)
         : diagram_(diagram), control_(control), paths_(countPaths(diagram)),
-          cheapest_(cheapestPaths(diagram)),
-          mostExpensive_(diagram.nodes.size(), -std::numeric_limits<double>::infinity()) {
-        mostExpensive_[Diagram::end] = 0;
-        for (std::size_t id = Diagram::end + 1; id < mostExpensive_.size(); ++id) {
+          minPathCost_(cheapestPaths(diagram)),
+          maxPathCost_(diagram.nodes.size(), -std::numeric_limits<double>::infinity()) {
+        maxPathCost_[Diagram::end] = 0;
+        for (std::size_t id = Diagram::end + 1; id < maxPathCost_.size(); ++id) {
             const Diagram::Node& node = diagram.nodes[id];
-            mostExpensive_[id] = std::max(node.cost + mostExpensive_[node.in], mostExpensive_[node.out]);
+            maxPathCost_[id] = std::max(node.cost + maxPathCost_[node.in], maxPathCost_[node.out]);
         }
     }
 
@@ -45,8 +45,8 @@ public:
 
 private:
     void countFrom(Diagram::NodeId id, double left) {
-        if (stopped_ || cheapest_[id] > left) return;
-        if (mostExpensive_[id] <= left) {
+        if (stopped_ || minPathCost_[id] > left) return;
+        if (maxPathCost_[id] <= left) {
             sum_ += paths_[id];
             return;
         }
@@ -59,8 +59,8 @@ private:
     const Diagram& diagram_;
     const Control& control_;
     std::vector<BigCount> paths_;
-    std::vector<double> cheapest_;
-    std::vector<double> mostExpensive_;
+    std::vector<double> minPathCost_;
+    std::vector<double> maxPathCost_;
     BigCount sum_ = 0;
     std::size_t steps_ = 0;
     bool stopped_ = false;

@@ -43,10 +43,10 @@ template <class IsIn> [[nodiscard]] Assignment graphAlong(const Diagram& diagram
     return graph;
 }
 
-/// Most nodes of a diagram that a search cannot do without: about a gigabyte.
+/// Largest number of nodes of a diagram that a search cannot do without: about a gigabyte.
 constexpr std::size_t diagramNodes = 10'000'000;
 
-/// Most nodes of a diagram that a search can do without.
+/// Largest number of nodes of a diagram that a search can do without.
 constexpr std::size_t smallDiagram = 1'000'000;
 
 /// Decides step by step (elimination_order.h). Two paths after which the same remains to be decided meet in

@@ -24,7 +24,7 @@ public:
         if (!problem_.gaps) return;
         Expression passes = columns_.surePass(crossing.sides[0]);
         passes.add(columns_.surePass(crossing.sides[1]), 1);
-        columns_.atLeast(Expression{}.add(passes, -1), -1);
+        columns_.addLowerLimit(Expression{}.add(passes, -1), -1);
     }
 
 private:
@@ -73,12 +73,12 @@ private:
         for (const CrossingSide& side : crossing.sides)
             for (const VariableId arc : {side.before, side.after}) {
                 corners.add(columns_.present(arc), 2);
-                columns_.atLeast(Expression{}.add(empty, -1).add(columns_.present(arc), -1), -1);
+                columns_.addLowerLimit(Expression{}.add(empty, -1).add(columns_.present(arc), -1), -1);
             }
         const auto& [a, b] = crossing.sides;
         for (const VariableId one : {a.before, a.after})
             for (const VariableId other : {b.before, b.after})
-                columns_.atLeast(
+                columns_.addLowerLimit(
                     Expression{}.add(empty, 1).add(columns_.present(one), 1).add(columns_.present(other), 1),
                     1);
         return corners;
@@ -96,7 +96,7 @@ private:
             walls = {columns_.present(wall.before), columns_.present(wall.after)};
         for (const Expression& stop : stops)
             for (Expression row : walls)
-                columns_.atLeast(row.add(stop, -1), 0);
+                columns_.addLowerLimit(row.add(stop, -1), 0);
     }
 
     const SearchState& state_;

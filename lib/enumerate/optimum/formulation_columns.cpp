@@ -106,9 +106,9 @@ void FormulationColumns::addChain(const Chain& chain) {
         if (v == chain.first) continue;
         const Formulation::Columns& previous = columns(v - 1);
         if (previous.fromBefore.valid() && here.fromBefore.valid())
-            atLeast(Expression{}.add(previous.fromBefore, 1).add(here.fromBefore, -1), 0);
+            addLowerLimit(Expression{}.add(previous.fromBefore, 1).add(here.fromBefore, -1), 0);
         if (previous.fromAfter.valid() && here.fromAfter.valid())
-            atLeast(Expression{}.add(here.fromAfter, 1).add(previous.fromAfter, -1), 0);
+            addLowerLimit(Expression{}.add(here.fromAfter, 1).add(previous.fromAfter, -1), 0);
     }
 }
 
@@ -127,7 +127,7 @@ Expression FormulationColumns::present(VariableId variable) const {
     return expression;
 }
 
-void FormulationColumns::atLeast(const Expression& expression, double bound) {
+void FormulationColumns::addLowerLimit(const Expression& expression, double bound) {
     Formulation::Row row{{}, {}, bound - expression.constant, infinity};
     double min = 0;
     for (const auto& [column, weight] : expression.terms) {

@@ -66,7 +66,7 @@ public:
     [[nodiscard]] std::array<Expression, 2> particleStops(const CrossingSide& side) const;
 
     /// Adds the row expression >= bound, unless it always holds.
-    void atLeast(const Expression& expression, double bound);
+    void addLowerLimit(const Expression& expression, double bound);
     void addCost(const Expression& expression, double factor);
     /// A new column that belongs to no variable.
     ColumnId newFlag();

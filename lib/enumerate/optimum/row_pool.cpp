@@ -13,7 +13,7 @@ namespace {
 /// A row counts as violated from this excess on.
 constexpr double broken = 1e-6;
 
-/// Least dual of rows that are given to the solver at once: it is slow with many, and few of them bind.
+/// Smallest dual of rows that are given to the solver at once: it is slow with many, and few of them bind.
 constexpr double minDual = 1e-3;
 
 } // namespace

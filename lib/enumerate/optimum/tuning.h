@@ -10,7 +10,7 @@ namespace qm {
 struct BranchingTuning {
     /// Probes after which a pseudo-cost is trusted, on the side with fewer: means of fewer are chance.
     static constexpr int probesToTrust = 4;
-    /// Most probes at one node: together they should take no longer than a few nodes.
+    /// Largest number of probes at one node: together they should take no longer than a few nodes.
     static constexpr int probesPerNode = 10;
     /// Candidates are tried in the order of their scores; after so many in a row without improvement, the
     /// rest is skipped.
@@ -42,27 +42,27 @@ struct TreeTuning {
 };
 
 struct CutTuning {
-    /// Least violation of a row to be added: others barely move the bound.
+    /// Smallest violation of a row to be added: others barely move the bound.
     static constexpr double minViolation = 0.05;
-    /// Least value of an arrival that a trail begins with: smaller ones gain nothing.
+    /// Smallest value of an arrival that a trail begins with: smaller ones gain nothing.
     static constexpr double minArrival = 0.2;
-    /// Least share of such an arrival that stops at the crossing.
+    /// Smallest share of such an arrival that stops at the crossing.
     static constexpr double minLoss = 0.01;
     /// Passes of smaller value always count as leading out of the set.
     static constexpr double slight = 1e-3;
-    /// Most crossings in the set of a trail: trails that are lost at all are lost sooner.
+    /// Largest number of crossings in the set of a trail: trails that are lost at all are lost sooner.
     static constexpr std::size_t maxCrossings = 400;
     /// Prices of a pass, one after the other. High prices come first: they make rows with few columns, which
     /// take the solver little time and move the bound most.
     static constexpr std::array prices{0.01, 0.003, 0.001};
     /// Length added to every step of a cycle: of equally violated cycles, the shortest are the strongest.
     static constexpr double step = 1e-4;
-    /// Most places visited for a cycle: long cycles are seldom violated.
+    /// Largest number of places visited for a cycle: long cycles are seldom violated.
     static constexpr std::size_t maxPlaces = 1000;
     /// If no violated cycle leads through a side, sides within this distance are skipped.
     static constexpr double near = 0.02;
-    /// Most rounds of cuts at the root, and the least share of the way from bound to cost that a round must
-    /// gain.
+    /// Largest number of rounds of cuts at the root, and the smallest share of the way from bound to cost
+    /// that a round must gain.
     static constexpr int maxRounds = 40;
     static constexpr double minGain = 0.002;
 };
@@ -78,9 +78,11 @@ struct DivingTuning {
     static constexpr int iterations = 1000;
     /// The same if a search of the rest follows, which is worth more.
     static constexpr int iterationsBeforeSearch = 4 * iterations;
-    /// Most free variables after a dive that are searched: parts of this size are usually proven.
+    /// Largest number of free variables after a dive that are searched: parts of this size are usually
+    /// proven.
     static constexpr std::size_t smallRest = 1500;
-    /// Most free variables in a neighbourhood of the best graph: larger ones are as hard as the whole.
+    /// Largest number of free variables in a neighbourhood of the best graph: larger ones are as hard as the
+    /// whole.
     static constexpr std::size_t largeRest = 5000;
     /// Limit of the tree of a search within a search.
     static constexpr std::size_t nodes = 100;

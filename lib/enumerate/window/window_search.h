@@ -18,7 +18,8 @@ struct WindowOptions {
     std::size_t minVariables = 60; ///< size of the smallest windows
     /// Size of the largest windows; a single chain may be larger.
     std::size_t maxVariables = std::numeric_limits<std::size_t>::max();
-    std::size_t maxWindows = std::numeric_limits<std::size_t>::max(); ///< most windows to search in total
+    /// Largest number of windows to search in total.
+    std::size_t maxWindows = std::numeric_limits<std::size_t>::max();
     std::size_t nodes = 50;      ///< limit of the search tree of one window, at first
     bool patient = false;        ///< start again with larger search trees when no window helps any more
     std::vector<double> relaxed; ///< value of every arc in the relaxed solution; empty if unknown

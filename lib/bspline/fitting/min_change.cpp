@@ -1,4 +1,4 @@
-#include "bspline/fitting/least_change.h"
+#include "bspline/fitting/min_change.h"
 
 #include "bspline/splines/eigen_point.h"
 
@@ -53,12 +53,12 @@ Eigen::VectorXd heights(const std::vector<PlaneDemand>& demands, const Eigen::Ma
 
 } // namespace
 
-LeastChange::LeastChange(std::size_t unknowns, std::vector<LinearForm> equations)
+MinChange::MinChange(std::size_t unknowns, std::vector<LinearForm> equations)
     : unknowns_(static_cast<Eigen::Index>(unknowns)), equations_(std::move(equations)),
       allowed_(unknowns, identity(unknowns_), equations_, {}, 1) {}
 
-Eigen::MatrixX3d LeastChange::run(const std::vector<PlaneDemand>& demands,
-                                  const Eigen::MatrixX3d& points) const {
+Eigen::MatrixX3d MinChange::run(const std::vector<PlaneDemand>& demands,
+                                const Eigen::MatrixX3d& points) const {
     std::vector<LinearForm> forms;
     forms.reserve(coordinates * equations_.size() + demands.size());
     for (const LinearForm& equation : equations_)
@@ -75,7 +75,7 @@ Eigen::MatrixX3d LeastChange::run(const std::vector<PlaneDemand>& demands,
     return points + allowed(solution.col(0).head(all).reshaped(3, unknowns_).transpose());
 }
 
-double LeastChange::violation(const Eigen::MatrixX3d& change) const {
+double MinChange::violation(const Eigen::MatrixX3d& change) const {
     double largest = 0;
     for (const LinearForm& equation : equations_) {
         Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
@@ -87,7 +87,7 @@ double LeastChange::violation(const Eigen::MatrixX3d& change) const {
 }
 
 /// The change that is nearest to the given one among those that the equations allow.
-Eigen::MatrixX3d LeastChange::allowed(const Eigen::MatrixX3d& change) const {
+Eigen::MatrixX3d MinChange::allowed(const Eigen::MatrixX3d& change) const {
     Eigen::MatrixX3d solution;
     allowed_.improve(change, Accuracy::rounding, solution);
     return solution.topRows(unknowns_);

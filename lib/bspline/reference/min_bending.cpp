@@ -1,4 +1,4 @@
-#include "bspline/reference/least_bending.h"
+#include "bspline/reference/min_bending.h"
 
 #include "base/at.h"
 #include "base/parallel.h"
@@ -16,15 +16,15 @@
 namespace qm {
 namespace {
 
-/// Slopes of up to 20 degrees are believed: where least bending asks for more, the surface is far from
+/// Slopes of up to 20 degrees are believed: where minimal bending asks for more, the surface is far from
 /// smooth.
 constexpr double maxSlope = 0.36;
-/// Mean of the one-sided normals at a vertex, below which it has no tangent plane.
+/// Length of the mean of the one-sided normals at a vertex, below which it has no tangent plane.
 constexpr double minAgreement = 0.5;
 
-class LeastBending {
+class MinBending {
 public:
-    LeastBending(MeshLattice& lattice, const std::vector<VertexRule>& rules, unsigned jobs)
+    MinBending(MeshLattice& lattice, const std::vector<VertexRule>& rules, unsigned jobs)
         : lattice_(lattice), before_(lattice), mesh_(lattice.numbers().mesh()), jobs_(jobs),
           frames_(mesh_.n_vertices()) {
         const std::vector<bool> isSound = soundVertices(mesh_);
@@ -44,7 +44,7 @@ public:
             if (hasFreeCorner(face))
                 terms[k] = BendingTerm(vertices(face), quadBending(surface(face), frames(face)));
         });
-        std::vector<Eigen::Vector3d> tilts = leastBendingTilts(terms, mesh_.n_vertices(), jobs_);
+        std::vector<Eigen::Vector3d> tilts = minBendingTilts(terms, mesh_.n_vertices(), jobs_);
         terms = {};
         for (Eigen::Vector3d& tilt : tilts)
             if (const double slope = tilt.head<2>().norm(); slope > maxSlope) tilt *= maxSlope / slope;
@@ -154,8 +154,8 @@ private:
 
 } // namespace
 
-void bendLeast(MeshLattice& lattice, const std::vector<VertexRule>& rules, unsigned jobs) {
-    LeastBending(lattice, rules, jobs).run();
+void minimiseBending(MeshLattice& lattice, const std::vector<VertexRule>& rules, unsigned jobs) {
+    MinBending(lattice, rules, jobs).run();
 }
 
 } // namespace qm

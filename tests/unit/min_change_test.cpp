@@ -1,5 +1,5 @@
 /// \file Moving control points into planes with the least change that equations allow.
-#include "bspline/fitting/least_change.h"
+#include "bspline/fitting/min_change.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 namespace {
 
-using qm::LeastChange;
+using qm::MinChange;
 using qm::PlaneDemand;
 
 /// The plane perpendicular to the third axis at a height.
@@ -28,8 +28,8 @@ std::vector<qm::LinearForm> straight() {
     return {{{0, 1, 2}, {1, -2, 1}}};
 }
 
-TEST(LeastChange, MovesWhatIsDemandedAndWhatEquationsTakeAlong) {
-    const LeastChange change(3, straight());
+TEST(MinChange, MovesWhatIsDemandedAndWhatEquationsTakeAlong) {
+    const MinChange change(3, straight());
     const std::vector<PlaneDemand> demands{{0, level(0)}};
     const Eigen::MatrixX3d before = threePoints();
     const Eigen::MatrixX3d after = change.run(demands, before);
@@ -41,13 +41,13 @@ TEST(LeastChange, MovesWhatIsDemandedAndWhatEquationsTakeAlong) {
     EXPECT_EQ(after.leftCols(2), before.leftCols(2)) << "nothing moves along the plane";
 }
 
-TEST(LeastChange, LeavesWhatIsInItsPlaneAlready) {
-    const LeastChange change(3, straight());
+TEST(MinChange, LeavesWhatIsInItsPlaneAlready) {
+    const MinChange change(3, straight());
     EXPECT_EQ(change.run({{2, level(0)}}, threePoints()), threePoints());
 }
 
-TEST(LeastChange, TellsWhatCannotBeHad) {
-    const LeastChange change(2, {{{0, 1}, {1, -1}}});
+TEST(MinChange, TellsWhatCannotBeHad) {
+    const MinChange change(2, {{{0, 1}, {1, -1}}});
     const std::vector<PlaneDemand> demands{{0, level(0)}, {1, level(1)}};
     const Eigen::MatrixX3d before = Eigen::MatrixX3d::Zero(2, 3);
     const Eigen::MatrixX3d after = change.run(demands, before);
@@ -56,9 +56,9 @@ TEST(LeastChange, TellsWhatCannotBeHad) {
         << "either a plane is missed or the equation does not hold";
 }
 
-TEST(LeastChange, MissesOnlyWhatContradicts) {
+TEST(MinChange, MissesOnlyWhatContradicts) {
     // Two points that are tied to one another cannot be at two heights; the third is free.
-    const LeastChange change(3, {{{0, 1}, {1, -1}}});
+    const MinChange change(3, {{{0, 1}, {1, -1}}});
     const qm::Plane slanted{qm::Point(0.6, 0, 0.8), 2};
     const std::vector<PlaneDemand> demands{{0, level(0)}, {1, level(1)}, {2, slanted}};
     const Eigen::MatrixX3d before = Eigen::MatrixX3d::Zero(3, 3);

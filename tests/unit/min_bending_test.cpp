@@ -1,5 +1,5 @@
 #include "base/at.h"
-#include "bspline/reference/least_bending.h"
+#include "bspline/reference/min_bending.h"
 #include "support/limit_sample.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ using testing::stirred;
 
 MeshLattice bent(const LimitSample& sample, unsigned jobs = 1) {
     MeshLattice lattice = sample.limit;
-    bendLeast(lattice, sample.rules, jobs);
+    minimiseBending(lattice, sample.rules, jobs);
     return lattice;
 }
 
@@ -28,7 +28,7 @@ double fromSphere(const MeshLattice& lattice) {
     return std::sqrt(sum / static_cast<double>(lattice.numbers().count()));
 }
 
-TEST(LeastBending, BringsTheSurfaceNearerToASphere) {
+TEST(MinBending, BringsTheSurfaceNearerToASphere) {
     const auto onto = [](const Point& point) { return point / point.norm(); };
     for (const double by : {0.0, 0.02}) {
         const LimitSample sample(stirred(shape("sphere", 8), by, onto));
@@ -36,7 +36,7 @@ TEST(LeastBending, BringsTheSurfaceNearerToASphere) {
     }
 }
 
-TEST(LeastBending, TwistsQuadsOverSkewLines) {
+TEST(MinBending, TwistsQuadsOverSkewLines) {
     // A saddle is twisted along lines that run at half right angles to its bends.
     const auto onto = [](Point point) {
         point[2] = 0.5 * point[0] * point[1];
@@ -57,7 +57,7 @@ TEST(LeastBending, TwistsQuadsOverSkewLines) {
     EXPECT_LT(offSaddle(surface), 0.7 * offSaddle(sample.limit));
 }
 
-TEST(LeastBending, LeavesVerticesAndBoundariesWhereTheyAre) {
+TEST(MinBending, LeavesVerticesAndBoundariesWhereTheyAre) {
     const LimitSample sample(stirred(shape("plate", 3), 0.02, [](Point point) {
         point[2] = 0.3 * point[0] * point[0];
         return point;
@@ -76,7 +76,7 @@ TEST(LeastBending, LeavesVerticesAndBoundariesWhereTheyAre) {
         }
 }
 
-TEST(LeastBending, KeepsPlanesPlane) {
+TEST(MinBending, KeepsPlanesPlane) {
     const LimitSample sample(stirred(shape("plate", 3), 0.05, [](Point point) {
         point[2] = 0.5 * point[0];
         return point;
@@ -86,7 +86,7 @@ TEST(LeastBending, KeepsPlanesPlane) {
         EXPECT_NEAR(surface.point(k)[2], sample.limit.point(k)[2], 1e-12);
 }
 
-TEST(LeastBending, IsTheSameOnAnyNumberOfThreads) {
+TEST(MinBending, IsTheSameOnAnyNumberOfThreads) {
     const LimitSample sample(shape("genus2", 6));
     const MeshLattice one = bent(sample, 1);
     const MeshLattice three = bent(sample, 3);
@@ -94,7 +94,7 @@ TEST(LeastBending, IsTheSameOnAnyNumberOfThreads) {
         ASSERT_EQ(one.point(k), three.point(k));
 }
 
-TEST(LeastBending, BelievesNoQuadsThatAreFarFromFlat) {
+TEST(MinBending, BelievesNoQuadsThatAreFarFromFlat) {
     // All quads of this cube are bent too much for any tangent plane.
     const LimitSample sample(shape("sphere", 1));
     const MeshLattice surface = bent(sample);

@@ -20,10 +20,10 @@ struct PlaneDemand {
 
 /// Finds the change by one sparse system in which every coordinate is an unknown of its own, since planes mix
 /// them. The equations hold for the points before it and after it.
-class LeastChange {
+class MinChange {
 public:
     /// \param unknowns  number of control points that may move
-    LeastChange(std::size_t unknowns, std::vector<LinearForm> equations);
+    MinChange(std::size_t unknowns, std::vector<LinearForm> equations);
 
     /// Planes that contradict one another, given the equations, are missed by as little as possible; all
     /// others are met up to rounding.

@@ -13,6 +13,6 @@ namespace qm {
 /// the surface at regular ones of these, so that it bends least in space; the vertices stay. A spline with
 /// uniform parameters takes mesh lines for straight, and waves where they turn, as around extraordinary
 /// vertices. Linear in the mesh.
-void bendLeast(MeshLattice& lattice, const std::vector<VertexRule>& rules, unsigned jobs);
+void minimiseBending(MeshLattice& lattice, const std::vector<VertexRule>& rules, unsigned jobs);
 
 } // namespace qm
