@@ -112,7 +112,7 @@ deps: ## install what building and `make check` need of Debian (as root, or with
 again = $(MAKE) --no-print-directory $(if $(filter -j%,$(MAKEFLAGS)),,-j$(jobs))
 
 .PHONY: check
-check: ## install what is missing, build, run every test; ends with "N passed, N failed"
+check: ## install what is missing, build, run the tests; ends with "N passed, N failed"
 	@scripts/install-dependencies build check
 	@$(again) --keep-going all programs-of-tests || true
 	@scripts/check $(config) '$(only)' $(parts)

@@ -49,12 +49,11 @@ int main(int argc, char** argv) {
                 tool.protectInput();
                 if (!tool.given("name")) options.name = std::filesystem::path(model.meshPath).stem().string();
                 if (!date.empty()) options.date = qm::exportDate(date, model.meshPath);
-                const qm::Surfaces* surfaces = model.surfaces ? &*model.surfaces : nullptr;
-                const qm::Exported result = qm::exportModel(model.mesh, *model.layout, surfaces, options);
+                const qm::Exported result = qm::exportModel(
+                    model.mesh, *model.layout, model.surfaces ? &*model.surfaces : nullptr, options);
                 tool.count("segments", static_cast<double>(model.layout->segments.size()));
                 tool.write(result.bytes);
-                const bool taken = !result.shape || qm::reportShape(tool, *result.shape, model, options.unit);
-                return taken ? qm::exitDone : qm::exitUnmet;
+                return qm::reportShape(tool, result.shape, model, options.unit);
             };
         });
 }

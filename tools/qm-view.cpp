@@ -11,13 +11,12 @@ int main(int argc, char** argv) {
     return qm::runTool(argc, argv, "qm-view", "Show a document as a page or picture.", [&](qm::Tool& tool) {
         auto stage = std::make_shared<qm::Stage>(tool, qm::Kind::basecomplex, qm::Kind::basecomplex);
         tool.writes("one HTML page that needs no other file and no network");
-        tool.explain("The results of each stage are layers that can be switched on and off; pointing at an "
-                     "element shows its number in the document. Layers of faces, one at a time: " +
+        tool.explain("The results of each stage are layers; pointing at an element shows its number in the "
+                     "document. Layers of faces, one at a time (zebra: reflected stripes; mean, gauss: "
+                     "curvatures; tolerance: pass or fail; scan: distances from its triangles): " +
                      qm::joinedNames(qm::faceLayerNames) +
-                     ". Lines and points: " + qm::joinedNames(qm::lineLayerNames) +
-                     ". Layer zebra shows reflected stripes, mean and gauss show curvatures, tolerance shows "
-                     "pass or fail, scan the distance from the scan's triangles, jumps the angles between "
-                     "normals across smooth borders.");
+                     ". Lines and points (jumps: angles between normals across smooth borders): " +
+                     qm::joinedNames(qm::lineLayerNames) + ".");
         tool.text("show", show, "LAYER,...", "layers shown initially, such as segments,borders",
                   qm::allLayerNames());
         tool.text("compare", compare, "DOCUMENT",

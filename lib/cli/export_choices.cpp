@@ -66,7 +66,9 @@ Kind neededKind(const ExportOptions& options) {
     return quads && !coloured ? Kind::layout : Kind::surfaces;
 }
 
-bool reportShape(Tool& tool, const ShapeReport& shape, const Model& model, LengthUnit unit) {
+int reportShape(Tool& tool, const std::optional<ShapeReport>& found, const Model& model, LengthUnit unit) {
+    if (!found) return exitDone;
+    const ShapeReport& shape = *found;
     tool.count("solids", static_cast<double>(shape.solids));
     tool.count("cavities", static_cast<double>(shape.cavities));
     tool.count("openEdges", static_cast<double>(shape.openEdges));
@@ -83,10 +85,10 @@ bool reportShape(Tool& tool, const ShapeReport& shape, const Model& model, Lengt
                   countText(shape.openEdges, "edge") + " of " + std::to_string(shape.edges) +
                   " on the boundary of the mesh. If it should have none, close it");
     warnOfFolds(tool, *model.surfaces);
-    bool acceptable = true;
+    int status = exitDone;
     const auto alarm = [&](const std::string& message) {
         tool.warn(message);
-        acceptable = false;
+        status = exitUnmet;
     };
     if (shape.largestGap > shape.resolution)
         alarm("patches are " + length(shape.largestGap) + " apart, and STEP joins what is nearer than " +
@@ -101,7 +103,7 @@ bool reportShape(Tool& tool, const ShapeReport& shape, const Model& model, Lengt
     if (!shape.valid)
         alarm("OpenCASCADE finds faults in the boundary representation. Fit the surfaces with "
               "qm-bspline --fit smooth, or with a smaller tolerance");
-    return acceptable;
+    return status;
 }
 
 } // namespace qm

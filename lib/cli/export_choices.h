@@ -52,10 +52,11 @@ void declareNeeds(Tool& tool, const ExportOptions& options, const NamedFormat& f
 /// The kind that a document must have. Quads need no surfaces, unless these determine their colours.
 [[nodiscard]] Kind neededKind(const ExportOptions& options);
 
-/// Adds the figures of a shape to the statistics, and warns of everything that keeps it from being a usable
-/// solid.
-/// \return false  if other programs will hardly accept it: it has faults or gaps, or is too small for the
-/// format
-[[nodiscard]] bool reportShape(Tool& tool, const ShapeReport& shape, const Model& model, LengthUnit unit);
+/// Adds the figures of a shape, if there is one, to the statistics, and warns of everything that keeps it
+/// from being a usable solid.
+/// \return exitUnmet  if other programs will hardly accept it: it has faults or gaps, or is too small for the
+/// format; else exitDone
+[[nodiscard]] int reportShape(Tool& tool, const std::optional<ShapeReport>& shape, const Model& model,
+                              LengthUnit unit);
 
 } // namespace qm

@@ -1,4 +1,4 @@
-/// \file Searching across the cut, so that no graph suffers from where it runs (docs/METHOD.md#improvement).
+/// \file Searching across the cut, so that no graph suffers from where it runs (docs/METHOD.md#merging).
 #pragma once
 
 #include "base/control.h"

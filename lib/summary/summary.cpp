@@ -90,7 +90,7 @@ std::vector<std::string> unmetLimits(const Summary& summary, const Limits& limit
     else if (fit.scan && fit.scan->max > farFromScan * fit.tolerance)
         unmet.push_back(scanTooFarAway(summary, length));
     if (fit.deviation.largestNormalAngle > limits.maxNormalAngle)
-        unmet.push_back("normals jump by " + figureText(fit.deviation.largestNormalAngle) +
+        unmet.push_back("normals differ by " + figureText(fit.deviation.largestNormalAngle) +
                         " degrees across a smooth border where " + figureText(limits.maxNormalAngle) +
                         " are allowed. Give a larger tolerance, or a finer mesh");
     if (summary.loops.empty() && !isSolid(summary))

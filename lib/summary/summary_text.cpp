@@ -58,8 +58,8 @@ std::string scanLines(const ScanFigures& scan, const std::string& unit) {
 }
 
 std::string normalsText(const Deviation& deviation) {
-    if (deviation.largestNormalAngle == 0) return "jump across no smooth border";
-    return "jump by " + figureText(deviation.largestNormalAngle) + " degrees at most, 95% by less than " +
+    if (deviation.largestNormalAngle == 0) return "agree across all smooth borders";
+    return "differ by " + figureText(deviation.largestNormalAngle) + " degrees at most, 95% by less than " +
            figureText(deviation.percentile95NormalAngle);
 }
 

@@ -55,7 +55,7 @@ figures() { run --separate-stderr qm-summary --json "$@"; }
     assert_equal "$status" 3
     assert_equal "${#stderr_lines[@]}" 3
     assert_regex "${stderr_lines[0]}" 'the tolerance is missed: .* in patch [0-9]+ at \('
-    assert_regex "${stderr_lines[1]}" 'normals jump by 7 degrees across a smooth border where 5 are allowed'
+    assert_regex "${stderr_lines[1]}" 'normals differ by 7 degrees across a smooth border where 5 are allowed'
     assert_regex "${stderr_lines[2]}" 'patches are 0.1 mm apart'
     assert_line --regexp '^shape +closed, but patches are apart$'
 }

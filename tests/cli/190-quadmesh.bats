@@ -38,7 +38,7 @@ fails_with() {
     assert_line --regexp '^size +3 x 3 x 2 mm$'
     assert_line --regexp '^patches +[1-9][0-9]*$'
     assert_line --regexp '^deviation +[0-9.]+ mm, [0-9.]+% of the tolerance, 0\.00469 mm$'
-    assert_line --regexp '^normals +jump by .* degrees at most, 95% by less than '
+    assert_line --regexp '^normals +differ by .* degrees at most, 95% by less than '
     assert_line --regexp '^shape +solid$'
     assert_line --regexp '^seconds +[0-9.]+$'
     assert [ "${#lines[@]}" -le 24 ]
