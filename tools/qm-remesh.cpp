@@ -5,7 +5,6 @@
 #include "cli/tool.h"
 #include "mesh/read_triangles.h"
 #include "mesh/write_soup.h"
-#include "summary/figure_text.h"
 
 int main(int argc, char** argv) {
     qm::RemeshOptions options;
@@ -15,8 +14,8 @@ int main(int argc, char** argv) {
             tool.reads("SCAN", "a triangle mesh in STL, PLY, OBJ or OFF format");
             tool.writes("a quad mesh in OBJ format");
             tool.explain("Uses QuadriFlow as built into Blender 3 and 4, which must be installed. Where it "
-                         "fails or leaves holes, other seeds are tried; small holes in what should be closed "
-                         "are closed.");
+                         "fails or leaves holes, other seeds are tried, and then an open scan without "
+                         "holding edges to its boundary; small holes that the scan has not are closed.");
             tool.option("quads", options.quads, qm::Range{8, 10'000'000}, "approximate number of quads");
             tool.option("preserve-sharp", options.preserveSharp, {},
                         "do not align edges with the sharp edges of the scan");

@@ -41,7 +41,7 @@ private:
 };
 
 void runBlender(const TemporaryFolder& folder, const HeldSignals& signals, const RemeshOptions& options,
-                bool isOpen) {
+                bool holdsBoundary) {
     const auto flag = [](bool value) { return std::string(value ? "1" : "0"); };
     const std::vector<std::string> words = {"blender",
                                             "--background",
@@ -56,7 +56,7 @@ void runBlender(const TemporaryFolder& folder, const HeldSignals& signals, const
                                             folder.file("quads.obj"),
                                             std::to_string(options.quads),
                                             flag(options.preserveSharp),
-                                            flag(isOpen),
+                                            flag(holdsBoundary),
                                             std::to_string(options.seed)};
     if (!runProgram(words, signals, folder.file("messages")))
         throw Error("", "Blender makes the quads, and is not there", "Install Debian's package blender");
@@ -69,9 +69,9 @@ struct Attempt {
 };
 
 Attempt attempt(const TemporaryFolder& folder, const HeldSignals& signals, const WorkingBox& box,
-                const RemeshOptions& options, std::size_t scanLoops) {
+                const RemeshOptions& options, std::size_t scanLoops, bool holdsBoundary) {
     std::filesystem::remove(folder.file("quads.obj"));
-    runBlender(folder, signals, options, scanLoops > 0);
+    runBlender(folder, signals, options, holdsBoundary);
     if (HeldSignals::oneWaits() || !std::filesystem::exists(folder.file("quads.obj")))
         return {{}, "QuadriFlow gave up"};
     try {
@@ -105,10 +105,12 @@ Remeshed remeshWithBlender(const Triangles& scan, const RemeshOptions& options, 
 
     std::optional<Remeshed> best;
     std::string problem;
-    for (int k = 0; k < maxAttempts && !HeldSignals::oneWaits() && (!best || difference(*best) > 0); ++k) {
+    for (int k = 0; k <= maxAttempts && !HeldSignals::oneWaits() && (!best || difference(*best) > 0); ++k) {
+        const bool holdsBoundary = scanLoops > 0 && k < maxAttempts;
+        if (k == maxAttempts && (best || scanLoops == 0)) break;
         RemeshOptions next = options;
-        next.seed += k;
-        Attempt made = attempt(folder, signals, box, next, scanLoops);
+        next.seed += k % maxAttempts;
+        Attempt made = attempt(folder, signals, box, next, scanLoops, holdsBoundary);
         if (made.result && (!best || difference(*made.result) < difference(*best)))
             best = std::move(made.result);
         if (problem.empty()) problem = made.problem;
@@ -116,8 +118,8 @@ Remeshed remeshWithBlender(const Triangles& scan, const RemeshOptions& options, 
     if (!best)
         throw Error("", "QuadriFlow makes no quad mesh of it: " + problem,
                     "Try another number of quads, or mend the scan");
-    if (scanLoops == 0 && best->loops > 0) {
-        best->mesh = closeHoles(std::move(best->mesh));
+    if (best->loops > 0) {
+        best->mesh = closeHoles(std::move(best->mesh), scan);
         best->loops = boundaryLoops(best->mesh).size();
     }
     if (options.draw && !HeldSignals::oneWaits()) best->mesh = drawToScan(std::move(best->mesh), scan, jobs);

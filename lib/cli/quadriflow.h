@@ -24,7 +24,8 @@ struct Remeshed {
 
 /// Blender works on the scan moved to the origin, because it computes in single precision, and scaled. If the
 /// result is no quad mesh, or has other boundary loops than the scan, the next seeds are tried, three in
-/// total. The first of the best results is returned; if the scan is closed, with its small holes closed.
+/// total; if no result is a quad mesh, an open scan is tried once more without holding edges to its boundary.
+/// The first of the best results is returned, with small holes closed where the scan has none.
 /// \param scan  a manifold (see `repairTriangles`)
 /// \throw Error  if Blender is not installed, or no result is a quad mesh
 [[nodiscard]] Remeshed remeshWithBlender(const Triangles& scan, const RemeshOptions& options, unsigned jobs);

@@ -1,11 +1,14 @@
 #include "remesh/close_holes.h"
 
 #include "base/at.h"
+#include "bspline/reference/triangle_surface.h"
 #include "mesh/build_mesh.h"
+#include "mesh/triangle_edges.h"
 
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 #include <queue>
 #include <unordered_map>
 #include <utility>
@@ -18,9 +21,15 @@ constexpr std::size_t maxEdges = 8; // of a hole
 /// Cost of a turn of a row, in quads: it makes two extraordinary vertices.
 constexpr int costOfTurn = 8;
 
+/// The surface of an open scan.
+std::optional<TriangleSurface> openSurface(const Triangles& scan) {
+    if (boundaryLoopCount(scan) == 0) return {};
+    return TriangleSurface(scan);
+}
+
 class HoleCloser {
 public:
-    explicit HoleCloser(QuadMesh mesh) : mesh_(std::move(mesh)) {}
+    HoleCloser(QuadMesh mesh, const Triangles& scan) : mesh_(std::move(mesh)), scan_(openSurface(scan)) {}
 
     QuadMesh run() {
         fillHoles();
@@ -48,10 +57,18 @@ private:
                 seen[at(halfedge)] = true;
                 loop.push_back(mesh_.from_vertex_handle(halfedge));
             }
-            if (loop.size() <= maxEdges) holes.push_back(std::move(loop));
+            if (loop.size() <= maxEdges && !isOfScan(loop)) holes.push_back(std::move(loop));
         }
         for (const auto& hole : holes)
             cutIntoQuads(mesh_.add_face(hole));
+    }
+
+    [[nodiscard]] bool isOfScan(const std::vector<VertexId>& loop) const {
+        if (!scan_) return false;
+        Point middle(0, 0, 0);
+        for (const VertexId vertex : loop)
+            middle += mesh_.point(vertex) / static_cast<double>(loop.size());
+        return scan_->nearest(middle)->onBoundary;
     }
 
     /// Cuts off a quad by the shortest line, again and again, until at most a triangle remains.
@@ -209,12 +226,13 @@ private:
     }
 
     QuadMesh mesh_;
+    std::optional<TriangleSurface> scan_; ///< if it is open
 };
 
 } // namespace
 
-QuadMesh closeHoles(QuadMesh mesh) {
-    return HoleCloser(std::move(mesh)).run();
+QuadMesh closeHoles(QuadMesh mesh, const Triangles& scan) {
+    return HoleCloser(std::move(mesh), scan).run();
 }
 
 } // namespace qm

@@ -2,12 +2,15 @@
 #pragma once
 
 #include "mesh/quad_mesh.h"
+#include "mesh/triangles.h"
 
 namespace qm {
 
-/// Fills every boundary loop of up to eight edges with quads, and a triangle where their number is odd. Two
+/// Fills boundary loops of up to eight edges with quads, and a triangle where their number is odd, unless the
+/// scan has a hole there, too: what is nearest to the middle of the loop lies on the scan's boundary. Two
 /// triangles become quads by a row of new edges from one to the other, which halves the quads on its way. A
 /// triangle that no such row reaches remains a hole.
-[[nodiscard]] QuadMesh closeHoles(QuadMesh mesh);
+/// \param scan  that the mesh was made of
+[[nodiscard]] QuadMesh closeHoles(QuadMesh mesh, const Triangles& scan);
 
 } // namespace qm

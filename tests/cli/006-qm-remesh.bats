@@ -80,6 +80,18 @@ fake_blender() {
     assert_regex "$stderr" 'the quad mesh has 0 boundary loops, the scan has 2'
 }
 
+@test "if no seed helps, an open scan does without edges along its boundary" {
+    fake_blender "printf '%s ' \"\${@: -2}\" >>${PWD@Q}/told; [[ \${@: -2:1} == 0 ]] || exit 1"
+    qm-shape plate --scan 500 -o open.stl
+    run -0 --separate-stderr qm-remesh open.stl --seed 3 -o part.obj
+    assert_equal "$(cat told)" '1 3 1 4 1 5 0 3 '
+    assert_regex "$stderr" 'the quad mesh has 0 boundary loops, the scan has 2'
+    rm told
+    qm-shape block --scan 500 -o closed.stl
+    quietly qm-remesh closed.stl -o part.obj
+    assert_equal "$(cat told)" '0 0 '
+}
+
 @test "an open scan keeps its boundary" {
     blender_or_skip
     qm-shape plate --scan 3000 -o scan.stl

@@ -69,7 +69,7 @@ int characteristic(const QuadMesh& mesh) {
 
 TEST(CloseHoles, LeavesAClosedMeshAsItIs) {
     const QuadMesh cube = makeShape("cube");
-    EXPECT_EQ(quadsOf(closeHoles(cube)), quadsOf(cube));
+    EXPECT_EQ(quadsOf(closeHoles(cube, {})), quadsOf(cube));
 }
 
 TEST(CloseHoles, FillsHolesOfAnEvenNumberOfEdges) {
@@ -78,7 +78,7 @@ TEST(CloseHoles, FillsHolesOfAnEvenNumberOfEdges) {
     const FaceId beside = cube.face_handle(cube.opposite_halfedge_handle(halfedge));
     const QuadMesh holed = withoutFaces(cube, {9, beside.idx(), 40});
     ASSERT_EQ(boundaryLoops(holed).size(), 2U);
-    const QuadMesh closed = closeHoles(holed);
+    const QuadMesh closed = closeHoles(holed, {});
     EXPECT_TRUE(boundaryLoops(closed).empty());
     EXPECT_EQ(closed.n_faces(), cube.n_faces());
     EXPECT_EQ(closed.n_edges(), cube.n_edges());
@@ -93,7 +93,7 @@ TEST(CloseHoles, JoinsTrianglesByARow) {
         ASSERT_EQ(loops.size(), 2U);
         ASSERT_EQ(loops[0].edges, 3U);
         ASSERT_EQ(loops[1].edges, 3U);
-        const QuadMesh closed = closeHoles(holed);
+        const QuadMesh closed = closeHoles(holed, {});
         EXPECT_TRUE(boundaryLoops(closed).empty());
         EXPECT_EQ(characteristic(closed), 2 + length) << "with the vertices that are isolated now";
     }
@@ -119,15 +119,40 @@ TEST(CloseHoles, RowsTurnWhereTheyMust) {
         }
         QuadMesh holed = contracted(cube, edges);
         ASSERT_GE(boundaryLoops(holed).size(), 2U);
-        EXPECT_TRUE(boundaryLoops(closeHoles(holed)).empty()) << "round " << round;
+        EXPECT_TRUE(boundaryLoops(closeHoles(holed, {})).empty()) << "round " << round;
     }
 }
 
 TEST(CloseHoles, LeavesLargeHoles) {
     const QuadMesh plate = makeShape("plate");
-    const QuadMesh closed = closeHoles(plate);
+    const QuadMesh closed = closeHoles(plate, {});
     EXPECT_EQ(boundaryLoops(closed).size(), boundaryLoops(plate).size());
     EXPECT_EQ(closed.n_faces(), plate.n_faces());
+}
+
+TEST(CloseHoles, LeavesHolesOfTheScan) {
+    const QuadMesh plate = makeShape("plate");
+    FaceId inside;
+    for (const FaceId face : plate.faces())
+        if (std::ranges::none_of(plate.fv_range(face), [&](VertexId v) { return plate.is_boundary(v); }))
+            inside = face;
+    ASSERT_TRUE(inside.is_valid());
+    const QuadMesh holed = withoutFaces(plate, {inside.idx()});
+    const auto trianglesOf = [](const QuadMesh& mesh) {
+        Triangles scan;
+        for (const VertexId vertex : mesh.vertices())
+            scan.points.push_back(mesh.point(vertex));
+        for (const FaceId face : mesh.faces()) {
+            std::vector<int> corners;
+            for (const VertexId vertex : mesh.fv_range(face))
+                corners.push_back(vertex.idx());
+            scan.faces.push_back({corners[0], corners[1], corners[2]});
+            scan.faces.push_back({corners[0], corners[2], corners[3]});
+        }
+        return scan;
+    };
+    EXPECT_EQ(closeHoles(holed, trianglesOf(plate)).n_faces(), plate.n_faces());
+    EXPECT_EQ(closeHoles(holed, trianglesOf(holed)).n_faces(), holed.n_faces());
 }
 
 } // namespace
