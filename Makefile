@@ -70,20 +70,20 @@ link    = $(CXX) $(CXXFLAGS) $(LDFLAGS)
 
 # ----------------------------------------------------------------------------------------------- files
 
-sources     := $(wildcard lib/*/*.cpp lib/*/*/*.cpp)
-headers     := $(wildcard lib/*/*.h lib/*/*/*.h)
+sources     := $(shell find lib -name "*.cpp" | LC_ALL=C sort)
+headers     := $(shell find lib -name "*.h" | LC_ALL=C sort)
 own_headers := $(filter $(sources:.cpp=.h),$(headers))
 schemas     := $(wildcard schemas/*.schema.json)
 three       := /usr/share/javascript/three
 page_parts  := $(wildcard lib/view/page/*) $(three)/three.min.js $(three)/examples/js/controls/OrbitControls.js
-scripts     := $(wildcard lib/cli/remesh/*.py)
+scripts     := $(wildcard lib/cli/tools/remesh/*.py)
 tool_names  := $(patsubst tools/%.cpp,%,$(wildcard tools/qm-*.cpp))
 library     := $(O)/libquadmesh.a
 # The release tools are what people use, so they lie where they are found.
 bin         := $(if $(filter release,$(config)),bin,$(O)/bin)
 tools       := $(tool_names:%=$(bin)/%)
 support     := $(patsubst %.cpp,$(O)/%.o,$(wildcard tests/support/*.cpp))
-unit_tests  := $(patsubst %.cpp,$(O)/%.o,$(wildcard tests/unit/*_test.cpp))
+unit_tests  := $(patsubst %.cpp,$(O)/%.o,$(shell find tests/unit -name "*_test.cpp" | LC_ALL=C sort))
 properties  := $(patsubst %.cpp,$(O)/%.o,$(wildcard tests/property/*_test.cpp))
 benchmarks  := $(patsubst %.cpp,$(O)/%.o,$(wildcard tests/bench/*.cpp))
 tables      := $(patsubst %.cpp,$(O)/%.o,$(wildcard tests/bench/search/*.cpp))
@@ -276,12 +276,12 @@ check-options: $(tools) $(bin)/quadmesh ## tried=2000 command lines made at rand
 check-pairs: $(tools) ## every option of every tool together with every other one
 	@QM_BIN=$(abspath $(bin)) JOBS=$(jobs) tests/faults/pairs $(abspath $(O))/check-pairs
 
-# One test file alone, the quick way while writing it: `make test-cut` builds and runs tests/unit/cut_test.cpp.
+# One test file alone, the quick way while writing it: `make test-cut` builds and runs tests/unit/cut/cut_test.cpp.
 test-%: $(O)/tests/%_test
 	$< $(if $(only),--gtest_filter='*$(only)*')
-$(O)/tests/%_test: $(O)/tests/unit/%_test.o $(support) $(library)
-	$(call quietly,link,$@) $(link) $^ -o $@ $(gtest) $(libraries)
-$(O)/tests/%_test: $(O)/tests/property/%_test.o $(support) $(library)
+test_object = $(or $(filter %/$1_test.o,$(unit_tests) $(properties)),$(error no file below tests is $1_test.cpp))
+.SECONDEXPANSION:
+$(O)/tests/%_test: $$(call test_object,$$*) $(support) $(library)
 	$(call quietly,link,$@) $(link) $^ -o $@ $(gtest) $(libraries)
 
 # ------------------------------------------------------------------------------------------ more checks
@@ -397,7 +397,7 @@ pictures: ## make the pictures of README.md anew
 .PHONY: compile-commands
 compile-commands: compile_commands.json ## compile_commands.json, how every source is compiled, for editors and clang's tools
 compile_commands.json: FORCE
-	@scripts/compile-commands $(sort $(sources) $(wildcard tools/*.cpp tests/*/*.cpp tests/*/*/*.cpp)) > $@
+	@scripts/compile-commands $(sort $(sources) $(shell find tools tests -name "*.cpp")) > $@
 compile_commands.json: export command = $(filter-out ccache $(unrolled),$(compile))
 
 # --------------------------------------------------------------------------------------------- install

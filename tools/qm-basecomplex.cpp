@@ -1,9 +1,9 @@
 /// \file qm-basecomplex: makes the first document of a pipe from a quad mesh, with its base complex.
 #include "basecomplex/base_complex.h"
-#include "cli/mesh_input.h"
 #include "cli/tool.h"
-#include "document/base_complex_section.h"
+#include "cli/tools/mesh_input.h"
 #include "document/document.h"
+#include "document/sections/base_complex_section.h"
 
 int main(int argc, char** argv) {
     bool repair = false;

@@ -1,6 +1,6 @@
 /// \file qm-bspline: fits a bicubic B-spline patch to every segment.
 #include "bspline/fit.h"
-#include "cli/fit_stage.h"
+#include "cli/tools/fit_stage.h"
 
 int main(int argc, char** argv) {
     qm::FitOptions options;

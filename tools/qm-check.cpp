@@ -1,12 +1,12 @@
 /// \file qm-check: checks whether a document is true of its mesh. Only reading is shared with other tools.
 #include "check/check_document.h"
-#include "check/check_history.h"
-#include "check/print_report.h"
-#include "check/read_document.h"
-#include "cli/messages.h"
+#include "check/document/check_history.h"
+#include "check/document/print_report.h"
+#include "check/document/read_document.h"
+#include "cli/terminal/messages.h"
 #include "cli/tool.h"
 #include "document/document.h"
-#include "document/mesh_section.h"
+#include "document/sections/mesh_section.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 /// \file qm-cut: divides the mesh by minimum cuts into sub-meshes that can be searched one by one.
 #include "cli/stage.h"
 #include "cut/cut.h"
-#include "document/cut_section.h"
+#include "document/sections/cut_section.h"
 
 int main(int argc, char** argv) {
     qm::CutOptions options;

@@ -1,7 +1,7 @@
 /// \file qm-enum: searches the motorcycle graphs of every sub-mesh.
-#include "cli/enumeration_tool.h"
 #include "cli/stage.h"
-#include "document/enumeration_section.h"
+#include "cli/tools/enumeration_tool.h"
+#include "document/sections/enumeration_section.h"
 #include "enumerate/enumerate.h"
 
 int main(int argc, char** argv) {

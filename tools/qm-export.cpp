@@ -1,7 +1,7 @@
 /// \file qm-export: writes layouts and surfaces as STEP, IGES, OBJ, PLY and glTF.
-#include "cli/export_choices.h"
-#include "cli/export_date.h"
 #include "cli/stage.h"
+#include "cli/tools/export_choices.h"
+#include "cli/tools/export_date.h"
 
 #include <filesystem>
 

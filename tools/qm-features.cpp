@@ -1,7 +1,7 @@
 /// \file qm-features: makes curves along sharp edges sources of particles.
-#include "cli/feature_choices.h"
 #include "cli/stage.h"
-#include "document/features_section.h"
+#include "cli/tools/feature_choices.h"
+#include "document/sections/features_section.h"
 #include "features/features.h"
 
 int main(int argc, char** argv) {

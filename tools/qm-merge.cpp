@@ -1,7 +1,7 @@
 /// \file qm-merge: merges the graphs of the sub-meshes into one layout of the whole mesh.
 #include "cli/stage.h"
-#include "document/features_section.h"
-#include "document/layout_section.h"
+#include "document/sections/features_section.h"
+#include "document/sections/layout_section.h"
 #include "merge/merge.h"
 
 int main(int argc, char** argv) {

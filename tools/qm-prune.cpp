@@ -1,8 +1,8 @@
 /// \file qm-prune: removes boundaries that follow no feature.
-#include "cli/prune_messages.h"
 #include "cli/stage.h"
-#include "document/features_section.h"
-#include "document/layout_section.h"
+#include "cli/tools/prune_messages.h"
+#include "document/sections/features_section.h"
+#include "document/sections/layout_section.h"
 #include "prune/prune_optimum.h"
 
 #include <cmath>

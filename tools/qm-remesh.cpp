@@ -1,10 +1,10 @@
 /// \file qm-remesh: makes quads from the triangles of a scan, by QuadriFlow as included in Blender.
 #include "base/number_text.h"
-#include "cli/quadriflow.h"
-#include "cli/repair_text.h"
 #include "cli/tool.h"
-#include "mesh/read_triangles.h"
-#include "mesh/write_soup.h"
+#include "cli/tools/quadriflow.h"
+#include "cli/tools/repair_text.h"
+#include "mesh/files/read_triangles.h"
+#include "mesh/files/write_soup.h"
 
 int main(int argc, char** argv) {
     qm::RemeshOptions options;

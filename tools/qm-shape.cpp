@@ -1,6 +1,6 @@
 /// \file qm-shape: makes sample meshes, and scans of them.
-#include "cli/shape_request.h"
-#include "document/options.h"
+#include "cli/tools/shape_request.h"
+#include "document/options/options.h"
 
 int main(int argc, char** argv) {
     qm::ShapeRequest request;

@@ -1,6 +1,6 @@
 /// \file qm-summary: prints the most important figures of a document for users of its surfaces.
-#include "cli/export_choices.h"
 #include "cli/stage.h"
+#include "cli/tools/export_choices.h"
 #include "document/summary_json.h"
 
 #include <filesystem>

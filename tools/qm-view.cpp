@@ -1,7 +1,7 @@
 /// \file qm-view: shows documents as a page or as a picture.
-#include "cli/browser.h"
-#include "cli/output_file.h"
-#include "cli/viewed_document.h"
+#include "cli/system/browser.h"
+#include "cli/system/output_file.h"
+#include "cli/tools/viewed_document.h"
 #include "view/view_options.h"
 
 int main(int argc, char** argv) {

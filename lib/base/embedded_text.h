@@ -16,6 +16,6 @@ struct EmbeddedText {
 
 [[nodiscard]] std::span<const EmbeddedText> embeddedSchemas();        ///< of schemas
 [[nodiscard]] std::span<const EmbeddedText> embeddedPageParts();      ///< of lib/view/page, and three.js
-[[nodiscard]] std::span<const EmbeddedText> embeddedBlenderScripts(); ///< of lib/cli/remesh
+[[nodiscard]] std::span<const EmbeddedText> embeddedBlenderScripts(); ///< of lib/cli/tools/remesh
 
 } // namespace qm

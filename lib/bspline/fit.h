@@ -3,7 +3,7 @@
 
 #include "base/control.h"
 #include "base/length.h"
-#include "bspline/reference/triangle_surface.h"
+#include "bspline/reference/scan/triangle_surface.h"
 #include "bspline/splines/surfaces.h"
 #include "layout/layout.h"
 #include "mesh/dihedral.h"

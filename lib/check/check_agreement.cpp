@@ -1,8 +1,8 @@
 #include "base/number_text.h"
-#include "check/bilinear_quad.h"
 #include "check/check_sections.h"
-#include "check/mesh_size.h"
-#include "check/vectors.h"
+#include "check/mesh/vectors.h"
+#include "check/surfaces/bilinear_quad.h"
+#include "check/surfaces/mesh_size.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "base/at.h"
 #include "check/check_sections.h"
-#include "check/paths.h"
+#include "check/tracks/paths.h"
 
 #include <utility>
 

@@ -1,7 +1,7 @@
 #include "check/check_constraints.h"
 
 #include "base/at.h"
-#include "check/paths.h"
+#include "check/tracks/paths.h"
 
 namespace qm::check {
 

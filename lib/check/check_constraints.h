@@ -1,9 +1,9 @@
 /// \file Does a graph do what a person demanded?
 #pragma once
 
-#include "check/checked_document.h"
-#include "check/neighbourhoods.h"
-#include "check/report.h"
+#include "check/document/checked_document.h"
+#include "check/document/report.h"
+#include "check/mesh/neighbourhoods.h"
 
 #include <span>
 #include <string>

@@ -1,7 +1,7 @@
 #include "base/at.h"
 #include "base/number_text.h"
 #include "check/check_sections.h"
-#include "check/paths.h"
+#include "check/tracks/paths.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 #include "check/check_document.h"
 
-#include "check/angles.h"
 #include "check/check_constraints.h"
 #include "check/check_sections.h"
-#include "check/lines.h"
+#include "check/mesh/angles.h"
+#include "check/tracks/lines.h"
 
 namespace qm::check {
 

@@ -4,9 +4,9 @@
 /// documents takes part. Points, faces and JSON come from qm-check, which reads them as all tools do.
 #pragma once
 
-#include "check/checked_document.h"
-#include "check/neighbourhoods.h"
-#include "check/report.h"
+#include "check/document/checked_document.h"
+#include "check/document/report.h"
+#include "check/mesh/neighbourhoods.h"
 
 namespace qm::check {
 

@@ -1,8 +1,8 @@
 #include "base/at.h"
 #include "base/number_text.h"
 #include "check/check_constraints.h"
-#include "check/check_graph.h"
 #include "check/check_sections.h"
+#include "check/tracks/check_graph.h"
 
 #include <boost/multiprecision/cpp_int.hpp>
 

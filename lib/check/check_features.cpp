@@ -1,5 +1,5 @@
 #include "check/check_sections.h"
-#include "check/paths.h"
+#include "check/tracks/paths.h"
 
 #include <algorithm>
 #include <unordered_map>

@@ -1,12 +1,12 @@
 #include "base/at.h"
 #include "base/number_text.h"
-#include "check/bilinear_quad.h"
 #include "check/check_sections.h"
-#include "check/check_segments.h"
-#include "check/distance.h"
-#include "check/distance_to_surfaces.h"
-#include "check/folds.h"
-#include "check/spline.h"
+#include "check/surfaces/bilinear_quad.h"
+#include "check/surfaces/distance.h"
+#include "check/surfaces/distance_to_surfaces.h"
+#include "check/surfaces/folds.h"
+#include "check/surfaces/spline.h"
+#include "check/tracks/check_segments.h"
 
 #include <array>
 #include <optional>

@@ -1,11 +1,11 @@
 #include "base/at.h"
 #include "base/number_text.h"
 #include "check/check_constraints.h"
-#include "check/check_graph.h"
 #include "check/check_sections.h"
-#include "check/check_segments.h"
-#include "check/check_transversals.h"
-#include "check/sourceless.h"
+#include "check/tracks/check_graph.h"
+#include "check/tracks/check_segments.h"
+#include "check/tracks/check_transversals.h"
+#include "check/tracks/sourceless.h"
 
 #include <algorithm>
 #include <unordered_set>

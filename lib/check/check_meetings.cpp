@@ -1,10 +1,10 @@
 #include "base/at.h"
 #include "base/number_text.h"
 #include "check/check_sections.h"
-#include "check/distance.h"
-#include "check/patch_borders.h"
-#include "check/paths.h"
-#include "check/spline.h"
+#include "check/surfaces/distance.h"
+#include "check/surfaces/patch_borders.h"
+#include "check/surfaces/spline.h"
+#include "check/tracks/paths.h"
 
 #include <algorithm>
 #include <cmath>

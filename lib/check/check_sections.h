@@ -4,9 +4,9 @@
 /// Every one reports what is wrong, and takes sections before its own for true.
 #pragma once
 
-#include "check/context.h"
-#include "check/lines.h"
-#include "check/report.h"
+#include "check/document/report.h"
+#include "check/mesh/context.h"
+#include "check/tracks/lines.h"
 
 #include <optional>
 #include <span>

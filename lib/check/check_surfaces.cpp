@@ -1,11 +1,11 @@
 #include "base/at.h"
 #include "base/number_text.h"
 #include "check/check_sections.h"
-#include "check/check_segments.h"
-#include "check/distance.h"
-#include "check/mesh_size.h"
-#include "check/patch_borders.h"
-#include "check/spline.h"
+#include "check/surfaces/distance.h"
+#include "check/surfaces/mesh_size.h"
+#include "check/surfaces/patch_borders.h"
+#include "check/surfaces/spline.h"
+#include "check/tracks/check_segments.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "cli/stage.h"
 
-#include "document/files.h"
-#include "document/misspelt_keys.h"
+#include "document/files/files.h"
+#include "document/schema/misspelt_keys.h"
 
 namespace qm {
 

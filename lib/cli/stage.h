@@ -5,7 +5,7 @@
 #include "cli/tool.h"
 #include "document/document.h"
 #include "document/model.h"
-#include "document/options_json.h"
+#include "document/options/options_json.h"
 
 #include <string>
 #include <string_view>

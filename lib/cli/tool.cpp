@@ -1,16 +1,16 @@
 #include "cli/tool.h"
 
-#include "cli/allocation.h"
-#include "cli/command_line_rules.h"
-#include "cli/console.h"
-#include "cli/general_options.h"
-#include "cli/messages.h"
-#include "cli/output_file.h"
-#include "cli/run_statistics.h"
-#include "cli/signals.h"
-#include "cli/usage.h"
-#include "document/files.h"
-#include "document/schema.h"
+#include "cli/options/command_line_rules.h"
+#include "cli/options/general_options.h"
+#include "cli/options/usage.h"
+#include "cli/system/allocation.h"
+#include "cli/system/output_file.h"
+#include "cli/system/run_statistics.h"
+#include "cli/system/signals.h"
+#include "cli/terminal/console.h"
+#include "cli/terminal/messages.h"
+#include "document/files/files.h"
+#include "document/schema/schema.h"
 
 #include <algorithm>
 #include <chrono>

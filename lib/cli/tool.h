@@ -22,10 +22,10 @@
 #pragma once
 
 #include "base/control.h"
-#include "cli/command_line.h"
-#include "cli/exit_status.h"
-#include "cli/option_record.h"
-#include "document/option.h"
+#include "cli/options/command_line.h"
+#include "cli/options/option_record.h"
+#include "cli/system/exit_status.h"
+#include "document/options/option.h"
 
 #include <functional>
 #include <memory>
@@ -68,7 +68,7 @@ public:
     void group(const std::string& heading);
     static constexpr const char* ownOptions = "Options";
     static constexpr const char* generalOptions = "General options";
-    /// All options of a struct, from its table in document/options.h.
+    /// All options of a struct, from its table in document/options/options.h.
     template <class Options> void options(Options& values);
     /// A single option: bool (a flag), int, std::size_t, double, or an enumeration that has `Choices`.
     template <class Value>

@@ -20,9 +20,9 @@ struct TerminalPair {
 
 /// Irregular: p1 and p2 are the two extraordinary vertices farthest apart over the surface; all others form
 /// groups by the nearer of the two; a terminal is the vertex nearest in space to the mean of its group. With
-/// fewer than two extraordinary vertices, feature seeds are added to them. Farthest: the two vertices farthest
-/// apart in space, within one per cent; neither has another vertex farther away. Box: for each axis, the
-/// vertices nearest to the centres of two opposite walls of the bounding box.
+/// fewer than two extraordinary vertices, feature seeds are added to them. Farthest: the two vertices
+/// farthest apart in space, within one per cent; neither has another vertex farther away. Box: for each axis,
+/// the vertices nearest to the centres of two opposite walls of the bounding box.
 /// \param vertices       of the sub-mesh, connected, ascending
 /// \param extraordinary  vertices among them, ascending
 /// \param seeds          vertices among them, ascending

@@ -1,8 +1,8 @@
 #include "document/document.h"
 
 #include "base/positions.h"
-#include "document/files.h"
-#include "document/schema_check.h"
+#include "document/files/files.h"
+#include "document/schema/schema_check.h"
 #include "document/version.h"
 
 #include <algorithm>

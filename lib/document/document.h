@@ -1,8 +1,8 @@
 /// \file A document as a whole: reading, writing, and adding the section of a stage.
 #pragma once
 
-#include "document/json.h"
-#include "document/json_place.h"
+#include "document/json/json.h"
+#include "document/json/json_place.h"
 #include "document/kind.h"
 
 #include <string>

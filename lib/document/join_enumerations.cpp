@@ -1,7 +1,7 @@
 #include "document/join_enumerations.h"
 
 #include "base/decimal.h"
-#include "document/files.h"
+#include "document/files/files.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,15 +1,15 @@
 #include "document/model.h"
 
-#include "document/base_complex_section.h"
-#include "document/constraints_section.h"
-#include "document/cut_section.h"
 #include "document/document.h"
-#include "document/features_section.h"
-#include "document/files.h"
-#include "document/layout_section.h"
-#include "document/mesh_section.h"
-#include "document/read_enumeration.h"
-#include "document/surfaces_section.h"
+#include "document/files/files.h"
+#include "document/sections/base_complex_section.h"
+#include "document/sections/constraints_section.h"
+#include "document/sections/cut_section.h"
+#include "document/sections/features_section.h"
+#include "document/sections/layout_section.h"
+#include "document/sections/mesh_section.h"
+#include "document/sections/read_enumeration.h"
+#include "document/sections/surfaces_section.h"
 
 namespace qm {
 

@@ -1,8 +1,8 @@
 #include "document/summary_json.h"
 
-#include "document/length_text.h"
-#include "document/options.h"
-#include "document/surfaces_section.h"
+#include "document/options/length_text.h"
+#include "document/options/options.h"
+#include "document/sections/surfaces_section.h"
 
 namespace qm {
 namespace {

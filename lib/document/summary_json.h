@@ -1,7 +1,7 @@
 /// \file The figures of a summary as JSON, and the options they depend on.
 #pragma once
 
-#include "document/json_place.h"
+#include "document/json/json_place.h"
 #include "summary/summary.h"
 
 #include <optional>

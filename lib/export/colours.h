@@ -1,7 +1,9 @@
 /// \file Colours of segments.
 #pragma once
 
-#include "export/export.h"
+#include "bspline/splines/surfaces.h"
+#include "export/files/export_options.h"
+#include "layout/layout.h"
 
 #include <array>
 #include <cstdint>

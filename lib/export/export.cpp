@@ -2,13 +2,13 @@
 
 #include "base/at.h"
 #include "base/error.h"
-#include "export/boundary_files.h"
-#include "export/checked_shape.h"
 #include "export/colours.h"
-#include "export/join.h"
+#include "export/faces/join.h"
+#include "export/faces/quarter_turn.h"
+#include "export/faces/separate.h"
+#include "export/files/boundary_files.h"
+#include "export/files/checked_shape.h"
 #include "export/quads.h"
-#include "export/quarter_turn.h"
-#include "export/separate.h"
 #include "mesh/bounding_box.h"
 
 #include <Standard_Failure.hxx>

@@ -1,9 +1,9 @@
 #include "remesh/close_holes.h"
 
 #include "base/at.h"
-#include "bspline/reference/triangle_surface.h"
-#include "mesh/build_mesh.h"
-#include "mesh/triangle_edges.h"
+#include "bspline/reference/scan/triangle_surface.h"
+#include "mesh/soup/build_mesh.h"
+#include "mesh/triangles/triangle_edges.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "remesh/draw_to_scan.h"
 
-#include "bspline/reference/triangle_surface.h"
+#include "bspline/reference/scan/triangle_surface.h"
 #include "mesh/quad_geometry.h"
 #include "remesh/scan_equations.h"
 #include "remesh/surface_samples.h"

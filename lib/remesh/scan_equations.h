@@ -2,7 +2,7 @@
 /// planes (docs/METHOD.md#pottmann-2002).
 #pragma once
 
-#include "bspline/reference/triangle_surface.h"
+#include "bspline/reference/scan/triangle_surface.h"
 #include "mesh/quad_mesh.h"
 #include "remesh/surface_samples.h"
 

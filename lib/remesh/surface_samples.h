@@ -2,7 +2,7 @@
 #pragma once
 
 #include "mesh/quad_mesh.h"
-#include "mesh/triangles.h"
+#include "mesh/triangles/triangles.h"
 
 #include <array>
 #include <vector>

@@ -1,7 +1,7 @@
 /// \file Quads that are folded, turned over or nearly so become upright (docs/METHOD.md#drawing).
 #pragma once
 
-#include "bspline/reference/triangle_surface.h"
+#include "bspline/reference/scan/triangle_surface.h"
 #include "mesh/quad_mesh.h"
 
 namespace qm {

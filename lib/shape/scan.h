@@ -1,7 +1,7 @@
 /// \file Scans of sample parts: dense triangles, with the errors of measurement.
 #pragma once
 
-#include "mesh/triangles.h"
+#include "mesh/triangles/triangles.h"
 
 #include <cstdint>
 

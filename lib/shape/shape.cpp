@@ -1,7 +1,7 @@
 #include "shape/shape.h"
 
 #include "base/error.h"
-#include "mesh/build_mesh.h"
+#include "mesh/soup/build_mesh.h"
 #include "shape/sample_meshes.h"
 #include "shape/scan.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "basecomplex/base_complex.h"
-#include "bspline/reference/triangle_surface.h"
+#include "bspline/reference/scan/triangle_surface.h"
 #include "bspline/splines/surfaces.h"
 #include "cut/cut.h"
 #include "enumerate/enumeration.h"

@@ -3,8 +3,8 @@
 
 #include "bspline/network/borders.h"
 #include "bspline/network/smooth_network.h"
-#include "bspline/reference/reference_grid.h"
-#include "bspline/reference/triangle_surface.h"
+#include "bspline/reference/lattice/reference_grid.h"
+#include "bspline/reference/scan/triangle_surface.h"
 #include "bspline/splines/surfaces.h"
 #include "layout/layout.h"
 

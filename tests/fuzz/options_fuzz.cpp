@@ -2,11 +2,11 @@
 /// their ranges; and the text shown for an option sets it to the same value again. The first byte chooses the
 /// options, every line is a word.
 #include "base/error.h"
-#include "cli/command_line.h"
-#include "cli/export_choices.h"
-#include "cli/export_date.h"
-#include "cli/general_options.h"
-#include "document/options_json.h"
+#include "cli/options/command_line.h"
+#include "cli/options/general_options.h"
+#include "cli/tools/export_choices.h"
+#include "cli/tools/export_date.h"
+#include "document/options/options_json.h"
 #include "view/view_options.h"
 
 #include <array>

@@ -2,10 +2,10 @@
 /// and read again. The first byte chooses the format and whether to repair.
 #include "base/error.h"
 #include "mesh/dihedral.h"
+#include "mesh/files/read_mesh.h"
+#include "mesh/files/write_soup.h"
 #include "mesh/mesh_lines.h"
-#include "mesh/read_mesh.h"
 #include "mesh/topology.h"
-#include "mesh/write_soup.h"
 
 #include <array>
 #include <cstddef>

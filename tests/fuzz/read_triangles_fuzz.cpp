@@ -1,9 +1,9 @@
 /// \file Any bytes, read in each format, are either refused with an Error or give triangles that can be
 /// written and read again. The first byte chooses the format.
 #include "base/error.h"
-#include "bspline/reference/triangle_surface.h"
-#include "mesh/read_triangles.h"
-#include "mesh/write_soup.h"
+#include "bspline/reference/scan/triangle_surface.h"
+#include "mesh/files/read_triangles.h"
+#include "mesh/files/write_soup.h"
 
 #include <array>
 #include <cstddef>

@@ -5,14 +5,14 @@
 /// through the vertices by plain uniform subdivision (`measure/subdivision.h`), with creases where the
 /// document has them. Nothing is shared with lib/bspline. Lengths are shares of the bounding box's diagonal,
 /// angles are in degrees. Places within one edge of a folded or flat quad count as `besideBad`.
-#include "check/check_segments.h"
-#include "check/distance.h"
-#include "check/patch_borders.h"
-#include "check/paths.h"
-#include "check/read_document.h"
-#include "check/spline.h"
+#include "check/document/read_document.h"
+#include "check/surfaces/distance.h"
+#include "check/surfaces/patch_borders.h"
+#include "check/surfaces/spline.h"
+#include "check/tracks/check_segments.h"
+#include "check/tracks/paths.h"
 #include "document/document.h"
-#include "document/mesh_section.h"
+#include "document/sections/mesh_section.h"
 #include "programs/measure/subdivision.h"
 #include "support/checked_mesh.h"
 

@@ -2,9 +2,9 @@
 // makes one step of Catmull-Clark subdivision. Writes OBJ to standard output.
 #include "base/at.h"
 #include "base/error.h"
-#include "mesh/build_mesh.h"
-#include "mesh/read_mesh.h"
-#include "mesh/write_soup.h"
+#include "mesh/files/read_mesh.h"
+#include "mesh/files/write_soup.h"
+#include "mesh/soup/build_mesh.h"
 
 #include <array>
 #include <charconv>

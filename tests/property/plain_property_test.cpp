@@ -1,6 +1,6 @@
 // Checks the plain motorcycle graph of random meshes against rules A1 to A4 and the arc rules.
 #include "base/at.h"
-#include "check/check_graph.h"
+#include "check/tracks/check_graph.h"
 #include "enumerate/paper/plain_graph.h"
 #include "support/checked_mesh.h"
 #include "support/random_graph.h"

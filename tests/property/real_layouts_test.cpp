@@ -1,7 +1,7 @@
 // Layouts of real meshes, before and after pruning.
 #include "enumerate/paper/plain_graph.h"
 #include "mesh/dihedral.h"
-#include "mesh/read_mesh.h"
+#include "mesh/files/read_mesh.h"
 #include "prune/prune.h"
 #include "support/layout_fault.h"
 

@@ -2,8 +2,8 @@
 /// them.
 #pragma once
 
-#include "check/angles.h"
-#include "check/lines.h"
+#include "check/mesh/angles.h"
+#include "check/tracks/lines.h"
 
 #include <cstdint>
 #include <limits>

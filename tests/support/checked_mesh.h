@@ -1,7 +1,7 @@
 /// \file Conversion of a mesh to the checker's own type.
 #pragma once
 
-#include "check/neighbourhoods.h"
+#include "check/mesh/neighbourhoods.h"
 #include "mesh/quad_mesh.h"
 
 namespace qm::testing {

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "base/at.h"
-#include "bspline/reference/control_mesh.h"
-#include "bspline/reference/limit_surface.h"
-#include "bspline/reference/mesh_lattice.h"
+#include "bspline/reference/lattice/mesh_lattice.h"
+#include "bspline/reference/limit/control_mesh.h"
+#include "bspline/reference/limit/limit_surface.h"
 #include "shape/shape.h"
 #include "support/quad_layout.h"
 

@@ -1,7 +1,7 @@
 /// \file Small quad meshes made of squares, for tests without files.
 #pragma once
 
-#include "check/neighbourhoods.h"
+#include "check/mesh/neighbourhoods.h"
 
 #include <array>
 #include <vector>

@@ -3,7 +3,7 @@
 #include "base/at.h"
 #include "base/error.h"
 #include "enumerate/state/search_state.h"
-#include "mesh/build_mesh.h"
+#include "mesh/soup/build_mesh.h"
 #include "mesh/topology.h"
 #include "support/polycube.h"
 

@@ -3,7 +3,7 @@
 
 #include "basecomplex/arc_graph.h"
 #include "basecomplex/base_complex.h"
-#include "check/neighbourhoods.h"
+#include "check/mesh/neighbourhoods.h"
 #include "layout/motorcycle_graph.h"
 
 #include <optional>

@@ -1,17 +1,17 @@
 #include "support/sample_document.h"
 
 #include "bspline/fit.h"
-#include "document/base_complex_section.h"
-#include "document/cut_section.h"
-#include "document/features_section.h"
-#include "document/layout_section.h"
-#include "document/mesh_section.h"
-#include "document/options_json.h"
-#include "document/surfaces_section.h"
-#include "mesh/build_mesh.h"
-#include "mesh/read_mesh.h"
+#include "document/options/options_json.h"
+#include "document/sections/base_complex_section.h"
+#include "document/sections/cut_section.h"
+#include "document/sections/features_section.h"
+#include "document/sections/layout_section.h"
+#include "document/sections/mesh_section.h"
+#include "document/sections/surfaces_section.h"
+#include "mesh/files/read_mesh.h"
+#include "mesh/files/write_soup.h"
+#include "mesh/soup/build_mesh.h"
 #include "mesh/topology.h"
-#include "mesh/write_soup.h"
 
 #include <cstdlib>
 #include <filesystem>

@@ -3,8 +3,8 @@
 
 #include "base/error.h"
 #include "document/document.h"
-#include "document/enumeration_section.h"
 #include "document/model.h"
+#include "document/sections/enumeration_section.h"
 #include "support/polycube.h"
 
 #include <string>

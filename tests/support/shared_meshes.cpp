@@ -1,6 +1,6 @@
 #include "support/shared_meshes.h"
 
-#include "mesh/read_mesh.h"
+#include "mesh/files/read_mesh.h"
 #include "support/checked_mesh.h"
 #include "support/shared_files.h"
 

@@ -1,7 +1,7 @@
 /// \file Real meshes, which some tests use if they are available.
 #pragma once
 
-#include "check/neighbourhoods.h"
+#include "check/mesh/neighbourhoods.h"
 
 #include <optional>
 #include <string>

@@ -1,7 +1,7 @@
 #include "support/true_document.h"
 
-#include "check/check_segments.h"
-#include "check/lines.h"
+#include "check/tracks/check_segments.h"
+#include "check/tracks/lines.h"
 #include "support/brute_force.h"
 
 #include <algorithm>

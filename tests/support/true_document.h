@@ -1,8 +1,8 @@
 /// \file Documents that are true of a small mesh by construction, which tests of the checker then falsify.
 #pragma once
 
-#include "check/checked_document.h"
-#include "check/neighbourhoods.h"
+#include "check/document/checked_document.h"
+#include "check/mesh/neighbourhoods.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 #include "support/true_models.h"
 
 #include "base/at.h"
-#include "check/angles.h"
+#include "check/mesh/angles.h"
 #include "support/polycube.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "check/check_document.h"
-#include "check/checked_document.h"
+#include "check/document/checked_document.h"
 #include "support/true_document.h"
 
 #include <gtest/gtest.h>

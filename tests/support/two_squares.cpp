@@ -1,7 +1,7 @@
 #include "support/two_squares.h"
 
 #include "base/error.h"
-#include "mesh/read_mesh.h"
+#include "mesh/files/read_mesh.h"
 #include "support/mesh_text.h"
 
 #include <array>

@@ -2,7 +2,7 @@
 
 #include "bspline/fitting/fit_round.h"
 #include "bspline/fitting/fit_state.h"
-#include "bspline/fitting/flat_patches.h"
+#include "bspline/fitting/planes/flat_patches.h"
 #include "bspline/fitting/verified_flattening.h"
 
 #include <algorithm>

@@ -1,10 +1,10 @@
 /// \file The result of one round of fitting, and which of two results is better.
 #pragma once
 
-#include "bspline/fitting/fit_lattice.h"
-#include "bspline/fitting/given_up_cells.h"
-#include "bspline/fitting/knot_plan.h"
-#include "bspline/fitting/lattice_errors.h"
+#include "bspline/fitting/knots/knot_plan.h"
+#include "bspline/fitting/lattice/fit_lattice.h"
+#include "bspline/fitting/lattice/given_up_cells.h"
+#include "bspline/fitting/lattice/lattice_errors.h"
 #include "bspline/splines/surfaces.h"
 
 #include <cstddef>

@@ -1,16 +1,16 @@
 #include "bspline/fitting/fit_state.h"
 
 #include "base/parallel.h"
-#include "bspline/fitting/border_knots.h"
-#include "bspline/fitting/continuity_equations.h"
-#include "bspline/fitting/flattening.h"
-#include "bspline/fitting/free_patches.h"
-#include "bspline/fitting/initial_knots.h"
-#include "bspline/fitting/knot_insertion.h"
-#include "bspline/fitting/knot_removal.h"
-#include "bspline/fitting/lattice_cells.h"
-#include "bspline/fitting/lattice_holds.h"
-#include "bspline/fitting/smooth_system.h"
+#include "bspline/fitting/knots/border_knots.h"
+#include "bspline/fitting/knots/initial_knots.h"
+#include "bspline/fitting/knots/knot_insertion.h"
+#include "bspline/fitting/knots/knot_removal.h"
+#include "bspline/fitting/lattice/lattice_cells.h"
+#include "bspline/fitting/lattice/lattice_holds.h"
+#include "bspline/fitting/planes/flattening.h"
+#include "bspline/fitting/system/continuity_equations.h"
+#include "bspline/fitting/system/free_patches.h"
+#include "bspline/fitting/system/smooth_system.h"
 
 #include <algorithm>
 #include <memory>
@@ -84,8 +84,9 @@ void FitState::solveAll(int slides) {
 
 void FitState::solveChanged(int slides) {
     const std::vector<PatchSpace> before = std::exchange(spaces_, plan_.spaces());
-    if (!solveFor(freePatches(plan_.stretches(), spaces_, changedPatches(before), options_), slides))
-        solveFor(everywhere(), slides);
+    const std::vector<bool> isFree = freePatches(plan_.stretches(), spaces_, changedPatches(before),
+                                                 options_.ringsAround, options_.worthAll);
+    if (!solveFor(isFree, slides)) solveFor(everywhere(), slides);
 }
 
 /// Solves for the free patches, and measures them.

@@ -1,17 +1,17 @@
 /// \file The state of a fit: its knots, the patches fitted with them, and their distances from the reference.
 #pragma once
 
-#include "bspline/fitting/fit_lattice.h"
+#include "bspline/fitting/energy/thin_plate.h"
 #include "bspline/fitting/fit_options.h"
 #include "bspline/fitting/fit_round.h"
-#include "bspline/fitting/flat_patches.h"
-#include "bspline/fitting/given_up_cells.h"
-#include "bspline/fitting/knot_plan.h"
-#include "bspline/fitting/lattice_errors.h"
-#include "bspline/fitting/normal_limits.h"
-#include "bspline/fitting/thin_plate.h"
+#include "bspline/fitting/knots/knot_plan.h"
+#include "bspline/fitting/lattice/fit_lattice.h"
+#include "bspline/fitting/lattice/given_up_cells.h"
+#include "bspline/fitting/lattice/lattice_errors.h"
+#include "bspline/fitting/lattice/normal_limits.h"
+#include "bspline/fitting/planes/flat_patches.h"
 #include "bspline/network/stretch_map.h"
-#include "bspline/reference/fit_target.h"
+#include "bspline/reference/lattice/fit_target.h"
 
 #include <array>
 #include <cstddef>

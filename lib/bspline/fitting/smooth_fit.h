@@ -5,7 +5,7 @@
 #include "base/control.h"
 #include "bspline/fitting/fit_options.h"
 #include "bspline/network/smooth_network.h"
-#include "bspline/reference/fit_target.h"
+#include "bspline/reference/lattice/fit_target.h"
 #include "bspline/splines/surfaces.h"
 #include "layout/layout.h"
 

@@ -1,7 +1,7 @@
 #include "bspline/fitting/verified_flattening.h"
 
-#include "bspline/fitting/flattening.h"
-#include "bspline/fitting/free_patches.h"
+#include "bspline/fitting/planes/flattening.h"
+#include "bspline/fitting/system/free_patches.h"
 
 #include <algorithm>
 #include <cstddef>

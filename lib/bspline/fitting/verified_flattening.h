@@ -3,7 +3,7 @@
 
 #include "bspline/fitting/fit_options.h"
 #include "bspline/fitting/fit_round.h"
-#include "bspline/fitting/flat_patches.h"
+#include "bspline/fitting/planes/flat_patches.h"
 #include "layout/layout.h"
 
 #include <optional>

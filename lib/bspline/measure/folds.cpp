@@ -1,7 +1,7 @@
 #include "bspline/measure/folds.h"
 
 #include "base/at.h"
-#include "bspline/reference/bilinear_quad.h"
+#include "bspline/reference/lattice/bilinear_quad.h"
 #include "bspline/splines/eigen_point.h"
 #include "bspline/splines/patch_bezier.h"
 

@@ -1,7 +1,7 @@
 /// \file Finds the folds of a patch, certified by the Bezier points of its normal.
 #pragma once
 
-#include "bspline/reference/reference_grid.h"
+#include "bspline/reference/lattice/reference_grid.h"
 #include "bspline/splines/surfaces.h"
 
 #include <array>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bspline/measure/paired_surfaces.h"
-#include "bspline/reference/reference_grid.h"
+#include "bspline/reference/lattice/reference_grid.h"
 #include "bspline/splines/surfaces.h"
 #include "layout/layout.h"
 

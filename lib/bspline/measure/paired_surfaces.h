@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bspline/network/borders.h"
-#include "bspline/reference/reference_grid.h"
+#include "bspline/reference/lattice/reference_grid.h"
 #include "bspline/splines/patch_bezier.h"
 #include "bspline/splines/surfaces.h"
 #include "layout/layout.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bspline/measure/certified_deviation.h"
-#include "bspline/reference/triangle_surface.h"
+#include "bspline/reference/scan/triangle_surface.h"
 #include "bspline/splines/surfaces.h"
 
 #include <vector>

@@ -1,9 +1,34 @@
 #include "bspline/reference/fit_reference.h"
 
-#include "bspline/reference/bridged_mesh.h"
+#include "base/error.h"
+#include "bspline/reference/limit/bridged_mesh.h"
+#include "bspline/reference/limit/limit_surface.h"
+#include "bspline/reference/scan/scan_reference.h"
 #include "mesh/dihedral.h"
 
+#include <string>
+
 namespace qm {
+
+namespace {
+
+FitTarget fitTarget(const QuadMesh& mesh, const Layout& layout, const SmoothNetwork& network,
+                    const TriangleSurface* scan, unsigned jobs) {
+    const int steps = mesh.n_faces() > veryManyFaces ? 2 : 4;
+    FitTarget target;
+    target.grids = limitSurface(mesh, layout, network.rules, network.marks.isCrease, steps, jobs);
+    if (scan == nullptr) return target;
+    FitTarget found = scanReference(mesh, layout, target.grids, *scan, jobs);
+    constexpr double minCoverage = 0.1; // with less it is another part, or lies elsewhere
+    if (found.coverage < minCoverage)
+        throw Error("reference",
+                    "only " + std::to_string(static_cast<int>(100 * found.coverage)) +
+                        " per cent of the mesh are near the scan",
+                    "Give a scan of the same part, in the same place and unit");
+    return found;
+}
+
+} // namespace
 
 FitReference fitReference(const QuadMesh& mesh, const Layout& layout,
                           const std::vector<double>& dihedralAngles, const ReferenceOptions& options,

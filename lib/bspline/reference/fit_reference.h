@@ -2,11 +2,19 @@
 #pragma once
 
 #include "bspline/network/smooth_network.h"
-#include "bspline/reference/fit_target.h"
+#include "bspline/reference/lattice/fit_target.h"
+#include "bspline/reference/scan/triangle_surface.h"
+#include "layout/layout.h"
+#include "mesh/quad_mesh.h"
 
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 namespace qm {
+
+/// Meshes of more faces than this are sampled less finely, as their edges are short.
+constexpr std::size_t veryManyFaces = 300'000;
 
 struct FitReference {
     std::optional<QuadMesh> bridged; ///< replaces the mesh if folded quads were bridged
@@ -19,6 +27,8 @@ struct ReferenceOptions {
     bool bridges = true; ///< whether to bridge folded quads (see `bridgedMesh`)
 };
 
+/// The target is the smooth surface through the mesh's vertices, or, with a scan, the scan as seen from that
+/// surface, without its noise. The lattices have four steps per mesh edge; two for very many faces.
 /// \param dihedralAngles  by edge index, radians
 /// \param scan  null if there is none
 /// \throw Error  if the scan is nowhere near the mesh

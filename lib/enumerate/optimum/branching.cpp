@@ -1,6 +1,6 @@
 #include "enumerate/optimum/branching.h"
 
-#include "enumerate/optimum/tuning.h"
+#include "enumerate/relaxation/tuning.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 
 #include "enumerate/optimum/branch_and_bound.h"
 #include "enumerate/optimum/rounding.h"
-#include "enumerate/optimum/tuning.h"
+#include "enumerate/relaxation/tuning.h"
 #include "enumerate/state/independent_parts.h"
 
 #include <algorithm>

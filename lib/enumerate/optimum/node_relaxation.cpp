@@ -1,6 +1,6 @@
 #include "enumerate/optimum/node_relaxation.h"
 
-#include "enumerate/optimum/tuning.h"
+#include "enumerate/relaxation/tuning.h"
 
 #include <algorithm>
 #include <cmath>

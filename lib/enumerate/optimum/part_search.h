@@ -2,10 +2,10 @@
 #pragma once
 
 #include "base/control.h"
-#include "enumerate/optimum/column_state.h"
 #include "enumerate/optimum/part_cost.h"
 #include "enumerate/optimum/part_options.h"
-#include "enumerate/optimum/relaxation.h"
+#include "enumerate/relaxation/column_state.h"
+#include "enumerate/relaxation/relaxation.h"
 #include "enumerate/state/incumbents.h"
 
 #include <vector>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/id_vector.h"
-#include "enumerate/optimum/column_state.h"
+#include "enumerate/relaxation/column_state.h"
 
 #include <algorithm>
 #include <cstddef>

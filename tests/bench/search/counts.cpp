@@ -4,7 +4,7 @@
 #include "bench/search/tables.h"
 #include "bench/search_problem.h"
 #include "enumerate/diagram/count_graphs.h"
-#include "mesh/read_mesh.h"
+#include "mesh/files/read_mesh.h"
 #include "support/shared_files.h"
 
 #include <cstdio>

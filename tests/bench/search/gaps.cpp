@@ -2,7 +2,7 @@
 #include "bench/search/stopwatch.h"
 #include "bench/search/tables.h"
 #include "enumerate/enumerate.h"
-#include "mesh/read_mesh.h"
+#include "mesh/files/read_mesh.h"
 #include "support/shared_files.h"
 
 #include <cmath>

@@ -2,7 +2,7 @@
 #include "bench/search/stopwatch.h"
 #include "bench/search/tables.h"
 #include "bench/search_problem.h"
-#include "cli/graph_line.h"
+#include "cli/tools/graph_line.h"
 #include "enumerate/diagram/walk.h"
 #include "enumerate/enumerate.h"
 

@@ -5,7 +5,7 @@
 #include "bench/search_problem.h"
 #include "bench/staircase.h"
 #include "enumerate/optimum/optimum.h"
-#include "mesh/read_mesh.h"
+#include "mesh/files/read_mesh.h"
 #include "support/shared_files.h"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 /// shares only the definition with the library's own.
 #pragma once
 
-#include "check/checked_document.h"
-#include "check/neighbourhoods.h"
+#include "check/document/checked_document.h"
+#include "check/mesh/neighbourhoods.h"
 
 #include <array>
 #include <cstddef>

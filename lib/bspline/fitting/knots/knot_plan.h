@@ -1,0 +1,78 @@
+/// \file The knots of all patches and the reach of the tangent ratios: what refinement changes.
+#pragma once
+
+#include "bspline/network/border_strip.h"
+#include "bspline/network/smooth_network.h"
+#include "bspline/reference/lattice/reference_grid.h"
+#include "layout/layout.h"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace qm {
+
+/// The knots along u and v of every patch.
+using KnotLists = std::vector<std::array<std::vector<double>, 2>>;
+
+/// The lengths of knot intervals along u and v of every patch, in mesh edges.
+using IntervalLengths = std::vector<std::array<double, 2>>;
+
+/// The parts of a mesh edge, in every patch, that are as long as a given length on average.
+[[nodiscard]] IntervalLengths partsOfEdges(const std::vector<ReferenceGrid>& grids, double length);
+
+/// How short intervals may become, as a part of a mesh edge. The reference is smooth between its vertices, so
+/// short ones are seldom needed: where the mesh is coarse, and few vertices make strong bends. With
+/// `quarter`, the length that a plan is given as the shortest counts twice.
+enum class MinInterval { quarter, eighth, thirtySecond };
+
+/// Begins with only those inner knots that smoothness requires, and with tangent ratios that reach from end
+/// to end.
+class KnotPlan {
+public:
+    /// \param network   must outlive the plan
+    /// \param shortest  intervals are no shorter, whatever `MinInterval` allows; empty if there is no limit
+    KnotPlan(const Layout& layout, const SmoothNetwork& network, IntervalLengths shortest = {});
+
+    [[nodiscard]] const std::vector<Stretch>& stretches() const { return *stretches_; }
+    [[nodiscard]] const std::vector<SmoothRun>& runs() const { return runs_; } ///< with their present ratios
+
+    /// The spline spaces of all patches: the chosen knots, and double knots where tangent ratios end and
+    /// where smooth borders turn into creases.
+    [[nodiscard]] std::vector<PatchSpace> spaces() const;
+
+    /// The chosen inner knots of a patch along u (0) or v (1), ascending.
+    [[nodiscard]] const std::vector<double>& chosen(std::size_t patch, std::size_t direction) const {
+        return chosen_[patch][direction];
+    }
+    /// \return false if the patch has this knot already or the knot is not inside the patch
+    bool insert(std::size_t patch, std::size_t direction, double knot);
+    void erase(std::size_t patch, std::size_t direction, double knot);
+
+    /// Ends each tangent ratio at the first chosen knot, or at half of its run where the two ends would
+    /// overlap.
+    void endAtFirstKnots();
+
+    /// Halves the reach of the tangent ratio at one end of a run.
+    /// \return false if it is as short as the shortest interval already
+    bool shorten(std::size_t run, std::size_t end);
+
+    /// The shortest interval that a knot may make, in mesh edges.
+    [[nodiscard]] double minInterval(std::size_t patch, std::size_t direction) const;
+    /// \return false if intervals as short as these were allowed before
+    bool allow(MinInterval length);
+
+private:
+    [[nodiscard]] KnotLists doubleKnots() const;
+    [[nodiscard]] double firstKnot(const SmoothRun& run, std::size_t end) const;
+
+    std::vector<std::array<int, 2>> sizes_;
+    const std::vector<Stretch>* stretches_;
+    std::vector<SmoothRun> runs_;
+    KnotLists chosen_;
+    IntervalLengths shortest_;
+    MinInterval minInterval_ = MinInterval::quarter;
+    KnotLists turns_; ///< where smooth borders turn into creases
+};
+
+} // namespace qm

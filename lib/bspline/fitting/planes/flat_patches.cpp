@@ -1,0 +1,118 @@
+#include "bspline/fitting/planes/flat_patches.h"
+
+#include "base/at.h"
+#include "base/disjoint_sets.h"
+#include "bspline/fitting/planes/principal_axes.h"
+#include "bspline/network/borders.h"
+#include "bspline/splines/eigen_point.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <unordered_map>
+
+namespace qm {
+namespace {
+
+/// A side of a plane patch on the outline.
+struct OutlineSide {
+    std::size_t patch = 0;
+    int side = 0;
+    std::vector<Eigen::Vector3d> points; ///< of the reference
+
+    [[nodiscard]] Eigen::Vector3d direction() const { return (points.back() - points.front()).normalized(); }
+};
+
+struct StraightLine {
+    Eigen::Vector3d middle;
+    Eigen::Vector3d direction; ///< unit
+};
+
+std::vector<Eigen::Vector3d> pointsOnSide(const ReferenceGrid& grid, int side) {
+    const std::size_t count = directionAlong(side) == 0 ? grid.columns() : grid.rows();
+    std::vector<Eigen::Vector3d> points;
+    for (std::size_t k = 0; k < count; ++k)
+        points.push_back(vector(grid.points[pointOnSide(grid.columns(), grid.rows(), side, k)]));
+    return points;
+}
+
+/// By patch and side: whether no patch lies beyond any part of it.
+std::vector<std::array<bool, 4>> outlineSides(const SmoothNetwork& network, std::size_t patches) {
+    std::vector<std::array<bool, 4>> result(patches, {true, true, true, true});
+    for (const Stretch& stretch : network.stretches)
+        for (const StretchSide& place : stretch.sides)
+            result[place.patch][at(place.side)] = false;
+    return result;
+}
+
+/// The line through all points of some sides, if there is one; as with planes, short ones must be the
+/// straighter.
+std::optional<StraightLine> lineThrough(const std::vector<const OutlineSide*>& sides, double tolerance) {
+    constexpr double straight = 1e-4; // share of its extent that a line may be thick
+    std::vector<Eigen::Vector3d> points;
+    for (const OutlineSide* side : sides)
+        points.insert(points.end(), side->points.begin(), side->points.end());
+    const PrincipalAxes spread = principalAxes(points);
+    const Eigen::Vector3d direction = spread.axes.col(2);
+    const double allowed = std::min(tolerance, straight * spread.extents[2]);
+    const bool isStraight = std::ranges::all_of(points, [&](const Eigen::Vector3d& at) {
+        return direction.cross(at - spread.middle).norm() < allowed;
+    });
+    return isStraight ? std::optional(StraightLine{spread.middle, direction}) : std::nullopt;
+}
+
+/// Divides straight sides into those that continue one another: where lines turn by less than this, points on
+/// both would have no certain place.
+std::vector<std::vector<const OutlineSide*>> continued(const Layout& layout,
+                                                       const std::vector<OutlineSide>& sides) {
+    const double turn = std::cos(0.2);
+    std::unordered_map<VertexId, std::vector<std::size_t>> sidesAt;
+    DisjointSets sets(sides.size());
+    for (std::size_t k = 0; k < sides.size(); ++k) {
+        const auto& path = layout.segments[sides[k].patch].sides[at(sides[k].side)];
+        for (const VertexId end : {path.front(), path.back()}) {
+            for (const std::size_t other : sidesAt[end])
+                if (std::abs(sides[k].direction().dot(sides[other].direction())) > turn) sets.join(k, other);
+            sidesAt[end].push_back(k);
+        }
+    }
+    std::vector<std::vector<const OutlineSide*>> groups(sides.size());
+    for (std::size_t k = 0; k < sides.size(); ++k)
+        groups[sets.find(k)].push_back(&sides[k]);
+    std::erase_if(groups, [](const auto& group) { return group.empty(); });
+    return groups;
+}
+
+} // namespace
+
+std::vector<std::optional<FlatPatch>> flatPatches(const Layout& layout,
+                                                  const std::vector<ReferenceGrid>& reference,
+                                                  const SmoothNetwork& network, double tolerance) {
+    const std::vector<std::optional<Plane>> planes = planesOf(reference, network, tolerance);
+    const auto isOutline = outlineSides(network, planes.size());
+    std::vector<std::optional<FlatPatch>> flat(planes.size());
+    std::vector<OutlineSide> sides;
+    for (std::size_t patch = 0; patch < planes.size(); ++patch) {
+        if (!planes[patch]) continue;
+        flat[patch] = FlatPatch{*planes[patch], {}};
+        for (int side = 0; side < 4; ++side) {
+            if (!isOutline[patch][at(side)]) continue;
+            OutlineSide found{patch, side, pointsOnSide(reference[patch], side)};
+            if (lineThrough({&found}, tolerance)) sides.push_back(std::move(found));
+        }
+    }
+    for (const auto& group : continued(layout, sides)) {
+        const std::optional<StraightLine> line = lineThrough(group, tolerance);
+        if (!line) continue;
+        for (const OutlineSide* side : group) {
+            FlatPatch& patch = *flat[side->patch];
+            const Eigen::Vector3d normal = line->direction.cross(vector(patch.plane.normal)).normalized();
+            patch.outlines[at(side->side)] = Plane{point(normal), normal.dot(line->middle)};
+        }
+    }
+    return flat;
+}
+
+} // namespace qm

@@ -1,0 +1,23 @@
+/// \file Moves the control points of plane patches into their planes.
+#pragma once
+
+#include "bspline/fitting/knots/knot_plan.h"
+#include "bspline/fitting/planes/flat_patches.h"
+#include "bspline/network/border_strip.h"
+#include "bspline/splines/surfaces.h"
+#include "layout/layout.h"
+
+#include <optional>
+#include <vector>
+
+namespace qm {
+
+/// Moves all control points of the plane patches into their planes, and changes the patches around them as
+/// little as the continuity equations require (docs/METHOD.md#plane-patches). What contradicts its neighbours
+/// is dropped, straight outlines before planes.
+/// \param spaces  the spline spaces of the patches
+/// \param jobs    threads; the result does not depend on their number
+void flatten(const Layout& layout, const KnotPlan& plan, const std::vector<PatchSpace>& spaces,
+             std::vector<std::optional<FlatPatch>> flat, std::vector<Patch>& patches, unsigned jobs);
+
+} // namespace qm

@@ -1,0 +1,39 @@
+#include "bspline/fitting/system/continuity_equations.h"
+
+#include "bspline/network/continuity.h"
+
+#include <array>
+
+namespace qm {
+
+std::vector<LinearForm> continuityEquations(const Layout& layout, const KnotPlan& plan,
+                                            const std::vector<PatchSpace>& spaces,
+                                            const std::vector<bool>& isFree) {
+    const auto counts = [&](const Stretch& stretch) {
+        return isFree[stretch.sides[0].patch] || isFree[stretch.sides[1].patch];
+    };
+    const auto strips = [&](const Stretch& stretch) {
+        const auto strip = [&](const StretchSide& place) {
+            return BorderStrip(spaces[place.patch], layout.segments[place.patch].size, place);
+        };
+        return std::array{strip(stretch.sides[0]), strip(stretch.sides[1])};
+    };
+    std::vector<LinearForm> equations;
+    for (const Stretch& stretch : plan.stretches()) {
+        if (!counts(stretch)) continue;
+        const auto both = strips(stretch);
+        addPositionEquations(stretch, both[0], both[1], equations);
+    }
+    for (const SmoothRun& run : plan.runs()) {
+        if (!counts(plan.stretches()[run.stretch])) continue;
+        const auto both = strips(plan.stretches()[run.stretch]);
+        addTangentEquations(run, both[0], both[1], equations);
+    }
+    return equations;
+}
+
+std::size_t unknownsOf(const std::vector<PatchSpace>& spaces) {
+    return spaces.empty() ? 0 : spaces.back().firstUnknown + spaces.back().size();
+}
+
+} // namespace qm

@@ -1,0 +1,103 @@
+#include "bspline/fitting/system/smooth_system.h"
+
+#include "base/parallel.h"
+#include "bspline/fitting/system/continuity_equations.h"
+#include "bspline/fitting/system/free_unknowns.h"
+#include "bspline/splines/eigen_point.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace qm {
+namespace {
+
+Patch patchOf(const PatchSpace& space, std::size_t segment, const Eigen::MatrixX3d& solution) {
+    Patch patch;
+    patch.segment = SegmentId(segment);
+    patch.knots = space.knots;
+    patch.count = {static_cast<int>(space.count(0)), static_cast<int>(space.count(1))};
+    patch.controlPoints.reserve(space.size());
+    for (std::size_t k = 0; k < space.size(); ++k)
+        patch.controlPoints.push_back(point(solution.row(static_cast<Eigen::Index>(space.firstUnknown + k))));
+    return patch;
+}
+
+/// Equations in free unknowns; the terms of patches that stay are constants.
+struct FreeEquations {
+    std::vector<LinearForm> forms;
+    Eigen::MatrixX3d constants;
+};
+
+FreeEquations freeEquations(const std::vector<LinearForm>& equations, const FreeUnknowns& unknowns,
+                            const std::vector<PatchSpace>& spaces, const std::vector<Patch>& patches) {
+    std::vector<const Point*> points; // by unknown
+    for (std::size_t patch = 0; patch < spaces.size(); ++patch)
+        for (std::size_t k = 0; k < spaces[patch].size(); ++k)
+            points.push_back(unknowns.isFree(points.size()) ? nullptr : &patches[patch].controlPoints[k]);
+    FreeEquations result;
+    std::vector<Eigen::RowVector3d> constants;
+    for (const LinearForm& equation : equations) {
+        LinearForm form = unknowns.among(equation);
+        if (form.unknowns.empty()) continue;
+        constants.emplace_back(Eigen::RowVector3d::Zero());
+        for (std::size_t k = 0; k < equation.unknowns.size(); ++k)
+            if (const Point* fixed = points[equation.unknowns[k]])
+                constants.back() -= equation.weights[k] * vector(*fixed).transpose();
+        result.forms.push_back(std::move(form));
+    }
+    result.constants.resize(static_cast<Eigen::Index>(constants.size()), 3);
+    for (std::size_t row = 0; row < constants.size(); ++row)
+        result.constants.row(static_cast<Eigen::Index>(row)) = constants[row];
+    return result;
+}
+
+} // namespace
+
+SmoothSystem::SmoothSystem(const Layout& layout, const KnotPlan& plan, const std::vector<PatchSpace>& spaces,
+                           const std::vector<FitLattice>& lattices,
+                           const std::vector<std::vector<ThinPlate>>& plates, const std::vector<bool>& isFree,
+                           const std::vector<Patch>& patches, unsigned jobs)
+    : jobs_(jobs) {
+    const FreeUnknowns unknowns(spaces, isFree);
+    for (std::size_t k = 0; k < spaces.size(); ++k) {
+        if (!isFree[k]) continue;
+        free_.push_back(k);
+        spaces_.push_back(spaces[k]);
+        spaces_.back().firstUnknown = unknowns.number(spaces[k].firstUnknown);
+        for (const Point& point : lattices[k].reference)
+            size_ = std::max(size_, point.max_abs());
+    }
+    using Entries = std::vector<Eigen::Triplet<double>>;
+    std::vector<Entries> entries(free_.size());
+    parallelFor(free_.size(), jobs, [&](std::size_t k) {
+        addPatchForm(spaces_[k], lattices[free_[k]].targets, plates[free_[k]], entries[k]);
+    });
+    Entries all;
+    for (auto& ofPatch : entries) {
+        all.insert(all.end(), ofPatch.begin(), ofPatch.end());
+        ofPatch = Entries(); // gives the memory back
+    }
+    const FreeEquations equations =
+        freeEquations(continuityEquations(layout, plan, spaces, isFree), unknowns, spaces, patches);
+    unknowns_ = static_cast<Eigen::Index>(unknowns.count());
+    system_.emplace(unknowns.count(), std::move(all), equations.forms, equations.constants, jobs);
+}
+
+void SmoothSystem::solve(const std::vector<FitLattice>& lattices, Accuracy accuracy,
+                         std::vector<Patch>& patches) {
+    Eigen::MatrixX3d rightHandSide = Eigen::MatrixX3d::Zero(unknowns_, 3);
+    parallelFor(free_.size(), jobs_, [&](std::size_t k) {
+        addPatchTargets(spaces_[k], lattices[free_[k]].targets, rightHandSide);
+    });
+    system_->improve(rightHandSide, accuracy, solution_);
+    for (std::size_t k = 0; k < free_.size(); ++k)
+        patches[free_[k]] = patchOf(spaces_[k], free_[k], solution_);
+}
+
+bool SmoothSystem::holds() const {
+    constexpr double rounding = 1e-11; // relative to the largest coordinate
+    return unknowns_ == 0 || system_->violation(solution_) <= rounding * size_;
+}
+
+} // namespace qm

@@ -1,0 +1,23 @@
+/// \file Cubics of the unit interval by their values and slopes at its ends.
+#pragma once
+
+#include "bspline/reference/lattice/lagrange.h"
+
+#include <array>
+
+namespace qm {
+
+/// Cubics with value 0 at both ends of the unit interval and slope 1 at one, and with value 1 at one end and
+/// slope 0 at both.
+struct Hermite {
+    std::array<Jet, 2> slope;
+    std::array<Jet, 2> value;
+
+    explicit Hermite(double t)
+        : slope{{{t * (1 - t) * (1 - t), (1 - t) * (1 - 3 * t), 6 * t - 4},
+                 {t * t * (t - 1), t * (3 * t - 2), 6 * t - 2}}},
+          value{{{(1 + 2 * t) * (1 - t) * (1 - t), 6 * t * (t - 1), 12 * t - 6},
+                 {t * t * (3 - 2 * t), 6 * t * (1 - t), 6 - 12 * t}}} {}
+};
+
+} // namespace qm

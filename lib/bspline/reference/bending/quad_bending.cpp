@@ -1,0 +1,215 @@
+#include "bspline/reference/bending/quad_bending.h"
+
+#include "base/at.h"
+#include "bspline/reference/bending/hermite.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <utility>
+
+namespace qm {
+namespace {
+
+/// What a tilt changes at a corner.
+struct CornerChange {
+    std::array<double, 2> slopes; ///< of the lines of parameters, by direction
+    double twist = 0;             ///< the mixed derivative
+};
+
+/// How high a tilt lifts the surface along the corner's normal: products of cubics in u and v.
+class Lift {
+public:
+    Lift(const Hermite& u, const Hermite& v, std::size_t corner, const CornerChange& change)
+        : u_(u), v_(v), ends_(quadCorners[corner]), change_(change) {}
+
+    /// \param du, dv  how often it is derived
+    [[nodiscard]] double operator()(std::size_t du, std::size_t dv) const {
+        const double slopeU = u_.slope[ends_[0]][du];
+        const double slopeV = v_.slope[ends_[1]][dv];
+        return change_.slopes[0] * slopeU * v_.value[ends_[1]][dv] +
+               change_.slopes[1] * u_.value[ends_[0]][du] * slopeV + change_.twist * slopeU * slopeV;
+    }
+
+private:
+    const Hermite& u_;
+    const Hermite& v_;
+    const std::array<std::size_t, 2>& ends_;
+    CornerChange change_;
+};
+
+CornerChange changeOf(const QuadSurface& surface, std::size_t corner, const TangentFrame& frame,
+                      const Eigen::Vector3d& tilt) {
+    const Eigen::Vector3d slope = tilt[0] * frame.axes[0] + tilt[1] * frame.axes[1];
+    const Eigen::Vector3d& u = surface.derivative(corner, 0);
+    const Eigen::Vector3d& v = surface.derivative(corner, 1);
+    const auto& [first, second] = frame.dual;
+    return {{slope.dot(u), slope.dot(v)},
+            tilt[2] * (first.dot(u) * second.dot(v) + second.dot(u) * first.dot(v))};
+}
+
+/// Second derivatives in space, from those by u and v: those of the surface itself are its second fundamental
+/// form, those of a lift its Hessian, both in an orthonormal frame.
+class Geometry {
+public:
+    explicit Geometry(const QuadSurface::SecondOrder& at) : at_(at) {
+        metric_ << at.u.squaredNorm(), at.u.dot(at.v), at.u.dot(at.v), at.v.squaredNorm();
+        const double length = std::sqrt(metric_(0, 0));
+        const double height = std::sqrt(metric_.determinant()) / length;
+        frame_ << 1 / length, 0, -metric_(0, 1) / (metric_(0, 0) * height), 1 / height;
+    }
+
+    /// False where the derivatives are parallel, or nearly so, or one is zero.
+    [[nodiscard]] bool isRegular() const {
+        constexpr double minSquaredSine = 1e-6;
+        return metric_.determinant() > minSquaredSine * metric_(0, 0) * metric_(1, 1);
+    }
+    [[nodiscard]] double area() const { return std::sqrt(metric_.determinant()); }
+    [[nodiscard]] Eigen::Vector3d normal() const { return at_.u.cross(at_.v).normalized(); }
+
+    /// The entries of a symmetric form, whose squares sum to that of both its eigenvalues.
+    [[nodiscard]] Eigen::Vector3d inFrame(double uu, double uv, double vv) const {
+        Eigen::Matrix2d form;
+        form << uu, uv, uv, vv;
+        const Eigen::Matrix2d whole = frame_ * form * frame_.transpose();
+        return {whole(0, 0), std::numbers::sqrt2 * whole(0, 1), whole(1, 1)};
+    }
+    [[nodiscard]] Eigen::Vector3d ofSurface() const {
+        const Eigen::Vector3d n = normal();
+        return inFrame(n.dot(at_.uu), n.dot(at_.uv), n.dot(at_.vv));
+    }
+    /// \param share  of the lift that is along the normal here
+    [[nodiscard]] Eigen::Vector3d ofLift(const Lift& lift, double share) const {
+        const Eigen::Vector2d slopes =
+            frame_.transpose() * (frame_ * Eigen::Vector2d(lift(1, 0), lift(0, 1)));
+        const Eigen::Vector3d gradient = slopes[0] * at_.u + slopes[1] * at_.v;
+        return share * inFrame(lift(2, 0) - gradient.dot(at_.uu), lift(1, 1) - gradient.dot(at_.uv),
+                               lift(0, 2) - gradient.dot(at_.vv));
+    }
+
+private:
+    const QuadSurface::SecondOrder& at_;
+    Eigen::Matrix2d metric_;
+    Eigen::Matrix2d frame_; ///< its rows: an orthonormal frame's vectors in terms of u and v
+};
+
+} // namespace
+
+QuadSurface::QuadSurface(int steps, std::vector<Eigen::Vector3d> points)
+    : steps_(steps), points_(std::move(points)) {
+    const std::size_t width = at(steps_) + 1;
+    for (std::size_t end = 0; end < 2; ++end) {
+        const LagrangeWeights& weights = lagrangeAtEnd(steps_, end);
+        for (std::size_t corner = 0; corner < quadCorners.size(); ++corner)
+            for (std::size_t direction = 0; direction < 2; ++direction) {
+                if (quadCorners[corner][direction] != end) continue;
+                const std::size_t first =
+                    quadCorners[corner][1 - direction] * at(steps_) * (direction == 0 ? width : 1);
+                Eigen::Vector3d& sum = derivatives_[corner][direction];
+                sum.setZero();
+                for (std::size_t k = 0; k < width; ++k)
+                    sum += weights[k][1] * points_[first + k * (direction == 0 ? 1 : width)];
+            }
+    }
+}
+
+QuadSurface::SecondOrder QuadSurface::secondOrder(const LagrangeWeights& columns,
+                                                  const LagrangeWeights& rows) const {
+    const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
+    SecondOrder sum{zero, zero, zero, zero, zero};
+    const Eigen::Vector3d* point = points_.data();
+    for (std::size_t j = 0; j <= at(steps_); ++j)
+        for (std::size_t i = 0; i <= at(steps_); ++i, ++point) {
+            sum.u += columns[i][1] * rows[j][0] * *point;
+            sum.v += columns[i][0] * rows[j][1] * *point;
+            sum.uu += columns[i][2] * rows[j][0] * *point;
+            sum.uv += columns[i][1] * rows[j][1] * *point;
+            sum.vv += columns[i][0] * rows[j][2] * *point;
+        }
+    return sum;
+}
+
+Eigen::Vector3d QuadSurface::normal(std::size_t corner) const {
+    return derivative(corner, 0).cross(derivative(corner, 1)).normalized();
+}
+
+std::vector<Eigen::Vector3d> QuadSurface::displacements(const CornerFrames& frames,
+                                                        const CornerTilts& tilts) const {
+    std::vector<Eigen::Vector3d> result(points_.size(), Eigen::Vector3d::Zero());
+    std::vector<Hermite> hermite;
+    for (int k = 0; k <= steps_; ++k)
+        hermite.emplace_back(static_cast<double>(k) / steps_);
+    for (std::size_t corner = 0; corner < frames.size(); ++corner) {
+        if (frames[corner] == nullptr) continue;
+        const CornerChange change =
+            changeOf(*this, corner, *frames[corner], tilts.segment<3>(static_cast<Eigen::Index>(3 * corner)));
+        for (std::size_t k = 0; k < result.size(); ++k)
+            result[k] +=
+                Lift(hermite[k % hermite.size()], hermite[k / hermite.size()], corner, change)(0, 0) *
+                frames[corner]->normal;
+    }
+    return result;
+}
+
+namespace {
+
+/// A point of Gauss's rule on the unit interval.
+struct GaussPoint {
+    double weight;
+    Hermite hermite;
+    LagrangeWeights lagrange;
+};
+
+/// Three points: with two, some twists would not bend anything.
+using GaussRule = std::array<GaussPoint, 3>;
+
+GaussRule gaussRule(int steps) {
+    constexpr double outer = 0.3872983346207417; // half of the root of 3/5
+    const auto point = [&](double t, double weight) {
+        return GaussPoint{weight, Hermite(t), lagrange(steps, t)};
+    };
+    return {point(0.5 - outer, 5.0 / 18), point(0.5, 8.0 / 18), point(0.5 + outer, 5.0 / 18)};
+}
+
+/// What one unit of every entry of a tilt changes, by corner.
+std::array<std::array<CornerChange, 3>, 4> unitChanges(const QuadSurface& surface,
+                                                       const CornerFrames& frames) {
+    std::array<std::array<CornerChange, 3>, 4> changes{};
+    for (std::size_t corner = 0; corner < frames.size(); ++corner)
+        for (std::size_t k = 0; frames[corner] != nullptr && k < 3; ++k)
+            changes[corner][k] = changeOf(surface, corner, *frames[corner],
+                                          Eigen::Vector3d::Unit(static_cast<Eigen::Index>(k)));
+    return changes;
+}
+
+} // namespace
+
+QuadBending quadBending(const QuadSurface& surface, const CornerFrames& frames) {
+    static const auto rules = forAllSteps(gaussRule);
+    const GaussRule& points = rules[at(surface.steps() - 1)];
+    const auto changes = unitChanges(surface, frames);
+    QuadBending bending{Eigen::Matrix<double, 12, 12>::Zero(), CornerTilts::Zero()};
+    for (const GaussPoint& u : points)
+        for (const GaussPoint& v : points) {
+            const QuadSurface::SecondOrder at = surface.secondOrder(u.lagrange, v.lagrange);
+            const Geometry geometry(at);
+            if (!geometry.isRegular()) continue;
+            Eigen::Matrix<double, 3, 12> change = Eigen::Matrix<double, 3, 12>::Zero();
+            for (std::size_t corner = 0; corner < frames.size(); ++corner) {
+                if (frames[corner] == nullptr) continue;
+                const double share = frames[corner]->normal.dot(geometry.normal());
+                for (std::size_t k = 0; k < 3; ++k)
+                    change.col(static_cast<Eigen::Index>(3 * corner + k)) =
+                        geometry.ofLift(Lift(u.hermite, v.hermite, corner, changes[corner][k]), share);
+            }
+            const double weight = u.weight * v.weight * geometry.area();
+            bending.matrix += weight * change.transpose() * change;
+            bending.right -= weight * change.transpose() * geometry.ofSurface();
+        }
+    return bending;
+}
+
+} // namespace qm

@@ -1,0 +1,32 @@
+/// \file Points and normals of a surface on the lattice of a mesh.
+#pragma once
+
+#include "bspline/reference/lattice/reference_grid.h"
+#include "bspline/splines/eigen_point.h"
+#include "layout/layout.h"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace qm {
+
+struct LatticeNormals {
+    std::vector<std::vector<std::size_t>> numbers; ///< by grid and point: the lattice point
+    std::vector<std::vector<std::optional<Eigen::Vector3d>>>
+        oneSided; ///< by grid and point, unit length; seen from that grid alone
+    // By lattice point:
+    std::vector<Eigen::Vector3d> points;
+    /// Mean of the one-sided normals, unit length; none at sharp points, nor at points of no grid, such as
+    /// isolated vertices.
+    std::vector<std::optional<Eigen::Vector3d>> normals;
+    std::vector<bool> sharp; ///< the one-sided normals differ, or one is missing
+};
+
+/// \param surface  by segment, all with the same steps
+[[nodiscard]] LatticeNormals latticeNormals(const QuadMesh& mesh, const Layout& layout,
+                                            const std::vector<ReferenceGrid>& surface, unsigned jobs);
+
+} // namespace qm

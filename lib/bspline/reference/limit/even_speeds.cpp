@@ -1,0 +1,178 @@
+#include "bspline/reference/limit/even_speeds.h"
+
+#include "base/at.h"
+#include "base/parallel.h"
+#include "bspline/reference/bending/crease_directions.h"
+#include "bspline/reference/bending/hermite.h"
+#include "bspline/reference/bending/sound_faces.h"
+#include "bspline/reference/lattice/lagrange.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace qm {
+namespace {
+
+/// Limits of what a derivative is multiplied by. Where edges are very uneven, derivatives along long ones are
+/// too short by far, and their directions are no better: they are not made much longer.
+constexpr double minFactor = 0.2;
+constexpr double maxFactor = 1.25;
+/// Cosine of the angle between the normals in the middle and at the corners of quads along which speeds may
+/// change: 78 degrees.
+constexpr double unfolded = 0.2;
+
+/// Of a derivative: it is turned first.
+struct Change {
+    double share = 0; ///< of itself
+    Point turn{0, 0, 0};
+
+    bool operator==(const Change&) const = default;
+};
+
+class EvenSpeeds {
+public:
+    explicit EvenSpeeds(MeshLattice& lattice)
+        : lattice_(lattice), before_(lattice), mesh_(lattice.numbers().mesh()), steps_(at(lattice.squares())),
+          changes_(mesh_.n_halfedges()) {
+        for (std::size_t k = 0; k <= steps_; ++k)
+            hermite_.emplace_back(static_cast<double>(k) / static_cast<double>(steps_));
+    }
+
+    void run(const std::vector<VertexRule>& rules, unsigned jobs) {
+        const std::vector<bool> isSound = soundVertices(mesh_);
+        const std::vector<bool> isUnfolded = soundVertices(mesh_, unfolded);
+        const std::vector<Point> directions = creaseDirections(lattice_, rules);
+        parallelForMany(mesh_.n_vertices(), jobs, [&](std::size_t k) {
+            const VertexId vertex(static_cast<int>(k));
+            if (!isUnfolded[k]) return;
+            // The derivatives of a subdivision surface at an extraordinary vertex are what the polynomials
+            // make of them.
+            if (!mesh_.is_boundary(vertex) && mesh_.valence(vertex) != 4) return;
+            if (isSound[k] && isRegularCrease(vertex, rules[k])) turn(rules[k], directions[k]);
+            for (const HalfedgeId leaving : mesh_.voh_range(vertex))
+                changes_[at(leaving)].share = shareOf(leaving);
+        });
+        parallelForMany(mesh_.n_edges(), jobs, [&](std::size_t k) {
+            moveEdge(mesh_.halfedge_handle(EdgeId(static_cast<int>(k)), 0));
+        });
+        parallelForMany(mesh_.n_faces(), jobs,
+                        [&](std::size_t k) { moveFace(mesh_.halfedge_handle(FaceId(static_cast<int>(k)))); });
+    }
+
+private:
+    [[nodiscard]] Point before(HalfedgeId side, std::size_t i, std::size_t j) const {
+        return before_.point(before_.numbers()(side, static_cast<int>(i), static_cast<int>(j)));
+    }
+
+    /// Whether turning the crease changes the planes of no two faces between which the surface is smooth.
+    [[nodiscard]] bool isRegularCrease(VertexId vertex, const VertexRule& rule) const {
+        if (rule.kind != VertexRule::Kind::crease) return false;
+        if (mesh_.is_boundary(vertex)) return mesh_.valence(vertex) == 3;
+        const HalfedgeId next = mesh_.ccw_rotated_halfedge_handle(rule.along[0]);
+        return mesh_.ccw_rotated_halfedge_handle(next) == rule.along[1];
+    }
+
+    /// Turns the derivatives along a crease into a direction.
+    void turn(const VertexRule& rule, const Point& direction) {
+        if (direction.sqrnorm() == 0) return;
+        for (std::size_t k = 0; k < 2; ++k) {
+            const Point now = before_.derivative(rule.along[k]);
+            changes_[at(rule.along[k])].turn = now.norm() * (k == 0 ? direction : -direction) - now;
+        }
+    }
+
+    /// The derivative along a row of points at one of its ends.
+    template <class Row> [[nodiscard]] Point derivative(std::size_t end, const Row& row) const {
+        const LagrangeWeights& weights = lagrangeAtEnd(before_.squares(), end);
+        Point sum(0, 0, 0);
+        for (std::size_t k = 0; k <= steps_; ++k)
+            sum += weights[k][1] * row(k);
+        return sum;
+    }
+
+    /// What a change adds to the derivative along a row of points at one of its ends. A change at the last
+    /// one is that of a derivative against the row.
+    template <class Row>
+    [[nodiscard]] Point difference(std::size_t end, const Change& change, const Row& row) const {
+        const Point turn = end == 0 ? change.turn : -change.turn;
+        return change.share * (derivative(end, row) + turn) + turn;
+    }
+
+    /// By what share of itself the derivative along an edge, turned already, is to change at its beginning.
+    [[nodiscard]] double shareOf(HalfedgeId leaving) const {
+        const Point chord = mesh_.calc_edge_vector(leaving);
+        const Point speed = before_.derivative(leaving) + changes_[at(leaving)].turn;
+        const double product = chord.norm() * speed.norm();
+        if (!(product > 0)) return 0;
+        // A cubic is nearest to an arc if its derivative exceeds the chord by this factor.
+        const double ofArc = 2 / (1 + std::max(0.0, (chord | speed) / product));
+        return std::clamp(ofArc * chord.norm() / speed.norm(), minFactor, maxFactor) - 1;
+    }
+
+    void moveEdge(HalfedgeId side) {
+        const std::array ends{changes_[at(side)], changes_[at(mesh_.opposite_halfedge_handle(side))]};
+        if (ends[0] == Change{} && ends[1] == Change{}) return;
+        const auto row = [&](std::size_t k) { return before(side, k, 0); };
+        const std::array differences{difference(0, ends[0], row), difference(1, ends[1], row)};
+        for (std::size_t k = 1; k < steps_; ++k)
+            lattice_.move(lattice_.numbers()(side, static_cast<int>(k), 0),
+                          row(k) + hermite_[k].slope[0][0] * differences[0] +
+                              hermite_[k].slope[1][0] * differences[1]);
+    }
+
+    /// The changes along both sides of a face that run in one direction, by end and side: those at the
+    /// beginnings of the first side, and of the one opposite to it.
+    using Changes = std::array<std::array<Change, 2>, 2>;
+
+    [[nodiscard]] Changes changesAlong(HalfedgeId side) const {
+        const HalfedgeId far = mesh_.next_halfedge_handle(mesh_.next_halfedge_handle(side));
+        const auto change = [&](HalfedgeId leaving) { return changes_[at(leaving)]; };
+        return {{{change(side), change(mesh_.opposite_halfedge_handle(far))},
+                 {change(mesh_.opposite_halfedge_handle(side)), change(far)}}};
+    }
+
+    void moveFace(HalfedgeId first) {
+        const HalfedgeId last = mesh_.prev_halfedge_handle(first);
+        const Changes alongU = changesAlong(first);
+        const Changes alongV = turned(changesAlong(last));
+        for (std::size_t j = 1; j < steps_; ++j)
+            for (std::size_t i = 1; i < steps_; ++i) {
+                Point to = before(first, i, j);
+                for (std::size_t end = 0; end < 2; ++end) {
+                    to += hermite_[i].slope[end][0] *
+                          difference(end, between(alongU[end], j),
+                                     [&](std::size_t k) { return before(first, k, j); });
+                    to += hermite_[j].slope[end][0] *
+                          difference(end, between(alongV[end], i),
+                                     [&](std::size_t k) { return before(first, i, k); });
+                }
+                lattice_.move(lattice_.numbers()(first, static_cast<int>(i), static_cast<int>(j)), to);
+            }
+    }
+
+    /// The last side of a face runs against v, at u = 0: the same changes by end and side of v.
+    [[nodiscard]] static Changes turned(const Changes& changes) { return {changes[1], changes[0]}; }
+
+    [[nodiscard]] Change between(const std::array<Change, 2>& changes, std::size_t step) const {
+        const double ofFirst = hermite_[step].value[0][0];
+        const double ofOther = hermite_[step].value[1][0];
+        return {ofFirst * changes[0].share + ofOther * changes[1].share,
+                ofFirst * changes[0].turn + ofOther * changes[1].turn};
+    }
+
+    MeshLattice& lattice_;
+    const MeshLattice before_;
+    const QuadMesh& mesh_;
+    std::size_t steps_;
+    std::vector<Change> changes_; ///< by halfedge: of the derivative at its beginning
+    std::vector<Hermite> hermite_;
+};
+
+} // namespace
+
+void evenSpeeds(MeshLattice& lattice, const std::vector<VertexRule>& rules, unsigned jobs) {
+    EvenSpeeds(lattice).run(rules, jobs);
+}
+
+} // namespace qm

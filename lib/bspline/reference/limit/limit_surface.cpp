@@ -1,0 +1,51 @@
+#include "bspline/reference/limit/limit_surface.h"
+
+#include "base/parallel.h"
+#include "bspline/reference/bending/min_bending.h"
+#include "bspline/reference/lattice/mesh_lattice.h"
+#include "bspline/reference/limit/control_mesh.h"
+#include "bspline/reference/limit/even_speeds.h"
+#include "bspline/reference/limit/through_vertices.h"
+#include "bspline/reference/limit/unfolded_lattice.h"
+
+#include <cstddef>
+
+namespace qm {
+namespace {
+
+MeshLattice limitLattice(const QuadMesh& mesh, const std::vector<VertexRule>& rules,
+                         const std::vector<bool>& sharp, int steps, unsigned jobs) {
+    const ControlMesh control = interpolatingControlMesh(mesh, rules);
+    MeshLattice lattice(mesh, control.points);
+    while (lattice.squares() < steps)
+        lattice = lattice.subdivided(rules, sharp, jobs);
+    lattice = lattice.limit(rules, sharp, jobs);
+    drawThroughVertices(lattice, control.interpolates, jobs);
+    unfold(lattice, rules, sharp, jobs);
+    evenSpeeds(lattice, rules, jobs);
+    minimiseBending(lattice, rules, jobs);
+    return lattice;
+}
+
+/// The part of a lattice that covers a segment.
+ReferenceGrid gridOf(const Segment& segment, const MeshLattice& lattice) {
+    ReferenceGrid grid{segment.size, lattice.squares()};
+    const std::vector<std::size_t> numbers = lattice.numbers().ofSegment(segment);
+    grid.points.reserve(numbers.size());
+    for (const std::size_t number : numbers)
+        grid.points.push_back(lattice.point(number));
+    return grid;
+}
+
+} // namespace
+
+std::vector<ReferenceGrid> limitSurface(const QuadMesh& mesh, const Layout& layout,
+                                        const std::vector<VertexRule>& rules, const std::vector<bool>& sharp,
+                                        int steps, unsigned jobs) {
+    const MeshLattice lattice = limitLattice(mesh, rules, sharp, steps, jobs);
+    std::vector<ReferenceGrid> grids(layout.segments.size());
+    parallelFor(grids.size(), jobs, [&](std::size_t k) { grids[k] = gridOf(layout.segments[k], lattice); });
+    return grids;
+}
+
+} // namespace qm

@@ -1,0 +1,112 @@
+#include "bspline/reference/scan/scan_gaps.h"
+
+#include "base/at.h"
+#include "bspline/splines/eigen_point.h"
+
+#include <Eigen/IterativeLinearSolvers>
+
+#include <cstddef>
+#include <limits>
+
+namespace qm {
+namespace {
+
+constexpr double enough = 0.5;        ///< what weighs as much is a target
+constexpr double weightInGaps = 0.25; ///< of what is only guessed
+
+class Filling {
+public:
+    Filling(const LatticeNormals& lattice, const std::vector<ReferenceGrid>& surface, Gaps gaps,
+            FitTarget& reference)
+        : lattice_(lattice), surface_(surface), gaps_(gaps), reference_(reference),
+          unknowns_(lattice.points.size(), none) {
+        forEachPoint([&](std::size_t g, std::size_t k) {
+            const std::size_t number = lattice_.numbers[g][k];
+            if (isLeft(number) || reference_.weights[g][k] >= enough) return;
+            if (unknowns_[number] == none) unknowns_[number] = count_++;
+        });
+    }
+
+    void fill() {
+        if (count_ == 0) return;
+        const Eigen::MatrixX3d displacements = solve();
+        forEachPoint([&](std::size_t g, std::size_t k) {
+            const std::size_t unknown = unknowns_[lattice_.numbers[g][k]];
+            if (unknown == none) return;
+            const Eigen::Vector3d moved = displacements.row(static_cast<Eigen::Index>(unknown));
+            reference_.grids[g].points[k] = surface_[g].points[k] + point(moved);
+            reference_.weights[g][k] = weightInGaps;
+        });
+    }
+
+private:
+    static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
+    [[nodiscard]] bool isLeft(std::size_t number) const {
+        return gaps_ == Gaps::butForSharpOnes && lattice_.sharp[number];
+    }
+
+    template <class Function> void forEachPoint(const Function& f) const {
+        for (std::size_t g = 0; g < lattice_.numbers.size(); ++g)
+            for (std::size_t k = 0; k < lattice_.numbers[g].size(); ++k)
+                f(g, k);
+    }
+
+    /// Pairs of neighbours on the lattice lines; those on common borders come twice, once from either side.
+    template <class Function> void forEachPair(const Function& f) const {
+        for (std::size_t g = 0; g < lattice_.numbers.size(); ++g) {
+            const std::size_t columns = surface_[g].columns();
+            for (std::size_t k = 0; k < lattice_.numbers[g].size(); ++k) {
+                if (k % columns + 1 < columns) f(g, k, k + 1);
+                if (k + columns < lattice_.numbers[g].size()) f(g, k, k + columns);
+            }
+        }
+    }
+
+    [[nodiscard]] Eigen::MatrixX3d solve() const {
+        // Keeps the equations solvable where no target is near, and stays there at the surface.
+        constexpr double pull = 1e-9;
+        constexpr double accuracy = 1e-6;
+        const auto size = static_cast<Eigen::Index>(count_);
+        std::vector<Eigen::Triplet<double>> entries;
+        Eigen::MatrixX3d right = Eigen::MatrixX3d::Zero(size, 3);
+        for (Eigen::Index i = 0; i < size; ++i)
+            entries.emplace_back(i, i, pull);
+        const auto add = [&](std::size_t g, std::size_t own, std::size_t other) {
+            const std::size_t i = unknowns_[lattice_.numbers[g][own]];
+            const std::size_t j = unknowns_[lattice_.numbers[g][other]];
+            if (i == none || isLeft(lattice_.numbers[g][other])) return;
+            const auto row = static_cast<Eigen::Index>(i);
+            entries.emplace_back(row, row, 1);
+            if (j == none)
+                right.row(row) += vector(reference_.grids[g].points[other] - surface_[g].points[other]);
+            else
+                entries.emplace_back(row, static_cast<Eigen::Index>(j), -1);
+        };
+        forEachPair([&](std::size_t g, std::size_t a, std::size_t b) {
+            add(g, a, b);
+            add(g, b, a);
+        });
+        Eigen::SparseMatrix<double> matrix(size, size);
+        matrix.setFromTriplets(entries.begin(), entries.end());
+        Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper> solver(matrix);
+        solver.setTolerance(accuracy);
+        return solver.solve(right);
+    }
+
+    const LatticeNormals& lattice_;
+    const std::vector<ReferenceGrid>& surface_;
+    Gaps gaps_;
+    FitTarget& reference_;
+    std::vector<std::size_t> unknowns_; ///< by lattice point
+    std::size_t count_ = 0;
+};
+
+} // namespace
+
+void fillGaps(const LatticeNormals& lattice, const std::vector<ReferenceGrid>& surface, Gaps gaps,
+              FitTarget& reference) {
+    Filling(lattice, surface, gaps, reference).fill();
+}
+
+} // namespace qm

@@ -1,0 +1,106 @@
+#include "bspline/reference/scan/scan_outliers.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace qm {
+namespace {
+
+double median(std::vector<double>& values) {
+    if (values.empty()) return 0;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::ranges::nth_element(values, middle);
+    return *middle;
+}
+
+/// Times the median of sizes: the standard deviation of a normal distribution.
+constexpr double deviations = 1.4826;
+
+/// Standard deviations at which Tukey's biweight ends, as is usual.
+constexpr double biweightEnd = 4.685;
+
+/// How far every point is from the median of those around it, up to so many lattice steps away: the
+/// smaller value, where it is in two grids; infinite where it has no target.
+std::vector<double> residualsOfAll(const ScanTargets& targets, int reach) {
+    std::vector<double> residuals(targets.weights.size(), std::numeric_limits<double>::infinity());
+    std::vector<double> around;
+    targets.forEachPoint([&](std::size_t g, int i, int j, std::size_t number) {
+        const auto own = targets.offset(g, i, j);
+        if (!own) return;
+        around.clear();
+        for (int down = -reach; down <= reach; ++down)
+            for (int right = -reach; right <= reach; ++right)
+                if (const auto other = targets.offset(g, i + right, j + down)) around.push_back(*other);
+        residuals[number] = std::min(residuals[number], std::abs(*own - median(around)));
+    });
+    return residuals;
+}
+
+/// The median of the residuals around every point: what is usual in a rough place is no outlier. The
+/// smaller value, where it is in two grids.
+std::vector<double> usualResiduals(const ScanTargets& targets, const std::vector<double>& residuals) {
+    constexpr int reach = 2;
+    std::vector<double> usual(residuals.size(), std::numeric_limits<double>::infinity());
+    std::vector<double> around;
+    targets.forEachPoint([&](std::size_t g, int i, int j, std::size_t number) {
+        if (targets.weights[number] <= 0) return;
+        around.clear();
+        for (int down = std::max(j - reach, 0); down <= std::min(j + reach, targets.rows(g)); ++down)
+            for (int right = std::max(i - reach, 0); right <= std::min(i + reach, targets.columns(g));
+                 ++right) {
+                const std::size_t other = targets.lattice.numbers[g][targets.index(g, right, down)];
+                if (targets.weights[other] > 0 && !targets.lattice.sharp[other])
+                    around.push_back(residuals[other]);
+            }
+        usual[number] = std::min(usual[number], median(around));
+    });
+    return usual;
+}
+
+} // namespace
+
+void weighOutliers(ScanTargets& targets, double step) {
+    std::vector<double> sizes = residualsOfAll(targets, 1);
+    std::erase_if(sizes, [](double residual) { return !std::isfinite(residual); });
+    targets.noise = deviations * median(sizes);
+    const std::vector<double> residuals = residualsOfAll(targets, 2); // spikes are wider than a point
+    const std::vector<double> usual = usualResiduals(targets, residuals);
+    for (std::size_t k = 0; k < residuals.size(); ++k) {
+        const double end = biweightEnd * std::max({targets.noise, deviations * usual[k], step});
+        const double share = residuals[k] / end;
+        targets.weights[k] *= share < 1 ? (1 - share * share) * (1 - share * share) : 0;
+    }
+}
+
+void dropSharpOutliers(ScanTargets& targets, double step) {
+    constexpr int reach = 3;
+    std::vector<double> residuals(targets.weights.size(), std::numeric_limits<double>::infinity());
+    const auto compare = [&](std::size_t g, int i, int j, int right, int down, std::size_t number) {
+        std::array<std::vector<double>, 3> around;
+        for (int k = -reach; k <= reach; ++k) {
+            const int column = i + k * right;
+            const int row = j + k * down;
+            if (column < 0 || row < 0 || column > targets.columns(g) || row > targets.rows(g)) continue;
+            const std::size_t other = targets.lattice.numbers[g][targets.index(g, column, row)];
+            if (!targets.lattice.sharp[other] || targets.weights[other] <= 0) continue;
+            for (int axis = 0; axis < 3; ++axis)
+                around[at(axis)].push_back((*targets.displacements[other])[axis]);
+        }
+        const Eigen::Vector3d usual(median(around[0]), median(around[1]), median(around[2]));
+        residuals[number] = std::min(residuals[number], (*targets.displacements[number] - usual).norm());
+    };
+    targets.forEachPoint([&](std::size_t g, int i, int j, std::size_t number) {
+        if (!targets.lattice.sharp[number] || targets.weights[number] <= 0) return;
+        if (j == 0 || j == targets.rows(g)) compare(g, i, j, 1, 0, number);
+        if (i == 0 || i == targets.columns(g)) compare(g, i, j, 0, 1, number);
+    });
+    for (std::size_t k = 0; k < residuals.size(); ++k)
+        if (std::isfinite(residuals[k]) && residuals[k] > biweightEnd * std::max(targets.noise, step))
+            targets.weights[k] = 0;
+}
+
+} // namespace qm

@@ -1,0 +1,49 @@
+#include "check/surfaces/bilinear_quad.h"
+
+#include "base/at.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace qm::check {
+
+Place BilinearQuad::at(double s, double t) const {
+    const std::array<double, 4> weight{(1 - s) * (1 - t), s * (1 - t), s * t, (1 - s) * t};
+    Place sum{};
+    for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t k = 0; k < 3; ++k)
+            sum[k] += weight[i] * corners[i][k];
+    return sum;
+}
+
+Vector BilinearQuad::normal() const {
+    return cross(minus(corners[2], corners[0]), minus(corners[3], corners[1]));
+}
+
+bool BilinearQuad::isConvex() const {
+    const Vector outwards = normal();
+    for (std::size_t k = 0; k < 4; ++k) {
+        const Vector next = minus(corners[(k + 1) % 4], corners[k]);
+        const Vector before = minus(corners[(k + 3) % 4], corners[k]);
+        if (!(dot(cross(next, before), outwards) > 0)) return false;
+    }
+    return true;
+}
+
+double BilinearQuad::largestCoordinate() const {
+    double largest = 0;
+    for (const Place& corner : corners)
+        for (const double x : corner)
+            largest = std::max(largest, std::abs(x));
+    return largest;
+}
+
+BilinearQuad quadOf(const CheckedMesh& mesh, int face) {
+    const auto& vertices = mesh.quads[at(face)];
+    BilinearQuad quad{};
+    for (std::size_t k = 0; k < 4; ++k)
+        quad.corners[k] = mesh.points[at(vertices[k])];
+    return quad;
+}
+
+} // namespace qm::check

@@ -1,0 +1,128 @@
+#include "check/surfaces/distance.h"
+
+#include "base/at.h"
+#include "check/surfaces/bilinear_quad.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace qm::check {
+
+namespace {
+
+constexpr int iterations = 200;
+
+using Parameters = std::array<double, 2>;
+
+/// Where in the box [0, max] the tangent plane is nearest.
+Parameters nearestOnTangents(const SurfacePoint& here, const Place& away, const Parameters& at,
+                             const Parameters& max) {
+    const std::array<double, 2> squares{dot(here.alongU, here.alongU), dot(here.alongV, here.alongV)};
+    const std::array<double, 2> slopes{dot(here.alongU, away), dot(here.alongV, away)};
+    const double mixed = dot(here.alongU, here.alongV);
+    const double determinant = squares[0] * squares[1] - mixed * mixed;
+    if (determinant > 1e-12 * squares[0] * squares[1]) {
+        const Parameters inner{at[0] + (slopes[0] * squares[1] - slopes[1] * mixed) / determinant,
+                               at[1] + (slopes[1] * squares[0] - slopes[0] * mixed) / determinant};
+        if (inner[0] >= 0 && inner[0] <= max[0] && inner[1] >= 0 && inner[1] <= max[1]) return inner;
+    }
+    // On a side of the box, only the other parameter is free.
+    Parameters best = at;
+    double min = 0; // square of the distance, beside that from here
+    for (std::size_t k = 0; k < 2; ++k)
+        for (const double side : {0.0, max[k]}) {
+            const std::size_t other = 1 - k;
+            const double across = side - at[k];
+            const double alone = squares[other] > 0 ? (slopes[other] - mixed * across) / squares[other] : 0;
+            Parameters to{};
+            to[k] = side;
+            to[other] = std::clamp(at[other] + alone, 0.0, max[other]);
+            const double along = to[other] - at[other];
+            const double change = across * (squares[k] * across - 2 * slopes[k]) +
+                                  along * (squares[other] * along - 2 * slopes[other]) +
+                                  2 * mixed * across * along;
+            if (!(change < min)) continue;
+            min = change;
+            best = to;
+        }
+    return best;
+}
+
+/// Walks towards the parameters in the box [0, max] whose point is nearest; returns the smallest distance
+/// seen.
+template <class Surface>
+double nearest(const Surface& surface, Parameters at, const Parameters& max, const Place& point) {
+    constexpr int maxHalvings = 20; // where the surface bends much, steps are far too long
+    int halvings = 0;
+    double min = HUGE_VAL;
+    Parameters before = at;
+    for (int i = 0; i < iterations; ++i) {
+        const SurfacePoint here = surface(at);
+        const Place away = minus(point, here.point);
+        const double now = length(away);
+        if (!(now < min)) {
+            // The step was too long: half as long, from where it began.
+            if (++halvings > maxHalvings) break;
+            at = {(at[0] + before[0]) / 2, (at[1] + before[1]) / 2};
+            continue;
+        }
+        min = now;
+        halvings = 0;
+        before = at;
+        at = nearestOnTangents(here, away, at, max);
+    }
+    return min;
+}
+
+double distanceToFace(const CheckedMesh& mesh, int face, const Place& point) {
+    double min = HUGE_VAL;
+    for (const Parameters& start : {Parameters{0.5, 0.5}, {0, 0}, {1, 0}, {1, 1}, {0, 1}})
+        min = std::min(min, check::distanceToFace(mesh, face, start, point));
+    return min;
+}
+
+} // namespace
+
+double distance(const Place& a, const Place& b) {
+    const Place away = minus(a, b);
+    return length(away);
+}
+
+double distanceToFace(const CheckedMesh& mesh, int face, Parameters start, const Place& point) {
+    const BilinearQuad quad = quadOf(mesh, face);
+    const auto surface = [&](const Parameters& at) {
+        const auto& [s, t] = at;
+        return SurfacePoint{quad.at(s, t), minus(quad.at(1, t), quad.at(0, t)),
+                            minus(quad.at(s, 1), quad.at(s, 0))};
+    };
+    return nearest(surface, start, {1, 1}, point);
+}
+
+double distanceToMesh(const CheckedMesh& mesh, const Neighbourhoods& around, int face, const Place& point) {
+    double min = distanceToFace(mesh, face, point);
+    while (true) {
+        int nearer = -1;
+        for (const int vertex : mesh.quads[at(face)]) {
+            const int first = around.firstStep(vertex);
+            for (int step = first; step < first + around.valence(vertex); ++step) {
+                const int other = around.leftFace(step);
+                if (other < 0 || other == face) continue;
+                const double there = distanceToFace(mesh, other, point);
+                if (there < min) {
+                    min = there;
+                    nearer = other;
+                }
+            }
+        }
+        if (nearer < 0) return min;
+        face = nearer;
+    }
+}
+
+double distanceToPatch(const SurfacesPart::Patch& patch, Parameters parameters, const Place& point) {
+    const auto max = [&](std::size_t k) { return patch.knots[k][at(patch.count[k])]; };
+    return nearest([&](const Parameters& at) { return evaluate(patch, at[0], at[1]); }, parameters,
+                   {max(0), max(1)}, point);
+}
+
+} // namespace qm::check

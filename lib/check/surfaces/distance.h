@@ -1,0 +1,27 @@
+/// \file Distances between a surface and a mesh, near places that are known to correspond.
+#pragma once
+
+#include "check/mesh/neighbourhoods.h"
+#include "check/mesh/vectors.h"
+#include "check/surfaces/spline.h"
+
+namespace qm::check {
+
+[[nodiscard]] double distance(const Place& a, const Place& b);
+
+/// From a point to a bilinear quad, by the Gauss-Newton iteration from s and t. Never less than the true
+/// distance.
+[[nodiscard]] double distanceToFace(const CheckedMesh& mesh, int face, std::array<double, 2> start,
+                                    const Place& point);
+
+/// From a point to the mesh, walking from `face` to neighbouring faces as long as they are nearer. Never less
+/// than the true distance.
+[[nodiscard]] double distanceToMesh(const CheckedMesh& mesh, const Neighbourhoods& around, int face,
+                                    const Place& point);
+
+/// From a point to a patch, by the Gauss-Newton iteration from the parameters. Never less than the true
+/// distance.
+[[nodiscard]] double distanceToPatch(const SurfacesPart::Patch& patch, std::array<double, 2> parameters,
+                                     const Place& point);
+
+} // namespace qm::check

@@ -1,0 +1,40 @@
+/// \file Is a list of tracks a motorcycle graph? (docs/METHOD.md#valid-tracks)
+#pragma once
+
+#include "check/document/checked_document.h"
+#include "check/document/report.h"
+#include "check/tracks/lines.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace qm::check {
+
+/// A track of the document whose vertices have proved to be a path.
+struct ReadTrack {
+    std::size_t rank = 0;   ///< in the document's list
+    std::vector<int> steps; ///< at least one
+};
+
+/// Reads the paths of all tracks and reports those that are none.
+/// \param pointer  of the list
+[[nodiscard]] std::vector<ReadTrack> readTracks(const Neighbourhoods& around,
+                                                const std::vector<TrackPart>& tracks,
+                                                const std::string& pointer, Report& report);
+
+/// The edges of the tracks, ascending; reports each that lies on two.
+[[nodiscard]] std::vector<int> edgesOf(const Neighbourhoods& around, std::span<const ReadTrack> tracks,
+                                       const std::string& pointer, Report& report);
+
+/// Tests the tracks by rules A1 to A4 and, apart from that, the set of their edges by the rules on arcs.
+/// \param present  by edge: whether it lies on a track
+/// \param count    how many edges do
+void checkGraph(const Neighbourhoods& around, const LineNetwork& network, std::span<const ReadTrack> tracks,
+                std::span<const char> present, std::size_t count, const std::string& pointer, Report& report);
+
+/// The same where tracks may begin and end on others: they must only be straight and obey arc rules 1 and 2.
+void checkTMesh(const Neighbourhoods& around, const LineNetwork& network, std::span<const ReadTrack> tracks,
+                std::span<const char> present, std::size_t count, const std::string& pointer, Report& report);
+
+} // namespace qm::check

@@ -1,0 +1,75 @@
+#include "cli/options/command_line.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cctype>
+
+namespace qm {
+namespace {
+
+std::string withSmallStart(std::string text) {
+    if (!text.empty()) text[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(text[0])));
+    return text;
+}
+
+void parse(CLI::App& app, int argc, char** argv) {
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ArgumentMismatch& error) {
+        const std::string what = error.what(); // such as "--output: 1 required FILE missing"
+        throw UsageError(what.substr(0, what.find(':')) + ": its value is missing");
+    } catch (const CLI::ParseError& error) {
+        throw UsageError(withSmallStart(error.what()));
+    }
+}
+
+/// Collects the remaining words: operands, and unknown options until "--" ends the options.
+void takeOperands(const std::vector<std::string>& words, CommandLine& line) {
+    bool operandsOnly = false;
+    for (const std::string& word : words) {
+        if (operandsOnly || word.size() < 2 || word[0] != '-')
+            line.operands.push_back(word);
+        else if (word == "--")
+            operandsOnly = true;
+        else if (line.problem.empty())
+            line.problem = "unknown option " + word;
+    }
+}
+
+} // namespace
+
+CommandLine readCommandLine(int argc, char** argv, const std::vector<OptionRecord>& options) {
+    CLI::App app;
+    app.set_help_flag();
+    app.allow_extras();
+    std::vector<std::string> texts(options.size());
+    std::vector<CLI::Option*> bound(options.size());
+    for (std::size_t i = 0; i < options.size(); ++i) {
+        const OptionRecord& option = options[i];
+        const std::string flags =
+            (option.shortName.empty() ? "" : "-" + option.shortName + ",") + "--" + option.name;
+        if (option.type == OptionRecord::Type::flag)
+            bound[i] = app.add_flag(flags);
+        else
+            bound[i] = app.add_option(flags, texts[i])->type_name(option.placeholder);
+        bound[i]->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+    }
+    parse(app, argc, argv);
+
+    CommandLine line;
+    for (std::size_t i = 0; i < options.size(); ++i) {
+        if (bound[i]->count() == 0) continue;
+        line.given.insert(options[i].name);
+        const bool hasValue =
+            std::ranges::any_of(bound[i]->results(), [](const auto& text) { return text != "true"; });
+        const std::string problem = options[i].type == OptionRecord::Type::flag && hasValue
+                                        ? "takes no value"
+                                        : options[i].assign(texts[i]);
+        if (!problem.empty() && line.problem.empty()) line.problem = "--" + options[i].name + ": " + problem;
+    }
+    takeOperands(app.remaining(), line);
+    return line;
+}
+
+} // namespace qm

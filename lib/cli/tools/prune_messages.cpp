@@ -1,0 +1,43 @@
+#include "cli/tools/prune_messages.h"
+
+#include "base/number_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace qm {
+
+namespace {
+
+double objectiveOf(const PruneOptions& options, const Layout& layout) {
+    const auto segments = static_cast<double>(layout.segments.size());
+    if (options.fewestPatches) return segments;
+    return layout.cost + (std::isfinite(options.maxSegments) ? 0 : options.beta * segments);
+}
+
+/// The distance from a proof, with three decimals, which suffice to judge it.
+/// \return "proven", or by how much the layout may be above the best
+std::string proofText(bool proven, double objective, double bound) {
+    if (proven) return "proven";
+    const double digits = 1000;
+    return "at most " + numberText(std::ceil((objective - bound) * digits) / digits) + " above the best";
+}
+
+} // namespace
+
+void reportProofs(const Tool& tool, const PruneOptions& options, const PruneResult& pruned) {
+    if (options.method == PruneMethod::optimum && !pruned.proven)
+        tool.warn(tool.inputName() + ": the search was ended early; the layout is " +
+                  proofText(false, objectiveOf(options, pruned.layout), *pruned.objectiveBound));
+    for (const FrontPoint& point : pruned.front)
+        tool.note("front: beta " + numberText(point.beta) + ", " + std::to_string(point.segments) +
+                  " segments, G_T " + numberText(point.cost) + ", " +
+                  proofText(point.proven, point.cost + point.beta * static_cast<double>(point.segments),
+                            point.objectiveBound));
+    const auto open = std::ranges::count(pruned.front, false, &FrontPoint::proven);
+    if (open > 0)
+        tool.warn(tool.inputName() + ": the search was ended early; " + std::to_string(open) + " of " +
+                  std::to_string(pruned.front.size()) + " layouts of the front are not proven");
+}
+
+} // namespace qm

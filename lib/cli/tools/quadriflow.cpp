@@ -1,0 +1,129 @@
+#include "cli/tools/quadriflow.h"
+
+#include "base/embedded_text.h"
+#include "base/error.h"
+#include "cli/system/child_process.h"
+#include "cli/system/output_file.h"
+#include "document/files/files.h"
+#include "mesh/boundary_loops.h"
+#include "mesh/bounding_box.h"
+#include "mesh/files/read_mesh.h"
+#include "mesh/files/write_soup.h"
+#include "mesh/triangles/triangle_edges.h"
+#include "remesh/close_holes.h"
+#include "remesh/draw_to_scan.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace qm {
+namespace {
+
+constexpr int maxAttempts = 3;
+
+/// Moves the centre of a box to the origin, and scales the box to a length at which Blender, which takes no
+/// mesh with an edge shorter than 1e-4, takes every edge that single precision tells from none.
+class WorkingBox {
+public:
+    explicit WorkingBox(const std::vector<Point>& points) {
+        const BoundingBox box = boundingBoxOf(points);
+        centre_ = box.low / 2 + box.high / 2;
+        unit_ = box.size().max() / 1024;
+    }
+    [[nodiscard]] Point to(const Point& point) const { return (point - centre_) / unit_; }
+    [[nodiscard]] Point from(const Point& point) const { return point * unit_ + centre_; }
+
+private:
+    Point centre_{0, 0, 0};
+    double unit_ = 1;
+};
+
+void runBlender(const TemporaryFolder& folder, const HeldSignals& signals, const RemeshOptions& options,
+                bool holdsBoundary) {
+    const auto flag = [](bool value) { return std::string(value ? "1" : "0"); };
+    const std::vector<std::string> words = {"blender",
+                                            "--background",
+                                            "--factory-startup",
+                                            "-noaudio", // it would leave a folder of the sound server's
+                                            "--python-exit-code",
+                                            "1",
+                                            "--python",
+                                            folder.file("quadriflow.py"),
+                                            "--",
+                                            folder.file("scan.obj"),
+                                            folder.file("quads.obj"),
+                                            std::to_string(options.quads),
+                                            flag(options.preserveSharp),
+                                            flag(holdsBoundary),
+                                            std::to_string(options.seed)};
+    if (!runProgram(words, signals, folder.file("messages")))
+        throw Error("", "Blender makes the quads, and is not there", "Install Debian's package blender");
+}
+
+/// A result of QuadriFlow, or the reason why it is no quad mesh.
+struct Attempt {
+    std::optional<Remeshed> result;
+    std::string problem;
+};
+
+Attempt attempt(const TemporaryFolder& folder, const HeldSignals& signals, const WorkingBox& box,
+                const RemeshOptions& options, std::size_t scanLoops, bool holdsBoundary) {
+    std::filesystem::remove(folder.file("quads.obj"));
+    runBlender(folder, signals, options, holdsBoundary);
+    if (HeldSignals::oneWaits() || !std::filesystem::exists(folder.file("quads.obj")))
+        return {{}, "QuadriFlow gave up"};
+    try {
+        ReadResult read = readMesh(readFile(folder.file("quads.obj")), "", {.repair = true});
+        for (const VertexId vertex : read.mesh.vertices())
+            read.mesh.set_point(vertex, box.from(read.mesh.point(vertex)));
+        const std::size_t loops = boundaryLoops(read.mesh).size();
+        return {Remeshed{std::move(read.mesh), read.repair, loops, scanLoops, options.seed}, {}};
+    } catch (const Error& error) {
+        return {{}, error.what()};
+    }
+}
+
+std::size_t difference(const Remeshed& remeshed) {
+    return std::max(remeshed.loops, remeshed.scanLoops) - std::min(remeshed.loops, remeshed.scanLoops);
+}
+
+} // namespace
+
+Remeshed remeshWithBlender(const Triangles& scan, const RemeshOptions& options, unsigned jobs) {
+    const std::size_t scanLoops = boundaryLoopCount(scan);
+    const HeldSignals signals;
+    const TemporaryFolder folder("qm-remesh");
+    const WorkingBox box(scan.points);
+    Triangles scaled = scan;
+    std::ranges::transform(scan.points, scaled.points.begin(),
+                           [&](const Point& point) { return box.to(point); });
+    writeFile(folder.file("scan.obj"), writeSoup(soupOf(scaled), MeshFormat::obj));
+    for (const EmbeddedText& script : embeddedBlenderScripts())
+        writeFile(folder.file(std::string(script.name).c_str()), script.text);
+
+    std::optional<Remeshed> best;
+    std::string problem;
+    for (int k = 0; k <= maxAttempts && !HeldSignals::oneWaits() && (!best || difference(*best) > 0); ++k) {
+        const bool holdsBoundary = scanLoops > 0 && k < maxAttempts;
+        if (k == maxAttempts && (best || scanLoops == 0)) break;
+        RemeshOptions next = options;
+        next.seed += k % maxAttempts;
+        Attempt made = attempt(folder, signals, box, next, scanLoops, holdsBoundary);
+        if (made.result && (!best || difference(*made.result) < difference(*best)))
+            best = std::move(made.result);
+        if (problem.empty()) problem = made.problem;
+    }
+    if (!best)
+        throw Error("", "QuadriFlow makes no quad mesh of it: " + problem,
+                    "Try another number of quads, or mend the scan");
+    if (best->loops > 0) {
+        best->mesh = closeHoles(std::move(best->mesh), scan);
+        best->loops = boundaryLoops(best->mesh).size();
+    }
+    if (options.draw && !HeldSignals::oneWaits()) best->mesh = drawToScan(std::move(best->mesh), scan, jobs);
+    return std::move(*best);
+}
+
+} // namespace qm

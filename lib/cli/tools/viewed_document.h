@@ -1,0 +1,48 @@
+/// \file The scenes that qm-view makes of documents.
+#pragma once
+
+#include "bspline/reference/scan/triangle_surface.h"
+#include "cli/stage.h"
+#include "cli/tools/export_choices.h"
+#include "view/scene.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace qm {
+
+/// The tool's document and, if given, another one to its left.
+class ViewedDocuments {
+public:
+    /// Reads the documents.
+    /// \param other      the file of the other document; empty if there is none
+    /// \param reference  the scan of the tool's document, if not the recorded one; may be empty
+    /// \param unit       of the meshes
+    ViewedDocuments(const Tool& tool, Stage& stage, const std::string& other, const std::string& reference,
+                    LengthUnit unit);
+    ViewedDocuments(const ViewedDocuments&) = delete;
+    ViewedDocuments& operator=(const ViewedDocuments&) = delete;
+
+    /// One scene for every document.
+    [[nodiscard]] std::vector<Scene> forPage() const;
+    /// The same with no more points than a picture with so many pixels can show.
+    [[nodiscard]] std::vector<Scene> forPicture(int width, int height) const;
+
+private:
+    struct Part {
+        const Document* document;
+        const Model* model;
+        std::optional<TriangleSurface> scan;
+    };
+    [[nodiscard]] std::vector<Scene> scenes(std::optional<std::size_t> maxPoints) const;
+
+    const Tool& tool_;
+    LengthUnit unit_;
+    Document other_;
+    Model otherModel_;
+    std::vector<Part> parts_; ///< from left to right
+};
+
+} // namespace qm

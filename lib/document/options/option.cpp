@@ -1,0 +1,28 @@
+#include "document/options/option.h"
+
+#include "base/number_text.h"
+
+#include <cctype>
+#include <cmath>
+
+namespace qm {
+
+std::string rangeText(const Range& range) {
+    const bool bounded = std::isfinite(range.max);
+    if (std::isfinite(range.min))
+        return bounded ? roundedText(range.min) + " to " + roundedText(range.max)
+                       : "at least " + roundedText(range.min);
+    return bounded ? "at most " + roundedText(range.max) : "";
+}
+
+std::string keyOf(std::string_view optionName) {
+    std::string key;
+    bool capital = false;
+    for (const char c : optionName) {
+        if (c != '-') key += capital ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
+        capital = c == '-';
+    }
+    return key;
+}
+
+} // namespace qm

@@ -1,0 +1,147 @@
+#include "enumerate/relaxation/column_state.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace qm {
+namespace {
+
+constexpr double tolerance = 1e-6; ///< for sums of a few whole numbers
+
+} // namespace
+
+ColumnState::ColumnState(SearchState& state, const Formulation& formulation)
+    : arcs_(state), formulation_(formulation), columns_(formulation.costs.size(), ArcState::free),
+      demanded_(formulation.rows.size(), false), rowsOf_(formulation.costs.size()) {
+    for (const RowId row : formulation.rows.ids())
+        for (const ColumnId column : formulation.rows[row].columns)
+            rowsOf_[column].push_back(row);
+    for (const RowId row : formulation.rows.ids())
+        consistent_ = consistent_ && visitRow(row);
+    consistent_ = consistent_ && settle();
+}
+
+double ColumnState::rowLower(RowId row) const {
+    return row.idx() < demanded_.size() && demanded_[row] ? 1 : formulation_.rows[row].lower;
+}
+
+ColumnState::Mark ColumnState::mark() const {
+    return {arcs_.mark(), columnTrail_.size(), demandTrail_.size()};
+}
+
+void ColumnState::undo(const Mark& mark) {
+    arcs_.undo(mark.arcs);
+    while (columnTrail_.size() > mark.columns) {
+        columns_[columnTrail_.back()] = ArcState::free;
+        columnTrail_.pop_back();
+    }
+    while (demandTrail_.size() > mark.demands) {
+        demanded_[demandTrail_.back()] = false;
+        demandTrail_.pop_back();
+    }
+    seen_ = mark.arcs;
+    propagated_ = told_ = mark.columns;
+    demandsSeen_ = mark.demands;
+}
+
+bool ColumnState::take(const Decision& decision) {
+    if (decision.about == Decision::About::value) {
+        if (!arcs_.isFree(decision.variable)) return arcs_.value(decision.variable) == decision.state;
+        return arcs_.assign(decision.variable, decision.state) && settle();
+    }
+    const Formulation::Columns& columns = formulation_.columnsOf[decision.variable];
+    return fixColumn(decision.about == Decision::About::fromBefore ? columns.fromBefore : columns.fromAfter,
+                     decision.state);
+}
+
+bool ColumnState::fixColumn(ColumnId column, ArcState value) {
+    return set(column, value) && settle();
+}
+
+bool ColumnState::set(ColumnId column, ArcState value) {
+    ArcState& current = columns_[column];
+    if (current != ArcState::free) return current == value;
+    current = value;
+    columnTrail_.push_back(column);
+    return true;
+}
+
+bool ColumnState::settle() {
+    for (;;) {
+        if (!arcsToColumns()) return false;
+        while (propagated_ < columnTrail_.size() || demandsSeen_ < demandTrail_.size()) {
+            if (demandsSeen_ < demandTrail_.size()) {
+                if (!visitRow(demandTrail_[demandsSeen_++])) return false;
+                continue;
+            }
+            for (const RowId row : rowsOf_[columnTrail_[propagated_++]])
+                if (!visitRow(row)) return false;
+        }
+        const std::size_t known = arcs_.mark().assignment.assignments;
+        if (!columnsToArcs()) return false;
+        if (arcs_.mark().assignment.assignments == known && seen_.assignment.assignments == known)
+            return true;
+    }
+}
+
+bool ColumnState::arcsToColumns() {
+    for (const VariableId variable : arcs_.assignedSince(seen_)) {
+        const auto& [fromBefore, fromAfter] = formulation_.columnsOf[variable];
+        const ArcState value = arcs_.value(variable);
+        if (const RowId row = formulation_.coverRowOf[variable]; row.valid() && value == ArcState::in) {
+            if (!demanded_[row]) demandTrail_.push_back(row);
+            demanded_[row] = true;
+            continue;
+        }
+        for (const ColumnId column : {fromBefore, fromAfter})
+            if (column.valid() && !set(column, value)) return false;
+    }
+    seen_ = arcs_.mark();
+    return true;
+}
+
+bool ColumnState::columnsToArcs() {
+    while (told_ < columnTrail_.size()) {
+        const ColumnId column = columnTrail_[told_++];
+        const VariableId variable = formulation_.variableOf[column];
+        if (!variable.valid()) continue; // its value follows from the variables
+        const auto& [fromBefore, fromAfter] = formulation_.columnsOf[variable];
+        const auto isOut = [this](ColumnId c) { return !c.valid() || columns_[c] == ArcState::out; };
+        ArcState value = ArcState::free;
+        if (columns_[column] == ArcState::in)
+            value = ArcState::in;
+        else if (isOut(fromBefore) && isOut(fromAfter))
+            value = ArcState::out;
+        if (value == ArcState::free || arcs_.value(variable) == value) continue;
+        if (!arcs_.isFree(variable) || !arcs_.assign(variable, value)) return false;
+    }
+    return true;
+}
+
+/// Fixes the columns for which a row leaves only one value.
+/// \return false if the row cannot be satisfied
+bool ColumnState::visitRow(RowId id) {
+    const Formulation::Row& row = formulation_.rows[id];
+    double min = 0, max = 0;
+    for (std::size_t k = 0; k < row.columns.size(); ++k) {
+        const ArcState value = columns_[row.columns[k]];
+        if (value != ArcState::out) max += std::max(row.weights[k], 0.0);
+        if (value != ArcState::out) min += std::min(row.weights[k], 0.0);
+        if (value == ArcState::in) min += std::max(row.weights[k], 0.0);
+        if (value == ArcState::in) max += std::min(row.weights[k], 0.0);
+    }
+    const double lower = rowLower(id) - tolerance, upper = row.upper + tolerance;
+    if (max < lower || min > upper) return false;
+    for (std::size_t k = 0; k < row.columns.size(); ++k) {
+        if (columns_[row.columns[k]] != ArcState::free) continue;
+        const double weight = std::abs(row.weights[k]);
+        const bool positive = row.weights[k] > 0;
+        if (max - weight < lower)
+            set(row.columns[k], positive ? ArcState::in : ArcState::out);
+        else if (min + weight > upper)
+            set(row.columns[k], positive ? ArcState::out : ArcState::in);
+    }
+    return true;
+}
+
+} // namespace qm

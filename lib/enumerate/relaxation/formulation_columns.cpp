@@ -1,0 +1,196 @@
+#include "enumerate/relaxation/formulation_columns.h"
+
+#include "base/sort_unique.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace qm {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+} // namespace
+
+FormulationColumns::FormulationColumns(const SearchState& state, const std::vector<VariableId>& variables)
+    : state_(state), problem_(state.problem()), ours_(problem_.domains.size(), false),
+      known_(problem_.chains.size(), false) {
+    result_.columnsOf.resize(problem_.domains.size());
+    result_.coverRowOf.resize(problem_.domains.size());
+    for (const VariableId variable : variables) {
+        ours_[variable] = true;
+        crossings_.insert(crossings_.end(), state.crossingsOf(variable).begin(),
+                          state.crossingsOf(variable).end());
+    }
+    sortUnique(crossings_);
+    if (problem_.gaps) {
+        for (const VariableId variable : variables)
+            knowChain(state.chainOf(variable));
+        knowCovered();
+        for (const ChainId chain : problem_.chains.ids())
+            if (known_[chain]) addChain(problem_.chains[chain]);
+    } else {
+        for (const VariableId variable : variables)
+            result_.columnsOf[variable].fromBefore = newColumn(variable);
+    }
+}
+
+bool FormulationColumns::isForeign(VariableId variable) const {
+    return state_.isFree(variable) && !ours_[variable];
+}
+bool FormulationColumns::isForeign(const Chain& chain) const {
+    for (const VariableId v : chain.variables())
+        if (isForeign(v)) return true;
+    return false;
+}
+bool FormulationColumns::isForeign(const Crossing& crossing) const {
+    return std::ranges::any_of(crossing.sides, [this](const CrossingSide& side) {
+        return isForeign(side.before) || isForeign(side.after);
+    });
+}
+
+void FormulationColumns::knowChain(ChainId chain) {
+    if (!chain.valid() || known_[chain] || isForeign(problem_.chains[chain])) return;
+    known_[chain] = true;
+    fresh_.push_back(chain);
+}
+
+/// Adds the lines that are covered already but may still be cracked somewhere, and all crossings of the
+/// chains added.
+void FormulationColumns::knowCovered() {
+    while (!fresh_.empty()) {
+        const Chain& chain = problem_.chains[fresh_.back()];
+        fresh_.pop_back();
+        for (const VariableId v : chain.variables())
+            for (const CrossingId id : state_.crossingsOf(v)) {
+                crossings_.push_back(id);
+                const Crossing& crossing = problem_.crossings[id];
+                if (anyOut(crossing)) continue;
+                for (const CrossingSide& side : crossing.sides)
+                    for (const VariableId arc : {side.before, side.after})
+                        knowChain(state_.chainOf(arc));
+            }
+    }
+    sortUnique(crossings_);
+}
+
+bool FormulationColumns::anyOut(const Crossing& crossing) const {
+    return std::ranges::any_of(
+        crossing.sides, [this](const CrossingSide& side) { return isOut(side.before) || isOut(side.after); });
+}
+
+ColumnId FormulationColumns::newColumn(VariableId variable) {
+    result_.costs.push_back(state_.isFree(variable) ? problem_.costs[variable] : 0);
+    result_.variableOf.push_back(variable);
+    return result_.costs.nextId() - 1;
+}
+
+/// A variable that is out divides a chain: before it only the particle from before can walk, behind it only
+/// the other.
+void FormulationColumns::addChain(const Chain& chain) {
+    VariableId firstOut = chain.first + chain.count, lastOut = chain.first - 1;
+    for (const VariableId v : chain.variables())
+        if (isOut(v)) {
+            firstOut = std::min(firstOut, v);
+            lastOut = v;
+        }
+    for (const VariableId v : chain.variables()) {
+        if (isOut(v)) continue;
+        Formulation::Columns& here = result_.columnsOf[v];
+        if (chain.coveredBefore && v < firstOut) here.fromBefore = newColumn(v);
+        if (chain.coveredAfter && v > lastOut) here.fromAfter = newColumn(v);
+        if (here.fromBefore.valid() && here.fromAfter.valid()) {
+            result_.coverRowOf[v] = result_.rows.nextId();
+            result_.rows.push_back({{here.fromBefore, here.fromAfter}, {1, 1}, isIn(v) ? 1.0 : -infinity, 1});
+        }
+        if (v == chain.first) continue;
+        const Formulation::Columns& previous = columns(v - 1);
+        if (previous.fromBefore.valid() && here.fromBefore.valid())
+            addLowerLimit(Expression{}.add(previous.fromBefore, 1).add(here.fromBefore, -1), 0);
+        if (previous.fromAfter.valid() && here.fromAfter.valid())
+            addLowerLimit(Expression{}.add(here.fromAfter, 1).add(previous.fromAfter, -1), 0);
+    }
+}
+
+ColumnId FormulationColumns::newFlag() {
+    result_.costs.push_back(0);
+    result_.variableOf.push_back({});
+    return result_.costs.nextId() - 1;
+}
+
+Expression FormulationColumns::present(VariableId variable) const {
+    Expression expression;
+    const auto& [fromBefore, fromAfter] = columns(variable);
+    if (fromBefore.valid()) expression.add(fromBefore, 1);
+    if (fromAfter.valid()) expression.add(fromAfter, 1);
+    if (!columns(variable).any()) expression.constant = isIn(variable) ? 1 : 0;
+    return expression;
+}
+
+void FormulationColumns::addLowerLimit(const Expression& expression, double bound) {
+    Formulation::Row row{{}, {}, bound - expression.constant, infinity};
+    double min = 0;
+    for (const auto& [column, weight] : expression.terms) {
+        if (weight == 0) continue;
+        row.columns.push_back(column);
+        row.weights.push_back(weight);
+        min += std::min(weight, 0.0);
+    }
+    if (min < row.lower) result_.rows.push_back(std::move(row));
+}
+
+void FormulationColumns::addCost(const Expression& expression, double factor) {
+    for (const auto& [column, weight] : expression.terms)
+        result_.costs[column] += factor * weight;
+    result_.constant += factor * expression.constant;
+}
+
+bool FormulationColumns::isWall(const CrossingSide& side) const {
+    return !side.node.valid() && isIn(side.before) && isIn(side.after);
+}
+
+bool FormulationColumns::consecutive(const CrossingSide& side) const {
+    return !isWall(side) && side.after == side.before + 1 && !problem_.isConstant(side.after) &&
+           state_.chainOf(side.before) == state_.chainOf(side.after) && columns(side.before).any() &&
+           columns(side.after).any();
+}
+
+bool FormulationColumns::isPlain(const Crossing& crossing) const {
+    return problem_.gaps && !crossing.open && !isForeign(crossing) && consecutive(crossing.sides[0]) &&
+           consecutive(crossing.sides[1]);
+}
+
+Expression FormulationColumns::pass(const CrossingSide& side) const {
+    Expression expression;
+    if (columns(side.after).fromBefore.valid()) expression.add(columns(side.after).fromBefore, 1);
+    if (columns(side.before).fromAfter.valid()) expression.add(columns(side.before).fromAfter, 1);
+    return expression;
+}
+
+Expression FormulationColumns::surePass(const CrossingSide& side) const {
+    if (isOut(side.before) || isOut(side.after)) return {};
+    if (isWall(side)) {
+        Expression always;
+        always.constant = 1;
+        return always;
+    }
+    if (consecutive(side)) return pass(side);
+    Expression expression;
+    const bool enters = side.before == problem_.in(), leaves = side.after == problem_.in();
+    if (enters && columns(side.after).fromBefore.valid()) expression.add(columns(side.after).fromBefore, 1);
+    if (leaves && columns(side.before).fromAfter.valid()) expression.add(columns(side.before).fromAfter, 1);
+    return expression;
+}
+
+std::array<Expression, 2> FormulationColumns::particleStops(const CrossingSide& side) const {
+    const auto& before = columns(side.before);
+    const auto& after = columns(side.after);
+    std::array<Expression, 2> stops;
+    if (before.fromBefore.valid()) stops[0].add(before.fromBefore, 1);
+    if (after.fromBefore.valid()) stops[0].add(after.fromBefore, -1);
+    if (after.fromAfter.valid()) stops[1].add(after.fromAfter, 1);
+    if (before.fromAfter.valid()) stops[1].add(before.fromAfter, -1);
+    return stops;
+}
+
+} // namespace qm

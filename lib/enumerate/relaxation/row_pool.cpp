@@ -1,0 +1,113 @@
+#include "enumerate/relaxation/row_pool.h"
+
+#include "program/coin_infinity.h"
+
+#include <coin/ClpSimplex.hpp>
+
+#include <cmath>
+#include <utility>
+
+namespace qm {
+namespace {
+
+/// A row counts as violated from this excess on.
+constexpr double broken = 1e-6;
+
+/// Smallest dual of rows that are given to the solver at once: it is slow with many, and few of them bind.
+constexpr double minDual = 1e-3;
+
+} // namespace
+
+void RowPool::takeUp(const ColumnState& state, const IdVector<ColumnId, int>& numberOf) {
+    for (; next_ < formulation_->rows.nextId(); next_ = next_ + 1)
+        if (OpenRow row = openRow(*formulation_, next_, state, numberOf); row.columns.size() > 1)
+            rows_.push_back(std::move(row));
+    isInSolver_.resize(rows_.size(), false);
+}
+
+void RowPool::giveFirst(ClpSimplex& solver, const ColumnState& state) {
+    std::vector<std::size_t> first;
+    for (std::size_t id = 0; id < rows_.size(); ++id)
+        if (rows_[id].columns.size() == 2) first.push_back(id);
+    if (first.empty()) // the solver needs at least one row
+        for (std::size_t id = 0; id < rows_.size(); ++id)
+            first.push_back(id);
+    give(solver, first, state);
+}
+
+bool RowPool::giveBroken(ClpSimplex& solver, const ColumnState& state) {
+    const double* values = solver.primalColumnSolution();
+    std::vector<std::size_t> rows;
+    for (std::size_t id = 0; id < rows_.size(); ++id) {
+        if (isInSolver_[id]) continue;
+        const OpenRow& row = rows_[id];
+        const double sum = row.sum(values);
+        if (sum < state.rowLower(row.row) - broken || sum > formulation_->rows[row.row].upper + broken)
+            rows.push_back(id);
+    }
+    give(solver, rows, state);
+    return !rows.empty();
+}
+
+void RowPool::giveTight(ClpSimplex& solver, const ColumnState& state, const IdVector<RowId, double>& duals) {
+    std::vector<std::size_t> tight;
+    for (std::size_t id = 0; id < rows_.size(); ++id)
+        if (!isInSolver_[id] && std::abs(duals[RowId(id)]) > minDual) tight.push_back(id);
+    give(solver, tight, state);
+}
+
+void RowPool::give(ClpSimplex& solver, const std::vector<std::size_t>& rows, const ColumnState& state) {
+    if (rows.empty()) return;
+    std::vector<CoinBigIndex> starts{0};
+    std::vector<int> columns;
+    std::vector<double> weights, lower, upper;
+    for (const std::size_t id : rows) {
+        const OpenRow& row = rows_[id];
+        columns.insert(columns.end(), row.columns.begin(), row.columns.end());
+        weights.insert(weights.end(), row.weights.begin(), row.weights.end());
+        starts.push_back(static_cast<CoinBigIndex>(columns.size()));
+        lower.push_back(coinBound(state.rowLower(row.row) - row.constant));
+        upper.push_back(coinBound(formulation_->rows[row.row].upper - row.constant));
+        inSolver_.push_back(id);
+        isInSolver_[id] = true;
+    }
+    solver.addRows(static_cast<int>(rows.size()), lower.data(), upper.data(), starts.data(), columns.data(),
+                   weights.data());
+}
+
+void RowPool::takeIdle(ClpSimplex& solver) {
+    std::vector<int> idle;
+    std::vector<std::size_t> kept;
+    for (std::size_t k = 0; k < inSolver_.size(); ++k) {
+        const std::size_t id = inSolver_[k];
+        const bool isIdle =
+            rows_[id].columns.size() > 2 && solver.getRowStatus(static_cast<int>(k)) == ClpSimplex::basic;
+        if (isIdle) {
+            idle.push_back(static_cast<int>(k));
+            isInSolver_[id] = false;
+        } else {
+            kept.push_back(id);
+        }
+    }
+    solver.deleteRows(static_cast<int>(idle.size()), idle.data());
+    inSolver_ = std::move(kept);
+}
+
+void RowPool::setSides(ClpSimplex& solver, const ColumnState& state) const {
+    for (std::size_t k = 0; k < inSolver_.size(); ++k) {
+        const OpenRow& row = rows_[inSolver_[k]];
+        if (std::isfinite(formulation_->rows[row.row].lower)) continue; // not a cover row
+        const double lower = coinBound(state.rowLower(row.row) - row.constant);
+        if (solver.rowLower()[k] != lower)
+            solver.setRowBounds(static_cast<int>(k), lower, solver.rowUpper()[k]);
+    }
+}
+
+std::vector<double> RowPool::duals(const ClpSimplex& solver) const {
+    std::vector<double> duals(rows_.size(), 0);
+    for (std::size_t k = 0; k < inSolver_.size(); ++k)
+        duals[inSolver_[k]] = solver.dualRowSolution()[k];
+    return duals;
+}
+
+} // namespace qm

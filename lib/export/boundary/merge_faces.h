@@ -1,0 +1,24 @@
+/// \file Merges neighbouring faces in one plane, cylinder or cone into one face of any outline.
+#pragma once
+
+#include "export/boundary/boundary.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace qm {
+
+enum class MergedSurface { plane, ruled };
+
+/// Removes the edges between faces of one plane, or of one cylinder or cone, and the vertices that no edge
+/// needs any more. A merged face may have holes; no vertex is on its outline twice, and it has a few hundred
+/// edges at most. What would go all around a cylinder or cone becomes faces of half a turn at most, so that
+/// none meets itself. A merged face takes the place of the first of its faces.
+/// \param origins   by face: the segments that it consists of; merged likewise, ascending
+/// \param boundary  its faces of such surfaces have no holes yet
+/// \param mayMerge  by face
+/// \return whether there were any
+bool mergeFaces(Boundary& boundary, std::vector<std::vector<std::size_t>>& origins, MergedSurface kind,
+                const std::vector<bool>& mayMerge);
+
+} // namespace qm

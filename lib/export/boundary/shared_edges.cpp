@@ -1,0 +1,129 @@
+#include "export/boundary/shared_edges.h"
+
+#include "base/at.h"
+#include "bspline/measure/border_measures.h"
+#include "bspline/splines/evaluate.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace qm {
+namespace {
+
+constexpr int samples = 9; ///< of gap and angle along every mesh edge
+/// Angle between normals, in degrees, below which two patches are one smooth surface for any program.
+constexpr double exactAngle = 0.01;
+
+/// For every side of every patch, the number of the border edge at each position.
+using BorderNumbers = std::vector<std::array<std::vector<std::size_t>, 4>>;
+
+BorderNumbers borderNumbers(const Layout& layout, const std::vector<BorderEdge>& borders) {
+    BorderNumbers numbers(layout.segments.size());
+    for (std::size_t s = 0; s < numbers.size(); ++s)
+        for (std::size_t side = 0; side < 4; ++side)
+            numbers[s][side].resize(layout.segments[s].sides[side].size() - 1);
+    for (std::size_t b = 0; b < borders.size(); ++b)
+        for (const auto& [patch, side, position] : borders[b].places)
+            numbers[patch][at(side)][at(position)] = b;
+    return numbers;
+}
+
+SurfacePoint pointOn(const Layout& layout, const std::vector<Patch>& patches, const BorderPlace& at,
+                     double along) {
+    const auto [u, v] = parametersOnSide(layout.segments[at.patch].size, at.side, at.position + along);
+    return evaluate(patches[at.patch], u, v);
+}
+
+/// How far the two patches of a border edge are apart there.
+struct Difference {
+    double gap = 0;
+    double angle = 0; ///< between their normals, in degrees
+};
+
+std::vector<Difference> differences(const Layout& layout, const std::vector<Patch>& patches,
+                                    const std::vector<BorderEdge>& borders) {
+    std::vector<Difference> result(borders.size());
+    for (std::size_t b = 0; b < borders.size(); ++b)
+        if (borders[b].places.size() > 1) {
+            const MeetingMeasures measures = measureBorder(borders[b], layout, patches, samples);
+            result[b] = {measures.gap, std::ranges::max(measures.angles)};
+        }
+    return result;
+}
+
+/// Vertices where more than two border edges meet, a patch has a corner, or a crease becomes smooth: other
+/// programs fail on an edge that is a crease in part.
+std::vector<bool> meetingPoints(const QuadMesh& mesh, const Layout& layout,
+                                const std::vector<BorderEdge>& borders,
+                                const std::vector<Difference>& differences) {
+    std::vector<int> valence(mesh.n_vertices(), 0);
+    std::vector<int> smooth(mesh.n_vertices(), 0);
+    for (std::size_t b = 0; b < borders.size(); ++b)
+        for (const VertexId vertex :
+             {mesh.from_vertex_handle(borders[b].halfedge), mesh.to_vertex_handle(borders[b].halfedge)}) {
+            ++valence[at(vertex)];
+            if (differences[b].angle < exactAngle) ++smooth[at(vertex)];
+        }
+    std::vector<bool> result(mesh.n_vertices());
+    for (std::size_t v = 0; v < valence.size(); ++v)
+        result[v] = valence[v] > 2 || smooth[v] == 1;
+    for (const Segment& segment : layout.segments)
+        for (const VertexId corner : segment.corners)
+            result[at(corner)] = true;
+    return result;
+}
+
+/// Cuts every side where borders meet. The first patch that comes along makes the edge.
+SharedEdges cutSides(const QuadMesh& mesh, const Layout& layout, const std::vector<Patch>& patches) {
+    const auto borders = borderEdges(mesh, layout);
+    const auto numbers = borderNumbers(layout, borders);
+    const auto difference = differences(layout, patches, borders);
+    const auto meets = meetingPoints(mesh, layout, borders, difference);
+    std::vector<std::ptrdiff_t> edgeOf(borders.size(), -1);
+    SharedEdges result;
+    result.ofPatch.resize(layout.segments.size());
+    for (std::size_t s = 0; s < layout.segments.size(); ++s)
+        for (int side = 0; side < 4; ++side) {
+            const auto& line = numbers[s][at(side)];
+            const auto& vertices = layout.segments[s].sides[at(side)];
+            for (std::size_t begin = 0, end = 1; end < vertices.size(); ++end) {
+                if (!meets[at(vertices[end])]) continue;
+                const bool made = edgeOf[line[begin]] >= 0;
+                if (!made) {
+                    SharedEdge edge{{}, static_cast<int>(end - begin), vertices[begin], vertices[end]};
+                    for (std::size_t k = begin; k < end; ++k) {
+                        edgeOf[line[k]] = static_cast<std::ptrdiff_t>(result.edges.size());
+                        edge.gap = std::max(edge.gap, difference[line[k]].gap);
+                        edge.angle = std::max(edge.angle, difference[line[k]].angle);
+                    }
+                    result.edges.push_back(std::move(edge));
+                }
+                const std::size_t edge = at(edgeOf[line[begin]]);
+                result.edges[edge].places.push_back({s, side, static_cast<int>(begin)});
+                result.ofPatch[s].push_back({edge, !made});
+                begin = end;
+            }
+        }
+    return result;
+}
+
+} // namespace
+
+SharedEdges shareEdges(const QuadMesh& mesh, const Layout& layout, const std::vector<Patch>& patches) {
+    SharedEdges result = cutSides(mesh, layout, patches);
+    std::vector<double> count(mesh.n_vertices(), 0);
+    result.vertexPoint.assign(mesh.n_vertices(), Point(0, 0, 0));
+    for (const SharedEdge& edge : result.edges)
+        for (std::size_t use = 0; use < edge.places.size(); ++use)
+            for (const bool atEnd : {false, true}) {
+                const std::size_t vertex = at(atEnd == (use == 0) ? edge.end : edge.start);
+                result.vertexPoint[vertex] +=
+                    pointOn(layout, patches, edge.places[use], atEnd ? edge.length : 0).position;
+                ++count[vertex];
+            }
+    for (std::size_t v = 0; v < count.size(); ++v)
+        if (count[v] > 0) result.vertexPoint[v] /= count[v];
+    return result;
+}
+
+} // namespace qm

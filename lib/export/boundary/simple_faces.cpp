@@ -1,0 +1,123 @@
+#include "export/boundary/simple_faces.h"
+
+#include "base/at.h"
+#include "export/geometry/geometry.h"
+#include "export/simple/conic_curve.h"
+#include "export/simple/curve_on_surface.h"
+#include "export/simple/straight_seam.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace qm {
+namespace {
+
+using Surfaces = std::vector<std::optional<SimpleSurface>>;
+
+/// Adds surfaces in the place of patches that are not exact planes.
+void recogniseSimple(const std::vector<Patch>& patches, const SharedEdges& shared,
+                     const SimpleFaceTolerances& tolerances, Surfaces& surfaces) {
+    std::vector<double> simplify = tolerances.simplify;
+    for (std::size_t k = 0; k < patches.size(); ++k)
+        if (surfaces[k]) simplify[k] = 0;
+    std::vector<std::array<std::size_t, 2>> neighbours;
+    for (const SharedEdge& edge : shared.edges)
+        if (edge.places.size() == 2 && edge.angle < tolerances.smoothAngle)
+            neighbours.push_back({edge.places[0].patch, edge.places[1].patch});
+    auto found = simpleSurfacesOf(patches, simplify, neighbours);
+    for (std::size_t k = 0; k < patches.size(); ++k)
+        if (!surfaces[k]) surfaces[k] = std::move(found[k]);
+}
+
+/// By vertex: the simple faces whose edges end there, in the order of the edges.
+std::vector<std::vector<std::size_t>> simpleFacesAt(const SharedEdges& shared, const Surfaces& surfaces) {
+    std::vector<std::vector<std::size_t>> facesAt(shared.vertexPoint.size());
+    for (const SharedEdge& edge : shared.edges)
+        for (const VertexId vertex : {edge.start, edge.end})
+            for (const BorderPlace& place : edge.places)
+                if (auto& faces = facesAt[at(vertex)];
+                    surfaces[place.patch] && std::ranges::find(faces, place.patch) == faces.end())
+                    faces.push_back(place.patch);
+    return facesAt;
+}
+
+} // namespace
+
+SimpleFaces::SimpleFaces(const std::vector<Patch>& clampedPatches, const SharedEdges& shared,
+                         const SimpleFaceTolerances& tolerances)
+    : resolution_(tolerances.resolution), isCommon_(shared.vertexPoint.size()) {
+    for (const double tolerance : tolerances.simplify)
+        reach_ = std::max(reach_, 4 * tolerance);
+    for (const Patch& patch : clampedPatches)
+        surfaces_.push_back(planeOf(patch, tolerances.flatness));
+    if (reach_ > 0) recogniseSimple(clampedPatches, shared, tolerances, surfaces_);
+}
+
+void SimpleFaces::moveVertices(SharedEdges& shared) {
+    if (reach_ == 0) return;
+    const auto facesAt = simpleFacesAt(shared, surfaces_);
+    for (std::size_t v = 0; v < facesAt.size(); ++v) {
+        if (facesAt[v].size() < 2) continue;
+        std::vector<SimpleSurface> surfaces;
+        for (const std::size_t face : facesAt[v])
+            surfaces.push_back(*surfaces_[face]);
+        const gp_Pnt before = toGp(shared.vertexPoint[v]);
+        const gp_Pnt after = commonPoint(before, surfaces);
+        if (!(after.Distance(before) <= reach_)) continue;
+        shared.vertexPoint[v] = fromGp(after);
+        isCommon_[v] = true;
+    }
+    straightenSeams(shared, facesAt);
+}
+
+void SimpleFaces::straightenSeams(SharedEdges& shared, const std::vector<std::vector<std::size_t>>& facesAt) {
+    std::vector<bool> mayMove = isCommon_;
+    for (const SharedEdge& edge : shared.edges)
+        for (const BorderPlace& place : edge.places)
+            if (!surfaces_[place.patch] || edge.places.size() < 2)
+                mayMove[at(edge.start)] = mayMove[at(edge.end)] = false;
+    for (const SharedEdge& edge : shared.edges) {
+        if (edge.places.size() < 2 || !mayMove[at(edge.start)] || !mayMove[at(edge.end)]) continue;
+        const SimpleSurface& seam = *surfaces_[edge.places[0].patch];
+        const auto isSeam = [&](std::size_t face) {
+            return areOneRuledSurface(seam, *surfaces_[face], resolution_);
+        };
+        if (!isSeam(edge.places[1].patch)) continue;
+        const std::array vertices{at(edge.start), at(edge.end)};
+        std::array<gp_Pnt, 2> ends;
+        std::array<std::vector<SimpleSurface>, 2> others;
+        for (std::size_t k = 0; k < 2; ++k) {
+            ends[k] = toGp(shared.vertexPoint[vertices[k]]);
+            for (const std::size_t face : facesAt[vertices[k]])
+                if (!isSeam(face)) others[k].push_back(*surfaces_[face]);
+        }
+        const auto moved = straightened(seam, ends, others);
+        const auto isGood = [&](std::size_t k) {
+            const gp_Pnt& to = (*moved)[k];
+            return to.Distance(ends[k]) <= reach_ / 2 &&
+                   commonPoint(to, others[k]).Distance(to) <= resolution_ / 2;
+        };
+        if (!moved || !isGood(0) || !isGood(1)) continue;
+        for (std::size_t k = 0; k < 2; ++k)
+            shared.vertexPoint[vertices[k]] = fromGp((*moved)[k]);
+        mayMove[vertices[0]] = mayMove[vertices[1]] = false; // once only
+    }
+}
+
+std::optional<CurvePiece> SimpleFaces::exactCurve(const SharedEdge& edge, const SharedEdges& shared,
+                                                  const Handle(Geom_BSplineCurve) & border) const {
+    if (edge.places.size() < 2 || !isCommon_[at(edge.start)] || !isCommon_[at(edge.end)]) return std::nullopt;
+    const auto& one = surfaces_[edge.places[0].patch];
+    const auto& other = surfaces_[edge.places[1].patch];
+    if (!one || !other) return std::nullopt;
+    const std::array ends{toGp(shared.vertexPoint[at(edge.start)]), toGp(shared.vertexPoint[at(edge.end)])};
+    const auto curve = commonCurve(border, ends, {*one, *other}, resolution_);
+    for (int k = curve->FirstUKnotIndex(); k <= curve->LastUKnotIndex(); ++k)
+        if (!(curve->Value(curve->Knot(k)).Distance(border->Value(curve->Knot(k))) <= reach_))
+            return std::nullopt;
+    const CurvePiece spline = wholeCurve(curve);
+    return conicCurve({*one, *other}, ends, spline.middle(), resolution_).value_or(spline);
+}
+
+} // namespace qm

@@ -1,0 +1,58 @@
+/// \file Faces that are planes, cylinders, cones, spheres or tori, and the edges where two of them meet.
+#pragma once
+
+#include "export/boundary/shared_edges.h"
+#include "export/geometry/curve_piece.h"
+#include "export/simple/simple_surface.h"
+
+#include <Geom_BSplineCurve.hxx>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace qm {
+
+struct SimpleFaceTolerances {
+    double flatness = 0;   ///< largest distance of a plane patch's control points from its plane
+    double resolution = 0; ///< closer points are taken for one
+    /// By face: the largest distance between a patch and the plane, cylinder, cone, sphere or torus that
+    /// replaces it; empty or 0 allows only planes within the flatness.
+    std::vector<double> simplify;
+    double smoothAngle = 0; ///< faces whose normals differ by less, in degrees, are one smooth surface
+};
+
+/// By patch: the simple surface that replaces it, if there is one.
+class SimpleFaces {
+public:
+    /// \param shared  the edges of the patches
+    SimpleFaces(const std::vector<Patch>& clampedPatches, const SharedEdges& shared,
+                const SimpleFaceTolerances& tolerances);
+
+    [[nodiscard]] const std::optional<SimpleSurface>& operator[](std::size_t face) const {
+        return surfaces_[face];
+    }
+
+    /// Moves vertices where several simple faces meet onto all of these, unless that is far away, and then
+    /// to where edges between two faces of one cylinder or cone can be straight. Does nothing if all simple
+    /// faces are planes within the flatness.
+    /// \param shared  the edges of the patches; its `vertexPoint` changes
+    void moveVertices(SharedEdges& shared);
+
+    /// The curve where the two faces of an edge meet, if both are simple and `moveVertices` has moved its
+    /// ends onto both: a line, circle or ellipse, or else a spline.
+    /// \param border  of the patches
+    /// \return nothing if there is none, or if it is far from the border
+    [[nodiscard]] std::optional<CurvePiece> exactCurve(const SharedEdge& edge, const SharedEdges& shared,
+                                                       const Handle(Geom_BSplineCurve) & border) const;
+
+private:
+    /// \param facesAt  by vertex: the simple faces there
+    void straightenSeams(SharedEdges& shared, const std::vector<std::vector<std::size_t>>& facesAt);
+
+    std::vector<std::optional<SimpleSurface>> surfaces_;
+    double resolution_;
+    double reach_ = 0;           ///< largest distance by which a vertex or an edge may move
+    std::vector<bool> isCommon_; ///< by vertex: whether it lies on all simple faces there
+};
+
+} // namespace qm

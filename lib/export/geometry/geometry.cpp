@@ -1,0 +1,111 @@
+#include "export/geometry/geometry.h"
+
+#include "base/at.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace qm {
+namespace {
+
+/// Distinct knots and how often each is there, as OpenCASCADE wants them.
+struct KnotTable {
+    TColStd_Array1OfReal values;
+    TColStd_Array1OfInteger multiplicities;
+};
+
+KnotTable knotTable(const std::vector<double>& knots) {
+    std::vector<std::pair<double, int>> distinct;
+    for (const double knot : knots) {
+        if (distinct.empty() || distinct.back().first != knot) distinct.emplace_back(knot, 0);
+        ++distinct.back().second;
+    }
+    const auto size = static_cast<int>(distinct.size());
+    KnotTable table{TColStd_Array1OfReal(1, size), TColStd_Array1OfInteger(1, size)};
+    for (int k = 0; k < size; ++k) {
+        const auto& [knot, multiplicity] = distinct[at(k)];
+        table.values.SetValue(k + 1, knot);
+        table.multiplicities.SetValue(k + 1, multiplicity);
+    }
+    return table;
+}
+
+std::vector<double> fullKnots(const TColStd_Array1OfReal& values,
+                              const TColStd_Array1OfInteger& multiplicities) {
+    std::vector<double> knots;
+    for (int k = values.Lower(); k <= values.Upper(); ++k)
+        knots.insert(knots.end(), at(multiplicities(k)), values(k));
+    return knots;
+}
+
+bool hasRepeatedInnerKnot(const std::vector<double>& knots, int degree) {
+    const std::ptrdiff_t surplus = std::ptrdiff_t{degree} + 1;
+    return std::adjacent_find(knots.begin() + surplus, knots.end() - surplus) != knots.end() - surplus;
+}
+
+} // namespace
+
+gp_Pnt toGp(const Point& point) {
+    return {point[0], point[1], point[2]};
+}
+
+Point fromGp(const gp_Pnt& point) {
+    return {point.X(), point.Y(), point.Z()};
+}
+
+Handle(Geom_BSplineSurface) splineSurface(const Patch& clampedPatch) {
+    TColgp_Array2OfPnt poles(1, clampedPatch.count[0], 1, clampedPatch.count[1]);
+    auto point = clampedPatch.controlPoints.begin();
+    for (int j = 1; j <= clampedPatch.count[1]; ++j)
+        for (int i = 1; i <= clampedPatch.count[0]; ++i)
+            poles.SetValue(i, j, toGp(*point++));
+    const KnotTable u = knotTable(clampedPatch.knots[0]);
+    const KnotTable v = knotTable(clampedPatch.knots[1]);
+    return new Geom_BSplineSurface(poles, u.values, v.values, u.multiplicities, v.multiplicities,
+                                   clampedPatch.degree[0], clampedPatch.degree[1]);
+}
+
+Handle(Geom_BSplineCurve) splineCurve(const SplineCurve& curve) {
+    TColgp_Array1OfPnt poles(1, static_cast<int>(curve.points.size()));
+    for (int k = 0; k < poles.Length(); ++k)
+        poles.SetValue(k + 1, toGp(curve.points[at(k)]));
+    const KnotTable knots = knotTable(curve.knots);
+    return new Geom_BSplineCurve(poles, knots.values, knots.multiplicities, 3);
+}
+
+Handle(Geom2d_BSplineCurve) line(const gp_Pnt2d& from, const gp_Pnt2d& to, double first, double last) {
+    TColgp_Array1OfPnt2d poles(1, 2);
+    poles.SetValue(1, from);
+    poles.SetValue(2, to);
+    const KnotTable knots = knotTable({first, first, last, last});
+    return new Geom2d_BSplineCurve(poles, knots.values, knots.multiplicities, 1);
+}
+
+Patch withoutNeedlessKnots(const Patch& clampedPatch, double tolerance) {
+    if (!hasRepeatedInnerKnot(clampedPatch.knots[0], clampedPatch.degree[0]) &&
+        !hasRepeatedInnerKnot(clampedPatch.knots[1], clampedPatch.degree[1]))
+        return clampedPatch;
+    const Handle(Geom_BSplineSurface) surface = splineSurface(clampedPatch);
+    bool removed = false;
+    for (int k = surface->NbUKnots() - 1; k > 1; --k)
+        while (surface->UMultiplicity(k) > 1 &&
+               surface->RemoveUKnot(k, surface->UMultiplicity(k) - 1, tolerance))
+            removed = true;
+    for (int k = surface->NbVKnots() - 1; k > 1; --k)
+        while (surface->VMultiplicity(k) > 1 &&
+               surface->RemoveVKnot(k, surface->VMultiplicity(k) - 1, tolerance))
+            removed = true;
+    if (!removed) return clampedPatch;
+    Patch result = clampedPatch;
+    result.knots = {fullKnots(surface->UKnots(), surface->UMultiplicities()),
+                    fullKnots(surface->VKnots(), surface->VMultiplicities())};
+    result.count = {surface->NbUPoles(), surface->NbVPoles()};
+    result.controlPoints.clear();
+    for (int j = 1; j <= result.count[1]; ++j)
+        for (int i = 1; i <= result.count[0]; ++i)
+            result.controlPoints.push_back(fromGp(surface->Pole(i, j)));
+    return result;
+}
+
+} // namespace qm

@@ -1,0 +1,75 @@
+#include "export/simple/patch_cloud.h"
+
+#include "bspline/splines/eigen_point.h"
+#include "bspline/splines/evaluate.h"
+#include "mesh/bounding_box.h"
+
+#include <Eigen/Geometry>
+
+#include <utility>
+#include <vector>
+
+namespace qm {
+namespace {
+
+using Eigen::Vector3d;
+
+/// One more than the degree.
+constexpr int samplesPerInterval = 4;
+
+/// Parameters in every knot interval, at both its ends and between.
+std::vector<double> parameters(const std::vector<double>& knots, int steps) {
+    std::vector<double> result{knots.front()};
+    for (std::size_t k = 0; k + 1 < knots.size(); ++k)
+        for (int step = 1; step <= steps && knots[k] < knots[k + 1]; ++step)
+            result.push_back(knots[k] + (knots[k + 1] - knots[k]) * step / steps);
+    return result;
+}
+
+/// At most `max` of them, evenly, the ends among them.
+std::vector<double> thinned(const std::vector<double>& values, std::size_t max) {
+    if (values.size() <= max) return values;
+    std::vector<double> result;
+    for (std::size_t k = 0; k < max; ++k)
+        result.push_back(values[k * (values.size() - 1) / (max - 1)]);
+    return result;
+}
+
+} // namespace
+
+PatchCloud cloudOf(const Patch& patch, std::size_t max) {
+    PatchCloud cloud;
+    const BoundingBox box = boundingBoxOf(patch.controlPoints);
+    cloud.centre = vector(box.centre());
+    cloud.size = vector(box.size()).norm();
+    if (!(cloud.size > 0)) return cloud;
+    for (const SurfacePoint& at :
+         evaluateLattice(patch, thinned(parameters(patch.knots[0], samplesPerInterval), max),
+                         thinned(parameters(patch.knots[1], samplesPerInterval), max))) {
+        const auto normal = unitNormal(at.du, at.dv);
+        if (!normal) continue;
+        cloud.samples.points.emplace_back((vector(at.position) - cloud.centre) / cloud.size);
+        cloud.samples.normals.push_back(vector(*normal));
+    }
+    return cloud;
+}
+
+PatchCloud inFrame(PatchCloud cloud, const Vector3d& centre, double size) {
+    for (Vector3d& point : cloud.samples.points)
+        point = (cloud.centre + point * cloud.size - centre) / size;
+    cloud.centre = centre;
+    cloud.size = size;
+    return cloud;
+}
+
+PatchCloud centred(PatchCloud cloud) {
+    Eigen::AlignedBox3d box;
+    for (const Vector3d& point : cloud.samples.points)
+        box.extend(point);
+    if (!(box.diagonal().norm() > 0)) return cloud;
+    const Vector3d centre = cloud.centre + box.center() * cloud.size;
+    const double size = box.diagonal().norm() * cloud.size;
+    return inFrame(std::move(cloud), centre, size);
+}
+
+} // namespace qm

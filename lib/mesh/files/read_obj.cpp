@@ -1,0 +1,87 @@
+#include "base/error.h"
+#include "mesh/files/text_lines.h"
+#include "mesh/soup/soup.h"
+
+#include <utility>
+
+namespace qm {
+namespace {
+
+class ObjReader {
+public:
+    ObjReader(std::string_view text, std::size_t sides) : lines_(text), sides_(sides) {}
+
+    Soup read() {
+        soup_.firstIndex = 1;
+        while (lines_.nextLine(true)) {
+            const std::string_view keyword = lines_.word();
+            if (keyword == "v") readPoint();
+            if (keyword == "f") readFace();
+        }
+        return std::move(soup_);
+    }
+
+private:
+    /// Reads three coordinates; weights or colours after them are ignored.
+    void readPoint() {
+        const std::uint32_t line = lines_.lineNumber();
+        Point point;
+        for (unsigned k = 0; k < 3; ++k) {
+            const std::string_view word = lines_.word();
+            const auto value = readFileNumber<double>(word);
+            if (!value)
+                throw Error(lines_.place(),
+                            "vertex " + std::to_string(soup_.points.size()) +
+                                (word.empty() ? " has fewer than three coordinates"
+                                              : ": " + inQuotes(word) + " is no number"),
+                            lines_.unfinished() ? cutOffHint : "Correct the line");
+            point[k] = *value;
+        }
+        soup_.points.push_back(point);
+        soup_.pointLines.push_back(line);
+    }
+
+    void readFace() {
+        const std::uint32_t line = lines_.lineNumber();
+        const std::size_t begin = soup_.corners.size();
+        for (std::string_view word = lines_.word(); !word.empty(); word = lines_.word())
+            soup_.corners.push_back(cornerOf(word));
+        soup_.endFace(line);
+        const std::size_t corners = soup_.corners.size() - begin;
+        if (lines_.unfinished() && corners < sides_)
+            throw Error(soup_.facePlace(soup_.faceCount() - 1),
+                        "the last line ends after " + std::to_string(corners) +
+                            (corners == 1 ? " vertex" : " vertices"),
+                        cutOffHint);
+    }
+
+    /// Reads "7", "7/1", "7//2" or "7/1/2"; numbers count from 1 or, if negative, back from the last vertex.
+    std::int64_t cornerOf(std::string_view word) const {
+        const auto index = readFileNumber<std::int64_t>(word.substr(0, word.find('/')));
+        if (!index || *index == 0)
+            throw Error(lines_.place(),
+                        "face " + std::to_string(soup_.faceCount()) + ": " + inQuotes(word) +
+                            " is no vertex index",
+                        lines_.unfinished() ? cutOffHint : "Correct the line; indices count from 1");
+        const auto points = static_cast<std::int64_t>(soup_.points.size());
+        if (*index < -points)
+            throw Error(lines_.place(),
+                        "face " + std::to_string(soup_.faceCount()) + ": vertex index " +
+                            std::to_string(*index) + " is out of range: there are " + std::to_string(points) +
+                            " vertices before it",
+                        "Correct the line");
+        return *index > 0 ? *index - 1 : points + *index;
+    }
+
+    TextLines lines_;
+    std::size_t sides_;
+    Soup soup_;
+};
+
+} // namespace
+
+Soup readObj(std::string_view text, std::size_t sides) {
+    return ObjReader(text, sides).read();
+}
+
+} // namespace qm

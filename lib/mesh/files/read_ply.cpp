@@ -1,0 +1,210 @@
+#include "base/error.h"
+#include "mesh/files/ply_header.h"
+#include "mesh/soup/soup.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <utility>
+
+namespace qm {
+namespace {
+
+/// Reads one number after another, in the format given by the header.
+class Values {
+public:
+    Values() = default;
+    Values(const Values&) = delete;
+    Values& operator=(const Values&) = delete;
+    virtual ~Values() = default;
+    /// The next number; nothing at the end of the file.
+    virtual std::optional<double> next(PlyType type) = 0;
+    /// Whether only white space is left.
+    virtual bool atEnd() = 0;
+    /// The number of the present line; 0 in binary files.
+    [[nodiscard]] virtual std::uint32_t line() const { return 0; }
+};
+
+class TextValues : public Values {
+public:
+    explicit TextValues(TextLines& lines) : lines_(lines) {}
+
+    std::optional<double> next(PlyType) override {
+        const std::string_view word = lines_.wordAnywhere();
+        if (word.empty()) return std::nullopt;
+        const auto value = readFileNumber<double>(word);
+        if (!value) throw Error(lines_.place(), inQuotes(word) + " is no number", "Correct the line");
+        return value;
+    }
+    bool atEnd() override { return lines_.wordAnywhere().empty(); }
+    [[nodiscard]] std::uint32_t line() const override { return lines_.lineNumber(); }
+
+private:
+    TextLines& lines_;
+};
+
+class BinaryValues : public Values {
+public:
+    BinaryValues(std::string_view bytes, bool swapped) : bytes_(bytes), swapped_(swapped) {}
+
+    std::optional<double> next(PlyType type) override {
+        switch (type) {
+        case PlyType::int8:
+            return take<std::int8_t>();
+        case PlyType::uint8:
+            return take<std::uint8_t>();
+        case PlyType::int16:
+            return take<std::int16_t>();
+        case PlyType::uint16:
+            return take<std::uint16_t>();
+        case PlyType::int32:
+            return take<std::int32_t>();
+        case PlyType::uint32:
+            return take<std::uint32_t>();
+        case PlyType::float32:
+            return take<float>();
+        case PlyType::float64:
+            return take<double>();
+        }
+        return std::nullopt;
+    }
+    bool atEnd() override { return bytes_.find_first_not_of(" \t\r\n") == std::string_view::npos; }
+
+private:
+    template <class Number> std::optional<double> take() {
+        if (bytes_.size() < sizeof(Number)) return std::nullopt;
+        std::array<char, sizeof(Number)> raw;
+        std::memcpy(raw.data(), bytes_.data(), sizeof(Number));
+        bytes_.remove_prefix(sizeof(Number));
+        if (swapped_) std::ranges::reverse(raw);
+        return static_cast<double>(std::bit_cast<Number>(raw));
+    }
+
+    std::string_view bytes_;
+    bool swapped_;
+};
+
+class PlyReader {
+public:
+    explicit PlyReader(std::string_view bytes)
+        : size_(bytes.size()), lines_(bytes), header_(readPlyHeader(lines_)), values_(openBody()) {}
+
+    Soup read() {
+        for (const PlyElement& element : header_.elements) {
+            if (element.properties.empty()) continue; // nothing is stored for it
+            const bool vertex = element.name == "vertex", face = element.name == "face";
+            for (std::size_t k = 0; k < element.count; ++k) {
+                const Point point = readElement(element, k);
+                if (vertex) addPoint(point);
+                if (face) soup_.endFace(values_->line());
+            }
+        }
+        if (!values_->atEnd())
+            throw Error(values_->line() > 0 ? lines_.place() : "",
+                        "the file goes on after the elements that its header announces",
+                        "Correct the counts and properties in the header");
+        return std::move(soup_);
+    }
+
+private:
+    std::unique_ptr<Values> openBody() {
+        if (header_.format == PlyFormat::ascii) return std::make_unique<TextValues>(lines_);
+        const bool little = header_.format == PlyFormat::littleEndian;
+        return std::make_unique<BinaryValues>(lines_.rest(),
+                                              little != (std::endian::native == std::endian::little));
+    }
+
+    void addPoint(const Point& point) {
+        soup_.points.push_back(point);
+        if (values_->line() > 0) soup_.pointLines.push_back(values_->line());
+    }
+
+    /// \return the point, if the element is a vertex; corners are added to the soup
+    Point readElement(const PlyElement& element, std::size_t k) {
+        Point point(0, 0, 0);
+        for (const PlyProperty& property : element.properties) {
+            if (property.countType) {
+                readList(element, k, property);
+                continue;
+            }
+            const double value = next(element, k, property.type);
+            if (property.role == PlyRole::x) point[0] = value;
+            if (property.role == PlyRole::y) point[1] = value;
+            if (property.role == PlyRole::z) point[2] = value;
+        }
+        return point;
+    }
+
+    void readList(const PlyElement& element, std::size_t k, const PlyProperty& property) {
+        const double count = next(element, k, *property.countType);
+        if (!(count >= 0) || count > static_cast<double>(size_) || count != std::floor(count))
+            throw Error(placeOf(element, k), "its list has an impossible length",
+                        "Use another copy of the file");
+        for (auto left = static_cast<std::size_t>(count); left > 0; --left) {
+            const double value = next(element, k, property.type);
+            if (property.role == PlyRole::corners) soup_.corners.push_back(indexOf(value, element, k));
+            if (property.role == PlyRole::strips) addToStrip(indexOf(value, element, k));
+        }
+        strip_ = {};
+    }
+
+    /// Every corner of a strip makes a triangle with the two before it; every second one is turned.
+    void addToStrip(std::int64_t corner) {
+        constexpr std::int64_t endOfStrip = -1;
+        if (corner == endOfStrip) {
+            strip_ = {};
+            return;
+        }
+        if (strip_.length >= 2) {
+            const auto [first, second] = strip_.last;
+            const bool isTurned = strip_.length % 2 == 1;
+            soup_.corners.insert(soup_.corners.end(),
+                                 {isTurned ? second : first, isTurned ? first : second, corner});
+            soup_.endFace(values_->line());
+        }
+        strip_ = {{strip_.last[1], corner}, strip_.length + 1};
+    }
+
+    double next(const PlyElement& element, std::size_t k, PlyType type) {
+        const auto value = values_->next(type);
+        if (!value)
+            throw Error(placeOf(element, k),
+                        "the file ends there, its header announces " + std::to_string(element.count),
+                        cutOffHint);
+        return *value;
+    }
+
+    std::int64_t indexOf(double value, const PlyElement& element, std::size_t k) const {
+        constexpr double largest = 1e15; // above the number of vertices in any file
+        if (value != std::floor(value))  // also true for nan
+            throw Error(placeOf(element, k), "a vertex index is no whole number", "Correct the face");
+        return static_cast<std::int64_t>(std::clamp(value, -largest, largest));
+    }
+
+    [[nodiscard]] std::string placeOf(const PlyElement& element, std::size_t k) const {
+        const std::string line = values_->line() > 0 ? " (line " + std::to_string(values_->line()) + ")" : "";
+        return element.name + " " + std::to_string(k) + line;
+    }
+
+    std::size_t size_;
+    TextLines lines_;
+    PlyHeader header_;
+    std::unique_ptr<Values> values_;
+    Soup soup_;
+    struct Strip {
+        std::array<std::int64_t, 2> last{};
+        std::size_t length = 0; ///< in corners
+    };
+    Strip strip_; ///< as far as it is read
+};
+
+} // namespace
+
+Soup readPly(std::string_view bytes) {
+    return PlyReader(bytes).read();
+}
+
+} // namespace qm

@@ -1,0 +1,33 @@
+#include "mesh/soup/soup.h"
+
+namespace qm {
+namespace {
+
+using Numbers = std::vector<std::uint32_t>;
+
+std::string place(const char* what, std::size_t k, const Numbers& numbers, const Numbers& lines) {
+    std::string text = what + std::to_string(k < numbers.size() ? numbers[k] : k);
+    if (k < lines.size()) text += " (line " + std::to_string(lines[k]) + ")";
+    return text;
+}
+
+} // namespace
+
+void Soup::endFace(std::uint32_t line) {
+    faceBegins.push_back(corners.size());
+    if (line > 0) faceLines.push_back(line);
+}
+
+std::size_t Soup::pointNumber(std::size_t k) const {
+    return k < pointNumbers.size() ? pointNumbers[k] : k;
+}
+
+std::string Soup::pointPlace(std::size_t k) const {
+    return place("vertex ", k, pointNumbers, pointLines);
+}
+
+std::string Soup::facePlace(std::size_t k) const {
+    return place("face ", k, faceNumbers, faceLines);
+}
+
+} // namespace qm

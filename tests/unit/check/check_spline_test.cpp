@@ -1,0 +1,115 @@
+// The checker's own evaluation of surfaces, and its distances.
+#include "check/surfaces/bilinear_quad.h"
+#include "check/surfaces/distance.h"
+#include "check/surfaces/spline.h"
+#include "support/polycube.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace qm::testing {
+namespace {
+
+using namespace check;
+
+/// A bicubic patch over [0, 2] x [0, 1] with uniform knots and control points at random.
+SurfacesPart::Patch uniform(unsigned seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> coordinate(-1, 1);
+    SurfacesPart::Patch patch;
+    patch.degree = {3, 3};
+    patch.count = {5, 4};
+    for (int i = -3; i <= 5; ++i)
+        patch.knots[0].push_back(i);
+    for (int i = -3; i <= 4; ++i)
+        patch.knots[1].push_back(i);
+    for (int i = 0; i < 20; ++i)
+        patch.controlPoints.push_back({coordinate(random), coordinate(random), coordinate(random)});
+    return patch;
+}
+
+TEST(CheckSpline, HasTheWeightsOfTheUniformCubic) {
+    const auto patch = uniform(1);
+    // At a knot the weights are 1/6, 4/6, 1/6 in each direction.
+    const std::array<double, 3> weight{1.0 / 6, 4.0 / 6, 1.0 / 6};
+    std::array<double, 3> expected{};
+    for (std::size_t j = 0; j < 3; ++j)
+        for (std::size_t i = 0; i < 3; ++i)
+            for (std::size_t k = 0; k < 3; ++k)
+                expected[k] += weight[i] * weight[j] * patch.controlPoints[j * 5 + i + 1][k];
+    const auto here = evaluate(patch, 1, 0);
+    for (std::size_t k = 0; k < 3; ++k)
+        EXPECT_NEAR(here.point[k], expected[k], 1e-15);
+}
+
+TEST(CheckSpline, HasTheSlopesOfItsPoints) {
+    const auto patch = uniform(2);
+    constexpr double h = 1e-6;
+    for (const double u : {0.1, 0.5, 1.3, 1.9})
+        for (const double v : {0.2, 0.7}) {
+            const auto here = evaluate(patch, u, v);
+            for (std::size_t k = 0; k < 3; ++k) {
+                const double alongU = evaluate(patch, u + h, v).point[k] - evaluate(patch, u - h, v).point[k];
+                const double alongV = evaluate(patch, u, v + h).point[k] - evaluate(patch, u, v - h).point[k];
+                EXPECT_NEAR(here.alongU[k], alongU / (2 * h), 1e-7);
+                EXPECT_NEAR(here.alongV[k], alongV / (2 * h), 1e-7);
+            }
+        }
+}
+
+TEST(CheckSpline, ReachesTheCornersOfClampedPatches) {
+    auto patch = uniform(3);
+    patch.knots[0] = {0, 0, 0, 0, 0.5, 2, 2, 2, 2};
+    patch.knots[1] = {0, 0, 0, 0, 1, 1, 1, 1};
+    EXPECT_EQ(evaluate(patch, 0, 0).point, patch.controlPoints.front());
+    EXPECT_EQ(evaluate(patch, 2, 1).point, patch.controlPoints.back());
+    EXPECT_EQ(evaluate(patch, 2, 0).point, patch.controlPoints[4]);
+    EXPECT_EQ(evaluate(patch, 7, -1).point, patch.controlPoints[4]);
+}
+
+TEST(CheckSpline, StandsRepeatedKnotsInside) {
+    auto patch = uniform(4);
+    patch.count = {7, 4};
+    patch.controlPoints.resize(28, {1, 2, 3});
+    patch.knots[0] = {0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 2};
+    patch.knots[1] = {0, 0, 0, 0, 1, 1, 1, 1};
+    // A triple knot of a cubic is a control point of the surface.
+    EXPECT_EQ(evaluate(patch, 1, 0).point, patch.controlPoints[3]);
+}
+
+TEST(CheckDistance, ToAMeshIsThatToItsNearestFace) {
+    const CheckedMesh mesh = plane({"xxxx", "xxxx"});
+    const Neighbourhoods around(mesh);
+    EXPECT_NEAR(distanceToMesh(mesh, around, 0, {3.3, 1.6, 0.25}), 0.25, 1e-12);
+    EXPECT_NEAR(distanceToMesh(mesh, around, 0, {0.5, -0.3, 0.4}), 0.5, 1e-12);
+    EXPECT_NEAR(distanceToMesh(mesh, around, 7, {-3, -4, 0}), 5, 1e-12);
+}
+
+TEST(CheckDistance, ToABilinearFace) {
+    CheckedMesh mesh = plane({"x"});
+    mesh.points[2][2] = 1; // a saddle: z = x y
+    const Neighbourhoods around(mesh);
+    const Place middle = quadOf(mesh, 0).at(0.5, 0.5);
+    EXPECT_EQ(middle, (Place{0.5, 0.5, 0.25}));
+    EXPECT_NEAR(distanceToMesh(mesh, around, 0, middle), 0, 1e-12);
+    EXPECT_NEAR(distanceToMesh(mesh, around, 0, {0.25, 0.75, 0.1875}), 0, 1e-9);
+}
+
+TEST(CheckDistance, ToAPatch) {
+    const auto patch = uniform(5);
+    const auto here = evaluate(patch, 1.2, 0.4);
+    EXPECT_NEAR(distanceToPatch(patch, {1.19, 0.41}, here.point), 0, 1e-9);
+    EXPECT_LE(distanceToPatch(patch, {1.2, 0.4}, {9, 9, 9}), distance(here.point, {9, 9, 9}));
+}
+
+TEST(CheckDistance, LeavesACornerAlongEitherSide) {
+    // The plane of this sheared quad has a nearest point beyond two of its sides; the quad's own lies on one.
+    const CheckedMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0.2, 0.6, 0}, {-0.8, 0.6, 0}}, {{0, 1, 2, 3}}};
+    EXPECT_NEAR(distanceToFace(mesh, 0, {1, 1}, {0.1, 1.6, 0}), 1, 1e-12);
+    const CheckedMesh mirrored{{{0, 0, 0}, {0, 1, 0}, {0.6, 0.2, 0}, {0.6, -0.8, 0}}, {{0, 1, 2, 3}}};
+    EXPECT_NEAR(distanceToFace(mirrored, 0, {1, 1}, {1.6, 0.1, 0}), 1, 1e-12);
+}
+
+} // namespace
+} // namespace qm::testing
