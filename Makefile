@@ -298,7 +298,7 @@ check-packages: ## compare what is used with the packages that `make deps` insta
 
 .PHONY: format
 format: ## lay out the sources as .clang-format says
-	clang-format -i $(shell find lib tools tests -name '*.h' -o -name '*.cpp')
+	@clang-format -i $(shell find lib tools tests -name '*.h' -o -name '*.cpp')
 
 .PHONY: fuzz
 fuzz: ## run every fuzzer for seconds=60

@@ -364,7 +364,7 @@ END
 
 @test "triangles need --quads, and --quads needs Blender" {
     qm-shape block --scan 3000 -o 'my scan.stl'
-    fails_with 'my scan.stl: .* faces are not four-sided. Make quads of the triangles: quadmesh --quads N' 'my scan.stl' -o scan.step
+    fails_with 'my scan.stl: .* faces are not four-sided. Make quads of all faces: quadmesh --quads N' 'my scan.stl' -o scan.step
     mkdir folder
     for tool in "$QM_BIN"/* /usr/bin/{env,bash,dirname,basename,readlink,mktemp,rm,cat,sed,grep,mkdir}; do ln -s "$tool" folder; done
     PATH=$PWD/folder run --separate-stderr quadmesh 'my scan.stl' --quads 500

@@ -1,7 +1,9 @@
 #include "base/error.h"
+#include "base/number_text.h"
 #include "mesh/files/text_lines.h"
 #include "mesh/soup/soup.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace qm {
@@ -43,15 +45,15 @@ private:
 
     void readFace() {
         const std::uint32_t line = lines_.lineNumber();
-        const std::size_t begin = soup_.corners.size();
+        const std::size_t face = soup_.faceCount();
         for (std::string_view word = lines_.word(); !word.empty(); word = lines_.word())
             soup_.corners.push_back(cornerOf(word));
         soup_.endFace(line);
-        const std::size_t corners = soup_.corners.size() - begin;
-        if (lines_.unfinished() && corners < sides_)
-            throw Error(soup_.facePlace(soup_.faceCount() - 1),
-                        "the last line ends after " + std::to_string(corners) +
-                            (corners == 1 ? " vertex" : " vertices"),
+        // If it is like the face before, the model has such faces.
+        const std::size_t expected = face == 0 ? sides_ : std::min(sides_, soup_.face(face - 1).size());
+        if (lines_.unfinished() && soup_.face(face).size() < expected)
+            throw Error(soup_.facePlace(face),
+                        "the last line ends after " + countText(soup_.face(face).size(), "corner"),
                         cutOffHint);
     }
 

@@ -42,7 +42,8 @@ struct Soup {
 
 /// Reads OBJ. Relative indices, texture and normal indices, colours, continued lines and all line ends are
 /// understood; other statements are ignored.
-/// \param sides  a face at the end of the text with fewer sides counts as truncated
+/// \param sides  a face at the end of the text with fewer sides, and fewer than the one before it, counts as
+/// truncated
 /// \throw Error  with the line, if the text is no OBJ or is truncated
 [[nodiscard]] Soup readObj(std::string_view text, std::size_t sides);
 

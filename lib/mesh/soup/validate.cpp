@@ -32,21 +32,18 @@ void checkSize(const Soup& soup) {
 
 void checkQuads(const Soup& soup) {
     std::optional<std::size_t> first;
-    std::size_t others = 0, triangles = 0;
+    std::size_t others = 0;
     for (std::size_t k = 0; k < soup.faceCount(); ++k) {
         if (soup.face(k).size() == 4) continue;
         if (!first) first = k;
         ++others;
-        if (soup.face(k).size() == 3) ++triangles;
     }
     if (first)
         throw Error(soup.facePlace(*first),
                     "it has " + countText(soup.face(*first).size(), "side") + "; " + std::to_string(others) +
                         " of " + countText(soup.faceCount(), "face") + (others == 1 ? " is" : " are") +
                         " not four-sided",
-                    triangles == soup.faceCount()
-                        ? "Make quads of the triangles: quadmesh --quads N and qm-remesh do, with Blender"
-                        : "Remesh the model with quads only");
+                    "Make quads of all faces: quadmesh --quads N and qm-remesh do, with Blender");
 }
 
 void checkSides(const Soup& soup) {

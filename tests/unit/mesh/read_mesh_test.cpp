@@ -318,7 +318,7 @@ TEST(SharedMeshes, OfBadAreRefusedForTheRightReason) {
         {"rockerarm_nonmanifold.obj", "4 faces meet there"},
         {"suzanne_mixed.obj", "32 of 500 faces are not four-sided"},
         {"triangles_only.obj", "2796 of 2796 faces"},
-        {"truncated.obj", "face 130 (line 1180): the last line ends after 1 vertex"},
+        {"truncated.obj", "face 130 (line 1180): the last line ends after 1 corner"},
     };
     for (const auto& [name, reason] : reasons)
         EXPECT_TRUE(says(refusal(*testing::sharedFile("bad/" + name), name), reason)) << name;

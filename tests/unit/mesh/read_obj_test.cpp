@@ -89,9 +89,14 @@ TEST(ReadObj, RefusesWhatIsNoIndex) {
                          "^line 8: face 1: \"" + word + "\" is no vertex index"));
 }
 
+TEST(ReadObj, TakesTrianglesWithoutALastLineEndForTriangles) {
+    const std::string triangles = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4";
+    EXPECT_TRUE(says(refusal(triangles, "a.obj"), "^face 0 (line 5): it has 3 sides", "quads of all faces"));
+}
+
 TEST(ReadObj, RefusesWhatWasCutOff) {
     EXPECT_TRUE(says(refusal(replaced(twoObj(), "f 2 5 6 3\n", "f 2 5"), "a.obj"),
-                     "^face 1 (line 8): the last line ends after 2 vertices", "cut off"));
+                     "^face 1 (line 8): the last line ends after 2 corners", "cut off"));
     EXPECT_TRUE(says(refusal("v 0 0 0\nv 1 0", "a.obj"), "cut off"));
     EXPECT_TRUE(says(refusal("v 0 0 0\nv 1 0 0", "a.obj"), "holds no faces"));
     EXPECT_TRUE(says(refusal(replaced(twoObj(), "f 2 5 6 3\n", "f 2 5 6 -"), "a.obj"), "cut off"));
