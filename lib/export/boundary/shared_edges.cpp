@@ -2,7 +2,6 @@
 
 #include "base/at.h"
 #include "bspline/measure/border_measures.h"
-#include "bspline/splines/evaluate.h"
 
 #include <algorithm>
 #include <utility>
@@ -26,12 +25,6 @@ BorderNumbers borderNumbers(const Layout& layout, const std::vector<BorderEdge>&
         for (const auto& [patch, side, position] : borders[b].places)
             numbers[patch][at(side)][at(position)] = b;
     return numbers;
-}
-
-SurfacePoint pointOn(const Layout& layout, const std::vector<Patch>& patches, const BorderPlace& at,
-                     double along) {
-    const auto [u, v] = parametersOnSide(layout.segments[at.patch].size, at.side, at.position + along);
-    return evaluate(patches[at.patch], u, v);
 }
 
 /// How far the two patches of a border edge are apart there.
@@ -118,7 +111,7 @@ SharedEdges shareEdges(const QuadMesh& mesh, const Layout& layout, const std::ve
             for (const bool atEnd : {false, true}) {
                 const std::size_t vertex = at(atEnd == (use == 0) ? edge.end : edge.start);
                 result.vertexPoint[vertex] +=
-                    pointOn(layout, patches, edge.places[use], atEnd ? edge.length : 0).position;
+                    pointAt(layout, patches, edge.places[use], atEnd ? edge.length : 0).position;
                 ++count[vertex];
             }
     for (std::size_t v = 0; v < count.size(); ++v)

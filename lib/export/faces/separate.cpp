@@ -2,6 +2,7 @@
 
 #include "base/at.h"
 #include "export/geometry/geometry.h"
+#include "layout/sides.h"
 
 #include <algorithm>
 #include <array>
@@ -44,12 +45,12 @@ std::vector<bool> cornersOf(const QuadMesh& mesh, const Layout& layout) {
 
 /// Cuts sides of too many edges at some of the T-joints there.
 void cutLongSides(const Segment& segment, const std::vector<bool>& isCorner, Cuts& cuts) {
-    for (std::size_t side = 0; side < 4; ++side) {
-        const auto& line = segment.sides[side];
+    for (int side = 0; side < 4; ++side) {
+        const auto& line = segment.sides[at(side)];
         std::size_t count = 0;
         for (std::size_t k = 1; k + 1 < line.size(); ++k)
             if (isCorner[at(line[k])] && ++count % maxEdges == 0)
-                cuts[side % 2].push_back(static_cast<int>(side < 2 ? k : line.size() - 1 - k));
+                cuts[directionAlong(side)].push_back(static_cast<int>(alongSide(side, k, line.size() - 1)));
     }
     for (std::vector<int>& lines : cuts) {
         std::ranges::sort(lines);
@@ -66,14 +67,9 @@ struct BorderVertex {
 /// In the order of the vertices.
 std::vector<BorderVertex> borderVertices(const Segment& segment) {
     std::vector<BorderVertex> result;
-    for (std::size_t side = 0; side < 4; ++side)
-        for (std::size_t k = 0; k + 1 < segment.sides[side].size(); ++k) {
-            const int along = static_cast<int>(k);
-            const auto [a, b] = segment.size;
-            const std::array<std::array<int, 2>, 4> places{
-                {{along, 0}, {a, along}, {a - along, b}, {0, b - along}}};
-            result.push_back({segment.sides[side][k], places[side]});
-        }
+    for (int side = 0; side < 4; ++side)
+        for (int k = 0; k < segment.size[directionAlong(side)]; ++k)
+            result.push_back({segment.sides[at(side)][at(k)], placeOnSide(segment.size, side, k)});
     std::ranges::stable_sort(result, {}, [](const BorderVertex& entry) { return entry.vertex.idx(); });
     return result;
 }

@@ -1,7 +1,7 @@
 #include "bspline/fitting/knots/border_knots.h"
 
 #include "bspline/fitting/lattice/lattice_lines.h"
-#include "bspline/network/borders.h"
+#include "layout/sides.h"
 
 #include <algorithm>
 #include <array>
