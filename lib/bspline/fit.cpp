@@ -59,14 +59,6 @@ constexpr double maxFlatness = 5e-6;
 /// Multiple of a scan's noise that its smoothing leaves at worst.
 constexpr double noiseLeft = 1.5;
 
-/// Of the surfaces from the scan itself, noise and all.
-ScanFigures scanFigures(const std::vector<Patch>& patches, const FitTarget& target,
-                        const TriangleSurface& scan, double negligible, unsigned jobs) {
-    const ScanDeviations found =
-        deviationFromScan(patches, scan, target.maxDistance, {.negligible = negligible}, jobs);
-    return {target.coverage, target.noise, found.max, found.rms, found.percentile95, found.farthest};
-}
-
 /// The fit within a tolerance, verified by certified measurements.
 std::vector<Patch> smoothPatches(const QuadMesh& mesh, const Layout& layout, const FitReference& reference,
                                  double allowed, const Control& control) {
@@ -116,8 +108,9 @@ Surfaces fitSurfaces(const QuadMesh& mesh, const Layout& layout, const std::vect
     addMeasurement(measureSurfaces(mesh, layout, surfaces.patches, target.grids, isSmooth, control.jobs),
                    surfaces);
     if (scan != nullptr)
-        surfaces.scan =
-            scanFigures(surfaces.patches, target, *scan, measureNegligible * diagonal, control.jobs);
+        surfaces.scan = {deviationFromScan(surfaces.patches, *scan, target.maxDistance,
+                                           {.negligible = measureNegligible * diagonal}, control.jobs),
+                         target.coverage, target.noise};
     control.progress(1);
     return surfaces;
 }

@@ -1,6 +1,7 @@
 #include "bspline/measure/border_measures.h"
 
 #include "base/at.h"
+#include "base/infinity.h"
 #include "bspline/splines/bezier_extraction.h"
 
 #include <algorithm>
@@ -59,7 +60,7 @@ MeetingMeasures measureInnerLines(const Patch& patch, int samples) {
         for (std::size_t line = 1; line + 1 < different.size(); ++line) {
             const double after = different[line];
             if (std::ranges::count(knots, after) < patch.degree[k]) continue;
-            const double before = std::nextafter(after, -HUGE_VAL);
+            const double before = std::nextafter(after, -infinity);
             for (int step = 0; step <= steps; ++step) {
                 const double along = std::lerp(begin, end, static_cast<double>(step) / steps);
                 const auto at = [&](double across) {

@@ -1,18 +1,18 @@
 #include "bspline/measure/covering_bound.h"
 
+#include "base/infinity.h"
 #include "bspline/measure/foot_frame.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 namespace qm {
 namespace {
 
 struct Range {
-    double low = std::numeric_limits<double>::infinity();
-    double high = -std::numeric_limits<double>::infinity();
+    double low = infinity;
+    double high = -infinity;
 
     void include(double value) {
         low = std::min(low, value);

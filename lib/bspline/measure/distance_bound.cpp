@@ -1,6 +1,7 @@
 #include "bspline/measure/distance_bound.h"
 
 #include "base/at.h"
+#include "base/infinity.h"
 #include "bspline/measure/foot_frame.h"
 
 #include <algorithm>
@@ -65,13 +66,13 @@ double DistanceBound::tangentVariation(std::size_t surface, const Foot& foot, co
                 if (j < degree) farther(1, part.piece.at(i, j + 1), foot.dv);
             }
     });
-    return isDone ? std::sqrt(variation[0] + variation[1]) : HUGE_VAL;
+    return isDone ? std::sqrt(variation[0] + variation[1]) : infinity;
 }
 
 double DistanceBound::slidingBound(std::size_t surface, const Foot& foot, const ParameterBox& box,
                                    double known) {
     const auto frame = footFrame(foot);
-    if (!frame) return HUGE_VAL;
+    if (!frame) return infinity;
     double height = 0;
     double slide = 0;
     ParameterBox touched = box;

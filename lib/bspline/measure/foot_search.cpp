@@ -1,5 +1,6 @@
 #include "bspline/measure/foot_search.h"
 
+#include "base/infinity.h"
 #include "layout/sides.h"
 
 #include <algorithm>
@@ -151,7 +152,7 @@ Foot FootSearch::walk(std::size_t surface, const LayoutPlace& start, const Eigen
                       int& crossings) {
     Walk walk{surfaces_, crossings, start};
     walk.best.place = start;
-    walk.best.distance = HUGE_VAL;
+    walk.best.distance = infinity;
     for (int k = 0; k < maxIterations; ++k) {
         const PiecePoint here = evaluateAt(surface, walk.place);
         const Eigen::Vector3d away = point - here.position;
