@@ -2,6 +2,7 @@
 
 #include "base/at.h"
 #include "bspline/measure/border_measures.h"
+#include "mesh/topology.h"
 
 #include <algorithm>
 #include <utility>
@@ -52,8 +53,7 @@ std::vector<bool> meetingPoints(const QuadMesh& mesh, const Layout& layout,
     std::vector<int> valence(mesh.n_vertices(), 0);
     std::vector<int> smooth(mesh.n_vertices(), 0);
     for (std::size_t b = 0; b < borders.size(); ++b)
-        for (const VertexId vertex :
-             {mesh.from_vertex_handle(borders[b].halfedge), mesh.to_vertex_handle(borders[b].halfedge)}) {
+        for (const VertexId vertex : endsOf(mesh, borders[b].halfedge)) {
             ++valence[at(vertex)];
             if (differences[b].angle < exactAngle) ++smooth[at(vertex)];
         }
