@@ -1,5 +1,6 @@
 #include "bspline/fitting/fit_attempt.h"
 
+#include "base/infinity.h"
 #include "bspline/fitting/fit_round.h"
 #include "bspline/fitting/fit_state.h"
 #include "bspline/fitting/planes/flat_patches.h"
@@ -7,7 +8,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -46,6 +46,44 @@ struct Hopeless {
     static constexpr double distance = 1000;
     static constexpr int rounds = 6;
     static constexpr double growth = 8;
+};
+
+/// When a search has last halved the distance.
+class Halving {
+public:
+    /// \return in how many rounds it has not been halved
+    int idleRounds(int round, double distance) {
+        if (2 * distance <= distance_) {
+            distance_ = distance;
+            round_ = round;
+        }
+        return round - round_;
+    }
+
+private:
+    int round_ = 0;
+    double distance_ = infinity;
+};
+
+/// The removals of knots of a search.
+class Removals {
+public:
+    /// \param controlPoints  of the best round so far
+    [[nodiscard]] bool isWorthwhile(std::size_t controlPoints) const {
+        return count_ < maxRemovals && static_cast<double>(controlPoints) <= worthwhile * before_;
+    }
+    void note(int round, std::size_t controlPoints) {
+        ++count_;
+        round_ = round;
+        before_ = static_cast<double>(controlPoints);
+    }
+    /// The round of the last one; 0 if there was none.
+    [[nodiscard]] int lastRound() const { return round_; }
+
+private:
+    int count_ = 0;
+    int round_ = 0;
+    double before_ = infinity; ///< control points
 };
 
 bool isAstrayFrom(const Fitted& before, const Fitted& found) {
@@ -91,49 +129,50 @@ private:
 
     /// Alternates between placing knots and fitting until the tolerance is kept and no knots can be saved.
     void search(int maxRounds, Saving saving, const Control& control) {
-        int removals = 0;
-        int lastKept = 0;
+        Halving halving;
+        Removals removals;
         int idle = 0;
-        int halved = 0;
-        double halvedWorst = std::numeric_limits<double>::infinity();
-        double excessBefore = std::numeric_limits<double>::infinity();
-        double countBefore = std::numeric_limits<double>::infinity();
+        double excessBefore = infinity;
         for (int round = 0; round < maxRounds; ++round) {
             control.progress(static_cast<double>(round) / maxRounds);
             if (round > 0) state_.solveChanged(options_.slides);
             flattenIfKept();
             idle = keepIfBest() ? 0 : idle + 1;
-            if (idle == maxIdle || control.stopRequested()) break;
-            if (2 * state_.worst() <= halvedWorst) {
-                halvedWorst = state_.worst();
-                halved = round;
-            }
-            if (state_.worst() > Hopeless::distance && round - halved >= Hopeless::rounds) break;
-            if (rounds_ == 0) {
-                firstWorst_ = state_.worst();
-                firstPoints_ = state_.score().controlPoints;
-            }
-            if (followsNoise()) break;
+            if (idle == maxIdle || control.stopRequested() || isInVain(halving, round)) break;
             if (++rounds_ > roundsForFolds) state_.giveUpFolds();
             if (state_.worst() <= 1) {
-                const auto count = static_cast<double>(controlPointCount(best_.patches));
-                if (saving == Saving::none || round + maxRepairs > maxRounds)
-                    break; // no round is left for repairs
-                if (removals++ == maxRemovals || count > worthwhile * countBefore) break;
-                countBefore = count;
-                lastKept = round;
+                const bool hasRoundsForRepairs = round + maxRepairs <= maxRounds;
+                const std::size_t count = best_.score.controlPoints;
+                if (saving == Saving::none || !hasRoundsForRepairs || !removals.isWorthwhile(count)) break;
+                removals.note(round, count);
                 if (state_.removeKnots() == 0) break;
-                continue;
+            } else {
+                if (best_.score.keeps && idle > 0 && round - removals.lastRound() > maxRepairs) break;
+                if (!approach(excessBefore) && !tryHarder()) state_.giveUp();
             }
-            if (best_.score.keeps && idle > 0 && round - lastKept > maxRepairs) break;
-            const bool weighed = state_.weighWhatIsMissed();
-            const bool refined = state_.refine();
-            // Without more knots to insert, weights may still help.
-            const bool gains = state_.excess() < worthwhileGain * excessBefore;
-            excessBefore = state_.excess();
-            if (refined || (weighed && gains)) continue;
-            if (!tryHarder()) state_.giveUp();
         }
+    }
+
+    /// Whether the search will not come within the tolerance, or follows noise.
+    bool isInVain(Halving& halving, int round) {
+        const int idleRounds = halving.idleRounds(round, state_.worst());
+        if (state_.worst() > Hopeless::distance && idleRounds >= Hopeless::rounds) return true;
+        if (rounds_ == 0) {
+            firstWorst_ = state_.worst();
+            firstPoints_ = state_.score().controlPoints;
+        }
+        return followsNoise();
+    }
+
+    /// Increases weights, and inserts knots.
+    /// \param excessBefore  that of the round before; becomes that of this one
+    /// \return whether the next round may be nearer: without more knots to insert, weights may still help
+    bool approach(double& excessBefore) {
+        const bool isWeighed = state_.weighWhatIsMissed();
+        const bool isRefined = state_.refine();
+        const bool gains = state_.excess() < worthwhileGain * excessBefore;
+        excessBefore = state_.excess();
+        return isRefined || (isWeighed && gains);
     }
 
     /// Whether very many control points have not brought it much nearer than it was in its first round.

@@ -245,8 +245,8 @@ bool FitState::stopSliding() {
 }
 
 bool FitState::tighten(const FitRound& round) {
-    constexpr double reserve = 1.03;
-    constexpr double agreement = 1.02;
+    constexpr double agreement = 1.02; // of what was found with what the lattice shows
+    constexpr double reserve = 1.03;   // more than that, so that the next verification does not find it again
     bool changed = false;
     for (std::size_t k = 0; k < sources_.size(); ++k) {
         const double found = round.distances[k];

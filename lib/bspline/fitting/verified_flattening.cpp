@@ -25,7 +25,7 @@ bool dropSpoiled(const std::vector<Stretch>& stretches, const std::vector<bool>&
 void flattenWhereKept(const Layout& layout, std::vector<std::optional<FlatPatch>> planes,
                       const Verification& verify, FitRound& round, unsigned jobs) {
     constexpr int attempts = 5;
-    constexpr double worse = 1.01;
+    constexpr double worse = 1.01; // times as far as before, by which a measurement may differ for no reason
     const KnotPlan& plan = *round.plan;
     const std::vector<PatchSpace> spaces = plan.spaces();
     for (int k = 0; k < attempts; ++k) {

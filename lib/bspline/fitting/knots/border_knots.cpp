@@ -1,5 +1,6 @@
 #include "bspline/fitting/knots/border_knots.h"
 
+#include "bspline/fitting/knots/initial_knots.h"
 #include "bspline/fitting/lattice/lattice_lines.h"
 #include "layout/sides.h"
 
@@ -54,7 +55,6 @@ std::size_t lineAlong(const LatticeLines& lines, int side) {
 /// The knot that ends the interval from `begin`, if a cubic reaches to `farthest`: one that both sides have,
 /// or else one that one of them has, unless it is much nearer than `farthest`.
 int nextKnot(const StretchKnots& knots, int begin, int farthest) {
-    constexpr double notMuchNearer = 0.5;
     const int min = begin + std::max(1, static_cast<int>(std::ceil(notMuchNearer * (farthest - begin))));
     static constexpr std::array<std::size_t, 2> sides{0, 1};
     const std::span all(sides);

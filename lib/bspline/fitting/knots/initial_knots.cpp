@@ -27,7 +27,6 @@ std::vector<double> knotsBeside(const Layout& layout, const StretchMap& map, con
 void insertInitialKnots(const Layout& layout, const std::vector<FitLattice>& lattices,
                         const std::vector<NormalLimits>& limits, const StretchMap& map, double tolerance,
                         KnotPlan& plan) {
-    constexpr double notMuchNearer = 0.5;
     for (std::size_t patch = 0; patch < lattices.size(); ++patch)
         for (std::size_t direction = 0; direction < 2; ++direction) {
             LatticeLines lines(lattices[patch], limits[patch], direction, tolerance);
