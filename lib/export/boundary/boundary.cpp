@@ -165,10 +165,7 @@ void raiseTolerance(Boundary& boundary, std::size_t edge, double tolerance) {
 
 std::vector<std::vector<std::size_t>> facesOfEdges(const Boundary& boundary) {
     std::vector<std::vector<std::size_t>> result(boundary.edges.size());
-    for (std::size_t f = 0; f < boundary.faces.size(); ++f)
-        for (const auto& loop : boundary.faces[f].loops)
-            for (const EdgeUse& use : loop)
-                result[use.edge].push_back(f);
+    forEachUse(boundary, [&](std::size_t face, const EdgeUse& use) { result[use.edge].push_back(face); });
     return result;
 }
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <utility>
 
 namespace qm {
 namespace {
@@ -89,14 +90,17 @@ Patch strip(const Patch& patch, double begin, double end) {
 
 } // namespace
 
+void FacePatches::add(Segment segment, Patch patch, std::vector<std::size_t> segments) {
+    layout.segments.push_back(std::move(segment));
+    patches.push_back(std::move(patch));
+    origins.push_back(std::move(segments));
+}
+
 FacePatches facePatches(const Layout& layout, const std::vector<Patch>& patches) {
     requireMatching(layout, patches);
     FacePatches result;
-    result.layout.segments = layout.segments;
-    for (std::size_t k = 0; k < patches.size(); ++k) {
-        result.patches.push_back(clamped(patches[k]));
-        result.origins.push_back({k});
-    }
+    for (std::size_t k = 0; k < patches.size(); ++k)
+        result.add(layout.segments[k], clamped(patches[k]), {k});
     return result;
 }
 

@@ -1,6 +1,7 @@
 #include "export/faces/separate.h"
 
 #include "base/at.h"
+#include "base/sort_unique.h"
 #include "export/geometry/geometry.h"
 #include "layout/sides.h"
 
@@ -52,10 +53,8 @@ void cutLongSides(const Segment& segment, const std::vector<bool>& isCorner, Cut
             if (isCorner[at(line[k])] && ++count % maxEdges == 0)
                 cuts[directionAlong(side)].push_back(static_cast<int>(alongSide(side, k, line.size() - 1)));
     }
-    for (std::vector<int>& lines : cuts) {
-        std::ranges::sort(lines);
-        lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
-    }
+    for (std::vector<int>& lines : cuts)
+        sortUnique(lines);
 }
 
 /// A vertex on a face's border, and its place in the grid.
@@ -113,11 +112,6 @@ bool touchesItself(const Segment& segment) {
 
 FacePatches separated(const QuadMesh& mesh, FacePatches faces, double tolerance) {
     FacePatches result;
-    const auto add = [&](Segment segment, Patch patch, std::vector<std::size_t> origins) {
-        result.layout.segments.push_back(std::move(segment));
-        result.patches.push_back(std::move(patch));
-        result.origins.push_back(std::move(origins));
-    };
     const auto isCorner = cornersOf(mesh, faces.layout);
     for (std::size_t f = 0; f < faces.patches.size(); ++f) {
         Segment& segment = faces.layout.segments[f];
@@ -126,7 +120,7 @@ FacePatches separated(const QuadMesh& mesh, FacePatches faces, double tolerance)
         cutLongSides(segment, isCorner, cuts);
         addContacts(segment, cuts);
         if (cuts[0].empty() && cuts[1].empty()) {
-            add(std::move(segment), std::move(faces.patches[f]), std::move(faces.origins[f]));
+            result.add(std::move(segment), std::move(faces.patches[f]), std::move(faces.origins[f]));
             continue;
         }
         for (std::size_t d = 0; d < 2; ++d) {
@@ -138,8 +132,8 @@ FacePatches separated(const QuadMesh& mesh, FacePatches faces, double tolerance)
             for (std::size_t i = 0; i + 1 < cuts[0].size(); ++i) {
                 const std::array<int, 2> from{cuts[0][i], cuts[1][j]};
                 const std::array<int, 2> to{cuts[0][i + 1], cuts[1][j + 1]};
-                add(partOf(vertices, segment, from, to), partOf(faces.patches[f], from, to),
-                    faces.origins[f]);
+                result.add(partOf(vertices, segment, from, to), partOf(faces.patches[f], from, to),
+                           faces.origins[f]);
             }
     }
     return result;
