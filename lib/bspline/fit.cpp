@@ -73,8 +73,9 @@ std::vector<Patch> smoothPatches(const QuadMesh& mesh, const Layout& layout, con
     SmoothFitOptions effort = effortFor(mesh);
     effort.tolerance = shareAtPoints * allowed;
     effort.flatness = std::min(planeShare * allowed, maxFlatness * boundingBox(mesh).diagonal());
-    return fitCentred(reference.bridged ? *reference.bridged : mesh, layout, reference.network,
-                      reference.target, effort, verify, control);
+    return fitCentred(
+        {reference.bridged ? *reference.bridged : mesh, layout, reference.network, reference.target, verify},
+        effort, control);
 }
 
 void addMeasurement(const Measurement& measurement, Surfaces& surfaces) {

@@ -48,42 +48,15 @@ struct Hopeless {
     static constexpr double growth = 8;
 };
 
-/// When a search has last halved the distance.
-class Halving {
-public:
-    /// \return in how many rounds it has not been halved
-    int idleRounds(int round, double distance) {
-        if (2 * distance <= distance_) {
-            distance_ = distance;
-            round_ = round;
-        }
-        return round - round_;
-    }
-
-private:
-    int round_ = 0;
-    double distance_ = infinity;
-};
-
-/// The removals of knots of a search.
-class Removals {
-public:
-    /// \param controlPoints  of the best round so far
-    [[nodiscard]] bool isWorthwhile(std::size_t controlPoints) const {
-        return count_ < maxRemovals && static_cast<double>(controlPoints) <= worthwhile * before_;
-    }
-    void note(int round, std::size_t controlPoints) {
-        ++count_;
-        round_ = round;
-        before_ = static_cast<double>(controlPoints);
-    }
-    /// The round of the last one; 0 if there was none.
-    [[nodiscard]] int lastRound() const { return round_; }
-
-private:
-    int count_ = 0;
-    int round_ = 0;
-    double before_ = infinity; ///< control points
+/// What a search remembers of its rounds.
+struct Rounds {
+    int idle = 0;                    ///< that have passed since one was kept
+    int halved = 0;                  ///< the one that has halved the distance for the last time, and
+    double distance = infinity;      ///< the distance then
+    double excess = infinity;        ///< of the last one
+    int removals = 0;                ///< of knots;
+    int lastRemoval = 0;             ///< the round of the last one, and
+    double controlPoints = infinity; ///< their number before it
 };
 
 bool isAstrayFrom(const Fitted& before, const Fitted& found) {
@@ -96,12 +69,11 @@ bool isAstrayFrom(const Fitted& before, const Fitted& found) {
 
 class FitAttempt {
 public:
-    FitAttempt(const QuadMesh& mesh, const Layout& layout, const SmoothNetwork& network,
-               const FitTarget& reference, const SmoothFitOptions& options, const std::vector<bool>& isSoft,
-               const Verification& verify, unsigned jobs)
-        : layout_(layout), options_(options), verify_(verify), jobs_(jobs),
-          planes_(flatPatches(layout, reference.grids, network, options.flatness)),
-          state_(mesh, layout, network, reference, options, isSoft, jobs) {}
+    FitAttempt(const FitProblem& problem, const SmoothFitOptions& options, const std::vector<bool>& isSoft,
+               unsigned jobs)
+        : problem_(problem), options_(options), jobs_(jobs),
+          planes_(flatPatches(problem.layout, problem.reference.grids, problem.network, options.flatness)),
+          state_(problem, options, isSoft, jobs) {}
 
     Fitted run(bool isLast, const Control& control) {
         state_.solveAll(2 * options_.slides); // more slides while there are few knots
@@ -109,7 +81,7 @@ public:
         Fitted nearest;
         for (int k = 1;; ++k) {
             chooseBest();
-            if (hasPlanes()) flattenWhereKept(layout_, planes_, verify_, best_, jobs_);
+            if (hasPlanes()) flattenWhereKept(problem_, planes_, best_, jobs_);
             Fitted found{best_.patches, best_.distances, followsNoise()};
             const bool isAstray = !isLast && k > 1 && isAstrayFrom(nearest, found);
             if (k == 1 || found.farthest() < nearest.farthest()) nearest = std::move(found);
@@ -129,34 +101,30 @@ private:
 
     /// Alternates between placing knots and fitting until the tolerance is kept and no knots can be saved.
     void search(int maxRounds, Saving saving, const Control& control) {
-        Halving halving;
-        Removals removals;
-        int idle = 0;
-        double excessBefore = infinity;
+        Rounds past;
         for (int round = 0; round < maxRounds; ++round) {
             control.progress(static_cast<double>(round) / maxRounds);
             if (round > 0) state_.solveChanged(options_.slides);
             flattenIfKept();
-            idle = keepIfBest() ? 0 : idle + 1;
-            if (idle == maxIdle || control.stopRequested() || isInVain(halving, round)) break;
+            past.idle = keepIfBest() ? 0 : past.idle + 1;
+            if (past.idle == maxIdle || control.stopRequested() || isInVain(round, past)) break;
             if (++rounds_ > roundsForFolds) state_.giveUpFolds();
             if (state_.worst() <= 1) {
-                const bool hasRoundsForRepairs = round + maxRepairs <= maxRounds;
-                const std::size_t count = best_.score.controlPoints;
-                if (saving == Saving::none || !hasRoundsForRepairs || !removals.isWorthwhile(count)) break;
-                removals.note(round, count);
-                if (state_.removeKnots() == 0) break;
-            } else {
-                if (best_.score.keeps && idle > 0 && round - removals.lastRound() > maxRepairs) break;
-                if (!approach(excessBefore) && !tryHarder()) state_.giveUp();
+                const bool leavesRepairs = round + maxRepairs <= maxRounds;
+                if (saving == Saving::none || !leavesRepairs || !removeKnots(round, past)) break;
+            } else if (!comeNearer(round, past)) {
+                break;
             }
         }
     }
 
     /// Whether the search will not come within the tolerance, or follows noise.
-    bool isInVain(Halving& halving, int round) {
-        const int idleRounds = halving.idleRounds(round, state_.worst());
-        if (state_.worst() > Hopeless::distance && idleRounds >= Hopeless::rounds) return true;
+    bool isInVain(int round, Rounds& past) {
+        if (2 * state_.worst() <= past.distance) {
+            past.distance = state_.worst();
+            past.halved = round;
+        }
+        if (state_.worst() > Hopeless::distance && round - past.halved >= Hopeless::rounds) return true;
         if (rounds_ == 0) {
             firstWorst_ = state_.worst();
             firstPoints_ = state_.score().controlPoints;
@@ -164,15 +132,24 @@ private:
         return followsNoise();
     }
 
-    /// Increases weights, and inserts knots.
-    /// \param excessBefore  that of the round before; becomes that of this one
-    /// \return whether the next round may be nearer: without more knots to insert, weights may still help
-    bool approach(double& excessBefore) {
+    /// \return false if that is no longer worth while
+    bool removeKnots(int round, Rounds& past) {
+        const auto count = static_cast<double>(best_.score.controlPoints);
+        if (past.removals++ == maxRemovals || count > worthwhile * past.controlPoints) return false;
+        past.controlPoints = count;
+        past.lastRemoval = round;
+        return state_.removeKnots() > 0;
+    }
+
+    /// \return false if the knots that were removed are missing for too long
+    bool comeNearer(int round, Rounds& past) {
+        if (best_.score.keeps && past.idle > 0 && round - past.lastRemoval > maxRepairs) return false;
         const bool isWeighed = state_.weighWhatIsMissed();
         const bool isRefined = state_.refine();
-        const bool gains = state_.excess() < worthwhileGain * excessBefore;
-        excessBefore = state_.excess();
-        return isRefined || (isWeighed && gains);
+        // Without more knots to insert, weights may still help.
+        const bool gains = state_.excess() < worthwhileGain * std::exchange(past.excess, state_.excess());
+        if (!isRefined && !(isWeighed && gains) && !tryHarder()) state_.giveUp();
+        return true;
     }
 
     /// Whether very many control points have not brought it much nearer than it was in its first round.
@@ -205,7 +182,7 @@ private:
 
     /// The largest distance of a round, in tolerances.
     double verified(FitRound& round) const {
-        if (round.distances.empty()) round.distances = verify_(round.patches);
+        if (round.distances.empty()) round.distances = problem_.verify(round.patches);
         return std::ranges::max(round.distances);
     }
 
@@ -229,9 +206,8 @@ private:
             best_ = std::move(nearest_);
     }
 
-    const Layout& layout_;
+    const FitProblem& problem_;
     const SmoothFitOptions& options_;
-    const Verification& verify_;
     unsigned jobs_;
     std::vector<std::optional<FlatPatch>> planes_;
     FitState state_;
@@ -253,12 +229,9 @@ bool Fitted::isHopeless() const {
     return followsNoise || farthest() > Hopeless::distance;
 }
 
-Fitted attemptFit(const QuadMesh& mesh, const Layout& layout, const SmoothNetwork& network,
-                  const FitTarget& reference, const SmoothFitOptions& options,
-                  const std::vector<bool>& isSoft, bool isLast, const Verification& verify,
-                  const Control& control) {
-    return FitAttempt(mesh, layout, network, reference, options, isSoft, verify, control.jobs)
-        .run(isLast, control);
+Fitted attemptFit(const FitProblem& problem, const SmoothFitOptions& options, const std::vector<bool>& isSoft,
+                  bool isLast, const Control& control) {
+    return FitAttempt(problem, options, isSoft, control.jobs).run(isLast, control);
 }
 
 } // namespace qm

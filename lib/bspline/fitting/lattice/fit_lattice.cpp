@@ -102,15 +102,13 @@ std::vector<Place> placesIn(const std::vector<double>& coarse, const std::vector
 } // namespace
 
 std::vector<LatticeSource> latticeSources(const QuadMesh& mesh, const Layout& layout,
-                                          const SmoothNetwork& network,
-                                          const std::vector<ReferenceGrid>& reference,
-                                          const std::vector<std::vector<double>>& weights) {
-    std::vector<LatticeSource> sources(reference.size());
+                                          const SmoothNetwork& network, const FitTarget& reference) {
+    std::vector<LatticeSource> sources(reference.grids.size());
     const std::vector<bool> isSound = soundFaces(mesh);
-    for (std::size_t k = 0; k < reference.size(); ++k) {
+    for (std::size_t k = 0; k < sources.size(); ++k) {
         const Segment& segment = layout.segments[k];
-        sources[k].grid = &reference[k];
-        if (!weights.empty()) sources[k].weights = &weights[k];
+        sources[k].grid = &reference.grids[k];
+        if (!reference.weights.empty()) sources[k].weights = &reference.weights[k];
         for (const FaceId face : segment.faces)
             sources[k].isSound.push_back(isSound[at(face)]);
         for (std::size_t side = 0; side < 4; ++side) {
