@@ -44,12 +44,11 @@ std::vector<double> usualResiduals(const ScanTargets& targets, const std::vector
     targets.forEachPoint([&](std::size_t g, int i, int j, std::size_t number) {
         if (targets.weights[number] <= 0) return;
         around.clear();
-        for (int down = std::max(j - reach, 0); down <= std::min(j + reach, targets.rows(g)); ++down)
-            for (int right = std::max(i - reach, 0); right <= std::min(i + reach, targets.columns(g));
-                 ++right) {
-                const std::size_t other = targets.lattice.numbers[g][targets.index(g, right, down)];
-                if (targets.weights[other] > 0 && !targets.lattice.sharp[other])
-                    around.push_back(residuals[other]);
+        for (int down = -reach; down <= reach; ++down)
+            for (int right = -reach; right <= reach; ++right) {
+                const auto other = targets.numberAt(g, i + right, j + down);
+                if (other && targets.weights[*other] > 0 && !targets.lattice.sharp[*other])
+                    around.push_back(residuals[*other]);
             }
         usual[number] = std::min(usual[number], median(around));
     });
@@ -77,13 +76,10 @@ void dropSharpOutliers(ScanTargets& targets, double step) {
     const auto compare = [&](std::size_t g, int i, int j, int right, int down, std::size_t number) {
         std::array<std::vector<double>, 3> around;
         for (int k = -reach; k <= reach; ++k) {
-            const int column = i + k * right;
-            const int row = j + k * down;
-            if (column < 0 || row < 0 || column > targets.columns(g) || row > targets.rows(g)) continue;
-            const std::size_t other = targets.lattice.numbers[g][targets.index(g, column, row)];
-            if (!targets.lattice.sharp[other] || targets.weights[other] <= 0) continue;
+            const auto other = targets.numberAt(g, i + k * right, j + k * down);
+            if (!other || !targets.lattice.sharp[*other] || targets.weights[*other] <= 0) continue;
             for (int axis = 0; axis < 3; ++axis)
-                around[at(axis)].push_back((*targets.displacements[other])[axis]);
+                around[at(axis)].push_back((*targets.displacements[*other])[axis]);
         }
         const Eigen::Vector3d usual(median(around[0]), median(around[1]), median(around[2]));
         residuals[number] = std::min(residuals[number], (*targets.displacements[number] - usual).norm());
