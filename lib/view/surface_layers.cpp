@@ -10,11 +10,6 @@
 namespace qm {
 namespace {
 
-void addPatchFigures(Items& items, const Patch& patch) {
-    addFigure(items, "control points along u", patch.count[0]);
-    addFigure(items, "control points along v", patch.count[1]);
-}
-
 void addDeviationFigures(Items& items, const Deviation& deviation, const std::string& unit) {
     addFigure(items, "largest deviation, " + unit, deviation.max);
     addFigure(items, "deviation, root mean square, " + unit, deviation.rms);
@@ -126,7 +121,8 @@ FaceLayer patchLayer(const Scene& scene, const Viewed& viewed) {
     const std::vector<Patch>& patches = viewed.surfaces->patches;
     layer.items.count = patches.size();
     for (std::size_t k = 0; k < patches.size(); ++k) {
-        addPatchFigures(layer.items, patches[k]);
+        addFigure(layer.items, "control points along u", patches[k].count[0]);
+        addFigure(layer.items, "control points along v", patches[k].count[1]);
         if (k < viewed.surfaces->ofPatch.size())
             addDeviationFigures(layer.items, viewed.surfaces->ofPatch[k], viewed.unit);
     }

@@ -132,7 +132,7 @@ private:
         return followsNoise();
     }
 
-    /// \return false if that is no longer worth while
+    /// \return false if that is no longer worth while, or no knot can go
     bool removeKnots(int round, Rounds& past) {
         const auto count = static_cast<double>(best_.score.controlPoints);
         if (past.removals++ == maxRemovals || count > worthwhile * past.controlPoints) return false;

@@ -246,8 +246,10 @@ bool FitState::stopSliding() {
 }
 
 bool FitState::tighten(const FitRound& round) {
-    constexpr double agreement = 1.02; // of what was found with what the lattice shows
-    constexpr double reserve = 1.03;   // more than that, so that the next verification does not find it again
+    // What is found may be so much farther than what the lattice shows.
+    constexpr double agreement = 1.02;
+    // Errors are scaled by so much in addition, lest the tolerance be just missed again.
+    constexpr double reserve = 1.03;
     bool changed = false;
     for (std::size_t k = 0; k < sources_.size(); ++k) {
         const double found = round.distances[k];

@@ -25,7 +25,7 @@ bool dropSpoiled(const std::vector<Stretch>& stretches, const std::vector<bool>&
 void flattenWhereKept(const FitProblem& problem, std::vector<std::optional<FlatPatch>> planes,
                       FitRound& round, unsigned jobs) {
     constexpr int attempts = 5;
-    constexpr double worse = 1.01; // times as far as before, by which a measurement may differ for no reason
+    constexpr double worse = 1.01; // times as far as before; less may be an error of measurement
     const KnotPlan& plan = *round.plan;
     const std::vector<PatchSpace> spaces = plan.spaces();
     for (int k = 0; k < attempts; ++k) {

@@ -37,7 +37,7 @@ struct MaxSamples {
     static constexpr std::size_t ofPatch = 1000; ///< to verify it, once
 };
 
-/// With fewer points, more than one torus passes through all of them.
+/// What `fitShape` asks for.
 constexpr std::size_t minPoints = 10;
 
 /// \return 1, or -1 if the shape's normals point the other way than the points'

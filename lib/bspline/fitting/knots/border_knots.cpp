@@ -47,11 +47,6 @@ private:
     KnotPlan& plan_;
 };
 
-/// The number of the lattice line that runs along a side.
-std::size_t lineAlong(const LatticeLines& lines, int side) {
-    return isFarSide(side) ? lines.count() - 1 : 0;
-}
-
 /// The knot that ends the interval from `begin`, if a cubic reaches to `farthest`: one that both sides have,
 /// or else one that one of them has, unless it is much nearer than `farthest`.
 int nextKnot(const StretchKnots& knots, int begin, int farthest) {
@@ -71,7 +66,7 @@ void insertBorderKnots(const Layout& layout, const std::vector<FitLattice>& latt
         const StretchSide& place = stretch.sides[0];
         const auto& size = layout.segments[place.patch].size;
         LatticeLines lines(lattices[place.patch], limits[place.patch], directionAlong(place.side), tolerance);
-        const std::size_t line = lineAlong(lines, place.side);
+        const std::size_t line = isFarSide(place.side) ? lines.count() - 1 : 0; // along the side
         const auto fits = [&](int begin, int end) {
             const auto a = static_cast<int>(patchParameter(size, place, begin));
             const auto b = static_cast<int>(patchParameter(size, place, end));

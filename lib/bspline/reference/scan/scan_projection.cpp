@@ -42,8 +42,8 @@ double orientation(const LatticeNormals& lattice, const std::vector<std::optiona
     return against >= clearly * along ? -1 : 0;
 }
 
-/// The scan is looked for up to so many times the distance of so large a share of the points: those whose
-/// place it does not show, as in its holes, are far from anything.
+/// The scan is looked for up to `farFactor` times as far as this share of the points are from it. The others
+/// may be where it shows nothing.
 constexpr double farShare = 0.9;
 constexpr double farFactor = 4;
 
