@@ -59,14 +59,6 @@ constexpr double maxFlatness = 5e-6;
 /// Multiple of a scan's noise that its smoothing leaves at worst.
 constexpr double noiseLeft = 1.5;
 
-/// Of the surfaces from the scan itself, noise and all.
-ScanFigures scanFigures(const std::vector<Patch>& patches, const FitTarget& target,
-                        const TriangleSurface& scan, double negligible, unsigned jobs) {
-    const ScanDeviations found =
-        deviationFromScan(patches, scan, target.maxDistance, {.negligible = negligible}, jobs);
-    return {target.coverage, target.noise, found.max, found.rms, found.percentile95, found.farthest};
-}
-
 /// The fit within a tolerance, verified by certified measurements.
 std::vector<Patch> smoothPatches(const QuadMesh& mesh, const Layout& layout, const FitReference& reference,
                                  double allowed, const Control& control) {
@@ -81,8 +73,9 @@ std::vector<Patch> smoothPatches(const QuadMesh& mesh, const Layout& layout, con
     SmoothFitOptions effort = effortFor(mesh);
     effort.tolerance = shareAtPoints * allowed;
     effort.flatness = std::min(planeShare * allowed, maxFlatness * boundingBox(mesh).diagonal());
-    return fitCentred(reference.bridged ? *reference.bridged : mesh, layout, reference.network,
-                      reference.target, effort, verify, control);
+    return fitCentred(
+        {reference.bridged ? *reference.bridged : mesh, layout, reference.network, reference.target, verify},
+        effort, control);
 }
 
 void addMeasurement(const Measurement& measurement, Surfaces& surfaces) {
@@ -116,8 +109,9 @@ Surfaces fitSurfaces(const QuadMesh& mesh, const Layout& layout, const std::vect
     addMeasurement(measureSurfaces(mesh, layout, surfaces.patches, target.grids, isSmooth, control.jobs),
                    surfaces);
     if (scan != nullptr)
-        surfaces.scan =
-            scanFigures(surfaces.patches, target, *scan, measureNegligible * diagonal, control.jobs);
+        surfaces.scan = {deviationFromScan(surfaces.patches, *scan, target.maxDistance,
+                                           {.negligible = measureNegligible * diagonal}, control.jobs),
+                         target.coverage, target.noise};
     control.progress(1);
     return surfaces;
 }

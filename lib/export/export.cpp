@@ -1,7 +1,7 @@
 #include "export/export.h"
 
-#include "base/at.h"
 #include "base/error.h"
+#include "base/positions.h"
 #include "export/colours.h"
 #include "export/faces/join.h"
 #include "export/faces/quarter_turn.h"
@@ -12,7 +12,7 @@
 #include "mesh/bounding_box.h"
 
 #include <Standard_Failure.hxx>
-#include <algorithm>
+#include <functional>
 #include <utility>
 
 namespace qm {
@@ -31,16 +31,13 @@ ShapeReport reportOf(const Boundary& boundary) {
     ShapeReport report;
     report.faces = boundary.faces.size();
     report.edges = boundary.edges.size();
-    const auto count = [](const auto& values, auto member) {
-        return at(std::ranges::count(values, true, member));
-    };
-    report.openEdges = count(boundary.edges, &BoundaryEdge::isOpen);
-    report.smoothEdges = count(boundary.edges, &BoundaryEdge::isSmooth);
-    report.simpleFaces = count(boundary.faces, &BoundaryFace::isSimple);
+    report.openEdges = countWhere(boundary.edges, std::mem_fn(&BoundaryEdge::isOpen));
+    report.smoothEdges = countWhere(boundary.edges, std::mem_fn(&BoundaryEdge::isSmooth));
+    report.simpleFaces = countWhere(boundary.faces, std::mem_fn(&BoundaryFace::isSimple));
     for (const BoundaryPart& part : boundary.parts)
         ++(!part.closed ? report.shells : part.cavityOf ? report.cavities : report.solids);
-    report.lostEdges = at(std::ranges::count_if(
-        boundary.edges, [&](const BoundaryEdge& edge) { return maxLength(edge) < boundary.resolution; }));
+    report.lostEdges = countWhere(
+        boundary.edges, [&](const BoundaryEdge& edge) { return maxLength(edge) < boundary.resolution; });
     report.resolution = boundary.resolution;
     report.largestGap = boundary.largestGap;
     report.largestTolerance = largestTolerance(boundary);

@@ -1,6 +1,7 @@
 #include "layout/quality.h"
 
 #include "base/at.h"
+#include "base/order_statistics.h"
 
 #include <algorithm>
 
@@ -54,9 +55,7 @@ LayoutQuality measureLayout(const QuadMesh& mesh, const Layout& layout,
         aspects.push_back(static_cast<double>(longer) / shorter);
     }
     if (aspects.empty()) return quality;
-    const auto middle = aspects.begin() + static_cast<std::ptrdiff_t>(aspects.size() / 2);
-    std::ranges::nth_element(aspects, middle);
-    quality.medianAspect = *middle;
+    quality.medianAspect = median(aspects);
     quality.maxAspect = std::ranges::max(aspects);
     return quality;
 }

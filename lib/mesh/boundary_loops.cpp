@@ -6,30 +6,31 @@
 #include <tuple>
 
 namespace qm {
-namespace {
 
-BoundaryLoop walk(const QuadMesh& mesh, HalfedgeId start, std::vector<bool>& seen) {
-    BoundaryLoop loop{mesh.from_vertex_handle(start)};
-    HalfedgeId halfedge = start;
-    do {
-        seen[at(halfedge)] = true;
-        loop.vertex = std::min(loop.vertex, mesh.from_vertex_handle(halfedge));
-        ++loop.edges;
-        loop.length +=
-            (mesh.point(mesh.to_vertex_handle(halfedge)) - mesh.point(mesh.from_vertex_handle(halfedge)))
-                .norm();
-        halfedge = mesh.next_halfedge_handle(halfedge);
-    } while (halfedge != start);
-    return loop;
+std::vector<std::vector<HalfedgeId>> boundaryPaths(const QuadMesh& mesh) {
+    std::vector<std::vector<HalfedgeId>> paths;
+    std::vector<bool> isSeen(mesh.n_halfedges());
+    for (const HalfedgeId start : mesh.halfedges()) {
+        if (!mesh.is_boundary(start) || isSeen[at(start)]) continue;
+        std::vector<HalfedgeId>& path = paths.emplace_back();
+        for (HalfedgeId next = start; !isSeen[at(next)]; next = mesh.next_halfedge_handle(next)) {
+            isSeen[at(next)] = true;
+            path.push_back(next);
+        }
+    }
+    return paths;
 }
-
-} // namespace
 
 std::vector<BoundaryLoop> boundaryLoops(const QuadMesh& mesh) {
     std::vector<BoundaryLoop> loops;
-    std::vector<bool> seen(mesh.n_halfedges(), false);
-    for (const HalfedgeId halfedge : mesh.halfedges())
-        if (mesh.is_boundary(halfedge) && !seen[at(halfedge)]) loops.push_back(walk(mesh, halfedge, seen));
+    for (const std::vector<HalfedgeId>& path : boundaryPaths(mesh)) {
+        BoundaryLoop& loop =
+            loops.emplace_back(BoundaryLoop{mesh.from_vertex_handle(path.front()), path.size()});
+        for (const HalfedgeId halfedge : path) {
+            loop.vertex = std::min(loop.vertex, mesh.from_vertex_handle(halfedge));
+            loop.length += mesh.calc_edge_length(halfedge);
+        }
+    }
     std::ranges::sort(
         loops, {}, [](const BoundaryLoop& loop) { return std::make_tuple(-loop.length, loop.vertex.idx()); });
     return loops;

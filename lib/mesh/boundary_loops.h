@@ -15,6 +15,9 @@ struct BoundaryLoop {
     double length = 0; ///< in the mesh's unit
 };
 
+/// The halfedges of every boundary loop, one after the other, in the order of the first of them.
+[[nodiscard]] std::vector<std::vector<HalfedgeId>> boundaryPaths(const QuadMesh& mesh);
+
 /// All boundary loops, the longest first; loops of one length are in the order of their vertices. Linear in
 /// the mesh, apart from sorting.
 [[nodiscard]] std::vector<BoundaryLoop> boundaryLoops(const QuadMesh& mesh);

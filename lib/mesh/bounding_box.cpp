@@ -1,12 +1,11 @@
 #include "mesh/bounding_box.h"
 
-#include <limits>
+#include "base/infinity.h"
 
 namespace qm {
 
 BoundingBox boundingBox(const QuadMesh& mesh) {
     if (mesh.n_faces() == 0) return {};
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     BoundingBox box{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
     for (const VertexId vertex : mesh.vertices())
         if (!mesh.is_isolated(vertex)) {

@@ -1,6 +1,7 @@
 #include "mesh/nesting.h"
 
 #include "mesh/bounding_box.h"
+#include "mesh/quad_geometry.h"
 
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point.hpp>
@@ -20,7 +21,6 @@ namespace index = boost::geometry::index;
 
 using Corner = boost::geometry::model::point<double, 2, boost::geometry::cs::cartesian>;
 using Box = boost::geometry::model::box<Corner>;
-using Triangle = std::array<Point, 3>;
 
 /// Seen along a direction that is hardly ever that of a part's edges or faces, so that rays meet faces and
 /// not edges.
@@ -53,30 +53,17 @@ int crossing(const Triangle& triangle, const Point& from) {
     return whole > 0 ? 1 : -1;
 }
 
-/// Calls a function with the two triangles of every quad.
-template <class Function>
-void forEachTriangle(const QuadMesh& mesh, const std::vector<FaceId>& faces, const Function& function) {
-    for (const FaceId face : faces) {
-        std::array<Point, 4> corners;
-        auto corner = corners.begin();
-        for (const VertexId vertex : mesh.fv_range(face))
-            *corner++ = mesh.point(vertex);
-        function(Triangle{corners[0], corners[1], corners[2]});
-        function(Triangle{corners[0], corners[2], corners[3]});
-    }
-}
-
 /// Tells quickly whether points are inside a part.
 class Inside {
 public:
     Inside(const QuadMesh& mesh, const std::vector<FaceId>& faces) {
         std::vector<std::pair<Box, std::size_t>> boxes;
-        forEachTriangle(mesh, faces, [&](const Triangle& triangle) {
-            const Triangle& own =
-                triangles_.emplace_back(Triangle{seen(triangle[0]), seen(triangle[1]), seen(triangle[2])});
-            const BoundingBox box = boundingBoxOf(own);
-            boxes.emplace_back(Box{{box.low[0], box.low[1]}, {box.high[0], box.high[1]}}, boxes.size());
-        });
+        for (const FaceId face : faces)
+            for (const auto& [a, b, c] : halvesOf(mesh, face)) {
+                const Triangle& own = triangles_.emplace_back(Triangle{seen(a), seen(b), seen(c)});
+                const BoundingBox box = boundingBoxOf(own);
+                boxes.emplace_back(Box{{box.low[0], box.low[1]}, {box.high[0], box.high[1]}}, boxes.size());
+            }
         tree_ = Tree(boxes);
     }
 
@@ -110,14 +97,15 @@ struct Extent {
 Extent extentOf(const QuadMesh& mesh, const std::vector<FaceId>& faces) {
     const Point origin = firstCorner(mesh, faces);
     Extent extent{0, {origin, origin}};
-    forEachTriangle(mesh, faces, [&](const Triangle& triangle) {
-        const auto& [a, b, c] = triangle;
-        extent.volume += (a - origin) | ((b - origin) % (c - origin));
-        for (const Point& corner : triangle) {
-            extent.box.low.minimize(corner);
-            extent.box.high.maximize(corner);
+    for (const FaceId face : faces)
+        for (const Triangle& triangle : halvesOf(mesh, face)) {
+            const auto& [a, b, c] = triangle;
+            extent.volume += (a - origin) | ((b - origin) % (c - origin));
+            for (const Point& corner : triangle) {
+                extent.box.low.minimize(corner);
+                extent.box.high.maximize(corner);
+            }
         }
-    });
     return extent;
 }
 

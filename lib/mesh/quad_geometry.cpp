@@ -24,7 +24,8 @@ std::optional<Point> unit(const Point& vector) {
 }
 
 /// A vector along the normal of a triangle; zero for a triangle without area.
-Point crossProduct(const Point& a, const Point& b, const Point& c) {
+Point crossProduct(const Triangle& triangle) {
+    const auto& [a, b, c] = triangle;
     return scaled(b - a) % scaled(c - a);
 }
 
@@ -40,21 +41,24 @@ std::array<VertexId, 4> cornersOf(const QuadMesh& mesh, FaceId face) {
     return corners;
 }
 
-std::optional<Point> triangleNormal(const Point& a, const Point& b, const Point& c) {
-    return unit(crossProduct(a, b, c));
+std::optional<Point> triangleNormal(const Triangle& triangle) {
+    return unit(crossProduct(triangle));
+}
+
+std::array<Triangle, 2> halvesOf(const QuadMesh& mesh, FaceId face) {
+    const auto [a, b, c, d] = cornersOf(mesh, face);
+    return {{{mesh.point(a), mesh.point(b), mesh.point(c)}, {mesh.point(a), mesh.point(c), mesh.point(d)}}};
 }
 
 std::array<std::optional<Point>, 2> triangleNormals(const QuadMesh& mesh, FaceId face) {
-    const auto [a, b, c, d] = cornersOf(mesh, face);
-    return {triangleNormal(mesh.point(a), mesh.point(b), mesh.point(c)),
-            triangleNormal(mesh.point(a), mesh.point(c), mesh.point(d))};
+    const auto [first, second] = halvesOf(mesh, face);
+    return {triangleNormal(first), triangleNormal(second)};
 }
 
 bool hasArea(const QuadMesh& mesh, FaceId face) {
-    const auto [a, b, c, d] = cornersOf(mesh, face);
-    const Point none(0, 0, 0);
-    return crossProduct(mesh.point(a), mesh.point(b), mesh.point(c)) != none ||
-           crossProduct(mesh.point(a), mesh.point(c), mesh.point(d)) != none;
+    return std::ranges::any_of(halvesOf(mesh, face), [](const Triangle& triangle) {
+        return crossProduct(triangle) != Point(0, 0, 0);
+    });
 }
 
 std::optional<Point> quadNormal(const QuadMesh& mesh, FaceId face) {

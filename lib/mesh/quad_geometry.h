@@ -11,10 +11,15 @@ namespace qm {
 /// The vertices of a quad in the order of the file.
 [[nodiscard]] std::array<VertexId, 4> cornersOf(const QuadMesh& mesh, FaceId face);
 
-/// The unit normal of a triangle; none for a triangle without area.
-[[nodiscard]] std::optional<Point> triangleNormal(const Point& a, const Point& b, const Point& c);
+using Triangle = std::array<Point, 3>;
 
-/// The normals of a quad's two triangles, split along the diagonal from its first vertex.
+/// The unit normal of a triangle; none for a triangle without area.
+[[nodiscard]] std::optional<Point> triangleNormal(const Triangle& triangle);
+
+/// The two triangles of a quad, split along the diagonal from its first vertex.
+[[nodiscard]] std::array<Triangle, 2> halvesOf(const QuadMesh& mesh, FaceId face);
+
+/// The normals of a quad's two triangles.
 [[nodiscard]] std::array<std::optional<Point>, 2> triangleNormals(const QuadMesh& mesh, FaceId face);
 
 /// Whether at least one of the quad's two triangles has an area.

@@ -3,6 +3,7 @@
 
 #include "mesh/quad_mesh.h"
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -14,6 +15,11 @@ namespace qm {
 
 /// All vertices that are not regular, ascending.
 [[nodiscard]] std::vector<VertexId> extraordinaryVertices(const QuadMesh& mesh);
+
+/// From where a halfedge leads, and to where.
+[[nodiscard]] inline std::array<VertexId, 2> endsOf(const QuadMesh& mesh, HalfedgeId halfedge) {
+    return {mesh.from_vertex_handle(halfedge), mesh.to_vertex_handle(halfedge)};
+}
 
 /// The halfedge that continues `halfedge` straight across its end, which must be an interior regular vertex.
 [[nodiscard]] inline HalfedgeId straightOn(const QuadMesh& mesh, HalfedgeId halfedge) {

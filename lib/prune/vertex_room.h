@@ -17,8 +17,9 @@ struct RoomSector {
 
 /// Where a border ends, the side of a patch passes straight through the vertex and takes half a turn of its
 /// tangent plane. The corners of the other patches share the rest evenly. Each of them must have at least
-/// `minCorner` degrees, and at most 180 less that. Between two sharp edges (or the mesh boundary) there is no
-/// common tangent plane, and the angles are those of the mesh.
+/// `minCorner` degrees, and at most 180 less that; a side that is left alone, without corners beside it, may
+/// turn by 90 degrees at most. Between two sharp edges (or the mesh boundary) there is no common tangent
+/// plane, and the angles are those of the mesh.
 /// \param dihedralAngles  by edge index, radians
 /// \param vertex          extraordinary
 /// \param minCorner       0 to 90; 0 allows any number of missing borders

@@ -1,14 +1,15 @@
 #include "remesh/close_holes.h"
 
 #include "base/at.h"
+#include "base/infinity.h"
 #include "bspline/reference/scan/triangle_surface.h"
+#include "mesh/boundary_loops.h"
+#include "mesh/quad_geometry.h"
 #include "mesh/soup/build_mesh.h"
 #include "mesh/triangles/triangle_edges.h"
 
 #include <algorithm>
 #include <array>
-#include <limits>
-#include <optional>
 #include <queue>
 #include <unordered_map>
 #include <utility>
@@ -21,18 +22,12 @@ constexpr std::size_t maxEdges = 8; // of a hole
 /// Cost of a turn of a row, in quads: it makes two extraordinary vertices.
 constexpr int costOfTurn = 8;
 
-/// The surface of an open scan.
-std::optional<TriangleSurface> openSurface(const Triangles& scan) {
-    if (boundaryLoopCount(scan) == 0) return {};
-    return TriangleSurface(scan);
-}
-
 class HoleCloser {
 public:
-    HoleCloser(QuadMesh mesh, const Triangles& scan) : mesh_(std::move(mesh)), scan_(openSurface(scan)) {}
+    explicit HoleCloser(QuadMesh mesh) : mesh_(std::move(mesh)) {}
 
-    QuadMesh run() {
-        fillHoles();
+    QuadMesh run(const Triangles& scan) {
+        fillHoles(scan);
         for (int k = 0; k < static_cast<int>(mesh_.n_faces()); ++k)
             if (const FaceId face(k); isTriangle(face))
                 if (const auto row = cheapestRow(face); !row.empty()) divide(row);
@@ -47,34 +42,34 @@ private:
 
     // ---- filling
 
-    void fillHoles() {
+    void fillHoles(const Triangles& scan) {
         std::vector<std::vector<VertexId>> holes;
-        std::vector<bool> seen(mesh_.n_halfedges(), false);
-        for (const HalfedgeId start : mesh_.halfedges()) {
-            if (!mesh_.is_boundary(start) || seen[at(start)]) continue;
-            std::vector<VertexId> loop;
-            for (HalfedgeId halfedge = start; !seen[at(halfedge)]; halfedge = next(halfedge)) {
-                seen[at(halfedge)] = true;
-                loop.push_back(mesh_.from_vertex_handle(halfedge));
-            }
-            if (loop.size() <= maxEdges && !isOfScan(loop)) holes.push_back(std::move(loop));
+        for (const std::vector<HalfedgeId>& path : boundaryPaths(mesh_)) {
+            if (path.size() > maxEdges) continue;
+            std::vector<VertexId>& hole = holes.emplace_back();
+            for (const HalfedgeId halfedge : path)
+                hole.push_back(mesh_.from_vertex_handle(halfedge));
+        }
+        if (!holes.empty() && boundaryLoopCount(scan) > 0) {
+            const TriangleSurface surface(scan);
+            std::erase_if(holes,
+                          [&](const auto& hole) { return surface.nearest(middleOf(hole))->onBoundary; });
         }
         for (const auto& hole : holes)
             cutIntoQuads(mesh_.add_face(hole));
     }
 
-    [[nodiscard]] bool isOfScan(const std::vector<VertexId>& loop) const {
-        if (!scan_) return false;
+    [[nodiscard]] Point middleOf(const std::vector<VertexId>& vertices) const {
         Point middle(0, 0, 0);
-        for (const VertexId vertex : loop)
-            middle += mesh_.point(vertex) / static_cast<double>(loop.size());
-        return scan_->nearest(middle)->onBoundary;
+        for (const VertexId vertex : vertices)
+            middle += mesh_.point(vertex) / static_cast<double>(vertices.size());
+        return middle;
     }
 
     /// Cuts off a quad by the shortest line, again and again, until at most a triangle remains.
     void cutIntoQuads(FaceId face) {
         while (face.is_valid() && mesh_.valence(face) > 4) {
-            double shortest = std::numeric_limits<double>::infinity();
+            double shortest = infinity;
             HalfedgeId first;
             for (const HalfedgeId halfedge : mesh_.fh_range(face)) {
                 const VertexId from = mesh_.from_vertex_handle(halfedge);
@@ -217,22 +212,19 @@ private:
         std::vector<std::array<int, 4>> quads;
         for (const FaceId face : mesh_.faces()) {
             if (mesh_.valence(face) != 4) continue;
-            std::size_t k = 0;
-            quads.emplace_back();
-            for (const VertexId vertex : mesh_.fv_range(face))
-                quads.back().at(k++) = vertex.idx();
+            const auto [a, b, c, d] = cornersOf(mesh_, face);
+            quads.push_back({a.idx(), b.idx(), c.idx(), d.idx()});
         }
         return buildMesh(points, quads);
     }
 
-    QuadMesh mesh_;
-    std::optional<TriangleSurface> scan_; ///< if it is open
+    QuadMesh mesh_; ///< which has other polygons meanwhile
 };
 
 } // namespace
 
 QuadMesh closeHoles(QuadMesh mesh, const Triangles& scan) {
-    return HoleCloser(std::move(mesh), scan).run();
+    return HoleCloser(std::move(mesh)).run(scan);
 }
 
 } // namespace qm

@@ -28,7 +28,7 @@ Triangles halves(const QuadMesh& mesh) {
 }
 
 /// Weights of a triangle's corners that give a point of it; none if it has no area.
-std::optional<std::array<double, 3>> weightsOf(const std::array<Point, 3>& corners, const Point& at) {
+std::optional<std::array<double, 3>> weightsOf(const Triangle& corners, const Point& at) {
     const Point normal = (corners[1] - corners[0]) % (corners[2] - corners[0]);
     const double square = normal.sqrnorm();
     if (!(square > 0)) return std::nullopt;
@@ -51,7 +51,7 @@ public:
             place += sample.weights[k] * pointOf(sample.vertices[k]);
         const auto foot = scan_.nearest(place, reach_);
         if (!foot || foot->onBoundary != sample.onBoundary) return equation;
-        const std::optional<Point> normal = normalOf(scan_.corners(foot->face));
+        const std::optional<Point> normal = triangleNormal(scan_.corners(foot->face));
         if (!normal) return equation;
         const Point own = (pointOf(sample.vertices[2]) - pointOf(sample.vertices[0])) %
                           (pointOf(sample.vertices[3]) - pointOf(sample.vertices[1]));
@@ -65,7 +65,7 @@ public:
         const auto foot = quads_.nearest(sample.position, reach_);
         if (!foot) return equation;
         const auto corners = quads_.corners(foot->face);
-        const std::optional<Point> own = normalOf(corners);
+        const std::optional<Point> own = triangleNormal(corners);
         const auto weights = weightsOf(corners, foot->position);
         if (!own || !weights || !agree(*own, sample.normal)) return equation;
         const auto& vertices = halves_.faces[foot->face];
@@ -77,10 +77,6 @@ public:
 
 private:
     [[nodiscard]] const Point& pointOf(int vertex) const { return mesh_.point(VertexId(vertex)); }
-
-    static std::optional<Point> normalOf(const std::array<Point, 3>& corners) {
-        return triangleNormal(corners[0], corners[1], corners[2]);
-    }
 
     static bool agree(const Point& a, const Point& b) { return (a | b) > minCosine * a.norm() * b.norm(); }
 

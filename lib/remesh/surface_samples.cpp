@@ -10,7 +10,8 @@
 namespace qm {
 namespace {
 
-double areaOf(const Point& a, const Point& b, const Point& c) {
+double areaOf(const Triangle& triangle) {
+    const auto& [a, b, c] = triangle;
     return ((b - a) % (c - a)).norm() / 2;
 }
 
@@ -21,7 +22,7 @@ int piecesOfSide(double area, double allowed) {
 }
 
 /// The middles of the n * n congruent triangles that a triangle is cut into.
-template <class Function> void forEachPiece(const std::array<Point, 3>& corners, int n, Function&& function) {
+template <class Function> void forEachPiece(const Triangle& corners, int n, Function&& function) {
     const auto at = [&](double i, double j) {
         return corners[0] + (i / n) * (corners[1] - corners[0]) + (j / n) * (corners[2] - corners[0]);
     };
@@ -37,11 +38,11 @@ template <class Function> void forEachPiece(const std::array<Point, 3>& corners,
 std::vector<ScanSample> samplesOfScan(const Triangles& scan, double area, std::size_t count) {
     std::vector<ScanSample> samples;
     for (const auto& face : scan.faces) {
-        std::array<Point, 3> corners;
+        Triangle corners;
         std::ranges::transform(face, corners.begin(), [&](int k) { return scan.points[at(k)]; });
-        const auto normal = triangleNormal(corners[0], corners[1], corners[2]);
+        const auto normal = triangleNormal(corners);
         if (!normal) continue;
-        const double whole = areaOf(corners[0], corners[1], corners[2]);
+        const double whole = areaOf(corners);
         const int n = piecesOfSide(whole, area);
         forEachPiece(corners, n, [&](const Point& position) {
             samples.push_back({position, *normal, whole / (n * n)});
@@ -64,8 +65,8 @@ std::vector<QuadSample> samplesOfQuads(const QuadMesh& mesh) {
     samples.reserve(places.size() * places.size() * mesh.n_faces());
     for (const FaceId face : mesh.faces()) {
         const auto corners = cornersOf(mesh, face);
-        const auto at = [&](std::size_t k) { return mesh.point(corners[k]); };
-        const double area = areaOf(at(0), at(1), at(2)) + areaOf(at(0), at(2), at(3));
+        const auto [first, second] = halvesOf(mesh, face);
+        const double area = areaOf(first) + areaOf(second);
         QuadSample sample;
         std::ranges::transform(corners, sample.vertices.begin(), [](VertexId v) { return v.idx(); });
         for (const double v : places)

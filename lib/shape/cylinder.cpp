@@ -21,10 +21,7 @@ public:
           halfAngle_(std::numbers::pi * columns_ / around) {}
 
     QuadList run() {
-        list_.quads = skin_.quads();
-        for (int row = 0; row < skin_.height(); ++row)
-            for (int column = 0; column < skin_.columns; ++column)
-                list_.points.push_back(skinPoint(column, row));
+        list_ = skin_.withPoints([this](int column, int row) { return skinPoint(column, row); });
         addCore(0, 0);
         addCore(skin_.rows, height);
         return std::move(list_);

@@ -20,15 +20,12 @@ Place quarterCircle(double share) {
     return {std::sin(angle), 1 - std::cos(angle)};
 }
 
-constexpr RoundHole blockHole{.hole = 0.5, .frame = 1.5, .radius = 0.6};
-constexpr double blockFillet = 0.35;
-constexpr RoundHole plateHole{.hole = 0.2, .frame = 0.5, .radius = 0.3};
 constexpr RoundHole drilledHole{.hole = 0.5, .frame = 1.5, .radius = 0.75};
 
 /// Turns the hole through the middle of the block into a round one with filleted rims.
 Point blockPoint(const Point& point, double middle, double height) {
-    constexpr RoundHole hole = blockHole;
-    constexpr double fillet = blockFillet;
+    constexpr RoundHole hole{.hole = 0.5, .frame = 1.5, .radius = 0.6};
+    constexpr double fillet = 0.35;
     constexpr double band = 0.4; // of the frame's width becomes half of the fillet
     const Place place{point[0] - middle, point[1] - middle};
     const double outward = hole.outwardness(place);
@@ -63,7 +60,7 @@ Place filletedCorner(Place place, double radius) {
 }
 
 Point bracketPoint(Point point) {
-    constexpr RoundHole hole{.hole = 0.5, .frame = 1.5, .radius = 0.75};
+    constexpr RoundHole hole = drilledHole;
     constexpr double middle = 1.5, far = 4.5, fillet = 1.5;
     const Place bent = filletedCorner({point[0] - 1, point[2] - 1}, fillet);
     point[0] = 1 + bent.x;
@@ -104,12 +101,10 @@ QuadList bracketShape(int n) {
 }
 
 QuadList plateShape(int n) {
-    constexpr RoundHole hole = plateHole;
+    constexpr RoundHole hole{.hole = 0.2, .frame = 0.5, .radius = 0.3};
     constexpr double middleX = 2.5, middleY = 1.5;
     const GridTopology grid{.columns = 5, .rows = 3};
-    QuadList sheet{{}, grid.quads()};
-    for (int k = 0; k < grid.width() * grid.height(); ++k)
-        sheet.points.emplace_back(k % grid.width(), k / grid.width(), 0);
+    QuadList sheet = grid.withPoints([](int column, int row) { return Point(column, row, 0); });
     // A ring of four quads takes the place of the middle one.
     constexpr std::size_t place = 7;
     const std::array<int, 4> outer = sheet.quads[place];

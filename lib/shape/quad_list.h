@@ -38,6 +38,15 @@ struct GridTopology {
     /// Crossings that differ; vertex k lies at column k % width and row k / width.
     [[nodiscard]] int width() const { return columnsClosed ? columns : columns + 1; }
     [[nodiscard]] int height() const { return rowsClosed ? rows : rows + 1; }
+    /// The quads, with a point at every crossing.
+    /// \param pointAt  of a column and a row
+    template <class PointAt> [[nodiscard]] QuadList withPoints(const PointAt& pointAt) const {
+        QuadList list{{}, quads()};
+        for (int row = 0; row < height(); ++row)
+            for (int column = 0; column < width(); ++column)
+                list.points.push_back(pointAt(column, row));
+        return list;
+    }
 };
 
 } // namespace qm

@@ -27,11 +27,7 @@ struct Ring {
 };
 
 QuadList surfaceOf(const Ring& ring) {
-    QuadList list{{}, ring.grid.quads()};
-    for (int row = 0; row < ring.grid.height(); ++row)
-        for (int column = 0; column < ring.grid.width(); ++column)
-            list.points.push_back(ring.at(column, row, 0));
-    return list;
+    return ring.grid.withPoints([&](int column, int row) { return ring.at(column, row, 0); });
 }
 
 /// Lifts the quads of `size` columns and rows from the given ones on, and puts walls of `levels` quads
@@ -75,13 +71,10 @@ void raiseBoss(QuadList& list, const Ring& ring, int firstColumn, int firstRow, 
 
 QuadList tubeShape(int around) {
     const GridTopology grid{.columns = around, .rows = 3 * around / 2, .columnsClosed = true};
-    QuadList list{{}, grid.quads()};
-    for (int row = 0; row < grid.height(); ++row)
-        for (int column = 0; column < grid.width(); ++column) {
-            const double theta = fullTurn * column / grid.columns;
-            list.points.emplace_back(std::cos(theta), std::sin(theta), 6.0 * row / grid.rows);
-        }
-    return list;
+    return grid.withPoints([&](int column, int row) {
+        const double theta = fullTurn * column / grid.columns;
+        return Point(std::cos(theta), std::sin(theta), 6.0 * row / grid.rows);
+    });
 }
 
 QuadList torusShape(int around) {

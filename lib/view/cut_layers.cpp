@@ -51,9 +51,7 @@ void addCut(Scene& scene, const QuadMesh& mesh, const Cut& cut) {
     LineLayer lines = newLines("cuts", "edges that are cut", "cut edge", "");
     std::vector<std::pair<std::uint32_t, std::uint32_t>> neighbours;
     for (const EdgeId edge : mesh.edges()) {
-        const HalfedgeId halfedge = mesh.halfedge_handle(edge, 0);
-        const std::vector<VertexId> ends = {mesh.from_vertex_handle(halfedge),
-                                            mesh.to_vertex_handle(halfedge)};
+        const auto ends = endsOf(mesh, mesh.halfedge_handle(edge, 0));
         const auto label = [&](std::size_t end) {
             return static_cast<std::uint32_t>(cut.labels[at(ends[end])].value());
         };

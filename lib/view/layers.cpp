@@ -28,7 +28,7 @@ void endItem(LineLayer& layer) {
     ++layer.items.count;
 }
 
-void addItem(LineLayer& layer, const std::vector<VertexId>& vertices) {
+void addItem(LineLayer& layer, std::span<const VertexId> vertices) {
     for (const VertexId vertex : vertices)
         layer.points.push_back(static_cast<std::uint32_t>(vertex.idx()));
     endItem(layer);

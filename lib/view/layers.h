@@ -6,6 +6,7 @@
 #include "view/scene.h"
 
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -52,7 +53,7 @@ template <class Layer>
 /// Ends the item whose points were added.
 void endItem(LineLayer& layer);
 /// Adds a whole item.
-void addItem(LineLayer& layer, const std::vector<VertexId>& vertices);
+void addItem(LineLayer& layer, std::span<const VertexId> vertices);
 /// Adds a whole item, and between which vertices it runs.
 void addPath(LineLayer& layer, const std::vector<VertexId>& vertices);
 void addPoint(PointLayer& layer, VertexId vertex);

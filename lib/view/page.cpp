@@ -35,7 +35,7 @@ std::string filledIn(std::string_view frame, const std::string& sceneJson) {
 }
 
 template <class Layers> bool has(const Layers& layers, const std::string& name) {
-    return std::any_of(layers.begin(), layers.end(), [&](const auto& layer) { return layer.name == name; });
+    return std::ranges::find(layers, name, &Layer::name) != layers.end();
 }
 
 /// The names of all layers, each once.
@@ -43,7 +43,7 @@ std::string namesOf(std::span<const Scene> scenes) {
     std::vector<std::string> names;
     const auto list = [&names](const auto& layers) {
         for (const auto& layer : layers)
-            if (std::find(names.begin(), names.end(), layer.name) == names.end()) names.push_back(layer.name);
+            if (std::ranges::find(names, layer.name) == names.end()) names.push_back(layer.name);
     };
     for (const Scene& scene : scenes) {
         list(scene.faces);
@@ -60,11 +60,10 @@ std::string namesOf(std::span<const Scene> scenes) {
 void requireLayers(std::span<const Scene> scenes, const std::vector<std::string>& shown) {
     std::string faces;
     for (const std::string& name : shown) {
-        const bool colours = std::any_of(scenes.begin(), scenes.end(),
-                                         [&](const Scene& scene) { return has(scene.faces, name); });
-        const bool draws = std::any_of(scenes.begin(), scenes.end(), [&](const Scene& scene) {
-            return has(scene.lines, name) || has(scene.points, name);
-        });
+        const bool colours =
+            std::ranges::any_of(scenes, [&](const Scene& scene) { return has(scene.faces, name); });
+        const bool draws = std::ranges::any_of(
+            scenes, [&](const Scene& scene) { return has(scene.lines, name) || has(scene.points, name); });
         if (colours && !faces.empty())
             throw Error("",
                         std::string("layers ").append(faces).append(" and ").append(name).append(

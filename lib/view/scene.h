@@ -82,35 +82,31 @@ enum class Paint {
     stripes ///< reflections of stripes, smooth where the surface is
 };
 
-struct FaceLayer {
+/// What all layers have.
+struct Layer {
     std::string name;  ///< as --show knows it
     std::string title; ///< as people read it
     Base base = Base::mesh;
+    Items items;
+};
+
+struct FaceLayer : Layer {
     Paint paint = Paint::plain;
     std::vector<std::uint32_t> groups;  ///< item of every face of the mesh, or `noItem`; not for patches
     std::vector<std::uint32_t> colours; ///< of every item, a number below `colourCount`
     Mapped mapped;
     std::string itemsOf; ///< the name of a layer that has the same items; else empty
-    Items items;
 };
 
-struct LineLayer {
-    std::string name;
-    std::string title;
-    Base base = Base::mesh;
+struct LineLayer : Layer {
     /// Where every item begins in `points`, and the end of the last; nets and knots need neither.
     std::vector<std::uint32_t> starts;
     std::vector<std::uint32_t> points; ///< along each item
     Mapped mapped;
-    Items items;
 };
 
-struct PointLayer {
-    std::string name;
-    std::string title;
-    Base base = Base::mesh;
+struct PointLayer : Layer {
     std::vector<std::uint32_t> points; ///< one for every item
-    Items items;
 };
 
 constexpr std::uint32_t noItem = 0xffffffff;

@@ -54,8 +54,7 @@ Json itemsJson(const Items& items) {
     return json;
 }
 
-/// What all layers have.
-template <class Layer> Json layerJson(const Layer& layer) {
+Json layerJson(const Layer& layer) {
     return {{"name", layer.name},
             {"title", layer.title},
             {"base", static_cast<int>(layer.base)},

@@ -1,5 +1,6 @@
 #include "base/at.h"
 #include "bspline/reference/fit_reference.h"
+#include "layout/sides.h"
 #include "view/layers.h"
 #include "view/surface_samples.h"
 
@@ -8,11 +9,6 @@
 
 namespace qm {
 namespace {
-
-void addPatchFigures(Items& items, const Patch& patch) {
-    addFigure(items, "control points along u", patch.count[0]);
-    addFigure(items, "control points along v", patch.count[1]);
-}
 
 void addDeviationFigures(Items& items, const Deviation& deviation, const std::string& unit) {
     addFigure(items, "largest deviation, " + unit, deviation.max);
@@ -52,9 +48,7 @@ public:
     [[nodiscard]] std::uint32_t onSide(std::size_t patch, int side, std::size_t along) const {
         const auto& [first, size] = parts_[patch];
         const std::size_t right = width(size[0]) - 1, top = width(size[1]) - 1;
-        const std::array<std::array<std::size_t, 2>, 4> places{
-            {{along, 0}, {right, along}, {right - along, top}, {0, top - along}}};
-        const auto& [i, j] = places[at(side)];
+        const auto [i, j] = placeOnSide({right, top}, side, along);
         return static_cast<std::uint32_t>(first + j * (right + 1) + i);
     }
     [[nodiscard]] std::size_t steps() const { return steps_; }
@@ -76,7 +70,7 @@ LineLayer borderCurves(const std::vector<Segment>& segments, const Lattice& latt
     curves.base = Base::surfaces;
     for (std::size_t k = 0; k < segments.size(); ++k)
         for (int side = 0; side < 4; ++side) {
-            const std::size_t edges = at(segments[k].size[at(side % 2)]);
+            const std::size_t edges = at(segments[k].size[directionAlong(side)]);
             for (std::size_t along = 0; along <= edges * lattice.steps(); ++along)
                 curves.points.push_back(lattice.onSide(k, side, along));
             endItem(curves);
@@ -127,7 +121,8 @@ FaceLayer patchLayer(const Scene& scene, const Viewed& viewed) {
     const std::vector<Patch>& patches = viewed.surfaces->patches;
     layer.items.count = patches.size();
     for (std::size_t k = 0; k < patches.size(); ++k) {
-        addPatchFigures(layer.items, patches[k]);
+        addFigure(layer.items, "control points along u", patches[k].count[0]);
+        addFigure(layer.items, "control points along v", patches[k].count[1]);
         if (k < viewed.surfaces->ofPatch.size())
             addDeviationFigures(layer.items, viewed.surfaces->ofPatch[k], viewed.unit);
     }

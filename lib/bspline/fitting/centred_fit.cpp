@@ -15,27 +15,24 @@ void move(std::vector<Patch>& patches, const Point& by) {
 
 } // namespace
 
-std::vector<Patch> fitCentred(const QuadMesh& mesh, const Layout& layout, const SmoothNetwork& network,
-                              const FitTarget& reference, const SmoothFitOptions& options,
-                              const Verification& verify, const Control& control) {
-    const BoundingBox box = boundingBox(mesh);
-    const Point centre = 0.5 * (box.low + box.high);
-    if (!(centre.norm() > box.diagonal()))
-        return fitSmooth(mesh, layout, network, reference, options, verify, control);
-    QuadMesh movedMesh = mesh;
-    for (const VertexId vertex : movedMesh.vertices())
-        movedMesh.set_point(vertex, mesh.point(vertex) - centre);
-    FitTarget movedReference = reference;
-    for (ReferenceGrid& grid : movedReference.grids)
+std::vector<Patch> fitCentred(const FitProblem& problem, const SmoothFitOptions& options,
+                              const Control& control) {
+    const BoundingBox box = boundingBox(problem.mesh);
+    const Point centre = box.centre();
+    if (!(centre.norm() > box.diagonal())) return fitSmooth(problem, options, control);
+    QuadMesh mesh = problem.mesh;
+    for (const VertexId vertex : mesh.vertices())
+        mesh.point(vertex) -= centre;
+    FitTarget reference = problem.reference;
+    for (ReferenceGrid& grid : reference.grids)
         for (Point& point : grid.points)
             point -= centre;
-    const Verification verifyInPlace = [&](const std::vector<Patch>& patches) {
-        std::vector<Patch> inPlace = patches;
-        move(inPlace, centre);
-        return verify(inPlace);
+    const Verification verify = [&](std::vector<Patch> patches) {
+        move(patches, centre);
+        return problem.verify(patches);
     };
     std::vector<Patch> patches =
-        fitSmooth(movedMesh, layout, network, movedReference, options, verifyInPlace, control);
+        fitSmooth({mesh, problem.layout, problem.network, reference, verify}, options, control);
     move(patches, centre);
     return patches;
 }

@@ -7,9 +7,7 @@ namespace qm {
 
 /// Calls `fitSmooth`; a model that is farther from the origin than it is large is moved to the origin
 /// meanwhile. Otherwise its coordinates would leave too few digits for patches to meet exactly.
-[[nodiscard]] std::vector<Patch> fitCentred(const QuadMesh& mesh, const Layout& layout,
-                                            const SmoothNetwork& network, const FitTarget& reference,
-                                            const SmoothFitOptions& options, const Verification& verify,
-                                            const Control& control = {});
+[[nodiscard]] std::vector<Patch> fitCentred(const FitProblem& problem, const SmoothFitOptions& options,
+                                            const Control& control);
 
 } // namespace qm

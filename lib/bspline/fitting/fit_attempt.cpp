@@ -1,5 +1,6 @@
 #include "bspline/fitting/fit_attempt.h"
 
+#include "base/infinity.h"
 #include "bspline/fitting/fit_round.h"
 #include "bspline/fitting/fit_state.h"
 #include "bspline/fitting/planes/flat_patches.h"
@@ -7,7 +8,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -48,6 +48,17 @@ struct Hopeless {
     static constexpr double growth = 8;
 };
 
+/// What a search remembers of its rounds.
+struct Rounds {
+    int idle = 0;                    ///< that have passed since one was kept
+    int halved = 0;                  ///< the one that has halved the distance for the last time, and
+    double distance = infinity;      ///< the distance then
+    double excess = infinity;        ///< of the last one
+    int removals = 0;                ///< of knots;
+    int lastRemoval = 0;             ///< the round of the last one, and
+    double controlPoints = infinity; ///< their number before it
+};
+
 bool isAstrayFrom(const Fitted& before, const Fitted& found) {
     const auto points = [](const Fitted& fitted) {
         return static_cast<double>(controlPointCount(fitted.patches));
@@ -58,12 +69,11 @@ bool isAstrayFrom(const Fitted& before, const Fitted& found) {
 
 class FitAttempt {
 public:
-    FitAttempt(const QuadMesh& mesh, const Layout& layout, const SmoothNetwork& network,
-               const FitTarget& reference, const SmoothFitOptions& options, const std::vector<bool>& isSoft,
-               const Verification& verify, unsigned jobs)
-        : layout_(layout), options_(options), verify_(verify), jobs_(jobs),
-          planes_(flatPatches(layout, reference.grids, network, options.flatness)),
-          state_(mesh, layout, network, reference, options, isSoft, jobs) {}
+    FitAttempt(const FitProblem& problem, const SmoothFitOptions& options, const std::vector<bool>& isSoft,
+               unsigned jobs)
+        : problem_(problem), options_(options), jobs_(jobs),
+          planes_(flatPatches(problem.layout, problem.reference.grids, problem.network, options.flatness)),
+          state_(problem, options, isSoft, jobs) {}
 
     Fitted run(bool isLast, const Control& control) {
         state_.solveAll(2 * options_.slides); // more slides while there are few knots
@@ -71,7 +81,7 @@ public:
         Fitted nearest;
         for (int k = 1;; ++k) {
             chooseBest();
-            if (hasPlanes()) flattenWhereKept(layout_, planes_, verify_, best_, jobs_);
+            if (hasPlanes()) flattenWhereKept(problem_, planes_, best_, jobs_);
             Fitted found{best_.patches, best_.distances, followsNoise()};
             const bool isAstray = !isLast && k > 1 && isAstrayFrom(nearest, found);
             if (k == 1 || found.farthest() < nearest.farthest()) nearest = std::move(found);
@@ -91,49 +101,55 @@ private:
 
     /// Alternates between placing knots and fitting until the tolerance is kept and no knots can be saved.
     void search(int maxRounds, Saving saving, const Control& control) {
-        int removals = 0;
-        int lastKept = 0;
-        int idle = 0;
-        int halved = 0;
-        double halvedWorst = std::numeric_limits<double>::infinity();
-        double excessBefore = std::numeric_limits<double>::infinity();
-        double countBefore = std::numeric_limits<double>::infinity();
+        Rounds past;
         for (int round = 0; round < maxRounds; ++round) {
             control.progress(static_cast<double>(round) / maxRounds);
             if (round > 0) state_.solveChanged(options_.slides);
             flattenIfKept();
-            idle = keepIfBest() ? 0 : idle + 1;
-            if (idle == maxIdle || control.stopRequested()) break;
-            if (2 * state_.worst() <= halvedWorst) {
-                halvedWorst = state_.worst();
-                halved = round;
-            }
-            if (state_.worst() > Hopeless::distance && round - halved >= Hopeless::rounds) break;
-            if (rounds_ == 0) {
-                firstWorst_ = state_.worst();
-                firstPoints_ = state_.score().controlPoints;
-            }
-            if (followsNoise()) break;
+            past.idle = keepIfBest() ? 0 : past.idle + 1;
+            if (past.idle == maxIdle || control.stopRequested() || isInVain(round, past)) break;
             if (++rounds_ > roundsForFolds) state_.giveUpFolds();
             if (state_.worst() <= 1) {
-                const auto count = static_cast<double>(controlPointCount(best_.patches));
-                if (saving == Saving::none || round + maxRepairs > maxRounds)
-                    break; // no round is left for repairs
-                if (removals++ == maxRemovals || count > worthwhile * countBefore) break;
-                countBefore = count;
-                lastKept = round;
-                if (state_.removeKnots() == 0) break;
-                continue;
+                const bool leavesRepairs = round + maxRepairs <= maxRounds;
+                if (saving == Saving::none || !leavesRepairs || !removeKnots(round, past)) break;
+            } else if (!comeNearer(round, past)) {
+                break;
             }
-            if (best_.score.keeps && idle > 0 && round - lastKept > maxRepairs) break;
-            const bool weighed = state_.weighWhatIsMissed();
-            const bool refined = state_.refine();
-            // Without more knots to insert, weights may still help.
-            const bool gains = state_.excess() < worthwhileGain * excessBefore;
-            excessBefore = state_.excess();
-            if (refined || (weighed && gains)) continue;
-            if (!tryHarder()) state_.giveUp();
         }
+    }
+
+    /// Whether the search will not come within the tolerance, or follows noise.
+    bool isInVain(int round, Rounds& past) {
+        if (2 * state_.worst() <= past.distance) {
+            past.distance = state_.worst();
+            past.halved = round;
+        }
+        if (state_.worst() > Hopeless::distance && round - past.halved >= Hopeless::rounds) return true;
+        if (rounds_ == 0) {
+            firstWorst_ = state_.worst();
+            firstPoints_ = state_.score().controlPoints;
+        }
+        return followsNoise();
+    }
+
+    /// \return false if that is no longer worth while, or no knot can go
+    bool removeKnots(int round, Rounds& past) {
+        const auto count = static_cast<double>(best_.score.controlPoints);
+        if (past.removals++ == maxRemovals || count > worthwhile * past.controlPoints) return false;
+        past.controlPoints = count;
+        past.lastRemoval = round;
+        return state_.removeKnots() > 0;
+    }
+
+    /// \return false if the knots that were removed are missing for too long
+    bool comeNearer(int round, Rounds& past) {
+        if (best_.score.keeps && past.idle > 0 && round - past.lastRemoval > maxRepairs) return false;
+        const bool isWeighed = state_.weighWhatIsMissed();
+        const bool isRefined = state_.refine();
+        // Without more knots to insert, weights may still help.
+        const bool gains = state_.excess() < worthwhileGain * std::exchange(past.excess, state_.excess());
+        if (!isRefined && !(isWeighed && gains) && !tryHarder()) state_.giveUp();
+        return true;
     }
 
     /// Whether very many control points have not brought it much nearer than it was in its first round.
@@ -166,7 +182,7 @@ private:
 
     /// The largest distance of a round, in tolerances.
     double verified(FitRound& round) const {
-        if (round.distances.empty()) round.distances = verify_(round.patches);
+        if (round.distances.empty()) round.distances = problem_.verify(round.patches);
         return std::ranges::max(round.distances);
     }
 
@@ -190,9 +206,8 @@ private:
             best_ = std::move(nearest_);
     }
 
-    const Layout& layout_;
+    const FitProblem& problem_;
     const SmoothFitOptions& options_;
-    const Verification& verify_;
     unsigned jobs_;
     std::vector<std::optional<FlatPatch>> planes_;
     FitState state_;
@@ -214,12 +229,9 @@ bool Fitted::isHopeless() const {
     return followsNoise || farthest() > Hopeless::distance;
 }
 
-Fitted attemptFit(const QuadMesh& mesh, const Layout& layout, const SmoothNetwork& network,
-                  const FitTarget& reference, const SmoothFitOptions& options,
-                  const std::vector<bool>& isSoft, bool isLast, const Verification& verify,
-                  const Control& control) {
-    return FitAttempt(mesh, layout, network, reference, options, isSoft, verify, control.jobs)
-        .run(isLast, control);
+Fitted attemptFit(const FitProblem& problem, const SmoothFitOptions& options, const std::vector<bool>& isSoft,
+                  bool isLast, const Control& control) {
+    return FitAttempt(problem, options, isSoft, control.jobs).run(isLast, control);
 }
 
 } // namespace qm

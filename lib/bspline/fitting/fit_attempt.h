@@ -3,10 +3,8 @@
 
 #include "base/control.h"
 #include "bspline/fitting/fit_options.h"
-#include "bspline/network/smooth_network.h"
-#include "bspline/reference/lattice/fit_target.h"
+#include "bspline/fitting/fit_problem.h"
 #include "bspline/splines/surfaces.h"
-#include "layout/layout.h"
 
 #include <vector>
 
@@ -28,9 +26,7 @@ struct Fitted {
 /// \param isSoft  by patch: whether it follows the reference more closely at the cost of fairness
 /// \param isLast  whether no other attempt follows, so that even mending that leads astray is tried
 /// \return the result that was verified as the nearest
-[[nodiscard]] Fitted attemptFit(const QuadMesh& mesh, const Layout& layout, const SmoothNetwork& network,
-                                const FitTarget& reference, const SmoothFitOptions& options,
-                                const std::vector<bool>& isSoft, bool isLast, const Verification& verify,
-                                const Control& control);
+[[nodiscard]] Fitted attemptFit(const FitProblem& problem, const SmoothFitOptions& options,
+                                const std::vector<bool>& isSoft, bool isLast, const Control& control);
 
 } // namespace qm

@@ -1,10 +1,5 @@
-/// \file How closely and how long is fitted, and the function that judges the result.
+/// \file How closely and how long is fitted.
 #pragma once
-
-#include "bspline/splines/surfaces.h"
-
-#include <functional>
-#include <vector>
 
 namespace qm {
 
@@ -22,9 +17,5 @@ struct SmoothFitOptions {
     int verifications = 5;    ///< largest number of verifications per attempt
     int attempts = 5;         ///< largest number of attempts, while a verification fails
 };
-
-/// The largest distance of every patch from the reference in tolerances, also between the points that the fit
-/// samples: values up to 1 are within the tolerance.
-using Verification = std::function<std::vector<double>(const std::vector<Patch>&)>;
 
 } // namespace qm

@@ -37,14 +37,15 @@ struct Emphasis {
 
 } // namespace
 
-FitState::FitState(const QuadMesh& mesh, const Layout& layout, const SmoothNetwork& network,
-                   const FitTarget& reference, const SmoothFitOptions& options,
+FitState::FitState(const FitProblem& problem, const SmoothFitOptions& options,
                    const std::vector<bool>& isSoft, unsigned jobs)
-    : layout_(layout), options_(options), jobs_(jobs), map_(mesh, layout, network),
-      plan_(layout, network, partsOfEdges(reference.grids, options.minInterval * options.tolerance)),
-      sources_(latticeSources(mesh, layout, network, reference.grids, reference.weights)),
-      normalLimits_(reference.grids.begin(), reference.grids.end()), lattices_(sources_.size()),
-      kept_(sources_.size()), errors_(sources_.size()), givenUp_(sources_.size()),
+    : layout_(problem.layout), options_(options), jobs_(jobs),
+      map_(problem.mesh, problem.layout, problem.network),
+      plan_(problem.layout, problem.network,
+            partsOfEdges(problem.reference.grids, options.minInterval * options.tolerance)),
+      sources_(latticeSources(problem.mesh, problem.layout, problem.network, problem.reference)),
+      normalLimits_(problem.reference.grids.begin(), problem.reference.grids.end()),
+      lattices_(sources_.size()), kept_(sources_.size()), errors_(sources_.size()), givenUp_(sources_.size()),
       reweighed_(sources_.size()), missed_(sources_.size()), scale_(sources_.size(), 1) {
     parallelFor(sources_.size(), jobs_,
                 [&](std::size_t k) { lattices_[k] = makeLattice(sources_[k], parametersOf(k, {})); });
@@ -52,9 +53,9 @@ FitState::FitState(const QuadMesh& mesh, const Layout& layout, const SmoothNetwo
         const ReferenceGrid& grid = *sources_[k].grid;
         plates_.push_back(isSoft[k] ? softPlates(grid.size) : thinPlates(grid, options.tolerance));
     }
-    insertInitialKnots(layout, lattices_, normalLimits_, map_, FirstKnots::ofPatches * options.tolerance,
+    insertInitialKnots(layout_, lattices_, normalLimits_, map_, FirstKnots::ofPatches * options.tolerance,
                        plan_);
-    insertBorderKnots(layout, lattices_, normalLimits_, FirstKnots::ofBorders * options.tolerance, plan_);
+    insertBorderKnots(layout_, lattices_, normalLimits_, FirstKnots::ofBorders * options.tolerance, plan_);
     plan_.endAtFirstKnots();
 }
 
@@ -245,8 +246,10 @@ bool FitState::stopSliding() {
 }
 
 bool FitState::tighten(const FitRound& round) {
-    constexpr double reserve = 1.03;
+    // What is found may be so much farther than what the lattice shows.
     constexpr double agreement = 1.02;
+    // Errors are scaled by so much in addition, lest the tolerance be just missed again.
+    constexpr double reserve = 1.03;
     bool changed = false;
     for (std::size_t k = 0; k < sources_.size(); ++k) {
         const double found = round.distances[k];

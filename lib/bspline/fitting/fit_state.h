@@ -3,6 +3,7 @@
 
 #include "bspline/fitting/energy/thin_plate.h"
 #include "bspline/fitting/fit_options.h"
+#include "bspline/fitting/fit_problem.h"
 #include "bspline/fitting/fit_round.h"
 #include "bspline/fitting/knots/knot_plan.h"
 #include "bspline/fitting/lattice/fit_lattice.h"
@@ -11,7 +12,6 @@
 #include "bspline/fitting/lattice/normal_limits.h"
 #include "bspline/fitting/planes/flat_patches.h"
 #include "bspline/network/stretch_map.h"
-#include "bspline/reference/lattice/fit_target.h"
 
 #include <array>
 #include <cstddef>
@@ -27,8 +27,7 @@ public:
     /// Begins with the fewest knots that are likely to suffice, and without patches. The arguments must
     /// outlive it.
     /// \param isSoft  by patch: whether it follows the reference more closely at the cost of fairness
-    FitState(const QuadMesh& mesh, const Layout& layout, const SmoothNetwork& network,
-             const FitTarget& reference, const SmoothFitOptions& options, const std::vector<bool>& isSoft,
+    FitState(const FitProblem& problem, const SmoothFitOptions& options, const std::vector<bool>& isSoft,
              unsigned jobs);
 
     /// Solves for all patches.

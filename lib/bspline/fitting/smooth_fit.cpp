@@ -19,8 +19,9 @@ struct Attempt {
 /// In the first attempt all patches are stiff and may be farther away to be fairer. In the second one they
 /// may not, and the patches that miss the tolerance are soft, with their neighbours, and slide less; in later
 /// ones all are soft.
-Attempt attempt(int number, const Fitted& before, const SmoothNetwork& network, std::size_t patches,
+Attempt attempt(int number, const Fitted& before, const FitProblem& problem,
                 const SmoothFitOptions& options) {
+    const std::size_t patches = problem.layout.segments.size();
     if (number == 1) return {std::vector<bool>(patches, false), options};
     Attempt next{std::vector<bool>(patches, true), options};
     next.options.slack = 0;
@@ -28,24 +29,22 @@ Attempt attempt(int number, const Fitted& before, const SmoothNetwork& network, 
     if (number > 2) return next;
     for (std::size_t k = 0; k < patches; ++k)
         next.isSoft[k] = before.distances[k] > 1;
-    next.isSoft = withNeighbours(network.stretches, std::move(next.isSoft), 1);
+    next.isSoft = withNeighbours(problem.network.stretches, std::move(next.isSoft), 1);
     return next;
 }
 
 } // namespace
 
-std::vector<Patch> fitSmooth(const QuadMesh& mesh, const Layout& layout, const SmoothNetwork& network,
-                             const FitTarget& reference, const SmoothFitOptions& options,
-                             const Verification& verify, const Control& control) {
+std::vector<Patch> fitSmooth(const FitProblem& problem, const SmoothFitOptions& options,
+                             const Control& control) {
     // The relative uncertainty of a verification, for which no new attempt is worth while.
     constexpr double uncertain = 1.02;
-    const std::size_t patches = layout.segments.size();
-    if (patches == 0) return {};
+    if (problem.layout.segments.empty()) return {};
     Fitted nearest;
     for (int k = 1;; ++k) {
-        const auto [isSoft, ofAttempt] = attempt(k, nearest, network, patches, options);
-        Fitted fitted = attemptFit(mesh, layout, network, reference, ofAttempt, isSoft, k == options.attempts,
-                                   verify, k == 1 ? control : unreported(control));
+        const auto [isSoft, ofAttempt] = attempt(k, nearest, problem, options);
+        Fitted fitted = attemptFit(problem, ofAttempt, isSoft, k == options.attempts,
+                                   k == 1 ? control : unreported(control));
         if (k == 1 || fitted.farthest() < nearest.farthest()) nearest = std::move(fitted);
         if (k == options.attempts || nearest.farthest() <= uncertain || nearest.isHopeless() ||
             control.stopRequested())

@@ -4,10 +4,7 @@
 
 #include "base/control.h"
 #include "bspline/fitting/fit_options.h"
-#include "bspline/network/smooth_network.h"
-#include "bspline/reference/lattice/fit_target.h"
-#include "bspline/splines/surfaces.h"
-#include "layout/layout.h"
+#include "bspline/fitting/fit_problem.h"
 
 #include <vector>
 
@@ -16,12 +13,9 @@ namespace qm {
 /// Fits patches that share their borders and are G1 across all borders that are not creases. The tolerance is
 /// missed where the shortest knot intervals (see `MinInterval`) do not suffice, or where bicubics cannot
 /// follow the reference, or if `control.stopRequested`, which ends the search for knots after the round it is
-/// in.
-/// \param verify  patches that it finds too far away are fitted more closely
+/// in. Patches that the verification finds too far away are fitted more closely.
 /// \return one patch per segment, in their order
-[[nodiscard]] std::vector<Patch> fitSmooth(const QuadMesh& mesh, const Layout& layout,
-                                           const SmoothNetwork& network, const FitTarget& reference,
-                                           const SmoothFitOptions& options, const Verification& verify,
-                                           const Control& control = {});
+[[nodiscard]] std::vector<Patch> fitSmooth(const FitProblem& problem, const SmoothFitOptions& options,
+                                           const Control& control);
 
 } // namespace qm

@@ -22,16 +22,16 @@ bool dropSpoiled(const std::vector<Stretch>& stretches, const std::vector<bool>&
 
 } // namespace
 
-void flattenWhereKept(const Layout& layout, std::vector<std::optional<FlatPatch>> planes,
-                      const Verification& verify, FitRound& round, unsigned jobs) {
+void flattenWhereKept(const FitProblem& problem, std::vector<std::optional<FlatPatch>> planes,
+                      FitRound& round, unsigned jobs) {
     constexpr int attempts = 5;
-    constexpr double worse = 1.01;
+    constexpr double worse = 1.01; // times as far as before; less may be an error of measurement
     const KnotPlan& plan = *round.plan;
     const std::vector<PatchSpace> spaces = plan.spaces();
     for (int k = 0; k < attempts; ++k) {
         std::vector<Patch> flat = round.patches;
-        flatten(layout, plan, spaces, planes, flat, jobs);
-        std::vector<double> distances = verify(flat);
+        flatten(problem.layout, plan, spaces, planes, flat, jobs);
+        std::vector<double> distances = problem.verify(flat);
         std::vector<bool> isSpoiled(flat.size());
         for (std::size_t patch = 0; patch < flat.size(); ++patch)
             isSpoiled[patch] = distances[patch] > std::max(1.0, worse * round.distances[patch]);

@@ -1,10 +1,9 @@
 /// \file Moves plane patches into their planes, except where that would break the tolerance.
 #pragma once
 
-#include "bspline/fitting/fit_options.h"
+#include "bspline/fitting/fit_problem.h"
 #include "bspline/fitting/fit_round.h"
 #include "bspline/fitting/planes/flat_patches.h"
-#include "layout/layout.h"
 
 #include <optional>
 #include <vector>
@@ -16,7 +15,7 @@ namespace qm {
 /// are, the round stays as it is.
 /// \param planes  by patch
 /// \param round   with verified distances
-void flattenWhereKept(const Layout& layout, std::vector<std::optional<FlatPatch>> planes,
-                      const Verification& verify, FitRound& round, unsigned jobs);
+void flattenWhereKept(const FitProblem& problem, std::vector<std::optional<FlatPatch>> planes,
+                      FitRound& round, unsigned jobs);
 
 } // namespace qm

@@ -1,11 +1,10 @@
 #include "bspline/measure/border_measures.h"
 
 #include "base/at.h"
+#include "base/infinity.h"
 #include "bspline/splines/bezier_extraction.h"
-#include "bspline/splines/evaluate.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace qm {
@@ -21,20 +20,23 @@ void add(const SurfacePoint& a, const SurfacePoint& b, MeetingMeasures& measures
 
 } // namespace
 
+SurfacePoint pointAt(const Layout& layout, const std::vector<Patch>& patches, const BorderPlace& place,
+                     double along) {
+    const auto [u, v] = parametersAt(layout, place, along);
+    return evaluate(patches[place.patch], u, v);
+}
+
+std::array<SurfacePoint, 2> pointsOnBothSides(const Layout& layout, const std::vector<Patch>& patches,
+                                              const BorderEdge& border, double along) {
+    return {pointAt(layout, patches, border.places[0], along),
+            pointAt(layout, patches, border.places[1], 1 - along)};
+}
+
 MeetingMeasures measureBorder(const BorderEdge& border, const Layout& layout,
                               const std::vector<Patch>& patches, int samples) {
     MeetingMeasures measures;
     if (border.places.size() != 2) return measures;
-    const auto meeting = [&](double along) {
-        std::array<SurfacePoint, 2> points;
-        for (std::size_t side = 0; side < 2; ++side) {
-            const BorderPlace& place = border.places[side];
-            const auto [u, v] = parametersOnSide(layout.segments[place.patch].size, place.side,
-                                                 place.position + (side == 0 ? along : 1 - along));
-            points[side] = evaluate(patches[place.patch], u, v);
-        }
-        return points;
-    };
+    const auto meeting = [&](double along) { return pointsOnBothSides(layout, patches, border, along); };
     measures.angles.reserve(at(samples));
     for (int k = 0; k < samples; ++k) {
         const double along = static_cast<double>(k) / (samples - 1);
@@ -58,7 +60,7 @@ MeetingMeasures measureInnerLines(const Patch& patch, int samples) {
         for (std::size_t line = 1; line + 1 < different.size(); ++line) {
             const double after = different[line];
             if (std::ranges::count(knots, after) < patch.degree[k]) continue;
-            const double before = std::nextafter(after, -HUGE_VAL);
+            const double before = std::nextafter(after, -infinity);
             for (int step = 0; step <= steps; ++step) {
                 const double along = std::lerp(begin, end, static_cast<double>(step) / steps);
                 const auto at = [&](double across) {

@@ -2,12 +2,23 @@
 #pragma once
 
 #include "bspline/network/borders.h"
+#include "bspline/splines/evaluate.h"
 #include "bspline/splines/surfaces.h"
 #include "layout/layout.h"
 
+#include <array>
 #include <vector>
 
 namespace qm {
+
+/// The point of a patch at a distance from the beginning of one of its edges, as it walks it.
+[[nodiscard]] SurfacePoint pointAt(const Layout& layout, const std::vector<Patch>& patches,
+                                   const BorderPlace& place, double along);
+
+/// The points of both patches of an edge at a distance from its beginning, as the first one walks it.
+[[nodiscard]] std::array<SurfacePoint, 2> pointsOnBothSides(const Layout& layout,
+                                                            const std::vector<Patch>& patches,
+                                                            const BorderEdge& border, double along);
 
 /// Measurements along one edge of the layout, or along the lines within a patch.
 struct MeetingMeasures {

@@ -1,5 +1,7 @@
 #include "bspline/measure/box_pieces.h"
 
+#include "layout/sides.h"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>

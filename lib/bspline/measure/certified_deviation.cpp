@@ -1,5 +1,6 @@
 #include "bspline/measure/certified_deviation.h"
 
+#include "base/infinity.h"
 #include "base/parallel.h"
 #include "bspline/measure/distance_bound.h"
 #include "bspline/measure/gauss_points.h"
@@ -7,8 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <numeric>
 
 namespace qm {
 namespace {
@@ -31,9 +30,8 @@ public:
             std::move(parts_), effort, [&](double upper) { return options_.areClose(upper, result_.lower); },
             [&](const SurfacePart& part, const auto& add) { divide(part, add); });
         // To first order, samples can be too large.
-        for (auto& sample : result_.samples)
-            sample.first = std::min(sample.first, result_.upper);
-        result_.rms = rootMeanSquare(result_.samples);
+        for (Sample& sample : result_.samples)
+            sample.value = std::min(sample.value, result_.upper);
         return std::move(result_);
     }
 
@@ -57,7 +55,7 @@ private:
         for (const GaussPoint& point : gaussPoints({surfaces_.range(cell, 0), surfaces_.range(cell, 1)})) {
             const LayoutPlace place{patch_, point.at};
             const double distance = distanceAt(place, point.u, point.v);
-            result_.samples.emplace_back(distance, point.area);
+            result_.samples.push_back({distance, point.area});
             if (distance <= farthest_) continue;
             farthest_ = distance;
             farthestAt_ = place;
@@ -156,7 +154,7 @@ std::vector<CertifiedDeviation> certifiedDeviations(const PairedSurfaces& surfac
                                                     const CertificationOptions& options, unsigned jobs) {
     std::vector<CertifiedDeviation> result(surfaces.patches());
     CertificationOptions rough = options;
-    rough.negligible = HUGE_VAL;
+    rough.negligible = infinity;
     parallelFor(result.size(), jobs,
                 [&](std::size_t k) { result[k] = certifiedDeviation(surfaces, k, rough); });
     CertificationOptions close = options;
@@ -167,39 +165,6 @@ std::vector<CertifiedDeviation> certifiedDeviations(const PairedSurfaces& surfac
             result[k] = certifiedDeviation(surfaces, k, close);
     });
     return result;
-}
-
-double rootMeanSquare(const std::vector<std::pair<double, double>>& samples) {
-    double sum = 0;
-    double area = 0;
-    for (const auto& [distance, weight] : samples) {
-        sum += weight * distance * distance;
-        area += weight;
-    }
-    return area > 0 ? std::sqrt(sum / area) : 0;
-}
-
-double percentile95(std::vector<std::pair<double, double>> samples) {
-    const auto weight = [](auto begin, auto end) {
-        return std::accumulate(begin, end, 0.0,
-                               [](double sum, const auto& sample) { return sum + sample.second; });
-    };
-    auto begin = samples.begin();
-    auto end = samples.end();
-    double above = 0.05 * weight(begin, end);
-    if (!(above > 0)) return 0;
-    while (end - begin > 1) {
-        const auto middle = begin + (end - begin) / 2;
-        std::nth_element(begin, middle, end, std::greater<>());
-        const double upper = weight(begin, middle);
-        if (upper > above) {
-            end = middle;
-        } else {
-            above -= upper;
-            begin = middle;
-        }
-    }
-    return begin->first;
 }
 
 } // namespace qm

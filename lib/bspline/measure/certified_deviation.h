@@ -2,9 +2,9 @@
 #pragma once
 
 #include "bspline/measure/paired_surfaces.h"
+#include "bspline/measure/samples.h"
 
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace qm {
@@ -15,9 +15,7 @@ struct CertifiedDeviation {
     double upper = 0;
     double lower = 0;
     LayoutPlace place; ///< where `lower` was found
-    double rms = 0;    ///< over four samples per cell, weighted by their area of parameters
-    /// The distances at these samples, with that area.
-    std::vector<std::pair<double, double>> samples;
+    Samples samples;   ///< four per cell, weighted by their area of parameters
 
     /// Takes note of a distance that was found at a point.
     void raise(double distance, const LayoutPlace& at);
@@ -42,9 +40,5 @@ struct CertificationOptions {
 /// patch may also be too large by half of the largest of all, which takes a fraction of the time.
 [[nodiscard]] std::vector<CertifiedDeviation>
 certifiedDeviations(const PairedSurfaces& surfaces, const CertificationOptions& options, unsigned jobs);
-
-/// The root of the mean square of samples, and their 95th percentile by area.
-[[nodiscard]] double rootMeanSquare(const std::vector<std::pair<double, double>>& samples);
-[[nodiscard]] double percentile95(std::vector<std::pair<double, double>> samples);
 
 } // namespace qm

@@ -1,18 +1,18 @@
 #include "bspline/measure/covering_bound.h"
 
+#include "base/infinity.h"
 #include "bspline/measure/foot_frame.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 namespace qm {
 namespace {
 
 struct Range {
-    double low = std::numeric_limits<double>::infinity();
-    double high = -std::numeric_limits<double>::infinity();
+    double low = infinity;
+    double high = -infinity;
 
     void include(double value) {
         low = std::min(low, value);
@@ -50,20 +50,18 @@ std::optional<Rectangle> rectangleOver(const ParameterBox& sides, std::size_t su
     Rectangle result;
     auto& missing = result.missing;
     const bool isDone = pieces.visit(surface, foot.place.patch, sides, [&](const BoxPiece& part) {
-        const int degree = part.piece.degree[0];
-        for (int j = 0; j <= degree; ++j)
-            for (int i = 0; i <= degree; ++i) {
-                const Eigen::Vector3d away = part.piece.at(i, j) - foot.position;
-                result.height.include(away.dot(frame.normal));
-                for (std::size_t k = 0; k < 2; ++k) {
-                    const int position = k == 0 ? i : j;
-                    const double along = away.dot(frame.dual[k]);
-                    if (position == 0 && part.isAtEnd[k][0])
-                        missing[k][0] = std::max(missing[k][0], along - box.along[k].low);
-                    if (position == degree && part.isAtEnd[k][1])
-                        missing[k][1] = std::max(missing[k][1], box.along[k].high - along);
-                }
+        forEachPoint(part.piece, [&](int i, int j, const Eigen::Vector3d& point) {
+            const Eigen::Vector3d away = point - foot.position;
+            result.height.include(away.dot(frame.normal));
+            for (std::size_t k = 0; k < 2; ++k) {
+                const int position = k == 0 ? i : j;
+                const double along = away.dot(frame.dual[k]);
+                if (position == 0 && part.isAtEnd[k][0])
+                    missing[k][0] = std::max(missing[k][0], along - box.along[k].low);
+                if (position == part.piece.degree[k] && part.isAtEnd[k][1])
+                    missing[k][1] = std::max(missing[k][1], box.along[k].high - along);
             }
+        });
     });
     return isDone ? std::optional(result) : std::nullopt;
 }

@@ -1,6 +1,7 @@
 #include "bspline/measure/distance_bound.h"
 
 #include "base/at.h"
+#include "base/infinity.h"
 #include "bspline/measure/foot_frame.h"
 
 #include <algorithm>
@@ -29,14 +30,11 @@ double division(double low, double high) {
 /// \param difference  the other surface, written over
 void subtractFrom(const BezierPiece& own, int turns, BezierPiece& difference) {
     const int degree = own.degree[0];
-    const std::size_t width = at(degree) + 1;
-    auto point = own.points.begin();
-    for (int j = 0; j <= degree; ++j)
-        for (int i = 0; i <= degree; ++i, ++point) {
-            const auto [column, row] = turnedIndex({i, j}, degree, turns);
-            Eigen::Vector3d& here = difference.points[at(row) * width + at(column)];
-            here = *point - here;
-        }
+    forEachPoint(own, [&](int i, int j, const Eigen::Vector3d& point) {
+        const auto [column, row] = turnedIndex({i, j}, degree, turns);
+        Eigen::Vector3d& here = difference.points[at(row) * (at(degree) + 1) + at(column)];
+        here = point - here;
+    });
 }
 
 } // namespace
@@ -54,40 +52,37 @@ double DistanceBound::tangentVariation(std::size_t surface, const Foot& foot, co
     Parameters variation{}; // squared
     const bool isDone = pieces_.visit(surface, foot.place.patch, touched, [&](const BoxPiece& part) {
         const int degree = part.piece.degree[0];
-        for (int j = 0; j <= degree; ++j)
-            for (int i = 0; i <= degree; ++i) {
-                const auto farther = [&](std::size_t k, const Eigen::Vector3d& next,
-                                         const Eigen::Vector3d& tangent) {
-                    const Eigen::Vector3d slope = degree / part.width[k] * (next - part.piece.at(i, j));
-                    variation[k] = std::max(variation[k], (slope - tangent).squaredNorm());
-                };
-                if (i < degree) farther(0, part.piece.at(i + 1, j), foot.du);
-                if (j < degree) farther(1, part.piece.at(i, j + 1), foot.dv);
-            }
+        forEachPoint(part.piece, [&](int i, int j, const Eigen::Vector3d& point) {
+            const auto farther = [&](std::size_t k, const Eigen::Vector3d& next,
+                                     const Eigen::Vector3d& tangent) {
+                const Eigen::Vector3d slope = degree / part.width[k] * (next - point);
+                variation[k] = std::max(variation[k], (slope - tangent).squaredNorm());
+            };
+            if (i < degree) farther(0, part.piece.at(i + 1, j), foot.du);
+            if (j < degree) farther(1, part.piece.at(i, j + 1), foot.dv);
+        });
     });
-    return isDone ? std::sqrt(variation[0] + variation[1]) : HUGE_VAL;
+    return isDone ? std::sqrt(variation[0] + variation[1]) : infinity;
 }
 
 double DistanceBound::slidingBound(std::size_t surface, const Foot& foot, const ParameterBox& box,
                                    double known) {
     const auto frame = footFrame(foot);
-    if (!frame) return HUGE_VAL;
+    if (!frame) return infinity;
     double height = 0;
     double slide = 0;
     ParameterBox touched = box;
     const int degree = difference_.degree[0];
-    auto point = difference_.points.begin();
-    for (int j = 0; j <= degree; ++j)
-        for (int i = 0; i <= degree; ++i, ++point) {
-            height = std::max(height, std::abs(point->dot(frame->normal)));
-            const Parameters along{point->dot(frame->dual[0]), point->dot(frame->dual[1])};
-            slide = std::max(slide, std::hypot(along[0], along[1]));
-            for (std::size_t k = 0; k < 2; ++k) {
-                const double share = static_cast<double>(k == 0 ? i : j) / degree;
-                const double to = std::lerp(box[k][0], box[k][1], share) + along[k];
-                touched[k] = {std::min(touched[k][0], to), std::max(touched[k][1], to)};
-            }
+    forEachPoint(difference_, [&](int i, int j, const Eigen::Vector3d& point) {
+        height = std::max(height, std::abs(point.dot(frame->normal)));
+        const Parameters along{point.dot(frame->dual[0]), point.dot(frame->dual[1])};
+        slide = std::max(slide, std::hypot(along[0], along[1]));
+        for (std::size_t k = 0; k < 2; ++k) {
+            const double share = static_cast<double>(k == 0 ? i : j) / degree;
+            const double to = std::lerp(box[k][0], box[k][1], share) + along[k];
+            touched[k] = {std::min(touched[k][0], to), std::max(touched[k][1], to)};
         }
+    });
     // Slides end at the patch's border.
     double cutOff = 0;
     const Parameters extent = surfaces_.extent(foot.place.patch);

@@ -1,6 +1,7 @@
 #include "bspline/measure/folds.h"
 
 #include "base/at.h"
+#include "base/infinity.h"
 #include "bspline/reference/lattice/bilinear_quad.h"
 #include "bspline/splines/eigen_point.h"
 #include "bspline/splines/patch_bezier.h"
@@ -38,7 +39,7 @@ bool isTowards(const ReferenceGrid& reference, const BezierPiece& normal, const 
     const BilinearQuad quad = quadAt(reference, middle);
     if (quad.minCosine() > 0 && direction.dot(vector(quad.normal())) < 0) direction = vector(quad.normal());
     double highest = 0;
-    double lowest = HUGE_VAL;
+    double lowest = infinity;
     for (const Eigen::Vector3d& point : normal.points) {
         highest = std::max(highest, point.dot(direction));
         lowest = std::min(lowest, point.dot(direction));

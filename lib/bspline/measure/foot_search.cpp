@@ -1,5 +1,8 @@
 #include "bspline/measure/foot_search.h"
 
+#include "base/infinity.h"
+#include "layout/sides.h"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -47,8 +50,8 @@ Step gaussNewton(const PiecePoint& here, const Eigen::Vector3d& away, const Para
     }
     if (result.side < 0) return result;
     // On the border the other parameter alone is free.
-    const std::size_t across = result.side % 2 == 1 ? 0 : 1;
-    result.to[across] = result.side == 0 || result.side == 3 ? 0 : extent[across];
+    const std::size_t across = directionAcross(result.side);
+    result.to[across] = isFarSide(result.side) ? extent[across] : 0;
     const double moved = result.to[across] - at[across];
     const double along = across == 0 ? alone(rv - uv * moved, vv) : alone(ru - uv * moved, uu);
     const double free = at[1 - across] + std::clamp(along, -maxStep, maxStep);
@@ -135,7 +138,7 @@ Foot FootSearch::operator()(std::size_t surface, const LayoutPlace& start, const
         best.turns = turns;
     };
     for (int side = 0; side < 4; ++side) {
-        const std::size_t across = side % 2 == 1 ? 0 : 1;
+        const std::size_t across = directionAcross(side);
         if (best.place.at[across] != (isFarSide(side) ? surfaces_.extent(best.place.patch)[across] : 0))
             continue;
         const auto crossing = surfaces_.across(best.place, side);
@@ -149,7 +152,7 @@ Foot FootSearch::walk(std::size_t surface, const LayoutPlace& start, const Eigen
                       int& crossings) {
     Walk walk{surfaces_, crossings, start};
     walk.best.place = start;
-    walk.best.distance = HUGE_VAL;
+    walk.best.distance = infinity;
     for (int k = 0; k < maxIterations; ++k) {
         const PiecePoint here = evaluateAt(surface, walk.place);
         const Eigen::Vector3d away = point - here.position;

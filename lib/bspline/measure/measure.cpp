@@ -20,8 +20,6 @@ namespace {
 
 constexpr int samplesPerEdge = 16; ///< of normals and gaps along borders
 
-using Samples = std::vector<std::pair<double, double>>;
-
 /// What is known of a patch, or of all, before it is summed up.
 struct Parts {
     Samples fromReference;
@@ -31,22 +29,12 @@ struct Parts {
     ShapeMeasures shape;
 
     void add(const Parts& other) {
-        const auto append = [](Samples& to, const Samples& from) {
-            to.insert(to.end(), from.begin(), from.end());
-        };
         append(fromReference, other.fromReference);
         append(fromFacets, other.fromFacets);
         append(fromVertices, other.fromVertices);
         shape.add(other.shape);
     }
 };
-
-double largest(const Samples& samples) {
-    double result = 0;
-    for (const auto& sample : samples)
-        result = std::max(result, sample.first);
-    return result;
-}
 
 class Meter {
 public:
@@ -98,10 +86,10 @@ public:
             Samples angles;
             if (isSmooth[edge])
                 for (const double angle : measures[k].angles)
-                    angles.emplace_back(angle, 1);
+                    angles.push_back({angle});
             const auto addTo = [&](Deviation& deviation, Parts& parts) {
                 deviation.largestGap = std::max(deviation.largestGap, measures[k].gap);
-                parts.angles.insert(parts.angles.end(), angles.begin(), angles.end());
+                append(parts.angles, angles);
             };
             addTo(result_.ofAll.deviation, all_);
             for (const BorderPlace& place : borders_[k].places)
@@ -147,7 +135,7 @@ private:
                 const double toReference = (search.evaluateAt(1, place).position - vector(vertex)).norm();
                 distance = std::min(distance, toReference + ofReference);
             }
-            distances.emplace_back(distance, 1);
+            distances.push_back({distance});
             if (++column > at(segment.size[0])) {
                 column = 0;
                 ++row;

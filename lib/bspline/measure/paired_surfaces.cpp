@@ -1,7 +1,8 @@
 #include "bspline/measure/paired_surfaces.h"
 
 #include "base/at.h"
-#include "bspline/splines/evaluate.h"
+#include "bspline/measure/border_measures.h"
+#include "layout/sides.h"
 
 #include <algorithm>
 #include <utility>
@@ -23,14 +24,11 @@ bool isGapless(const Layout& layout, const std::vector<Patch>& patches, const Bo
     constexpr double negligible = 1e-7; // of the border's length
     // As many points as cubics that are not equal cannot have in common.
     std::array<std::array<Point, 4>, 2> points;
-    for (std::size_t side = 0; side < 2; ++side)
-        for (std::size_t k = 0; k < 4; ++k) {
-            const BorderPlace& place = border.places[side];
-            const double along = static_cast<double>(k) / 3;
-            const auto at = parametersOnSide(layout.segments[place.patch].size, place.side,
-                                             place.position + (side == 0 ? along : 1 - along));
-            points[side][k] = evaluate(patches[place.patch], at[0], at[1]).position;
-        }
+    for (std::size_t k = 0; k < 4; ++k) {
+        const auto [own, other] = pointsOnBothSides(layout, patches, border, static_cast<double>(k) / 3);
+        points[0][k] = own.position;
+        points[1][k] = other.position;
+    }
     const double length = (points[0].front() - points[0].back()).norm();
     const auto meet = [&](const Point& a, const Point& b) { return (a - b).norm() <= negligible * length; };
     return std::ranges::equal(points[0], points[1], meet);
@@ -58,8 +56,8 @@ PairedSurfaces::PairedSurfaces(const Layout& layout, const std::vector<Patch>& p
         pieces_[1].push_back(std::move(ofReference));
 
         auto& sides = beyond_.emplace_back();
-        for (std::size_t k = 0; k < 4; ++k)
-            sides[k].resize(at(layout.segments[p].size[k % 2]));
+        for (int side = 0; side < 4; ++side)
+            sides[at(side)].resize(at(layout.segments[p].size[directionAlong(side)]));
     }
     const auto entry = [this](const BorderPlace& place) -> Beyond& {
         return beyond_[place.patch][at(place.side)][at(place.position)];
@@ -97,15 +95,14 @@ void PairedSurfaces::get(std::size_t surface, const Cell& cell, BezierPiece& pie
 }
 
 std::optional<PairedSurfaces::Crossing> PairedSurfaces::across(const LayoutPlace& place, int side) const {
-    const auto& size = layout_.segments[place.patch].size;
-    const std::array<double, 4> walked{place.at[0], place.at[1], size[0] - place.at[0],
-                                       size[1] - place.at[1]};
-    const double along = walked[at(side)];
-    const int position = std::clamp(static_cast<int>(along), 0, size[at(side) % 2] - 1);
+    const std::size_t direction = directionAlong(side);
+    const int length = layout_.segments[place.patch].size[direction];
+    const double along = alongSide<double>(side, place.at[direction], length);
+    const int position = std::clamp(static_cast<int>(along), 0, length - 1);
     const auto& [other, gapless] = beyond_[place.patch][at(side)][at(position)];
     if (!other) return std::nullopt;
     const double there = other->position + 1 - std::clamp(along - position, 0.0, 1.0);
-    return Crossing{{other->patch, parametersOnSide(layout_.segments[other->patch].size, other->side, there)},
+    return Crossing{{other->patch, placeOnSide(extent(other->patch), other->side, there)},
                     (other->side - side + 6) % 4,
                     gapless};
 }

@@ -1,5 +1,6 @@
 #include "bspline/measure/scan_deviation.h"
 
+#include "base/infinity.h"
 #include "base/parallel.h"
 #include "bspline/measure/gauss_points.h"
 #include "bspline/measure/largest_first.h"
@@ -70,14 +71,14 @@ private:
     }
 
     void addCell(Box box) {
-        box.upper = HUGE_VAL;
+        box.upper = infinity;
         bool isCovered = false;
         for (const GaussPoint& at : gaussPoints(box.range)) {
             const Eigen::Vector3d place = evaluate(box.piece, at.u, at.v).position;
             const auto foot = witness(place);
             if (!foot) continue;
             isCovered = true;
-            result_.samples.emplace_back(foot->distance, at.area);
+            result_.samples.push_back({foot->distance, at.area});
             box.upper = std::min(box.upper, foot->distance + farthestFrom(place, box.piece));
             result_.raise(foot->distance, {number_, at.at});
         }
@@ -120,13 +121,13 @@ ScanDeviations deviationFromScan(const std::vector<Patch>& patches, const Triang
     parallelFor(patches.size(), jobs,
                 [&](std::size_t k) { ofPatch[k] = ScanSearch(patches[k], k, scan, cutOff, options).run(); });
     ScanDeviations result;
-    std::vector<std::pair<double, double>> samples;
+    Samples samples;
     for (const CertifiedDeviation& one : ofPatch) {
         if (one.lower > result.max) {
             result.max = one.lower;
             result.farthest = one.place;
         }
-        samples.insert(samples.end(), one.samples.begin(), one.samples.end());
+        append(samples, one.samples);
     }
     result.rms = rootMeanSquare(samples);
     result.percentile95 = percentile95(std::move(samples));

@@ -9,16 +9,6 @@
 
 namespace qm {
 
-/// The distances of all patches from a scan.
-struct ScanDeviations {
-    /// The largest distance that was found at a point: boxes over many small triangles are bounded too
-    /// loosely for an upper bound.
-    double max = 0;
-    double rms = 0;
-    double percentile95 = 0;
-    LayoutPlace farthest;
-};
-
 /// Branch and bound over the Bezier pieces of the patches: the distance from a triangle is a convex function,
 /// so a piece is no farther from it than the farthest of its Bezier points. Places whose nearest point lies
 /// on the scan's boundary or beyond the cut-off do not count.

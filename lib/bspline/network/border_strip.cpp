@@ -2,6 +2,7 @@
 
 #include "base/positions.h"
 #include "bspline/splines/blossom.h"
+#include "layout/sides.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,9 +31,9 @@ BorderStrip::BorderStrip(const PatchSpace& space, const std::array<int, 2>& size
     origin_ = patchParameter(size, place, 0);
     direction_ = patchParameter(size, place, 1) - origin_;
 
-    const auto& across = space.knots[1 - along];
-    const bool atEnd = side_ == 1 || side_ == 2;
-    firstInterval_ = atEnd ? across[across.size() - 4] - across[across.size() - 5] : across[4] - across[3];
+    const auto& across = space.knots[directionAcross(side_)];
+    firstInterval_ =
+        isFarSide(side_) ? across[across.size() - 4] - across[across.size() - 5] : across[4] - across[3];
 
     const auto& knots = space.knots[along];
     for (std::size_t k = 4; k + 4 < knots.size(); ++k)
@@ -41,18 +42,7 @@ BorderStrip::BorderStrip(const PatchSpace& space, const std::array<int, 2>& size
 }
 
 std::size_t BorderStrip::unknown(std::size_t along, std::size_t layer) const {
-    const std::size_t columns = space_.count(0);
-    const std::size_t rows = space_.count(1);
-    switch (side_) {
-    case 0:
-        return space_.firstUnknown + layer * columns + along;
-    case 1:
-        return space_.firstUnknown + along * columns + columns - 1 - layer;
-    case 2:
-        return space_.firstUnknown + (rows - 1 - layer) * columns + along;
-    default:
-        return space_.firstUnknown + along * columns + layer;
-    }
+    return space_.firstUnknown + pointOnSide({space_.count(0), space_.count(1)}, side_, along, layer);
 }
 
 void BorderStrip::addBlossom(Across what, const std::array<double, 3>& at, double within, double factor,

@@ -1,19 +1,14 @@
 #include "bspline/network/borders.h"
 
 #include "base/at.h"
+#include "layout/sides.h"
 
 namespace qm {
-std::array<double, 2> parametersOnSide(const std::array<int, 2>& size, int side, double along) {
-    switch (side) {
-    case 0:
-        return {along, 0};
-    case 1:
-        return {static_cast<double>(size[0]), along};
-    case 2:
-        return {size[0] - along, static_cast<double>(size[1])};
-    default:
-        return {0, size[1] - along};
-    }
+
+std::array<double, 2> parametersAt(const Layout& layout, const BorderPlace& place, double along) {
+    const auto [columns, rows] = layout.segments[place.patch].size;
+    const std::array<double, 2> size{static_cast<double>(columns), static_cast<double>(rows)};
+    return placeOnSide(size, place.side, place.position + along);
 }
 
 std::vector<BorderEdge> borderEdges(const QuadMesh& mesh, const Layout& layout) {

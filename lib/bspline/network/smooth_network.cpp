@@ -3,6 +3,7 @@
 #include "base/at.h"
 #include "bspline/network/borders.h"
 #include "bspline/network/creases.h"
+#include "mesh/topology.h"
 
 #include <cstddef>
 #include <vector>
@@ -16,8 +17,7 @@ std::vector<double> ratiosAtVertices(const QuadMesh& mesh, const SmoothNetwork& 
     std::vector<double> ratios(mesh.n_halfedges());
     std::vector<bool> seen(mesh.n_vertices());
     for (const BorderEdge& border : borders)
-        for (const VertexId vertex :
-             {mesh.from_vertex_handle(border.halfedge), mesh.to_vertex_handle(border.halfedge)}) {
+        for (const VertexId vertex : endsOf(mesh, border.halfedge)) {
             const std::size_t index = at(vertex);
             if (seen[index]) continue;
             seen[index] = true;

@@ -1,6 +1,7 @@
 #include "bspline/network/stretch_map.h"
 
 #include "base/at.h"
+#include "layout/sides.h"
 
 #include <algorithm>
 

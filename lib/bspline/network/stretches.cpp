@@ -1,5 +1,7 @@
 #include "bspline/network/stretches.h"
 
+#include "layout/sides.h"
+
 #include <tuple>
 
 namespace qm {
@@ -22,19 +24,19 @@ Stretch beginAt(const BorderEdge& edge) {
     return stretch;
 }
 
-/// From a distance from a side's beginning to the patch's parameter; and back, for it is its own inverse.
-double mirrored(const std::array<int, 2>& size, int side, double distance) {
-    return side < 2 ? distance : size[directionAlong(side)] - distance;
+/// The patch's parameter at a distance from a side's beginning, and the other way round.
+double alongPatch(const std::array<int, 2>& size, int side, double distance) {
+    return alongSide<double>(side, distance, size[directionAlong(side)]);
 }
 
 } // namespace
 
 double patchParameter(const std::array<int, 2>& size, const StretchSide& place, double x) {
-    return mirrored(size, place.side, place.origin + place.direction * x);
+    return alongPatch(size, place.side, place.origin + place.direction * x);
 }
 
 double stretchParameter(const std::array<int, 2>& size, const StretchSide& place, double parameter) {
-    return (mirrored(size, place.side, parameter) - place.origin) * place.direction;
+    return (alongPatch(size, place.side, parameter) - place.origin) * place.direction;
 }
 
 std::vector<Stretch> findStretches(const std::vector<BorderEdge>& borders) {

@@ -29,12 +29,7 @@ struct Stretch {
     [[nodiscard]] int length() const { return static_cast<int>(halfedges.size()); }
 };
 
-/// The direction of the patch's parameters that runs along a side: 0 for u, 1 for v.
-[[nodiscard]] inline std::size_t directionAlong(int side) {
-    return side % 2 == 0 ? 0 : 1;
-}
-
-/// The patch's parameter along its side at a parameter of the stretch. Sides 2 and 3 run against u and v.
+/// The patch's parameter along its side at a parameter of the stretch.
 [[nodiscard]] double patchParameter(const std::array<int, 2>& size, const StretchSide& place, double x);
 
 /// The parameter of the stretch at a parameter of the patch along its side.

@@ -9,7 +9,6 @@
 #include <string>
 
 namespace qm {
-
 namespace {
 
 FitTarget fitTarget(const QuadMesh& mesh, const Layout& layout, const SmoothNetwork& network,

@@ -1,6 +1,7 @@
 #include "bspline/splines/clamped_patch.h"
 
 #include "base/at.h"
+#include "layout/sides.h"
 
 #include <algorithm>
 
@@ -58,21 +59,14 @@ std::vector<SplineCurve> rowCurves(const Patch& clampedPatch) {
 }
 
 SplineCurve borderCurve(const Patch& clampedPatch, int side) {
-    const std::size_t columns = at(clampedPatch.count[0]);
-    const std::size_t rows = at(clampedPatch.count[1]);
+    const std::array<std::size_t, 2> count{at(clampedPatch.count[0]), at(clampedPatch.count[1])};
+    const std::size_t along = directionAlong(side);
     SplineCurve curve;
-    if (side % 2 == 0) {
-        curve.knots = clampedPatch.knots[0];
-        const auto row = clampedPatch.controlPoints.begin() +
-                         static_cast<std::ptrdiff_t>(side == 0 ? 0 : (rows - 1) * columns);
-        curve.points.assign(row, row + static_cast<std::ptrdiff_t>(columns));
-    } else {
-        curve.knots = clampedPatch.knots[1];
-        for (std::size_t j = 0; j < rows; ++j)
-            curve.points.push_back(clampedPatch.controlPoints[j * columns + (side == 1 ? columns - 1 : 0)]);
-    }
-    if (clampedPatch.degree[side % 2 == 0 ? 0 : 1] < 3) curve = bezier(curve.points, curve.knots.back());
-    return side < 2 ? curve : reversed(curve);
+    curve.knots = clampedPatch.knots[along];
+    for (std::size_t k = 0; k < count[along]; ++k)
+        curve.points.push_back(clampedPatch.controlPoints[pointOnSide(count, side, k)]);
+    if (clampedPatch.degree[along] < 3) curve = bezier(curve.points, curve.knots.back());
+    return isReversed(side) ? reversed(curve) : curve;
 }
 
 } // namespace qm

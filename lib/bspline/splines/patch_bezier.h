@@ -25,6 +25,14 @@ struct BezierPiece {
     }
 };
 
+/// Calls a function with column, row and position of every Bezier point, row by row.
+template <class Function> void forEachPoint(const BezierPiece& piece, const Function& function) {
+    auto point = piece.points.begin();
+    for (int j = 0; j <= piece.degree[1]; ++j)
+        for (int i = 0; i <= piece.degree[0]; ++i)
+            function(i, j, *point++);
+}
+
 /// A lattice of control points with the extractions along u and along v. What is passed must outlive it.
 struct BezierPieces {
     std::array<BezierExtraction, 2> along;

@@ -59,14 +59,20 @@ struct LayoutPlace {
     std::array<double, 2> at{};
 };
 
-/// How surfaces and the scan that they were fitted to belong together.
-struct ScanFigures {
-    double coverage = 0; ///< share of the mesh that the scan shows
-    double noise = 0;    ///< of the scan: standard deviation of its points from a smooth surface
-    double max = 0;      ///< distances from the surfaces to the scan's triangles, where it shows something
+/// The distances of surfaces from a scan's triangles, where it shows something.
+struct ScanDeviations {
+    /// The largest distance that was found at a point: boxes over many small triangles are bounded too
+    /// loosely for an upper bound.
+    double max = 0;
     double rms = 0;
     double percentile95 = 0;
     LayoutPlace farthest; ///< where `max` was found
+};
+
+/// How surfaces and the scan that they were fitted to belong together.
+struct ScanFigures : ScanDeviations {
+    double coverage = 0; ///< share of the mesh that the scan shows
+    double noise = 0;    ///< of the scan: standard deviation of its points from a smooth surface
 };
 
 struct Surfaces {

@@ -74,9 +74,8 @@ private:
     /// An edge in the parameter plane of a patch that uses it; it runs in the edge's own direction.
     [[nodiscard]] Handle(Geom2d_BSplineCurve) inPlane(const SharedEdge& edge, std::size_t use) const {
         const BorderPlace& at = edge.places[use];
-        const auto& size = layout_.segments[at.patch].size;
-        auto from = parametersOnSide(size, at.side, at.position);
-        auto to = parametersOnSide(size, at.side, at.position + edge.length);
+        auto from = parametersAt(layout_, at, 0);
+        auto to = parametersAt(layout_, at, edge.length);
         if (use > 0) std::swap(from, to);
         return line({from[0], from[1]}, {to[0], to[1]}, 0, edge.length);
     }
@@ -166,10 +165,7 @@ void raiseTolerance(Boundary& boundary, std::size_t edge, double tolerance) {
 
 std::vector<std::vector<std::size_t>> facesOfEdges(const Boundary& boundary) {
     std::vector<std::vector<std::size_t>> result(boundary.edges.size());
-    for (std::size_t f = 0; f < boundary.faces.size(); ++f)
-        for (const auto& loop : boundary.faces[f].loops)
-            for (const EdgeUse& use : loop)
-                result[use.edge].push_back(f);
+    forEachUse(boundary, [&](std::size_t face, const EdgeUse& use) { result[use.edge].push_back(face); });
     return result;
 }
 

@@ -48,6 +48,14 @@ struct Boundary {
     double largestGap = 0; ///< between patches, before simple surfaces replace them
 };
 
+/// Calls a function with every face's number and each of its uses of edges.
+template <class Function> void forEachUse(const Boundary& boundary, const Function& function) {
+    for (std::size_t face = 0; face < boundary.faces.size(); ++face)
+        for (const std::vector<EdgeUse>& loop : boundary.faces[face].loops)
+            for (const EdgeUse& use : loop)
+                function(face, use);
+}
+
 /// The tolerance that covers a gap which was sampled.
 [[nodiscard]] double toleranceOf(double gap, double resolution);
 

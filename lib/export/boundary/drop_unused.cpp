@@ -4,10 +4,7 @@ namespace qm {
 
 void dropUnused(Boundary& boundary) {
     std::vector<bool> isUsed(boundary.edges.size());
-    for (const BoundaryFace& face : boundary.faces)
-        for (const auto& loop : face.loops)
-            for (const EdgeUse& use : loop)
-                isUsed[use.edge] = true;
+    forEachUse(boundary, [&](std::size_t, const EdgeUse& use) { isUsed[use.edge] = true; });
     const auto edgeNumbers = keepMarked(boundary.edges, isUsed);
     for (BoundaryFace& face : boundary.faces)
         for (auto& loop : face.loops)

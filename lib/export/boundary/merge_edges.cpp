@@ -19,10 +19,9 @@ public:
     explicit Merging(Boundary& boundary)
         : boundary_(boundary), facesOf_(facesOfEdges(boundary)), faceBeside_(boundary.edges.size()),
           edgesAt_(boundary.vertices.size()), isMerged_(boundary.edges.size()) {
-        for (std::size_t f = 0; f < boundary.faces.size(); ++f)
-            for (const auto& loop : boundary.faces[f].loops)
-                for (const EdgeUse& use : loop)
-                    faceBeside_[use.edge].at(use.forwards ? 0 : 1) = f;
+        forEachUse(boundary, [&](std::size_t face, const EdgeUse& use) {
+            faceBeside_[use.edge].at(use.side()) = face;
+        });
         for (auto& faces : facesOf_)
             std::ranges::sort(faces);
         for (std::size_t e = 0; e < boundary.edges.size(); ++e)

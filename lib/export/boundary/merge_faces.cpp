@@ -23,11 +23,11 @@ constexpr double maxTurn = 2 * pi - 0.2;
 constexpr double halfTurn = pi + 0.02;
 
 std::size_t startOf(const Boundary& boundary, const EdgeUse& use) {
-    return boundary.edges[use.edge].ends.at(use.forwards ? 0 : 1);
+    return boundary.edges[use.edge].ends.at(use.side());
 }
 
 std::size_t endOf(const Boundary& boundary, const EdgeUse& use) {
-    return boundary.edges[use.edge].ends.at(use.forwards ? 1 : 0);
+    return boundary.edges[use.edge].ends.at(1 - use.side());
 }
 
 /// Faces of one surface that hang together, and their outline.

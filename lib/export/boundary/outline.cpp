@@ -22,7 +22,7 @@ PlanePoint onFace(const BoundaryFace& face, const BoundaryEdge& edge, const Edge
         const gp_Pnt2d at = parametersAt(plane, edge.curve.at(parameter));
         return {at.X(), at.Y()};
     }
-    const gp_Pnt2d at = edge.onFaces.at(use.forwards ? 0 : 1)->Value(parameter);
+    const gp_Pnt2d at = edge.onFaces.at(use.side())->Value(parameter);
     return {at.X(), at.Y()};
 }
 

@@ -1,3 +1,4 @@
+#include "base/infinity.h"
 #include "export/boundary/face_chart.h"
 #include "export/simple/curve_on_surface.h"
 #include "export/simple/straight_seam.h"
@@ -7,7 +8,6 @@
 #include <cmath>
 #include <gp_Ax1.hxx>
 #include <gp_Ax3.hxx>
-#include <limits>
 #include <map>
 #include <numbers>
 #include <utility>
@@ -80,7 +80,7 @@ public:
             for (const EdgeUse& use : loop) {
                 BoundaryEdge& edge = boundary.edges[use.edge];
                 const CurveOnSurface found = curveOnSurface(edge.curve, turned, boundary.resolution);
-                edge.onFaces.at(use.forwards ? 0 : 1) = found.curve;
+                edge.onFaces.at(use.side()) = found.curve;
                 raiseTolerance(boundary, use.edge, toleranceOf(found.gap, boundary.resolution));
             }
     }
@@ -92,7 +92,7 @@ private:
     }
 
     [[nodiscard]] const Handle(Geom2d_BSplineCurve) & curveOf(const EdgeUse& use) const {
-        return boundary_.edges[use.edge].onFaces.at(use.forwards ? 0 : 1);
+        return boundary_.edges[use.edge].onFaces.at(use.side());
     }
 
     /// Vertices of a face, each with its angle on the face's own surface.
@@ -131,8 +131,8 @@ private:
     double maxTurn_;
     bool goesAround_ = false;
     std::map<std::size_t, double> angleAt_; ///< by vertex
-    double minAngle_ = std::numeric_limits<double>::infinity();
-    double maxAngle_ = -std::numeric_limits<double>::infinity();
+    double minAngle_ = infinity;
+    double maxAngle_ = -infinity;
 };
 
 } // namespace

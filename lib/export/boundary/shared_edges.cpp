@@ -2,7 +2,7 @@
 
 #include "base/at.h"
 #include "bspline/measure/border_measures.h"
-#include "bspline/splines/evaluate.h"
+#include "mesh/topology.h"
 
 #include <algorithm>
 #include <utility>
@@ -26,12 +26,6 @@ BorderNumbers borderNumbers(const Layout& layout, const std::vector<BorderEdge>&
         for (const auto& [patch, side, position] : borders[b].places)
             numbers[patch][at(side)][at(position)] = b;
     return numbers;
-}
-
-SurfacePoint pointOn(const Layout& layout, const std::vector<Patch>& patches, const BorderPlace& at,
-                     double along) {
-    const auto [u, v] = parametersOnSide(layout.segments[at.patch].size, at.side, at.position + along);
-    return evaluate(patches[at.patch], u, v);
 }
 
 /// How far the two patches of a border edge are apart there.
@@ -59,8 +53,7 @@ std::vector<bool> meetingPoints(const QuadMesh& mesh, const Layout& layout,
     std::vector<int> valence(mesh.n_vertices(), 0);
     std::vector<int> smooth(mesh.n_vertices(), 0);
     for (std::size_t b = 0; b < borders.size(); ++b)
-        for (const VertexId vertex :
-             {mesh.from_vertex_handle(borders[b].halfedge), mesh.to_vertex_handle(borders[b].halfedge)}) {
+        for (const VertexId vertex : endsOf(mesh, borders[b].halfedge)) {
             ++valence[at(vertex)];
             if (differences[b].angle < exactAngle) ++smooth[at(vertex)];
         }
@@ -118,7 +111,7 @@ SharedEdges shareEdges(const QuadMesh& mesh, const Layout& layout, const std::ve
             for (const bool atEnd : {false, true}) {
                 const std::size_t vertex = at(atEnd == (use == 0) ? edge.end : edge.start);
                 result.vertexPoint[vertex] +=
-                    pointOn(layout, patches, edge.places[use], atEnd ? edge.length : 0).position;
+                    pointAt(layout, patches, edge.places[use], atEnd ? edge.length : 0).position;
                 ++count[vertex];
             }
     for (std::size_t v = 0; v < count.size(); ++v)

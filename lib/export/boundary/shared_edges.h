@@ -24,6 +24,9 @@ struct SharedEdge {
 struct EdgeUse {
     std::size_t edge = 0;
     bool forwards = true; ///< in the edge's own direction
+
+    /// The number of the end at which it begins, and of the face among those of the edge.
+    [[nodiscard]] std::size_t side() const { return forwards ? 0 : 1; }
 };
 
 struct SharedEdges {

@@ -4,10 +4,12 @@
 #include "base/error.h"
 #include "bspline/splines/basis.h"
 #include "bspline/splines/clamped_patch.h"
+#include "layout/sides.h"
 
 #include <algorithm>
 #include <array>
 #include <string>
+#include <utility>
 
 namespace qm {
 namespace {
@@ -88,14 +90,17 @@ Patch strip(const Patch& patch, double begin, double end) {
 
 } // namespace
 
+void FacePatches::add(Segment segment, Patch patch, std::vector<std::size_t> segments) {
+    layout.segments.push_back(std::move(segment));
+    patches.push_back(std::move(patch));
+    origins.push_back(std::move(segments));
+}
+
 FacePatches facePatches(const Layout& layout, const std::vector<Patch>& patches) {
     requireMatching(layout, patches);
     FacePatches result;
-    result.layout.segments = layout.segments;
-    for (std::size_t k = 0; k < patches.size(); ++k) {
-        result.patches.push_back(clamped(patches[k]));
-        result.origins.push_back({k});
-    }
+    for (std::size_t k = 0; k < patches.size(); ++k)
+        result.add(layout.segments[k], clamped(patches[k]), {k});
     return result;
 }
 
@@ -104,16 +109,13 @@ Segment partOf(const std::vector<VertexId>& vertices, const Segment& segment, co
     const auto vertexAt = [&](int i, int j) { return vertices[at(j) * (at(segment.size[0]) + 1) + at(i)]; };
     Segment part;
     part.size = {to[0] - from[0], to[1] - from[1]};
-    for (int i = 0; i <= part.size[0]; ++i) {
-        part.sides[0].push_back(vertexAt(from[0] + i, from[1]));
-        part.sides[2].push_back(vertexAt(to[0] - i, to[1]));
+    for (int side = 0; side < 4; ++side) {
+        for (int k = 0; k <= part.size[directionAlong(side)]; ++k) {
+            const auto [i, j] = placeOnSide(part.size, side, k);
+            part.sides[at(side)].push_back(vertexAt(from[0] + i, from[1] + j));
+        }
+        part.corners[at(side)] = part.sides[at(side)].front();
     }
-    for (int j = 0; j <= part.size[1]; ++j) {
-        part.sides[1].push_back(vertexAt(to[0], from[1] + j));
-        part.sides[3].push_back(vertexAt(from[0], to[1] - j));
-    }
-    for (std::size_t k = 0; k < 4; ++k)
-        part.corners[k] = part.sides[k].front();
     for (int j = from[1]; j < to[1]; ++j)
         for (int i = from[0]; i < to[0]; ++i)
             part.faces.push_back(segment.faces[at(j) * at(segment.size[0]) + at(i)]);

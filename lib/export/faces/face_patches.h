@@ -15,6 +15,8 @@ struct FacePatches {
     std::vector<Patch> patches;
     /// By face: the segments of the given layout that it consists of.
     std::vector<std::vector<std::size_t>> origins;
+
+    void add(Segment segment, Patch patch, std::vector<std::size_t> segments);
 };
 
 /// Makes one face of every segment.

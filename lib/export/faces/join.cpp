@@ -100,11 +100,7 @@ public:
             }
         FacePatches result;
         for (std::optional<Face>& face : faces_)
-            if (face) {
-                result.layout.segments.push_back(std::move(face->segment));
-                result.patches.push_back(std::move(face->patch));
-                result.origins.push_back(std::move(face->origins));
-            }
+            if (face) result.add(std::move(face->segment), std::move(face->patch), std::move(face->origins));
         return result;
     }
 

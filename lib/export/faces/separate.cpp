@@ -1,7 +1,9 @@
 #include "export/faces/separate.h"
 
 #include "base/at.h"
+#include "base/sort_unique.h"
 #include "export/geometry/geometry.h"
+#include "layout/sides.h"
 
 #include <algorithm>
 #include <array>
@@ -44,17 +46,15 @@ std::vector<bool> cornersOf(const QuadMesh& mesh, const Layout& layout) {
 
 /// Cuts sides of too many edges at some of the T-joints there.
 void cutLongSides(const Segment& segment, const std::vector<bool>& isCorner, Cuts& cuts) {
-    for (std::size_t side = 0; side < 4; ++side) {
-        const auto& line = segment.sides[side];
+    for (int side = 0; side < 4; ++side) {
+        const auto& line = segment.sides[at(side)];
         std::size_t count = 0;
         for (std::size_t k = 1; k + 1 < line.size(); ++k)
             if (isCorner[at(line[k])] && ++count % maxEdges == 0)
-                cuts[side % 2].push_back(static_cast<int>(side < 2 ? k : line.size() - 1 - k));
+                cuts[directionAlong(side)].push_back(static_cast<int>(alongSide(side, k, line.size() - 1)));
     }
-    for (std::vector<int>& lines : cuts) {
-        std::ranges::sort(lines);
-        lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
-    }
+    for (std::vector<int>& lines : cuts)
+        sortUnique(lines);
 }
 
 /// A vertex on a face's border, and its place in the grid.
@@ -66,14 +66,9 @@ struct BorderVertex {
 /// In the order of the vertices.
 std::vector<BorderVertex> borderVertices(const Segment& segment) {
     std::vector<BorderVertex> result;
-    for (std::size_t side = 0; side < 4; ++side)
-        for (std::size_t k = 0; k + 1 < segment.sides[side].size(); ++k) {
-            const int along = static_cast<int>(k);
-            const auto [a, b] = segment.size;
-            const std::array<std::array<int, 2>, 4> places{
-                {{along, 0}, {a, along}, {a - along, b}, {0, b - along}}};
-            result.push_back({segment.sides[side][k], places[side]});
-        }
+    for (int side = 0; side < 4; ++side)
+        for (int k = 0; k < segment.size[directionAlong(side)]; ++k)
+            result.push_back({segment.sides[at(side)][at(k)], placeOnSide(segment.size, side, k)});
     std::ranges::stable_sort(result, {}, [](const BorderVertex& entry) { return entry.vertex.idx(); });
     return result;
 }
@@ -117,11 +112,6 @@ bool touchesItself(const Segment& segment) {
 
 FacePatches separated(const QuadMesh& mesh, FacePatches faces, double tolerance) {
     FacePatches result;
-    const auto add = [&](Segment segment, Patch patch, std::vector<std::size_t> origins) {
-        result.layout.segments.push_back(std::move(segment));
-        result.patches.push_back(std::move(patch));
-        result.origins.push_back(std::move(origins));
-    };
     const auto isCorner = cornersOf(mesh, faces.layout);
     for (std::size_t f = 0; f < faces.patches.size(); ++f) {
         Segment& segment = faces.layout.segments[f];
@@ -130,7 +120,7 @@ FacePatches separated(const QuadMesh& mesh, FacePatches faces, double tolerance)
         cutLongSides(segment, isCorner, cuts);
         addContacts(segment, cuts);
         if (cuts[0].empty() && cuts[1].empty()) {
-            add(std::move(segment), std::move(faces.patches[f]), std::move(faces.origins[f]));
+            result.add(std::move(segment), std::move(faces.patches[f]), std::move(faces.origins[f]));
             continue;
         }
         for (std::size_t d = 0; d < 2; ++d) {
@@ -142,8 +132,8 @@ FacePatches separated(const QuadMesh& mesh, FacePatches faces, double tolerance)
             for (std::size_t i = 0; i + 1 < cuts[0].size(); ++i) {
                 const std::array<int, 2> from{cuts[0][i], cuts[1][j]};
                 const std::array<int, 2> to{cuts[0][i + 1], cuts[1][j + 1]};
-                add(partOf(vertices, segment, from, to), partOf(faces.patches[f], from, to),
-                    faces.origins[f]);
+                result.add(partOf(vertices, segment, from, to), partOf(faces.patches[f], from, to),
+                           faces.origins[f]);
             }
     }
     return result;

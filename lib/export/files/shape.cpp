@@ -55,7 +55,7 @@ private:
 
     void addUse(const EdgeUse& use, TopoDS_Wire& wire, const TopoDS_Face& face) {
         const BoundaryEdge& edge = boundary_.edges[use.edge];
-        if (const auto& curve = edge.onFaces.at(use.forwards ? 0 : 1); !curve.IsNull()) {
+        if (const auto& curve = edge.onFaces.at(use.side()); !curve.IsNull()) {
             builder_.UpdateEdge(edges_[use.edge], curve, face, edge.tolerance);
             builder_.Range(edges_[use.edge], face, curve->FirstParameter(), curve->LastParameter());
         }

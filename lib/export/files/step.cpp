@@ -88,13 +88,10 @@ public:
 private:
     void addEdges() {
         std::vector<std::array<std::optional<StepId>, 2>> onFaces(edges_.size());
-        for (std::size_t f = 0; f < boundary_.faces.size(); ++f)
-            for (const auto& loop : boundary_.faces[f].loops)
-                for (const EdgeUse& use : loop) {
-                    const std::size_t side = use.forwards ? 0 : 1;
-                    if (const auto& curve = boundary_.edges[use.edge].onFaces.at(side); !curve.IsNull())
-                        onFaces[use.edge].at(side) = addOnSurface(curve, surfaces_[f]);
-                }
+        forEachUse(boundary_, [&](std::size_t face, const EdgeUse& use) {
+            if (const auto& curve = boundary_.edges[use.edge].onFaces.at(use.side()); !curve.IsNull())
+                onFaces[use.edge].at(use.side()) = addOnSurface(curve, surfaces_[face]);
+        });
         for (std::size_t e = 0; e < edges_.size(); ++e) {
             const BoundaryEdge& edge = boundary_.edges[e];
             StepId curve = addCurve(file_, edge.curve.curve);

@@ -1,27 +1,18 @@
 #include "export/simple/conic_curve.h"
 
+#include "base/infinity.h"
 #include "export/simple/curve_on_surface.h"
+#include "export/simple/elementary_numbers.h"
 #include "export/simple/straight_seam.h"
 
 #include <ElCLib.hxx>
 #include <Geom_Circle.hxx>
-#include <Geom_ConicalSurface.hxx>
-#include <Geom_CylindricalSurface.hxx>
 #include <Geom_Ellipse.hxx>
 #include <Geom_Line.hxx>
-#include <Geom_Plane.hxx>
-#include <Geom_SphericalSurface.hxx>
-#include <Geom_ToroidalSurface.hxx>
 #include <IntAna_QuadQuadGeo.hxx>
 #include <Precision.hxx>
 #include <cmath>
 #include <concepts>
-#include <gp_Cone.hxx>
-#include <gp_Cylinder.hxx>
-#include <gp_Pln.hxx>
-#include <gp_Sphere.hxx>
-#include <gp_Torus.hxx>
-#include <limits>
 #include <numbers>
 #include <utility>
 #include <variant>
@@ -31,18 +22,6 @@ namespace qm {
 namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
-
-using AnySurface = std::variant<gp_Pln, gp_Cylinder, gp_Cone, gp_Sphere, gp_Torus>;
-
-AnySurface numbersOf(const Handle(Geom_ElementarySurface) & surface) {
-    if (const auto plane = Handle(Geom_Plane)::DownCast(surface); !plane.IsNull()) return plane->Pln();
-    if (const auto cylinder = Handle(Geom_CylindricalSurface)::DownCast(surface); !cylinder.IsNull())
-        return cylinder->Cylinder();
-    if (const auto cone = Handle(Geom_ConicalSurface)::DownCast(surface); !cone.IsNull()) return cone->Cone();
-    if (const auto sphere = Handle(Geom_SphericalSurface)::DownCast(surface); !sphere.IsNull())
-        return sphere->Sphere();
-    return Handle(Geom_ToroidalSurface)::DownCast(surface)->Torus();
-}
 
 /// OpenCASCADE knows every pair in one order only, and not all with the same tolerances.
 struct Intersection {
@@ -150,7 +129,7 @@ std::optional<CurvePiece> conicCurve(const std::array<SimpleSurface, 2>& surface
                                      double resolution) {
     if (ends[0].Distance(ends[1]) <= resolution) return std::nullopt;
     std::optional<CurvePiece> best;
-    double distance = std::numeric_limits<double>::infinity();
+    double distance = infinity;
     std::vector<Handle(Geom_Curve)> candidates = meetings(surfaces, resolution / 4);
     if (areOneRuledSurface(surfaces[0], surfaces[1], resolution / 4))
         candidates.emplace_back(new Geom_Line(ends[0], gp_Dir(ends[1].XYZ() - ends[0].XYZ())));

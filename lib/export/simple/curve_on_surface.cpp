@@ -2,20 +2,18 @@
 
 #include "base/at.h"
 #include "export/geometry/geometry.h"
+#include "export/simple/elementary_numbers.h"
 
 #include <ElSLib.hxx>
 #include <Geom2dAPI_Interpolate.hxx>
 #include <Geom2d_BSplineCurve.hxx>
 #include <GeomAPI_Interpolate.hxx>
-#include <Geom_ConicalSurface.hxx>
-#include <Geom_CylindricalSurface.hxx>
 #include <Geom_Plane.hxx>
-#include <Geom_SphericalSurface.hxx>
-#include <Geom_ToroidalSurface.hxx>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace qm {
@@ -84,16 +82,7 @@ template <class Make> auto refined(double resolution, const Make& make) {
 gp_Pnt2d parametersAt(const Handle(Geom_ElementarySurface) & surface, const gp_Pnt& point) {
     double u = 0;
     double v = 0;
-    if (const auto plane = Handle(Geom_Plane)::DownCast(surface); !plane.IsNull())
-        ElSLib::Parameters(plane->Pln(), point, u, v);
-    else if (const auto cylinder = Handle(Geom_CylindricalSurface)::DownCast(surface); !cylinder.IsNull())
-        ElSLib::Parameters(cylinder->Cylinder(), point, u, v);
-    else if (const auto cone = Handle(Geom_ConicalSurface)::DownCast(surface); !cone.IsNull())
-        ElSLib::Parameters(cone->Cone(), point, u, v);
-    else if (const auto sphere = Handle(Geom_SphericalSurface)::DownCast(surface); !sphere.IsNull())
-        ElSLib::Parameters(sphere->Sphere(), point, u, v);
-    else
-        ElSLib::Parameters(Handle(Geom_ToroidalSurface)::DownCast(surface)->Torus(), point, u, v);
+    std::visit([&](const auto& numbers) { ElSLib::Parameters(numbers, point, u, v); }, numbersOf(surface));
     return {u, v};
 }
 

@@ -30,6 +30,16 @@ struct NormalLimits {
     static constexpr double largestOfPlane = 3 * (std::numbers::pi / 180);
 };
 
+/// Samples of a patch in either direction, at most.
+struct MaxSamples {
+    static constexpr std::size_t ofNormals = 5;  ///< to see which way a plane looks
+    static constexpr std::size_t ofFit = 12;     ///< to find a shape, or one of several patches
+    static constexpr std::size_t ofPatch = 1000; ///< to verify it, once
+};
+
+/// What `fitShape` asks for.
+constexpr std::size_t minPoints = 10;
+
 /// \return 1, or -1 if the shape's normals point the other way than the points'
 int sideOf(const SimpleShape& shape, const OrientedPoints& samples) {
     return shape.normal(samples.points.front()).dot(samples.normals.front()) < 0 ? -1 : 1;
@@ -81,7 +91,7 @@ std::optional<SimpleShape> fittingShape(SimpleKind kind, const Group& group) {
 
 /// The first kind that fits.
 std::optional<SimpleShape> recognised(const Group& group) {
-    if (group.cloud.samples.points.size() < 10) return std::nullopt;
+    if (group.cloud.samples.points.size() < minPoints) return std::nullopt;
     for (const SimpleKind kind :
          {SimpleKind::plane, SimpleKind::cylinder, SimpleKind::cone, SimpleKind::sphere, SimpleKind::torus})
         if (auto shape = fittingShape(kind, group)) return shape;
@@ -179,7 +189,7 @@ std::optional<SimpleSurface> planeOf(const Patch& clampedPatch, double tolerance
     auto plane = fitShape(SimpleKind::plane, net);
     for (const Vector3d& point : net.points)
         if (!(std::abs(plane->distance(point)) <= tolerance)) return std::nullopt;
-    const PatchCloud cloud = cloudOf(clampedPatch, 5);
+    const PatchCloud cloud = cloudOf(clampedPatch, MaxSamples::ofNormals);
     if (cloud.samples.points.empty()) return std::nullopt;
     Vector3d normal(0, 0, 0);
     for (const Vector3d& at : cloud.samples.normals)
@@ -195,7 +205,7 @@ simpleSurfacesOf(const std::vector<Patch>& clampedPatches, const std::vector<dou
                  const std::vector<std::array<std::size_t, 2>>& smoothNeighbours) {
     std::vector<Group> groups(clampedPatches.size());
     for (std::size_t k = 0; k < clampedPatches.size(); ++k) {
-        groups[k] = {cloudOf(clampedPatches[k], 12), std::nullopt, tolerances[k]};
+        groups[k] = {cloudOf(clampedPatches[k], MaxSamples::ofFit), std::nullopt, tolerances[k]};
         if (tolerances[k] > 0) groups[k].shape = recognised(groups[k]);
     }
     const std::vector<Group> alone = groups;
@@ -203,7 +213,7 @@ simpleSurfacesOf(const std::vector<Patch>& clampedPatches, const std::vector<dou
     std::vector<std::optional<SimpleSurface>> result(clampedPatches.size());
     for (std::size_t k = 0; k < clampedPatches.size(); ++k) {
         if (!alone[k].shape) continue;
-        const PatchCloud fine = cloudOf(clampedPatches[k], 1000);
+        const PatchCloud fine = cloudOf(clampedPatches[k], MaxSamples::ofPatch);
         result[k] = surfaceFor(groups[groupOf[k]], fine, tolerances[k]);
         if (!result[k]) result[k] = surfaceFor(alone[k], fine, tolerances[k]);
     }

@@ -29,12 +29,9 @@ void appendCorners(std::string& text, std::span<const std::int64_t> corners, std
 }
 
 std::string asObj(const Soup& soup) {
-    std::string text;
-    text.reserve(soup.points.size() * 60 + soup.corners.size() * 8);
-    for (const Point& point : soup.points)
-        appendPoint(text += "v ", point);
+    std::string text = objPoints(soup);
     for (std::size_t k = 0; k < soup.faceCount(); ++k)
-        appendCorners(text += 'f', soup.face(k), 1);
+        appendObjFace(text, soup.face(k));
     return text;
 }
 
@@ -53,19 +50,9 @@ std::string asOff(const Soup& soup) {
 }
 
 std::string asPly(const Soup& soup) {
-    std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex ";
-    appendNumber(bytes, soup.points.size());
-    bytes += "\nproperty double x\nproperty double y\nproperty double z\nelement face ";
-    appendNumber(bytes, soup.faceCount());
-    bytes += "\nproperty list uchar int vertex_indices\nend_header\n";
-    for (const Point& point : soup.points)
-        for (const double coordinate : point)
-            appendBytes(bytes, coordinate);
-    for (std::size_t k = 0; k < soup.faceCount(); ++k) {
-        appendBytes(bytes, static_cast<std::uint8_t>(soup.face(k).size()));
-        for (const std::int64_t corner : soup.face(k))
-            appendBytes(bytes, static_cast<std::int32_t>(corner));
-    }
+    std::string bytes = plyPoints(soup);
+    for (std::size_t k = 0; k < soup.faceCount(); ++k)
+        appendPlyFace(bytes, soup.face(k));
     return bytes;
 }
 
@@ -103,6 +90,38 @@ std::string writeSoup(const Soup& soup, MeshFormat format) {
         break;
     }
     return asStl(soup);
+}
+
+std::string objPoints(const Soup& soup) {
+    std::string text;
+    text.reserve(soup.points.size() * 60 + soup.corners.size() * 8);
+    for (const Point& point : soup.points)
+        appendPoint(text += "v ", point);
+    return text;
+}
+
+void appendObjFace(std::string& text, std::span<const std::int64_t> corners) {
+    appendCorners(text += 'f', corners, 1);
+}
+
+std::string plyPoints(const Soup& soup, std::string_view furtherProperties) {
+    std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex ";
+    appendNumber(bytes, soup.points.size());
+    bytes += "\nproperty double x\nproperty double y\nproperty double z\nelement face ";
+    appendNumber(bytes, soup.faceCount());
+    bytes += "\nproperty list uchar int vertex_indices\n";
+    bytes += furtherProperties;
+    bytes += "end_header\n";
+    for (const Point& point : soup.points)
+        for (const double coordinate : point)
+            appendBytes(bytes, coordinate);
+    return bytes;
+}
+
+void appendPlyFace(std::string& bytes, std::span<const std::int64_t> corners) {
+    appendBytes(bytes, static_cast<std::uint8_t>(corners.size()));
+    for (const std::int64_t corner : corners)
+        appendBytes(bytes, static_cast<std::int32_t>(corner));
 }
 
 Soup soupOf(const QuadMesh& mesh) {

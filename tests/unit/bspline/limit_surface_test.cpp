@@ -291,9 +291,8 @@ TEST(LimitSurface, PassesThroughTheVerticesWhateverTheirValence) {
         const auto rules = vertexRules(mesh, segmentPerQuad(mesh), creasesAndBoundary(mesh, noCreases(mesh)));
         const ControlMesh control = interpolatingControlMesh(mesh, rules);
         EXPECT_EQ(std::ranges::count(control.interpolates, false), 0) << n;
-        VertexStencil stencil;
         for (const VertexId vertex : mesh.vertices()) {
-            limitStencil(mesh, vertex, rules[at(vertex)], stencil);
+            const VertexStencil stencil = limitStencil(mesh, vertex, rules[at(vertex)]);
             Point limit = stencil.own * control.points[at(vertex)];
             for (const auto& [spoke, diagonal, weight] : stencil.around) {
                 const HalfedgeId onward = diagonal ? mesh.next_halfedge_handle(spoke) : spoke;
@@ -444,11 +443,8 @@ TEST(VertexStencil, TheLimitIsWhereManySubdivisionsEnd) {
                 }
                 return sum;
             };
-            VertexStencil limit;
-            limitStencil(mesh, VertexId(0), rule, limit);
-            const Point expected = mean(limit);
-            VertexStencil stencil;
-            subdivisionStencil(mesh, VertexId(0), rule, stencil);
+            const Point expected = mean(limitStencil(mesh, VertexId(0), rule));
+            const VertexStencil stencil = subdivisionStencil(mesh, VertexId(0), rule);
             for (int step = 0; step < 60; ++step) {
                 std::vector<Point> faces;
                 for (std::size_t k = 0; k < count; ++k)

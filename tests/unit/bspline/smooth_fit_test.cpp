@@ -280,8 +280,8 @@ TEST(SmoothSystem, FindsTheSamePatchWhileItsNeighboursStay) {
     const QuadMesh mesh = test::makeMesh(test::sheet());
     const Layout layout = test::makeLayout(test::sheet(), test::tJoint());
     const SmoothNetwork network = networkOf(mesh, layout);
-    const auto grids = limitSurface(mesh, layout, network.rules, network.marks.isCrease, 4, 1);
-    const auto sources = latticeSources(mesh, layout, network, grids, {});
+    const FitTarget target{limitSurface(mesh, layout, network.rules, network.marks.isCrease, 4, 1)};
+    const auto sources = latticeSources(mesh, layout, network, target);
     const KnotPlan plan(layout, network);
     const std::vector<PatchSpace> spaces = plan.spaces();
     std::vector<FitLattice> lattices;
@@ -289,7 +289,7 @@ TEST(SmoothSystem, FindsTheSamePatchWhileItsNeighboursStay) {
     for (std::size_t k = 0; k < sources.size(); ++k) {
         lattices.push_back(makeLattice(sources[k], {latticeParameters(layout.segments[k].size[0], 4, {}),
                                                     latticeParameters(layout.segments[k].size[1], 4, {})}));
-        plates.push_back(thinPlates(grids[k], 0.1));
+        plates.push_back(thinPlates(target.grids[k], 0.1));
     }
     const auto solve = [&](const std::vector<bool>& isFree, std::vector<Patch>& patches) {
         SmoothSystem system(layout, plan, spaces, lattices, plates, isFree, patches, 1);

@@ -1,7 +1,8 @@
 #include "bspline/fitting/knots/border_knots.h"
 
+#include "bspline/fitting/knots/initial_knots.h"
 #include "bspline/fitting/lattice/lattice_lines.h"
-#include "bspline/network/borders.h"
+#include "layout/sides.h"
 
 #include <algorithm>
 #include <array>
@@ -46,15 +47,9 @@ private:
     KnotPlan& plan_;
 };
 
-/// The number of the lattice line that runs along a side.
-std::size_t lineAlong(const LatticeLines& lines, int side) {
-    return isFarSide(side) ? lines.count() - 1 : 0;
-}
-
 /// The knot that ends the interval from `begin`, if a cubic reaches to `farthest`: one that both sides have,
 /// or else one that one of them has, unless it is much nearer than `farthest`.
 int nextKnot(const StretchKnots& knots, int begin, int farthest) {
-    constexpr double notMuchNearer = 0.5;
     const int min = begin + std::max(1, static_cast<int>(std::ceil(notMuchNearer * (farthest - begin))));
     static constexpr std::array<std::size_t, 2> sides{0, 1};
     const std::span all(sides);
@@ -71,7 +66,7 @@ void insertBorderKnots(const Layout& layout, const std::vector<FitLattice>& latt
         const StretchSide& place = stretch.sides[0];
         const auto& size = layout.segments[place.patch].size;
         LatticeLines lines(lattices[place.patch], limits[place.patch], directionAlong(place.side), tolerance);
-        const std::size_t line = lineAlong(lines, place.side);
+        const std::size_t line = isFarSide(place.side) ? lines.count() - 1 : 0; // along the side
         const auto fits = [&](int begin, int end) {
             const auto a = static_cast<int>(patchParameter(size, place, begin));
             const auto b = static_cast<int>(patchParameter(size, place, end));

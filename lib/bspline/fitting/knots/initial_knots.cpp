@@ -1,6 +1,7 @@
 #include "bspline/fitting/knots/initial_knots.h"
 
 #include "bspline/fitting/lattice/lattice_lines.h"
+#include "layout/sides.h"
 
 #include <algorithm>
 
@@ -9,8 +10,8 @@ namespace qm {
 std::vector<double> knotsBeside(const Layout& layout, const StretchMap& map, const KnotPlan& plan,
                                 std::size_t patch, std::size_t direction) {
     std::vector<double> knots;
-    for (const int side : {static_cast<int>(direction), static_cast<int>(direction) + 2})
-        for (const StretchEnd& end : map.on(patch, side)) {
+    for (const bool isFar : {false, true})
+        for (const StretchEnd& end : map.on(patch, sideAcross(1 - direction, isFar))) {
             const Stretch& stretch = plan.stretches()[end.stretch];
             const StretchSide& other = stretch.sides[1 - end.which];
             for (const double knot : plan.chosen(other.patch, directionAlong(other.side))) {
@@ -26,7 +27,6 @@ std::vector<double> knotsBeside(const Layout& layout, const StretchMap& map, con
 void insertInitialKnots(const Layout& layout, const std::vector<FitLattice>& lattices,
                         const std::vector<NormalLimits>& limits, const StretchMap& map, double tolerance,
                         KnotPlan& plan) {
-    constexpr double notMuchNearer = 0.5;
     for (std::size_t patch = 0; patch < lattices.size(); ++patch)
         for (std::size_t direction = 0; direction < 2; ++direction) {
             LatticeLines lines(lattices[patch], limits[patch], direction, tolerance);

@@ -10,6 +10,10 @@
 
 namespace qm {
 
+/// A knot that others have is taken in place of one farther away, if its interval has at least this share of
+/// the length.
+constexpr double notMuchNearer = 0.5;
+
 /// Inserts knots at grid lines into a plan that has none, patch by patch, as far apart as possible: between
 /// two knots a cubic along every line of the lattice is within `tolerance` of it, with normals within their
 /// limits. If a neighbour has a knot that is not much nearer, that one is taken, because only knots that both

@@ -2,8 +2,8 @@
 
 #include "bspline/fitting/knots/initial_knots.h"
 #include "bspline/fitting/lattice/lattice_cells.h"
-#include "bspline/network/borders.h"
 #include "bspline/splines/basis.h"
+#include "layout/sides.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,8 +53,7 @@ private:
         const std::size_t direction = directionAlong(place.side);
         const double a = patchParameter(size, place, x);
         const double b = patchParameter(size, place, x + reach);
-        const bool isFar = isFarSide(place.side);
-        const double across = isFar ? size[1 - direction] : 0;
+        const double across = isFarSide(place.side) ? size[1 - direction] : 0;
         KnotCell cell;
         cell.begin[direction] = std::min(a, b);
         cell.end[direction] = std::max(a, b);

@@ -1,5 +1,8 @@
 #include "bspline/fitting/knots/knot_plan.h"
 
+#include "base/at.h"
+#include "layout/sides.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -20,14 +23,12 @@ SmoothFlags smoothSides(const std::vector<std::array<int, 2>>& sizes, const Smoo
     SmoothFlags flags(sizes.size());
     for (std::size_t patch = 0; patch < sizes.size(); ++patch)
         for (int side = 0; side < 4; ++side)
-            flags[patch][static_cast<std::size_t>(side)].resize(
-                static_cast<std::size_t>(sizes[patch][directionAlong(side)]));
+            flags[patch][at(side)].resize(at(sizes[patch][directionAlong(side)]));
     for (const SmoothRun& run : network.runs)
         for (const StretchSide& place : network.stretches[run.stretch].sides)
             for (int x = run.begin; x < run.end; ++x) {
                 const double middle = patchParameter(sizes[place.patch], place, x + 0.5);
-                flags[place.patch][static_cast<std::size_t>(place.side)][static_cast<std::size_t>(middle)] =
-                    true;
+                flags[place.patch][at(place.side)][static_cast<std::size_t>(middle)] = true;
             }
     return flags;
 }
@@ -37,7 +38,7 @@ KnotLists findTurns(const std::vector<std::array<int, 2>>& sizes, const SmoothNe
     KnotLists turns(sizes.size());
     for (std::size_t patch = 0; patch < sizes.size(); ++patch)
         for (int side = 0; side < 4; ++side) {
-            const auto& smooth = flags[patch][static_cast<std::size_t>(side)];
+            const auto& smooth = flags[patch][at(side)];
             for (std::size_t k = 1; k < smooth.size(); ++k)
                 if (smooth[k] != smooth[k - 1])
                     insertSorted(turns[patch][directionAlong(side)], static_cast<double>(k));

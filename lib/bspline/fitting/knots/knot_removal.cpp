@@ -45,18 +45,15 @@ double errorWithout(const FitLattice& lattice, const NormalLimits& limits, const
     const auto step = [&](double parameter) {
         return positionIn(parameters, std::ranges::lower_bound(parameters, parameter));
     };
-    const auto index = [&](std::size_t line, std::size_t along) {
-        return direction == 0 ? line * lattice.columns() + along : along * lattice.columns() + line;
-    };
     double worst = 0;
     for (std::size_t line = 0; line < lines.size(); ++line) {
-        const std::size_t middle = index(line, step(knots[knot]));
+        const std::size_t middle = lattice.onLine(direction, line, step(knots[knot]));
         const double added = scale * distance(lattice, middle, after[line] - before[line]);
         if (lattice.freedom[middle] == Freedom::surface)
             worst = std::max(worst, slope * added / (length * lattice.edge[middle]) /
                                         limits.at(direction, lattice.parametersAt(middle)));
         for (std::size_t along = step(knots[knot - 1]); along <= step(knots[knot + 1]); ++along)
-            worst = std::max(worst, errors.error[index(line, along)] + added / tolerance);
+            worst = std::max(worst, errors.error[lattice.onLine(direction, line, along)] + added / tolerance);
     }
     return worst;
 }

@@ -3,9 +3,9 @@
 #include "base/at.h"
 #include "base/positions.h"
 #include "bspline/fitting/lattice/folded_quads.h"
-#include "bspline/network/borders.h"
 #include "bspline/reference/bending/sound_faces.h"
 #include "bspline/splines/evaluate.h"
+#include "layout/sides.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,22 +45,21 @@ std::vector<double> widths(const std::vector<double>& parameters) {
 }
 
 /// Marks the points of a side that lie on creases, and the corners at its ends.
-void markSide(const LatticeSource& source, std::size_t side, const std::vector<SurfacePoint>& points,
+void markSide(const LatticeSource& source, int side, const std::vector<SurfacePoint>& points,
               FitLattice& lattice) {
-    const std::size_t along = side % 2;
+    const std::size_t along = directionAlong(side);
     const auto& parameters = lattice.targets.parameters[along];
-    const auto& isCrease = source.isCrease[side];
+    const auto& isCrease = source.isCrease[at(side)];
     const std::size_t last = parameters.size() - 1;
     for (std::size_t k = 0; k <= last; ++k) { // counter-clockwise
-        const double at = side < 2 ? parameters[k] : parameters[last] - parameters[last - k];
-        const auto before = static_cast<std::size_t>(std::max(std::ceil(at) - 1, 0.0));
-        const auto after = std::min(static_cast<std::size_t>(at), isCrease.size() - 1);
+        const std::size_t place = alongSide(side, k, last);
+        const double walked = alongSide(side, parameters[place], parameters[last]);
+        const auto before = static_cast<std::size_t>(std::max(std::ceil(walked) - 1, 0.0));
+        const auto after = std::min(static_cast<std::size_t>(walked), isCrease.size() - 1);
         if (!isCrease[before] && !isCrease[after]) continue;
-        const std::size_t place = side < 2 ? k : last - k;
-        const std::size_t point = pointOnSide(lattice.columns(), lattice.targets.parameters[1].size(),
-                                              static_cast<int>(side), place);
+        const std::size_t point = pointOnSide({lattice.columns(), lattice.rows()}, side, place);
         const bool isEnd = k == 0 || k == last;
-        const VertexRule::Kind end = source.corners[k == 0 ? side : (side + 1) % 4];
+        const VertexRule::Kind end = source.corners[at(k == 0 ? side : (side + 1) % 4)];
         if (isEnd && end == VertexRule::Kind::corner) lattice.freedom[point] = Freedom::corner;
         const bool onCurve = !isEnd || end == VertexRule::Kind::crease;
         if (!onCurve || lattice.freedom[point] == Freedom::corner) continue;
@@ -103,15 +102,13 @@ std::vector<Place> placesIn(const std::vector<double>& coarse, const std::vector
 } // namespace
 
 std::vector<LatticeSource> latticeSources(const QuadMesh& mesh, const Layout& layout,
-                                          const SmoothNetwork& network,
-                                          const std::vector<ReferenceGrid>& reference,
-                                          const std::vector<std::vector<double>>& weights) {
-    std::vector<LatticeSource> sources(reference.size());
+                                          const SmoothNetwork& network, const FitTarget& reference) {
+    std::vector<LatticeSource> sources(reference.grids.size());
     const std::vector<bool> isSound = soundFaces(mesh);
-    for (std::size_t k = 0; k < reference.size(); ++k) {
+    for (std::size_t k = 0; k < sources.size(); ++k) {
         const Segment& segment = layout.segments[k];
-        sources[k].grid = &reference[k];
-        if (!weights.empty()) sources[k].weights = &weights[k];
+        sources[k].grid = &reference.grids[k];
+        if (!reference.weights.empty()) sources[k].weights = &reference.weights[k];
         for (const FaceId face : segment.faces)
             sources[k].isSound.push_back(isSound[at(face)]);
         for (std::size_t side = 0; side < 4; ++side) {
@@ -169,7 +166,7 @@ FitLattice makeLattice(const LatticeSource& source, const std::array<std::vector
     lattice.slides.assign(points.size(), Point(0, 0, 0));
     lattice.holds.assign(points.size(), 0);
     lattice.isHeld.assign(points.size(), false);
-    for (std::size_t side = 0; side < 4; ++side)
+    for (int side = 0; side < 4; ++side)
         markSide(source, side, points, lattice);
     weighTargets(source, lattice);
     return lattice;

@@ -3,7 +3,7 @@
 
 #include "bspline/fitting/energy/patch_form.h"
 #include "bspline/network/smooth_network.h"
-#include "bspline/reference/lattice/reference_grid.h"
+#include "bspline/reference/lattice/fit_target.h"
 #include "layout/layout.h"
 
 #include <array>
@@ -50,6 +50,10 @@ struct FitLattice : LatticeProgress {
 
     [[nodiscard]] std::size_t columns() const { return targets.parameters[0].size(); }
     [[nodiscard]] std::size_t rows() const { return targets.parameters[1].size(); }
+    /// The number of point `k` on a line along u (0) or v (1).
+    [[nodiscard]] std::size_t onLine(std::size_t direction, std::size_t line, std::size_t k) const {
+        return direction == 0 ? line * columns() + k : k * columns() + line;
+    }
     [[nodiscard]] std::array<double, 2> parametersAt(std::size_t point) const {
         return {targets.parameters[0][point % columns()], targets.parameters[1][point / columns()]};
     }
@@ -59,12 +63,10 @@ struct FitLattice : LatticeProgress {
 constexpr int maxHolds = 2;
 
 /// The sources of all segments.
-/// \param reference  by segment; must outlive the result, as must the weights
-/// \param weights    by segment: of the points of its grid; empty if all are 1
+/// \param reference  must outlive the result
 [[nodiscard]] std::vector<LatticeSource> latticeSources(const QuadMesh& mesh, const Layout& layout,
                                                         const SmoothNetwork& network,
-                                                        const std::vector<ReferenceGrid>& reference,
-                                                        const std::vector<std::vector<double>>& weights);
+                                                        const FitTarget& reference);
 
 /// Parameters along a direction of `size` quads: `steps` intervals per quad, and at least four between two
 /// knots.

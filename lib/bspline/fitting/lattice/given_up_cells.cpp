@@ -5,6 +5,7 @@
 #include <cstddef>
 
 namespace qm {
+
 void GivenUpCells::add(const KnotCell& cell, FitLattice& lattice, PatchErrors& errors) {
     constexpr double slack = 1.1;
     Place place{cell, 1, false};

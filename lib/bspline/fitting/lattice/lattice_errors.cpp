@@ -41,6 +41,20 @@ Point meanDirection(const FitLattice& lattice, std::size_t k, const SurfacePoint
     return unit(axis + ((along | axis) < 0 ? -along : along));
 }
 
+double signedDistance(const FitLattice& lattice, std::size_t k, const SurfacePoint& point,
+                      const Point& offset) {
+    if (lattice.freedom[k] == Freedom::crease) {
+        const Point direction = meanDirection(lattice, k, point);
+        return (offset - direction * (offset | direction)).norm();
+    }
+    const Point mean =
+        lattice.freedom[k] == Freedom::surface ? meanNormal(lattice, k, point) : Point(0, 0, 0);
+    // Where the surface turns away from the reference, the offset is only an upper bound of the distance.
+    constexpr double turnedAway = 0.87; // cosine of half of 60 degrees
+    if (lattice.freedom[k] == Freedom::surface && (lattice.axes[k] | mean) < turnedAway) return offset.norm();
+    return mean.sqrnorm() > 0 ? (offset | mean) : distance(lattice, k, offset);
+}
+
 /// Targets slide only where the normals of surface and reference agree up to this: the cosine of half their
 /// angle.
 constexpr double minCosine = 0.92;
@@ -88,24 +102,6 @@ double distance(const FitLattice& lattice, std::size_t point, const Point& offse
         return offset.norm();
     }
 }
-
-namespace {
-
-double signedDistance(const FitLattice& lattice, std::size_t k, const SurfacePoint& point,
-                      const Point& offset) {
-    if (lattice.freedom[k] == Freedom::crease) {
-        const Point direction = meanDirection(lattice, k, point);
-        return (offset - direction * (offset | direction)).norm();
-    }
-    const Point mean =
-        lattice.freedom[k] == Freedom::surface ? meanNormal(lattice, k, point) : Point(0, 0, 0);
-    // Where the surface turns away from the reference, the offset is only an upper bound of the distance.
-    constexpr double turnedAway = 0.87; // cosine of half of 60 degrees
-    if (lattice.freedom[k] == Freedom::surface && (lattice.axes[k] | mean) < turnedAway) return offset.norm();
-    return mean.sqrnorm() > 0 ? (offset | mean) : distance(lattice, k, offset);
-}
-
-} // namespace
 
 PatchErrors latticeErrors(const FitLattice& lattice, const Patch& patch, double tolerance, double scale) {
     constexpr double ofFolds = 2;

@@ -40,7 +40,7 @@ private:
         return static_cast<int>(lattice_.targets.parameters[direction_].size() - 1) / length();
     }
     [[nodiscard]] std::size_t index(std::size_t line, std::size_t along) const {
-        return direction_ == 0 ? line * lattice_.columns() + along : along * lattice_.columns() + line;
+        return lattice_.onLine(direction_, line, along);
     }
     [[nodiscard]] bool isNear(std::size_t line, std::size_t begin, const Eigen::MatrixX4d& basis) const;
 

@@ -3,8 +3,8 @@
 #include "base/at.h"
 #include "base/disjoint_sets.h"
 #include "bspline/fitting/planes/principal_axes.h"
-#include "bspline/network/borders.h"
 #include "bspline/splines/eigen_point.h"
+#include "layout/sides.h"
 
 #include <Eigen/Geometry>
 
@@ -31,10 +31,10 @@ struct StraightLine {
 };
 
 std::vector<Eigen::Vector3d> pointsOnSide(const ReferenceGrid& grid, int side) {
-    const std::size_t count = directionAlong(side) == 0 ? grid.columns() : grid.rows();
+    const std::array<std::size_t, 2> count{grid.columns(), grid.rows()};
     std::vector<Eigen::Vector3d> points;
-    for (std::size_t k = 0; k < count; ++k)
-        points.push_back(vector(grid.points[pointOnSide(grid.columns(), grid.rows(), side, k)]));
+    for (std::size_t k = 0; k < count[directionAlong(side)]; ++k)
+        points.push_back(vector(grid.points[pointOnSide(count, side, k)]));
     return points;
 }
 

@@ -8,8 +8,8 @@
 #include "bspline/fitting/system/continuity_equations.h"
 #include "bspline/fitting/system/free_patches.h"
 #include "bspline/fitting/system/free_unknowns.h"
-#include "bspline/network/borders.h"
 #include "bspline/splines/eigen_point.h"
+#include "layout/sides.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -133,7 +133,7 @@ private:
         for (int side = 0; side < 4; ++side)
             if (const auto& outline = flat_[patch]->outlines[at(side)])
                 for (std::size_t k = 0; k < count[directionAlong(side)]; ++k)
-                    add(pointOnSide(count[0], count[1], side, k), *outline);
+                    add(pointOnSide(count, side, k), *outline);
     }
 
     /// Gives up what the worst demands are for.

@@ -1,11 +1,11 @@
 #include "bspline/fitting/solver/constrained_system.h"
 
 #include "base/at.h"
+#include "base/infinity.h"
 #include "base/parallel.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace qm {
@@ -87,7 +87,7 @@ void ConstrainedSystem::improve(const Eigen::MatrixX3d& rightHandSide, Accuracy 
                                 Eigen::MatrixX3d& solution) const {
     constexpr double negligible = 1e-15;
     const int maxSteps = accuracy == Accuracy::draft ? 1 : 20;
-    double before = std::numeric_limits<double>::infinity();
+    double before = infinity;
     for (int k = 0; k < maxSteps; ++k) {
         Eigen::MatrixX3d correction = factors_->solve(residual(rightHandSide, solution));
         // A correction that does not become smaller is rounding.

@@ -96,6 +96,35 @@ private:
     Eigen::Matrix2d frame_; ///< its rows: an orthonormal frame's vectors in terms of u and v
 };
 
+/// A point of Gauss's rule on the unit interval.
+struct GaussPoint {
+    double weight;
+    Hermite hermite;
+    LagrangeWeights lagrange;
+};
+
+/// Three points: with two, some twists would not bend anything.
+using GaussRule = std::array<GaussPoint, 3>;
+
+GaussRule gaussRule(int steps) {
+    constexpr double outer = 0.3872983346207417; // half of the root of 3/5
+    const auto point = [&](double t, double weight) {
+        return GaussPoint{weight, Hermite(t), lagrange(steps, t)};
+    };
+    return {point(0.5 - outer, 5.0 / 18), point(0.5, 8.0 / 18), point(0.5 + outer, 5.0 / 18)};
+}
+
+/// What one unit of every entry of a tilt changes, by corner.
+std::array<std::array<CornerChange, 3>, 4> unitChanges(const QuadSurface& surface,
+                                                       const CornerFrames& frames) {
+    std::array<std::array<CornerChange, 3>, 4> changes{};
+    for (std::size_t corner = 0; corner < frames.size(); ++corner)
+        for (std::size_t k = 0; frames[corner] != nullptr && k < 3; ++k)
+            changes[corner][k] = changeOf(surface, corner, *frames[corner],
+                                          Eigen::Vector3d::Unit(static_cast<Eigen::Index>(k)));
+    return changes;
+}
+
 } // namespace
 
 QuadSurface::QuadSurface(int steps, std::vector<Eigen::Vector3d> points)
@@ -153,39 +182,6 @@ std::vector<Eigen::Vector3d> QuadSurface::displacements(const CornerFrames& fram
     }
     return result;
 }
-
-namespace {
-
-/// A point of Gauss's rule on the unit interval.
-struct GaussPoint {
-    double weight;
-    Hermite hermite;
-    LagrangeWeights lagrange;
-};
-
-/// Three points: with two, some twists would not bend anything.
-using GaussRule = std::array<GaussPoint, 3>;
-
-GaussRule gaussRule(int steps) {
-    constexpr double outer = 0.3872983346207417; // half of the root of 3/5
-    const auto point = [&](double t, double weight) {
-        return GaussPoint{weight, Hermite(t), lagrange(steps, t)};
-    };
-    return {point(0.5 - outer, 5.0 / 18), point(0.5, 8.0 / 18), point(0.5 + outer, 5.0 / 18)};
-}
-
-/// What one unit of every entry of a tilt changes, by corner.
-std::array<std::array<CornerChange, 3>, 4> unitChanges(const QuadSurface& surface,
-                                                       const CornerFrames& frames) {
-    std::array<std::array<CornerChange, 3>, 4> changes{};
-    for (std::size_t corner = 0; corner < frames.size(); ++corner)
-        for (std::size_t k = 0; frames[corner] != nullptr && k < 3; ++k)
-            changes[corner][k] = changeOf(surface, corner, *frames[corner],
-                                          Eigen::Vector3d::Unit(static_cast<Eigen::Index>(k)));
-    return changes;
-}
-
-} // namespace
 
 QuadBending quadBending(const QuadSurface& surface, const CornerFrames& frames) {
     static const auto rules = forAllSteps(gaussRule);

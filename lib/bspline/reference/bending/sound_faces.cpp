@@ -2,17 +2,17 @@
 
 #include "base/at.h"
 #include "bspline/reference/lattice/bilinear_quad.h"
+#include "mesh/quad_geometry.h"
 
 #include <algorithm>
 #include <array>
 
 namespace qm {
-
 namespace {
 
 BilinearQuad quadOf(const QuadMesh& mesh, FaceId face) {
     std::array<Point, 4> corners;
-    std::ranges::transform(mesh.fv_ccw_range(face), corners.begin(),
+    std::ranges::transform(cornersOf(mesh, face), corners.begin(),
                            [&](VertexId vertex) { return mesh.point(vertex); });
     return BilinearQuad(corners);
 }

@@ -39,20 +39,16 @@ LatticeNormals latticeNormals(const QuadMesh& mesh, const Layout& layout,
     result.normals.resize(numbers.count());
     result.sharp.assign(numbers.count(), false);
     std::vector<Eigen::Vector3d> means = result.points;
-    for (std::size_t g = 0; g < surface.size(); ++g)
-        for (std::size_t k = 0; k < result.numbers[g].size(); ++k) {
-            const std::size_t number = result.numbers[g][k];
-            result.points[number] = vector(surface[g].points[k]);
-            if (const auto& normal = result.oneSided[g][k]) means[number] += *normal;
-        }
+    result.forEachPoint([&](std::size_t g, std::size_t k, std::size_t number) {
+        result.points[number] = vector(surface[g].points[k]);
+        if (const auto& normal = result.oneSided[g][k]) means[number] += *normal;
+    });
     for (Eigen::Vector3d& mean : means)
         mean.stableNormalize();
-    for (std::size_t g = 0; g < surface.size(); ++g)
-        for (std::size_t k = 0; k < result.numbers[g].size(); ++k) {
-            const std::size_t number = result.numbers[g][k];
-            const auto& normal = result.oneSided[g][k];
-            if (!normal || normal->dot(means[number]) < sameCosine) result.sharp[number] = true;
-        }
+    result.forEachPoint([&](std::size_t g, std::size_t k, std::size_t number) {
+        const auto& normal = result.oneSided[g][k];
+        if (!normal || normal->dot(means[number]) < sameCosine) result.sharp[number] = true;
+    });
     for (std::size_t number = 0; number < means.size(); ++number)
         if (!result.sharp[number] && !means[number].isZero(0)) result.normals[number] = means[number];
     return result;

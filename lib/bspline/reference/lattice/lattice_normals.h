@@ -23,6 +23,13 @@ struct LatticeNormals {
     /// isolated vertices.
     std::vector<std::optional<Eigen::Vector3d>> normals;
     std::vector<bool> sharp; ///< the one-sided normals differ, or one is missing
+
+    /// Calls a function with every grid, each of its points, and the lattice point that this is.
+    template <class Function> void forEachPoint(const Function& function) const {
+        for (std::size_t g = 0; g < numbers.size(); ++g)
+            for (std::size_t k = 0; k < numbers[g].size(); ++k)
+                function(g, k, numbers[g][k]);
+    }
 };
 
 /// \param surface  by segment, all with the same steps

@@ -8,12 +8,13 @@
 #include <span>
 
 namespace qm {
+
 /// Away from the mesh's own vertices all is tensor product: cubic splines are subdivided, or evaluated at
 /// their knots, one direction after the other.
 struct MeshLattice::Step {
     bool subdivides;
     double neighbour; ///< weight of each of two neighbours
-    void (*vertexStencil)(const QuadMesh&, VertexId, const VertexRule&, VertexStencil&);
+    VertexStencil (*vertexStencil)(const QuadMesh&, VertexId, const VertexRule&);
 
     [[nodiscard]] Eigen::Vector3d smooth(const Eigen::Vector3d& before, const Eigen::Vector3d& at,
                                          const Eigen::Vector3d& after) const {
@@ -84,8 +85,7 @@ MeshLattice MeshLattice::filtered(const Step& step, const std::vector<VertexRule
 
 void MeshLattice::filterVertex(const Step& step, VertexId vertex, const VertexRule& rule,
                                MeshLattice& to) const {
-    thread_local VertexStencil stencil;
-    step.vertexStencil(numbers_.mesh(), vertex, rule, stencil);
+    const VertexStencil stencil = step.vertexStencil(numbers_.mesh(), vertex, rule);
     Eigen::Vector3d sum = stencil.own * points_[at(vertex)];
     for (const VertexStencil::Term& term : stencil.around)
         sum += term.weight * points_[numbers_(term.halfedge, 1, term.diagonal ? 1 : 0)];
@@ -95,8 +95,8 @@ void MeshLattice::filterVertex(const Step& step, VertexId vertex, const VertexRu
 void MeshLattice::filterEdge(const Step& step, EdgeId edge, bool sharp, MeshLattice& to) const {
     const HalfedgeId halfedge = numbers_.mesh().halfedge_handle(edge, 0);
     const HalfedgeId opposite = numbers_.mesh().halfedge_handle(edge, 1);
-    thread_local std::vector<Eigen::Vector3d> line;
-    line.clear();
+    std::vector<Eigen::Vector3d> line;
+    line.reserve(at(squares()) + 1);
     for (int k = 0; k <= squares(); ++k) {
         const Eigen::Vector3d& point = points_[numbers_(halfedge, k, 0)];
         line.push_back(sharp ? point
@@ -109,10 +109,10 @@ void MeshLattice::filterEdge(const Step& step, EdgeId edge, bool sharp, MeshLatt
 
 void MeshLattice::filterFace(const Step& step, FaceId face, MeshLattice& to) const {
     const std::vector<Eigen::Vector3d> rows = points(face);
-    thread_local std::vector<Eigen::Vector3d> half; // filtered along the rows, not yet across
     const std::size_t width = at(squares()) + 1;
     const std::size_t newWidth = at(to.squares()) + 1;
-    half.assign(width * newWidth, Eigen::Vector3d::Zero());
+    // Filtered along the rows, not yet across.
+    std::vector<Eigen::Vector3d> half(width * newWidth, Eigen::Vector3d::Zero());
     for (std::size_t j = 0; j < width; ++j)
         step.line(squares(), std::span(rows).subspan(j * width), 1,
                   [&](int i, const Eigen::Vector3d& point) { half[j * newWidth + at(i)] = point; });

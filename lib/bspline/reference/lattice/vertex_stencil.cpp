@@ -10,7 +10,8 @@ namespace {
 
 /// \param weights  of each neighbour along an edge and of each one across a face, for a number of edges
 template <class Weights>
-void smoothStencil(const QuadMesh& mesh, VertexId vertex, const Weights& weights, VertexStencil& stencil) {
+VertexStencil smoothStencil(const QuadMesh& mesh, VertexId vertex, const Weights& weights) {
+    VertexStencil stencil;
     double edges = 0;
     for (const HalfedgeId halfedge : mesh.voh_range(vertex)) {
         ++edges;
@@ -21,6 +22,7 @@ void smoothStencil(const QuadMesh& mesh, VertexId vertex, const Weights& weights
     for (VertexStencil::Term& term : stencil.around)
         term.weight = weight[term.diagonal ? 1 : 0];
     stencil.own = 1 - edges * (weight[0] + weight[1]);
+    return stencil;
 }
 
 /// Catmull and Clark's.
@@ -32,15 +34,13 @@ std::array<double, 2> limitWeights(double n) {
     return {4 / (n * (n + 5)), 1 / (n * (n + 5))};
 }
 
-void curveStencil(const std::array<HalfedgeId, 2>& along, double weight, VertexStencil& stencil) {
-    for (const HalfedgeId halfedge : along)
-        stencil.around.push_back({halfedge, false, weight});
-    stencil.own = 1 - 2 * weight;
+VertexStencil curveStencil(const std::array<HalfedgeId, 2>& along, double weight) {
+    return {1 - 2 * weight, {{along[0], false, weight}, {along[1], false, weight}}};
 }
 
 /// By sweeps over the eigenvector's equations, with the vertex's own weight at 1 till the end; their errors
 /// at least halve each time.
-void dartLimit(const QuadMesh& mesh, HalfedgeId crease, VertexStencil& stencil) {
+VertexStencil dartLimit(const QuadMesh& mesh, HalfedgeId crease) {
     constexpr int maxSweeps = 200; // halving any error 60 times leaves rounding
     std::vector<HalfedgeId> ring;  // counter-clockwise; the face of each lies between it and the next
     HalfedgeId halfedge = crease;
@@ -74,30 +74,38 @@ void dartLimit(const QuadMesh& mesh, HalfedgeId crease, VertexStencil& stencil) 
     double sum = 1;
     for (std::size_t k = 0; k < count; ++k)
         sum += edge[k] + diagonal[k];
+    VertexStencil stencil{1 / sum, {}};
     for (std::size_t k = 0; k < count; ++k) {
         stencil.around.push_back({ring[k], false, edge[k] / sum});
         stencil.around.push_back({ring[k], true, diagonal[k] / sum});
     }
-    stencil.own = 1 / sum;
+    return stencil;
 }
 
 } // namespace
 
-void subdivisionStencil(const QuadMesh& mesh, VertexId vertex, const VertexRule& rule,
-                        VertexStencil& stencil) {
-    stencil.own = 1;
-    stencil.around.clear();
-    if (rule.kind == VertexRule::Kind::crease) curveStencil(rule.along, 1.0 / 8, stencil);
-    if (rule.kind == VertexRule::Kind::smooth || rule.kind == VertexRule::Kind::dart)
-        smoothStencil(mesh, vertex, subdivisionWeights, stencil);
+VertexStencil subdivisionStencil(const QuadMesh& mesh, VertexId vertex, const VertexRule& rule) {
+    switch (rule.kind) {
+    case VertexRule::Kind::crease:
+        return curveStencil(rule.along, 1.0 / 8);
+    case VertexRule::Kind::corner:
+        return {};
+    default:
+        return smoothStencil(mesh, vertex, subdivisionWeights);
+    }
 }
 
-void limitStencil(const QuadMesh& mesh, VertexId vertex, const VertexRule& rule, VertexStencil& stencil) {
-    stencil.own = 1;
-    stencil.around.clear();
-    if (rule.kind == VertexRule::Kind::crease) curveStencil(rule.along, 1.0 / 6, stencil);
-    if (rule.kind == VertexRule::Kind::dart) dartLimit(mesh, rule.along[0], stencil);
-    if (rule.kind == VertexRule::Kind::smooth) smoothStencil(mesh, vertex, limitWeights, stencil);
+VertexStencil limitStencil(const QuadMesh& mesh, VertexId vertex, const VertexRule& rule) {
+    switch (rule.kind) {
+    case VertexRule::Kind::crease:
+        return curveStencil(rule.along, 1.0 / 6);
+    case VertexRule::Kind::corner:
+        return {};
+    case VertexRule::Kind::dart:
+        return dartLimit(mesh, rule.along[0]);
+    default:
+        return smoothStencil(mesh, vertex, limitWeights);
+    }
 }
 
 } // namespace qm

@@ -21,13 +21,11 @@ struct VertexStencil {
 
 /// Catmull and Clark's rule for a vertex (docs/METHOD.md#catmull-1978), that of a cubic spline curve along
 /// creases (docs/METHOD.md#derose-1998), or the vertex itself at a corner.
-/// \param stencil  is overwritten; its memory is reused
-void subdivisionStencil(const QuadMesh& mesh, VertexId vertex, const VertexRule& rule,
-                        VertexStencil& stencil);
+[[nodiscard]] VertexStencil subdivisionStencil(const QuadMesh& mesh, VertexId vertex, const VertexRule& rule);
 
 /// The limit position, by the left eigenvector of one step around the vertex for the eigenvalue 1
 /// (docs/METHOD.md#halstead-1993). At a dart it differs from the one of a smooth vertex, which is often used
 /// instead, because the crease is subdivided differently from other edges.
-void limitStencil(const QuadMesh& mesh, VertexId vertex, const VertexRule& rule, VertexStencil& stencil);
+[[nodiscard]] VertexStencil limitStencil(const QuadMesh& mesh, VertexId vertex, const VertexRule& rule);
 
 } // namespace qm

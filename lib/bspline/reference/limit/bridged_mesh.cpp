@@ -1,8 +1,10 @@
 #include "bspline/reference/limit/bridged_mesh.h"
 
 #include "base/at.h"
+#include "base/sort_unique.h"
 #include "bspline/splines/eigen_point.h"
 #include "mesh/quad_geometry.h"
+#include "mesh/topology.h"
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
@@ -36,8 +38,8 @@ public:
             const bool isHidden =
                 isBesideFold(halfedge) || isBesideFold(mesh_.opposite_halfedge_handle(halfedge));
             if (!mesh_.is_boundary(edge) && (!isCrease[at(edge)] || isHidden)) continue;
-            isFixed_[at(mesh_.from_vertex_handle(halfedge))] = true;
-            isFixed_[at(mesh_.to_vertex_handle(halfedge))] = true;
+            for (const VertexId end : endsOf(mesh_, halfedge))
+                isFixed_[at(end)] = true;
         }
     }
 
@@ -155,8 +157,7 @@ private:
         for (const VertexId vertex : moved)
             for (const VertexId beside : mesh_.vv_range(vertex))
                 if (unknown_[at(beside)] == none && mayMove(beside)) rows.push_back(beside);
-        std::sort(rows.begin(), rows.end());
-        rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+        sortUnique(rows);
         std::vector<Eigen::Triplet<double>> entries;
         Eigen::MatrixX3d constants = Eigen::MatrixX3d::Zero(static_cast<Eigen::Index>(rows.size()), 3);
         for (int row = 0; const VertexId vertex : rows) {

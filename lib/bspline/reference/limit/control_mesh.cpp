@@ -1,6 +1,7 @@
 #include "bspline/reference/limit/control_mesh.h"
 
 #include "base/at.h"
+#include "base/infinity.h"
 #include "bspline/reference/lattice/vertex_stencil.h"
 #include "bspline/splines/eigen_point.h"
 #include "mesh/bounding_box.h"
@@ -9,14 +10,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 namespace qm {
 namespace {
 
 /// The second may be no number, and then counts as infinite.
 double larger(double a, double b) {
-    return std::isnan(b) ? std::numeric_limits<double>::infinity() : std::max(a, b);
+    return std::isnan(b) ? infinity : std::max(a, b);
 }
 
 /// The limit at every vertex, as rows of a sparse matrix, in the unknown displacements of the control points
@@ -25,10 +25,9 @@ class Displacements {
 public:
     Displacements(const QuadMesh& mesh, const std::vector<VertexRule>& rules)
         : component_(components(mesh)), unknown_(mesh.n_vertices(), Eigen::Vector3d::Zero()) {
-        VertexStencil stencil;
         begin_.reserve(mesh.n_vertices() + 1);
         for (const VertexId vertex : mesh.vertices()) {
-            limitStencil(mesh, vertex, rules[at(vertex.idx())], stencil);
+            const VertexStencil stencil = limitStencil(mesh, vertex, rules[at(vertex)]);
             Eigen::Vector3d missing = Eigen::Vector3d::Zero();
             begin_.push_back(column_.size());
             own_.push_back(stencil.own);
@@ -119,7 +118,7 @@ ControlMesh interpolatingControlMesh(const QuadMesh& mesh, const std::vector<Ver
     control.interpolates = displacements.solve(1e-12 * boundingBox(mesh).diagonal());
     control.points.reserve(mesh.n_vertices());
     for (const VertexId vertex : mesh.vertices()) {
-        const std::size_t k = at(vertex.idx());
+        const std::size_t k = at(vertex);
         control.points.push_back(control.interpolates[k] ? mesh.point(vertex) + displacements[k]
                                                          : mesh.point(vertex));
     }

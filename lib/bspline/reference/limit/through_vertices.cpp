@@ -3,6 +3,7 @@
 #include "base/at.h"
 #include "base/parallel.h"
 #include "bspline/reference/bending/hermite.h"
+#include "mesh/topology.h"
 
 #include <array>
 #include <cstddef>
@@ -71,8 +72,7 @@ void drawThroughVertices(MeshLattice& lattice, const std::vector<bool>& interpol
     };
     parallelForMany(mesh.n_edges(), jobs, [&](std::size_t k) {
         const HalfedgeId side = mesh.halfedge_handle(EdgeId(static_cast<int>(k)), 0);
-        if (follows(std::array{mesh.from_vertex_handle(side), mesh.to_vertex_handle(side)}))
-            distances.moveEdge(mesh.edge_handle(side));
+        if (follows(endsOf(mesh, side))) distances.moveEdge(mesh.edge_handle(side));
     });
     parallelForMany(mesh.n_faces(), jobs, [&](std::size_t k) {
         const FaceId face(static_cast<int>(k));

@@ -50,12 +50,11 @@ void dropFolded(const LatticeNormals& lattice, const std::vector<ReferenceGrid>&
             }
         }
         if (!hasDropped) return;
-        for (std::size_t g = 0; g < surface.size(); ++g)
-            for (std::size_t k = 0; k < surface[g].points.size(); ++k)
-                if (isDropped[lattice.numbers[g][k]]) {
-                    reference.grids[g].points[k] = surface[g].points[k];
-                    reference.weights[g][k] = 0;
-                }
+        lattice.forEachPoint([&](std::size_t g, std::size_t k, std::size_t number) {
+            if (!isDropped[number]) return;
+            reference.grids[g].points[k] = surface[g].points[k];
+            reference.weights[g][k] = 0;
+        });
     }
 }
 

@@ -20,8 +20,7 @@ public:
             FitTarget& reference)
         : lattice_(lattice), surface_(surface), gaps_(gaps), reference_(reference),
           unknowns_(lattice.points.size(), none) {
-        forEachPoint([&](std::size_t g, std::size_t k) {
-            const std::size_t number = lattice_.numbers[g][k];
+        lattice_.forEachPoint([&](std::size_t g, std::size_t k, std::size_t number) {
             if (isLeft(number) || reference_.weights[g][k] >= enough) return;
             if (unknowns_[number] == none) unknowns_[number] = count_++;
         });
@@ -30,10 +29,9 @@ public:
     void fill() {
         if (count_ == 0) return;
         const Eigen::MatrixX3d displacements = solve();
-        forEachPoint([&](std::size_t g, std::size_t k) {
-            const std::size_t unknown = unknowns_[lattice_.numbers[g][k]];
-            if (unknown == none) return;
-            const Eigen::Vector3d moved = displacements.row(static_cast<Eigen::Index>(unknown));
+        lattice_.forEachPoint([&](std::size_t g, std::size_t k, std::size_t number) {
+            if (unknowns_[number] == none) return;
+            const Eigen::Vector3d moved = displacements.row(static_cast<Eigen::Index>(unknowns_[number]));
             reference_.grids[g].points[k] = surface_[g].points[k] + point(moved);
             reference_.weights[g][k] = weightInGaps;
         });
@@ -46,21 +44,13 @@ private:
         return gaps_ == Gaps::butForSharpOnes && lattice_.sharp[number];
     }
 
-    template <class Function> void forEachPoint(const Function& f) const {
-        for (std::size_t g = 0; g < lattice_.numbers.size(); ++g)
-            for (std::size_t k = 0; k < lattice_.numbers[g].size(); ++k)
-                f(g, k);
-    }
-
     /// Pairs of neighbours on the lattice lines; those on common borders come twice, once from either side.
     template <class Function> void forEachPair(const Function& f) const {
-        for (std::size_t g = 0; g < lattice_.numbers.size(); ++g) {
+        lattice_.forEachPoint([&](std::size_t g, std::size_t k, std::size_t) {
             const std::size_t columns = surface_[g].columns();
-            for (std::size_t k = 0; k < lattice_.numbers[g].size(); ++k) {
-                if (k % columns + 1 < columns) f(g, k, k + 1);
-                if (k + columns < lattice_.numbers[g].size()) f(g, k, k + columns);
-            }
-        }
+            if (k % columns + 1 < columns) f(g, k, k + 1);
+            if (k + columns < lattice_.numbers[g].size()) f(g, k, k + columns);
+        });
     }
 
     [[nodiscard]] Eigen::MatrixX3d solve() const {

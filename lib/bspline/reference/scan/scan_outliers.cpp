@@ -1,21 +1,16 @@
 #include "bspline/reference/scan/scan_outliers.h"
 
+#include "base/infinity.h"
+#include "base/order_statistics.h"
+
 #include <Eigen/Dense>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace qm {
 namespace {
-
-double median(std::vector<double>& values) {
-    if (values.empty()) return 0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    return *middle;
-}
 
 /// Times the median of sizes: the standard deviation of a normal distribution.
 constexpr double deviations = 1.4826;
@@ -26,7 +21,7 @@ constexpr double biweightEnd = 4.685;
 /// How far every point is from the median of those around it, up to so many lattice steps away: the
 /// smaller value, where it is in two grids; infinite where it has no target.
 std::vector<double> residualsOfAll(const ScanTargets& targets, int reach) {
-    std::vector<double> residuals(targets.weights.size(), std::numeric_limits<double>::infinity());
+    std::vector<double> residuals(targets.weights.size(), infinity);
     std::vector<double> around;
     targets.forEachPoint([&](std::size_t g, int i, int j, std::size_t number) {
         const auto own = targets.offset(g, i, j);
@@ -44,17 +39,16 @@ std::vector<double> residualsOfAll(const ScanTargets& targets, int reach) {
 /// smaller value, where it is in two grids.
 std::vector<double> usualResiduals(const ScanTargets& targets, const std::vector<double>& residuals) {
     constexpr int reach = 2;
-    std::vector<double> usual(residuals.size(), std::numeric_limits<double>::infinity());
+    std::vector<double> usual(residuals.size(), infinity);
     std::vector<double> around;
     targets.forEachPoint([&](std::size_t g, int i, int j, std::size_t number) {
         if (targets.weights[number] <= 0) return;
         around.clear();
-        for (int down = std::max(j - reach, 0); down <= std::min(j + reach, targets.rows(g)); ++down)
-            for (int right = std::max(i - reach, 0); right <= std::min(i + reach, targets.columns(g));
-                 ++right) {
-                const std::size_t other = targets.lattice.numbers[g][targets.index(g, right, down)];
-                if (targets.weights[other] > 0 && !targets.lattice.sharp[other])
-                    around.push_back(residuals[other]);
+        for (int down = -reach; down <= reach; ++down)
+            for (int right = -reach; right <= reach; ++right) {
+                const auto other = targets.numberAt(g, i + right, j + down);
+                if (other && targets.weights[*other] > 0 && !targets.lattice.sharp[*other])
+                    around.push_back(residuals[*other]);
             }
         usual[number] = std::min(usual[number], median(around));
     });
@@ -78,17 +72,14 @@ void weighOutliers(ScanTargets& targets, double step) {
 
 void dropSharpOutliers(ScanTargets& targets, double step) {
     constexpr int reach = 3;
-    std::vector<double> residuals(targets.weights.size(), std::numeric_limits<double>::infinity());
+    std::vector<double> residuals(targets.weights.size(), infinity);
     const auto compare = [&](std::size_t g, int i, int j, int right, int down, std::size_t number) {
         std::array<std::vector<double>, 3> around;
         for (int k = -reach; k <= reach; ++k) {
-            const int column = i + k * right;
-            const int row = j + k * down;
-            if (column < 0 || row < 0 || column > targets.columns(g) || row > targets.rows(g)) continue;
-            const std::size_t other = targets.lattice.numbers[g][targets.index(g, column, row)];
-            if (!targets.lattice.sharp[other] || targets.weights[other] <= 0) continue;
+            const auto other = targets.numberAt(g, i + k * right, j + k * down);
+            if (!other || !targets.lattice.sharp[*other] || targets.weights[*other] <= 0) continue;
             for (int axis = 0; axis < 3; ++axis)
-                around[at(axis)].push_back((*targets.displacements[other])[axis]);
+                around[at(axis)].push_back((*targets.displacements[*other])[axis]);
         }
         const Eigen::Vector3d usual(median(around[0]), median(around[1]), median(around[2]));
         residuals[number] = std::min(residuals[number], (*targets.displacements[number] - usual).norm());

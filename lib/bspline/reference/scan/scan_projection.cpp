@@ -1,5 +1,6 @@
 #include "bspline/reference/scan/scan_projection.h"
 
+#include "base/order_statistics.h"
 #include "base/parallel.h"
 
 #include <algorithm>
@@ -13,16 +14,12 @@ using Nearest = TriangleSurface::Nearest;
 /// Smallest cosine of the angle between the normals of surface and scan: 60 degrees.
 constexpr double minCosine = 0.5;
 
-/// The distance below which this share of the points is from the scan. The scan's holes do not count.
+/// The distance from the scan that this share of the points have at most. The scan's holes do not count.
 double commonDistance(const std::vector<std::optional<Nearest>>& nearest, double share) {
     std::vector<double> distances;
     for (const std::optional<Nearest>& place : nearest)
         if (place && !place->onBoundary) distances.push_back(place->distance);
-    if (distances.empty()) return 0;
-    const auto last =
-        distances.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(distances.size() - 1));
-    std::ranges::nth_element(distances, last);
-    return *last;
+    return quantile(distances, share);
 }
 
 /// Of the angle between a normal and a direction; 0 where there is no normal.
@@ -34,7 +31,8 @@ double cosineOf(const std::optional<Point>& normal, const Eigen::Vector3d& direc
 /// that are near count alone: far ones may be another side of the part.
 double orientation(const LatticeNormals& lattice, const std::vector<std::optional<Nearest>>& nearest) {
     constexpr std::size_t clearly = 3; // times as many as the others
-    const double near = commonDistance(nearest, 0.25);
+    constexpr double nearShare = 0.25;
+    const double near = commonDistance(nearest, nearShare);
     std::size_t along = 0;
     std::size_t against = 0;
     for (std::size_t k = 0; k < nearest.size(); ++k)
@@ -43,6 +41,11 @@ double orientation(const LatticeNormals& lattice, const std::vector<std::optiona
     if (along >= clearly * against) return 1;
     return against >= clearly * along ? -1 : 0;
 }
+
+/// The scan is looked for up to `farFactor` times as far as this share of the points are from it. The others
+/// may be where it shows nothing.
+constexpr double farShare = 0.9;
+constexpr double farFactor = 4;
 
 /// How one point finds its place on the scan.
 class Projector {
@@ -94,7 +97,7 @@ ScanProjection projectOntoScan(const LatticeNormals& lattice, const TriangleSurf
         if (lattice.normals[k]) nearest[k] = scan.nearest(point(lattice.points[k]), reach.max);
     });
     ScanProjection result;
-    result.maxDistance = std::clamp(4 * commonDistance(nearest, 0.9), reach.min, reach.max);
+    result.maxDistance = std::clamp(farFactor * commonDistance(nearest, farShare), reach.min, reach.max);
     const Projector projector(scan, result.maxDistance, orientation(lattice, nearest));
     result.displacements.resize(count);
     parallelForMany(count, jobs, [&](std::size_t k) {

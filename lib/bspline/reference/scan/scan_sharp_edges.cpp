@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <map>
 
 namespace qm {
 namespace {
@@ -45,14 +46,10 @@ void extrapolateToSharpEdges(ScanTargets& targets, const TriangleSurface& scan, 
         Eigen::Vector3d right = Eigen::Vector3d::Zero();
         bool complete = true;
     };
-    std::vector<std::size_t> place(targets.lattice.points.size());
-    std::vector<std::size_t> sharp;
-    for (std::size_t number = 0; number < place.size(); ++number)
-        if (targets.lattice.sharp[number]) place[number] = sharp.size(), sharp.push_back(number);
-    std::vector<Planes> all(sharp.size());
+    std::map<std::size_t, Planes> ofSharp; // by lattice point
     targets.forEachPoint([&](std::size_t g, int i, int j, std::size_t number) {
         if (!targets.lattice.sharp[number]) return;
-        Planes& planes = all[place[number]];
+        Planes& planes = ofSharp[number];
         const auto offset = extrapolated(targets, g, i, j);
         planes.complete = planes.complete && offset.has_value();
         if (const auto& normal = targets.lattice.oneSided[g][targets.index(g, i, j)]) {
@@ -60,10 +57,10 @@ void extrapolateToSharpEdges(ScanTargets& targets, const TriangleSurface& scan, 
             planes.right += offset.value_or(0) * *normal;
         }
     });
-    for (std::size_t k = 0; k < sharp.size(); ++k) {
-        if (!all[k].complete) continue;
-        const Eigen::Vector3d& from = targets.lattice.points[sharp[k]];
-        Eigen::Vector3d moved = shortestSolution(all[k].matrix, all[k].right);
+    for (const auto& [number, planes] : ofSharp) {
+        if (!planes.complete) continue;
+        const Eigen::Vector3d& from = targets.lattice.points[number];
+        Eigen::Vector3d moved = shortestSolution(planes.matrix, planes.right);
         const auto nearest = scan.nearest(point(from), maxDistance);
         if (!nearest) continue;
         const double reach = std::min(1.1 * nearest->distance, maxRounding) + 3 * targets.noise;
@@ -71,8 +68,8 @@ void extrapolateToSharpEdges(ScanTargets& targets, const TriangleSurface& scan, 
             if (nearest->onBoundary) continue;
             moved = vector(nearest->position) - from;
         }
-        targets.displacements[sharp[k]] = moved;
-        targets.weights[sharp[k]] = 1;
+        targets.displacements[number] = moved;
+        targets.weights[number] = 1;
     }
 }
 

@@ -12,11 +12,15 @@ ScanTargets::ScanTargets(const LatticeNormals& ofLattice, const std::vector<Refe
         weights.push_back(displacement ? 1.0 : 0.0);
 }
 
-std::optional<double> ScanTargets::offset(std::size_t g, int i, int j) const {
+std::optional<std::size_t> ScanTargets::numberAt(std::size_t g, int i, int j) const {
     if (i < 0 || j < 0 || i > columns(g) || j > rows(g)) return std::nullopt;
-    const std::size_t number = lattice.numbers[g][index(g, i, j)];
-    if (weights[number] <= 0 || lattice.sharp[number]) return std::nullopt;
-    return displacements[number]->dot(*lattice.oneSided[g][index(g, i, j)]);
+    return lattice.numbers[g][index(g, i, j)];
+}
+
+std::optional<double> ScanTargets::offset(std::size_t g, int i, int j) const {
+    const auto number = numberAt(g, i, j);
+    if (!number || weights[*number] <= 0 || lattice.sharp[*number]) return std::nullopt;
+    return displacements[*number]->dot(*lattice.oneSided[g][index(g, i, j)]);
 }
 
 double ScanTargets::coverage() const {

@@ -38,6 +38,8 @@ struct ScanTargets {
                     f(g, i, j, lattice.numbers[g][index(g, i, j)]);
     }
 
+    /// The lattice point that a point of a grid is; none outside the grid.
+    [[nodiscard]] std::optional<std::size_t> numberAt(std::size_t g, int i, int j) const;
     /// The height of the scan above a point of a grid; none outside the grid, without a target, and at sharp
     /// points.
     [[nodiscard]] std::optional<double> offset(std::size_t g, int i, int j) const;

@@ -1,6 +1,7 @@
 #include "bspline/reference/scan/triangle_surface.h"
 
 #include "base/at.h"
+#include "base/infinity.h"
 #include "bspline/splines/eigen_point.h"
 #include "mesh/quad_geometry.h"
 #include "mesh/triangles/triangle_edges.h"
@@ -59,7 +60,7 @@ Weights nearestWeights(const std::array<Vector3d, 3>& corners, const Vector3d& p
         if (inside.minCoeff() >= 0) return inside / inside.sum();
     }
     Weights best;
-    double bestDistance = std::numeric_limits<double>::infinity();
+    double bestDistance = infinity;
     for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t next = (k + 1) % 3;
         const double t = nearestOfSegment(corners[k], corners[next], point);
@@ -145,8 +146,7 @@ std::array<Point, 3> TriangleSurface::corners(std::size_t face) const {
 }
 
 double TriangleSurface::cosineAt(const Nearest& place, const Point& direction) const {
-    const auto [a, b, c] = corners(place.face);
-    const std::optional<Point> ofTriangle = triangleNormal(a, b, c);
+    const std::optional<Point> ofTriangle = triangleNormal(corners(place.face));
     return std::max(ofTriangle ? *ofTriangle | direction : -1, place.normal ? *place.normal | direction : -1);
 }
 

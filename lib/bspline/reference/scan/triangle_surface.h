@@ -1,11 +1,11 @@
 /// \file Finds the nearest point of a triangulated surface.
 #pragma once
 
+#include "base/infinity.h"
 #include "mesh/triangles/triangles.h"
 
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <memory>
 #include <optional>
 
@@ -34,8 +34,7 @@ public:
     TriangleSurface& operator=(TriangleSurface&&) noexcept;
 
     /// \return nothing if no triangle is within reach
-    [[nodiscard]] std::optional<Nearest>
-    nearest(const Point& point, double maxDistance = std::numeric_limits<double>::infinity()) const;
+    [[nodiscard]] std::optional<Nearest> nearest(const Point& point, double maxDistance = infinity) const;
 
     /// Among the intersections with the line through a point, at most `maxDistance` away on either side,
     /// finds the nearest one whose normal makes an angle with the line of at least the given cosine.
