@@ -184,8 +184,8 @@ void Tool::note(const std::string& message) const {
     state_->console.note(message);
 }
 
-void Tool::count(const std::string& counter, double value) const {
-    state_->statistics.count(counter, value);
+void Tool::addCounter(const std::string& name, double value) const {
+    state_->statistics.count(name, value);
 }
 
 Control Tool::control(const std::string& label) const {
