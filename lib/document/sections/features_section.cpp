@@ -24,9 +24,7 @@ Json featuresToJson(const QuadMesh& mesh, const Features& features, const Featur
 namespace {
 
 void verifySeed(const QuadMesh& mesh, const FeatureCurve& curve, const JsonPlace& place) {
-    const auto isSeed = [&](HalfedgeId halfedge) { return mesh.to_vertex_handle(halfedge) == curve.seed; };
-    if (mesh.from_vertex_handle(curve.halfedges.front()) != curve.seed &&
-        std::none_of(curve.halfedges.begin(), curve.halfedges.end(), isSeed))
+    if (std::ranges::count(verticesAlong(mesh, curve.halfedges), curve.seed) == 0)
         place.fail("vertex " + std::to_string(curve.seed.idx()) + " is not on the curve");
     if (!continuesStraight(mesh, curve.seed))
         place.fail("vertex " + std::to_string(curve.seed.idx()) + " is no interior regular vertex",
@@ -63,9 +61,8 @@ Features readFeatures(const QuadMesh& mesh, const JsonPlace& section) {
     Features features;
     Claims claims(mesh);
     const JsonPlace curves = section["curves"];
-    (void)verifyDistinctIds(curves);
-    for (std::size_t i = 0; i < curves.size(); ++i) {
-        const JsonPlace place = curves[i];
+    verifyDistinctIds(curves);
+    for (const JsonPlace& place : curves.elements()) {
         FeatureCurve curve;
         curve.halfedges = pathAt(mesh, place["vertices"]);
         requireStraight(mesh, curve.halfedges, place["vertices"]);
