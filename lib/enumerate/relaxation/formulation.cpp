@@ -16,15 +16,15 @@ public:
 
     void add(const Crossing& crossing) {
         if (columns_.isForeign(crossing)) return;
-        if (!crossing.open) {
+        if (!crossing.open)
             for (const std::size_t k : {0U, 1U})
                 addStops(crossing.sides[k], crossing.sides[1 - k]);
-        }
         if (crossing.cornerCost != 0 && anyFree(crossing)) addCorners(crossing);
         if (!problem_.gaps) return;
-        Expression passes = columns_.surePass(crossing.sides[0]);
-        passes.add(columns_.surePass(crossing.sides[1]), 1);
-        columns_.addLowerLimit(Expression{}.add(passes, -1), -1);
+        Expression passes;
+        for (const CrossingSide& side : crossing.sides)
+            passes.add(columns_.surePass(side), -1);
+        columns_.addLowerLimit(passes, -1);
     }
 
 private:
@@ -67,9 +67,7 @@ private:
     /// none.
     Expression cornersByArcs(const Crossing& crossing) {
         const ColumnId empty = columns_.newFlag();
-        Expression corners;
-        corners.constant = -4;
-        corners.add(empty, 4);
+        Expression corners{{{empty, 4}}, -4};
         for (const CrossingSide& side : crossing.sides)
             for (const VariableId arc : {side.before, side.after}) {
                 corners.add(columns_.present(arc), 2);

@@ -16,7 +16,9 @@ struct Expression {
     std::vector<std::pair<ColumnId, double>> terms;
     double constant = 0;
 
+    /// \param column  none counts as 0
     Expression& add(ColumnId column, double weight) {
+        if (!column.valid()) return *this;
         const auto known = std::ranges::find(terms, column, [](const auto& term) { return term.first; });
         if (known == terms.end())
             terms.emplace_back(column, weight);

@@ -44,8 +44,7 @@ bool CrackRule::mayBeCrossed(CrossingId crossing) const {
 
 /// A crossing with a gapped line can be cracked by its other line only, and only if that is covered.
 bool CrackRule::visitCrossing(CrossingId id) {
-    if (counted_[id]) return true;
-    if (!isCrossed(id)) return true;
+    if (!isPending(id)) return true;
     const Crossing& crossing = problem_.crossings[id];
     std::array<Cover, 2> cover{};
     for (const std::size_t k : {0U, 1U})
