@@ -39,14 +39,10 @@ bool FormulationColumns::isForeign(VariableId variable) const {
     return state_.isFree(variable) && !ours_[variable];
 }
 bool FormulationColumns::isForeign(const Chain& chain) const {
-    for (const VariableId v : chain.variables())
-        if (isForeign(v)) return true;
-    return false;
+    return std::ranges::any_of(chain.variables(), [this](VariableId v) { return isForeign(v); });
 }
 bool FormulationColumns::isForeign(const Crossing& crossing) const {
-    return std::ranges::any_of(crossing.sides, [this](const CrossingSide& side) {
-        return isForeign(side.before) || isForeign(side.after);
-    });
+    return std::ranges::any_of(crossing.arcs(), [this](VariableId arc) { return isForeign(arc); });
 }
 
 void FormulationColumns::knowChain(ChainId chain) {
@@ -65,18 +61,13 @@ void FormulationColumns::knowCovered() {
             for (const CrossingId id : state_.crossingsOf(v)) {
                 crossings_.push_back(id);
                 const Crossing& crossing = problem_.crossings[id];
-                if (anyOut(crossing)) continue;
-                for (const CrossingSide& side : crossing.sides)
-                    for (const VariableId arc : {side.before, side.after})
-                        knowChain(state_.chainOf(arc));
+                if (std::ranges::any_of(crossing.arcs(), [this](VariableId arc) { return isOut(arc); }))
+                    continue;
+                for (const VariableId arc : crossing.arcs())
+                    knowChain(state_.chainOf(arc));
             }
     }
     sortUnique(crossings_);
-}
-
-bool FormulationColumns::anyOut(const Crossing& crossing) const {
-    return std::ranges::any_of(
-        crossing.sides, [this](const CrossingSide& side) { return isOut(side.before) || isOut(side.after); });
 }
 
 ColumnId FormulationColumns::newColumn(VariableId variable) {

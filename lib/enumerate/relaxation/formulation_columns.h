@@ -76,7 +76,6 @@ public:
 private:
     [[nodiscard]] bool isForeign(VariableId variable) const;
     [[nodiscard]] bool isForeign(const Chain& chain) const;
-    [[nodiscard]] bool anyOut(const Crossing& crossing) const;
     void knowChain(ChainId chain);
     void knowCovered();
     ColumnId newColumn(VariableId variable);

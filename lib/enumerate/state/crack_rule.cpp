@@ -1,7 +1,5 @@
 #include "enumerate/state/crack_rule.h"
 
-#include "enumerate/state/junction_rule.h"
-
 #include <algorithm>
 
 namespace qm {
@@ -33,12 +31,12 @@ Cover CrackRule::coverOf(CrackNodeId node) const {
 }
 
 bool CrackRule::isCrossed(CrossingId crossing) const {
-    return std::ranges::all_of(arcsOf(problem_.crossings[crossing]),
+    return std::ranges::all_of(problem_.crossings[crossing].arcs(),
                                [this](VariableId arc) { return assignment_.value(arc) == ArcState::in; });
 }
 
 bool CrackRule::mayBeCrossed(CrossingId crossing) const {
-    return std::ranges::none_of(arcsOf(problem_.crossings[crossing]),
+    return std::ranges::none_of(problem_.crossings[crossing].arcs(),
                                 [this](VariableId arc) { return assignment_.value(arc) == ArcState::out; });
 }
 
