@@ -31,35 +31,11 @@ void verifySeed(const QuadMesh& mesh, const FeatureCurve& curve, const JsonPlace
                    "Choose another vertex of the curve");
 }
 
-/// Marks the edges and seeds of the curves read so far; throws if two curves share one.
-class Claims {
-public:
-    explicit Claims(const QuadMesh& mesh) : mesh_(mesh), edges_(mesh.n_edges()), seeds_(mesh.n_vertices()) {}
-
-    void claim(const FeatureCurve& curve, const JsonPlace& place) {
-        for (std::size_t i = 0; i < curve.halfedges.size(); ++i) {
-            const auto edge = at(mesh_.edge_handle(curve.halfedges[i]));
-            if (edges_[edge])
-                place["vertices"].failAt(i + 1, "the edge to this vertex lies on a curve already");
-            edges_[edge] = true;
-        }
-        const auto seed = at(curve.seed);
-        if (seeds_[seed])
-            place["seed"].fail("another curve has its seed there", "Choose another vertex of the curve");
-        seeds_[seed] = true;
-    }
-
-private:
-    const QuadMesh& mesh_;
-    std::vector<bool> edges_;
-    std::vector<bool> seeds_;
-};
-
 } // namespace
 
 Features readFeatures(const QuadMesh& mesh, const JsonPlace& section) {
     Features features;
-    Claims claims(mesh);
+    std::vector<bool> onCurve(mesh.n_edges()), seeded(mesh.n_vertices());
     const JsonPlace curves = section["curves"];
     verifyDistinctIds(curves);
     for (const JsonPlace& place : curves.elements()) {
@@ -68,7 +44,15 @@ Features readFeatures(const QuadMesh& mesh, const JsonPlace& section) {
         requireStraight(mesh, curve.halfedges, place["vertices"]);
         curve.seed = vertexAt(mesh, place["seed"]);
         verifySeed(mesh, curve, place["seed"]);
-        claims.claim(curve, place);
+        for (std::size_t i = 0; i < curve.halfedges.size(); ++i) {
+            const std::size_t edge = at(mesh.edge_handle(curve.halfedges[i]));
+            if (onCurve[edge])
+                place["vertices"].failAt(i + 1, "the edge to this vertex lies on a curve already");
+            onCurve[edge] = true;
+        }
+        if (seeded[at(curve.seed)])
+            place["seed"].fail("another curve has its seed there", "Choose another vertex of the curve");
+        seeded[at(curve.seed)] = true;
         features.curves.push_back(std::move(curve));
     }
     return features;
