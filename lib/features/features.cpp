@@ -74,7 +74,8 @@ private:
     /// The length of the edges between two positions; on a closed line, positions continue beyond its end.
     [[nodiscard]] double lengthOf(int begin, int end) const {
         const auto lengthUpTo = [this](int position) {
-            return position / count_ * lengthUpTo_.back() + lengthUpTo_[at(position % count_)];
+            const std::size_t count = line_.halfedges.size(), turns = at(position) / count;
+            return static_cast<double>(turns) * lengthUpTo_.back() + lengthUpTo_[at(position) % count];
         };
         return lengthUpTo(end) - lengthUpTo(begin);
     }
