@@ -24,10 +24,9 @@ int main(int argc, char** argv) {
             return [&] {
                 qm::MeshInput input = qm::readMeshInput(tool, repair);
                 const qm::BaseComplex complex = qm::buildBaseComplex(input.mesh);
-                tool.count("extraordinaryVertices",
-                           static_cast<double>(complex.extraordinaryVertices.size()));
-                tool.count("separatrices", static_cast<double>(complex.separatrices.size()));
-                tool.count("ordinaryJunctions", static_cast<double>(complex.ordinaryJunctions));
+                tool.count("extraordinaryVertices", complex.extraordinaryVertices.size());
+                tool.count("separatrices", complex.separatrices.size());
+                tool.count("ordinaryJunctions", complex.ordinaryJunctions);
 
                 qm::Document document = qm::newDocument(qm::Kind::basecomplex);
                 document.root["mesh"] = std::move(input.section);

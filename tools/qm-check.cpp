@@ -52,7 +52,7 @@ int main(int argc, char** argv) {
             for (const std::string& line : qm::check::violationLines(report, linesShown))
                 qm::printMessage(tool.name() + ": " + tool.inputName() + ": " + line);
             tool.write(asJson ? qm::check::reportJson(report) : qm::check::reportText(report));
-            tool.count("violations", static_cast<double>(report.total()));
+            tool.count("violations", report.total());
             return report.ok() ? qm::exitDone : qm::exitFailure;
         };
     });

@@ -17,7 +17,7 @@ int main(int argc, char** argv) {
                 const qm::Model& model = stage->read();
                 const qm::Cut cut = qm::cutMesh(model.mesh, model.complex, model.dihedralAngles, options,
                                                 tool.control("cutting"));
-                tool.count("subMeshes", static_cast<double>(cut.subMeshes.size()));
+                tool.count("subMeshes", cut.subMeshes.size());
                 stage->write(options, qm::cutToJson(cut));
                 return qm::exitDone;
             };

@@ -2,6 +2,7 @@
 #include "cli/stage.h"
 #include "cli/tools/export_choices.h"
 #include "cli/tools/export_date.h"
+#include "cli/tools/or_null.h"
 
 #include <filesystem>
 
@@ -49,9 +50,9 @@ int main(int argc, char** argv) {
                 tool.protectInput();
                 if (!tool.given("name")) options.name = std::filesystem::path(model.meshPath).stem().string();
                 if (!date.empty()) options.date = qm::exportDate(date, model.meshPath);
-                const qm::Exported result = qm::exportModel(
-                    model.mesh, *model.layout, model.surfaces ? &*model.surfaces : nullptr, options);
-                tool.count("segments", static_cast<double>(model.layout->segments.size()));
+                const qm::Exported result =
+                    qm::exportModel(model.mesh, *model.layout, qm::orNull(model.surfaces), options);
+                tool.count("segments", model.layout->segments.size());
                 tool.write(result.bytes);
                 return qm::reportShape(tool, result.shape, model, options.unit);
             };

@@ -22,7 +22,7 @@ int main(int argc, char** argv) {
             return [&, stage] {
                 const qm::Model& model = stage->read();
                 const qm::Features features = qm::findFeatures(model.mesh, model.dihedralAngles, options);
-                tool.count("curves", static_cast<double>(features.curves.size()));
+                tool.count("curves", features.curves.size());
                 stage->write(options, qm::featuresToJson(model.mesh, features, options));
                 return qm::exitDone;
             };

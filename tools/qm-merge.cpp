@@ -26,8 +26,8 @@ int main(int argc, char** argv) {
                 // Every layout also has the lines that components without sources get.
                 if (merged.lowerBound)
                     layout.lowerBound = *merged.lowerBound + layout.cost - merged.graph.cost;
-                tool.count("segments", static_cast<double>(layout.segments.size()));
-                tool.count("rounds", static_cast<double>(merged.rounds));
+                tool.count("segments", layout.segments.size());
+                tool.count("rounds", merged.rounds);
                 qm::Json section = qm::layoutToJson(model.mesh, layout, model.dihedralAngles,
                                                     qm::sharpAngle(stage->document().root));
                 section["merge"] = qm::mergeFigures(merged);

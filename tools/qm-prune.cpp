@@ -32,8 +32,8 @@ int main(int argc, char** argv) {
                     qm::prune(model.mesh, model.complex, *model.layout, model.dihedralAngles, model.edgeCosts,
                               options, rho, tool.control("pruning"));
                 qm::reportProofs(tool, options, pruned);
-                tool.count("segments", static_cast<double>(pruned.layout.segments.size()));
-                tool.count("removedTracks", static_cast<double>(pruned.removedTracks));
+                tool.count("segments", pruned.layout.segments.size());
+                tool.count("removedTracks", pruned.removedTracks);
                 const qm::Json& before = stage->document().section(qm::Kind::layout).value();
                 qm::Json section = qm::layoutToJson(model.mesh, pruned.layout, model.dihedralAngles, rho);
                 if (before.contains("merge")) section["merge"] = before["merge"];

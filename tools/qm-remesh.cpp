@@ -17,9 +17,9 @@ int main(int argc, char** argv) {
                          "fails or leaves holes, other seeds are tried, and then an open scan without "
                          "holding edges to its boundary; small holes that the scan has not are closed.");
             tool.option("quads", options.quads, qm::Range{8, 10'000'000}, "approximate number of quads");
-            tool.option("preserve-sharp", options.preserveSharp, {},
+            tool.option("preserve-sharp", options.preserveSharp,
                         "do not align edges with the sharp edges of the scan");
-            tool.option("draw", options.draw, {},
+            tool.option("draw", options.draw,
                         "leave the vertices where QuadriFlow puts them, with edges and corners cut off, "
                         "instead of drawing them to the scan");
             tool.option("seed", options.seed, qm::Range{0, 1'000'000},
@@ -29,19 +29,19 @@ int main(int argc, char** argv) {
                 qm::Triangles scan =
                     qm::readTriangles(tool.readInput(), tool.inputPath() == "-" ? "" : tool.inputPath());
                 tool.protect(tool.inputPath());
-                tool.count("triangles", static_cast<double>(scan.faces.size()));
+                tool.count("triangles", scan.faces.size());
                 if (const std::string done = qm::repairText(qm::repairTriangles(scan)); !done.empty())
-                    tool.warn(tool.inputName() + ": " + done);
+                    tool.warnOfInput(done);
                 const qm::Remeshed remeshed =
                     qm::remeshWithBlender(scan, options, tool.control("drawing").jobs);
                 if (remeshed.loops != remeshed.scanLoops)
-                    tool.warn(tool.inputName() + ": the quad mesh has " +
-                              qm::countText(remeshed.loops, "boundary loop") + ", the scan has " +
-                              std::to_string(remeshed.scanLoops) + ". Another number of quads may help");
+                    tool.warnOfInput("the quad mesh has " + qm::countText(remeshed.loops, "boundary loop") +
+                                     ", the scan has " + std::to_string(remeshed.scanLoops) +
+                                     ". Another number of quads may help");
                 if (remeshed.seed != options.seed)
                     tool.note("made with --seed " + std::to_string(remeshed.seed));
-                tool.count("quads", static_cast<double>(remeshed.mesh.n_faces()));
-                tool.count("weldedVertices", static_cast<double>(remeshed.repair.weldedVertices));
+                tool.count("quads", remeshed.mesh.n_faces());
+                tool.count("weldedVertices", remeshed.repair.weldedVertices);
                 tool.write(qm::writeObj(remeshed.mesh));
                 return qm::exitDone;
             };

@@ -39,8 +39,8 @@ int main(int argc, char** argv) {
                     return qm::exitDone;
                 }
                 const qm::Soup soup = qm::makeRequested(request);
-                tool.count("vertices", static_cast<double>(soup.points.size()));
-                tool.count("faces", static_cast<double>(soup.faceCount()));
+                tool.count("vertices", soup.points.size());
+                tool.count("faces", soup.faceCount());
                 tool.write(qm::writeRequested(soup, request, tool.outputPath()));
                 return qm::exitDone;
             };

@@ -1,17 +1,10 @@
 /// \file qm-summary: prints the most important figures of a document for users of its surfaces.
 #include "cli/stage.h"
 #include "cli/tools/export_choices.h"
+#include "cli/tools/or_null.h"
 #include "document/summary_json.h"
 
 #include <filesystem>
-
-namespace {
-
-template <class Part> const Part* orNull(const std::optional<Part>& part) {
-    return part ? &*part : nullptr;
-}
-
-} // namespace
 
 int main(int argc, char** argv) {
     qm::LengthUnit unit = qm::LengthUnit::mm;
@@ -46,13 +39,14 @@ int main(int argc, char** argv) {
                 const auto took = tool.given("seconds") ? std::optional(seconds) : std::nullopt;
                 const std::string name = std::filesystem::path(model.meshPath).filename().string();
                 const std::string unitName(qm::choiceName(unit));
-                const qm::Summary summary = qm::summarise(model.mesh, orNull(model.layout),
-                                                          orNull(model.surfaces), qm::recordedFit(history));
+                const qm::Summary summary =
+                    qm::summarise(model.mesh, qm::orNull(model.layout), qm::orNull(model.surfaces),
+                                  qm::recordedFit(history));
                 const auto unmet = qm::unmetLimits(summary, limits, unitName);
                 tool.write(asJson ? qm::printJson(qm::summaryToJson(summary, name, unitName, took, unmet))
                                   : qm::summaryText(summary, name, unitName, took));
                 for (const std::string& sentence : unmet)
-                    tool.warn(tool.inputName() + ": " + sentence);
+                    tool.warnOfInput(sentence);
                 return unmet.empty() ? qm::exitDone : qm::exitUnmet;
             };
         });

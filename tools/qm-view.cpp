@@ -31,7 +31,7 @@ int main(int argc, char** argv) {
         tool.text("png", png, "FILE",
                   "write a picture, rendered by Chromium; the page is written only if -o is given, too");
         tool.text("size", size, "WxH", "size of the picture, in pixels");
-        tool.option("key", key, {}, "leave the colour key out of the picture");
+        tool.option("key", key, "leave the colour key out of the picture");
         tool.example("qm-view part.layout.json -o part.html");
         tool.example("qm-view --show cuts,submeshes,separatrices part.cut.json > part.html");
         tool.example("qm-view --compare part.layout.json part.surfaces.json --show zebra > both.html");

@@ -122,4 +122,12 @@ BaseComplex buildBaseComplex(const QuadMesh& mesh, std::span<const Seed> seeds) 
     return complex;
 }
 
+std::vector<bool> edgesOnLines(const QuadMesh& mesh, const BaseComplex& complex) {
+    std::vector<bool> onLine(mesh.n_edges());
+    for (const Separatrix& separatrix : complex.separatrices)
+        for (const HalfedgeId halfedge : separatrix.halfedges)
+            onLine[at(mesh.edge_handle(halfedge))] = true;
+    return onLine;
+}
+
 } // namespace qm

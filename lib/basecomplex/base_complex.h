@@ -43,4 +43,7 @@ struct BaseComplex {
 /// \throw Error  if a seed's vertex is not interior and regular, or has two seeds
 [[nodiscard]] BaseComplex buildBaseComplex(const QuadMesh& mesh, std::span<const Seed> seeds = {});
 
+/// Of every edge, whether a separatrix runs over it.
+[[nodiscard]] std::vector<bool> edgesOnLines(const QuadMesh& mesh, const BaseComplex& complex);
+
 } // namespace qm

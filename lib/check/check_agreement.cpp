@@ -1,6 +1,5 @@
 #include "base/number_text.h"
 #include "check/check_sections.h"
-#include "check/mesh/vectors.h"
 #include "check/surfaces/bilinear_quad.h"
 #include "check/surfaces/mesh_size.h"
 
@@ -46,16 +45,8 @@ constexpr std::array<const char*, 7> maxima{"max",
 /// around it may have been moved before the fit.
 bool hasOnlySoundCorners(const CheckedMesh& mesh) {
     constexpr double minSine = 0.14; // of 8 degrees
-    for (std::size_t face = 0; face < mesh.quads.size(); ++face) {
-        const BilinearQuad quad = quadOf(mesh, static_cast<int>(face));
-        const Vector normal = quad.normal();
-        const double size = length(normal);
-        for (std::size_t k = 0; k < 4; ++k) {
-            const Vector to = minus(quad.corners[(k + 1) % 4], quad.corners[k]);
-            const Vector from = minus(quad.corners[(k + 3) % 4], quad.corners[k]);
-            if (!(dot(cross(to, from), normal) > minSine * size * length(to) * length(from))) return false;
-        }
-    }
+    for (std::size_t face = 0; face < mesh.quads.size(); ++face)
+        if (!quadOf(mesh, static_cast<int>(face)).isConvex(minSine)) return false;
     return true;
 }
 
@@ -82,37 +73,40 @@ private:
         constexpr double sameAngle = 1e-5;  // degrees
         constexpr double negligible = 1e-5; // of the diagonal: no closer are maxima determined
         for (const Names& names : ofLengths)
-            mean(names, figures, negligible * diagonal, pointer);
+            notAbove(names, figures, negligible * diagonal, pointer);
         for (const Names& names : ofAngles)
-            mean(names, figures, sameAngle, pointer);
+            notAbove(names, figures, sameAngle, pointer);
         for (const auto& [relative, absolute] : relativeLengths) {
-            if (!figures.has(relative) || !figures.has(absolute)) continue;
-            const double product = figures.at(relative) * diagonal;
-            if (std::abs(product - figures.at(absolute)) <=
-                rounding * std::max(product, figures.at(absolute)))
-                continue;
+            const auto share = figures[relative], length = figures[absolute];
+            if (!share || !length) continue;
+            const double product = *share * diagonal;
+            if (std::abs(product - *length) <= rounding * std::max(product, *length)) continue;
             report_.violate(below(pointer, relative), "deviation",
-                            "'" + std::string(absolute) + "' is " + numberText(figures.at(absolute)) +
+                            "'" + std::string(absolute) + "' is " + numberText(*length) +
                                 ", and the diagonal " + numberText(diagonal));
         }
     }
 
     /// \param slack  because means and maxima are measured in different ways
-    void mean(const Names& names, const Figures& figures, double slack, const std::string& pointer) {
-        const auto& [mean, maximum] = names;
-        if (figures.has(mean) && figures.has(maximum) && figures.at(mean) > figures.at(maximum) + slack)
-            report_.violate(below(pointer, mean), "deviation", std::string("it is above '") + maximum + "'");
+    void notAbove(const Names& names, const Figures& figures, double slack, const std::string& pointer) {
+        const auto& [ofMean, ofMaximum] = names;
+        const auto mean = figures[ofMean], maximum = figures[ofMaximum];
+        if (mean && maximum && *mean > *maximum + slack)
+            report_.violate(below(pointer, ofMean), "deviation",
+                            std::string("it is above '") + ofMaximum + "'");
     }
 
     /// What is stated of all patches together is what is stated of each.
     template <class Combine> void total(const char* figure, const Combine& combine) {
-        if (!part_.figures.has(figure)) return;
+        const auto stated = part_.figures[figure];
+        if (!stated) return;
         double found = 0;
         for (const auto& patch : part_.patches) {
-            if (!patch.figures.has(figure)) return;
-            found = combine(found, patch.figures.at(figure));
+            const auto ofPatch = patch.figures[figure];
+            if (!ofPatch) return;
+            found = combine(found, *ofPatch);
         }
-        if (found != part_.figures.at(figure))
+        if (found != *stated)
             report_.violate(below(all, figure), "deviation",
                             "by the figures of the patches it is " + numberText(found));
     }
@@ -120,14 +114,14 @@ private:
     /// The reference passes through the vertices, unless it is a scan or folded quads have been bridged; so
     /// no vertex is farther from the surfaces than the reference is.
     void fromVertices() {
-        const Figures& figures = part_.figures;
-        if (part_.isOfScan || !figures.has("max") || !figures.has("maxFromVertices")) return;
+        const auto max = part_.figures["max"], maxFromVertices = part_.figures["maxFromVertices"];
+        if (part_.isOfScan || !max || !maxFromVertices) return;
         constexpr double unsure = 1e-4;
-        if (figures.at("maxFromVertices") <= (1 + unsure) * figures.at("max") + samePlace_) return;
+        if (*maxFromVertices <= (1 + unsure) * *max + samePlace_) return;
         if (hasOnlySoundCorners(mesh_))
             report_.violate(below(all, "max"), "deviation",
                             "a vertex, which the reference passes through, is " +
-                                numberText(figures.at("maxFromVertices")) + " away");
+                                numberText(*maxFromVertices) + " away");
     }
 
     const CheckedMesh& mesh_;

@@ -52,8 +52,7 @@ private:
         const auto& separatrix = part_.separatrices[rank];
         const std::string here = pointer(rank);
         const std::string path = below(here, "vertices");
-        if (separatrix.id != static_cast<int>(rank))
-            report_.violate(below(here, "id"), "id", "separatrices are numbered from 0 in their order");
+        checkNumber(separatrix.id, rank, here, "separatrices", report_);
         const auto steps = readPath(around_, separatrix.vertices, path, report_);
         if (!steps) return;
         const auto found = network_.wayByFirstStep.find(steps->front());

@@ -7,8 +7,7 @@ namespace qm::check {
 
 namespace {
 
-/// Whether some edge of the path is, or is not, in the graph. A path that is none was reported before any
-/// graph.
+/// Whether some edge of the path is, or is not, in the graph.
 bool anyEdge(const Neighbourhoods& around, const std::vector<int>& path, std::span<const char> present,
              bool in) {
     for (std::size_t i = 1; i < path.size(); ++i) {
@@ -35,16 +34,15 @@ void checkConstraints(const Neighbourhoods& around, const ConstraintsPart& const
 
 bool checkConstraintPaths(const Neighbourhoods& around, const ConstraintsPart& constraints, Report& report) {
     const std::size_t before = report.total();
-    const auto readAll = [&](const std::vector<std::vector<int>>& paths, const std::string& pointer) {
-        for (std::size_t i = 0; i < paths.size(); ++i)
-            (void)readPath(around, paths[i], below(below(pointer, i), "vertices"), report);
+    const auto read = [&](const std::vector<int>& path, const char* list, std::size_t i) {
+        (void)readPath(around, path, below(below(below("/constraints", list), i), "vertices"), report);
     };
-    readAll(constraints.required, "/constraints/required");
-    readAll(constraints.forbidden, "/constraints/forbidden");
-    std::vector<std::vector<int>> weighed;
-    for (const ConstraintsPart::Weight& entry : constraints.weights)
-        weighed.push_back(entry.vertices);
-    readAll(weighed, "/constraints/weights");
+    for (std::size_t i = 0; i < constraints.required.size(); ++i)
+        read(constraints.required[i], "required", i);
+    for (std::size_t i = 0; i < constraints.forbidden.size(); ++i)
+        read(constraints.forbidden[i], "forbidden", i);
+    for (std::size_t i = 0; i < constraints.weights.size(); ++i)
+        read(constraints.weights[i].vertices, "weights", i);
     return report.total() == before;
 }
 

@@ -37,8 +37,7 @@ void checkSubMeshes(const Neighbourhoods& around, const std::vector<LineNetwork>
         const auto& subMesh = part.subMeshes[k];
         const LineNetwork& network = networks[k];
         const std::string here = below("/cut/subMeshes", k);
-        if (subMesh.id != static_cast<int>(k))
-            report.violate(below(here, "id"), "id", "sub-meshes are numbered from 0 in their order");
+        checkNumber(subMesh.id, k, here, "sub-meshes", report);
         const double complexity = quasiComplexity(network);
         if (subMesh.quasiComplexity &&
             !(std::abs(*subMesh.quasiComplexity - complexity) <= 1e-6 * std::max(1.0, complexity)))

@@ -106,7 +106,7 @@ private:
         const auto& part = *document_.surfaces;
         const bool sound = section([&] { checkSurfaces(mesh_, around_, *document_.layout, part, report_); },
                                    "surfaces: " + count(part.patches.size(), "patch", "patches"));
-        if (sound && part.figures.maxFromFacets)
+        if (sound && part.figures["maxFromFacets"])
             section([&] { checkFigures(context, *document_.layout, part, report_); },
                     "deviation: no figure is less than what is measured");
     }

@@ -43,8 +43,7 @@ private:
     void subMesh(std::size_t k) {
         const auto& subMesh = part_.subMeshes[k];
         const std::string here = below("/enumeration/subMeshes", k);
-        if (subMesh.id != static_cast<int>(k))
-            report_.violate(below(here, "id"), "id", "sub-meshes are numbered from 0 in their order");
+        checkNumber(subMesh.id, k, here, "sub-meshes", report_);
         known_.clear();
         double before = -std::numeric_limits<double>::infinity();
         for (std::size_t g = 0; g < subMesh.graphs.size(); ++g) {
@@ -114,8 +113,7 @@ private:
         auto edges = edgesOf(around_, tracks, list, report_);
         for (const int edge : edges)
             present_[at(edge)] = 1;
-        const auto check = part_.tmesh ? checkTMesh : checkGraph;
-        check(around_, network, tracks, present_, edges.size(), list, report_);
+        checkGraph(around_, network, tracks, present_, edges.size(), part_.tmesh, list, report_);
         checkConstraints(around_, context_.constraints, present_, networks_.size() == 1, list, report_);
         CostSum cost(context_.costs);
         if (context_.segmentCost != 0) cost.addCost(context_.segmentCost * corners(subMesh, tracks) / 4);
@@ -170,8 +168,7 @@ private:
     /// Nothing if there is none; at most 2^edges graphs exist, so a longer number is wrong.
     std::optional<BigInteger> bigInteger(const std::optional<std::string>& text, const std::string& pointer) {
         if (!text) return std::nullopt;
-        const bool digits =
-            std::all_of(text->begin(), text->end(), [](char c) { return c >= '0' && c <= '9'; });
+        const bool digits = text->find_first_not_of("0123456789") == std::string::npos;
         const bool plain = digits && !text->empty() && (text->size() == 1 || text->front() != '0');
         if (plain && text->size() <= at(around_.edges()) + 1) return BigInteger(*text);
         report_.violate(pointer, "count",

@@ -1,5 +1,4 @@
 #include "base/at.h"
-#include "base/number_text.h"
 #include "check/check_sections.h"
 #include "check/surfaces/bilinear_quad.h"
 #include "check/surfaces/distance.h"
@@ -16,56 +15,44 @@
 namespace qm::check {
 namespace {
 
-using Patch = SurfacesPart::Patch;
-using Figures = SurfacesPart::Figures;
-using Parameters = std::array<double, 2>;
-
-class FigureCheck {
+/// The figures of one patch that concern its distance from the mesh, and its folds.
+class PatchCheck {
 public:
-    FigureCheck(const Context& context, const LayoutPart& layout, const SurfacesPart& part, Report& report)
-        : mesh_(context.mesh), around_(context.around), angles_(context.angles), layout_(layout), part_(part),
-          report_(report), surfaces_(context, layout, part) {}
+    PatchCheck(const Context& context, const LayoutPart& layout, const SurfacesPart& part, std::size_t patch,
+               const DistanceToSurfaces& surfaces, Report& report)
+        : mesh_(context.mesh), around_(context.around), angles_(context.angles), part_(part), patch_(patch),
+          segment_(layout.segments[patch]), surfaces_(surfaces), report_(report),
+          vertices_(soundGridOf(mesh_, segment_)), fromFacets_(part.patches[patch].figures["maxFromFacets"]),
+          fromVertices_(part.patches[patch].figures["maxFromVertices"]),
+          mayFold_(part.patches[patch].figures["folds"].value_or(1) > 0) {}
 
     void run() {
-        for (std::size_t p = 0; p < part_.patches.size(); ++p)
-            patchFigures(p);
+        for (int row = 0; row < segment_.size[1]; ++row)
+            if (!checkRow(row)) return;
     }
 
 private:
-    bool compare(std::size_t p, const char* figure, const std::optional<double>& stated, double found,
-                 double slack, const std::string& where) {
-        return checkFigure(p, figure, stated, found, slack, where, report_);
-    }
-
-    void patchFigures(std::size_t p) {
-        const auto& segment = layout_.segments[p];
-        Report unused;
-        const std::vector<int> vertices = gridOf(mesh_, segment, "", unused);
-        for (int row = 0; row < segment.size[1]; ++row)
-            if (!rowFigures(p, vertices, row)) return;
-    }
-
     /// A row of quads.
     /// \return false if something was wrong
-    bool rowFigures(std::size_t p, const std::vector<int>& vertices, int row) {
-        const auto& [columns, rows] = layout_.segments[p].size;
+    bool checkRow(int row) {
+        const auto& [columns, rows] = segment_.size;
         std::vector<double> us;
         std::vector<double> vs;
         for (int i = 0; i <= columns * samplesPerEdge; ++i)
             us.push_back(static_cast<double>(i) / samplesPerEdge);
         for (int j = 0; j <= samplesPerEdge; ++j)
             vs.push_back(row + static_cast<double>(j) / samplesPerEdge);
-        const auto points = evaluateLattice(part_.patches[p], us, vs);
+        const auto points = evaluateLattice(part_.patches[patch_], us, vs);
         for (int column = 0; column < columns; ++column) {
-            const Cell cell = cellAt(p, vertices, column, row);
+            const Cell cell = cellAt(column, row);
             const QuadSamples samples{points, us.size(), at(column * samplesPerEdge)};
-            if (anyTooFar(p, cell, samples, {column + 1 == columns, row + 1 == rows})) return false;
-            if (anyFold(p, cell, samples)) return false;
+            if (anyTooFar(cell, samples, {column + 1 == columns, row + 1 == rows})) return false;
+            if (anyFold(cell, samples)) return false;
         }
         return true;
     }
 
-    /// A quad of a segment, with its corners in the segment's order.
+    /// A quad of the segment, with its corners in the segment's order.
     struct Cell {
         BilinearQuad quad;
         int face = -1;
@@ -73,53 +60,50 @@ private:
         int row = 0;
     };
 
-    [[nodiscard]] Cell cellAt(std::size_t p, const std::vector<int>& vertices, int column, int row) const {
-        const int columns = layout_.segments[p].size[0];
+    [[nodiscard]] Cell cellAt(int column, int row) const {
+        const int columns = segment_.size[0];
         const std::size_t low = at(row * (columns + 1) + column);
         const std::size_t high = low + at(columns) + 1;
-        const auto point = [&](std::size_t k) { return mesh_.points[at(vertices[k])]; };
+        const auto point = [&](std::size_t k) { return mesh_.points[at(vertices_[k])]; };
         return {{{point(low), point(low + 1), point(high + 1), point(high)}},
-                layout_.segments[p].faces[at(row * columns + column)],
+                segment_.faces[at(row * columns + column)],
                 column,
                 row};
     }
 
     /// \param isLast  of its row and of its column: a cell before it shares the samples of the side between
-    bool anyTooFar(std::size_t p, const Cell& cell, const QuadSamples& samples,
-                   const std::array<bool, 2>& isLast) {
+    bool anyTooFar(const Cell& cell, const QuadSamples& samples, const std::array<bool, 2>& isLast) {
         for (int j = 0; j < samplesPerEdge + (isLast[1] ? 1 : 0); ++j)
             for (int i = 0; i < samplesPerEdge + (isLast[0] ? 1 : 0); ++i)
-                if (isTooFar(p, cell, i, j, samples.at(i, j).point)) return true;
+                if (isTooFar(cell, i, j, samples.at(i, j).point)) return true;
         return false;
     }
 
-    /// Share of a distance by which two searches for the nearest point may differ.
-    static constexpr double unsure = 1e-4;
-
-    bool isTooFar(std::size_t p, const Cell& cell, int i, int j, const Place& on) {
-        const Figures& figures = part_.patches[p].figures;
+    bool isTooFar(const Cell& cell, int i, int j, const Place& on) {
+        // Share of a distance by which two searches for the nearest point may differ.
+        constexpr double unsure = 1e-4;
         const double s = static_cast<double>(i) / samplesPerEdge;
         const double t = static_cast<double>(j) / samplesPerEdge;
         const Place of = cell.quad.at(s, t);
         const double plain = distance(of, on);
         const Parameters parameters{cell.column + s, cell.row + t};
-        const double rounding = 1e-12 * cell.quad.largestCoordinate();
+        const double rounding = 1e-12 * largestCoordinate(cell.quad.corners);
         const auto slackOf = [&](double stated) { return rounding + unsure * stated; };
-        const auto& fromFacets = figures.maxFromFacets;
-        if (fromFacets && plain > *fromFacets + slackOf(*fromFacets)) {
-            const double slack = slackOf(*fromFacets);
-            const double limit = *fromFacets + slack;
+        if (fromFacets_ && plain > *fromFacets_ + slackOf(*fromFacets_)) {
+            const double slack = slackOf(*fromFacets_);
+            const double limit = *fromFacets_ + slack;
             double error = distanceToFace(mesh_, cell.face, startIn(cell, s, t), on);
             if (error > limit) error = distanceToMesh(mesh_, around_, cell.face, on);
-            if (error <= limit) error = surfaces_.distanceFrom(of, cell.face, p, parameters, limit);
-            if (compare(p, "maxFromFacets", fromFacets, error, slack, placeOf(cell))) return true;
+            if (error <= limit) error = surfaces_.distanceFrom(of, cell.face, patch_, parameters, limit);
+            if (checkFigure(part_, patch_, "maxFromFacets", error, slack, placeOf(cell), report_))
+                return true;
         }
-        const auto& fromVertices = figures.maxFromVertices;
         const bool atVertex = i % samplesPerEdge == 0 && j % samplesPerEdge == 0;
-        if (!atVertex || !fromVertices || plain <= *fromVertices + slackOf(*fromVertices)) return false;
-        const double slack = slackOf(*fromVertices);
-        const double error = surfaces_.distanceFrom(of, cell.face, p, parameters, *fromVertices + slack);
-        return compare(p, "maxFromVertices", fromVertices, error, slack, placeOf(cell));
+        if (!atVertex || !fromVertices_ || plain <= *fromVertices_ + slackOf(*fromVertices_)) return false;
+        const double slack = slackOf(*fromVertices_);
+        const double error =
+            surfaces_.distanceFrom(of, cell.face, patch_, parameters, *fromVertices_ + slack);
+        return checkFigure(part_, patch_, "maxFromVertices", error, slack, placeOf(cell), report_);
     }
 
     [[nodiscard]] static std::string placeOf(const Cell& cell) {
@@ -140,11 +124,11 @@ private:
         return {s, t};
     }
 
-    bool anyFold(std::size_t p, const Cell& cell, const QuadSamples& samples) {
-        if (part_.patches[p].figures.folds.value_or(1) > 0) return false;
-        if (!cell.quad.isConvex() || liesAgainstNeighbour(mesh_, around_, angles_, cell.face)) return false;
-        if (!isFolded(cell.quad, samples)) return false;
-        report_.violate(below(below(below("/surfaces/patches", p), "deviation"), "folds"), "deviation",
+    bool anyFold(const Cell& cell, const QuadSamples& samples) {
+        if (mayFold_ || !cell.quad.isConvex() || liesAgainstNeighbour(mesh_, around_, angles_, cell.face) ||
+            !isFolded(cell.quad, samples))
+            return false;
+        report_.violate(below(below(below("/surfaces/patches", patch_), "deviation"), "folds"), "deviation",
                         "the normal turns over " + placeOf(cell));
         return true;
     }
@@ -152,17 +136,23 @@ private:
     const CheckedMesh& mesh_;
     const Neighbourhoods& around_;
     const Angles& angles_;
-    const LayoutPart& layout_;
     const SurfacesPart& part_;
+    std::size_t patch_;
+    const LayoutPart::Segment& segment_;
+    const DistanceToSurfaces& surfaces_;
     Report& report_;
-    DistanceToSurfaces surfaces_;
+    std::vector<int> vertices_;                       ///< of the segment's grid
+    std::optional<double> fromFacets_, fromVertices_; ///< as stated
+    bool mayFold_;
 };
 
 } // namespace
 
 void checkFigures(const Context& context, const LayoutPart& layout, const SurfacesPart& part,
                   Report& report) {
-    FigureCheck(context, layout, part, report).run();
+    const DistanceToSurfaces surfaces(context, layout, part);
+    for (std::size_t patch = 0; patch < part.patches.size(); ++patch)
+        PatchCheck(context, layout, part, patch, surfaces, report).run();
     checkMeetings(context, layout, part, report);
     checkAgreement(context.mesh, part, report);
 }

@@ -21,9 +21,8 @@ using Point = LayoutPart::FrontPoint;
 std::vector<std::size_t> covered(const std::vector<Point>& front) {
     std::vector<std::size_t> order(front.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        const auto key = [](const Point& p) { return std::tuple(p.segments, p.cost, -p.capturedSharpness); };
-        return key(front[a]) < key(front[b]);
+    std::ranges::sort(order, {}, [&](std::size_t i) {
+        return std::tuple(front[i].segments, front[i].cost, -front[i].capturedSharpness);
     });
     std::vector<std::size_t> result;
     std::map<double, double> best; // of those of no more segments: cost and sharpness, both ascending

@@ -88,8 +88,7 @@ private:
                     count += edge == 0;
                     edge = 1;
                 }
-            const auto check = part_.tmesh ? checkTMesh : checkGraph;
-            check(around_, network_, tracks, present, count, tracksPlace, report_);
+            checkGraph(around_, network_, tracks, present, count, part_.tmesh, tracksPlace, report_);
         }
     }
 

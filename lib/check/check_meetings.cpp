@@ -1,7 +1,6 @@
 #include "base/at.h"
 #include "base/number_text.h"
 #include "check/check_sections.h"
-#include "check/surfaces/distance.h"
 #include "check/surfaces/patch_borders.h"
 #include "check/surfaces/spline.h"
 #include "check/tracks/paths.h"
@@ -17,6 +16,8 @@ namespace qm::check {
 namespace {
 
 using Patch = SurfacesPart::Patch;
+
+constexpr double sameAngle = 1e-4; // degrees
 
 /// Degrees; 0 if one of both surfaces has no normal.
 double angleBetween(const SurfacePoint& a, const SurfacePoint& b) {
@@ -42,11 +43,6 @@ public:
     }
 
 private:
-    bool compare(std::size_t p, const char* figure, const std::optional<double>& stated, double found,
-                 double slack, const std::string& where) {
-        return checkFigure(p, figure, stated, found, slack, where, report_);
-    }
-
     /// Lines within a patch at which a knot stands as often as the degree says, or more often.
     void innerLines(std::size_t p) {
         const Patch& patch = part_.patches[p];
@@ -76,22 +72,19 @@ private:
             const SurfacePoint right = there(line);
             const std::string where =
                 std::string("at ") + (direction == 0 ? "u" : "v") + " = " + numberText(line);
-            if (compare(p, "largestInnerNormalAngle", patch.figures.largestInnerNormalAngle,
-                        angleBetween(left, right), 1e-4, where) ||
-                compare(p, "largestGap", patch.figures.largestGap, distance(left.point, right.point),
-                        1e-12 * size(patch), where))
+            if (checkFigure(part_, p, "largestInnerNormalAngle", angleBetween(left, right), sameAngle, where,
+                            report_) ||
+                hasGap(p, left, right, where))
                 return true;
         }
         return false;
     }
 
-    /// The largest coordinate, by which rounding is judged.
-    [[nodiscard]] static double size(const Patch& patch) {
-        double largest = 0;
-        for (const Place& control : patch.controlPoints)
-            for (const double x : control)
-                largest = std::max(largest, std::abs(x));
-        return largest;
+    bool hasGap(std::size_t p, const SurfacePoint& left, const SurfacePoint& right,
+                const std::string& where) {
+        const double rounding = 1e-12 * largestCoordinate(part_.patches[p].controlPoints);
+        return checkFigure(part_, p, "largestGap", distance(left.point, right.point), rounding, where,
+                           report_);
     }
 
     /// Marks the edges of creases, which must be borders of two patches.
@@ -114,25 +107,18 @@ private:
     void meet(const std::vector<BorderPlace>& place, std::size_t edge) {
         constexpr double nearEnd = 1.0 / 200;
         const bool smooth = part_.creases && !isCrease_[edge];
-        const auto there = [&](std::size_t side, double along) {
-            const BorderPlace& of = place[side];
-            return evaluate(part_.patches[of.patch], std::lerp(of.begin[0], of.end[0], along),
-                            std::lerp(of.begin[1], of.end[1], along));
-        };
         for (int sample = 0; sample < samplesPerEdge; ++sample) {
             const double along =
                 std::clamp(static_cast<double>(sample) / (samplesPerEdge - 1), nearEnd, 1 - nearEnd);
-            const SurfacePoint left = there(0, along);
-            const SurfacePoint right = there(1, 1 - along);
+            const SurfacePoint left = evaluateAlong(part_, place[0], along);
+            const SurfacePoint right = evaluateAlong(part_, place[1], 1 - along);
             for (std::size_t side = 0; side < 2; ++side) {
                 const std::size_t p = place[side].patch;
-                const Patch& patch = part_.patches[p];
                 const std::string where =
                     "along the border to patch " + std::to_string(place[1 - side].patch);
-                if (compare(p, "largestGap", patch.figures.largestGap, distance(left.point, right.point),
-                            1e-12 * size(patch), where) ||
-                    (smooth && compare(p, "largestNormalAngle", patch.figures.largestNormalAngle,
-                                       angleBetween(left, right), 1e-4, where)))
+                if (hasGap(p, left, right, where) ||
+                    (smooth && checkFigure(part_, p, "largestNormalAngle", angleBetween(left, right),
+                                           sameAngle, where, report_)))
                     return;
             }
         }
@@ -152,8 +138,9 @@ void checkMeetings(const Context& context, const LayoutPart& layout, const Surfa
     MeetingCheck(context, layout, part, report).run();
 }
 
-bool checkFigure(std::size_t patch, const char* figure, const std::optional<double>& stated, double found,
-                 double slack, const std::string& where, Report& report) {
+bool checkFigure(const SurfacesPart& part, std::size_t patch, const char* figure, double found, double slack,
+                 const std::string& where, Report& report) {
+    const auto stated = part.patches[patch].figures[figure];
     if (!stated || found <= *stated * (1 + 1e-6) + slack) return false;
     report.violate(below(below(below("/surfaces/patches", patch), "deviation"), figure), "deviation",
                    "it is " + numberText(found) + " " + where);

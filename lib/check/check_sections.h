@@ -8,7 +8,6 @@
 #include "check/mesh/context.h"
 #include "check/tracks/lines.h"
 
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -94,7 +93,7 @@ void checkAgreement(const CheckedMesh& mesh, const SurfacesPart& part, Report& r
 /// \param slack  for rounding
 /// \param where  ends the sentence
 /// \return whether it is less
-bool checkFigure(std::size_t patch, const char* figure, const std::optional<double>& stated, double found,
-                 double slack, const std::string& where, Report& report);
+bool checkFigure(const SurfacesPart& part, std::size_t patch, const char* figure, double found, double slack,
+                 const std::string& where, Report& report);
 
 } // namespace qm::check

@@ -1,7 +1,6 @@
 #include "base/at.h"
 #include "base/number_text.h"
 #include "check/check_sections.h"
-#include "check/surfaces/distance.h"
 #include "check/surfaces/mesh_size.h"
 #include "check/surfaces/patch_borders.h"
 #include "check/surfaces/spline.h"
@@ -39,7 +38,7 @@ public:
         if (sound && part_.farthest) place(*part_.farthest, "/surfaces/farthest", "farthest place");
         for (std::size_t k = 0; sound && k < part_.folds.size(); ++k)
             place(part_.folds[k], below("/surfaces/foldPlaces", k), "place of a fold");
-        if (const double told = part_.figures.folds.value_or(0);
+        if (const double told = part_.figures["folds"].value_or(0);
             !part_.folds.empty() && told != static_cast<double>(part_.folds.size()))
             report_.violate("/surfaces/foldPlaces", "place of a fold",
                             "there are " + std::to_string(part_.folds.size()) + " places for " +
@@ -105,13 +104,8 @@ private:
                             "the surface must run from 0 to " + numberText(max) + ", as its segment");
     }
 
-    [[nodiscard]] std::vector<int> grid(std::size_t p) const {
-        Report unused;
-        return gridOf(mesh_, layout_.segments[p], "", unused);
-    }
-
     void interpolation(std::size_t p) {
-        const auto vertices = grid(p);
+        const std::vector<int> vertices = soundGridOf(mesh_, layout_.segments[p]);
         const std::size_t width = at(layout_.segments[p].size[0]) + 1;
         for (std::size_t i = 0; i < vertices.size(); ++i) {
             const std::size_t column = i % width, row = i / width;
@@ -130,7 +124,8 @@ private:
         for (const auto& place : patchBorders(around_, layout_)) {
             if (place.size() < 2) continue;
             for (const double along : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-                const double gap = distance(pointAt(place[0], along), pointAt(place[1], 1 - along));
+                const double gap = distance(evaluateAlong(part_, place[0], along).point,
+                                            evaluateAlong(part_, place[1], 1 - along).point);
                 if (gap <= samePlace_) continue;
                 report_.violate(pointer(place[1].patch), "watertight",
                                 "a gap of " + numberText(gap) + " to patch " +
@@ -153,12 +148,6 @@ private:
         const Place point = evaluate(part_.patches[at(place.patch)], place.at[0], place.at[1]).point;
         if (!(distance(point, place.point) <= samePlace_))
             report_.violate(below(pointer, "point"), rule, "the patch is elsewhere at these parameters");
-    }
-
-    [[nodiscard]] Place pointAt(const BorderPlace& place, double along) const {
-        return evaluate(part_.patches[place.patch], std::lerp(place.begin[0], place.end[0], along),
-                        std::lerp(place.begin[1], place.end[1], along))
-            .point;
     }
 
     const CheckedMesh& mesh_;

@@ -7,31 +7,25 @@ namespace qm {
 
 Stage::Stage(Tool& tool, Kind reads, Kind earliest)
     : tool_(tool), reads_(reads), earliest_(earliest), writes_(earliest) {
-    declareInput();
+    tool.reads("DOCUMENT", "a document of kind " + kindName(earliest) +
+                               (earliest == Kind::surfaces ? "" : " or of any later kind"));
+    tool.group(Tool::generalOptions);
+    tool.text("mesh", meshPath_, "FILE", "the mesh, if it is not where the document says");
+    tool.group(Tool::ownOptions);
 }
 
-Stage::Stage(Tool& tool, Kind reads, Kind earliest, Kind writes)
-    : tool_(tool), reads_(reads), earliest_(earliest), writes_(writes) {
-    declareInput();
+Stage::Stage(Tool& tool, Kind reads, Kind earliest, Kind writes) : Stage(tool, reads, earliest) {
+    writes_ = writes;
     tool.writes("the document with the section " + std::string(sectionOf(writes)) +
                 "; sections of later stages are dropped");
     tool.schema(kindName(writes));
 }
 
-void Stage::declareInput() {
-    tool_.reads("DOCUMENT", "a document of kind " + kindName(earliest_) +
-                                (earliest_ == Kind::surfaces ? "" : " or of any later kind"));
-    tool_.group(Tool::generalOptions);
-    tool_.text("mesh", meshPath_, "FILE", "the mesh, if it is not where the document says");
-    tool_.group(Tool::ownOptions);
-}
-
 void Stage::parse(std::string_view bytes, const std::string& path, const std::string& name, Kind earliest) {
     document_ = parseDocument(bytes, path);
     const Kind kind = requireKind(document_, earliest);
-    const std::string place = name + ": ";
     for (const std::string& sentence : misspeltKeys(document_.root, kindName(kind)))
-        tool_.warn(place + sentence);
+        tool_.warn(name + ": " + sentence);
 }
 
 const Model& Stage::read(Kind earliest, Kind reads) {
@@ -58,11 +52,10 @@ const Model& Stage::readAnother(const std::string& path, const Document& before)
 const Model& Stage::take(Model model, const std::string& name) {
     model_ = std::move(model);
     tool_.protect(model_.meshPath);
-    const std::string place = name + ": ";
     for (const std::string& note : model_.notes)
-        tool_.warn(place + note);
-    tool_.count("vertices", static_cast<double>(model_.mesh.n_vertices()));
-    tool_.count("faces", static_cast<double>(model_.mesh.n_faces()));
+        tool_.warn(name + ": " + note);
+    tool_.count("vertices", model_.mesh.n_vertices());
+    tool_.count("faces", model_.mesh.n_faces());
     return model_;
 }
 

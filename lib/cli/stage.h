@@ -49,7 +49,6 @@ public:
     }
 
 private:
-    void declareInput();
     const Model& read(Kind earliest, Kind reads);
     void parse(std::string_view bytes, const std::string& path, const std::string& name, Kind earliest);
     const Model& take(Model model, const std::string& name);

@@ -184,8 +184,8 @@ void Tool::note(const std::string& message) const {
     state_->console.note(message);
 }
 
-void Tool::count(const std::string& counter, double value) const {
-    state_->statistics.count(counter, value);
+void Tool::addCounter(const std::string& name, double value) const {
+    state_->statistics.count(name, value);
 }
 
 Control Tool::control(const std::string& label) const {
@@ -217,10 +217,14 @@ void Tool::noteSettings() const {
 
 int Tool::answer(const ToolBody& body) {
     const State& s = *state_;
-    if (s.general.help) return writeFile("-", helpText(s.usage)), exitDone;
-    if (s.general.version) return writeFile("-", versionText(s.usage.tool)), exitDone;
-    if (s.general.schema) return writeFile("-", standaloneSchema(s.usage.schema)), exitDone;
-    if (s.general.usage) return writeFile("-", jsonUsage(s.usage)), exitDone;
+    const auto print = [](const std::string& text) {
+        writeFile("-", text);
+        return exitDone;
+    };
+    if (s.general.help) return print(helpText(s.usage));
+    if (s.general.version) return print(versionText(s.usage.tool));
+    if (s.general.schema) return print(standaloneSchema(s.usage.schema));
+    if (s.general.usage) return print(jsonUsage(s.usage));
     noteSettings();
     if (s.hasOutput) verifyWritable(s.general.output);
     int status = body();

@@ -121,9 +121,13 @@ public:
     /// --verbose only.
     void warn(const std::string& message) const;
     void note(const std::string& message) const;
+    /// A warning that begins with the name of the input.
+    void warnOfInput(const std::string& message) const { warn(inputName() + ": " + message); }
 
     /// A figure for --stats.
-    void count(const std::string& counter, double value) const;
+    template <class Number> void count(const std::string& counter, Number value) const {
+        addCounter(counter, static_cast<double>(value));
+    }
 
     [[nodiscard]] unsigned jobs() const;
     /// Progress bar, interrupts and threads for a long computation. The bar appears on terminals only, after
@@ -138,6 +142,7 @@ private:
     struct State;
 
     void add(OptionRecord record);
+    void addCounter(const std::string& name, double value) const;
     void addGeneralOptions();
     void parse(int argc, char** argv);
     void noteSettings() const;

@@ -5,19 +5,20 @@
 #include <cmath>
 
 namespace qm {
+
 Measure::Measure(const QuadMesh& mesh, const BaseComplex& complex)
     : mesh_(mesh), complex_(complex), seeds_(mesh.n_vertices(), 0), passes_(mesh.n_vertices(), 0) {
     for (const Seed seed : complex.seeds)
         ++seeds_[at(mesh.from_vertex_handle(seed.direction))];
 }
 
-VertexId Measure::sourceOf(std::size_t separatrix) const {
-    return mesh_.from_vertex_handle(complex_.separatrices[separatrix].halfedges.front());
+VertexId Measure::sourceOf(SeparatrixId separatrix) const {
+    return mesh_.from_vertex_handle(complex_.separatrices[separatrix.idx()].halfedges.front());
 }
 
-std::size_t Measure::reachInside(std::size_t i, const std::vector<SubMeshId>& labels) const {
-    const Separatrix& separatrix = complex_.separatrices[i];
-    const SubMeshId subMesh = labels[at(sourceOf(i))];
+std::size_t Measure::reachInside(SeparatrixId id, const std::vector<SubMeshId>& labels) const {
+    const Separatrix& separatrix = complex_.separatrices[id.idx()];
+    const SubMeshId subMesh = labels[at(sourceOf(id))];
     std::size_t length = 0;
     while (length < separatrix.reach) {
         const VertexId next = mesh_.to_vertex_handle(separatrix.halfedges[length]);
@@ -27,7 +28,7 @@ std::size_t Measure::reachInside(std::size_t i, const std::vector<SubMeshId>& la
     return length;
 }
 
-SubMesh Measure::operator()(const std::vector<std::size_t>& separatrices,
+SubMesh Measure::operator()(const std::vector<SeparatrixId>& separatrices,
                             const std::vector<SubMeshId>& labels, SubMeshId subMesh) {
     SubMesh result;
     std::vector<VertexId> touched;
@@ -36,18 +37,18 @@ SubMesh Measure::operator()(const std::vector<std::size_t>& separatrices,
     };
     std::vector<std::size_t> reach;
     VertexId last;
-    for (const std::size_t i : separatrices) {
-        const VertexId source = sourceOf(i);
+    for (const SeparatrixId id : separatrices) {
+        const VertexId source = sourceOf(id);
         for (int seed = 0; source != last && seed < seeds_[at(source)]; ++seed)
             pass(source);
         last = source;
-        reach.push_back(reachInside(i, labels));
-        const Separatrix& separatrix = complex_.separatrices[i];
+        reach.push_back(reachInside(id, labels));
+        const Separatrix& separatrix = complex_.separatrices[id.idx()];
         // The part that the opposite walks inside as well is counted once only.
         std::size_t counted = 0;
-        if (separatrix.opposite && separatrix.opposite->idx() < i &&
-            labels[at(sourceOf(separatrix.opposite->idx()))] == subMesh)
-            counted = reachInside(separatrix.opposite->idx(), labels);
+        if (const auto opposite = separatrix.opposite;
+            opposite && *opposite < id && labels[at(sourceOf(*opposite))] == subMesh)
+            counted = reachInside(*opposite, labels);
         for (std::size_t k = 1; k < separatrix.halfedges.size() && k <= reach.back() &&
                                 separatrix.halfedges.size() - k > counted;
              ++k) {
@@ -56,7 +57,7 @@ SubMesh Measure::operator()(const std::vector<std::size_t>& separatrices,
         }
     }
     for (std::size_t n = 0; n < separatrices.size(); ++n) {
-        const Separatrix& separatrix = complex_.separatrices[separatrices[n]];
+        const Separatrix& separatrix = complex_.separatrices[separatrices[n].idx()];
         int stops = 1;
         for (std::size_t k = 1; k < reach[n]; ++k)
             if (passes_[at(mesh_.from_vertex_handle(separatrix.halfedges[k]))] == 2) ++stops;
@@ -72,9 +73,9 @@ SubMesh Measure::operator()(const std::vector<std::size_t>& separatrices,
 IdVector<SubMeshId, SubMesh> measureSubMeshes(const QuadMesh& mesh, const BaseComplex& complex,
                                               const std::vector<SubMeshId>& labels, int count) {
     Measure measure(mesh, complex);
-    IdVector<SubMeshId, std::vector<std::size_t>> separatrices(at(count));
-    for (std::size_t i = 0; i < complex.separatrices.size(); ++i)
-        separatrices[labels[at(measure.sourceOf(i))]].push_back(i);
+    IdVector<SubMeshId, std::vector<SeparatrixId>> separatrices(at(count));
+    for (const SeparatrixId id : IdRange(SeparatrixId(0), SeparatrixId(complex.separatrices.size())))
+        separatrices[labels[at(measure.sourceOf(id))]].push_back(id);
     IdVector<SubMeshId, SubMesh> result;
     result.reserve(separatrices.size());
     for (const SubMeshId subMesh : separatrices.ids())

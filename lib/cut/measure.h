@@ -14,14 +14,15 @@ public:
 
     /// \param separatrices  those that start in the sub-mesh
     /// \return the figures of the sub-mesh, without its terminals
-    [[nodiscard]] SubMesh operator()(const std::vector<std::size_t>& separatrices,
+    [[nodiscard]] SubMesh operator()(const std::vector<SeparatrixId>& separatrices,
                                      const std::vector<SubMeshId>& labels, SubMeshId subMesh);
 
-    [[nodiscard]] VertexId sourceOf(std::size_t separatrix) const;
+    [[nodiscard]] VertexId sourceOf(SeparatrixId separatrix) const;
 
 private:
     /// Number of halfedges up to the first vertex outside, or to the end of the particle's reach.
-    [[nodiscard]] std::size_t reachInside(std::size_t separatrix, const std::vector<SubMeshId>& labels) const;
+    [[nodiscard]] std::size_t reachInside(SeparatrixId separatrix,
+                                          const std::vector<SubMeshId>& labels) const;
 
     const QuadMesh& mesh_;
     const BaseComplex& complex_;

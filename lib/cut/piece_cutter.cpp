@@ -39,8 +39,8 @@ std::vector<Piece> PieceCutter::separate(const Piece& piece) {
     if (components < 2) return {};
     std::vector<int> partOfComponent(at(components), -1);
     int parts = 0;
-    for (const std::size_t i : piece.separatrices) {
-        int& part = partOfComponent[at(components_.componentOf(division_.sourceOf(i)))];
+    for (const SeparatrixId id : piece.separatrices) {
+        int& part = partOfComponent[at(components_.componentOf(division_.sourceOf(id)))];
         if (part < 0) part = parts++;
     }
     const bool others = std::ranges::count(partOfComponent, -1) > 0;

@@ -18,7 +18,7 @@ Piece PieceDivision::whole() {
     for (const VertexId vertex : mesh_.vertices())
         if (!mesh_.is_isolated(vertex)) piece.vertices.push_back(vertex);
     for (std::size_t i = 0; i < complex_.separatrices.size(); ++i)
-        piece.separatrices.push_back(i);
+        piece.separatrices.emplace_back(i);
     label(piece);
     measure(piece, ofUndivided);
     unlabel(piece);
@@ -40,8 +40,8 @@ std::vector<Piece> PieceDivision::divide(const Piece& piece, const std::vector<i
         labels_[at(piece.vertices[k])] = SubMeshId(partOf[k]);
         parts[at(partOf[k])].vertices.push_back(piece.vertices[k]);
     }
-    for (const std::size_t i : piece.separatrices)
-        parts[labels_[at(sourceOf(i))].idx()].separatrices.push_back(i);
+    for (const SeparatrixId id : piece.separatrices)
+        parts[labels_[at(sourceOf(id))].idx()].separatrices.push_back(id);
     for (std::size_t part = 0; part < parts.size(); ++part)
         measure(parts[part], SubMeshId(part));
     return parts;
@@ -63,8 +63,8 @@ void PieceDivision::setLabels(const Piece& piece, SubMeshId label) {
 PieceSources PieceDivision::sourcesOf(const Piece& piece) const {
     PieceSources sources;
     VertexId last;
-    for (const std::size_t i : piece.separatrices) {
-        const VertexId source = sourceOf(i);
+    for (const SeparatrixId id : piece.separatrices) {
+        const VertexId source = sourceOf(id);
         if (source != last)
             (isRegular(mesh_, source) ? sources.seeds : sources.extraordinary).push_back(source);
         last = source;

@@ -12,8 +12,8 @@ namespace qm {
 
 /// A sub-mesh while it may still be cut.
 struct Piece {
-    std::vector<VertexId> vertices;        ///< ascending
-    std::vector<std::size_t> separatrices; ///< that start inside, ascending: so do their sources
+    std::vector<VertexId> vertices;         ///< ascending
+    std::vector<SeparatrixId> separatrices; ///< that start inside, ascending: so do their sources
     SubMesh measures;
 };
 
@@ -44,7 +44,7 @@ public:
 
     /// Of every vertex.
     [[nodiscard]] const std::vector<SubMeshId>& labels() const { return labels_; }
-    [[nodiscard]] VertexId sourceOf(std::size_t separatrix) const { return measure_.sourceOf(separatrix); }
+    [[nodiscard]] VertexId sourceOf(SeparatrixId separatrix) const { return measure_.sourceOf(separatrix); }
     [[nodiscard]] PieceSources sourcesOf(const Piece& piece) const;
 
 private:

@@ -80,9 +80,8 @@ void SurfaceDistances::findNeighbours(const std::vector<CellTie>& ties) {
     for (const CellTie& tie : ties)
         for (const int cell : tie)
             around_[at(cell)].insert(around_[at(cell)].end(), tie.begin(), tie.end());
-    for (std::vector<int>& cells : around_) {
+    for (std::vector<int>& cells : around_)
         sortUnique(cells);
-    }
 }
 
 double SurfaceDistances::length(VertexId vertex, int cell) const {

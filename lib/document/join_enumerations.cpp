@@ -69,14 +69,14 @@ private:
 
     void verifyNumbers() const {
         for (std::size_t k = 0; k < found_.size(); ++k)
-            if (found_[k].number != static_cast<std::int64_t>(k) + 1) {
+            if (std::cmp_not_equal(found_[k].number, k + 1)) {
                 const bool twice = k > 0 && found_[k].number == found_[k - 1].number;
                 throw FileError(found_[k].path,
                                 twice ? "is part " + std::to_string(found_[k].number) + " once more"
                                       : "part " + std::to_string(k + 1) + " is missing",
                                 remedy);
             }
-        if (static_cast<std::int64_t>(found_.size()) != of_)
+        if (std::cmp_not_equal(found_.size(), of_))
             throw FileError(found_.back().path, "part " + std::to_string(found_.size() + 1) + " is missing",
                             remedy);
     }

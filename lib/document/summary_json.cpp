@@ -34,9 +34,9 @@ Json fitToJson(const FitSummary& fit) {
 
 FitOptions recordedFit(const JsonPlace& history) {
     FitOptions fit;
-    for (std::size_t k = 0; k < history.size(); ++k) {
-        if (history[k]["tool"].value() != "qm-bspline") continue;
-        const JsonPlace options = history[k]["options"];
+    for (const JsonPlace& step : history.elements()) {
+        if (step["tool"].value() != "qm-bspline") continue;
+        const JsonPlace options = step["options"];
         if (const auto name = options.find("fit"))
             if (!choiceValue(name->text(), fit.fit)) name->fail("is no kind of fit");
         if (const auto rho = options.find("rho")) fit.rho = rho->number();
@@ -61,10 +61,10 @@ Json summaryToJson(const Summary& summary, const std::string& name, const std::s
     for (const BoundaryLoop& loop : summary.loops)
         json["boundaryLoops"].push_back(
             {{"vertex", loop.vertex.idx()}, {"edges", loop.edges}, {"length", loop.length}});
-    json["patches"] = summary.patches ? Json(*summary.patches) : Json();
+    json["patches"] = valueOrNull(summary.patches);
     json["surfaces"] = summary.fit ? fitToJson(*summary.fit) : Json();
     json["solid"] = isSolid(summary);
-    json["seconds"] = seconds ? Json(*seconds) : Json();
+    json["seconds"] = valueOrNull(seconds);
     json["unmet"] = unmet;
     return json;
 }

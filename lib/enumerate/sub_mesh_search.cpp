@@ -112,7 +112,7 @@ bool SubMeshSearch::find(const Task& task, const std::function<bool(const Assign
                          const Control& control) const {
     const double limit = maxCost(task.subMesh) + Incumbents::tolerance;
     if (const auto diagram = buildDiagram(task.problem, smallDiagram, control))
-        return walkDiagramUpTo(*diagram, limit, visit);
+        return walkDiagram(*diagram, limit, visit);
     return forEachAssignment(
         task.problem, [&] { return limit; },
         [&](const SearchState& state) { return visit(state.assignment()); }, control);

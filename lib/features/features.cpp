@@ -7,113 +7,94 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <limits>
+#include <numeric>
 
 namespace qm {
 namespace {
 
-/// Finds the curves of each line.
-class Finder {
+/// Finds the curves of one line.
+class LineSearch {
 public:
-    Finder(const QuadMesh& mesh, const std::vector<double>& angles, const FeatureOptions& options)
-        : mesh_(mesh), angles_(angles), options_(options) {
-        const double diagonal = boundingBox(mesh).diagonal();
-        minLength_ = options.minLength.length(diagonal);
-        minDistance_ = options.minDistance.length(diagonal);
+    /// \param diagonal  of the mesh's bounding box
+    LineSearch(const QuadMesh& mesh, const std::vector<double>& angles, const FeatureOptions& options,
+               double diagonal, const MeshLine& line)
+        : mesh_(mesh), angles_(angles), options_(options), minLength_(options.minLength.length(diagonal)),
+          minDistance_(options.minDistance.length(diagonal)), line_(line),
+          count_(static_cast<int>(line.halfedges.size())) {
+        for (const HalfedgeId halfedge : line.halfedges)
+            lengthUpTo_.push_back(lengthUpTo_.back() + mesh.calc_edge_length(halfedge));
     }
 
-    void search(const MeshLine& line) {
-        measure(line);
-        const int length = static_cast<int>(line.halfedges.size());
-        const int begin = line.closed ? firstBlunt(line) : 0;
-        if (begin == length) { // a closed line that is sharp all round
-            if (isLong(line, 0, length)) add(line, 0, length);
+    void addTo(std::vector<FeatureCurve>& curves) const {
+        const int first = line_.closed ? firstBlunt() : 0;
+        if (first == count_) { // a closed line that is sharp all round
+            if (isLong(0, count_)) add(0, count_, curves);
             return;
         }
-        for (int k = begin; k < begin + length; ++k) {
-            if (!sharp(line, k)) continue;
-            int end = k + 1;
-            while (end < begin + length && sharp(line, end))
+        for (int begin = first; begin < first + count_; ++begin) {
+            if (!isSharp(begin)) continue;
+            int end = begin + 1;
+            while (end < first + count_ && isSharp(end))
                 ++end;
-            if (isLong(line, k, end) && farFromSources(line, k, end)) add(line, k, end);
-            k = end;
+            if (isLong(begin, end) && isFarFromSources(begin, end)) add(begin, end, curves);
+            begin = end;
         }
-    }
-
-    std::vector<FeatureCurve> take() {
-        std::ranges::sort(curves_, {}, [this](const FeatureCurve& curve) { return lowestEdge(curve); });
-        return std::move(curves_);
     }
 
 private:
-    [[nodiscard]] bool sharp(const MeshLine& line, int k) const {
-        const HalfedgeId halfedge = line.halfedges[at(k) % line.halfedges.size()];
-        return angles_[at(mesh_.edge_handle(halfedge))] > options_.rho;
+    [[nodiscard]] HalfedgeId halfedgeAt(int k) const { return line_.halfedges[at(k % count_)]; }
+
+    [[nodiscard]] bool isSharp(int k) const {
+        return angles_[at(mesh_.edge_handle(halfedgeAt(k)))] > options_.rho;
     }
 
     /// The position at which the walk round a closed line can begin without dividing a run; the line's length
     /// if there is none.
-    [[nodiscard]] int firstBlunt(const MeshLine& line) const {
+    [[nodiscard]] int firstBlunt() const {
         int k = 0;
-        while (k < static_cast<int>(line.halfedges.size()) && sharp(line, k))
+        while (k < count_ && isSharp(k))
             ++k;
         return k;
     }
 
-    [[nodiscard]] bool isLong(const MeshLine& line, int begin, int end) const {
-        return end - begin >= options_.tau && lengthOf(line, begin, end) >= minLength_;
+    [[nodiscard]] bool isLong(int begin, int end) const {
+        return end - begin >= options_.tau && lengthOf(begin, end) >= minLength_;
     }
 
-    [[nodiscard]] bool farFromSources(const MeshLine& line, int begin, int end) const {
-        if (line.closed) return true;
-        const auto isFar = [this, &line](VertexId lineEnd, int first, int last) {
+    [[nodiscard]] bool isFarFromSources(int begin, int end) const {
+        if (line_.closed) return true;
+        const auto isFar = [this](VertexId lineEnd, int first, int last) {
             return isRegular(mesh_, lineEnd) ||
-                   (last - first > options_.zeta && lengthOf(line, first, last) >= minDistance_);
+                   (last - first > options_.zeta && lengthOf(first, last) >= minDistance_);
         };
-        const int length = static_cast<int>(line.halfedges.size());
-        return isFar(mesh_.from_vertex_handle(line.halfedges.front()), 0, begin) &&
-               isFar(mesh_.to_vertex_handle(line.halfedges.back()), end, length);
+        return isFar(mesh_.from_vertex_handle(line_.halfedges.front()), 0, begin) &&
+               isFar(mesh_.to_vertex_handle(line_.halfedges.back()), end, count_);
     }
 
-    /// The length of the edges between two positions on the line; on a closed line, positions continue beyond
-    /// its end.
-    [[nodiscard]] double lengthOf(const MeshLine& line, int begin, int end) const {
-        const auto lengthUpTo = [&](int position) {
-            const std::size_t k = at(position);
-            const std::size_t count = line.halfedges.size();
-            const std::size_t turns = k / count;
-            return static_cast<double>(turns) * lengthUpTo_[count] + lengthUpTo_[k % count];
+    /// The length of the edges between two positions; on a closed line, positions continue beyond its end.
+    [[nodiscard]] double lengthOf(int begin, int end) const {
+        const auto lengthUpTo = [this](int position) {
+            const std::size_t count = line_.halfedges.size(), turns = at(position) / count;
+            return static_cast<double>(turns) * lengthUpTo_.back() + lengthUpTo_[at(position) % count];
         };
         return lengthUpTo(end) - lengthUpTo(begin);
     }
 
-    void measure(const MeshLine& line) {
-        lengthUpTo_.assign(1, 0);
-        for (const HalfedgeId halfedge : line.halfedges)
-            lengthUpTo_.push_back(lengthUpTo_.back() + mesh_.calc_edge_length(halfedge));
-    }
-
-    void add(const MeshLine& line, int begin, int end) {
+    void add(int begin, int end, std::vector<FeatureCurve>& curves) const {
         FeatureCurve curve;
         for (int k = begin; k < end; ++k)
-            curve.halfedges.push_back(line.halfedges[at(k) % line.halfedges.size()]);
-        if (roundness(mesh_, curve.halfedges) <= options_.maxRoundness) curves_.push_back(std::move(curve));
-    }
-
-    [[nodiscard]] int lowestEdge(const FeatureCurve& curve) const {
-        int lowest = std::numeric_limits<int>::max();
-        for (const HalfedgeId halfedge : curve.halfedges)
-            lowest = std::min(lowest, mesh_.edge_handle(halfedge).idx());
-        return lowest;
+            curve.halfedges.push_back(halfedgeAt(k));
+        if (roundness(mesh_, curve.halfedges) <= options_.maxRoundness) curves.push_back(std::move(curve));
     }
 
     const QuadMesh& mesh_;
     const std::vector<double>& angles_;
     const FeatureOptions& options_;
-    double minLength_ = 0;
-    double minDistance_ = 0;
-    std::vector<double> lengthUpTo_; ///< of the present line, from its beginning to every position
-    std::vector<FeatureCurve> curves_;
+    double minLength_;
+    double minDistance_;
+    const MeshLine& line_;
+    int count_;                         ///< of its edges
+    std::vector<double> lengthUpTo_{0}; ///< from the line's beginning to every position
 };
 
 /// Sets the curve's seed to the admissible vertex nearest to its middle.
@@ -122,8 +103,7 @@ bool placeSeed(const QuadMesh& mesh, FeatureCurve& curve, std::vector<bool>& tak
     const std::vector<VertexId> vertices = verticesAlong(mesh, curve.halfedges);
     const int middle = static_cast<int>(curve.halfedges.size()) / 2;
     std::vector<int> order(vertices.size());
-    for (std::size_t k = 0; k < order.size(); ++k)
-        order[k] = static_cast<int>(k);
+    std::iota(order.begin(), order.end(), 0);
     std::ranges::stable_sort(order, {}, [&](int k) { return std::abs(k - middle); });
     for (const int k : order) {
         const VertexId vertex = vertices[at(k)];
@@ -139,11 +119,18 @@ bool placeSeed(const QuadMesh& mesh, FeatureCurve& curve, std::vector<bool>& tak
 
 Features findFeatures(const QuadMesh& mesh, const std::vector<double>& dihedralAngles,
                       const FeatureOptions& options) {
-    Finder finder(mesh, dihedralAngles, options);
-    forEachMeshLine(mesh, [&](const MeshLine& line) { finder.search(line); });
+    const double diagonal = boundingBox(mesh).diagonal();
+    std::vector<FeatureCurve> curves;
+    forEachMeshLine(mesh, [&](const MeshLine& line) {
+        LineSearch(mesh, dihedralAngles, options, diagonal, line).addTo(curves);
+    });
+    const auto edgeNumber = [&](HalfedgeId halfedge) { return mesh.edge_handle(halfedge).idx(); };
+    std::ranges::sort(curves, {}, [&](const FeatureCurve& curve) {
+        return edgeNumber(*std::ranges::min_element(curve.halfedges, {}, edgeNumber));
+    });
     Features features;
     std::vector<bool> taken(mesh.n_vertices(), false);
-    for (FeatureCurve& curve : finder.take())
+    for (FeatureCurve& curve : curves)
         if (placeSeed(mesh, curve, taken)) features.curves.push_back(std::move(curve));
     return features;
 }

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <string>
@@ -116,7 +117,7 @@ private:
         std::vector<ArcId> arcs;
         for (const Particle particle : free_.in(subMesh)) {
             const int walked = LineWalk(space_.graph, particle).covered(present_);
-            appendWalk(space_, particle.line, particle.fromEnd, walked, subMesh, arcs);
+            appendWalk(space_, particle, walked, subMesh, arcs);
         }
         return arcs;
     }
@@ -126,11 +127,9 @@ private:
     [[nodiscard]] std::vector<ArcId> searchPartial(SubMeshId subMesh) const {
         std::vector<ArcId> arcs = enteringWalks(subMesh);
         const auto& graphs = enumeration_.subMeshes[subMesh].graphs;
-        if (arcs.empty() && !graphs.empty()) {
+        if (arcs.empty() && !graphs.empty())
             return coveredArcs(mesh_, space_.graph, arcOfEdge_, graphs.front().tracks);
-        }
-        for (const ArcId arc : ownArcs(space_, subMesh))
-            arcs.push_back(arc);
+        std::ranges::copy(ownArcs(space_, subMesh), std::back_inserter(arcs));
         std::erase_if(arcs, [&](ArcId arc) { return present_[arc.idx()]; });
         sortUnique(arcs);
         ++searches_;

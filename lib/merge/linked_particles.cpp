@@ -1,6 +1,7 @@
 #include "merge/linked_particles.h"
 
-#include "base/at.h"
+#include "base/id_vector.h"
+#include "enumerate/sub_mesh/line_walk.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,15 +19,9 @@ public:
 
     /// Adds the way of a free particle from its crash point up to the arc that leaves the sub-mesh.
     void addFree(Particle particle) {
-        const Line& line = space_.graph.lines[particle.line.idx()];
-        int walked = 0;
-        const auto arc = [&](int k) {
-            return ArcId(line.firstArc.value() + (particle.fromEnd ? line.arcCount - 1 - k : k));
-        };
-        while (walked < line.arcCount && present_[arc(walked).idx()])
-            ++walked;
+        const int walked = LineWalk(space_.graph, particle).covered(present_);
         std::vector<ArcId> walk;
-        appendWalk(space_, particle.line, particle.fromEnd, walked, subMesh_, walk);
+        appendWalk(space_, particle, walked, subMesh_, walk);
         for (const ArcId step : walk) {
             if (present_[step.idx()]) break; // the track of the opposite particle
             take(step);
@@ -72,10 +67,9 @@ private:
     /// The present arcs that meet an arc at its two ends, of other lines and of its own.
     [[nodiscard]] std::vector<ArcId> crossingTracks(ArcId arc) const {
         std::vector<ArcId> result;
-        const Line& line = space_.graph.lineOf(arc);
-        const int position = arc.value() - line.firstArc.value();
-        for (const ArcId before : {arc, ArcId(arc.value() - 1)}) {
-            if (before != arc && position == 0) continue;
+        const bool isFirst = arc == space_.graph.lineOf(arc).firstArc;
+        for (const ArcId before : {arc, arc - 1}) {
+            if (before != arc && isFirst) continue;
             const JunctionId id = space_.graph.junctionAfter[before.idx()];
             if (!id.valid() || space_.junctionLabels[id.idx()] != subMesh_) continue;
             for (const ArcId other : space_.graph.junctions[id.idx()].arcs)
@@ -88,14 +82,13 @@ private:
     void addStretch(ArcId arc) {
         if (taken_.contains(arc)) return;
         const Line& line = space_.graph.lineOf(arc);
-        const int first = line.firstArc.value(), last = first + line.arcCount - 1;
-        int begin = arc.value(), end = arc.value();
-        while (begin > first && touches(ArcId(begin - 1)) && space_.arcBegins[at(begin)] == subMesh_)
-            --begin;
-        while (end < last && touches(ArcId(end + 1)) && space_.arcEnds[at(end)] == subMesh_)
-            ++end;
-        for (int k = begin; k <= end; ++k)
-            if (!leavesPresent(ArcId(k))) take(ArcId(k));
+        ArcId first = arc, last = arc;
+        while (first > line.firstArc && touches(first - 1) && space_.arcBegins[first.idx()] == subMesh_)
+            first = first - 1;
+        while (last < line.lastArc() && touches(last + 1) && space_.arcEnds[last.idx()] == subMesh_)
+            last = last + 1;
+        for (const ArcId each : IdRange(first, last + 1))
+            if (!leavesPresent(each)) take(each);
     }
 
     /// Whether a track crosses the cut here. Such arcs stay, because this search cannot change the track

@@ -134,14 +134,9 @@ private:
         if (std::ranges::all_of(row.columns,
                                 [&](ColumnId column) { return clusters_.clusterOf[column] == cluster; })) {
             rowsOf_[cluster].push_back(id);
-            return;
+        } else {
+            constant_ += moveIntoCosts(row, relaxed_.duals[id], costs_);
         }
-        const double dual = relaxed_.duals[id], side = dual > 0 ? row.lower : row.upper;
-        // A side is infinite where the dual has the wrong sign, which is noise of the solver.
-        if (dual == 0 || std::isinf(side)) return;
-        constant_ += dual * side;
-        for (std::size_t k = 0; k < row.columns.size(); ++k)
-            costs_[row.columns[k]] -= dual * row.weights[k];
     }
 
     /// The bound that the duals of a cluster's rows prove; the relaxed optimum itself if they are optimal.

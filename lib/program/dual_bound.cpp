@@ -5,17 +5,19 @@
 
 namespace qm {
 
+double moveIntoCosts(const IntegerProgram::Row& row, double dual, ColumnValues& costs) {
+    const double side = dual > 0 ? row.lower : row.upper;
+    if (dual == 0 || std::isinf(side)) return 0;
+    for (std::size_t k = 0; k < row.columns.size(); ++k)
+        costs[row.columns[k]] -= dual * row.weights[k];
+    return dual * side;
+}
+
 double dualBound(const IntegerProgram& program, const IdVector<RowId, double>& duals) {
     double bound = 0;
     ColumnValues reduced = program.costs;
-    for (const RowId id : program.rows.ids()) {
-        const IntegerProgram::Row& row = program.rows[id];
-        const double dual = duals[id], side = dual > 0 ? row.lower : row.upper;
-        if (dual == 0 || std::isinf(side)) continue;
-        bound += dual * side;
-        for (std::size_t k = 0; k < row.columns.size(); ++k)
-            reduced[row.columns[k]] -= dual * row.weights[k];
-    }
+    for (const RowId row : program.rows.ids())
+        bound += moveIntoCosts(program.rows[row], duals[row], reduced);
     for (const double cost : reduced)
         bound += std::min(0.0, cost);
     return bound;

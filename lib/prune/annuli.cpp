@@ -1,6 +1,7 @@
 #include "prune/annuli.h"
 
 #include "base/at.h"
+#include "base/id_vector.h"
 #include "base/sort_unique.h"
 #include "base/sparse_disjoint_sets.h"
 #include "mesh/mesh_lines.h"
@@ -9,30 +10,31 @@
 namespace qm {
 namespace {
 
+using StripId = Id<struct StripTag>;
+
 /// Maximal strips of quads, each joined to the next across opposite edges. Every edge lies across one strip.
 class Strips {
 public:
-    explicit Strips(const QuadMesh& mesh) : mesh_(mesh), stripOf_(mesh.n_edges(), none) {
+    explicit Strips(const QuadMesh& mesh) : mesh_(mesh), stripOf_(mesh.n_edges()) {
         for (const EdgeId edge : mesh.edges())
-            if (stripOf_[at(edge)] == none) walk(edge);
+            if (!stripOf_[at(edge)].valid()) walk(edge);
         for (const FaceId face : mesh.faces()) {
             const HalfedgeId first = mesh.halfedge_handle(face);
-            const std::size_t along = across(first), other = across(mesh.next_halfedge_handle(first));
+            const StripId along = across(first), other = across(mesh.next_halfedge_handle(first));
             if (along == other) closed_[along] = false; // a strip that crosses itself lies in no annulus
         }
     }
 
+    [[nodiscard]] IdRange<StripId> ids() const { return edges_.ids(); }
     [[nodiscard]] std::size_t size() const { return edges_.size(); }
-    [[nodiscard]] bool isClosed(std::size_t strip) const { return closed_[strip]; }
-    [[nodiscard]] const std::vector<EdgeId>& edges(std::size_t strip) const { return edges_[strip]; }
+    [[nodiscard]] bool isClosed(StripId strip) const { return closed_[strip]; }
+    [[nodiscard]] const std::vector<EdgeId>& edges(StripId strip) const { return edges_[strip]; }
     /// The strip that crosses an edge.
-    [[nodiscard]] std::size_t across(HalfedgeId halfedge) const {
+    [[nodiscard]] StripId across(HalfedgeId halfedge) const {
         return stripOf_[at(mesh_.edge_handle(halfedge))];
     }
 
 private:
-    static constexpr std::size_t none = static_cast<std::size_t>(-1);
-
     void walk(EdgeId edge) {
         edges_.emplace_back();
         const HalfedgeId start = mesh_.halfedge_handle(edge, 0);
@@ -52,15 +54,15 @@ private:
     }
 
     void take(EdgeId edge) {
-        if (stripOf_[at(edge)] != none) return; // the edge in the middle of an open strip is met twice
-        stripOf_[at(edge)] = edges_.size() - 1;
+        if (stripOf_[at(edge)].valid()) return; // the edge in the middle of an open strip is met twice
+        stripOf_[at(edge)] = edges_.nextId() - 1;
         edges_.back().push_back(edge);
     }
 
     const QuadMesh& mesh_;
-    std::vector<std::size_t> stripOf_;
-    std::vector<std::vector<EdgeId>> edges_;
-    std::vector<bool> closed_;
+    std::vector<StripId> stripOf_; ///< by edge
+    IdVector<StripId, std::vector<EdgeId>> edges_;
+    IdVector<StripId, bool> closed_;
 };
 
 class Bands {
@@ -76,9 +78,9 @@ public:
             if (!strips_.isClosed(side.strips[0]) || !strips_.isClosed(side.strips[1])) return;
             side.arcs.empty() ? unite(side.strips) : sides.push_back(side);
         });
-        std::vector<std::size_t> bandOf(strips_.size());
+        IdVector<StripId, std::size_t> bandOf(strips_.size());
         AnnulusBands bands;
-        for (std::size_t strip = 0; strip < strips_.size(); ++strip)
+        for (const StripId strip : strips_.ids())
             if (strips_.isClosed(strip) && root(strip) == strip && !endless_[strip]) {
                 bandOf[strip] = bands.across.size();
                 bands.across.push_back(arcsOver(strips_.edges(strip)));
@@ -92,7 +94,7 @@ public:
 private:
     /// The strips on both sides of a closed line, and the arcs on the line.
     struct Side {
-        std::array<std::size_t, 2> strips{};
+        std::array<StripId, 2> strips;
         std::vector<ArcId> arcs;
     };
 
@@ -114,20 +116,20 @@ private:
         return arcs;
     }
 
-    std::size_t root(std::size_t strip) { return at(bands_.find(static_cast<int>(strip))); }
+    StripId root(StripId strip) { return StripId(bands_.find(strip.value())); }
 
     /// Joins two strips that nothing ever separates. A band joined to itself in this way goes round a torus.
-    void unite(const std::array<std::size_t, 2>& strips) {
-        const std::size_t one = root(strips[0]), other = root(strips[1]);
+    void unite(const std::array<StripId, 2>& strips) {
+        const StripId one = root(strips[0]), other = root(strips[1]);
         endless_[one] = endless_[one] || endless_[other] || one == other;
-        bands_.join(static_cast<int>(other), static_cast<int>(one));
+        bands_.join(other.value(), one.value());
     }
 
     const QuadMesh& mesh_;
     const std::vector<ArcId>& arcOf_;
     Strips strips_;
-    SparseDisjointSets bands_;  ///< of strips
-    std::vector<bool> endless_; ///< for the root of every band: it goes round a torus
+    SparseDisjointSets bands_;        ///< of strips
+    IdVector<StripId, bool> endless_; ///< for the root of every band: it goes round a torus
 };
 
 } // namespace

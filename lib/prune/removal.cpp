@@ -12,16 +12,16 @@
 namespace qm {
 
 Removal::Removal(const QuadMesh& mesh, const Layout& layout)
-    : mesh_(mesh), borders_(mesh), segmentOf_(mesh.n_faces(), -1), sets_(layout.segments.size()) {
+    : mesh_(mesh), borders_(mesh), segmentOf_(mesh.n_faces()), sets_(layout.segments.size()) {
     for (const LayoutTrack& track : layout.tracks)
         if (!track.transversal) borders_.add(track.track.halfedges);
     for (std::size_t s = 0; s < layout.segments.size(); ++s)
         for (const FaceId face : layout.segments[s].faces)
-            segmentOf_[at(face)] = static_cast<int>(s);
+            segmentOf_[at(face)] = SegmentId(s);
 }
 
-int Removal::find(int segment) {
-    return static_cast<int>(sets_.find(at(segment)));
+SegmentId Removal::find(SegmentId segment) {
+    return SegmentId(sets_.find(segment.idx()));
 }
 
 Removal::Sector Removal::sectorAt(HalfedgeId leaving) const {
@@ -68,8 +68,9 @@ bool Removal::joinsForest(const Track& track) {
     SparseDisjointSets joined; // segments joined by this removal, which may not happen
     const Pairs pairs = joinedPairs(track);
     if (pairs.empty()) return false; // a loop with annuli on both sides
-    return std::ranges::all_of(pairs,
-                               [&](const std::array<int, 2>& pair) { return joined.join(pair[0], pair[1]); });
+    return std::ranges::all_of(pairs, [&](const std::array<SegmentId, 2>& pair) {
+        return joined.join(pair[0].value(), pair[1].value());
+    });
 }
 
 bool Removal::keepsGrids(const Track& track) {
@@ -110,7 +111,7 @@ bool Removal::leavesRoom(const Track& track, const std::vector<double>& dihedral
 std::vector<EdgeId> Removal::remove(const Track& track) {
     borders_.remove(track.halfedges);
     for (const auto& [left, right] : joinedPairs(track))
-        sets_.join(at(left), at(right));
+        sets_.join(left.idx(), right.idx());
     std::vector<EdgeId> beside;
     for (const HalfedgeId halfedge : track.halfedges)
         for (const HalfedgeId leaving : {halfedge, mesh_.opposite_halfedge_handle(halfedge)}) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/disjoint_sets.h"
+#include "base/ids.h"
 #include "layout/borders.h"
 #include "layout/layout.h"
 
@@ -51,7 +52,7 @@ private:
     };
     /// Neighbouring segments that a removal joins: one pair for every piece of the track between crossing
     /// borders.
-    using Pairs = std::vector<std::array<int, 2>>;
+    using Pairs = std::vector<std::array<SegmentId, 2>>;
 
     [[nodiscard]] Sector sectorAt(HalfedgeId leaving) const;
     [[nodiscard]] bool properAt(HalfedgeId leaving) const;
@@ -59,12 +60,12 @@ private:
     [[nodiscard]] Pairs joinedPairs(const Track& track);
     [[nodiscard]] bool joinsForest(const Track& track);
     [[nodiscard]] double turnAt(HalfedgeId leaving) const;
-    int find(int segment);
+    SegmentId find(SegmentId segment);
 
     const QuadMesh& mesh_;
     Borders borders_;
-    std::vector<int> segmentOf_; ///< of every face, in the original layout
-    DisjointSets sets_;          ///< of segments that have been joined
+    std::vector<SegmentId> segmentOf_; ///< of every face, in the original layout
+    DisjointSets sets_;                ///< of segments that have been joined
 };
 
 } // namespace qm

@@ -13,8 +13,6 @@
 #include "mesh/soup/build_mesh.h"
 #include "mesh/topology.h"
 
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <map>
 #include <stdexcept>
@@ -105,19 +103,9 @@ const QuadMesh& sampleMesh() {
     return mesh;
 }
 
-TemporaryFolder::TemporaryFolder() {
-    path_ = (std::filesystem::temp_directory_path() / "quadmesh.XXXXXX").string();
-    if (mkdtemp(path_.data()) == nullptr) throw std::runtime_error("no temporary folder can be made");
-}
-
-TemporaryFolder::~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-}
-
 std::string TemporaryFolder::write(const std::string& name, const std::string& bytes) const {
-    std::ofstream(path(name), std::ios::binary) << bytes;
-    return path(name);
+    std::ofstream(file(name), std::ios::binary) << bytes;
+    return file(name);
 }
 
 Document sampleDocument(const TemporaryFolder& folder, Kind kind, const QuadMesh& mesh) {

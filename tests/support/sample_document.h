@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/error.h"
+#include "cli/system/child_process.h"
 #include "document/document.h"
 #include "document/model.h"
 #include "document/sections/enumeration_section.h"
@@ -18,19 +19,11 @@ namespace qm::testing {
 [[nodiscard]] const QuadMesh& sampleMesh();
 
 /// A folder that is removed together with the object.
-class TemporaryFolder {
+class TemporaryFolder : public qm::TemporaryFolder {
 public:
-    TemporaryFolder();
-    ~TemporaryFolder();
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    [[nodiscard]] std::string path(const std::string& name) const { return path_ + "/" + name; }
+    TemporaryFolder() : qm::TemporaryFolder("quadmesh") {}
     /// Writes a file and returns its path.
     std::string write(const std::string& name, const std::string& bytes) const;
-
-private:
-    std::string path_;
 };
 
 /// A document with all sections up to the kind; its features have one curve, and the mesh is cut into two

@@ -132,7 +132,6 @@ std::vector<LayoutPart::Segment> segmentsBetween(const CheckedMesh& mesh, const 
 SurfacesPart bilinearPatches(const CheckedMesh& mesh, const LayoutPart& layout) {
     SurfacesPart part;
     for (const auto& segment : layout.segments) {
-        Report unused;
         SurfacesPart::Patch patch;
         patch.segment = segment.id;
         patch.degree = {1, 1};
@@ -143,7 +142,7 @@ SurfacesPart bilinearPatches(const CheckedMesh& mesh, const LayoutPart& layout) 
             patch.knots[k].push_back(segment.size[k]);
             patch.count[k] = segment.size[k] + 1;
         }
-        for (const int vertex : gridOf(mesh, segment, "", unused))
+        for (const int vertex : soundGridOf(mesh, segment))
             patch.controlPoints.push_back(mesh.points[index(vertex)]);
         part.patches.push_back(std::move(patch));
     }

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <stdexcept>
 
 namespace qm::testing {
@@ -26,7 +25,11 @@ std::vector<int> halves(const CheckedMesh& mesh, double x) {
 /// A model whose surfaces claim to have no errors, and promise nothing else.
 Model stating(Model model) {
     SurfacesPart& surfaces = *model.document.surfaces;
-    const SurfacesPart::Figures nothing{0, 0, 0, 0, std::nullopt, 0};
+    const SurfacesPart::Figures nothing{{{"maxFromFacets", 0},
+                                         {"maxFromVertices", 0},
+                                         {"largestGap", 0},
+                                         {"largestNormalAngle", 0},
+                                         {"folds", 0}}};
     surfaces.figures = nothing;
     surfaces.creases.emplace();
     surfaces.interpolates = surfaces.watertight = false;

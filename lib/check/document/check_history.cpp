@@ -6,7 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <string>
-#include <utility>
+#include <string_view>
 #include <vector>
 
 namespace qm::check {
@@ -26,35 +26,37 @@ constexpr std::array<PipelineTool, 7> pipeline{{{"qm-basecomplex", "basecomplex"
                                                 {"qm-prune", "layout"},
                                                 {"qm-bspline", "surfaces"}}};
 
-/// The ranks in the pipeline of the tools that took part, as the history has them, and where each stands
-/// there.
-std::vector<std::pair<std::size_t, std::size_t>> stages(const Json& root) {
-    std::vector<std::pair<std::size_t, std::size_t>> result;
+/// A tool of the pipeline that took part.
+struct Stage {
+    const PipelineTool* tool; ///< of `pipeline`
+    std::size_t entry;        ///< of the history
+};
+
+std::vector<Stage> stages(const Json& root) {
+    std::vector<Stage> result;
     const auto& history = elements(member(root, "history"));
     for (std::size_t i = 0; i < history.size(); ++i)
-        for (std::size_t stage = 0; stage < pipeline.size(); ++stage)
-            if (text(member(history[i], "tool")) == pipeline[stage].name) result.emplace_back(stage, i);
+        for (const PipelineTool& tool : pipeline)
+            if (text(member(history[i], "tool")) == tool.name) result.push_back({&tool, i});
     return result;
 }
 
 } // namespace
 
 bool wasPruned(const Json& root) {
-    const auto all = stages(root);
-    return std::any_of(all.begin(), all.end(), [](const auto& stage) {
-        return std::string(pipeline[stage.first].name) == "qm-prune";
-    });
+    return std::ranges::any_of(
+        stages(root), [](const Stage& stage) { return std::string_view(stage.tool->name) == "qm-prune"; });
 }
 
 void checkHistory(const Json& root, Report& report) {
     const auto all = stages(root);
     for (std::size_t i = 1; i < all.size(); ++i)
-        if (all[i].first < all[i - 1].first)
-            report.violate(below("/history", all[i].second), "history",
-                           std::string(pipeline[all[i].first].name) + " comes after " +
-                               pipeline[all[i - 1].first].name + ", whose section it would have dropped");
+        if (all[i].tool < all[i - 1].tool)
+            report.violate(below("/history", all[i].entry), "history",
+                           std::string(all[i].tool->name) + " comes after " + all[i - 1].tool->name +
+                               ", whose section it would have dropped");
     const auto kind = text(member(root, "kind"));
-    if (all.empty() || kind != pipeline[all.back().first].kind)
+    if (all.empty() || kind != all.back().tool->kind)
         report.violate("/history", "history",
                        "its last tool makes no document of kind " + kind.value_or("unknown"));
 }

@@ -122,18 +122,15 @@ struct LayoutPart {
 };
 
 struct SurfacesPart {
-    /// Figures that must not be less than what is found.
+    /// Figures of a deviation.
     struct Figures {
-        std::optional<double> maxFromFacets;
-        std::optional<double> maxFromVertices;
-        std::optional<double> largestGap;
-        std::optional<double> largestNormalAngle;
-        std::optional<double> largestInnerNormalAngle;
-        std::optional<double> folds;
-        std::map<std::string, double, std::less<>> stated = {}; ///< all figures, by name
+        std::map<std::string, double, std::less<>> stated; ///< by name
 
-        [[nodiscard]] bool has(const char* name) const { return stated.find(name) != stated.end(); }
-        [[nodiscard]] double at(const char* name) const { return stated.find(name)->second; }
+        /// Nothing if it is not stated.
+        [[nodiscard]] std::optional<double> operator[](const char* name) const {
+            const auto figure = stated.find(name);
+            return figure == stated.end() ? std::nullopt : std::optional(figure->second);
+        }
     };
     /// Control point (i, j), i along u, is controlPoints[j * count[0] + i].
     struct Patch {
@@ -143,13 +140,13 @@ struct SurfacesPart {
         std::array<int, 2> count{};
         std::vector<std::array<double, 3>> controlPoints;
         bool rectangular = true; ///< all rows of control points have `count[0]`
-        Figures figures = {};
+        Figures figures;
     };
     /// What was promised of the fit; nothing is checked that is not known.
     bool interpolates = false;
     bool watertight = false;
     bool isOfScan = false; ///< whether the reference is a scan
-    Figures figures = {};  ///< of all patches
+    Figures figures;       ///< of all patches
     /// Paths along the borders across which patches are not smooth.
     std::optional<std::vector<std::vector<int>>> creases = {};
     /// Where the document says that something is.

@@ -4,7 +4,6 @@
 #include "check/document/json_values.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace qm::check {
 
@@ -123,17 +122,11 @@ LayoutPart readLayout(const Json& section) {
 }
 
 SurfacesPart::Figures readFigures(const Json& deviation) {
-    std::map<std::string, double, std::less<>> stated;
+    SurfacesPart::Figures figures;
     if (deviation.is_object())
         for (const auto& [name, value] : deviation.items())
-            if (const auto figure = number(value)) stated.emplace(name, *figure);
-    return {number(member(deviation, "maxFromFacets")),
-            number(member(deviation, "maxFromVertices")),
-            number(member(deviation, "largestGap")),
-            number(member(deviation, "largestNormalAngle")),
-            number(member(deviation, "largestInnerNormalAngle")),
-            number(member(deviation, "folds")),
-            std::move(stated)};
+            if (const auto figure = number(value)) figures.stated.emplace(name, *figure);
+    return figures;
 }
 
 SurfacesPart::Patch readPatch(const Json& patch) {
@@ -174,7 +167,7 @@ SurfacesPart::Claim readClaim(const Json& place) {
     return claim;
 }
 
-/// A number is a length, a text such as "0.1%" a share of the diagonal.
+/// \param options  of the fit
 SurfacesPart readSurfaces(const Json& section, const Json& options) {
     SurfacesPart part;
     part.patches = all<SurfacesPart::Patch>(member(section, "patches"), readPatch);

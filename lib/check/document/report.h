@@ -48,4 +48,13 @@ private:
     return pointer + "/" + key;
 }
 
+/// Reports an element of a list whose id is not its place there.
+/// \param here    pointer of the element
+/// \param plural  of what it is
+inline void checkNumber(int id, std::size_t place, const std::string& here, const std::string& plural,
+                        Report& report) {
+    if (std::cmp_not_equal(id, place))
+        report.violate(below(here, "id"), "id", plural + " are numbered from 0 in their order");
+}
+
 } // namespace qm::check

@@ -2,9 +2,6 @@
 
 #include "base/at.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace qm::check {
 
 Place BilinearQuad::at(double s, double t) const {
@@ -20,22 +17,15 @@ Vector BilinearQuad::normal() const {
     return cross(minus(corners[2], corners[0]), minus(corners[3], corners[1]));
 }
 
-bool BilinearQuad::isConvex() const {
+bool BilinearQuad::isConvex(double minSine) const {
     const Vector outwards = normal();
+    const double min = minSine * length(outwards);
     for (std::size_t k = 0; k < 4; ++k) {
         const Vector next = minus(corners[(k + 1) % 4], corners[k]);
         const Vector before = minus(corners[(k + 3) % 4], corners[k]);
-        if (!(dot(cross(next, before), outwards) > 0)) return false;
+        if (!(dot(cross(next, before), outwards) > min * length(next) * length(before))) return false;
     }
     return true;
-}
-
-double BilinearQuad::largestCoordinate() const {
-    double largest = 0;
-    for (const Place& corner : corners)
-        for (const double x : corner)
-            largest = std::max(largest, std::abs(x));
-    return largest;
 }
 
 BilinearQuad quadOf(const CheckedMesh& mesh, int face) {

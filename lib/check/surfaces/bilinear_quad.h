@@ -16,10 +16,10 @@ struct BilinearQuad {
     [[nodiscard]] Place at(double s, double t) const;
     /// Of no particular length: the product of the diagonals.
     [[nodiscard]] Vector normal() const;
-    /// Whether it looks the same way as its normal at every corner, so that it is not folded itself.
-    [[nodiscard]] bool isConvex() const;
-    /// The largest coordinate, by which rounding is judged.
-    [[nodiscard]] double largestCoordinate() const;
+    /// Whether it looks the same way as its normal at every corner, so that it is not folded itself, and no
+    /// corner is flat.
+    /// \param minSine  of the angle of a corner, seen along the normal, above which it is not
+    [[nodiscard]] bool isConvex(double minSine = 0) const;
 };
 
 /// A face, from its first corner.

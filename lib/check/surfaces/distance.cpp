@@ -12,8 +12,6 @@ namespace {
 
 constexpr int iterations = 200;
 
-using Parameters = std::array<double, 2>;
-
 /// Where in the box [0, max] the tangent plane is nearest.
 Parameters nearestOnTangents(const SurfacePoint& here, const Place& away, const Parameters& at,
                              const Parameters& max) {
@@ -82,11 +80,6 @@ double distanceToFace(const CheckedMesh& mesh, int face, const Place& point) {
 }
 
 } // namespace
-
-double distance(const Place& a, const Place& b) {
-    const Place away = minus(a, b);
-    return length(away);
-}
 
 double distanceToFace(const CheckedMesh& mesh, int face, Parameters start, const Place& point) {
     const BilinearQuad quad = quadOf(mesh, face);

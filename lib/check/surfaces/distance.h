@@ -7,12 +7,9 @@
 
 namespace qm::check {
 
-[[nodiscard]] double distance(const Place& a, const Place& b);
-
-/// From a point to a bilinear quad, by the Gauss-Newton iteration from s and t. Never less than the true
+/// From a point to a bilinear quad, by the Gauss-Newton iteration from `start`. Never less than the true
 /// distance.
-[[nodiscard]] double distanceToFace(const CheckedMesh& mesh, int face, std::array<double, 2> start,
-                                    const Place& point);
+[[nodiscard]] double distanceToFace(const CheckedMesh& mesh, int face, Parameters start, const Place& point);
 
 /// From a point to the mesh, walking from `face` to neighbouring faces as long as they are nearer. Never less
 /// than the true distance.
@@ -21,7 +18,7 @@ namespace qm::check {
 
 /// From a point to a patch, by the Gauss-Newton iteration from the parameters. Never less than the true
 /// distance.
-[[nodiscard]] double distanceToPatch(const SurfacesPart::Patch& patch, std::array<double, 2> parameters,
+[[nodiscard]] double distanceToPatch(const SurfacesPart::Patch& patch, Parameters parameters,
                                      const Place& point);
 
 } // namespace qm::check

@@ -4,7 +4,6 @@
 #include "check/mesh/context.h"
 #include "check/surfaces/distance.h"
 
-#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -13,8 +12,6 @@ namespace qm::check {
 /// Knows which patch lies over every face.
 class DistanceToSurfaces {
 public:
-    using Parameters = std::array<double, 2>;
-
     /// All arguments outlive this.
     DistanceToSurfaces(const Context& context, const LayoutPart& layout, const SurfacesPart& part);
 

@@ -1,7 +1,7 @@
 #include "check/surfaces/mesh_size.h"
 
 #include "base/at.h"
-#include "check/surfaces/distance.h"
+#include "check/mesh/vectors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,11 +24,7 @@ double boundingBoxDiagonal(const CheckedMesh& mesh) {
 double samePlace(const CheckedMesh& mesh) {
     constexpr double share = 1e-9;
     constexpr double roundings = 16 * std::numeric_limits<double>::epsilon(); // of a sum of 16 control points
-    double largest = 0;
-    for (const Place& point : mesh.points)
-        for (const double x : point)
-            largest = std::max(largest, std::abs(x));
-    return share * boundingBoxDiagonal(mesh) + roundings * largest;
+    return share * boundingBoxDiagonal(mesh) + roundings * largestCoordinate(mesh.points);
 }
 
 } // namespace qm::check

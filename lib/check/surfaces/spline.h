@@ -2,6 +2,7 @@
 #pragma once
 
 #include "check/document/checked_document.h"
+#include "check/mesh/vectors.h"
 
 #include <array>
 #include <vector>
@@ -13,11 +14,14 @@ constexpr int maxDegree = 9;
 /// Where surfaces are checked by samples: so many steps along an edge of the mesh.
 constexpr int samplesPerEdge = 16;
 
+/// u and v, or s and t.
+using Parameters = std::array<double, 2>;
+
 /// The point of a surface and its derivatives by u and v.
 struct SurfacePoint {
-    std::array<double, 3> point{};
-    std::array<double, 3> alongU{};
-    std::array<double, 3> alongV{};
+    Place point{};
+    Vector alongU{};
+    Vector alongV{};
 };
 
 /// \param patch  of degrees 1 to `maxDegree`, with knots that do not decrease, as many as control points +

@@ -1,9 +1,9 @@
 #include "check/tracks/arc_rules.h"
 
 #include "base/at.h"
+#include "base/disjoint_sets.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace qm::check {
 
@@ -25,35 +25,23 @@ struct Side {
     [[nodiscard]] int present() const { return before + after; }
 };
 
+/// Groups of lines that are joined by crossings; each crossing must be cracked by a line of its group.
 class Groups {
 public:
-    explicit Groups(std::size_t count) : parent_(count), loops_(count, 0), members_(count, 1) {
-        std::iota(parent_.begin(), parent_.end(), 0);
-    }
-    int find(int node) {
-        while (parent_[at(node)] != node) {
-            parent_[at(node)] = parent_[at(parent_[at(node)])];
-            node = parent_[at(node)];
-        }
-        return node;
-    }
-    /// \return false if the component has more edges and loops than nodes now
-    bool addEdge(int a, int b) {
-        a = find(a);
-        b = find(b);
-        if (a != b) {
-            if (members_[at(a)] < members_[at(b)]) std::swap(a, b);
-            parent_[at(b)] = a;
-            members_[at(a)] += members_[at(b)];
-            loops_[at(a)] += loops_[at(b)];
-        }
-        return ++loops_[at(a)] <= members_[at(a)];
+    explicit Groups(std::size_t lines) : joined_(lines), left_(lines, 1) {}
+
+    /// \return false if the group of the two lines has more crossings than lines now
+    bool addCrossing(int a, int b) {
+        const std::size_t one = joined_.find(at(a)), other = joined_.find(at(b));
+        joined_.join(one, other);
+        int& left = left_[joined_.find(one)];
+        if (one != other) left = left_[one] + left_[other];
+        return --left >= 0;
     }
 
 private:
-    std::vector<int> parent_;
-    std::vector<int> loops_; ///< edges and loops of the component
-    std::vector<int> members_;
+    DisjointSets joined_;
+    std::vector<int> left_; ///< of a group's representative: lines less crossings
 };
 
 class ArcRules {
@@ -159,7 +147,7 @@ private:
             const bool secondCracks = canCrack(second);
             if (!firstCracks && !secondCracks)
                 broken("arc rule 4", "neither line can be cracked at " + place(static_cast<int>(c)));
-            else if (!groups.addEdge(firstCracks ? first : second, secondCracks ? second : first))
+            else if (!groups.addCrossing(firstCracks ? first : second, secondCracks ? second : first))
                 broken("arc rule 4", "more crossings than cracks around " + place(static_cast<int>(c)));
         }
     }

@@ -20,8 +20,8 @@ int coordinateAfter(const Way& way, std::size_t steps) {
     return found ? static_cast<int>(stop - way.stopSteps.begin()) + 1 : -1;
 }
 
-void straight(const Neighbourhoods& around, std::span<const ReadTrack> tracks, const std::string& pointer,
-              Report& report) {
+void checkStraight(const Neighbourhoods& around, std::span<const ReadTrack> tracks,
+                   const std::string& pointer, Report& report) {
     for (const ReadTrack& track : tracks)
         if (const std::size_t bend = firstBend(around, track.steps); bend < track.steps.size())
             report.violate(below(below(below(pointer, track.rank), "vertices"), bend + 1), "track straight",
@@ -77,6 +77,20 @@ Coordinates coordinatesOf(const Neighbourhoods& around, const LineNetwork& netwo
     return found;
 }
 
+void checkParticles(const Neighbourhoods& around, const LineNetwork& network,
+                    std::span<const ReadTrack> tracks, const std::string& pointer, Report& report) {
+    const Coordinates coordinates = coordinatesOf(around, network, tracks, pointer, report);
+    if (!coordinates.sound) return;
+    for (const BrokenTrackRule& broken : brokenTrackRules(network, coordinates.x)) {
+        const int track = coordinates.trackOf[at(broken.way)];
+        const int first = network.ways[at(broken.way)].steps.front();
+        const std::string particle = "the particle from vertex " + std::to_string(around.from(first)) +
+                                     " over vertex " + std::to_string(around.to(first)) + ": ";
+        report.violate(track < 0 ? pointer : below(pointer, at(track)), broken.rule,
+                       particle + broken.explanation);
+    }
+}
+
 } // namespace
 
 std::vector<ReadTrack> readTracks(const Neighbourhoods& around, const std::vector<TrackPart>& tracks,
@@ -109,28 +123,14 @@ std::vector<int> edgesOf(const Neighbourhoods& around, std::span<const ReadTrack
 }
 
 void checkGraph(const Neighbourhoods& around, const LineNetwork& network, std::span<const ReadTrack> tracks,
-                std::span<const char> present, std::size_t count, const std::string& pointer,
+                std::span<const char> present, std::size_t count, bool isTMesh, const std::string& pointer,
                 Report& report) {
-    const Coordinates coordinates = coordinatesOf(around, network, tracks, pointer, report);
-    if (coordinates.sound)
-        for (const BrokenTrackRule& broken : brokenTrackRules(network, coordinates.x)) {
-            const int track = coordinates.trackOf[at(broken.way)];
-            const int first = network.ways[at(broken.way)].steps.front();
-            const std::string particle = "the particle from vertex " + std::to_string(around.from(first)) +
-                                         " over vertex " + std::to_string(around.to(first)) + ": ";
-            report.violate(track < 0 ? pointer : below(pointer, at(track)), broken.rule,
-                           particle + broken.explanation);
-        }
-
-    for (const BrokenArcRule& broken : brokenArcRules(around, network, present, count))
-        report.violate(pointer, broken.rule, broken.explanation);
-}
-
-void checkTMesh(const Neighbourhoods& around, const LineNetwork& network, std::span<const ReadTrack> tracks,
-                std::span<const char> present, std::size_t count, const std::string& pointer,
-                Report& report) {
-    straight(around, tracks, pointer, report);
-    for (const BrokenArcRule& broken : brokenArcRules(around, network, present, count, ArcRuleSet::ofTMeshes))
+    if (isTMesh)
+        checkStraight(around, tracks, pointer, report);
+    else
+        checkParticles(around, network, tracks, pointer, report);
+    const ArcRuleSet rules = isTMesh ? ArcRuleSet::ofTMeshes : ArcRuleSet::ofGraphs;
+    for (const BrokenArcRule& broken : brokenArcRules(around, network, present, count, rules))
         report.violate(pointer, broken.rule, broken.explanation);
 }
 

@@ -30,11 +30,9 @@ struct ReadTrack {
 /// Tests the tracks by rules A1 to A4 and, apart from that, the set of their edges by the rules on arcs.
 /// \param present  by edge: whether it lies on a track
 /// \param count    how many edges do
+/// \param isTMesh  tracks may begin and end on others: they need only be straight and obey arc rules 1 and 2
 void checkGraph(const Neighbourhoods& around, const LineNetwork& network, std::span<const ReadTrack> tracks,
-                std::span<const char> present, std::size_t count, const std::string& pointer, Report& report);
-
-/// The same where tracks may begin and end on others: they must only be straight and obey arc rules 1 and 2.
-void checkTMesh(const Neighbourhoods& around, const LineNetwork& network, std::span<const ReadTrack> tracks,
-                std::span<const char> present, std::size_t count, const std::string& pointer, Report& report);
+                std::span<const char> present, std::size_t count, bool isTMesh, const std::string& pointer,
+                Report& report);
 
 } // namespace qm::check

@@ -9,8 +9,9 @@ namespace qm::check {
 
 namespace {
 
-/// The vertices of a face, counter-clockwise, from `first` on; nothing if it is none of them.
-bool turned(std::array<int, 4>& quad, int first) {
+/// Turns the vertices of a face so that it begins with `first`.
+/// \return false if that is none of them
+bool turn(std::array<int, 4>& quad, int first) {
     const auto found = std::find(quad.begin(), quad.end(), first);
     std::rotate(quad.begin(), found, quad.end());
     return quad.front() == first;
@@ -42,7 +43,7 @@ std::vector<int> gridOf(const CheckedMesh& mesh, const LayoutPart::Segment& segm
         }
         const std::size_t corner = f / columns * width + f % columns;
         auto quad = mesh.quads[at(face)];
-        bool fits = turned(quad, grid[corner]);
+        bool fits = turn(quad, grid[corner]);
         const std::array<std::size_t, 4> places{corner, corner + 1, corner + 1 + width, corner + width};
         for (std::size_t i = 1; i < 4 && fits; ++i) {
             int& vertex = grid[places[i]];
@@ -55,6 +56,11 @@ std::vector<int> gridOf(const CheckedMesh& mesh, const LayoutPart::Segment& segm
         }
     }
     return grid;
+}
+
+std::vector<int> soundGridOf(const CheckedMesh& mesh, const LayoutPart::Segment& segment) {
+    Report unused;
+    return gridOf(mesh, segment, "", unused);
 }
 
 namespace {
@@ -77,7 +83,7 @@ private:
     void segment(std::size_t s) {
         const auto& segment = part_.segments[s];
         const std::string here = below("/layout/segments", s);
-        uniqueId(s, here);
+        checkNumber(segment.id, s, here, "segments", report_);
         for (std::size_t f = 0; f < segment.faces.size(); ++f) {
             const int face = segment.faces[f];
             if (face < 0 || face >= around_.faces()) continue; // the grid reports it
@@ -93,25 +99,20 @@ private:
         markInside(segment, grid);
     }
 
-    void uniqueId(std::size_t s, const std::string& here) {
-        if (part_.segments[s].id != static_cast<int>(s))
-            report_.violate(below(here, "id"), "id", "segments are numbered from 0 in their order");
-    }
-
     /// Side k leads from corner k to corner k + 1 along the grid's border, faces on the left.
     void sides(const LayoutPart::Segment& segment, const std::vector<int>& grid, const std::string& here) {
         const std::size_t a = at(segment.size[0]);
         const std::size_t b = at(segment.size[1]);
         const std::size_t width = a + 1;
         std::array<std::vector<int>, 4> border;
-        for (std::size_t i = 0; i <= a; ++i)
+        for (std::size_t i = 0; i <= a; ++i) {
             border[0].push_back(grid[i]);
-        for (std::size_t j = 0; j <= b; ++j)
-            border[1].push_back(grid[j * width + a]);
-        for (std::size_t i = 0; i <= a; ++i)
             border[2].push_back(grid[b * width + a - i]);
-        for (std::size_t j = 0; j <= b; ++j)
+        }
+        for (std::size_t j = 0; j <= b; ++j) {
+            border[1].push_back(grid[j * width + a]);
             border[3].push_back(grid[(b - j) * width]);
+        }
         for (std::size_t k = 0; k < 4; ++k) {
             if (segment.corners[k] != border[k].front())
                 report_.violate(below(below(here, "corners"), k), "corner",

@@ -22,4 +22,7 @@ void checkSegments(const CheckedMesh& mesh, const Neighbourhoods& around, std::s
 [[nodiscard]] std::vector<int> gridOf(const CheckedMesh& mesh, const LayoutPart::Segment& segment,
                                       const std::string& pointer, Report& report);
 
+/// The same for a segment that is known to be a grid.
+[[nodiscard]] std::vector<int> soundGridOf(const CheckedMesh& mesh, const LayoutPart::Segment& segment);
+
 } // namespace qm::check

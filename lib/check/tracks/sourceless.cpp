@@ -1,6 +1,7 @@
 #include "check/tracks/sourceless.h"
 
 #include "base/at.h"
+#include "base/disjoint_sets.h"
 #include "base/sort_unique.h"
 
 #include <algorithm>
@@ -8,31 +9,18 @@
 namespace qm::check {
 
 std::vector<int> sourcelessComponents(const Neighbourhoods& around, const LineNetwork& network) {
-    std::vector<char> source(at(around.vertices()), 0);
+    DisjointSets components(at(around.vertices()));
+    for (int step = 0; step < around.steps(); ++step)
+        components.join(at(around.from(step)), at(around.to(step)));
+    std::vector<char> hasSource(at(around.vertices()), 0);
     for (const Way& way : network.ways)
-        source[at(around.from(way.steps.front()))] = 1;
-    std::vector<int> component(at(around.vertices()), -2);
-    std::vector<int> reached;
-    for (int start = 0; start < around.vertices(); ++start) {
-        if (component[at(start)] != -2) continue;
-        reached.assign(1, start);
-        component[at(start)] = start;
-        bool any = false;
-        for (std::size_t next = 0; next < reached.size(); ++next) {
-            const int vertex = reached[next];
-            any = any || source[at(vertex)];
-            for (int i = 0; i < around.valence(vertex); ++i) {
-                const int other = around.to(around.firstStep(vertex) + i);
-                if (component[at(other)] != -2) continue;
-                component[at(other)] = start;
-                reached.push_back(other);
-            }
-        }
-        if (any)
-            for (const int vertex : reached)
-                component[at(vertex)] = -1;
+        hasSource[components.find(at(around.from(way.steps.front())))] = 1;
+    std::vector<int> result;
+    for (std::size_t vertex = 0; vertex < hasSource.size(); ++vertex) {
+        const std::size_t lowest = components.find(vertex);
+        result.push_back(hasSource[lowest] ? -1 : static_cast<int>(lowest));
     }
-    return component;
+    return result;
 }
 
 std::vector<int> wholeLine(const Neighbourhoods& around, int first) {

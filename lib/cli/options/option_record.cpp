@@ -28,11 +28,25 @@ std::string assignNumber(const std::string& text, const Range& range, bool whole
     return {};
 }
 
+} // namespace
+
+OptionRecord makeOption(const std::string& name, bool& value, const Range&, const std::string& help) {
+    OptionRecord result = record(OptionRecord::Type::flag, value ? "no-" + name : name, help);
+    result.assign = [&value, whenGiven = !value](const std::string&) {
+        value = whenGiven;
+        return std::string();
+    };
+    result.show = [&value, whenGiven = !value] { return std::string(value == whenGiven ? "yes" : "no"); };
+    return result;
+}
+
 template <class Number>
-OptionRecord makeNumber(const std::string& name, Number& value, Range range, const std::string& help) {
+requires std::is_arithmetic_v<Number> OptionRecord makeOption(const std::string& name, Number& value,
+                                                              const Range& allowed, const std::string& help) {
     constexpr bool whole = std::is_integral_v<Number>;
     OptionRecord result =
         record(whole ? OptionRecord::Type::integer : OptionRecord::Type::number, name, help);
+    Range range = allowed;
     if constexpr (std::is_unsigned_v<Number>) range.min = std::max(range.min, 0.0);
     result.range = range;
     result.placeholder = whole ? "N" : "X";
@@ -50,35 +64,10 @@ OptionRecord makeNumber(const std::string& name, Number& value, Range range, con
     return result;
 }
 
-} // namespace
-
-OptionRecord makeOption(const std::string& name, bool& value, const Range&, const std::string& help) {
-    OptionRecord result = record(OptionRecord::Type::flag, value ? "no-" + name : name, help);
-    result.assign = [&value, whenGiven = !value](const std::string&) {
-        value = whenGiven;
-        return std::string();
-    };
-    result.show = [&value, whenGiven = !value] { return std::string(value == whenGiven ? "yes" : "no"); };
-    return result;
-}
-
-OptionRecord makeOption(const std::string& name, int& value, const Range& range, const std::string& help) {
-    return makeNumber(name, value, range, help);
-}
-
-OptionRecord makeOption(const std::string& name, unsigned& value, const Range& range,
-                        const std::string& help) {
-    return makeNumber(name, value, range, help);
-}
-
-OptionRecord makeOption(const std::string& name, std::size_t& value, const Range& range,
-                        const std::string& help) {
-    return makeNumber(name, value, range, help);
-}
-
-OptionRecord makeOption(const std::string& name, double& value, const Range& range, const std::string& help) {
-    return makeNumber(name, value, range, help);
-}
+template OptionRecord makeOption(const std::string&, int&, const Range&, const std::string&);
+template OptionRecord makeOption(const std::string&, unsigned&, const Range&, const std::string&);
+template OptionRecord makeOption(const std::string&, std::size_t&, const Range&, const std::string&);
+template OptionRecord makeOption(const std::string&, double&, const Range&, const std::string&);
 
 OptionRecord makeOption(const std::string& name, Length& value, const Range& range, const std::string& help) {
     OptionRecord result = record(OptionRecord::Type::text, name, help);

@@ -35,13 +35,10 @@ struct OptionRecord {
 
 [[nodiscard]] OptionRecord makeOption(const std::string& name, bool& value, const Range& range,
                                       const std::string& help);
-[[nodiscard]] OptionRecord makeOption(const std::string& name, int& value, const Range& range,
-                                      const std::string& help);
-[[nodiscard]] OptionRecord makeOption(const std::string& name, unsigned& value, const Range& range,
-                                      const std::string& help);
-[[nodiscard]] OptionRecord makeOption(const std::string& name, std::size_t& value, const Range& range,
-                                      const std::string& help);
-[[nodiscard]] OptionRecord makeOption(const std::string& name, double& value, const Range& range,
+/// \param value  an int, unsigned, std::size_t or double
+template <class Number>
+requires std::is_arithmetic_v<Number>
+[[nodiscard]] OptionRecord makeOption(const std::string& name, Number& value, const Range& range,
                                       const std::string& help);
 [[nodiscard]] OptionRecord makeOption(const std::string& name, Length& value, const Range& range,
                                       const std::string& help);

@@ -1,5 +1,6 @@
 #include "cli/tools/enumeration_tool.h"
 
+#include "base/number_text.h"
 #include "cli/system/output_file.h"
 #include "cli/tools/graph_line.h"
 #include "document/files/files.h"
@@ -8,7 +9,6 @@
 #include "document/options/options.h"
 #include "document/sections/enumeration_section.h"
 
-#include <charconv>
 #include <cmath>
 #include <string_view>
 #include <utility>
@@ -28,17 +28,13 @@ void verifyFile(const Tool& tool, const std::string& option, const std::string& 
 /// Reads "I/N", which part of the sub-meshes is to be searched.
 Part readPart(const std::string& text) {
     constexpr int maxParts = 1000000;
-    const auto slash = text.find('/');
-    const auto number = [&](std::string_view digits) {
-        int value = 0;
-        const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-        return problem == std::errc() && end == digits.data() + digits.size() ? value : 0;
-    };
-    if (slash != std::string::npos) {
-        const Part part{number(std::string_view(text).substr(0, slash)),
-                        number(std::string_view(text).substr(slash + 1))};
-        if (part.number >= 1 && part.number <= part.of && part.of <= maxParts) return part;
-    }
+    const std::string_view whole = text;
+    const std::size_t slash = whole.find('/');
+    Part part;
+    if (slash != std::string_view::npos && parseNumber(whole.substr(0, slash), part.number) &&
+        parseNumber(whole.substr(slash + 1), part.of) && part.number >= 1 && part.number <= part.of &&
+        part.of <= maxParts)
+        return part;
     throw UsageError("--part " + text + ": is no I/N with 1 <= I <= N <= " + std::to_string(maxParts));
 }
 
@@ -77,9 +73,8 @@ void writeGraphs(const Tool& tool, const Model& model, const EnumerationOptions&
         listGraphs(model.mesh, model.complex, model.dihedralAngles, model.subMeshes, options, which, listing,
                    tool.control(areBest ? "writing the best graphs" : "writing every graph"));
     file.commit();
-    tool.count(areBest ? "bestGraphsWritten" : "graphsWritten", static_cast<double>(written));
-    if (!all)
-        tool.warn(tool.inputName() + ": the search was ended early; not every graph was written to " + path);
+    tool.count(areBest ? "bestGraphsWritten" : "graphsWritten", written);
+    if (!all) tool.warnOfInput("the search was ended early; not every graph was written to " + path);
 }
 
 } // namespace
@@ -161,12 +156,12 @@ int judge(const Tool& tool, const Enumeration& enumeration, const EnumerationReq
     const bool unmet =
         (requests.requireComplete && !enumeration.complete) || (requests.requireOptimal && !allOptimal);
     if (!enumeration.complete || unmet) {
-        std::string message = tool.inputName() + ": ";
+        std::string message;
         if (!enumeration.complete) message += "a limit ended the search; ";
         message += "the best graph of " + std::to_string(optimal) + " of " + std::to_string(searched) +
                    " sub-meshes is proved optimal";
         if (withoutGraph > 0) message += ", and no graph is known of " + std::to_string(withoutGraph);
-        tool.warn(message);
+        tool.warnOfInput(message);
     }
     return unmet ? exitUnmet : exitDone;
 }

@@ -69,12 +69,12 @@ Kind neededKind(const ExportOptions& options) {
 int reportShape(Tool& tool, const std::optional<ShapeReport>& found, const Model& model, LengthUnit unit) {
     if (!found) return exitDone;
     const ShapeReport& shape = *found;
-    tool.count("solids", static_cast<double>(shape.solids));
-    tool.count("cavities", static_cast<double>(shape.cavities));
-    tool.count("openEdges", static_cast<double>(shape.openEdges));
-    tool.count("shapeFaces", static_cast<double>(shape.faces));
-    tool.count("simpleFaces", static_cast<double>(shape.simpleFaces));
-    tool.count("smoothEdges", static_cast<double>(shape.smoothEdges));
+    tool.count("solids", shape.solids);
+    tool.count("cavities", shape.cavities);
+    tool.count("openEdges", shape.openEdges);
+    tool.count("shapeFaces", shape.faces);
+    tool.count("simpleFaces", shape.simpleFaces);
+    tool.count("smoothEdges", shape.smoothEdges);
     tool.count("valid", shape.valid ? 1 : 0);
     tool.count("gap", shape.largestGap);
     tool.count("tolerance", shape.largestTolerance);

@@ -5,7 +5,6 @@
 #include "document/options/option.h"
 #include "export/export.h"
 
-#include <array>
 #include <string>
 
 namespace qm {
@@ -17,26 +16,27 @@ struct Model;
 enum class NamedFormat { ending, step, iges, obj, ply, glb };
 
 template <> struct Choices<NamedFormat> {
-    static constexpr std::array all{
-        Choice<NamedFormat>{NamedFormat::ending, "ending", "what the ending of the output's name says"},
-        Choice<NamedFormat>{NamedFormat::step, "step", "B-spline surfaces, STEP AP214"},
-        Choice<NamedFormat>{NamedFormat::iges, "iges", "B-spline surfaces, IGES"},
-        Choice<NamedFormat>{NamedFormat::obj, "obj", "quads, one group for every segment"},
-        Choice<NamedFormat>{NamedFormat::ply, "ply", "quads with colours and segment numbers, binary"},
-        Choice<NamedFormat>{NamedFormat::glb, "glb", "coloured triangles, one glTF node for every segment"}};
+    using enum NamedFormat;
+    static constexpr Choice<NamedFormat> all[]{
+        {ending, "ending", "what the ending of the output's name says"},
+        {step, "step", "B-spline surfaces, STEP AP214"},
+        {iges, "iges", "B-spline surfaces, IGES"},
+        {obj, "obj", "quads, one group for every segment"},
+        {ply, "ply", "quads with colours and segment numbers, binary"},
+        {glb, "glb", "coloured triangles, one glTF node for every segment"}};
 };
 
 template <> struct Choices<LengthUnit> {
-    static constexpr std::array all{Choice<LengthUnit>{LengthUnit::mm, "mm", "millimetres"},
-                                    Choice<LengthUnit>{LengthUnit::cm, "cm", "centimetres"},
-                                    Choice<LengthUnit>{LengthUnit::m, "m", "metres"},
-                                    Choice<LengthUnit>{LengthUnit::inch, "inch", "inches"}};
+    using enum LengthUnit;
+    static constexpr Choice<LengthUnit> all[]{
+        {mm, "mm", "millimetres"}, {cm, "cm", "centimetres"}, {m, "m", "metres"}, {inch, "inch", "inches"}};
 };
 
 template <> struct Choices<ColourBy> {
-    static constexpr std::array all{
-        Choice<ColourBy>{ColourBy::segment, "segment", "another colour for every segment"},
-        Choice<ColourBy>{ColourBy::deviation, "deviation", "blue to red by the surface's largest deviation"}};
+    using enum ColourBy;
+    static constexpr Choice<ColourBy> all[]{
+        {segment, "segment", "another colour for every segment"},
+        {deviation, "deviation", "blue to red by the surface's largest deviation"}};
 };
 
 /// \throw UsageError  if neither the option nor the output's name determines the format

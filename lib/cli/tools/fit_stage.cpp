@@ -1,6 +1,7 @@
 #include "cli/tools/fit_stage.h"
 
 #include "bspline/ranking.h"
+#include "cli/tools/or_null.h"
 #include "cli/tools/scan_input.h"
 #include "cli/tools/surface_warnings.h"
 #include "document/sections/surfaces_section.h"
@@ -24,8 +25,8 @@ struct Candidate {
 Candidate fitted(Stage& stage, const Model& model, const FitOptions& options, const ScanInput& scan,
                  const Control& control) {
     Candidate candidate;
-    candidate.surfaces = fitSurfaces(model.mesh, *model.layout, model.dihedralAngles, options,
-                                     scan.surface ? &*scan.surface : nullptr, control);
+    candidate.surfaces =
+        fitSurfaces(model.mesh, *model.layout, model.dihedralAngles, options, orNull(scan.surface), control);
     candidate.layout =
         rankedLayout(*model.layout, candidate.surfaces, missedTolerance(candidate.surfaces, options).empty());
     candidate.document = stage.release();
@@ -89,8 +90,8 @@ int fitAndWrite(const Tool& tool, Stage& stage, const FitOptions& options, const
     std::vector<Candidate> candidates = ranked(tool, stage, first, options, requests.furtherFiles, scan);
     Candidate& best = candidates.front();
     const Surfaces& surfaces = best.surfaces;
-    tool.count("patches", static_cast<double>(surfaces.patches.size()));
-    tool.count("controlPoints", static_cast<double>(best.layout.controlPoints));
+    tool.count("patches", surfaces.patches.size());
+    tool.count("controlPoints", best.layout.controlPoints);
     tool.count("maxDeviation", surfaces.deviation.max);
     Json section = surfacesToJson(surfaces, scan.file);
     if (requests.rank) section["ranking"] = rankingToJson(candidates);

@@ -43,12 +43,11 @@ MeshInput readMeshInput(const Tool& tool, bool repair) {
     tool.protect(tool.inputPath());
     ReadResult read = readMesh(bytes, tool.inputPath() == "-" ? "" : tool.inputPath(), {repair});
     for (const std::string& warning : suspicions(read.mesh))
-        tool.warn(tool.inputName() + ": " + warning);
+        tool.warnOfInput(warning);
     if (const std::vector<BoundaryLoop> loops = boundaryLoops(read.mesh); !loops.empty())
-        tool.warn(tool.inputName() + ": the mesh is open: " + loopsText(loops) +
-                  ". If a hole should be none, close it");
-    tool.count("vertices", static_cast<double>(read.mesh.n_vertices()));
-    tool.count("faces", static_cast<double>(read.mesh.n_faces()));
+        tool.warnOfInput("the mesh is open: " + loopsText(loops) + ". If a hole should be none, close it");
+    tool.count("vertices", read.mesh.n_vertices());
+    tool.count("faces", read.mesh.n_faces());
     if (!read.repair.changed()) {
         Json section = meshToJson(tool.inputPath(), bytes, read.mesh);
         return {std::move(read.mesh), std::move(section)};
@@ -59,7 +58,7 @@ MeshInput readMeshInput(const Tool& tool, bool repair) {
     const std::string repaired = writeObj(read.mesh);
     writeFile(folder + name, repaired);
     tool.protect(folder + name);
-    tool.warn(tool.inputName() + ": " + repairText(read.repair) + ". The mesh is now " + folder + name);
+    tool.warnOfInput(repairText(read.repair) + ". The mesh is now " + folder + name);
     // Reads the file as later tools will, so that both meshes agree exactly.
     ReadResult again = readMesh(repaired, name, {});
     Json section = meshToJson(name, repaired, again.mesh);

@@ -27,8 +27,8 @@ std::string proofText(bool proven, double objective, double bound) {
 
 void reportProofs(const Tool& tool, const PruneOptions& options, const PruneResult& pruned) {
     if (options.method == PruneMethod::optimum && !pruned.proven)
-        tool.warn(tool.inputName() + ": the search was ended early; the layout is " +
-                  proofText(false, objectiveOf(options, pruned.layout), *pruned.objectiveBound));
+        tool.warnOfInput("the search was ended early; the layout is " +
+                         proofText(false, objectiveOf(options, pruned.layout), *pruned.objectiveBound));
     for (const FrontPoint& point : pruned.front)
         tool.note("front: beta " + numberText(point.beta) + ", " + std::to_string(point.segments) +
                   " segments, G_T " + numberText(point.cost) + ", " +
@@ -36,8 +36,8 @@ void reportProofs(const Tool& tool, const PruneOptions& options, const PruneResu
                             point.objectiveBound));
     const auto open = std::ranges::count(pruned.front, false, &FrontPoint::proven);
     if (open > 0)
-        tool.warn(tool.inputName() + ": the search was ended early; " + std::to_string(open) + " of " +
-                  std::to_string(pruned.front.size()) + " layouts of the front are not proven");
+        tool.warnOfInput("the search was ended early; " + std::to_string(open) + " of " +
+                         std::to_string(pruned.front.size()) + " layouts of the front are not proven");
 }
 
 } // namespace qm

@@ -21,7 +21,7 @@
 namespace qm {
 namespace {
 
-constexpr int maxAttempts = 3;
+constexpr int maxSeeds = 3;
 
 /// Moves the centre of a box to the origin, and scales the box to a length at which Blender, which takes no
 /// mesh with an edge shorter than 1e-4, takes every edge that single precision tells from none.
@@ -101,20 +101,23 @@ Remeshed remeshWithBlender(const Triangles& scan, const RemeshOptions& options, 
                            [&](const Point& point) { return box.to(point); });
     writeFile(folder.file("scan.obj"), writeSoup(soupOf(scaled), MeshFormat::obj));
     for (const EmbeddedText& script : embeddedBlenderScripts())
-        writeFile(folder.file(std::string(script.name).c_str()), script.text);
+        writeFile(folder.file(std::string(script.name)), script.text);
 
+    const bool isOpen = scanLoops > 0;
     std::optional<Remeshed> best;
     std::string problem;
-    for (int k = 0; k <= maxAttempts && !HeldSignals::oneWaits() && (!best || difference(*best) > 0); ++k) {
-        const bool holdsBoundary = scanLoops > 0 && k < maxAttempts;
-        if (k == maxAttempts && (best || scanLoops == 0)) break;
+    const auto tryWith = [&](int seed, bool holdsBoundary) {
+        if (HeldSignals::oneWaits()) return;
         RemeshOptions next = options;
-        next.seed += k % maxAttempts;
+        next.seed = seed;
         Attempt made = attempt(folder, signals, box, next, scanLoops, holdsBoundary);
         if (made.result && (!best || difference(*made.result) < difference(*best)))
             best = std::move(made.result);
         if (problem.empty()) problem = made.problem;
-    }
+    };
+    for (int k = 0; k < maxSeeds && (!best || difference(*best) > 0); ++k)
+        tryWith(options.seed + k, isOpen);
+    if (!best && isOpen) tryWith(options.seed, false);
     if (!best)
         throw Error("", "QuadriFlow makes no quad mesh of it: " + problem,
                     "Try another number of quads, or mend the scan");

@@ -19,7 +19,7 @@ ScanInput readScanInput(const Tool& tool, const std::string& path) {
         input.file = {path, sha256(bytes)};
         input.surface.emplace(readTriangles(bytes, path));
     });
-    tool.count("triangles", static_cast<double>(input.surface->size()));
+    tool.count("triangles", input.surface->size());
     return input;
 }
 

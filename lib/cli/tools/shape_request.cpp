@@ -14,19 +14,8 @@ std::string padded(const std::string& text, std::size_t width) {
 }
 
 MeshFormat formatOf(const ShapeRequest& request, std::string_view outputPath) {
-    switch (request.format) {
-    case NamedMeshFormat::ending:
-        return formatOfName(outputPath).value_or(MeshFormat::obj);
-    case NamedMeshFormat::obj:
-        return MeshFormat::obj;
-    case NamedMeshFormat::off:
-        return MeshFormat::off;
-    case NamedMeshFormat::ply:
-        return MeshFormat::ply;
-    case NamedMeshFormat::stl:
-        break;
-    }
-    return MeshFormat::stl;
+    if (request.format == NamedMeshFormat::ending) return formatOfName(outputPath).value_or(MeshFormat::obj);
+    return formatOfName("." + std::string(choiceName(request.format))).value();
 }
 
 } // namespace

@@ -7,7 +7,6 @@
 #include "mesh/soup/soup.h"
 #include "shape/shape.h"
 
-#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,14 +17,13 @@ namespace qm {
 enum class NamedMeshFormat { ending, obj, off, ply, stl };
 
 template <> struct Choices<NamedMeshFormat> {
-    static constexpr std::array all{
-        Choice<NamedMeshFormat>{NamedMeshFormat::ending, "ending",
-                                "what the ending of the output's name says, or else obj"},
-        Choice<NamedMeshFormat>{NamedMeshFormat::obj, "obj", "text"},
-        Choice<NamedMeshFormat>{NamedMeshFormat::off, "off", "text"},
-        Choice<NamedMeshFormat>{NamedMeshFormat::ply, "ply", "binary, double precision"},
-        Choice<NamedMeshFormat>{NamedMeshFormat::stl, "stl",
-                                "binary, single precision: triangles only, as --scan makes them"}};
+    using enum NamedMeshFormat;
+    static constexpr Choice<NamedMeshFormat> all[]{
+        {ending, "ending", "what the ending of the output's name says, or else obj"},
+        {obj, "obj", "text"},
+        {off, "off", "text"},
+        {ply, "ply", "binary, double precision"},
+        {stl, "stl", "binary, single precision: triangles only, as --scan makes them"}};
 };
 
 struct ShapeRequest {

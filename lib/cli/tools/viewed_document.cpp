@@ -1,6 +1,7 @@
 #include "cli/tools/viewed_document.h"
 
 #include "base/at.h"
+#include "cli/tools/or_null.h"
 #include "cli/tools/scan_input.h"
 #include "document/files/files.h"
 #include "document/summary_json.h"
@@ -12,10 +13,6 @@
 
 namespace qm {
 namespace {
-
-template <class Part> const Part* orNull(const std::optional<Part>& part) {
-    return part ? &*part : nullptr;
-}
 
 Viewed viewedOf(const Document& document, const Model& model, LengthUnit unit) {
     const FitOptions fit = recordedFit(JsonPlace(document.root)["history"]);

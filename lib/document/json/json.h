@@ -5,12 +5,18 @@
 
 #include <nlohmann/json.hpp>
 
+#include <optional>
 #include <string>
 #include <string_view>
 
 namespace qm {
 
 using JsonPointer = Json::json_pointer;
+
+/// A value; null if there is none.
+template <class Value> [[nodiscard]] Json valueOrNull(const std::optional<Value>& value) {
+    return value ? Json(*value) : Json();
+}
 
 /// Reads a value, in time linear in the text even for objects with many keys.
 /// \throw Error  with line and column, if the text is empty, no JSON or not UTF-8, has a key twice in one

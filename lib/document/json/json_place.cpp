@@ -3,7 +3,17 @@
 #include "base/error.h"
 #include "document/json/whole_number.h"
 
+#include <utility>
+
 namespace qm {
+namespace {
+
+std::string noSuch(const char* what, std::int64_t number, std::size_t count) {
+    return std::string("there is no ") + what + " " + std::to_string(number) + ", only 0 to " +
+           std::to_string(static_cast<std::int64_t>(count) - 1);
+}
+
+} // namespace
 
 JsonPlace JsonPlace::operator[](const char* key) const {
     const std::optional<JsonPlace> member = find(key);
@@ -12,7 +22,7 @@ JsonPlace JsonPlace::operator[](const char* key) const {
 }
 
 std::optional<JsonPlace> JsonPlace::find(const char* key) const {
-    if (!value_->is_object()) fail(std::string("is ") + value_->type_name() + ", not object");
+    requireType(value_->is_object(), "object");
     const auto member = value_->find(key);
     if (member == value_->end()) return {};
     return JsonPlace(*member, pointer_ / key);
@@ -24,22 +34,30 @@ JsonPlace JsonPlace::operator[](std::size_t index) const {
 }
 
 std::size_t JsonPlace::size() const {
-    if (!value_->is_array()) fail(std::string("is ") + value_->type_name() + ", not array");
+    requireType(value_->is_array(), "array");
     return value_->size();
 }
 
+std::vector<JsonPlace> JsonPlace::elements() const {
+    std::vector<JsonPlace> result;
+    result.reserve(size());
+    for (std::size_t i = 0; i < size(); ++i)
+        result.push_back((*this)[i]);
+    return result;
+}
+
 bool JsonPlace::boolean() const {
-    if (!value_->is_boolean()) fail(std::string("is ") + value_->type_name() + ", not boolean");
+    requireType(value_->is_boolean(), "boolean");
     return value_->get<bool>();
 }
 
 const std::string& JsonPlace::text() const {
-    if (!value_->is_string()) fail(std::string("is ") + value_->type_name() + ", not string");
+    requireType(value_->is_string(), "string");
     return value_->get_ref<const std::string&>();
 }
 
 double JsonPlace::number() const {
-    if (!value_->is_number()) fail(std::string("is ") + value_->type_name() + ", not number");
+    requireType(value_->is_number(), "number");
     return value_->get<double>();
 }
 
@@ -55,18 +73,31 @@ std::int64_t JsonPlace::whole(std::int64_t min, std::int64_t max) const {
     return *number;
 }
 
+int JsonPlace::index(std::size_t count, const char* what) const {
+    const std::int64_t number = whole();
+    if (number < 0 || std::cmp_greater_equal(number, count)) fail(noSuch(what, number, count));
+    return static_cast<int>(number);
+}
+
 std::vector<int> JsonPlace::indices(std::size_t count, const char* what) const {
     std::vector<int> result;
     result.reserve(size());
     for (std::size_t i = 0; i < size(); ++i) {
         const std::optional<std::int64_t> number = wholeNumber((*value_)[i]);
         if (!number) failAt(i, "is no whole number");
-        if (*number < 0 || static_cast<std::uint64_t>(*number) >= count)
-            failAt(i, std::string("there is no ") + what + " " + std::to_string(*number) + ", only 0 to " +
-                          std::to_string(static_cast<std::int64_t>(count) - 1));
+        if (*number < 0 || std::cmp_greater_equal(*number, count)) failAt(i, noSuch(what, *number, count));
         result.push_back(static_cast<int>(*number));
     }
     return result;
+}
+
+void JsonPlace::requireEqual(const Json& expected, const std::string& what, const std::string& remedy) const {
+    if (const auto difference = firstDifference(expected, *value_, pointer_))
+        throw Error(difference->to_string(), what, remedy);
+}
+
+void JsonPlace::requireType(bool holds, const char* type) const {
+    if (!holds) fail(std::string("is ") + value_->type_name() + ", not " + type);
 }
 
 void JsonPlace::fail(const std::string& what, const std::string& remedy) const {

@@ -32,6 +32,8 @@ public:
     [[nodiscard]] JsonPlace operator[](int index) const { return (*this)[at(index)]; }
     /// The number of elements of an array.
     [[nodiscard]] std::size_t size() const;
+    /// The elements of an array, each with its pointer; for arrays of objects, not of many numbers.
+    [[nodiscard]] std::vector<JsonPlace> elements() const;
 
     [[nodiscard]] bool boolean() const;
     [[nodiscard]] const std::string& text() const;
@@ -41,15 +43,22 @@ public:
     [[nodiscard]] std::optional<double> numberOrNull() const;
     [[nodiscard]] std::int64_t whole(std::int64_t min = std::numeric_limits<std::int64_t>::min(),
                                      std::int64_t max = std::numeric_limits<std::int64_t>::max()) const;
-    /// All elements of an array, which must be whole numbers from 0 to `count` - 1.
-    /// \param what  the kind of element for messages, such as "vertex"
+    /// A whole number from 0 to `count` - 1.
+    /// \param what  that it is the number of, for messages, such as "vertex"
+    [[nodiscard]] int index(std::size_t count, const char* what) const;
+    /// All elements of an array, each of them such a number.
     [[nodiscard]] std::vector<int> indices(std::size_t count, const char* what) const;
+
+    /// Throws at the first difference from what must be here; further keys are allowed.
+    void requireEqual(const Json& expected, const std::string& what, const std::string& remedy) const;
 
     [[noreturn]] void fail(const std::string& what, const std::string& remedy = {}) const;
     [[noreturn]] void failAt(std::size_t index, const std::string& what,
                              const std::string& remedy = {}) const;
 
 private:
+    void requireType(bool holds, const char* type) const;
+
     const Json* value_;
     JsonPointer pointer_;
 };

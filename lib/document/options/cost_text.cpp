@@ -24,9 +24,9 @@ bool addTerm(std::string_view text, double sign, CostTerms& terms) {
     return known;
 }
 
-/// The end of a term: the next sign that does not belong to an exponent, as in 1e-3.
-std::size_t endOfTerm(std::string_view text, std::size_t begin) {
-    for (std::size_t k = begin + 1; k < text.size(); ++k) {
+/// The end of the first term: the next sign that does not belong to an exponent, as in 1e-3.
+std::size_t endOfTerm(std::string_view text) {
+    for (std::size_t k = 1; k < text.size(); ++k) {
         const bool exponent = (text[k - 1] == 'e' || text[k - 1] == 'E') && k >= 2 &&
                               (text[k - 2] == '.' || (text[k - 2] >= '0' && text[k - 2] <= '9'));
         if ((text[k] == '+' || text[k] == '-') && !exponent) return k;
@@ -52,16 +52,15 @@ std::string costText(const CostTerms& terms) {
 
 std::string parseCost(std::string_view text, CostTerms& terms) {
     CostTerms sum = noTerms;
-    for (std::size_t begin = 0, end = 0; text != "0" && begin <= text.size(); begin = end) {
-        if (begin == text.size() && begin > 0) break;
-        end = endOfTerm(text, begin);
-        const bool hasSign = begin < text.size() && (text[begin] == '+' || text[begin] == '-');
-        const double sign = hasSign && text[begin] == '-' ? -1 : 1;
-        const std::string_view term = text.substr(begin + (hasSign ? 1 : 0), end - begin - (hasSign ? 1 : 0));
-        if (!addTerm(term, sign, sum))
+    for (bool more = text != "0"; more; more = !text.empty()) {
+        const std::size_t end = endOfTerm(text);
+        const bool isNegative = text.starts_with('-');
+        const std::size_t begin = isNegative || text.starts_with('+') ? 1 : 0;
+        const std::string_view term = text.substr(begin, end - begin);
+        if (!addTerm(term, isNegative ? -1 : 1, sum))
             return "'" + std::string(term) +
-                   "' is no term: dihedral, length, segments or custom, or a "
-                   "number, * and one of them";
+                   "' is no term: dihedral, length, segments or custom, or a number, * and one of them";
+        text.remove_prefix(end);
     }
     terms = sum;
     return {};

@@ -8,7 +8,6 @@
 /// "no-NAME".
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <limits>
 #include <string>

@@ -16,43 +16,42 @@
 namespace qm {
 
 template <> struct Choices<Terminals> {
-    static constexpr std::array all{
-        Choice<Terminals>{Terminals::irregular, "irregular",
-                          "centres of two groups of extraordinary vertices"},
-        Choice<Terminals>{Terminals::farthest, "farthest", "the two vertices farthest apart"},
-        Choice<Terminals>{Terminals::box, "box",
-                          "the best of three cuts between opposite walls of the bounding box"}};
+    using enum Terminals;
+    static constexpr Choice<Terminals> all[]{
+        {irregular, "irregular", "centres of two groups of extraordinary vertices"},
+        {farthest, "farthest", "the two vertices farthest apart"},
+        {box, "box", "the best of three cuts between opposite walls of the bounding box"}};
 };
 
 template <> struct Choices<Method> {
-    static constexpr std::array all{
-        Choice<Method>{Method::optimum, "optimum", "branch and bound, with a lower bound"},
-        Choice<Method>{Method::naive, "naive", "all coordinate vectors, filtered"},
-        Choice<Method>{Method::bounds, "bounds", "the paper's rules B1 to B4"},
-        Choice<Method>{Method::improved, "improved", "the paper's improved algorithm"},
-        Choice<Method>{Method::plain, "plain", "the plain motorcycle graph, as a baseline"}};
+    using enum Method;
+    static constexpr Choice<Method> all[]{{optimum, "optimum", "branch and bound, with a lower bound"},
+                                          {naive, "naive", "all coordinate vectors, filtered"},
+                                          {bounds, "bounds", "the paper's rules B1 to B4"},
+                                          {improved, "improved", "the paper's improved algorithm"},
+                                          {plain, "plain", "the plain motorcycle graph, as a baseline"}};
 };
 
 template <> struct Choices<PruneMethod> {
-    static constexpr std::array all{
-        Choice<PruneMethod>{PruneMethod::greedy, "greedy", "whole tracks, the most expensive first"},
-        Choice<PruneMethod>{PruneMethod::optimum, "optimum",
-                            "the cheapest layout of grids, over the whole base complex"}};
+    using enum PruneMethod;
+    static constexpr Choice<PruneMethod> all[]{
+        {greedy, "greedy", "whole tracks, the most expensive first"},
+        {optimum, "optimum", "the cheapest layout of grids, over the whole base complex"}};
 };
 
 template <> struct Choices<GraphClass> {
-    static constexpr std::array all{
-        Choice<GraphClass>{GraphClass::motorcycle, "motorcycle", "every track begins at a source"},
-        Choice<GraphClass>{GraphClass::tmesh, "tmesh",
-                           "tracks may begin and end on others; often much cheaper, for whole meshes only"}};
+    using enum GraphClass;
+    static constexpr Choice<GraphClass> all[]{
+        {motorcycle, "motorcycle", "every track begins at a source"},
+        {tmesh, "tmesh", "tracks may begin and end on others; often much cheaper, for whole meshes only"}};
 };
 
 template <> struct Choices<Fit> {
-    static constexpr std::array all{
-        Choice<Fit>{Fit::smooth, "smooth",
-                    "watertight, smooth across all borders that are not creases, within the tolerance"},
-        Choice<Fit>{Fit::interpolate, "interpolate",
-                    "the paper's fit, through every vertex, each patch separately"}};
+    using enum Fit;
+    static constexpr Choice<Fit> all[]{
+        {smooth, "smooth",
+         "watertight, smooth across all borders that are not creases, within the tolerance"},
+        {interpolate, "interpolate", "the paper's fit, through every vertex, each patch separately"}};
 };
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -186,8 +185,7 @@ template <class Visitor> void describe(FitOptions& options, Visitor&& option) {
            "mesh's unit or, with %, as a share of the bounding box's diagonal");
     option("rho", options.rho, Range{0, std::numbers::pi},
            "borders are smooth up to this dihedral angle, in radians, and beyond it where a coarse mesh "
-           "bends as "
-           "much beside them");
+           "bends as much beside them");
 }
 
 template <class Visitor> void conditions(const FitOptions& options, Visitor&& needs) {

@@ -1,7 +1,7 @@
 /// \file Options in the form in which documents record them.
 #pragma once
 
-#include "document/json/json.h"
+#include "document/json/json_place.h"
 #include "document/options/length_text.h"
 #include "document/options/options.h"
 
@@ -29,6 +29,11 @@ template <class Options> [[nodiscard]] Json optionsToJson(Options options) {
             entry = value;
     });
     return json;
+}
+
+/// Reads the name of an enumeration's value.
+template <class Enum> void readChoice(const JsonPlace& place, Enum& value) {
+    if (!choiceValue(place.text(), value)) place.fail("'" + place.text() + "' is not known");
 }
 
 } // namespace qm

@@ -1,6 +1,5 @@
 #include "document/sections/base_complex_section.h"
 
-#include "base/error.h"
 #include "document/sections/mesh_paths.h"
 
 namespace qm {
@@ -20,11 +19,8 @@ Json baseComplexToJson(const QuadMesh& mesh, const BaseComplex& complex) {
 }
 
 void verifyBaseComplex(const QuadMesh& mesh, const BaseComplex& complex, const JsonPlace& section) {
-    const auto difference =
-        firstDifference(baseComplexToJson(mesh, complex), section.value(), section.pointer());
-    if (difference)
-        throw Error(difference->to_string(), "is not what follows from the mesh",
-                    "The base complex cannot be edited: make it anew with qm-basecomplex");
+    section.requireEqual(baseComplexToJson(mesh, complex), "is not what follows from the mesh",
+                         "The base complex cannot be edited: make it anew with qm-basecomplex");
 }
 
 } // namespace qm

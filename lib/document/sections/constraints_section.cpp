@@ -10,11 +10,8 @@ namespace {
 class Reader {
 public:
     Reader(const QuadMesh& mesh, const BaseComplex& complex)
-        : mesh_(mesh), onLine_(mesh.n_edges()), required_(mesh.n_edges()), forbidden_(mesh.n_edges()) {
-        for (const Separatrix& separatrix : complex.separatrices)
-            for (const HalfedgeId halfedge : separatrix.halfedges)
-                onLine_[at(mesh.edge_handle(halfedge))] = true;
-    }
+        : mesh_(mesh), onLine_(edgesOnLines(mesh, complex)), required_(mesh.n_edges()),
+          forbidden_(mesh.n_edges()) {}
 
     enum class Demand { required, forbidden };
 
@@ -23,8 +20,8 @@ public:
         std::vector<bool>& known = isRequired ? required_ : forbidden_;
         const std::vector<bool>& others = isRequired ? forbidden_ : required_;
         std::vector<EdgeId> edges;
-        for (std::size_t i = 0; i < list.size(); ++i) {
-            const JsonPlace vertices = list[i]["vertices"];
+        for (const JsonPlace& entry : list.elements()) {
+            const JsonPlace vertices = entry["vertices"];
             for (const auto& [edge, end] : edgesAlong(vertices)) {
                 if (mesh_.is_boundary(edge)) {
                     if (isRequired) continue;
@@ -47,9 +44,9 @@ public:
     std::vector<std::pair<EdgeId, double>> readWeights(const JsonPlace& list) {
         std::vector<bool> known(mesh_.n_edges());
         std::vector<std::pair<EdgeId, double>> weights;
-        for (std::size_t i = 0; i < list.size(); ++i) {
-            const JsonPlace vertices = list[i]["vertices"];
-            const double weight = list[i]["weight"].number();
+        for (const JsonPlace& entry : list.elements()) {
+            const JsonPlace vertices = entry["vertices"];
+            const double weight = entry["weight"].number();
             for (const auto& [edge, end] : edgesAlong(vertices)) {
                 if (!onLine_[at(edge)])
                     vertices.failAt(

@@ -32,7 +32,7 @@ CutOptions readOptions(const JsonPlace& section) {
         const std::optional<JsonPlace> place = section.find(keyOf(name).c_str());
         if (!place) return;
         if constexpr (std::is_enum_v<Value>) {
-            if (!choiceValue(place->text(), value)) place->fail("'" + place->text() + "' is not known");
+            readChoice(*place, value);
         } else if constexpr (std::is_same_v<Value, bool>) {
             value = place->boolean();
         } else {

@@ -4,7 +4,6 @@
 #include "document/options/options.h"
 #include "document/sections/mesh_paths.h"
 
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -15,17 +14,6 @@ SeparatrixIndex::SeparatrixIndex(const QuadMesh& mesh, const BaseComplex& comple
     for (std::size_t i = 0; i < complex.separatrices.size(); ++i)
         starts_[at(complex.separatrices[i].halfedges.front())] = SeparatrixId(i);
 }
-
-namespace {
-
-Json optional(const std::optional<double>& number) {
-    return number ? Json(*number) : Json();
-}
-Json optional(const std::optional<std::string>& count) {
-    return count ? Json(*count) : Json();
-}
-
-} // namespace
 
 Json graphToJson(const QuadMesh& mesh, const SeparatrixIndex& baseComplex, const MotorcycleGraph& graph) {
     Json::array_t tracks;
@@ -52,9 +40,9 @@ Json enumerationToJson(const QuadMesh& mesh, const SeparatrixIndex& baseComplex,
         for (const MotorcycleGraph& graph : subMesh.graphs)
             graphs.push_back(graphToJson(mesh, baseComplex, graph));
         Json entry{{"id", id.value()},
-                   {"cost", optional(subMesh.cost)},
-                   {"lowerBound", optional(subMesh.lowerBound)},
-                   {"count", optional(subMesh.count)},
+                   {"cost", valueOrNull(subMesh.cost)},
+                   {"lowerBound", valueOrNull(subMesh.lowerBound)},
+                   {"count", valueOrNull(subMesh.count)},
                    {"graphs", std::move(graphs)}};
         for (const MotorcycleGraph& graph : subMesh.samples)
             entry["samples"].push_back(graphToJson(mesh, baseComplex, graph));
@@ -67,7 +55,7 @@ Json enumerationToJson(const QuadMesh& mesh, const SeparatrixIndex& baseComplex,
                  {"terms", std::move(terms)},
                  {"class", std::string(choiceName(enumeration.graphClass))},
                  {"method", std::string(choiceName(enumeration.method))},
-                 {"count", optional(enumeration.count)},
+                 {"count", valueOrNull(enumeration.count)},
                  {"complete", enumeration.complete}};
     if (!enumeration.part.isWhole())
         section["part"] = {{"number", enumeration.part.number}, {"of", enumeration.part.of}};

@@ -24,54 +24,35 @@ Json featuresToJson(const QuadMesh& mesh, const Features& features, const Featur
 namespace {
 
 void verifySeed(const QuadMesh& mesh, const FeatureCurve& curve, const JsonPlace& place) {
-    const auto isSeed = [&](HalfedgeId halfedge) { return mesh.to_vertex_handle(halfedge) == curve.seed; };
-    if (mesh.from_vertex_handle(curve.halfedges.front()) != curve.seed &&
-        std::none_of(curve.halfedges.begin(), curve.halfedges.end(), isSeed))
+    if (std::ranges::count(verticesAlong(mesh, curve.halfedges), curve.seed) == 0)
         place.fail("vertex " + std::to_string(curve.seed.idx()) + " is not on the curve");
     if (!continuesStraight(mesh, curve.seed))
         place.fail("vertex " + std::to_string(curve.seed.idx()) + " is no interior regular vertex",
                    "Choose another vertex of the curve");
 }
 
-/// Marks the edges and seeds of the curves read so far; throws if two curves share one.
-class Claims {
-public:
-    explicit Claims(const QuadMesh& mesh) : mesh_(mesh), edges_(mesh.n_edges()), seeds_(mesh.n_vertices()) {}
-
-    void claim(const FeatureCurve& curve, const JsonPlace& place) {
-        for (std::size_t i = 0; i < curve.halfedges.size(); ++i) {
-            const auto edge = at(mesh_.edge_handle(curve.halfedges[i]));
-            if (edges_[edge])
-                place["vertices"].failAt(i + 1, "the edge to this vertex lies on a curve already");
-            edges_[edge] = true;
-        }
-        const auto seed = at(curve.seed);
-        if (seeds_[seed])
-            place["seed"].fail("another curve has its seed there", "Choose another vertex of the curve");
-        seeds_[seed] = true;
-    }
-
-private:
-    const QuadMesh& mesh_;
-    std::vector<bool> edges_;
-    std::vector<bool> seeds_;
-};
-
 } // namespace
 
 Features readFeatures(const QuadMesh& mesh, const JsonPlace& section) {
     Features features;
-    Claims claims(mesh);
+    std::vector<bool> onCurve(mesh.n_edges()), seeded(mesh.n_vertices());
     const JsonPlace curves = section["curves"];
-    (void)verifyDistinctIds(curves);
-    for (std::size_t i = 0; i < curves.size(); ++i) {
-        const JsonPlace place = curves[i];
+    verifyDistinctIds(curves);
+    for (const JsonPlace& place : curves.elements()) {
         FeatureCurve curve;
         curve.halfedges = pathAt(mesh, place["vertices"]);
         requireStraight(mesh, curve.halfedges, place["vertices"]);
         curve.seed = vertexAt(mesh, place["seed"]);
         verifySeed(mesh, curve, place["seed"]);
-        claims.claim(curve, place);
+        for (std::size_t i = 0; i < curve.halfedges.size(); ++i) {
+            const std::size_t edge = at(mesh.edge_handle(curve.halfedges[i]));
+            if (onCurve[edge])
+                place["vertices"].failAt(i + 1, "the edge to this vertex lies on a curve already");
+            onCurve[edge] = true;
+        }
+        if (seeded[at(curve.seed)])
+            place["seed"].fail("another curve has its seed there", "Choose another vertex of the curve");
+        seeded[at(curve.seed)] = true;
         features.curves.push_back(std::move(curve));
     }
     return features;

@@ -25,15 +25,11 @@ Json segmentToJson(const Segment& segment, std::size_t id) {
     Json::array_t sides;
     for (const std::vector<VertexId>& side : segment.sides)
         sides.push_back(numbersOf(side));
-    Json::array_t faces;
-    faces.reserve(segment.faces.size());
-    for (const FaceId face : segment.faces)
-        faces.emplace_back(face.idx());
     return {{"id", id},
             {"size", segment.size},
             {"corners", numbersOf(segment.corners)},
             {"sides", std::move(sides)},
-            {"faces", std::move(faces)}};
+            {"faces", numbersOf(segment.faces)}};
 }
 
 Json segmentsToJson(const Layout& layout) {
@@ -49,7 +45,7 @@ Json layoutToJson(const QuadMesh& mesh, const Layout& layout, const std::vector<
                   double rho) {
     const LayoutQuality quality = measureLayout(mesh, layout, dihedralAngles, rho);
     return {{"cost", layout.cost},
-            {"lowerBound", layout.lowerBound ? Json(*layout.lowerBound) : Json()},
+            {"lowerBound", valueOrNull(layout.lowerBound)},
             {"tracks", tracksToJson(mesh, layout)},
             {"segments", segmentsToJson(layout)},
             {"quality",
@@ -87,7 +83,7 @@ Json pruneFigures(const PruneResult& result) {
             {"removedTracks", result.removedTracks},
             {"keptNotQuadrilateral", result.keptNotQuadrilateral},
             {"keptNotSmooth", result.keptNotSmooth},
-            {"objectiveBound", result.objectiveBound ? Json(*result.objectiveBound) : Json()},
+            {"objectiveBound", valueOrNull(result.objectiveBound)},
             {"proven", result.proven},
             {"front", std::move(front)}};
 }
@@ -105,11 +101,11 @@ void verifyCost(const JsonPlace& place, double cost) {
 /// Reads the tracks and checks their costs; no edge may lie on two tracks or on the boundary.
 std::vector<LayoutTrack> readTracks(const QuadMesh& mesh, const std::vector<double>& edgeCosts,
                                     const JsonPlace& list) {
-    (void)verifyDistinctIds(list);
+    verifyDistinctIds(list);
     std::vector<LayoutTrack> tracks;
     std::vector<bool> taken(mesh.n_edges());
-    for (std::size_t i = 0; i < list.size(); ++i) {
-        const JsonPlace vertices = list[i]["vertices"];
+    for (const JsonPlace& place : list.elements()) {
+        const JsonPlace vertices = place["vertices"];
         LayoutTrack entry;
         entry.track.halfedges = pathAt(mesh, vertices);
         for (std::size_t k = 0; k < entry.track.halfedges.size(); ++k) {
@@ -121,8 +117,8 @@ std::vector<LayoutTrack> readTracks(const QuadMesh& mesh, const std::vector<doub
         }
         requireStraight(mesh, entry.track.halfedges, vertices);
         entry.track.cost = sumAlong(mesh, entry.track.halfedges, edgeCosts);
-        verifyCost(list[i], entry.track.cost);
-        if (const auto transversal = list[i].find("transversal")) entry.transversal = transversal->boolean();
+        verifyCost(place, entry.track.cost);
+        if (const auto transversal = place.find("transversal")) entry.transversal = transversal->boolean();
         tracks.push_back(std::move(entry));
     }
     return tracks;
@@ -158,13 +154,10 @@ Layout readLayout(const QuadMesh& mesh, const std::vector<double>& dihedralAngle
     Layout layout = divide(mesh, dihedralAngles, edgeCosts, tracks, trackList);
     verifyCost(section, layout.cost);
     if (const auto bound = section.find("lowerBound")) layout.lowerBound = bound->numberOrNull();
-    if (const auto segments = section.find("segments")) {
-        const auto difference =
-            firstDifference(segmentsToJson(layout), segments->value(), segments->pointer());
-        if (difference)
-            throw Error(difference->to_string(), "is not what follows from the tracks",
-                        "Delete " + segments->pointer().to_string() + " and the segments are made anew");
-    }
+    if (const auto segments = section.find("segments"))
+        segments->requireEqual(segmentsToJson(layout), "is not what follows from the tracks",
+                               "Delete " + segments->pointer().to_string() +
+                                   " and the segments are made anew");
     return layout;
 }
 

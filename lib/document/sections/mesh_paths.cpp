@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <unordered_set>
+#include <utility>
 
 namespace qm {
 
@@ -37,11 +38,7 @@ std::vector<VertexId> verticesAt(const QuadMesh& mesh, const JsonPlace& place) {
 } // namespace
 
 VertexId vertexAt(const QuadMesh& mesh, const JsonPlace& place) {
-    const auto number = place.whole();
-    if (number < 0 || static_cast<std::uint64_t>(number) >= mesh.n_vertices())
-        place.fail("there is no vertex " + std::to_string(number) + ", only 0 to " +
-                   std::to_string(static_cast<std::int64_t>(mesh.n_vertices()) - 1));
-    return VertexId(static_cast<int>(number));
+    return VertexId(place.index(mesh.n_vertices(), "vertex"));
 }
 
 std::optional<VertexId> vertexOrNullAt(const QuadMesh& mesh, const JsonPlace& place) {
@@ -77,24 +74,12 @@ void requireStraight(const QuadMesh& mesh, const std::vector<HalfedgeId>& path, 
     }
 }
 
-Json numbersOf(std::span<const VertexId> vertices) {
-    Json::array_t numbers;
-    numbers.reserve(vertices.size());
-    for (const VertexId vertex : vertices)
-        numbers.emplace_back(vertex.idx());
-    return numbers;
-}
-
 Json numberOf(const std::optional<VertexId>& vertex) {
     return vertex ? Json(vertex->idx()) : Json();
 }
 
 Json pathNumbers(const QuadMesh& mesh, std::span<const HalfedgeId> path) {
-    Json::array_t numbers;
-    numbers.reserve(path.size() + 1);
-    for (const VertexId vertex : verticesAlong(mesh, path))
-        numbers.emplace_back(vertex.idx());
-    return numbers;
+    return numbersOf(verticesAlong(mesh, path));
 }
 
 bool sameCost(double a, double b) {
@@ -102,20 +87,17 @@ bool sameCost(double a, double b) {
     return std::abs(a - b) <= share * std::max(1.0, std::abs(a));
 }
 
-bool verifyDistinctIds(const JsonPlace& list) {
+void verifyDistinctIds(const JsonPlace& list) {
     std::unordered_set<std::int64_t> known;
-    bool positions = true;
-    for (std::size_t i = 0; i < list.size(); ++i) {
-        const JsonPlace id = list[i]["id"];
+    for (const JsonPlace& entry : list.elements()) {
+        const JsonPlace id = entry["id"];
         const std::int64_t number = id.whole(0);
         if (!known.insert(number).second) id.fail("another entry has id " + std::to_string(number) + " too");
-        positions = positions && number == static_cast<std::int64_t>(i);
     }
-    return positions;
 }
 
 void verifyPositionId(const JsonPlace& entry, std::size_t index) {
-    if (entry["id"].whole() != static_cast<std::int64_t>(index))
+    if (std::cmp_not_equal(entry["id"].whole(), index))
         entry["id"].fail("is not the entry's position in its list, " + std::to_string(index));
 }
 

@@ -22,7 +22,14 @@ namespace qm {
 /// interior regular vertex
 void requireStraight(const QuadMesh& mesh, const std::vector<HalfedgeId>& path, const JsonPlace& place);
 
-[[nodiscard]] Json numbersOf(std::span<const VertexId> vertices);
+/// The numbers of vertices or faces.
+template <class Handles> [[nodiscard]] Json numbersOf(const Handles& handles) {
+    Json::array_t numbers;
+    numbers.reserve(handles.size());
+    for (const auto handle : handles)
+        numbers.emplace_back(handle.idx());
+    return numbers;
+}
 [[nodiscard]] Json numberOf(const std::optional<VertexId>& vertex);
 /// The vertices along consecutive halfedges.
 [[nodiscard]] Json pathNumbers(const QuadMesh& mesh, std::span<const HalfedgeId> path);
@@ -31,8 +38,7 @@ void requireStraight(const QuadMesh& mesh, const std::vector<HalfedgeId>& path, 
 [[nodiscard]] bool sameCost(double a, double b);
 
 /// The ids of a list's entries must differ.
-/// \return false if they are not 0, 1, 2 ...
-bool verifyDistinctIds(const JsonPlace& list);
+void verifyDistinctIds(const JsonPlace& list);
 
 /// The id of entry `index` must be its position, because others refer to it.
 void verifyPositionId(const JsonPlace& entry, std::size_t index);

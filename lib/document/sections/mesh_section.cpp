@@ -7,6 +7,8 @@
 #include "document/json/utf8.h"
 #include "mesh/files/read_mesh.h"
 
+#include <utility>
+
 namespace qm {
 
 Json meshToJson(const std::string& path, std::string_view bytes, const QuadMesh& mesh) {
@@ -20,7 +22,7 @@ Json meshToJson(const std::string& path, std::string_view bytes, const QuadMesh&
 namespace {
 
 void verifyCount(const JsonPlace& place, std::size_t count) {
-    if (place.whole() != static_cast<std::int64_t>(count))
+    if (std::cmp_not_equal(place.whole(), count))
         place.fail("the mesh has " + std::to_string(count), "Begin again with qm-basecomplex");
 }
 

@@ -2,7 +2,7 @@
 
 #include "base/at.h"
 #include "base/positions.h"
-#include "document/options/options.h"
+#include "document/options/options_json.h"
 #include "document/sections/enumeration_section.h"
 #include "document/sections/mesh_paths.h"
 #include "layout/corners.h"
@@ -19,7 +19,7 @@ std::optional<std::string> readCount(const JsonPlace& place) {
     constexpr std::size_t maxDigits = 100000; // longer numbers take other programs quadratic time to convert
     if (place.isNull()) return {};
     const std::string& text = place.text();
-    const bool digits = std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+    const bool digits = text.find_first_not_of("0123456789") == std::string::npos;
     if (!digits || text.empty() || (text.size() > 1 && text.front() == '0') || text.size() > maxDigits)
         place.fail("is no whole number in decimal digits without leading zeros");
     return text;
@@ -30,11 +30,8 @@ public:
     Reader(const EnumerationContext& context, GraphClass graphClass)
         : context_(context), mesh_(context.mesh), graphClass_(graphClass),
           ofBaseComplex_(mesh_, context.baseComplex), ofComplex_(mesh_, context.complex),
-          onLine_(mesh_.n_edges()) {
+          onLine_(edgesOnLines(mesh_, context.complex)) {
         if (context.terms.segments != 0) corners_.emplace(mesh_, context.subMeshes);
-        for (const Separatrix& separatrix : context.complex.separatrices)
-            for (const HalfedgeId halfedge : separatrix.halfedges)
-                onLine_[edgeIndex(halfedge)] = true;
     }
 
     SubMeshGraphs subMesh(const JsonPlace& place, SubMeshId id) {
@@ -51,8 +48,8 @@ public:
         if (!result.graphs.empty()) result.cost = result.graphs.front().cost;
         verifyCost(place, result.cost);
         if (const auto samples = place.find("samples"))
-            for (std::size_t i = 0; i < samples->size(); ++i)
-                result.samples.push_back(graph((*samples)[i], id));
+            for (const JsonPlace& sample : samples->elements())
+                result.samples.push_back(graph(sample, id));
         return result;
     }
 
@@ -70,13 +67,12 @@ private:
     MotorcycleGraph graph(const JsonPlace& place, SubMeshId id) {
         MotorcycleGraph result;
         std::unordered_set<int> edges;
-        const JsonPlace tracks = place["tracks"];
-        for (std::size_t i = 0; i < tracks.size(); ++i) {
-            result.tracks.push_back(track(tracks[i], id));
+        for (const JsonPlace& trackPlace : place["tracks"].elements()) {
+            result.tracks.push_back(track(trackPlace, id));
             const std::vector<HalfedgeId>& path = result.tracks.back().halfedges;
             for (std::size_t k = 0; k < path.size(); ++k)
                 if (!edges.insert(mesh_.edge_handle(path[k]).idx()).second)
-                    tracks[i]["vertices"].failAt(k + 1, "the edge to this vertex lies on a track already");
+                    trackPlace["vertices"].failAt(k + 1, "the edge to this vertex lies on a track already");
             result.cost += result.tracks.back().cost;
         }
         if (corners_)
@@ -122,12 +118,10 @@ private:
                                                          : "the particle's way does not turn to this vertex");
     }
 
-    [[nodiscard]] std::size_t edgeIndex(HalfedgeId halfedge) const { return at(mesh_.edge_handle(halfedge)); }
-
     void verifyOnLines(const JsonPlace& vertices, const std::vector<HalfedgeId>& path) const {
         requireStraight(mesh_, path, vertices);
         for (std::size_t k = 0; k < path.size(); ++k)
-            if (!onLine_[edgeIndex(path[k])])
+            if (!onLine_[at(mesh_.edge_handle(path[k]))])
                 vertices.failAt(k + 1, "the edge to this vertex lies on no separatrix");
     }
 
@@ -163,12 +157,10 @@ Enumeration readEnumeration(const EnumerationContext& context, const JsonPlace& 
         part->fail("is one of several parts of a search", "Unite them with qm-enum --join");
     Enumeration result;
     result.cost = readCost(section);
-    if (const auto given = section.find("class"); given && !choiceValue(given->text(), result.graphClass))
-        given->fail("'" + given->text() + "' is not known");
+    if (const auto given = section.find("class")) readChoice(*given, result.graphClass);
     if (result.graphClass == GraphClass::tmesh && context.subMeshes.count != 1)
         section["class"].fail("is tmesh, but the mesh is cut", "Run qm-enum again");
-    const JsonPlace method = section["method"];
-    if (!choiceValue(method.text(), result.method)) method.fail("'" + method.text() + "' is not known");
+    readChoice(section["method"], result.method);
     result.count = readCount(section["count"]);
     result.complete = section["complete"].boolean();
 

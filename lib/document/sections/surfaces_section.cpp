@@ -8,7 +8,9 @@
 
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <type_traits>
+#include <utility>
 
 namespace qm {
 
@@ -163,7 +165,7 @@ void readPoints(const JsonPlace& rows, Patch& patch) {
 Patch readPatch(const JsonPlace& place, std::size_t index, const std::array<int, 2>& size) {
     Patch patch;
     patch.segment = SegmentId(index);
-    if (place["segment"].whole() != static_cast<std::int64_t>(index))
+    if (std::cmp_not_equal(place["segment"].whole(), index))
         place["segment"].fail("patches stand in the order of the segments; segment " + std::to_string(index) +
                               " belongs here");
     readPoints(place["controlPoints"], patch);
@@ -180,14 +182,13 @@ Patch readPatch(const JsonPlace& place, std::size_t index, const std::array<int,
 
 std::vector<std::vector<VertexId>> readCreases(const QuadMesh& mesh, const JsonPlace& list) {
     std::vector<std::vector<VertexId>> creases;
-    for (std::size_t k = 0; k < list.size(); ++k)
-        creases.push_back(verticesAlong(mesh, pathAt(mesh, list[k]["vertices"])));
+    for (const JsonPlace& crease : list.elements())
+        creases.push_back(verticesAlong(mesh, pathAt(mesh, crease["vertices"])));
     return creases;
 }
 
 LayoutPlace readPlace(const std::vector<std::array<int, 2>>& sizes, const JsonPlace& place) {
-    const auto last = static_cast<std::int64_t>(sizes.size()) - 1;
-    LayoutPlace result{at(place["patch"].whole(0, last)), {}};
+    LayoutPlace result{at(place["patch"].whole(0, std::ssize(sizes) - 1)), {}};
     for (std::size_t k = 0; k < 2; ++k) {
         result.at[k] = place["at"][k].number();
         if (result.at[k] < 0 || result.at[k] > sizes[result.patch][k])
@@ -215,8 +216,8 @@ Surfaces readSurfaces(const QuadMesh& mesh, const std::vector<std::array<int, 2>
     surfaces.deviation = readDeviation(section["deviation"]);
     if (const auto farthest = section.find("farthest")) surfaces.farthest = readPlace(sizes, *farthest);
     if (const auto places = section.find("foldPlaces"))
-        for (std::size_t k = 0; k < places->size(); ++k)
-            surfaces.folds.push_back(readPlace(sizes, (*places)[k]));
+        for (const JsonPlace& place : places->elements())
+            surfaces.folds.push_back(readPlace(sizes, place));
     if (const auto scan = section.find("scan")) {
         surfaces.scan.emplace();
         visitScan(*surfaces.scan, [&](const char* key, double& value) {

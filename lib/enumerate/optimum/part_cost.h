@@ -47,13 +47,8 @@ public:
 private:
     template <class IsIn> [[nodiscard]] double corners(const IsIn& isIn) const {
         double cost = 0;
-        const auto present = [&](const CrossingSide& side) {
-            return (isIn(side.before) ? 1 : 0) + (isIn(side.after) ? 1 : 0);
-        };
-        for (const CrossingId id : crossings_) {
-            const Crossing& crossing = problem_.crossings[id];
-            cost += crossing.cornerCost * cornersAt(present(crossing.sides[0]), present(crossing.sides[1]));
-        }
+        for (const CrossingId crossing : crossings_)
+            cost += problem_.crossings[crossing].cornerCost * problem_.crossings[crossing].corners(isIn);
         return cost;
     }
 

@@ -1,6 +1,7 @@
 #include "enumerate/paper/plain_graph.h"
 
 #include "base/at.h"
+#include "base/id_vector.h"
 #include "layout/tracks.h"
 
 #include <algorithm>
@@ -16,14 +17,13 @@ public:
           traced_(mesh.n_vertices(), false), covered_(mesh.n_edges(), false) {}
 
     /// \return the number of halfedges that every particle walks
-    std::vector<std::size_t> run() {
+    IdVector<SeparatrixId, std::size_t> run() {
         for (const VertexId vertex : complex_.extraordinaryVertices)
             traced_[at(vertex)] = true;
         for (const Seed seed : complex_.seeds)
             traced_[at(mesh_.from_vertex_handle(seed.direction))] = true;
-        std::vector<std::size_t> active(complex_.separatrices.size());
-        for (std::size_t i = 0; i < active.size(); ++i)
-            active[i] = i;
+        const auto all = walked_.ids();
+        std::vector<SeparatrixId> active(all.begin(), all.end());
         while (!active.empty())
             active = meet(advance(active));
         settleMeetings();
@@ -33,16 +33,20 @@ public:
 private:
     struct Arrival {
         int vertex;
-        std::size_t particle;
+        SeparatrixId particle;
         // NOLINTNEXTLINE(modernize-use-nullptr): the compiler generates this 0
         auto operator<=>(const Arrival&) const = default;
     };
 
+    [[nodiscard]] const Separatrix& separatrix(SeparatrixId id) const {
+        return complex_.separatrices[id.idx()];
+    }
+
     /// Moves every particle over its next edge; a particle whose opposite is there already stops.
-    std::vector<Arrival> advance(const std::vector<std::size_t>& active) {
+    std::vector<Arrival> advance(const std::vector<SeparatrixId>& active) {
         std::vector<Arrival> arrivals;
-        for (const std::size_t i : active) {
-            const HalfedgeId next = complex_.separatrices[i].halfedges[walked_[i]];
+        for (const SeparatrixId i : active) {
+            const HalfedgeId next = separatrix(i).halfedges[walked_[i]];
             const std::size_t edge = at(mesh_.edge_handle(next));
             if (covered_[edge]) continue;
             covered_[edge] = true;
@@ -54,8 +58,8 @@ private:
     }
 
     /// Decides at every vertex which particles go on.
-    std::vector<std::size_t> meet(const std::vector<Arrival>& arrivals) {
-        std::vector<std::size_t> active;
+    std::vector<SeparatrixId> meet(const std::vector<Arrival>& arrivals) {
+        std::vector<SeparatrixId> active;
         for (std::size_t begin = 0; begin < arrivals.size();) {
             std::size_t end = begin + 1;
             while (end < arrivals.size() && arrivals[end].vertex == arrivals[begin].vertex)
@@ -71,16 +75,16 @@ private:
         return active;
     }
 
-    void goOn(std::size_t i, std::vector<std::size_t>& active) const {
-        if (walked_[i] < complex_.separatrices[i].halfedges.size()) active.push_back(i);
+    void goOn(SeparatrixId i, std::vector<SeparatrixId>& active) const {
+        if (walked_[i] < separatrix(i).halfedges.size()) active.push_back(i);
     }
 
     /// The halfedge that leads back to where a particle came from.
-    HalfedgeId cameFrom(std::size_t i) const {
-        return mesh_.opposite_halfedge_handle(complex_.separatrices[i].halfedges[walked_[i] - 1]);
+    HalfedgeId cameFrom(SeparatrixId i) const {
+        return mesh_.opposite_halfedge_handle(separatrix(i).halfedges[walked_[i] - 1]);
     }
 
-    void meetTwo(std::size_t a, std::size_t b, std::vector<std::size_t>& active) const {
+    void meetTwo(SeparatrixId a, SeparatrixId b, std::vector<SeparatrixId>& active) const {
         const HalfedgeId fromA = cameFrom(a), fromB = cameFrom(b);
         if (mesh_.ccw_rotated_halfedge_handle(fromA) == fromB) goOn(b, active);
         if (mesh_.ccw_rotated_halfedge_handle(fromB) == fromA) goOn(a, active);
@@ -107,19 +111,20 @@ private:
     /// arc.
     void settleMeetings() {
         const std::vector<int> lineEdges = countLineEdges();
-        for (std::size_t i = 0; i < walked_.size(); ++i) {
-            const Separatrix& separatrix = complex_.separatrices[i];
-            if (!separatrix.opposite || separatrix.opposite->idx() < i) continue;
-            std::size_t& other = walked_[separatrix.opposite->idx()];
-            if (walked_[i] + other != separatrix.halfedges.size()) continue;
+        for (const SeparatrixId i : walked_.ids()) {
+            const auto& halfedges = separatrix(i).halfedges;
+            const auto opposite = separatrix(i).opposite;
+            if (!opposite || *opposite < i) continue;
+            std::size_t& other = walked_[*opposite];
+            if (walked_[i] + other != halfedges.size()) continue;
             for (; walked_[i] > 0 && other > 0; ++walked_[i], --other)
-                if (lineEdges[at(mesh_.to_vertex_handle(separatrix.halfedges[walked_[i] - 1]))] > 2) break;
+                if (lineEdges[at(mesh_.to_vertex_handle(halfedges[walked_[i] - 1]))] > 2) break;
         }
     }
 
     const QuadMesh& mesh_;
     const BaseComplex& complex_;
-    std::vector<std::size_t> walked_;
+    IdVector<SeparatrixId, std::size_t> walked_;
     std::vector<bool> traced_;  ///< of every vertex, whether a particle has been there
     std::vector<bool> covered_; ///< of every edge, likewise
 };
@@ -128,11 +133,11 @@ private:
 
 MotorcycleGraph plainMotorcycleGraph(const QuadMesh& mesh, const BaseComplex& complex,
                                      const std::vector<double>& edgeCosts) {
-    const std::vector<std::size_t> walked = Race(mesh, complex).run();
+    const IdVector<SeparatrixId, std::size_t> walked = Race(mesh, complex).run();
     MotorcycleGraph graph;
-    for (std::size_t i = 0; i < walked.size(); ++i) {
+    for (const SeparatrixId i : walked.ids()) {
         if (walked[i] == 0) continue;
-        const std::span path(complex.separatrices[i].halfedges);
+        const std::span path(complex.separatrices[i.idx()].halfedges);
         graph.tracks.push_back(trackOf(mesh, path.first(walked[i]), edgeCosts));
         graph.cost += graph.tracks.back().cost;
     }

@@ -16,31 +16,26 @@ public:
 
     void add(const Crossing& crossing) {
         if (columns_.isForeign(crossing)) return;
-        if (!crossing.open) {
+        if (!crossing.open)
             for (const std::size_t k : {0U, 1U})
                 addStops(crossing.sides[k], crossing.sides[1 - k]);
-        }
         if (crossing.cornerCost != 0 && anyFree(crossing)) addCorners(crossing);
         if (!problem_.gaps) return;
-        Expression passes = columns_.surePass(crossing.sides[0]);
-        passes.add(columns_.surePass(crossing.sides[1]), 1);
-        columns_.addLowerLimit(Expression{}.add(passes, -1), -1);
+        Expression passes;
+        for (const CrossingSide& side : crossing.sides)
+            passes.add(columns_.surePass(side), -1);
+        columns_.addLowerLimit(passes, -1);
     }
 
 private:
     bool anyFree(const Crossing& crossing) const {
-        return std::ranges::any_of(crossing.sides, [this](const CrossingSide& side) {
-            return state_.isFree(side.before) || state_.isFree(side.after);
-        });
+        return std::ranges::any_of(crossing.arcs(), [this](VariableId arc) { return state_.isFree(arc); });
     }
 
     /// Adds the cost of corners at a crossing, except those between arcs that are in already.
     void addCorners(const Crossing& crossing) {
-        const auto known = [this](const CrossingSide& side) {
-            return (columns_.isIn(side.before) ? 1 : 0) + (columns_.isIn(side.after) ? 1 : 0);
-        };
         Expression corners = problem_.gaps ? cornersByStops(crossing) : cornersByArcs(crossing);
-        corners.constant -= cornersAt(known(crossing.sides[0]), known(crossing.sides[1]));
+        corners.constant -= crossing.corners([this](VariableId arc) { return columns_.isIn(arc); });
         columns_.addCost(corners, crossing.cornerCost);
     }
 
@@ -67,14 +62,11 @@ private:
     /// none.
     Expression cornersByArcs(const Crossing& crossing) {
         const ColumnId empty = columns_.newFlag();
-        Expression corners;
-        corners.constant = -4;
-        corners.add(empty, 4);
-        for (const CrossingSide& side : crossing.sides)
-            for (const VariableId arc : {side.before, side.after}) {
-                corners.add(columns_.present(arc), 2);
-                columns_.addLowerLimit(Expression{}.add(empty, -1).add(columns_.present(arc), -1), -1);
-            }
+        Expression corners{{{empty, 4}}, -4};
+        for (const VariableId arc : crossing.arcs()) {
+            corners.add(columns_.present(arc), 2);
+            columns_.addLowerLimit(Expression{}.add(empty, -1).add(columns_.present(arc), -1), -1);
+        }
         const auto& [a, b] = crossing.sides;
         for (const VariableId one : {a.before, a.after})
             for (const VariableId other : {b.before, b.after})

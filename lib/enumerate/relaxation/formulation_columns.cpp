@@ -39,14 +39,10 @@ bool FormulationColumns::isForeign(VariableId variable) const {
     return state_.isFree(variable) && !ours_[variable];
 }
 bool FormulationColumns::isForeign(const Chain& chain) const {
-    for (const VariableId v : chain.variables())
-        if (isForeign(v)) return true;
-    return false;
+    return std::ranges::any_of(chain.variables(), [this](VariableId v) { return isForeign(v); });
 }
 bool FormulationColumns::isForeign(const Crossing& crossing) const {
-    return std::ranges::any_of(crossing.sides, [this](const CrossingSide& side) {
-        return isForeign(side.before) || isForeign(side.after);
-    });
+    return std::ranges::any_of(crossing.arcs(), [this](VariableId arc) { return isForeign(arc); });
 }
 
 void FormulationColumns::knowChain(ChainId chain) {
@@ -65,18 +61,13 @@ void FormulationColumns::knowCovered() {
             for (const CrossingId id : state_.crossingsOf(v)) {
                 crossings_.push_back(id);
                 const Crossing& crossing = problem_.crossings[id];
-                if (anyOut(crossing)) continue;
-                for (const CrossingSide& side : crossing.sides)
-                    for (const VariableId arc : {side.before, side.after})
-                        knowChain(state_.chainOf(arc));
+                if (std::ranges::any_of(crossing.arcs(), [this](VariableId arc) { return isOut(arc); }))
+                    continue;
+                for (const VariableId arc : crossing.arcs())
+                    knowChain(state_.chainOf(arc));
             }
     }
     sortUnique(crossings_);
-}
-
-bool FormulationColumns::anyOut(const Crossing& crossing) const {
-    return std::ranges::any_of(
-        crossing.sides, [this](const CrossingSide& side) { return isOut(side.before) || isOut(side.after); });
 }
 
 ColumnId FormulationColumns::newColumn(VariableId variable) {
@@ -121,8 +112,7 @@ ColumnId FormulationColumns::newFlag() {
 Expression FormulationColumns::present(VariableId variable) const {
     Expression expression;
     const auto& [fromBefore, fromAfter] = columns(variable);
-    if (fromBefore.valid()) expression.add(fromBefore, 1);
-    if (fromAfter.valid()) expression.add(fromAfter, 1);
+    expression.add(fromBefore, 1).add(fromAfter, 1);
     if (!columns(variable).any()) expression.constant = isIn(variable) ? 1 : 0;
     return expression;
 }
@@ -161,36 +151,24 @@ bool FormulationColumns::isPlain(const Crossing& crossing) const {
 }
 
 Expression FormulationColumns::pass(const CrossingSide& side) const {
-    Expression expression;
-    if (columns(side.after).fromBefore.valid()) expression.add(columns(side.after).fromBefore, 1);
-    if (columns(side.before).fromAfter.valid()) expression.add(columns(side.before).fromAfter, 1);
-    return expression;
+    return Expression{}.add(columns(side.after).fromBefore, 1).add(columns(side.before).fromAfter, 1);
 }
 
 Expression FormulationColumns::surePass(const CrossingSide& side) const {
     if (isOut(side.before) || isOut(side.after)) return {};
-    if (isWall(side)) {
-        Expression always;
-        always.constant = 1;
-        return always;
-    }
+    if (isWall(side)) return {.terms = {}, .constant = 1};
     if (consecutive(side)) return pass(side);
     Expression expression;
-    const bool enters = side.before == problem_.in(), leaves = side.after == problem_.in();
-    if (enters && columns(side.after).fromBefore.valid()) expression.add(columns(side.after).fromBefore, 1);
-    if (leaves && columns(side.before).fromAfter.valid()) expression.add(columns(side.before).fromAfter, 1);
+    if (side.before == problem_.in()) expression.add(columns(side.after).fromBefore, 1);
+    if (side.after == problem_.in()) expression.add(columns(side.before).fromAfter, 1);
     return expression;
 }
 
 std::array<Expression, 2> FormulationColumns::particleStops(const CrossingSide& side) const {
     const auto& before = columns(side.before);
     const auto& after = columns(side.after);
-    std::array<Expression, 2> stops;
-    if (before.fromBefore.valid()) stops[0].add(before.fromBefore, 1);
-    if (after.fromBefore.valid()) stops[0].add(after.fromBefore, -1);
-    if (after.fromAfter.valid()) stops[1].add(after.fromAfter, 1);
-    if (before.fromAfter.valid()) stops[1].add(before.fromAfter, -1);
-    return stops;
+    return {Expression{}.add(before.fromBefore, 1).add(after.fromBefore, -1),
+            Expression{}.add(after.fromAfter, 1).add(before.fromAfter, -1)};
 }
 
 } // namespace qm

@@ -16,7 +16,9 @@ struct Expression {
     std::vector<std::pair<ColumnId, double>> terms;
     double constant = 0;
 
+    /// \param column  none counts as 0
     Expression& add(ColumnId column, double weight) {
+        if (!column.valid()) return *this;
         const auto known = std::ranges::find(terms, column, [](const auto& term) { return term.first; });
         if (known == terms.end())
             terms.emplace_back(column, weight);
@@ -74,7 +76,6 @@ public:
 private:
     [[nodiscard]] bool isForeign(VariableId variable) const;
     [[nodiscard]] bool isForeign(const Chain& chain) const;
-    [[nodiscard]] bool anyOut(const Crossing& crossing) const;
     void knowChain(ChainId chain);
     void knowCovered();
     ColumnId newColumn(VariableId variable);

@@ -8,12 +8,10 @@ double costOf(const Problem& problem, const Assignment& assignment) {
     double cost = 0;
     for (const VariableId variable : problem.variables())
         if (assignment[variable] == 1) cost += problem.costs[variable];
-    const auto present = [&](const CrossingSide& side) {
-        return assignment[side.before] + assignment[side.after];
-    };
     for (const Crossing& crossing : problem.crossings)
         if (crossing.cornerCost != 0)
-            cost += crossing.cornerCost * cornersAt(present(crossing.sides[0]), present(crossing.sides[1]));
+            cost +=
+                crossing.cornerCost * crossing.corners([&](VariableId arc) { return assignment[arc] == 1; });
     return cost;
 }
 

@@ -1,7 +1,5 @@
 #include "enumerate/state/crack_rule.h"
 
-#include "enumerate/state/junction_rule.h"
-
 #include <algorithm>
 
 namespace qm {
@@ -33,19 +31,18 @@ Cover CrackRule::coverOf(CrackNodeId node) const {
 }
 
 bool CrackRule::isCrossed(CrossingId crossing) const {
-    return std::ranges::all_of(arcsOf(problem_.crossings[crossing]),
+    return std::ranges::all_of(problem_.crossings[crossing].arcs(),
                                [this](VariableId arc) { return assignment_.value(arc) == ArcState::in; });
 }
 
 bool CrackRule::mayBeCrossed(CrossingId crossing) const {
-    return std::ranges::none_of(arcsOf(problem_.crossings[crossing]),
+    return std::ranges::none_of(problem_.crossings[crossing].arcs(),
                                 [this](VariableId arc) { return assignment_.value(arc) == ArcState::out; });
 }
 
 /// A crossing with a gapped line can be cracked by its other line only, and only if that is covered.
 bool CrackRule::visitCrossing(CrossingId id) {
-    if (counted_[id]) return true;
-    if (!isCrossed(id)) return true;
+    if (!isPending(id)) return true;
     const Crossing& crossing = problem_.crossings[id];
     std::array<Cover, 2> cover{};
     for (const std::size_t k : {0U, 1U})

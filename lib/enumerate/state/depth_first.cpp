@@ -1,7 +1,5 @@
 #include "enumerate/state/depth_first.h"
 
-#include "enumerate/state/junction_rule.h"
-
 namespace qm {
 namespace {
 
@@ -17,7 +15,7 @@ struct Branch {
 std::vector<VariableId> branchingOrder(const Problem& problem) {
     IdVector<VariableId, std::vector<CrossingId>> crossingsOf(problem.arcs.size());
     for (const CrossingId crossing : problem.crossings.ids())
-        for (const VariableId arc : arcsOf(problem.crossings[crossing]))
+        for (const VariableId arc : problem.crossings[crossing].arcs())
             if (!problem.isConstant(arc)) crossingsOf[arc].push_back(crossing);
     std::vector<VariableId> order;
     IdVector<VariableId, bool> seen(problem.arcs.size(), false);
@@ -31,7 +29,7 @@ std::vector<VariableId> branchingOrder(const Problem& problem) {
         append(start);
         for (; next < order.size(); ++next)
             for (const CrossingId crossing : crossingsOf[order[next]])
-                for (const VariableId arc : arcsOf(problem.crossings[crossing]))
+                for (const VariableId arc : problem.crossings[crossing].arcs())
                     append(arc);
     }
     return order;

@@ -1,7 +1,6 @@
 #include "enumerate/state/independent_parts.h"
 
 #include "base/sparse_disjoint_sets.h"
-#include "enumerate/state/junction_rule.h"
 
 #include <algorithm>
 #include <unordered_map>
@@ -51,7 +50,7 @@ private:
     }
 
     void joinCrossing(const Crossing& crossing) {
-        const std::array arcs = arcsOf(crossing);
+        const std::array arcs = crossing.arcs();
         // If one arc is out, the two tracks do not cross, and only rule 2 ties the free variables.
         const bool mayCross = problem_.gaps && std::ranges::none_of(arcs, [&](VariableId arc) {
                                   return state_.value(arc) == ArcState::out;

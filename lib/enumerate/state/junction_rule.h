@@ -5,12 +5,6 @@
 
 namespace qm {
 
-/// The variables before and after the crossing on one line, then those on the other line.
-[[nodiscard]] inline std::array<VariableId, 4> arcsOf(const Crossing& crossing) {
-    const auto& [a, b] = crossing.sides;
-    return {a.before, a.after, b.before, b.after};
-}
-
 /// What rule 2 concludes about the four arcs around a junction. Bit k of a mask stands for arc k, in the
 /// order before and after on one line, before and after on the other.
 struct JunctionConclusion {

@@ -1,7 +1,5 @@
 #include "enumerate/state/partial_assignment.h"
 
-#include "enumerate/state/junction_rule.h"
-
 #include <algorithm>
 
 namespace qm {
@@ -19,7 +17,7 @@ PartialAssignment::PartialAssignment(const Problem& problem)
         for (const VariableId variable : problem.chains[chain].variables())
             chainOf_[variable] = chain;
     for (const CrossingId crossing : problem.crossings.ids())
-        for (const VariableId arc : arcsOf(problem.crossings[crossing]))
+        for (const VariableId arc : problem.crossings[crossing].arcs())
             if (crossingsOf_[arc].empty() || crossingsOf_[arc].back() != crossing)
                 crossingsOf_[arc].push_back(crossing);
 }
@@ -52,13 +50,9 @@ void PartialAssignment::undo(const Mark& mark) {
 
 double PartialAssignment::cornerBound(CrossingId id) const {
     const Crossing& crossing = problem_.crossings[id];
-    const auto arcs = [&](const CrossingSide& side) {
-        const auto counts = [&](VariableId arc) {
-            return crossing.cornerCost < 0 ? value(arc) != ArcState::out : value(arc) == ArcState::in;
-        };
-        return (counts(side.before) ? 1 : 0) + (counts(side.after) ? 1 : 0);
-    };
-    return crossing.cornerCost * cornersAt(arcs(crossing.sides[0]), arcs(crossing.sides[1]));
+    return crossing.cornerCost * crossing.corners([&](VariableId arc) {
+        return crossing.cornerCost < 0 ? value(arc) != ArcState::out : value(arc) == ArcState::in;
+    });
 }
 
 double PartialAssignment::cornerBounds(VariableId variable) const {

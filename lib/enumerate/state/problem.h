@@ -48,12 +48,30 @@ struct CrossingSide {
     bool seeded = false; ///< a feature seed: particles begin here, both ways, and none passes
 };
 
+/// How many corners segments have at a crossing, by the number of arcs of each line that are in.
+constexpr int cornersAt(int arcsOfOne, int arcsOfOther) {
+    return arcsOfOne * arcsOfOther;
+}
+
 /// An ordinary junction between variables and constants (rules 2 and 4).
 struct Crossing {
     std::array<CrossingSide, 2> sides;
     bool open = false; ///< past a cut, where tracks may end unfinished: only rule 4 holds
     /// Of each corner that a segment has here, between an arc of one line and one of the other.
     double cornerCost = 0;
+
+    /// The variables before and after the crossing on one line, then those on the other line.
+    [[nodiscard]] std::array<VariableId, 4> arcs() const {
+        return {sides[0].before, sides[0].after, sides[1].before, sides[1].after};
+    }
+    /// How many corners segments have here.
+    /// \param isIn  whether a variable or constant is in
+    template <class IsIn> [[nodiscard]] int corners(const IsIn& isIn) const {
+        const auto arcsIn = [&](const CrossingSide& side) {
+            return (isIn(side.before) ? 1 : 0) + (isIn(side.after) ? 1 : 0);
+        };
+        return cornersAt(arcsIn(sides[0]), arcsIn(sides[1]));
+    }
 };
 
 /// Consecutive arcs of one line that can only be in or out together.
@@ -77,11 +95,6 @@ struct Problem {
     [[nodiscard]] VariableId out() const { return in() + 1; }
     [[nodiscard]] bool isConstant(VariableId id) const { return id >= in(); }
 };
-
-/// How many corners segments have at a crossing, by the number of arcs of each line that are in.
-constexpr int cornersAt(int arcsOfOne, int arcsOfOther) {
-    return arcsOfOne * arcsOfOther;
-}
 
 /// What surrounds a search.
 struct ProblemInput {

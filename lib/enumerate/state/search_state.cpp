@@ -7,7 +7,7 @@ namespace {
 
 /// Draws the conclusions of rule 2 at a crossing.
 bool concludeAround(const Crossing& crossing, PartialAssignment& assignment) {
-    const std::array<VariableId, 4> arcs = arcsOf(crossing);
+    const std::array<VariableId, 4> arcs = crossing.arcs();
     unsigned index = 0;
     for (const std::size_t k : {3U, 2U, 1U, 0U}) {
         const ArcState state = assignment.value(arcs[k]);

@@ -4,22 +4,15 @@
 
 namespace qm {
 
-int extendParticle(const ArcGraph& graph, Particle particle, std::vector<bool>& present,
-                   const OpenJunctions& open) {
+void extendParticle(const ArcGraph& graph, Particle particle, std::vector<bool>& present,
+                    const OpenJunctions& open) {
     const LineWalk walk(graph, particle);
-    int walked = walk.covered(present), added = 0;
-    const auto stops = [&] {
+    const auto stops = [&](int walked) {
         if (walked == walk.arcCount()) return true;
-        if (walked == 0) return false;
-        const JunctionId junction = walk.junction(walked);
-        return walk.blocked(walked, present) || open.contains(junction);
+        return walked > 0 && (walk.blocked(walked, present) || open.contains(walk.junction(walked)));
     };
-    while (!stops() && !present[walk.arc(walked).idx()]) {
+    for (int walked = walk.covered(present); !stops(walked) && !present[walk.arc(walked).idx()]; ++walked)
         present[walk.arc(walked).idx()] = true;
-        ++walked;
-        ++added;
-    }
-    return added;
 }
 
 JunctionId crashJunction(const ArcGraph& graph, Particle particle, const std::vector<bool>& present) {

@@ -23,9 +23,8 @@ struct Particle {
 /// line are present, to its opposite's track, to the end of its line, or over an arc into an open junction.
 /// \param present  for every arc, whether it is present; changed
 /// \param open     junctions where the walk may end unfinished
-/// \return the number of arcs added
-int extendParticle(const ArcGraph& graph, Particle particle, std::vector<bool>& present,
-                   const OpenJunctions& open = {});
+void extendParticle(const ArcGraph& graph, Particle particle, std::vector<bool>& present,
+                    const OpenJunctions& open = {});
 
 /// Lets free particles walk on until none is left; next is always the one whose new arcs cost least, and
 /// among equal costs the first. When a new track crosses the way of free particles, their walks get shorter;

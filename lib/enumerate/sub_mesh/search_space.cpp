@@ -3,7 +3,7 @@
 #include "base/at.h"
 #include "base/error.h"
 #include "base/sort_unique.h"
-#include "enumerate/sub_mesh/extend.h"
+#include "enumerate/sub_mesh/line_walk.h"
 #include "mesh/topology.h"
 
 #include <string>
@@ -94,15 +94,12 @@ double costOf(const SearchSpace& space, const std::vector<bool>& present) {
     return cost;
 }
 
-void appendWalk(const SearchSpace& space, LineId id, bool fromEnd, int from, SubMeshId subMesh,
+void appendWalk(const SearchSpace& space, Particle particle, int from, SubMeshId subMesh,
                 std::vector<ArcId>& arcs) {
-    const Line& line = space.graph.lines[id.idx()];
-    const std::vector<SubMeshId>& starts = fromEnd ? space.arcEnds : space.arcBegins;
-    for (int walked = from; walked < line.arcCount; ++walked) {
-        const ArcId arc(line.firstArc.value() + (fromEnd ? line.arcCount - 1 - walked : walked));
-        if (starts[arc.idx()] != subMesh) return;
-        arcs.push_back(arc);
-    }
+    const LineWalk walk(space.graph, particle);
+    const std::vector<SubMeshId>& starts = particle.fromEnd ? space.arcEnds : space.arcBegins;
+    for (int walked = from; walked < walk.arcCount() && starts[walk.arc(walked).idx()] == subMesh; ++walked)
+        arcs.push_back(walk.arc(walked));
 }
 
 const std::vector<LineId>& linesFrom(const SearchSpace& space, SubMeshId subMesh) {
@@ -114,8 +111,8 @@ const std::vector<LineId>& linesFrom(const SearchSpace& space, SubMeshId subMesh
 std::vector<ArcId> ownArcs(const SearchSpace& space, SubMeshId subMesh) {
     std::vector<ArcId> arcs;
     for (const LineId line : linesFrom(space, subMesh)) {
-        appendWalk(space, line, false, 0, subMesh, arcs);
-        if (space.graph.lines[line.idx()].backward) appendWalk(space, line, true, 0, subMesh, arcs);
+        appendWalk(space, {line, false}, 0, subMesh, arcs);
+        if (space.graph.lines[line.idx()].backward) appendWalk(space, {line, true}, 0, subMesh, arcs);
     }
     return arcs;
 }
@@ -128,8 +125,8 @@ Walkers walkersOf(const SearchSpace& space, SubMeshId subMesh, const std::vector
             const Line& line = space.graph.lines[id.idx()];
             const std::size_t first = line.firstArc.idx(), last = line.lastArc().idx();
             std::vector<ArcId> there, back;
-            appendWalk(space, id, false, 0, subMesh, there);
-            if (line.backward) appendWalk(space, id, true, 0, subMesh, back);
+            appendWalk(space, {id, false}, 0, subMesh, there);
+            if (line.backward) appendWalk(space, {id, true}, 0, subMesh, back);
             const bool meet =
                 !there.empty() && !back.empty() && there.size() + back.size() == at(line.arcCount);
             walkers[id] = {space.arcBegins[first] == subMesh || present[first],
@@ -158,10 +155,8 @@ void goStraight(const SearchSpace& space, SubMeshId subMesh, std::vector<bool>& 
         if (line.backward && space.arcEnds[line.lastArc().idx()] == subMesh) own.push_back({id, true});
     }
     // No particle is idle, so all first arcs must be present before a particle passes a seed.
-    for (const Particle particle : own) {
-        const Line& line = space.graph.lines[particle.line.idx()];
-        present[(particle.fromEnd ? line.lastArc() : line.firstArc).idx()] = true;
-    }
+    for (const Particle particle : own)
+        present[LineWalk(space.graph, particle).arc(0).idx()] = true;
     for (const Particle particle : own)
         extendParticle(space.graph, particle, present, OpenJunctions(space.junctionLabels, subMesh));
 }

@@ -2,7 +2,7 @@
 /// (docs/METHOD.md#sub-meshes).
 #pragma once
 
-#include "enumerate/state/problem.h"
+#include "enumerate/sub_mesh/extend.h"
 #include "layout/constraints.h"
 #include "mesh/sub_meshes.h"
 
@@ -37,7 +37,7 @@ struct SearchSpace {
 
 /// Appends the arcs that a particle can walk in a sub-mesh, from position `from`, counted from its source, up
 /// to and including the arc that leaves the sub-mesh.
-void appendWalk(const SearchSpace& space, LineId line, bool fromEnd, int from, SubMeshId subMesh,
+void appendWalk(const SearchSpace& space, Particle particle, int from, SubMeshId subMesh,
                 std::vector<ArcId>& arcs);
 
 /// The lines with a source in a sub-mesh.

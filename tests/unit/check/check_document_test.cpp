@@ -389,8 +389,14 @@ void lift(Doc& d, double height, double slope) {
 /// States one value of a figure for every patch, and another one for all together.
 void stateOfAll(Doc& d, const char* figure, double ofEach, double ofAll) {
     for (auto& each : d.surfaces->patches)
-        each.figures.stated = {{figure, ofEach}};
-    d.surfaces->figures.stated = {{figure, ofAll}};
+        each.figures.stated[figure] = ofEach;
+    d.surfaces->figures.stated[figure] = ofAll;
+}
+
+/// States that vertices are farther from the surfaces than the reference is.
+void stateMovedVertices(Doc& d) {
+    stateOfAll(d, "max", 1, 1);
+    stateOfAll(d, "maxFromVertices", 1.01, 1.01);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -400,7 +406,7 @@ INSTANTIATE_TEST_SUITE_P(
                "/surfaces/patches/0/deviation/maxFromFacets", "deviation"},
         Spoilt{"fromVertices", statingModel,
                [](Doc& d) {
-                   patch(d).figures.maxFromFacets.reset();
+                   patch(d).figures.stated.erase("maxFromFacets");
                    lift(d, 1e-6, 0);
                },
                "/surfaces/patches/0/deviation/maxFromVertices", "deviation"},
@@ -409,7 +415,7 @@ INSTANTIATE_TEST_SUITE_P(
         Spoilt{"normalAngle", statingModel,
                [](Doc& d) {
                    for (auto& each : d.surfaces->patches)
-                       each.figures.largestGap.reset();
+                       each.figures.stated.erase("largestGap");
                    lift(d, 0, 1e-4);
                },
                "/surfaces/patches/0/deviation/largestNormalAngle", "deviation"},
@@ -418,12 +424,12 @@ INSTANTIATE_TEST_SUITE_P(
                    d.surfaces->creases = {{0, 1, 0, 999}};
                },
                "/surfaces/creases/0/vertices/3", "vertex"},
-        Spoilt{"innerNormalAngle", statingTorus, [](Doc& d) { patch(d).figures.largestInnerNormalAngle = 1; },
+        Spoilt{"innerNormalAngle", statingTorus,
+               [](Doc& d) { patch(d).figures.stated["largestInnerNormalAngle"] = 1; },
                "/surfaces/patches/0/deviation/largestInnerNormalAngle", "deviation"},
         Spoilt{"folds", statingTorus,
                [](Doc& d) {
-                   patch(d).figures = {};
-                   patch(d).figures.folds = 0;
+                   patch(d).figures.stated = {{"folds", 0}};
                    const auto width = static_cast<std::size_t>(patch(d).count[0]);
                    std::swap(patch(d).controlPoints[2 * width + 2], patch(d).controlPoints[2 * width + 3]);
                },
@@ -435,7 +441,7 @@ INSTANTIATE_TEST_SUITE_P(
                "/surfaces/patches/0/deviation/rms", "deviation"},
         Spoilt{"relativeLength", statingModel,
                [](Doc& d) {
-                   d.surfaces->figures.stated = {{"max", 1}, {"maxRelative", 1e-3}};
+                   d.surfaces->figures.stated.insert({{"max", 1}, {"maxRelative", 1e-3}});
                },
                "/surfaces/deviation/maxRelative", "deviation"},
         Spoilt{"totalIsLess", statingModel, [](Doc& d) { stateOfAll(d, "maxFromVertices", 1, 0.5); },
@@ -444,11 +450,8 @@ INSTANTIATE_TEST_SUITE_P(
                "/surfaces/deviation/largestNormalDeviation", "deviation"},
         Spoilt{"sumOfFolds", statingModel, [](Doc& d) { stateOfAll(d, "folds", 1, 1); },
                "/surfaces/deviation/folds", "deviation"},
-        Spoilt{"verticesAreOfTheReference", statingModel,
-               [](Doc& d) {
-                   d.surfaces->figures.stated = {{"max", 1}, {"maxFromVertices", 1.01}};
-               },
-               "/surfaces/deviation/max", "deviation"}),
+        Spoilt{"verticesAreOfTheReference", statingModel, stateMovedVertices, "/surfaces/deviation/max",
+               "deviation"}),
     nameOf);
 
 /// For every edge, the number of sides of segments on it.
@@ -479,12 +482,7 @@ TEST(CheckFigures, CreasesAreBordersOfTwoPatches) {
 TEST(CheckFigures, NormalsAreComparedAcrossSmoothBordersOnly) {
     Model model = statingModel();
     for (auto& each : model.document.surfaces->patches)
-        each.figures = {.maxFromFacets = {},
-                        .maxFromVertices = {},
-                        .largestGap = {},
-                        .largestNormalAngle = 0,
-                        .largestInnerNormalAngle = {},
-                        .folds = {}};
+        each.figures.stated = {{"largestNormalAngle", 0}};
     lift(model.document, 0, 1e-4);
     EXPECT_FALSE(checkDocument(model.mesh, model.document).ok());
     for (const auto& [edge, times] : borders(layout(model.document)))
@@ -497,7 +495,7 @@ TEST(CheckFigures, NormalsAreComparedAcrossSmoothBordersOnly) {
 
 TEST(CheckFigures, BelievesVerticesOfScansToBeAnywhere) {
     Model model = statingModel();
-    model.document.surfaces->figures.stated = {{"max", 1}, {"maxFromVertices", 1.01}};
+    stateMovedVertices(model.document);
     EXPECT_FALSE(checkDocument(model.mesh, model.document).ok());
     model.document.surfaces->isOfScan = true;
     EXPECT_TRUE(checkDocument(model.mesh, model.document).ok());
@@ -505,7 +503,7 @@ TEST(CheckFigures, BelievesVerticesOfScansToBeAnywhere) {
 
 TEST(CheckFigures, BelievesThatVerticesAroundFlatCornersWereMoved) {
     Model model = statingModel();
-    model.document.surfaces->figures.stated = {{"max", 1}, {"maxFromVertices", 1.01}};
+    stateMovedVertices(model.document);
     const auto complains = [&] {
         Report report;
         checkAgreement(model.mesh, *model.document.surfaces, report);
@@ -529,11 +527,9 @@ TEST(CheckFigures, AcceptsWhatIsTrue) {
     const Model model = statingModel();
     EXPECT_TRUE(checkDocument(model.mesh, model.document).ok());
     Model lifted = statingModel();
-    SurfacesPart& surfaces = *lifted.document.surfaces;
     lift(lifted.document, 1e-6, 0);
-    for (SurfacesPart::Patch& each : surfaces.patches)
-        each.figures.largestGap = each.figures.maxFromFacets = each.figures.maxFromVertices = 1e-6;
-    surfaces.figures.largestGap = surfaces.figures.maxFromFacets = surfaces.figures.maxFromVertices = 1e-6;
+    for (const char* figure : {"largestGap", "maxFromFacets", "maxFromVertices"})
+        stateOfAll(lifted.document, figure, 1e-6, 1e-6);
     EXPECT_TRUE(checkDocument(lifted.mesh, lifted.document).ok());
 }
 

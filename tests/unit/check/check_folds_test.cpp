@@ -20,7 +20,7 @@ TEST(BilinearQuad, IsTheSquareBetweenItsCorners) {
     EXPECT_TRUE(unitSquare.isConvex());
     const BilinearQuad saddle{{{{0, 0, 0}, {1, 0, 0}, {1, 1, -4}, {0, 1, 0}}}};
     EXPECT_EQ(saddle.at(0.5, 0.5), (Place{0.5, 0.5, -1}));
-    EXPECT_EQ(saddle.largestCoordinate(), 4);
+    EXPECT_EQ(largestCoordinate(saddle.corners), 4);
 }
 
 TEST(BilinearQuad, IsNotConvexWithAReflexCorner) {

@@ -30,7 +30,7 @@ using qm::testing::messageOf;
 using qm::testing::TemporaryFolder;
 
 std::size_t entries(const TemporaryFolder& folder) {
-    const files::directory_iterator all(folder.path(""));
+    const files::directory_iterator all(folder.file(""));
     return static_cast<std::size_t>(std::distance(files::begin(all), files::end(all)));
 }
 
@@ -57,7 +57,7 @@ TEST(OutputFile, LeavesNothingWhereTooManyAreOpen) {
     {
         std::vector<std::unique_ptr<OutputFile>> open;
         const auto openAnother = [&] {
-            open.push_back(std::make_unique<OutputFile>(folder.path("out" + std::to_string(open.size()))));
+            open.push_back(std::make_unique<OutputFile>(folder.file("out" + std::to_string(open.size()))));
         };
         while (messageOf(openAnother).empty() && open.size() < 100) {
         }
@@ -75,9 +75,9 @@ TEST(OutputFile, FollowsLinksAndKeepsPermissions) {
     files::permissions(target,
                        files::perms::owner_read | files::perms::owner_write | files::perms::group_read);
     const auto before = files::status(target).permissions();
-    files::create_symlink(target, folder.path("link"));
-    qm::writeFile(folder.path("link"), "new");
-    EXPECT_TRUE(files::is_symlink(folder.path("link")));
+    files::create_symlink(target, folder.file("link"));
+    qm::writeFile(folder.file("link"), "new");
+    EXPECT_TRUE(files::is_symlink(folder.file("link")));
     EXPECT_EQ(qm::readFile(target), "new");
     EXPECT_EQ(files::status(target).permissions(), before);
 }
@@ -90,45 +90,45 @@ TEST(OutputFile, WritesToDevices) {
 
 TEST(OutputFile, SaysEarlyThatAPathIsImpossible) {
     const TemporaryFolder folder;
-    EXPECT_EQ(messageOf([&] { qm::verifyWritable(folder.path("missing/out")); }),
-              folder.path("missing/out") + ": cannot be written: there is no folder " +
-                  folder.path("missing") + ". Make it first");
-    EXPECT_EQ(messageOf([&] { qm::verifyWritable(folder.path("")); }).find(folder.path("")), 0U);
-    EXPECT_NO_THROW(qm::verifyWritable(folder.path("new")));
+    EXPECT_EQ(messageOf([&] { qm::verifyWritable(folder.file("missing/out")); }),
+              folder.file("missing/out") + ": cannot be written: there is no folder " +
+                  folder.file("missing") + ". Make it first");
+    EXPECT_EQ(messageOf([&] { qm::verifyWritable(folder.file("")); }).find(folder.file("")), 0U);
+    EXPECT_NO_THROW(qm::verifyWritable(folder.file("new")));
     EXPECT_EQ(entries(folder), 0U);
 }
 
 TEST(OutputFile, SparesWhatIsProtected) {
     const TemporaryFolder folder;
     const std::string mesh = folder.write("mesh", "as it was");
-    files::create_symlink(mesh, folder.path("link"));
-    files::create_directory(folder.path("sub"));
-    qm::protectFromOutput(folder.path("sub/../mesh"), "is needed");
+    files::create_symlink(mesh, folder.file("link"));
+    files::create_directory(folder.file("sub"));
+    qm::protectFromOutput(folder.file("sub/../mesh"), "is needed");
     for (const char* name : {"mesh", "link", "./mesh", "sub/../link"}) {
-        EXPECT_EQ(messageOf([&] { qm::writeFile(folder.path(name), "new"); }),
-                  folder.path(name) + ": is needed. Name another file");
+        EXPECT_EQ(messageOf([&] { qm::writeFile(folder.file(name), "new"); }),
+                  folder.file(name) + ": is needed. Name another file");
     }
     EXPECT_EQ(qm::readFile(mesh), "as it was");
-    EXPECT_NO_THROW(qm::writeFile(folder.path("other"), "new"));
+    EXPECT_NO_THROW(qm::writeFile(folder.file("other"), "new"));
 }
 
 TEST(OutputFile, IsTheSameByAnyName) {
     const TemporaryFolder folder;
-    files::create_symlink(folder.write("file", ""), folder.path("link"));
-    files::create_directory(folder.path("sub"));
-    EXPECT_TRUE(qm::isSameFile(folder.path("link"), folder.path("file")));
-    EXPECT_TRUE(qm::isSameFile(folder.path("new"), folder.path("sub/../new"))) << "neither exists";
-    EXPECT_FALSE(qm::isSameFile(folder.path("new"), folder.path("file")));
+    files::create_symlink(folder.write("file", ""), folder.file("link"));
+    files::create_directory(folder.file("sub"));
+    EXPECT_TRUE(qm::isSameFile(folder.file("link"), folder.file("file")));
+    EXPECT_TRUE(qm::isSameFile(folder.file("new"), folder.file("sub/../new"))) << "neither exists";
+    EXPECT_FALSE(qm::isSameFile(folder.file("new"), folder.file("file")));
     EXPECT_TRUE(qm::isSameFile("-", "-"));
-    EXPECT_FALSE(qm::isSameFile("-", folder.path("file")));
+    EXPECT_FALSE(qm::isSameFile("-", folder.file("file")));
 }
 
 TEST(ReadFile, NamesWhatCannotBeRead) {
     const TemporaryFolder folder;
-    EXPECT_EQ(messageOf([&] { (void)qm::readFile(folder.path("none")); }),
-              folder.path("none") + ": cannot be read: No such file or directory");
-    EXPECT_EQ(messageOf([&] { (void)qm::readFile(folder.path("")); }),
-              folder.path("") + ": is a folder. Name a file");
+    EXPECT_EQ(messageOf([&] { (void)qm::readFile(folder.file("none")); }),
+              folder.file("none") + ": cannot be read: No such file or directory");
+    EXPECT_EQ(messageOf([&] { (void)qm::readFile(folder.file("")); }),
+              folder.file("") + ": is a folder. Name a file");
     const std::string bytes(300000, '\0');
     EXPECT_EQ(qm::readFile(folder.write("zeros", bytes)), bytes);
     EXPECT_EQ(qm::readFile(folder.write("empty", "")), "");
@@ -304,7 +304,7 @@ TEST(Tool, ReadsItsCommandLineBeforeAnythingElse) {
         });
     };
     const std::string input = folder.write("[in]", "text");
-    const std::string output = folder.path("out");
+    const std::string output = folder.file("out");
     EXPECT_EQ(run({"-q", "first", input, "-o", output, "--value", "-3"}), 0);
     EXPECT_EQ(value, -3);
     EXPECT_EQ(extra, "first");
@@ -322,8 +322,8 @@ TEST(Tool, ReadsItsCommandLineBeforeAnythingElse) {
                                                   {"first", input, "--output", ""},
                                                   {"first", ""}})
         EXPECT_EQ(run(wrong), 2);
-    EXPECT_EQ(run({"first", folder.path("none")}), 1);
-    EXPECT_EQ(run({"first", input, "-o", folder.path("none/out")}), 1);
+    EXPECT_EQ(run({"first", folder.file("none")}), 1);
+    EXPECT_EQ(run({"first", input, "-o", folder.file("none/out")}), 1);
     EXPECT_EQ(runs, 3);
 }
 

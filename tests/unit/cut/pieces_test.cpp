@@ -52,7 +52,7 @@ TEST(PieceDivision, GivesPartsTheirVerticesParticlesAndMeasures) {
             EXPECT_EQ(division.labels()[at(vertex)], SubMeshId(part));
             labels[at(vertex)] = SubMeshId(part);
         }
-        for (const std::size_t separatrix : parts[part].separatrices)
+        for (const SeparatrixId separatrix : parts[part].separatrices)
             EXPECT_EQ(partOf[at(division.sourceOf(separatrix))], static_cast<int>(part));
         vertices += parts[part].vertices.size();
         separatrices += parts[part].separatrices.size();

@@ -79,7 +79,7 @@ TEST_F(ModelTest, ADocumentSurvivesItsText) {
 TEST_F(ModelTest, FindsTheMeshBesideTheDocument) {
     Document document = sampleDocument(folder, Kind::basecomplex);
     document.root["mesh"]["path"] = "mesh.obj";
-    document.path = folder.path("part.json");
+    document.path = folder.file("part.json");
     EXPECT_NO_THROW((void)qm::readModel(document, Kind::basecomplex));
 }
 
@@ -95,15 +95,15 @@ TEST_F(ModelTest, RefusesAMeshThatHasChanged) {
 TEST_F(ModelTest, TheMeshMayBeElsewhere) {
     Document document = sampleDocument(folder, Kind::basecomplex);
     const std::string path = document.root["mesh"]["path"];
-    std::filesystem::rename(path, folder.path("moved.obj"));
+    std::filesystem::rename(path, folder.file("moved.obj"));
     EXPECT_TRUE(
         begins(messageOf([&] { (void)qm::readModel(document, Kind::basecomplex); }),
                path + ": the mesh that standard input refers to is not there. Name the mesh with --mesh"));
-    EXPECT_NO_THROW((void)qm::readModel(document, Kind::basecomplex, folder.path("moved.obj")));
+    EXPECT_NO_THROW((void)qm::readModel(document, Kind::basecomplex, folder.file("moved.obj")));
     document.root["mesh"]["path"] = "-";
     EXPECT_NE(messageOf([&] { (void)qm::readModel(document, Kind::basecomplex); }).find("--mesh"),
               std::string::npos);
-    EXPECT_NO_THROW((void)qm::readModel(document, Kind::basecomplex, folder.path("moved.obj")));
+    EXPECT_NO_THROW((void)qm::readModel(document, Kind::basecomplex, folder.file("moved.obj")));
 }
 
 TEST_F(ModelTest, CountsMustBeThoseOfTheMesh) {
