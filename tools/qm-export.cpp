@@ -27,7 +27,7 @@ int main(int argc, char** argv) {
                         "merge faces that are one smooth surface or plane, and edges that are one curve");
             tool.option("analytic", options.analytic,
                         "replace patches by cylinders, cones, spheres and tori, edges by lines and conics");
-            tool.option("analytic-tolerance", options.analyticTolerance, {0, qm::infinite},
+            tool.option("analytic-tolerance", options.analyticTolerance, {0, qm::infinity},
                         "largest distance of a patch from the surface that replaces it, in the mesh's unit "
                         "or, with %, as a share of the bounding box's diagonal");
             tool.explain(

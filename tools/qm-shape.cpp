@@ -22,7 +22,7 @@ int main(int argc, char** argv) {
                         "number of cubes in a random mesh");
             tool.option("scan", request.scan, {0, Limits::maxTriangles},
                         "make a scan of about this many triangles instead of quads; 0 makes quads");
-            tool.option("noise", request.noise, {qm::smallestPositive, qm::infinite},
+            tool.option("noise", request.noise, {qm::smallestPositive, qm::infinity},
                         "noise of a scan: standard deviation of its points from the surface, as a length or, "
                         "with %, as a share of the bounding box's diagonal");
             tool.option("format", request.format, "output format");

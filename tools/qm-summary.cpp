@@ -26,7 +26,7 @@ int main(int argc, char** argv) {
             tool.option("max-normal-angle", limits.maxNormalAngle, qm::Range{0, 180},
                         "largest angle allowed between normals across smooth borders, in degrees");
             tool.option("unit", unit, "the mesh's unit");
-            tool.option("seconds", seconds, qm::Range{0, qm::infinite},
+            tool.option("seconds", seconds, qm::Range{0, qm::infinity},
                         "the time that the run took, to be included in the summary");
             tool.option("json", asJson, "write the summary as JSON");
             tool.example("qm-summary part.surfaces.json");

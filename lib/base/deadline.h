@@ -2,10 +2,10 @@
 #pragma once
 
 #include "base/control.h"
+#include "base/infinity.h"
 
 #include <algorithm>
 #include <chrono>
-#include <limits>
 #include <optional>
 
 namespace qm {
@@ -31,7 +31,7 @@ public:
     /// Never negative.
     [[nodiscard]] double secondsLeft() const {
         using namespace std::chrono;
-        if (!end_) return std::numeric_limits<double>::infinity();
+        if (!end_) return infinity;
         return std::max(0.0, duration<double>(*end_ - steady_clock::now()).count());
     }
 

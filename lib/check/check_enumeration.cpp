@@ -1,4 +1,5 @@
 #include "base/at.h"
+#include "base/infinity.h"
 #include "base/number_text.h"
 #include "check/check_constraints.h"
 #include "check/check_sections.h"
@@ -7,7 +8,6 @@
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -45,7 +45,7 @@ private:
         const std::string here = below("/enumeration/subMeshes", k);
         checkNumber(subMesh.id, k, here, "sub-meshes", report_);
         known_.clear();
-        double before = -std::numeric_limits<double>::infinity();
+        double before = -infinity;
         for (std::size_t g = 0; g < subMesh.graphs.size(); ++g) {
             const std::string place = below(below(here, "graphs"), g);
             const CostSum cost = graph(k, subMesh.graphs[g], place);

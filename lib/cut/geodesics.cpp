@@ -1,17 +1,15 @@
 #include "cut/geodesics.h"
 
 #include "base/at.h"
+#include "base/infinity.h"
 #include "mesh/bounding_box.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace qm {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// The usual difference of distance between the two ends of an edge.
 double stepOf(const std::vector<Point>& points, const std::vector<std::array<int, 4>>& quads) {

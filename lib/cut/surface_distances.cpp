@@ -1,6 +1,7 @@
 #include "cut/surface_distances.h"
 
 #include "base/at.h"
+#include "base/infinity.h"
 #include "base/sort_unique.h"
 
 #include <algorithm>
@@ -99,7 +100,7 @@ std::vector<double> SurfaceDistances::between(VertexId source, const std::vector
     distances.reserve(targets.size());
     for (const VertexId target : targets) {
         const int own = cellOf(target);
-        double nearest = std::numeric_limits<double>::infinity();
+        double nearest = infinity;
         if (std::ranges::binary_search(near, own))
             nearest = (mesh_.point(target) - mesh_.point(source)).norm();
         for (const int cell : around_[at(own)])

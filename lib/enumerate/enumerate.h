@@ -2,13 +2,13 @@
 #pragma once
 
 #include "base/control.h"
+#include "base/infinity.h"
 #include "basecomplex/base_complex.h"
 #include "enumerate/enumeration.h"
 #include "enumerate/sub_mesh/search_space.h"
 #include "layout/constraints.h"
 
 #include <functional>
-#include <limits>
 #include <string>
 #include <string_view>
 
@@ -18,14 +18,14 @@ struct EnumerationOptions {
     GraphCost cost;
     GraphClass graphClass = GraphClass::motorcycle;
     Method method = Method::optimum;
-    std::size_t best = 1;   ///< how many graphs of each sub-mesh to keep, the cheapest first
-    bool count = false;     ///< whether to count the graphs of each sub-mesh exactly
-    std::size_t sample = 0; ///< how many graphs of each sub-mesh to draw, all equally likely
-    std::size_t seed = 1;   ///< of the drawing
-    double maxCost = std::numeric_limits<double>::infinity();   ///< ignore graphs that cost more
-    double timeLimit = std::numeric_limits<double>::infinity(); ///< seconds, for all sub-meshes together
-    double gap = 0; ///< stop the search of a sub-mesh when cost less lower bound is at most this
-    Part part;      ///< the sub-meshes to search
+    std::size_t best = 1;        ///< how many graphs of each sub-mesh to keep, the cheapest first
+    bool count = false;          ///< whether to count the graphs of each sub-mesh exactly
+    std::size_t sample = 0;      ///< how many graphs of each sub-mesh to draw, all equally likely
+    std::size_t seed = 1;        ///< of the drawing
+    double maxCost = infinity;   ///< ignore graphs that cost more
+    double timeLimit = infinity; ///< seconds, for all sub-meshes together
+    double gap = 0;              ///< stop the search of a sub-mesh when cost less lower bound is at most this
+    Part part;                   ///< the sub-meshes to search
     Constraints constraints;
 };
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "base/control.h"
+#include "base/infinity.h"
 
 #include <atomic>
-#include <limits>
 
 namespace qm {
 
@@ -35,7 +35,7 @@ private:
     const Control& control_;
     const KnownCost& tell_;
     std::atomic<double> cost_;
-    std::atomic<double> bound_ = -std::numeric_limits<double>::infinity();
+    std::atomic<double> bound_ = -infinity;
 };
 
 } // namespace qm

@@ -1,6 +1,7 @@
 #include "program/decomposition_bound.h"
 
 #include "base/deadline.h"
+#include "base/infinity.h"
 #include "base/parallel.h"
 #include "program/dual_bound.h"
 #include "program/solve_program.h"
@@ -13,8 +14,6 @@
 
 namespace qm {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// A partition of the columns into sets whose columns are tied by rows.
 struct Clusters {

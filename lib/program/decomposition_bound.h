@@ -7,6 +7,7 @@
 #pragma once
 
 #include "base/control.h"
+#include "base/infinity.h"
 #include "program/integer_program.h"
 
 #include <limits>
@@ -19,8 +20,7 @@ struct RelaxedProgram {
     double constant = 0;           ///< added to the cost
     ColumnValues values;           ///< relaxed value of every column
     IdVector<RowId, double> duals; ///< of every row: how fast the relaxed optimum grows with its limits
-    double cutoff =
-        std::numeric_limits<double>::infinity(); ///< solutions of at least this cost do not matter
+    double cutoff = infinity;      ///< solutions of at least this cost do not matter
 };
 
 struct DecompositionOptions {

@@ -1,11 +1,11 @@
 #include "program/gradient_relaxation.h"
 
+#include "base/infinity.h"
 #include "program/dual_bound.h"
 #include "program/sparse_rows.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -71,7 +71,7 @@ public:
     }
 
     NearOptimum run(const GradientOptions& options, const Control& control) {
-        best_.lowerBound = -std::numeric_limits<double>::infinity();
+        best_.lowerBound = -infinity;
         distance(now_);
         for (std::size_t done = 1; done <= options.iterations && !control.stopRequested(); ++done) {
             step();
@@ -123,7 +123,7 @@ private:
     bool restartsAfter(std::size_t done) {
         if (steps_ == 1) {
             firstLength_ = lengthOfStep();
-            lastLength_ = std::numeric_limits<double>::infinity();
+            lastLength_ = infinity;
         }
         if (done % Tuning::look != 0 || steps_ == 1) return false;
         const double length = lengthOfStep();

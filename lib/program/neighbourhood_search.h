@@ -3,17 +3,17 @@
 #pragma once
 
 #include "base/control.h"
+#include "base/infinity.h"
 #include "program/integer_program.h"
 
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 namespace qm {
 
 /// All limits except `seconds` are counts, so without that one the result is the same on every machine.
 struct NeighbourhoodOptions {
-    double seconds = std::numeric_limits<double>::infinity(); ///< in total; the best so far is returned
+    double seconds = infinity; ///< in total; the best so far is returned
     int nodes = 100;           ///< limit of branch and bound for one neighbourhood
     std::size_t columns = 250; ///< of a neighbourhood at first
     std::size_t longRow = 40;  ///< rows with more columns do not make them neighbours

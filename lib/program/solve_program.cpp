@@ -1,6 +1,7 @@
 #include "program/solve_program.h"
 
 #include "base/deadline.h"
+#include "base/infinity.h"
 #include "program/coin_infinity.h"
 #include "program/stop_on_request.h"
 
@@ -14,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <numeric>
 #include <string>
 
@@ -124,7 +124,7 @@ ProgramSolution solveProgram(const IntegerProgram& program, const ColumnValues& 
 }
 
 double boundProgram(const IntegerProgram& program, double seconds, const Control& control) {
-    constexpr double nothing = -std::numeric_limits<double>::infinity();
+    constexpr double nothing = -infinity;
     if (program.costs.empty()) return 0;
     const Deadline end(control, seconds);
     OsiClpSolverInterface solver;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/control.h"
+#include "base/infinity.h"
 #include "program/integer_program.h"
 
 #include <limits>
@@ -16,7 +17,7 @@ struct ProgramSolution {
 };
 
 struct ProgramLimits {
-    double seconds = std::numeric_limits<double>::infinity();
+    double seconds = infinity;
     int nodes = std::numeric_limits<int>::max(); ///< limit of branch and bound
 };
 

@@ -1,11 +1,11 @@
 #include "prune/cornerless_segments.h"
 
 #include "base/at.h"
+#include "base/infinity.h"
 #include "layout/seed_line.h"
 #include "mesh/topology.h"
 #include "prune/annuli.h"
 
-#include <limits>
 #include <utility>
 
 namespace qm {
@@ -13,7 +13,7 @@ namespace {
 
 /// Adds a row: the column is 1 unless one of the arcs is in.
 void requireSome(GridProgram& grids, const std::vector<ArcId>& arcs, ColumnId column) {
-    IntegerProgram::Row row{{column}, {1}, 1, std::numeric_limits<double>::infinity()};
+    IntegerProgram::Row row{{column}, {1}, 1, infinity};
     for (const ArcId arc : arcs)
         row.columns.push_back(GridProgram::columnOf(arc));
     row.weights.resize(row.columns.size(), 1);
@@ -68,8 +68,7 @@ void addAnnuli(const QuadMesh& mesh, const std::vector<ArcId>& arcOf, GridProgra
             arcs.insert(arcs.end(), bands.across[band].begin(), bands.across[band].end());
         const ColumnId column = grids.addIndicator({std::move(arcs), false}, -4);
         for (const std::size_t band : joint.bands)
-            grids.program.rows.push_back(
-                {{columns[band], column}, {1, -1}, 0, std::numeric_limits<double>::infinity()});
+            grids.program.rows.push_back({{columns[band], column}, {1, -1}, 0, infinity});
         excludeAll(grids, joint.arcs, column);
     }
 }

@@ -1,19 +1,17 @@
 #include "prune/grid_program.h"
 
 #include "base/at.h"
+#include "base/infinity.h"
 #include "mesh/topology.h"
 #include "prune/cornerless_segments.h"
 #include "prune/smoothness_rows.h"
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
 #include <utility>
 
 namespace qm {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// The rows that keep segments grids, and the corners that these have.
 class Builder {

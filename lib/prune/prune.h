@@ -2,10 +2,10 @@
 #pragma once
 
 #include "base/control.h"
+#include "base/infinity.h"
 #include "layout/layout.h"
 #include "prune/front.h"
 
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -30,7 +30,7 @@ struct PruneOptions {
     /// Optimum: minimises the number of segments first and G_T second; beta is not used.
     bool fewestPatches = false;
     /// Optimum: the largest number of segments, whatever their cost; beta is not used.
-    double maxSegments = std::numeric_limits<double>::infinity();
+    double maxSegments = infinity;
     double timeLimit = 60; ///< optimum and front: seconds in total
     bool front = false;    ///< whether to find the front of layouts
 };

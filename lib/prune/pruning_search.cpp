@@ -1,6 +1,7 @@
 #include "prune/pruning_search.h"
 
 #include "base/error.h"
+#include "base/infinity.h"
 #include "program/neighbourhood_search.h"
 #include "program/solve_program.h"
 #include "prune/layout_values.h"
@@ -11,8 +12,6 @@
 
 namespace qm {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Tuning {
     /// The price of a segment when only the number of segments counts.

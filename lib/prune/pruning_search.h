@@ -4,10 +4,10 @@
 
 #include "base/control.h"
 #include "base/deadline.h"
+#include "base/infinity.h"
 #include "prune/grid_program.h"
 #include "prune/prune.h"
 
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -16,7 +16,7 @@ namespace qm {
 /// What a search minimises: G_T + beta * segments, with at most `maxSegments` segments.
 struct PruningAim {
     double beta = 0; ///< price of a segment
-    double maxSegments = std::numeric_limits<double>::infinity();
+    double maxSegments = infinity;
 };
 
 /// Searches for one aim after another. Every search begins with the solutions found by earlier ones.

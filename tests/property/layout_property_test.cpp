@@ -1,5 +1,6 @@
 // Layouts and their pruning on random meshes with random motorcycle graphs.
 #include "base/error.h"
+#include "base/infinity.h"
 #include "enumerate/paper/plain_graph.h"
 #include "layout/layout.h"
 #include "prune/prune.h"
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <limits>
 
 namespace qm::testing {
 namespace {
@@ -124,7 +124,7 @@ std::vector<Track> pruneSlowly(const Case& drawn, Layout layout) {
 
 TEST_P(RandomLayout, IsPrunedAsIfEveryQuestionWereAskedOfTheWholeMesh) {
     PruneOptions options;
-    options.eta = -std::numeric_limits<double>::infinity();
+    options.eta = -infinity;
     options.smooth = false;
     forEachCase([&](const Case& drawn) {
         const Layout layout = layoutOf(drawn, drawn.tracks);

@@ -1,5 +1,6 @@
 // Compares the pruning program with trying every set of arcs, and with greedy removal.
 #include "base/at.h"
+#include "base/infinity.h"
 #include "basecomplex/arc_graph.h"
 #include "enumerate/paper/plain_graph.h"
 #include "mesh/dihedral.h"
@@ -14,7 +15,6 @@
 
 #include <algorithm>
 #include <csignal>
-#include <limits>
 #include <random>
 
 namespace qm::testing {
@@ -103,7 +103,7 @@ TEST_P(AllSetsOfArcs, HaveNoneThatIsBetterThanTheOptimum) {
         const auto all = allLayouts(*drawn, buildArcGraph(drawn->mesh, drawn->complex));
         for (const double beta : {0.0, 0.1, 0.7, 10.0, 1e3}) {
             const PruneResult pruned = pruneCase(*drawn, drawn->layout, optimum(beta, false));
-            double lowest = std::numeric_limits<double>::infinity();
+            double lowest = infinity;
             for (const Layout& layout : all)
                 lowest = std::min(lowest, objective(layout, beta));
             EXPECT_TRUE(pruned.proven);
@@ -150,7 +150,7 @@ TEST_P(AllSetsOfArcs, HaveNoneWithRoomForCornersThatIsBetterThanTheOptimum) {
             options.maxTurn = 180;
             options.minCorner = minCorner;
             const PruneResult pruned = pruneCase(*drawn, drawn->layout, options);
-            double lowest = std::numeric_limits<double>::infinity(), lowestOfAll = lowest;
+            double lowest = infinity, lowestOfAll = lowest;
             for (const Layout& layout : all) {
                 lowestOfAll = std::min(lowestOfAll, objective(layout, beta));
                 if (hasRoom(*drawn, layout, minCorner)) lowest = std::min(lowest, objective(layout, beta));

@@ -2,6 +2,7 @@
 // costs.
 #include "base/at.h"
 #include "base/error.h"
+#include "base/infinity.h"
 #include "enumerate/diagram/count_and_draw.h"
 #include "enumerate/diagram/count_graphs.h"
 #include "enumerate/diagram/walk.h"
@@ -28,7 +29,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <random>
 #include <set>
@@ -77,7 +77,7 @@ std::optional<std::set<Assignment>> allGraphs(const Problem& problem) {
     std::set<Assignment> graphs;
     bool twice = false;
     const bool finished = forEachAssignment(
-        problem, [] { return std::numeric_limits<double>::infinity(); },
+        problem, [] { return infinity; },
         [&](const SearchState& state) {
             twice = twice || !graphs.insert(state.assignment()).second;
             return graphs.size() <= maxGraphs;
@@ -183,7 +183,7 @@ TEST(SearchProperty, ADiagramHoldsEveryGraphOnce) {
             const auto visit = [&](const Assignment& graph) {
                 return twice = twice || !walked.insert(graph).second, true;
             };
-            EXPECT_TRUE(walkDiagram(*diagram, std::numeric_limits<double>::infinity(), visit));
+            EXPECT_TRUE(walkDiagram(*diagram, infinity, visit));
             EXPECT_FALSE(twice) << "case " << number;
             EXPECT_EQ(walked, *graphs) << "case " << number;
             const auto paths = countPaths(*diagram);

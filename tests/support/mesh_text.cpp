@@ -1,5 +1,6 @@
 #include "support/mesh_text.h"
 
+#include "base/infinity.h"
 #include "mesh/quad_geometry.h"
 
 #include <gtest/gtest.h>
@@ -7,7 +8,6 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
-#include <limits>
 
 namespace qm::testing {
 
@@ -27,7 +27,7 @@ std::vector<FaceIndices> facesOf(const QuadMesh& mesh) {
 }
 
 double largestDistance(const QuadMesh& a, const QuadMesh& b) {
-    if (a.n_vertices() != b.n_vertices()) return std::numeric_limits<double>::infinity();
+    if (a.n_vertices() != b.n_vertices()) return infinity;
     double largest = 0;
     for (const VertexId vertex : a.vertices())
         largest = std::max(largest, (a.point(vertex) - b.point(vertex)).norm());

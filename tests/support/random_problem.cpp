@@ -1,9 +1,9 @@
 #include "support/random_problem.h"
 
+#include "base/infinity.h"
 #include "enumerate/state/depth_first.h"
 #include "support/random_graph.h"
 
-#include <limits>
 #include <random>
 
 namespace qm::testing {
@@ -19,7 +19,7 @@ std::optional<RandomProblem> randomProblem(unsigned number) {
         drawn.costs.push_back(std::uniform_real_distribution<double>(-1, 2)(random));
     drawn.problem = makeProblem({drawn.graph, drawn.costs, {}, {}, {}, {}});
     forEachAssignment(
-        *drawn.problem, [] { return std::numeric_limits<double>::infinity(); },
+        *drawn.problem, [] { return infinity; },
         [&](const SearchState& state) {
             drawn.graphs.push_back(state.assignment());
             return drawn.graphs.size() < maxGraphs;

@@ -1,8 +1,9 @@
 #include "support/true_surface.h"
 
+#include "base/infinity.h"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace qm::testing {
@@ -79,7 +80,7 @@ TrueSurface::Nearest nearestOn(const FlatFace& face, const Point& point) {
 
 TrueSurface::Nearest TrueSurface::nearest(const Point& point) const {
     Nearest best;
-    best.distance = std::numeric_limits<double>::infinity();
+    best.distance = infinity;
     for (const auto& piece : pieces_) {
         const Nearest found = std::visit([&](const auto& p) { return nearestOn(p, point); }, piece);
         if (found.distance < best.distance) best = found;

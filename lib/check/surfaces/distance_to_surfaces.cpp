@@ -1,10 +1,10 @@
 #include "check/surfaces/distance_to_surfaces.h"
 
 #include "base/at.h"
+#include "base/infinity.h"
 #include "check/surfaces/spline.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace qm::check {
 
@@ -36,7 +36,7 @@ double DistanceToSurfaces::distanceFrom(const Place& point, int face, std::size_
 /// To the surface over a face, or where the search leads to from a lattice of places there: where it is
 /// folded, many points are nearer than all around them.
 double DistanceToSurfaces::distanceToPart(const FacePlace& place, const Place& point, int steps) const {
-    double nearest = std::numeric_limits<double>::infinity();
+    double nearest = infinity;
     for (int i = 0; i <= steps; ++i)
         for (int j = 0; j <= steps; ++j)
             nearest = std::min(nearest, distanceToPatch(part_.patches[place.patch],

@@ -8,8 +8,9 @@
 /// "no-NAME".
 #pragma once
 
+#include "base/infinity.h"
+
 #include <cstddef>
-#include <limits>
 #include <string>
 #include <string_view>
 
@@ -17,8 +18,8 @@ namespace qm {
 
 /// The allowed values of a number, including both ends. An infinite end means no limit.
 struct Range {
-    double min = -std::numeric_limits<double>::infinity();
-    double max = std::numeric_limits<double>::infinity();
+    double min = -infinity;
+    double max = infinity;
 };
 
 /// "0 to 3.14", "at least 1"; empty if there is no limit.

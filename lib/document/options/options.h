@@ -1,6 +1,7 @@
 /// \file The option tables of all modules (see option.h): name, member, range and help of every option.
 #pragma once
 
+#include "base/infinity.h"
 #include "bspline/fit.h"
 #include "cut/cut.h"
 #include "document/options/cost_text.h"
@@ -54,7 +55,6 @@ template <> struct Choices<Fit> {
         {interpolate, "interpolate", "the paper's fit, through every vertex, each patch separately"}};
 };
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double smallestPositive = std::numeric_limits<double>::denorm_min();
 constexpr double maxCount = 1e9; ///< limit of any count that a user can ask for
 /// Price of a segment. Above it the solver is not precise enough, and only the number of segments counts
@@ -68,10 +68,10 @@ template <class Options, class Visitor> void conditions(const Options&, Visitor&
 template <class Visitor> void describe(FeatureOptions& options, Visitor&& option) {
     option("rho", options.rho, Range{0, std::numbers::pi},
            "edges of a curve have a dihedral angle above this, in radians");
-    option("min-length", options.minLength, Range{0, infinite},
+    option("min-length", options.minLength, Range{0, infinity},
            "minimum length of a curve, in the mesh's unit or, with %, as a share of the bounding box's "
            "diagonal");
-    option("min-distance", options.minDistance, Range{0, infinite},
+    option("min-distance", options.minDistance, Range{0, infinity},
            "minimum distance, along its line, of the ends of a curve from every extraordinary vertex");
     option("tau", options.tau, Range{1, maxCount},
            "minimum number of edges of a curve; the paper uses 15. With this option --min-length is 0 unless "
@@ -85,13 +85,13 @@ template <class Visitor> void describe(FeatureOptions& options, Visitor&& option
 }
 
 template <class Visitor> void describe(CutOptions& options, Visitor&& option) {
-    option("chi", options.chi, Range{0, infinite},
+    option("chi", options.chi, Range{0, infinity},
            "cut a sub-mesh as long as its quasi-complexity is at least this");
     option("terminals", options.terminals, Range{}, "how the source and sink of every cut are chosen");
-    option("lambda", options.lambda, Range{0, infinite}, "weight of cutting a mesh edge");
-    option("high-penalty", options.highPenalty, Range{0, infinite},
+    option("lambda", options.lambda, Range{0, infinity}, "weight of cutting a mesh edge");
+    option("high-penalty", options.highPenalty, Range{0, infinity},
            "Wh, the cost of assigning a vertex near one terminal to the other");
-    option("low-penalty", options.lowPenalty, Range{0, infinite},
+    option("low-penalty", options.lowPenalty, Range{0, infinity},
            "Wl, the cost of assigning a vertex to a terminal that it is near");
     option("near-limit", options.nearLimit, Range{0, 1},
            "m1, the nearness up to which the high penalty applies");
@@ -118,9 +118,9 @@ template <class Visitor> void describe(EnumerationOptions& options, Visitor&& op
            "draw this many graphs of every sub-mesh at random, all equally likely");
     option("seed", options.seed, Range{0, maxCount}, "seed of --sample");
     option("max-cost", options.maxCost, Range{}, "consider only graphs up to this cost in every sub-mesh");
-    option("time-limit", options.timeLimit, Range{0, infinite},
+    option("time-limit", options.timeLimit, Range{0, infinity},
            "stop after this many seconds with the best result so far");
-    option("gap", options.gap, Range{0, infinite},
+    option("gap", options.gap, Range{0, infinity},
            "end the search of a sub-mesh when its cost is at most this much above the lower bound");
 }
 
@@ -136,7 +136,7 @@ template <class Visitor> void conditions(const EnumerationOptions& options, Visi
 template <class Visitor> void describe(MergeOptions& options, Visitor&& option) {
     option("max-rounds", options.maxRounds, Range{0, maxCount},
            "passes of the complete generator before the remaining free particles are extended straight on");
-    option("improve", options.improve, Range{0, infinite},
+    option("improve", options.improve, Range{0, infinity},
            "improve the layout for up to this many seconds, and compute a lower bound of the best layout's "
            "cost");
 }
@@ -157,10 +157,10 @@ template <class Visitor> void describe(PruneOptions& options, Visitor&& option) 
     option("beta", options.beta, Range{0, highestPrice}, "with --method optimum: the price of a segment");
     option("fewest-patches", options.fewestPatches, Range{},
            "with --method optimum: minimise the number of segments first, then G_T");
-    option("max-segments", options.maxSegments, Range{0, infinite},
+    option("max-segments", options.maxSegments, Range{0, infinity},
            "with --method optimum: find the cheapest layout with at most this many segments, instead of "
            "pricing them");
-    option("time-limit", options.timeLimit, Range{0, infinite},
+    option("time-limit", options.timeLimit, Range{0, infinity},
            "with --method optimum or --front: stop after this many seconds with the best result so far");
     option("front", options.front, Range{},
            "list the best trade-offs between segments, G_T and captured sharpness, for prices of 1/16 to 64");
@@ -179,7 +179,7 @@ template <class Visitor> void conditions(const PruneOptions& options, Visitor&& 
 
 template <class Visitor> void describe(FitOptions& options, Visitor&& option) {
     option("fit", options.fit, Range{}, "how surfaces are fitted to the mesh");
-    option("tolerance", options.tolerance, Range{smallestPositive, infinite},
+    option("tolerance", options.tolerance, Range{smallestPositive, infinity},
            "with --fit smooth: the largest distance between the surfaces and their reference (the smooth "
            "surface through the mesh's vertices; or the scan, whose noise is allowed in addition), in the "
            "mesh's unit or, with %, as a share of the bounding box's diagonal");

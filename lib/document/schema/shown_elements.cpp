@@ -1,8 +1,8 @@
 #include "document/schema/shown_elements.h"
 
+#include "base/infinity.h"
 #include "document/json/whole_number.h"
 
-#include <limits>
 #include <numeric>
 
 namespace qm {
@@ -19,7 +19,7 @@ std::vector<std::size_t> shownElements(const Json::array_t& array) {
     std::vector<std::size_t> shown;
     std::size_t minAt = 0;
     std::size_t maxAt = 0;
-    double minValue = std::numeric_limits<double>::infinity();
+    double minValue = infinity;
     double maxValue = -minValue;
     for (std::size_t i = 0; i < array.size(); ++i) {
         if (!array[i].is_number()) return all();

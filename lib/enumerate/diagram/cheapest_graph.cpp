@@ -1,5 +1,6 @@
 #include "enumerate/diagram/cheapest_graph.h"
 
+#include "base/infinity.h"
 #include "enumerate/state/incumbents.h"
 
 #include <algorithm>
@@ -8,8 +9,6 @@
 
 namespace qm {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// All cheapest paths of a diagram, from which edges are cut until one path is left. Every edge is cut once
 /// at most, and so are those that no path from the root to the end uses any more.

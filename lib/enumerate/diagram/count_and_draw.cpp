@@ -1,9 +1,9 @@
 #include "enumerate/diagram/count_and_draw.h"
 
+#include "base/infinity.h"
 #include "enumerate/diagram/cheapest_graph.h"
 
 #include <algorithm>
-#include <limits>
 #include <random>
 
 namespace qm {
@@ -29,8 +29,7 @@ class PathsUpToCost {
 public:
     PathsUpToCost(const Diagram& diagram, const Control& control)
         : diagram_(diagram), control_(control), paths_(countPaths(diagram)),
-          minPathCost_(cheapestPaths(diagram)),
-          maxPathCost_(diagram.nodes.size(), -std::numeric_limits<double>::infinity()) {
+          minPathCost_(cheapestPaths(diagram)), maxPathCost_(diagram.nodes.size(), -infinity) {
         maxPathCost_[Diagram::end] = 0;
         for (std::size_t id = Diagram::end + 1; id < maxPathCost_.size(); ++id) {
             const Diagram::Node& node = diagram.nodes[id];

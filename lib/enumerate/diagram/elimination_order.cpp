@@ -1,8 +1,9 @@
 #include "enumerate/diagram/elimination_order.h"
 
+#include "base/infinity.h"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace qm {
 namespace {
@@ -81,7 +82,7 @@ public:
             take(crossing, border);
             order.push_back(crossing);
             cost += std::pow(Tuning::growth, open);
-            if (cost >= limit) return std::numeric_limits<double>::infinity();
+            if (cost >= limit) return infinity;
         }
         return cost;
     }

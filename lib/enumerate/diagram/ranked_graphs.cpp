@@ -1,6 +1,7 @@
 #include "enumerate/diagram/ranked_graphs.h"
 
 #include "base/at.h"
+#include "base/infinity.h"
 #include "enumerate/diagram/cheapest_graph.h"
 #include "enumerate/state/incumbents.h"
 
@@ -11,8 +12,6 @@
 
 namespace qm {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// A place where a path leaves the cheapest one: an entry of a heap of all such places ahead, with the lowest
 /// extra cost on top. Heaps share the heaps of later nodes, so no heap is ever changed.

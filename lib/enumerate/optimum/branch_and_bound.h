@@ -1,12 +1,12 @@
 /// \file Branch and bound on one part of a search problem (docs/METHOD.md#optimum).
 #pragma once
 
+#include "base/infinity.h"
 #include "enumerate/optimum/branching.h"
 #include "enumerate/optimum/root_relaxation.h"
 #include "enumerate/optimum/search_tree.h"
 
 #include <functional>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -74,7 +74,7 @@ private:
     std::size_t nextLook_ = 1;
     Polish polisher_;
     Near near_;
-    double polished_ = std::numeric_limits<double>::infinity(); ///< cost of the last graph that was
+    double polished_ = infinity; ///< cost of the last graph that was
 };
 
 } // namespace qm

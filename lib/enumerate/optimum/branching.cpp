@@ -1,5 +1,6 @@
 #include "enumerate/optimum/branching.h"
 
+#include "base/infinity.h"
 #include "enumerate/relaxation/tuning.h"
 
 #include <algorithm>
@@ -7,7 +8,6 @@
 namespace qm {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 using Tuning = BranchingTuning;
 
 double scoreOf(double growthIn, double growthOut) {

@@ -1,5 +1,6 @@
 #include "enumerate/optimum/diving.h"
 
+#include "base/infinity.h"
 #include "enumerate/optimum/branch_and_bound.h"
 #include "enumerate/optimum/rounding.h"
 #include "enumerate/relaxation/tuning.h"
@@ -14,7 +15,6 @@ namespace {
 using Tuning = DivingTuning;
 /// The size from which a part is hard: none is, so searches do not nest.
 constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Fixes the fractional columns of highest value to 1.
 /// \return false if none is left, or on a contradiction

@@ -1,10 +1,10 @@
 #include "enumerate/optimum/node_relaxation.h"
 
+#include "base/infinity.h"
 #include "enumerate/relaxation/tuning.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace qm {
 namespace {
@@ -24,7 +24,7 @@ bool contradictsRelaxation(const PartSearch& part) {
 
 bool fixByReducedCosts(ColumnState& columns, const ColumnValues& values, const ColumnValues& reducedCosts,
                        double room) {
-    if (room == std::numeric_limits<double>::infinity()) return true;
+    if (room == infinity) return true;
     for (const ColumnId column : values.ids()) {
         const double reduced = reducedCosts[column];
         if (columns.value(column) != ArcState::free || std::abs(reduced) <= room) continue;

@@ -1,5 +1,6 @@
 #include "enumerate/optimum/optimum.h"
 
+#include "base/infinity.h"
 #include "enumerate/diagram/cheapest_graph.h"
 #include "enumerate/diagram/ranked_graphs.h"
 #include "enumerate/optimum/branch_and_bound.h"
@@ -12,7 +13,6 @@
 namespace qm {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
 
 /// The cost of the variables that are in already, and of the corners between them.

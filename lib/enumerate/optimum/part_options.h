@@ -1,6 +1,8 @@
 /// \file The task and the limits of a search for the cheapest graphs.
 #pragma once
 
+#include "base/infinity.h"
+
 #include <cstddef>
 #include <limits>
 
@@ -8,7 +10,7 @@ namespace qm {
 
 struct PartOptions {
     std::size_t best = 1; ///< how many of the cheapest graphs to find
-    double maxCost = std::numeric_limits<double>::infinity();
+    double maxCost = infinity;
     double gap = 0; ///< stop when cost less lower bound is at most this
     /// Limit of the search tree of each part; the default is what fits into memory.
     std::size_t nodes = 20'000'000;

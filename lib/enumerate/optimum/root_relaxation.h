@@ -2,9 +2,9 @@
 /// there (docs/METHOD.md#optimum).
 #pragma once
 
+#include "base/infinity.h"
 #include "enumerate/optimum/part_search.h"
 
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -51,8 +51,8 @@ private:
     ColumnValues reducedCosts_;
     Relaxation::Basis basis_;
     std::vector<double> presence_;
-    std::optional<RelaxedProgram> near_;                      ///< the solution found by gradients
-    double cutoff_ = std::numeric_limits<double>::infinity(); ///< at the last tightening
+    std::optional<RelaxedProgram> near_; ///< the solution found by gradients
+    double cutoff_ = infinity;           ///< at the last tightening
 };
 
 } // namespace qm

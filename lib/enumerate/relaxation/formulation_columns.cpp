@@ -1,17 +1,11 @@
 #include "enumerate/relaxation/formulation_columns.h"
 
+#include "base/infinity.h"
 #include "base/sort_unique.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace qm {
-namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-} // namespace
-
 FormulationColumns::FormulationColumns(const SearchState& state, const std::vector<VariableId>& variables)
     : state_(state), problem_(state.problem()), ours_(problem_.domains.size(), false),
       known_(problem_.chains.size(), false) {

@@ -1,10 +1,10 @@
 #include "enumerate/relaxation/odd_cycle_cuts.h"
 
+#include "base/infinity.h"
 #include "enumerate/relaxation/tuning.h"
 
 #include <algorithm>
 #include <functional>
-#include <limits>
 #include <queue>
 #include <set>
 #include <utility>
@@ -15,8 +15,6 @@ namespace {
 using Tuning = CutTuning;
 using SideId = PassGraph::SideId;
 using Side = PassGraph::Side;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Searches shortest paths in two copies of the graph, one for each parity. A step across a crossing changes
 /// the parity; its length is the slack of the crossing's row pass + pass' <= 1. The length of a step along a

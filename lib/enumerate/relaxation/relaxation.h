@@ -6,10 +6,10 @@
 #pragma once
 
 #include "base/control.h"
+#include "base/infinity.h"
 #include "enumerate/relaxation/row_pool.h"
 #include "program/decomposition_bound.h"
 
-#include <limits>
 #include <memory>
 #include <vector>
 
@@ -31,8 +31,8 @@ public:
     struct Result {
         enum class Kind { solved, tooExpensive, unfinished };
         Kind kind = Kind::unfinished;
-        double bound = 0;                                         ///< only an estimate if unfinished
-        double proven = -std::numeric_limits<double>::infinity(); ///< a bound all the same, if unfinished
+        double bound = 0;          ///< only an estimate if unfinished
+        double proven = -infinity; ///< a bound all the same, if unfinished
     };
 
     /// Minimises the relaxed cost under what the state has fixed. Too expensive: infeasible, or at least

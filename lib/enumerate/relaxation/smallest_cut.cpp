@@ -1,7 +1,8 @@
 #include "enumerate/relaxation/smallest_cut.h"
 
+#include "base/infinity.h"
+
 #include <algorithm>
-#include <limits>
 
 namespace qm {
 namespace {
@@ -23,7 +24,7 @@ double SmallestCut::find(std::size_t source, std::size_t sink) {
         next_.assign(edgesOf_.size(), 0);
         double pushed = 0;
         do {
-            pushed = push(source, sink, std::numeric_limits<double>::infinity());
+            pushed = push(source, sink, infinity);
             flow += pushed;
         } while (pushed > 0);
     }

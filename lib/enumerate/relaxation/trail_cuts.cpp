@@ -1,5 +1,6 @@
 #include "enumerate/relaxation/trail_cuts.h"
 
+#include "base/infinity.h"
 #include "enumerate/relaxation/acyclic_graph.h"
 #include "enumerate/relaxation/smallest_cut.h"
 #include "enumerate/relaxation/tuning.h"
@@ -15,7 +16,6 @@ namespace {
 using Tuning = CutTuning;
 using SideId = PassGraph::SideId;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
 
 class TrailSearch {

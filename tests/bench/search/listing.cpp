@@ -1,3 +1,4 @@
+#include "base/infinity.h"
 #include "bench/sample_models.h"
 #include "bench/search/stopwatch.h"
 #include "bench/search/tables.h"
@@ -8,7 +9,6 @@
 
 #include <cstdint>
 #include <cstdio>
-#include <limits>
 
 namespace qm::bench {
 namespace {
@@ -24,7 +24,7 @@ std::uint64_t visitAll(const Problem& problem) {
         asm volatile("" : : "g"(graph.data()) : "memory"); // makes the compiler keep the values
         return ++graphs > 0;
     };
-    walkDiagram(*diagram, std::numeric_limits<double>::infinity(), visit);
+    walkDiagram(*diagram, infinity, visit);
     return graphs;
 }
 

@@ -1,9 +1,10 @@
 /// \file Measuring the time of a computation in seconds.
 #pragma once
 
+#include "base/infinity.h"
+
 #include <algorithm>
 #include <chrono>
-#include <limits>
 
 namespace qm::bench {
 
@@ -15,7 +16,7 @@ template <class Work> double secondsOf(const Work& work) {
 
 /// The shortest of several measurements; only one if it takes longer than `enough` seconds.
 template <class Work> double shortestOf(int times, double enough, const Work& work) {
-    double shortest = std::numeric_limits<double>::infinity();
+    double shortest = infinity;
     for (int k = 0; k < times && (k == 0 || shortest < enough); ++k)
         shortest = std::min(shortest, secondsOf(work));
     return shortest;

@@ -1,3 +1,4 @@
+#include "base/infinity.h"
 #include "bench/sample_models.h"
 #include "bench/search/stopwatch.h"
 #include "bench/search/tables.h"
@@ -7,7 +8,6 @@
 
 #include <cstdint>
 #include <cstdio>
-#include <limits>
 
 namespace qm::bench {
 namespace {
@@ -24,7 +24,7 @@ Visited visitOurs(const Problem& problem) {
         visited.count = 0;
         const auto diagram = buildDiagram(problem, diagramNodes);
         const auto visit = [&](const Assignment&) { return ++visited.count > 0; };
-        walkDiagram(*diagram, std::numeric_limits<double>::infinity(), visit);
+        walkDiagram(*diagram, infinity, visit);
     });
     return visited;
 }

@@ -1,5 +1,6 @@
 // True documents pass; for every rule there is a document that breaks it, and the place is named.
 #include "base/error.h"
+#include "base/infinity.h"
 #include "check/check_document.h"
 #include "check/check_sections.h"
 #include "support/true_models.h"
@@ -350,34 +351,34 @@ INSTANTIATE_TEST_SUITE_P(LayoutTransversals, SpoiltDocument,
 
 INSTANTIATE_TEST_SUITE_P(
     Surfaces, SpoiltDocument,
-    ::testing::Values(
-        Spoilt{"patchMissing", cornerModel, [](Doc& d) { d.surfaces->patches.pop_back(); },
-               "/surfaces/patches", "one patch per segment"},
-        Spoilt{"patchSegment", cornerModel, [](Doc& d) { patch(d).segment = 3; },
-               "/surfaces/patches/0/segment", "one patch per segment"},
-        Spoilt{"knotsDecrease", cornerModel, [](Doc& d) { patch(d).knots[1][2] = -1; },
-               "/surfaces/patches/0/knots/1/2", "knots"},
-        Spoilt{"knotsNumber", cornerModel, [](Doc& d) { patch(d).knots[0].push_back(9); },
-               "/surfaces/patches/0/knots/0", "knots"},
-        Spoilt{"domain", cornerModel, [](Doc& d) { patch(d).knots[0].back() = patch(d).knots[0][2] = 1.5; },
-               "/surfaces/patches/0/knots/0", "domain"},
-        Spoilt{"degree", cornerModel, [](Doc& d) { patch(d).degree[1] = 0; }, "/surfaces/patches/0/degree/1",
-               "degree"},
-        Spoilt{"ragged", cornerModel, [](Doc& d) { patch(d).rectangular = false; },
-               "/surfaces/patches/0/controlPoints", "control points"},
-        Spoilt{"tooFewPoints", cornerModel, [](Doc& d) { patch(d).count[0] = 1; },
-               "/surfaces/patches/0/controlPoints", "control points"},
-        Spoilt{"notFinite", cornerModel,
-               [](Doc& d) { patch(d).controlPoints[1][2] = std::numeric_limits<double>::infinity(); },
-               "/surfaces/patches/0/controlPoints/0/1", "finite"},
-        Spoilt{"misses", cornerModel, [](Doc& d) { patch(d).controlPoints[0][0] += 1e-6; },
-               "/surfaces/patches/0", "interpolation"},
-        Spoilt{"gap", cornerModel,
-               [](Doc& d) {
-                   d.surfaces->interpolates = false;
-                   d.surfaces->patches[1].controlPoints[0][0] += 1e-6;
-               },
-               "/surfaces/patches/1", "watertight"}),
+    ::testing::Values(Spoilt{"patchMissing", cornerModel, [](Doc& d) { d.surfaces->patches.pop_back(); },
+                             "/surfaces/patches", "one patch per segment"},
+                      Spoilt{"patchSegment", cornerModel, [](Doc& d) { patch(d).segment = 3; },
+                             "/surfaces/patches/0/segment", "one patch per segment"},
+                      Spoilt{"knotsDecrease", cornerModel, [](Doc& d) { patch(d).knots[1][2] = -1; },
+                             "/surfaces/patches/0/knots/1/2", "knots"},
+                      Spoilt{"knotsNumber", cornerModel, [](Doc& d) { patch(d).knots[0].push_back(9); },
+                             "/surfaces/patches/0/knots/0", "knots"},
+                      Spoilt{"domain", cornerModel,
+                             [](Doc& d) { patch(d).knots[0].back() = patch(d).knots[0][2] = 1.5; },
+                             "/surfaces/patches/0/knots/0", "domain"},
+                      Spoilt{"degree", cornerModel, [](Doc& d) { patch(d).degree[1] = 0; },
+                             "/surfaces/patches/0/degree/1", "degree"},
+                      Spoilt{"ragged", cornerModel, [](Doc& d) { patch(d).rectangular = false; },
+                             "/surfaces/patches/0/controlPoints", "control points"},
+                      Spoilt{"tooFewPoints", cornerModel, [](Doc& d) { patch(d).count[0] = 1; },
+                             "/surfaces/patches/0/controlPoints", "control points"},
+                      Spoilt{"notFinite", cornerModel,
+                             [](Doc& d) { patch(d).controlPoints[1][2] = infinity; },
+                             "/surfaces/patches/0/controlPoints/0/1", "finite"},
+                      Spoilt{"misses", cornerModel, [](Doc& d) { patch(d).controlPoints[0][0] += 1e-6; },
+                             "/surfaces/patches/0", "interpolation"},
+                      Spoilt{"gap", cornerModel,
+                             [](Doc& d) {
+                                 d.surfaces->interpolates = false;
+                                 d.surfaces->patches[1].controlPoints[0][0] += 1e-6;
+                             },
+                             "/surfaces/patches/1", "watertight"}),
     nameOf);
 
 /// Lifts the first patch by `height` at x = 0, and by `slope` more per unit of x.

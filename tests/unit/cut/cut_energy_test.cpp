@@ -1,4 +1,5 @@
 #include "base/at.h"
+#include "base/infinity.h"
 #include "cut/energy.h"
 #include "cut/surface_distances.h"
 #include "mesh/soup/build_mesh.h"
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numbers>
 
@@ -75,7 +75,7 @@ TEST(CutEnergy, IsThatOfTheMethodAndItsCutTheBestOfAllLabellings) {
                 const auto energy = [&](const std::vector<int>& labels) {
                     return statedEnergy(mesh, terminals.source, terminals.sink, groups, options, labels);
                 };
-                double min = std::numeric_limits<double>::infinity();
+                double min = infinity;
                 for (unsigned bits = 0; bits < 4096; ++bits) {
                     std::vector<int> labels(12);
                     for (std::size_t k = 0; k < 12; ++k)
@@ -128,7 +128,6 @@ TEST(CutEnergy, WeighsEdgesBesideFeaturesIfAsked) {
 }
 
 TEST(CutEnergy, IsFiniteOnMeshesWithoutSizeAndWithWeightsWithoutBound) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     for (const double size : {0.0, 1.0, 1e140}) {
         const QuadMesh mesh = buildMesh({{0, 0, 0}, {size, 0, 0}, {size, size, 0}, {0, size, 0}},
                                         {std::array<int, 4>{0, 1, 2, 3}});

@@ -1,4 +1,5 @@
 #include "base/at.h"
+#include "base/infinity.h"
 #include "cut/surface_distances.h"
 #include "mesh/soup/build_mesh.h"
 #include "support/polycube.h"
@@ -9,13 +10,10 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <numbers>
 
 namespace qm::testing {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double norm(const Point& point) {
     return point.norm();

@@ -1,11 +1,11 @@
 #include "base/at.h"
+#include "base/infinity.h"
 #include "cut/min_cut.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <deque>
-#include <limits>
 #include <random>
 
 namespace qm {
@@ -22,7 +22,7 @@ double energy(const CutProblem& problem, const std::vector<int>& labels) {
 
 double minOverAllLabellings(const CutProblem& problem) {
     const std::size_t nodes = problem.costs.size();
-    double min = std::numeric_limits<double>::infinity();
+    double min = infinity;
     for (unsigned bits = 0; bits < 1U << nodes; ++bits) {
         std::vector<int> labels(nodes);
         for (std::size_t k = 0; k < nodes; ++k)
@@ -79,7 +79,7 @@ private:
             }
         }
         if (arrival[sink_] == nullptr) return false;
-        pushed_ = std::numeric_limits<double>::infinity();
+        pushed_ = infinity;
         for (std::size_t node = sink_; node != source_; node = before[node])
             pushed_ = std::min(pushed_, arrival[node]->residual);
         for (std::size_t node = sink_; node != source_; node = before[node]) {

@@ -1,5 +1,6 @@
 /// \file Reading and printing JSON.
 #include "base/error.h"
+#include "base/infinity.h"
 #include "base/number_text.h"
 #include "document/json/json.h"
 #include "document/json/json_place.h"
@@ -112,7 +113,7 @@ TEST(PrintJson, NumbersAreAsShortAsCanBe) {
 
 TEST(PrintJson, NeverWritesWhatIsNoNumber) {
     EXPECT_THROW((void)printJson(std::numeric_limits<double>::quiet_NaN()), std::logic_error);
-    EXPECT_THROW((void)printJson(Json::array({std::numeric_limits<double>::infinity()})), std::logic_error);
+    EXPECT_THROW((void)printJson(Json::array({qm::infinity})), std::logic_error);
 }
 
 TEST(PrintJson, IsLaidOutForPeople) {

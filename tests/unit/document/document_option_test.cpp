@@ -44,8 +44,8 @@ TEST(Options, RangesReadLikeText) {
     EXPECT_EQ(qm::rangeText({0, 180}), "0 to 180");
     EXPECT_EQ(qm::rangeText({1, 1e9}), "1 to 1000000000");
     EXPECT_EQ(qm::rangeText({0, 3.141592653589793}), "0 to 3.14159");
-    EXPECT_EQ(qm::rangeText({1, qm::infinite}), "at least 1");
-    EXPECT_EQ(qm::rangeText({-qm::infinite, 2.5}), "at most 2.5");
+    EXPECT_EQ(qm::rangeText({1, qm::infinity}), "at least 1");
+    EXPECT_EQ(qm::rangeText({-qm::infinity, 2.5}), "at most 2.5");
 }
 
 /// Checks for every option of a module that its default is allowed, its help is not empty, and its name is

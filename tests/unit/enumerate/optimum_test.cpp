@@ -1,4 +1,5 @@
 // Compares the exact search with trying everything, on random problems that are small enough.
+#include "base/infinity.h"
 #include "enumerate/diagram/cheapest_graph.h"
 #include "enumerate/optimum/optimum.h"
 #include "enumerate/state/depth_first.h"
@@ -8,14 +9,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 #include <random>
 
 namespace qm::testing {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr unsigned cases = 400;
 constexpr std::size_t maxGraphs = 3000;
 

@@ -1,5 +1,6 @@
 // Rows of the relaxation: what remains of them when columns are fixed, the parts of the search for cuts, and
 // that every graph satisfies all cuts.
+#include "base/infinity.h"
 #include "enumerate/relaxation/acyclic_graph.h"
 #include "enumerate/relaxation/odd_cycle_cuts.h"
 #include "enumerate/relaxation/open_row.h"
@@ -12,13 +13,10 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <random>
 
 namespace qm::testing {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 TEST(AcyclicGraph, LeavesOutWhatWouldCloseALoop) {
     constexpr std::size_t nodes = 9;

@@ -1,4 +1,5 @@
 // The relaxations of nodes and of the root, the pool of rows, and a start near an optimum.
+#include "base/infinity.h"
 #include "enumerate/optimum/node_relaxation.h"
 #include "enumerate/optimum/root_relaxation.h"
 #include "enumerate/relaxation/near_start.h"
@@ -9,13 +10,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <limits>
 #include <vector>
 
 namespace qm::testing {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// A search that treats a whole problem as one part.
 struct WholeSearch {

@@ -1,3 +1,4 @@
+#include "base/infinity.h"
 #include "enumerate/paper/plain_graph.h"
 #include "layout/tracks.h"
 #include "merge/graph_improver.h"
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <limits>
 #include <random>
 #include <stdexcept>
 #include <thread>
@@ -125,7 +125,7 @@ TEST(GraphImprover, TellsOfEveryCheaperGraphAndEndsWithTheOptimum) {
         KnownSoFar known(control, tell, costOf(plain.space, plain.present));
         EXPECT_FALSE(known.control().stopRequested());
         EXPECT_EQ(toldCost, costOf(plain.space, plain.present));
-        EXPECT_EQ(toldBound, -std::numeric_limits<double>::infinity());
+        EXPECT_EQ(toldBound, -infinity);
 
         GraphImprover improver(plain.space, plain.present, known);
         EXPECT_FALSE(improver.isLarge());
@@ -166,7 +166,7 @@ TEST(GraphImprover, LetsGradientsGuideTheWindowsOfLargeMeshes) {
             EXPECT_LE(found.lowerBound, optimum + 1e-6);
             EXPECT_FALSE(known.control().stopRequested());
             EXPECT_LE(told, optimum + 1e-6) << "what gradients prove";
-            if (told > -std::numeric_limits<double>::infinity()) ++bounded;
+            if (told > -infinity) ++bounded;
         }
     }
     EXPECT_GT(bounded, 10);

@@ -1,3 +1,4 @@
+#include "base/infinity.h"
 #include "mesh/files/text_lines.h"
 #include "support/mesh_text.h"
 #include "support/two_squares.h"
@@ -68,7 +69,6 @@ TEST(ReadObj, RefusesWhatIsNoNumber) {
 
 TEST(ReadObj, KeepsTheSignAndTheSizeOfWhatIsOutOfRange) {
     const auto read = [](const std::string& word) { return readFileNumber<double>(word).value(); };
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     EXPECT_EQ(read("1e999"), infinity);
     EXPECT_EQ(read("-1e999"), -infinity);
     EXPECT_EQ(read("-1e99999"), -infinity);

@@ -1,3 +1,4 @@
+#include "base/infinity.h"
 #include "program/decomposition_bound.h"
 #include "program/dual_bound.h"
 #include "program/gradient_relaxation.h"
@@ -5,12 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
-
 namespace qm {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// A ring of columns in which at least one of two neighbours must be 1; the relaxation sets all to one half.
 IntegerProgram ring(std::size_t columns) {
