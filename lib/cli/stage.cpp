@@ -24,8 +24,9 @@ Stage::Stage(Tool& tool, Kind reads, Kind earliest, Kind writes) : Stage(tool, r
 void Stage::parse(std::string_view bytes, const std::string& path, const std::string& name, Kind earliest) {
     document_ = parseDocument(bytes, path);
     const Kind kind = requireKind(document_, earliest);
+    const std::string place = name + ": ";
     for (const std::string& sentence : misspeltKeys(document_.root, kindName(kind)))
-        tool_.warn(name + ": " + sentence);
+        tool_.warn(place + sentence);
 }
 
 const Model& Stage::read(Kind earliest, Kind reads) {
@@ -52,8 +53,9 @@ const Model& Stage::readAnother(const std::string& path, const Document& before)
 const Model& Stage::take(Model model, const std::string& name) {
     model_ = std::move(model);
     tool_.protect(model_.meshPath);
+    const std::string place = name + ": ";
     for (const std::string& note : model_.notes)
-        tool_.warn(name + ": " + note);
+        tool_.warn(place + note);
     tool_.count("vertices", model_.mesh.n_vertices());
     tool_.count("faces", model_.mesh.n_faces());
     return model_;
