@@ -1,8 +1,8 @@
 /// \file qm-export: writes layouts and surfaces as STEP, IGES, OBJ, PLY and glTF.
+#include "base/or_null.h"
 #include "cli/stage.h"
 #include "cli/tools/export_choices.h"
 #include "cli/tools/export_date.h"
-#include "cli/tools/or_null.h"
 
 #include <filesystem>
 

@@ -1,7 +1,7 @@
 /// \file qm-summary: prints the most important figures of a document for users of its surfaces.
+#include "base/or_null.h"
 #include "cli/stage.h"
 #include "cli/tools/export_choices.h"
-#include "cli/tools/or_null.h"
 #include "document/summary_json.h"
 
 #include <filesystem>

@@ -1,5 +1,6 @@
 #include "check/check_document.h"
 
+#include "base/or_null.h"
 #include "check/check_constraints.h"
 #include "check/check_sections.h"
 #include "check/mesh/angles.h"
@@ -88,8 +89,7 @@ private:
         std::size_t graphs = 0;
         for (const auto& subMesh : part.subMeshes)
             graphs += subMesh.graphs.size();
-        const BaseComplexPart* complex = document_.baseComplex ? &*document_.baseComplex : nullptr;
-        section([&] { checkEnumeration(context, networks_, complex, part, report_); },
+        section([&] { checkEnumeration(context, networks_, orNull(document_.baseComplex), part, report_); },
                 "enumeration: " + count(graphs, "graph", "graphs") + " of " +
                     count(part.subMeshes.size(), "sub-mesh", "sub-meshes"));
     }

@@ -1,7 +1,7 @@
 #include "cli/tools/fit_stage.h"
 
+#include "base/or_null.h"
 #include "bspline/ranking.h"
-#include "cli/tools/or_null.h"
 #include "cli/tools/scan_input.h"
 #include "cli/tools/surface_warnings.h"
 #include "document/sections/surfaces_section.h"

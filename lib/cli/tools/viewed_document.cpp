@@ -1,7 +1,7 @@
 #include "cli/tools/viewed_document.h"
 
 #include "base/at.h"
-#include "cli/tools/or_null.h"
+#include "base/or_null.h"
 #include "cli/tools/scan_input.h"
 #include "document/files/files.h"
 #include "document/summary_json.h"

@@ -3,9 +3,10 @@
 #include "enumerate/optimum/diving.h"
 #include "enumerate/optimum/node_relaxation.h"
 #include "enumerate/optimum/rounding.h"
+#include "enumerate/optimum/tuning.h"
+#include "enumerate/relaxation/cut_tuning.h"
 #include "enumerate/relaxation/odd_cycle_cuts.h"
 #include "enumerate/relaxation/trail_cuts.h"
-#include "enumerate/relaxation/tuning.h"
 
 #include <algorithm>
 

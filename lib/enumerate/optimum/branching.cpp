@@ -1,7 +1,7 @@
 #include "enumerate/optimum/branching.h"
 
 #include "base/infinity.h"
-#include "enumerate/relaxation/tuning.h"
+#include "enumerate/optimum/tuning.h"
 
 #include <algorithm>
 

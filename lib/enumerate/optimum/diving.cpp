@@ -3,7 +3,7 @@
 #include "base/infinity.h"
 #include "enumerate/optimum/branch_and_bound.h"
 #include "enumerate/optimum/rounding.h"
-#include "enumerate/relaxation/tuning.h"
+#include "enumerate/optimum/tuning.h"
 #include "enumerate/state/independent_parts.h"
 
 #include <algorithm>

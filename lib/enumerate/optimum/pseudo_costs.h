@@ -2,7 +2,7 @@
 /// ones (docs/METHOD.md#achterberg-2005).
 #pragma once
 
-#include "enumerate/relaxation/tuning.h"
+#include "enumerate/optimum/tuning.h"
 #include "program/integer_program.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "enumerate/optimum/root_relaxation.h"
 
 #include "enumerate/optimum/node_relaxation.h"
-#include "enumerate/relaxation/tuning.h"
+#include "enumerate/optimum/tuning.h"
 #include "program/gradient_relaxation.h"
 
 #include <utility>

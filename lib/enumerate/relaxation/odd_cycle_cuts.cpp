@@ -1,7 +1,7 @@
 #include "enumerate/relaxation/odd_cycle_cuts.h"
 
 #include "base/infinity.h"
-#include "enumerate/relaxation/tuning.h"
+#include "enumerate/relaxation/cut_tuning.h"
 
 #include <algorithm>
 #include <functional>

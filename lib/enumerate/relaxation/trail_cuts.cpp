@@ -2,8 +2,8 @@
 
 #include "base/infinity.h"
 #include "enumerate/relaxation/acyclic_graph.h"
+#include "enumerate/relaxation/cut_tuning.h"
 #include "enumerate/relaxation/smallest_cut.h"
-#include "enumerate/relaxation/tuning.h"
 
 #include <algorithm>
 #include <functional>

@@ -1,6 +1,7 @@
 #include "bspline/reference/bending/min_bending.h"
 
 #include "base/at.h"
+#include "base/or_null.h"
 #include "base/parallel.h"
 #include "bspline/reference/bending/bending_equations.h"
 #include "bspline/reference/bending/quad_bending.h"
@@ -69,10 +70,8 @@ private:
 
     [[nodiscard]] CornerFrames frames(FaceId face) const {
         CornerFrames result{};
-        std::ranges::transform(vertices(face), result.begin(), [&](int vertex) {
-            const auto& frame = frames_[at(vertex)];
-            return frame ? &*frame : nullptr;
-        });
+        std::ranges::transform(vertices(face), result.begin(),
+                               [&](int vertex) { return orNull(frames_[at(vertex)]); });
         return result;
     }
 
