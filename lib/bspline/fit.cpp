@@ -38,6 +38,8 @@ SmoothFitOptions effortFor(const QuadMesh& mesh) {
     if (areVeryMany) options.steps = 1;
     options.minInterval = 2; // with edges as short, knots between would follow nothing but errors of the fit
     options.maxRounds = 20;
+    options.maxIdle = 4;
+    options.roundsOfMending = 4;
     options.slides = areVeryMany ? 2 : 3;
     options.verifications = 4;
     options.attempts = 1;

@@ -58,7 +58,7 @@ std::vector<double> distancesFromReference(const QuadMesh& mesh, const Layout& l
                                            unsigned jobs) {
     constexpr std::size_t referenceSide = 1;
     const auto borders = borderEdges(mesh, layout);
-    const PairedSurfaces surfaces(layout, patches, reference, borders);
+    const PairedSurfaces surfaces(layout, patches, reference, borders, jobs);
     return ofAllPatches(patches.size(), jobs, [&](std::size_t k) {
         FootSearch search(surfaces);
         const auto [columns, points] = latticeOf(patches[k], steps);

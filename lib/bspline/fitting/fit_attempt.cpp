@@ -20,8 +20,6 @@ constexpr int maxRemovals = 6;
 constexpr int maxFlattenings = 8;
 /// Number of rounds after a removal within which the tolerance must be kept again.
 constexpr int maxRepairs = 4;
-/// A search ends after so many rounds without a better result.
-constexpr int maxIdle = 12;
 /// Weights alone are changed as long as each round leaves at most this share of what is missed.
 constexpr double worthwhileGain = 0.9;
 /// Removals are repeated as long as each leaves at most this share of the control points.
@@ -29,8 +27,6 @@ constexpr double worthwhile = 0.985;
 
 /// After so many rounds, folds that are near enough are accepted.
 constexpr int roundsForFolds = 30;
-/// Number of rounds for mending what a verification has found.
-constexpr int roundsOfMending = 8;
 
 /// If a verification finds a distance or a number of control points larger than the previous one by these
 /// factors, the attempt ends, unless it is the last one: more rounds would add ever more knots.
@@ -91,7 +87,7 @@ public:
             if (!state_.tighten(best_)) return nearest;
             best_ = {};
             nearest_ = {};
-            search(roundsOfMending, Saving::none, unreported(control));
+            search(options_.roundsOfMending, Saving::none, unreported(control));
         }
     }
 
@@ -107,7 +103,7 @@ private:
             if (round > 0) state_.solveChanged(options_.slides);
             flattenIfKept();
             past.idle = keepIfBest() ? 0 : past.idle + 1;
-            if (past.idle == maxIdle || control.stopRequested() || isInVain(round, past)) break;
+            if (past.idle == options_.maxIdle || control.stopRequested() || isInVain(round, past)) break;
             if (++rounds_ > roundsForFolds) state_.giveUpFolds();
             if (state_.worst() <= 1) {
                 const bool leavesRepairs = round + maxRepairs <= maxRounds;

@@ -9,6 +9,8 @@ struct SmoothFitOptions {
     int steps = 4;            ///< lattice points per mesh edge: 1, 2 or 4
     double minInterval = 0;   ///< shortest knot interval, in tolerances; see `MinInterval` as well
     int maxRounds = 30;       ///< largest number of rounds, each with a factorisation
+    int maxIdle = 12;         ///< a search ends after so many rounds without a better result
+    int roundsOfMending = 8;  ///< largest number of rounds for mending what a verification has found
     int slides = 6;           ///< solutions per round, between which the targets slide
     double slack = 0.5;       ///< in tolerances: surfaces may be farther by this if that makes them fairer
     int ringsAround = 2;      ///< rings of patches around those that change that are solved for with them

@@ -43,7 +43,7 @@ FitState::FitState(const FitProblem& problem, const SmoothFitOptions& options,
       map_(problem.mesh, problem.layout, problem.network),
       plan_(problem.layout, problem.network,
             partsOfEdges(problem.reference.grids, options.minInterval * options.tolerance)),
-      sources_(latticeSources(problem.mesh, problem.layout, problem.network, problem.reference)),
+      sources_(latticeSources(problem.mesh, problem.layout, problem.network, problem.reference, jobs)),
       normalLimits_(problem.reference.grids.begin(), problem.reference.grids.end()),
       lattices_(sources_.size()), kept_(sources_.size()), errors_(sources_.size()), givenUp_(sources_.size()),
       reweighed_(sources_.size()), missed_(sources_.size()), scale_(sources_.size(), 1) {

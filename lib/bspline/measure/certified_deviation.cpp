@@ -27,7 +27,8 @@ public:
         if (farthest_ > 0) seed();
         const std::size_t effort = options_.stepsFor(parts_.size());
         result_.upper = boundLargestFirst(
-            std::move(parts_), effort, [&](double upper) { return options_.areClose(upper, result_.lower); },
+            std::move(parts_), effort,
+            [&](double upper) { return upper <= options_.enoughFor(result_.lower); },
             [&](const SurfacePart& part, const auto& add) { divide(part, add); });
         // To first order, samples can be too large.
         for (Sample& sample : result_.samples)
@@ -90,7 +91,7 @@ private:
     /// Hands over the parts of a part, bounded.
     template <class Add> void divide(const SurfacePart& part, const Add& add) {
         const auto addBounded = [&](SurfacePart& one) {
-            bound_.tighten(one, result_.lower);
+            bound_.tighten(one, result_.lower, options_.enoughFor(result_.lower));
             result_.raise(one.foot.distance, bound_.middle(one));
             add(one);
         };
@@ -141,8 +142,8 @@ void CertifiedDeviation::raise(double distance, const LayoutPlace& at) {
     place = at;
 }
 
-bool CertificationOptions::areClose(double upper, double lower) const {
-    return upper <= std::max(negligible, (1 + closing) * lower);
+double CertificationOptions::enoughFor(double lower) const {
+    return std::max(negligible, (1 + closing) * lower);
 }
 
 CertifiedDeviation certifiedDeviation(const PairedSurfaces& surfaces, std::size_t patch,
@@ -161,7 +162,7 @@ std::vector<CertifiedDeviation> certifiedDeviations(const PairedSurfaces& surfac
     for (const CertifiedDeviation& one : result)
         close.negligible = std::max(close.negligible, one.lower / 2);
     parallelFor(result.size(), jobs, [&](std::size_t k) {
-        if (!close.areClose(result[k].upper, result[k].lower))
+        if (result[k].upper > close.enoughFor(result[k].lower))
             result[k] = certifiedDeviation(surfaces, k, close);
     });
     return result;

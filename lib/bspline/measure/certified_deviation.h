@@ -27,7 +27,8 @@ struct CertificationOptions {
     std::size_t effort = 64; ///< or after this number of steps per cell, and 1000 more
 
     [[nodiscard]] std::size_t stepsFor(std::size_t cells) const { return 1000 + effort * cells; }
-    [[nodiscard]] bool areClose(double upper, double lower) const;
+    /// The largest upper bound that is close enough to a lower one.
+    [[nodiscard]] double enoughFor(double lower) const;
 };
 
 /// Branch and bound over the cells of a patch. Every cell is first bounded by the Bezier net of the

@@ -147,7 +147,7 @@ ParameterBox DistanceBound::pairWithOther(const BoxMiddle& own, SurfacePart& par
     return box;
 }
 
-void DistanceBound::tighten(SurfacePart& part, double surprising) {
+void DistanceBound::tighten(SurfacePart& part, double surprising, double enough) {
     const BoxMiddle own = takeOwn(part);
     findFoot(own.here.position, surprising, part);
     const ParameterBox box = pairWithOther(own, part);
@@ -155,7 +155,9 @@ void DistanceBound::tighten(SurfacePart& part, double surprising) {
     for (const Eigen::Vector3d& point : difference_.points)
         square = std::max(square, point.squaredNorm());
     part.upper = std::min(part.upper, std::sqrt(square));
+    if (part.upper <= enough) return;
     part.upper = std::min(part.upper, slidingBound(1 - part.surface, part.foot, box, part.upper));
+    if (part.upper <= enough) return;
     part.upper = covering_(own_, 1 - part.surface, part.foot, part.upper);
 }
 

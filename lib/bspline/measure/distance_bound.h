@@ -41,7 +41,8 @@ public:
 
     /// Finds the foot, starting from that of `part`, and lowers the upper bound if possible.
     /// \param surprising  a foot farther away than this is searched again from the same parameters
-    void tighten(SurfacePart& part, double surprising);
+    /// \param enough      once the bound is as low as this, the costlier ones are not tried
+    void tighten(SurfacePart& part, double surprising, double enough);
 
     /// The parameters of a box's middle.
     [[nodiscard]] LayoutPlace middle(const SurfacePart& part) const;

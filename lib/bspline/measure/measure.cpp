@@ -39,18 +39,18 @@ struct Parts {
 class Meter {
 public:
     Meter(const QuadMesh& mesh, const Layout& layout, const std::vector<Patch>& patches,
-          const std::vector<ReferenceGrid>& references)
-        : mesh_(mesh), layout_(layout), patches_(patches), references_(references),
+          const std::vector<ReferenceGrid>& references, unsigned jobs)
+        : mesh_(mesh), layout_(layout), patches_(patches), references_(references), jobs_(jobs),
           diagonal_(boundingBox(mesh).diagonal()), borders_(borderEdges(mesh, layout)),
-          facets_(facetGrids(mesh, layout)), toReference_(layout, patches, references, borders_),
-          toFacets_(layout, patches, facets_, borders_), parts_(patches.size()) {
+          facets_(facetGrids(mesh, layout)), toReference_(layout, patches, references, borders_, jobs),
+          toFacets_(layout, patches, facets_, borders_, jobs), parts_(patches.size()) {
         result_.ofPatch.resize(patches.size());
     }
 
-    void certify(unsigned jobs) {
+    void certify() {
         const CertificationOptions certification{measureClosing, measureNegligible * diagonal_};
-        fromReference_ = certifiedDeviations(toReference_, certification, jobs);
-        fromFacets_ = certifiedDeviations(toFacets_, certification, jobs);
+        fromReference_ = certifiedDeviations(toReference_, certification, jobs_);
+        fromFacets_ = certifiedDeviations(toFacets_, certification, jobs_);
     }
 
     void measurePatch(std::size_t k) {
@@ -76,9 +76,9 @@ public:
             patch.deviation.largestInnerNormalAngle = *std::ranges::max_element(inner.angles);
     }
 
-    void measureBorders(const std::vector<bool>& isSmooth, unsigned jobs) {
+    void measureBorders(const std::vector<bool>& isSmooth) {
         std::vector<MeetingMeasures> measures(borders_.size());
-        parallelFor(borders_.size(), jobs, [&](std::size_t k) {
+        parallelFor(borders_.size(), jobs_, [&](std::size_t k) {
             measures[k] = measureBorder(borders_[k], layout_, patches_, samplesPerEdge);
         });
         for (std::size_t k = 0; k < borders_.size(); ++k) {
@@ -167,6 +167,7 @@ private:
     const Layout& layout_;
     const std::vector<Patch>& patches_;
     const std::vector<ReferenceGrid>& references_;
+    unsigned jobs_;
     double diagonal_;
     std::vector<BorderEdge> borders_;
     std::vector<ReferenceGrid> facets_;
@@ -184,10 +185,10 @@ private:
 Measurement measureSurfaces(const QuadMesh& mesh, const Layout& layout, const std::vector<Patch>& patches,
                             const std::vector<ReferenceGrid>& references, const std::vector<bool>& isSmooth,
                             unsigned jobs) {
-    Meter meter(mesh, layout, patches, references);
-    meter.certify(jobs);
+    Meter meter(mesh, layout, patches, references, jobs);
+    meter.certify();
     parallelFor(patches.size(), jobs, [&](std::size_t k) { meter.measurePatch(k); });
-    meter.measureBorders(isSmooth, jobs);
+    meter.measureBorders(isSmooth);
     return meter.finish();
 }
 
@@ -195,7 +196,7 @@ std::vector<double> maxDeviations(const QuadMesh& mesh, const Layout& layout,
                                   const std::vector<Patch>& patches,
                                   const std::vector<ReferenceGrid>& references, double limit, unsigned jobs) {
     const std::vector<BorderEdge> borders = borderEdges(mesh, layout);
-    const PairedSurfaces pairs(layout, patches, references, borders);
+    const PairedSurfaces pairs(layout, patches, references, borders, jobs);
     constexpr double closing = 0.05; // a rough bound will do above the limit
     std::vector<double> result(patches.size());
     parallelFor(result.size(), jobs, [&](std::size_t k) {

@@ -1,6 +1,7 @@
 #include "bspline/measure/paired_surfaces.h"
 
 #include "base/at.h"
+#include "base/parallel.h"
 #include "bspline/measure/border_measures.h"
 #include "layout/sides.h"
 
@@ -38,36 +39,36 @@ bool isGapless(const Layout& layout, const std::vector<Patch>& patches, const Bo
 
 PairedSurfaces::PairedSurfaces(const Layout& layout, const std::vector<Patch>& patches,
                                const std::vector<ReferenceGrid>& references,
-                               const std::vector<BorderEdge>& borders)
-    : layout_(layout) {
+                               const std::vector<BorderEdge>& borders, unsigned jobs)
+    : layout_(layout), beyond_(patches.size()) {
     const int degree = commonDegree(patches, references);
-    for (std::size_t p = 0; p < patches.size(); ++p) {
+    pieces_.fill(std::vector<BezierPieces>(patches.size()));
+    parallelFor(patches.size(), jobs, [&](std::size_t p) {
         const ReferenceGrid& reference = references[p];
         std::array<std::vector<double>, 2> breaks;
-        for (std::size_t k = 0; k < 2; ++k)
+        BezierPieces& ofReference = pieces_[1][p];
+        for (std::size_t k = 0; k < 2; ++k) {
             breaks[k] = mergedBreaks(differentKnots(patches[p].knots[k], patches[p].degree[k]),
                                      gridLines(reference.size[k]));
-        pieces_[0].push_back(bezierPieces(patches[p], breaks, degree));
-        BezierPieces ofReference;
-        for (std::size_t k = 0; k < 2; ++k)
             ofReference.along[k] = latticeExtraction(reference.steps, breaks[k], degree);
+        }
         ofReference.controls = reference.points;
         ofReference.width = reference.columns();
-        pieces_[1].push_back(std::move(ofReference));
+        pieces_[0][p] = bezierPieces(patches[p], breaks, degree);
 
-        auto& sides = beyond_.emplace_back();
         for (int side = 0; side < 4; ++side)
-            sides[at(side)].resize(at(layout.segments[p].size[directionAlong(side)]));
-    }
+            beyond_[p][at(side)].resize(at(layout.segments[p].size[directionAlong(side)]));
+    });
     const auto entry = [this](const BorderPlace& place) -> Beyond& {
         return beyond_[place.patch][at(place.side)][at(place.position)];
     };
-    for (const BorderEdge& border : borders)
-        if (border.places.size() == 2) {
-            const bool gapless = isGapless(layout, patches, border);
-            entry(border.places[0]) = {border.places[1], gapless};
-            entry(border.places[1]) = {border.places[0], gapless};
-        }
+    parallelForMany(borders.size(), jobs, [&](std::size_t k) {
+        const BorderEdge& border = borders[k];
+        if (border.places.size() != 2) return;
+        const bool gapless = isGapless(layout, patches, border);
+        entry(border.places[0]) = {border.places[1], gapless};
+        entry(border.places[1]) = {border.places[0], gapless};
+    });
 }
 
 std::array<double, 2> PairedSurfaces::extent(std::size_t patch) const {

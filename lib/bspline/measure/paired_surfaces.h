@@ -27,7 +27,8 @@ public:
     /// \param references  by patch
     /// \param borders     of the layout
     PairedSurfaces(const Layout& layout, const std::vector<Patch>& patches,
-                   const std::vector<ReferenceGrid>& references, const std::vector<BorderEdge>& borders);
+                   const std::vector<ReferenceGrid>& references, const std::vector<BorderEdge>& borders,
+                   unsigned jobs);
 
     [[nodiscard]] std::size_t patches() const { return pieces_[0].size(); }
     /// The largest u and v of a patch; the smallest are 0.

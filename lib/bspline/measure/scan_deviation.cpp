@@ -53,7 +53,8 @@ public:
             }
         const std::size_t effort = options_.stepsFor(boxes_.size());
         result_.upper = boundLargestFirst(
-            std::move(boxes_), effort, [&](double upper) { return options_.areClose(upper, result_.lower); },
+            std::move(boxes_), effort,
+            [&](double upper) { return upper <= options_.enoughFor(result_.lower); },
             [&](const Box& box, const auto& add) {
                 for (const double u : {0.0, 0.5})
                     for (const double v : {0.0, 0.5})

@@ -51,7 +51,7 @@ struct Pair {
         return result;
     }
 
-    [[nodiscard]] PairedSurfaces paired() const { return {layout, patches, references, borders}; }
+    [[nodiscard]] PairedSurfaces paired() const { return {layout, patches, references, borders, 1}; }
 };
 
 /// The largest distance from one surface to the other, measured at many points by a search from their

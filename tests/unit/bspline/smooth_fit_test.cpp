@@ -281,7 +281,7 @@ TEST(SmoothSystem, FindsTheSamePatchWhileItsNeighboursStay) {
     const Layout layout = test::makeLayout(test::sheet(), test::tJoint());
     const SmoothNetwork network = networkOf(mesh, layout);
     const FitTarget target{limitSurface(mesh, layout, network.rules, network.marks.isCrease, 4, 1)};
-    const auto sources = latticeSources(mesh, layout, network, target);
+    const auto sources = latticeSources(mesh, layout, network, target, 1);
     const KnotPlan plan(layout, network);
     const std::vector<PatchSpace> spaces = plan.spaces();
     std::vector<FitLattice> lattices;
@@ -366,7 +366,7 @@ TEST(SoundFaces, AreFlatAndConvexAndHaveNoFoldBesideThem) {
     const auto soundWith = [](const Point& moved) { // moves vertex (3, 1) of a flat sheet
         const QuadMesh mesh = test::makeMesh(
             Grid{6, 2, [&](double i, double j) { return i == 3 && j == 1 ? moved : Point(i, j, 0); }});
-        return soundFaces(mesh);
+        return soundFaces(mesh, 1);
     };
     EXPECT_EQ(std::ranges::count(soundWith({3, 1, 0}), true), 12);
     EXPECT_EQ(std::ranges::count(soundWith({3, 1, 0.8}), true), 8) << "the four around it are not flat";

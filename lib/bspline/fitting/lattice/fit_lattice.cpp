@@ -1,6 +1,7 @@
 #include "bspline/fitting/lattice/fit_lattice.h"
 
 #include "base/at.h"
+#include "base/parallel.h"
 #include "base/positions.h"
 #include "bspline/fitting/lattice/folded_quads.h"
 #include "bspline/reference/bending/sound_faces.h"
@@ -102,10 +103,11 @@ std::vector<Place> placesIn(const std::vector<double>& coarse, const std::vector
 } // namespace
 
 std::vector<LatticeSource> latticeSources(const QuadMesh& mesh, const Layout& layout,
-                                          const SmoothNetwork& network, const FitTarget& reference) {
+                                          const SmoothNetwork& network, const FitTarget& reference,
+                                          unsigned jobs) {
     std::vector<LatticeSource> sources(reference.grids.size());
-    const std::vector<bool> isSound = soundFaces(mesh);
-    for (std::size_t k = 0; k < sources.size(); ++k) {
+    const std::vector<bool> isSound = soundFaces(mesh, jobs);
+    parallelFor(sources.size(), jobs, [&](std::size_t k) {
         const Segment& segment = layout.segments[k];
         sources[k].grid = &reference.grids[k];
         if (!reference.weights.empty()) sources[k].weights = &reference.weights[k];
@@ -120,7 +122,7 @@ std::vector<LatticeSource> latticeSources(const QuadMesh& mesh, const Layout& la
             const std::size_t corner = at(vertices.front());
             sources[k].corners[side] = network.rules[corner].kind;
         }
-    }
+    });
     return sources;
 }
 

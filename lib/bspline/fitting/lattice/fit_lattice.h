@@ -66,7 +66,7 @@ constexpr int maxHolds = 2;
 /// \param reference  must outlive the result
 [[nodiscard]] std::vector<LatticeSource> latticeSources(const QuadMesh& mesh, const Layout& layout,
                                                         const SmoothNetwork& network,
-                                                        const FitTarget& reference);
+                                                        const FitTarget& reference, unsigned jobs);
 
 /// Parameters along a direction of `size` quads: `steps` intervals per quad, and at least four between two
 /// knots.

@@ -28,7 +28,7 @@ public:
     MinBending(MeshLattice& lattice, const std::vector<VertexRule>& rules, unsigned jobs)
         : lattice_(lattice), before_(lattice), mesh_(lattice.numbers().mesh()), jobs_(jobs),
           frames_(mesh_.n_vertices()) {
-        const std::vector<bool> isSound = soundVertices(mesh_);
+        const std::vector<bool> isSound = soundVertices(mesh_, jobs_);
         const std::vector<Eigen::Vector3d> normals = sumsOfNormals();
         parallelForMany(frames_.size(), jobs_, [&](std::size_t k) {
             const VertexId vertex(static_cast<int>(k));

@@ -1,53 +1,70 @@
 #include "bspline/reference/bending/sound_faces.h"
 
 #include "base/at.h"
+#include "base/parallel.h"
 #include "bspline/reference/lattice/bilinear_quad.h"
 #include "mesh/quad_geometry.h"
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 
 namespace qm {
 namespace {
 
-BilinearQuad quadOf(const QuadMesh& mesh, FaceId face) {
-    std::array<Point, 4> corners;
-    std::ranges::transform(cornersOf(mesh, face), corners.begin(),
-                           [&](VertexId vertex) { return mesh.point(vertex); });
-    return BilinearQuad(corners);
+/// What decides on a quad and its neighbours.
+struct QuadShape {
+    Point normal; ///< unit, in the middle
+    double minCosine = 0;
+};
+
+std::vector<QuadShape> shapesOf(const QuadMesh& mesh, unsigned jobs) {
+    std::vector<QuadShape> shapes(mesh.n_faces());
+    parallelForMany(shapes.size(), jobs, [&](std::size_t k) {
+        std::array<Point, 4> corners;
+        std::ranges::transform(cornersOf(mesh, FaceId(static_cast<int>(k))), corners.begin(),
+                               [&](VertexId vertex) { return mesh.point(vertex); });
+        const BilinearQuad quad(corners);
+        shapes[k] = {quad.normal(), quad.minCosine()};
+    });
+    return shapes;
 }
 
 } // namespace
 
-std::vector<bool> soundFaces(const QuadMesh& mesh, double minCosine) {
+std::vector<bool> soundFaces(const QuadMesh& mesh, unsigned jobs, double minCosine) {
     constexpr double turnedOver = -0.5; // cosine between faces that share an edge
+    const std::vector<QuadShape> shapes = shapesOf(mesh, jobs);
     std::vector<bool> isSound(mesh.n_faces());
     std::vector<bool> isTurnedOver(mesh.n_faces());
-    for (const FaceId face : mesh.faces()) {
-        const double cosine = quadOf(mesh, face).minCosine();
-        isSound[at(face)] = cosine > minCosine;
-        if (!(cosine > 0)) isTurnedOver[at(face)] = true;
+    for (std::size_t face = 0; face < shapes.size(); ++face) {
+        isSound[face] = shapes[face].minCosine > minCosine;
+        isTurnedOver[face] = !(shapes[face].minCosine > 0);
     }
     for (const EdgeId edge : mesh.edges()) {
         if (mesh.is_boundary(edge)) continue;
-        const FaceId one = mesh.face_handle(mesh.halfedge_handle(edge, 0));
-        const FaceId other = mesh.face_handle(mesh.halfedge_handle(edge, 1));
-        if ((quadOf(mesh, one).normal() | quadOf(mesh, other).normal()) < turnedOver)
-            isTurnedOver[at(one)] = isTurnedOver[at(other)] = true;
+        const std::size_t one = at(mesh.face_handle(mesh.halfedge_handle(edge, 0)));
+        const std::size_t other = at(mesh.face_handle(mesh.halfedge_handle(edge, 1)));
+        if ((shapes[one].normal | shapes[other].normal) < turnedOver)
+            isTurnedOver[one] = isTurnedOver[other] = true;
     }
-    for (const FaceId face : mesh.faces())
+    for (const FaceId face : mesh.faces()) {
+        if (!isTurnedOver[at(face)]) continue;
         for (const VertexId vertex : mesh.fv_range(face))
             for (const FaceId beside : mesh.vf_range(vertex))
-                if (isTurnedOver[at(beside)]) isSound[at(face)] = false;
+                isSound[at(beside)] = false;
+    }
     return isSound;
 }
 
-std::vector<bool> soundVertices(const QuadMesh& mesh, double minCosine) {
-    const std::vector<bool> isSound = soundFaces(mesh, minCosine);
+std::vector<bool> soundVertices(const QuadMesh& mesh, unsigned jobs, double minCosine) {
+    const std::vector<bool> isSound = soundFaces(mesh, jobs, minCosine);
     std::vector<bool> result(mesh.n_vertices(), true);
-    for (const FaceId face : mesh.faces())
+    for (const FaceId face : mesh.faces()) {
+        if (isSound[at(face)]) continue;
         for (const VertexId vertex : mesh.fv_range(face))
-            if (!isSound[at(face)]) result[at(vertex)] = false;
+            result[at(vertex)] = false;
+    }
     return result;
 }
 

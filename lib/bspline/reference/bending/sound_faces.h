@@ -13,9 +13,11 @@ constexpr double nearlyFlat = 0.94;
 /// By face: whether it is flat within an angle, nearly if not told otherwise, and convex, and no face around
 /// it is folded. Surfaces can be upright over such faces even where interpolation makes the reference fold.
 /// \param minCosine  of the angle between the normals in the middle and at any corner
-[[nodiscard]] std::vector<bool> soundFaces(const QuadMesh& mesh, double minCosine = nearlyFlat);
+[[nodiscard]] std::vector<bool> soundFaces(const QuadMesh& mesh, unsigned jobs,
+                                           double minCosine = nearlyFlat);
 
 /// By vertex: whether all faces around it are sound.
-[[nodiscard]] std::vector<bool> soundVertices(const QuadMesh& mesh, double minCosine = nearlyFlat);
+[[nodiscard]] std::vector<bool> soundVertices(const QuadMesh& mesh, unsigned jobs,
+                                              double minCosine = nearlyFlat);
 
 } // namespace qm

@@ -40,8 +40,8 @@ public:
     }
 
     void run(const std::vector<VertexRule>& rules, unsigned jobs) {
-        const std::vector<bool> isSound = soundVertices(mesh_);
-        const std::vector<bool> isUnfolded = soundVertices(mesh_, unfolded);
+        const std::vector<bool> isSound = soundVertices(mesh_, jobs);
+        const std::vector<bool> isUnfolded = soundVertices(mesh_, jobs, unfolded);
         const std::vector<Point> directions = creaseDirections(lattice_, rules);
         parallelForMany(mesh_.n_vertices(), jobs, [&](std::size_t k) {
             const VertexId vertex(static_cast<int>(k));

@@ -29,16 +29,17 @@ constexpr int maxPasses = 8;
 
 class Unfolding {
 public:
-    Unfolding(MeshLattice& lattice, const std::vector<VertexRule>& rules, const std::vector<bool>& sharp)
+    Unfolding(MeshLattice& lattice, const std::vector<VertexRule>& rules, const std::vector<bool>& sharp,
+              unsigned jobs)
         : lattice_(lattice), numbers_(lattice.numbers()), mesh_(numbers_.mesh()), squares_(lattice.squares()),
-          rules_(rules), sharp_(sharp), isSound_(soundFaces(mesh_)), isFolded_(mesh_.n_faces()),
-          isRedrawn_(mesh_.n_edges()) {
+          rules_(rules), sharp_(sharp), jobs_(jobs), isSound_(soundFaces(mesh_, jobs)),
+          isFolded_(mesh_.n_faces()), isRedrawn_(mesh_.n_edges()) {
         for (int k = 0; k <= squares_; ++k)
             weights_.push_back(lagrange(squares_, share(k)));
     }
 
-    void run(unsigned jobs) {
-        if (!findFolds(jobs)) return;
+    void run() {
+        if (!findFolds()) return;
         const MeshLattice before = lattice_;
         const EdgeCurves curves(before, rules_, sharp_);
         for (int pass = 0; pass < maxPasses; ++pass) {
@@ -47,9 +48,9 @@ public:
                 isRedrawn_[at(edge)] = !sharp_[at(edge)] || turnsBack(edge);
                 if (isRedrawn_[at(edge)]) draw(mesh_.halfedge_handle(edge, 0), curves);
             }
-            parallelForMany(mesh_.n_faces(), jobs,
+            parallelForMany(mesh_.n_faces(), jobs_,
                             [&](std::size_t face) { fill(FaceId(static_cast<int>(face)), before); });
-            if (!findFolds(jobs)) return;
+            if (!findFolds()) return;
         }
     }
 
@@ -63,9 +64,9 @@ private:
 
     /// Faces that were drawn along with their neighbours may fold for that reason.
     /// \return whether there are new ones
-    bool findFolds(unsigned jobs) {
+    bool findFolds() {
         std::atomic<bool> isNew = false;
-        parallelForMany(mesh_.n_faces(), jobs, [&](std::size_t face) {
+        parallelForMany(mesh_.n_faces(), jobs_, [&](std::size_t face) {
             if (isFolded_[face] || !isSound_[face] || !folds(FaceId(static_cast<int>(face)))) return;
             isFolded_[face] = true;
             isNew = true;
@@ -172,6 +173,7 @@ private:
     int squares_;
     const std::vector<VertexRule>& rules_;
     const std::vector<bool>& sharp_;
+    unsigned jobs_;
     std::vector<LagrangeWeights> weights_; ///< at the lattice's parameters
     std::vector<bool> isSound_;            ///< by face
     std::vector<char> isFolded_;           ///< by face; bytes, as threads write them
@@ -182,7 +184,7 @@ private:
 
 void unfold(MeshLattice& lattice, const std::vector<VertexRule>& rules, const std::vector<bool>& sharp,
             unsigned jobs) {
-    Unfolding(lattice, rules, sharp).run(jobs);
+    Unfolding(lattice, rules, sharp, jobs).run();
 }
 
 } // namespace qm
