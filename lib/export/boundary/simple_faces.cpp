@@ -15,6 +15,14 @@ namespace {
 
 using Surfaces = std::vector<std::optional<SimpleSurface>>;
 
+/// How far vertices and edges may move, in the tolerances of simple faces.
+struct Reach {
+    static constexpr double ofSimple = 4;
+    /// Where other faces meet, too: their edges stay, and end where the vertex was. If that is farther away,
+    /// gmsh finds outlines open.
+    static constexpr double besideOthers = 0.25;
+};
+
 /// Adds surfaces in the place of patches that are not exact planes.
 void recogniseSimple(const std::vector<Patch>& patches, const SharedEdges& shared,
                      const SimpleFaceTolerances& tolerances, Surfaces& surfaces) {
@@ -30,15 +38,21 @@ void recogniseSimple(const std::vector<Patch>& patches, const SharedEdges& share
         if (!surfaces[k]) surfaces[k] = std::move(found[k]);
 }
 
-/// By vertex: the simple faces whose edges end there, in the order of the edges.
-std::vector<std::vector<std::size_t>> simpleFacesAt(const SharedEdges& shared, const Surfaces& surfaces) {
-    std::vector<std::vector<std::size_t>> facesAt(shared.vertexPoint.size());
+/// Calls a function with every end of an edge, and each patch that the edge belongs to.
+template <class Function> void forEachEnd(const SharedEdges& shared, const Function& function) {
     for (const SharedEdge& edge : shared.edges)
         for (const VertexId vertex : {edge.start, edge.end})
             for (const BorderPlace& place : edge.places)
-                if (auto& faces = facesAt[at(vertex)];
-                    surfaces[place.patch] && std::ranges::find(faces, place.patch) == faces.end())
-                    faces.push_back(place.patch);
+                function(vertex, place.patch);
+}
+
+/// By vertex: the simple faces whose edges end there, in the order of the edges.
+std::vector<std::vector<std::size_t>> simpleFacesAt(const SharedEdges& shared, const Surfaces& surfaces) {
+    std::vector<std::vector<std::size_t>> facesAt(shared.vertexPoint.size());
+    forEachEnd(shared, [&](VertexId vertex, std::size_t patch) {
+        auto& faces = facesAt[at(vertex)];
+        if (surfaces[patch] && std::ranges::find(faces, patch) == faces.end()) faces.push_back(patch);
+    });
     return facesAt;
 }
 
@@ -48,7 +62,8 @@ SimpleFaces::SimpleFaces(const std::vector<Patch>& clampedPatches, const SharedE
                          const SimpleFaceTolerances& tolerances)
     : resolution_(tolerances.resolution), isCommon_(shared.vertexPoint.size()) {
     for (const double tolerance : tolerances.simplify)
-        reach_ = std::max(reach_, 4 * tolerance);
+        tolerance_ = std::max(tolerance_, tolerance);
+    reach_ = Reach::ofSimple * tolerance_;
     for (const Patch& patch : clampedPatches)
         surfaces_.push_back(planeOf(patch, tolerances.flatness));
     if (reach_ > 0) recogniseSimple(clampedPatches, shared, tolerances, surfaces_);
@@ -57,6 +72,10 @@ SimpleFaces::SimpleFaces(const std::vector<Patch>& clampedPatches, const SharedE
 void SimpleFaces::moveVertices(SharedEdges& shared) {
     if (reach_ == 0) return;
     const auto facesAt = simpleFacesAt(shared, surfaces_);
+    std::vector<double> reach(facesAt.size(), reach_);
+    forEachEnd(shared, [&](VertexId vertex, std::size_t patch) {
+        if (!surfaces_[patch]) reach[at(vertex)] = Reach::besideOthers * tolerance_;
+    });
     for (std::size_t v = 0; v < facesAt.size(); ++v) {
         if (facesAt[v].size() < 2) continue;
         std::vector<SimpleSurface> surfaces;
@@ -64,7 +83,7 @@ void SimpleFaces::moveVertices(SharedEdges& shared) {
             surfaces.push_back(*surfaces_[face]);
         const gp_Pnt before = toGp(shared.vertexPoint[v]);
         const gp_Pnt after = commonPoint(before, surfaces);
-        if (!(after.Distance(before) <= reach_)) continue;
+        if (!(after.Distance(before) <= reach[v])) continue;
         shared.vertexPoint[v] = fromGp(after);
         isCommon_[v] = true;
     }

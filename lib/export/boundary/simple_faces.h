@@ -32,9 +32,9 @@ public:
         return surfaces_[face];
     }
 
-    /// Moves vertices where several simple faces meet onto all of these, unless that is far away, and then
-    /// to where edges between two faces of one cylinder or cone can be straight. Does nothing if all simple
-    /// faces are planes within the flatness.
+    /// Moves vertices where several simple faces meet onto all of these, unless that is far away (or, where
+    /// other faces meet as well, not very near), and then to where edges between two faces of one cylinder or
+    /// cone can be straight. Does nothing if all simple faces are planes within the flatness.
     /// \param shared  the edges of the patches; its `vertexPoint` changes
     void moveVertices(SharedEdges& shared);
 
@@ -51,6 +51,7 @@ private:
 
     std::vector<std::optional<SimpleSurface>> surfaces_;
     double resolution_;
+    double tolerance_ = 0;       ///< the largest between a patch and what replaces it
     double reach_ = 0;           ///< largest distance by which a vertex or an edge may move
     std::vector<bool> isCommon_; ///< by vertex: whether it lies on all simple faces there
 };

@@ -1,6 +1,7 @@
 #include "export/files/checked_shape.h"
 
 #include "export/boundary/face_order.h"
+#include "export/boundary/loose_edges.h"
 #include "export/boundary/merge_edges.h"
 #include "export/boundary/merge_faces.h"
 #include "export/boundary/outline.h"
@@ -83,6 +84,13 @@ CheckedShape checkedShape(const QuadMesh& mesh, const FacePatches& faces, double
             }
         if (!changed) return made;
     }
+}
+
+CheckedShape withLooseEdgesDivided(CheckedShape shape) {
+    Boundary boundary = shape.boundary;
+    if (divideLooseEdges(boundary) == 0) return shape;
+    CheckedShape made = checked(std::move(boundary), shape.origins);
+    return made.isSound() || !shape.isSound() ? made : shape;
 }
 
 CheckedShape merged(CheckedShape shape) {

@@ -30,4 +30,8 @@ struct CheckedShape {
 /// ellipse, as far as OpenCASCADE takes that.
 [[nodiscard]] CheckedShape merged(CheckedShape shape);
 
+/// The same with edges divided where they are farthest from simple surfaces (loose_edges.h), if OpenCASCADE
+/// takes that.
+[[nodiscard]] CheckedShape withLooseEdgesDivided(CheckedShape shape);
+
 } // namespace qm

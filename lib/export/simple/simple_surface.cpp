@@ -37,6 +37,10 @@ struct MaxSamples {
     static constexpr std::size_t ofPatch = 1000; ///< to verify it, once
 };
 
+/// Largest distance from a curved surface, as a share of that from a plane. What bends less is within the
+/// tolerance of many surfaces, none of which is meant.
+constexpr double maxShareOfBulge = 0.25;
+
 /// What `fitShape` asks for.
 constexpr std::size_t minPoints = 10;
 
@@ -166,6 +170,21 @@ std::vector<std::size_t> uniteNeighbours(std::vector<Group>& groups,
     return groupOf;
 }
 
+double farthest(const SimpleShape& shape, const OrientedPoints& samples) {
+    double distance = 0;
+    for (const Vector3d& point : samples.points)
+        distance = std::max(distance, std::abs(shape.distance(point)));
+    return distance;
+}
+
+/// Whether a group's shape is a plane, or says clearly more than one.
+bool isMeant(const Group& group) {
+    if (!group.shape || group.shape->kind == SimpleKind::plane) return group.shape.has_value();
+    const OrientedPoints& samples = group.cloud.samples;
+    const auto plane = fitShape(SimpleKind::plane, samples);
+    return plane && farthest(*group.shape, samples) <= maxShareOfBulge * farthest(*plane, samples);
+}
+
 /// The group's surface with its seam on the other side of a patch.
 std::optional<SimpleSurface> surfaceFor(const Group& group, const PatchCloud& patch, double tolerance) {
     const PatchCloud cloud = inFrame(patch, group.cloud.centre, group.cloud.size);
@@ -210,12 +229,15 @@ simpleSurfacesOf(const std::vector<Patch>& clampedPatches, const std::vector<dou
     }
     const std::vector<Group> alone = groups;
     const std::vector<std::size_t> groupOf = uniteNeighbours(groups, smoothNeighbours);
+    std::vector<bool> isGroupMeant(groups.size());
+    for (std::size_t k = 0; k < groups.size(); ++k)
+        isGroupMeant[k] = groupOf[k] == k && isMeant(groups[k]);
     std::vector<std::optional<SimpleSurface>> result(clampedPatches.size());
     for (std::size_t k = 0; k < clampedPatches.size(); ++k) {
         if (!alone[k].shape) continue;
         const PatchCloud fine = cloudOf(clampedPatches[k], MaxSamples::ofPatch);
-        result[k] = surfaceFor(groups[groupOf[k]], fine, tolerances[k]);
-        if (!result[k]) result[k] = surfaceFor(alone[k], fine, tolerances[k]);
+        if (isGroupMeant[groupOf[k]]) result[k] = surfaceFor(groups[groupOf[k]], fine, tolerances[k]);
+        if (!result[k] && isMeant(alone[k])) result[k] = surfaceFor(alone[k], fine, tolerances[k]);
     }
     return result;
 }

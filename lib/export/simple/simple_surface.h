@@ -23,9 +23,10 @@ struct SimpleSurface {
 [[nodiscard]] std::optional<SimpleSurface> planeOf(const Patch& clampedPatch, double tolerance);
 
 /// By patch: the first of plane, cylinder, cone, sphere and torus that is within the tolerance of the patch
-/// and whose normals are within three degrees of the patch's. Its poles, apex and seam are away from the
-/// patch. Radii are at most ten times the patch's size, because the axes of flatter surfaces would be
-/// arbitrary. Neighbours share a surface, except for its seam, where one surface suits both.
+/// and looks where it does (docs/METHOD.md#faces). Its poles, apex and seam are away from the patch. Radii
+/// are at most ten times the patch's size, and curved surfaces nearer than a plane by far, because those of
+/// flatter patches would be arbitrary. Neighbours share a surface, except for its seam, where one surface
+/// suits both.
 /// \param tolerances        by patch; 0 leaves it as it is
 /// \param smoothNeighbours  pairs of patches
 [[nodiscard]] std::vector<std::optional<SimpleSurface>>

@@ -29,6 +29,8 @@
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
 #include <cmath>
 #include <gp_Lin.hxx>
 #include <numbers>
@@ -498,6 +500,55 @@ TEST(Analytic, EveryKindIsRecognised) {
     }
 }
 
+TEST(Analytic, WhatBendsHardlyMoreThanItWavesIsNothing) {
+    const auto bent = [](double wave) {
+        return fitted(Grid{10, 10,
+                           [wave](double i, double j) {
+                               return Point(
+                                   i, j, 0.006 * i * (10 - i) + wave * std::sin(0.4 * std::numbers::pi * j));
+                           }},
+                      {{0, 0, 10, 10}}, test::interpolating());
+    };
+    ExportOptions options = analytic();
+    options.analyticTolerance = {0.35, true};
+    EXPECT_EQ(countSurfaces<Geom_CylindricalSurface>(readBack(bent(0.02), options)), 1);
+    EXPECT_EQ(countSurfaces<Geom_BSplineSurface>(readBack(bent(0.045), options)), 1)
+        << "within the tolerance of many surfaces";
+}
+
+/// The largest distance of an edge from the surfaces of faces, at the same parameters, over its tolerance.
+double excess(const TopoDS_Edge& edge, const std::vector<TopoDS_Shape>& faces) {
+    double first = 0;
+    double last = 0;
+    const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, first, last);
+    double largest = 0;
+    for (const TopoDS_Shape& shape : faces) {
+        const TopoDS_Face face = TopoDS::Face(shape);
+        const Handle(Geom2d_Curve) onFace = BRep_Tool::CurveOnSurface(edge, face, first, last);
+        if (onFace.IsNull()) continue;
+        constexpr int samples = 1000;
+        for (int k = 0; k <= samples; ++k) {
+            const double at = std::lerp(first, last, static_cast<double>(k) / samples);
+            const gp_Pnt2d on = onFace->Value(at);
+            largest =
+                std::max(largest, curve->Value(at).Distance(BRep_Tool::Surface(face)->Value(on.X(), on.Y())));
+        }
+    }
+    return largest / BRep_Tool::Tolerance(edge);
+}
+
+TEST(Analytic, ReadersFindTheWholeDistanceOfEdgesFromFaces) {
+    const TopoDS_Shape shape = readBack(tube(0.5), analytic());
+    const auto faces = all(shape, TopAbs_FACE);
+    int loose = 0;
+    for (const TopoDS_Shape& one : all(shape, TopAbs_EDGE)) {
+        const TopoDS_Edge edge = TopoDS::Edge(one);
+        if (BRep_Tool::Tolerance(edge) > 1e-6) ++loose;
+        EXPECT_LE(excess(edge, faces), 1);
+    }
+    EXPECT_GT(loose, 0);
+}
+
 TEST(Analytic, FacesLookToTheSameSideAsPatches) {
     for (const bool inwards : {false, true}) {
         const FittedModel model = revolved([](double) { return 3.0; }, inwards);
@@ -505,7 +556,8 @@ TEST(Analytic, FacesLookToTheSameSideAsPatches) {
         GProp_GProps asCylinders;
         BRepGProp::VolumeProperties(readBack(model), asSplines);
         BRepGProp::VolumeProperties(readBack(model, analytic()), asCylinders);
-        EXPECT_NEAR(asSplines.Mass(), asCylinders.Mass(), 1e-2);
+        // Of an open shell it is that of the cone from the mean of the vertices, of which there may be more.
+        EXPECT_NEAR(asSplines.Mass() / asCylinders.Mass(), 1, 0.1);
     }
 }
 

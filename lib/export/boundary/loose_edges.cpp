@@ -1,0 +1,132 @@
+#include "export/boundary/loose_edges.h"
+
+#include "export/simple/curve_on_surface.h"
+
+#include <boost/math/tools/minima.hpp>
+
+#include <Geom_BSplineCurve.hxx>
+#include <Geom_ElementarySurface.hxx>
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace qm {
+namespace {
+
+/// An edge's distance from the surfaces of its faces, by its parameter.
+class Looseness {
+public:
+    explicit Looseness(const BoundaryEdge& edge) : edge_(edge) {}
+
+    void add(const Handle(Geom_Surface) & surface, std::size_t side) {
+        surfaces_.emplace_back(surface, edge_.onFaces.at(side));
+    }
+
+    [[nodiscard]] double at(double parameter) const {
+        const gp_Pnt point = edge_.curve.at(parameter);
+        double distance = 0;
+        for (const auto& [surface, curve] : surfaces_) {
+            const gp_Pnt2d on = curve.IsNull()
+                                    ? parametersAt(Handle(Geom_ElementarySurface)::DownCast(surface), point)
+                                    : curve->Value(parameter);
+            distance = std::max(distance, point.Distance(surface->Value(on.X(), on.Y())));
+        }
+        return distance;
+    }
+
+    /// Where the distance is largest.
+    [[nodiscard]] double farthest() const {
+        constexpr int perInterval = 16;
+        const std::vector<double> parameters = parametersOf(edge_.curve, perInterval);
+        std::size_t largest = 0;
+        double distance = 0;
+        for (std::size_t k = 0; k < parameters.size(); ++k)
+            if (const double here = at(parameters[k]); here > distance) {
+                distance = here;
+                largest = k;
+            }
+        const double before = parameters[std::max<std::size_t>(largest, 1) - 1];
+        const double after = parameters[std::min(largest + 1, parameters.size() - 1)];
+        constexpr int bits = std::numeric_limits<double>::digits / 2; // an extremum has no more
+        const auto [place, negative] =
+            boost::math::tools::brent_find_minima([&](double t) { return -at(t); }, before, after, bits);
+        return -negative > distance ? place : parameters[largest];
+    }
+
+private:
+    const BoundaryEdge& edge_;
+    std::vector<std::pair<Handle(Geom_Surface), Handle(Geom2d_BSplineCurve)>> surfaces_;
+};
+
+/// The part of a spline between two of its parameters.
+template <class Curve>
+opencascade::handle<Curve> partOf(const opencascade::handle<Curve>& spline, double first, double last) {
+    const auto part = opencascade::handle<Curve>::DownCast(spline->Copy());
+    part->Segment(first, last);
+    return part;
+}
+
+/// The part of an edge between two parameters; its ends are not set.
+BoundaryEdge partOf(const BoundaryEdge& edge, double first, double last) {
+    BoundaryEdge part = edge;
+    if (const auto spline = Handle(Geom_BSplineCurve)::DownCast(edge.curve.curve); !spline.IsNull())
+        part.curve = wholeCurve(partOf(spline, first, last));
+    part.curve.first = first;
+    part.curve.last = last;
+    for (auto& curve : part.onFaces)
+        if (!curve.IsNull()) curve = partOf(curve, first, last);
+    return part;
+}
+
+/// Where to divide an edge, if that is worth while.
+std::optional<double> division(const BoundaryEdge& edge, const Looseness& looseness, double resolution) {
+    constexpr double margin = 4; // the parts are longer than their distance by this factor
+    const double at = looseness.farthest();
+    const double distance = looseness.at(at);
+    if (!(distance > resolution)) return std::nullopt;
+    const gp_Pnt point = edge.curve.at(at);
+    const double nearest = std::min(point.Distance(edge.curve.start()), point.Distance(edge.curve.end()));
+    return nearest > margin * distance ? std::optional(at) : std::nullopt;
+}
+
+} // namespace
+
+std::size_t divideLooseEdges(Boundary& boundary) {
+    std::vector<Looseness> looseness(boundary.edges.begin(), boundary.edges.end());
+    forEachUse(boundary, [&](std::size_t face, const EdgeUse& use) {
+        looseness[use.edge].add(boundary.faces[face].surface, use.side());
+    });
+    const std::size_t count = boundary.edges.size();
+    std::vector<std::optional<double>> divisions;
+    for (std::size_t e = 0; e < count; ++e)
+        divisions.push_back(division(boundary.edges[e], looseness[e], boundary.resolution));
+
+    std::vector<std::size_t> rest(count); // by edge: the number of its second part
+    std::size_t divided = 0;
+    for (std::size_t e = 0; e < count; ++e) {
+        if (!divisions[e]) continue;
+        ++divided;
+        BoundaryEdge first = partOf(boundary.edges[e], boundary.edges[e].curve.first, *divisions[e]);
+        BoundaryEdge second = partOf(boundary.edges[e], *divisions[e], boundary.edges[e].curve.last);
+        first.ends[1] = second.ends[0] = boundary.vertices.size();
+        boundary.vertices.push_back({second.curve.start(), second.tolerance});
+        rest[e] = boundary.edges.size();
+        boundary.edges[e] = std::move(first);
+        boundary.edges.push_back(std::move(second));
+    }
+    for (BoundaryFace& face : boundary.faces)
+        for (auto& loop : face.loops) {
+            std::vector<EdgeUse> uses;
+            for (const EdgeUse& use : loop) {
+                uses.push_back(use);
+                if (!divisions[use.edge]) continue;
+                uses.push_back({rest[use.edge], use.forwards});
+                if (!use.forwards) std::swap(uses.back(), *std::prev(uses.end(), 2));
+            }
+            loop = std::move(uses);
+        }
+    return divided;
+}
+
+} // namespace qm
