@@ -47,7 +47,7 @@ int main(int argc, char** argv) {
                           " vertices and " + std::to_string(found.mesh.n_faces()) + " faces");
             qm::check::checkHistory(document.root, report);
             report = qm::check::checkDocument(pointsAndFaces(found.mesh),
-                                              qm::check::readDocument(document.root), report);
+                                              qm::check::readDocument(document.root), report, tool.jobs());
             constexpr std::size_t linesShown = 20;
             for (const std::string& line : qm::check::violationLines(report, linesShown))
                 qm::printMessage(tool.name() + ": " + tool.inputName() + ": " + line);

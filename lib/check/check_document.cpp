@@ -16,8 +16,8 @@ std::string count(std::size_t number, const std::string& singular, const std::st
 
 class DocumentCheck {
 public:
-    DocumentCheck(const CheckedMesh& mesh, const CheckedDocument& document, Report report)
-        : mesh_(mesh), document_(document), around_(mesh), report_(std::move(report)) {}
+    DocumentCheck(const CheckedMesh& mesh, const CheckedDocument& document, Report report, unsigned jobs)
+        : mesh_(mesh), document_(document), around_(mesh), report_(std::move(report)), jobs_(jobs) {}
 
     Report run() {
         baseComplex();
@@ -107,7 +107,7 @@ private:
         const bool sound = section([&] { checkSurfaces(mesh_, around_, *document_.layout, part, report_); },
                                    "surfaces: " + count(part.patches.size(), "patch", "patches"));
         if (sound && part.figures["maxFromFacets"])
-            section([&] { checkFigures(context, *document_.layout, part, report_); },
+            section([&] { checkFigures(context, *document_.layout, part, jobs_, report_); },
                     "deviation: no figure is less than what is measured");
     }
 
@@ -115,13 +115,14 @@ private:
     const CheckedDocument& document_;
     Neighbourhoods around_;
     Report report_;
+    unsigned jobs_;
     std::vector<LineNetwork> networks_;
 };
 
 } // namespace
 
-Report checkDocument(const CheckedMesh& mesh, const CheckedDocument& document, Report report) {
-    return DocumentCheck(mesh, document, std::move(report)).run();
+Report checkDocument(const CheckedMesh& mesh, const CheckedDocument& document, Report report, unsigned jobs) {
+    return DocumentCheck(mesh, document, std::move(report), jobs).run();
 }
 
 } // namespace qm::check

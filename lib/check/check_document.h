@@ -16,6 +16,6 @@ namespace qm::check {
 ///
 /// \throw Error  if the mesh is no oriented 2-manifold of quads
 [[nodiscard]] Report checkDocument(const CheckedMesh& mesh, const CheckedDocument& document,
-                                   Report report = Report());
+                                   Report report = Report(), unsigned jobs = 1);
 
 } // namespace qm::check

@@ -1,4 +1,5 @@
 #include "base/at.h"
+#include "base/parallel.h"
 #include "check/check_sections.h"
 #include "check/surfaces/bilinear_quad.h"
 #include "check/surfaces/distance.h"
@@ -92,8 +93,8 @@ private:
         if (fromFacets_ && plain > *fromFacets_ + slackOf(*fromFacets_)) {
             const double slack = slackOf(*fromFacets_);
             const double limit = *fromFacets_ + slack;
-            double error = distanceToFace(mesh_, cell.face, startIn(cell, s, t), on);
-            if (error > limit) error = distanceToMesh(mesh_, around_, cell.face, on);
+            double error = distanceToFace(mesh_, cell.face, startIn(cell, s, t), on, limit);
+            if (error > limit) error = distanceToMesh(mesh_, around_, cell.face, on, limit);
             if (error <= limit) error = surfaces_.distanceFrom(of, cell.face, patch_, parameters, limit);
             if (checkFigure(part_, patch_, "maxFromFacets", error, slack, placeOf(cell), report_))
                 return true;
@@ -148,11 +149,15 @@ private:
 
 } // namespace
 
-void checkFigures(const Context& context, const LayoutPart& layout, const SurfacesPart& part,
+void checkFigures(const Context& context, const LayoutPart& layout, const SurfacesPart& part, unsigned jobs,
                   Report& report) {
     const DistanceToSurfaces surfaces(context, layout, part);
-    for (std::size_t patch = 0; patch < part.patches.size(); ++patch)
-        PatchCheck(context, layout, part, patch, surfaces, report).run();
+    std::vector<Report> ofPatch(part.patches.size());
+    parallelFor(ofPatch.size(), jobs, [&](std::size_t patch) {
+        PatchCheck(context, layout, part, patch, surfaces, ofPatch[patch]).run();
+    });
+    for (const Report& one : ofPatch)
+        report.add(one);
     checkMeetings(context, layout, part, report);
     checkAgreement(context.mesh, part, report);
 }

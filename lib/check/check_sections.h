@@ -75,7 +75,8 @@ void checkSurfaces(const CheckedMesh& mesh, const Neighbourhoods& around, const 
 /// nearby than is stated are compared with all of them, until the first violation of a patch.
 /// \param layout  must have passed its own check
 /// \param part    with sound knots and control points
-void checkFigures(const Context& context, const LayoutPart& layout, const SurfacesPart& part, Report& report);
+void checkFigures(const Context& context, const LayoutPart& layout, const SurfacesPart& part, unsigned jobs,
+                  Report& report);
 
 /// The part of `checkFigures` about meetings of patches, gaps and angles between normals: at 16 samples of
 /// every edge at which two patches meet, the first and the last at 1/200 of the edge from its ends; and along

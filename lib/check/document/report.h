@@ -25,6 +25,13 @@ public:
         if (total_++ < kept_)
             violations_.push_back({std::move(pointer), std::move(rule), std::move(explanation)});
     }
+    /// Takes in what another report holds.
+    void add(const Report& other) {
+        for (const Violation& violation : other.violations_)
+            if (violations_.size() < kept_) violations_.push_back(violation);
+        total_ += other.total_;
+        verified_.insert(verified_.end(), other.verified_.begin(), other.verified_.end());
+    }
     /// Notes what has been looked at and found true, for the summary.
     void verify(std::string what) { verified_.push_back(std::move(what)); }
 

@@ -46,10 +46,11 @@ Parameters nearestOnTangents(const SurfacePoint& here, const Place& away, const 
     return best;
 }
 
-/// Walks towards the parameters in the box [0, max] whose point is nearest; returns the smallest distance
-/// seen.
+/// Walks towards the parameters in the box [0, max] whose point is nearest, or to one that is near enough;
+/// returns the smallest distance seen.
 template <class Surface>
-double nearest(const Surface& surface, Parameters at, const Parameters& max, const Place& point) {
+double nearest(const Surface& surface, Parameters at, const Parameters& max, const Place& point,
+               double enough) {
     constexpr int maxHalvings = 20; // where the surface bends much, steps are far too long
     int halvings = 0;
     double min = HUGE_VAL;
@@ -65,6 +66,7 @@ double nearest(const Surface& surface, Parameters at, const Parameters& max, con
             continue;
         }
         min = now;
+        if (min <= enough) break;
         halvings = 0;
         before = at;
         at = nearestOnTangents(here, away, at, max);
@@ -72,50 +74,56 @@ double nearest(const Surface& surface, Parameters at, const Parameters& max, con
     return min;
 }
 
-double distanceToFace(const CheckedMesh& mesh, int face, const Place& point) {
+double distanceToFace(const CheckedMesh& mesh, int face, const Place& point, double enough) {
     double min = HUGE_VAL;
-    for (const Parameters& start : {Parameters{0.5, 0.5}, {0, 0}, {1, 0}, {1, 1}, {0, 1}})
-        min = std::min(min, check::distanceToFace(mesh, face, start, point));
+    for (const Parameters& start : {Parameters{0.5, 0.5}, {0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
+        min = std::min(min, check::distanceToFace(mesh, face, start, point, enough));
+        if (min <= enough) break;
+    }
     return min;
 }
 
 } // namespace
 
-double distanceToFace(const CheckedMesh& mesh, int face, Parameters start, const Place& point) {
+double distanceToFace(const CheckedMesh& mesh, int face, Parameters start, const Place& point,
+                      double enough) {
     const BilinearQuad quad = quadOf(mesh, face);
     const auto surface = [&](const Parameters& at) {
         const auto& [s, t] = at;
         return SurfacePoint{quad.at(s, t), minus(quad.at(1, t), quad.at(0, t)),
                             minus(quad.at(s, 1), quad.at(s, 0))};
     };
-    return nearest(surface, start, {1, 1}, point);
+    return nearest(surface, start, {1, 1}, point, enough);
 }
 
-double distanceToMesh(const CheckedMesh& mesh, const Neighbourhoods& around, int face, const Place& point) {
-    double min = distanceToFace(mesh, face, point);
-    while (true) {
+double distanceToMesh(const CheckedMesh& mesh, const Neighbourhoods& around, int face, const Place& point,
+                      double enough) {
+    double min = distanceToFace(mesh, face, point, enough);
+    while (min > enough) {
         int nearer = -1;
         for (const int vertex : mesh.quads[at(face)]) {
             const int first = around.firstStep(vertex);
             for (int step = first; step < first + around.valence(vertex); ++step) {
                 const int other = around.leftFace(step);
                 if (other < 0 || other == face) continue;
-                const double there = distanceToFace(mesh, other, point);
+                const double there = distanceToFace(mesh, other, point, enough);
                 if (there < min) {
                     min = there;
                     nearer = other;
                 }
             }
         }
-        if (nearer < 0) return min;
+        if (nearer < 0) break;
         face = nearer;
     }
+    return min;
 }
 
-double distanceToPatch(const SurfacesPart::Patch& patch, Parameters parameters, const Place& point) {
+double distanceToPatch(const SurfacesPart::Patch& patch, Parameters parameters, const Place& point,
+                       double enough) {
     const auto max = [&](std::size_t k) { return patch.knots[k][at(patch.count[k])]; };
     return nearest([&](const Parameters& at) { return evaluate(patch, at[0], at[1]); }, parameters,
-                   {max(0), max(1)}, point);
+                   {max(0), max(1)}, point, enough);
 }
 
 } // namespace qm::check

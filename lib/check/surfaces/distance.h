@@ -1,4 +1,6 @@
 /// \file Distances between a surface and a mesh, near places that are known to correspond.
+///
+/// Every search ends once it has found a distance that is `enough`, or else with the smallest.
 #pragma once
 
 #include "check/mesh/neighbourhoods.h"
@@ -9,16 +11,17 @@ namespace qm::check {
 
 /// From a point to a bilinear quad, by the Gauss-Newton iteration from `start`. Never less than the true
 /// distance.
-[[nodiscard]] double distanceToFace(const CheckedMesh& mesh, int face, Parameters start, const Place& point);
+[[nodiscard]] double distanceToFace(const CheckedMesh& mesh, int face, Parameters start, const Place& point,
+                                    double enough = 0);
 
 /// From a point to the mesh, walking from `face` to neighbouring faces as long as they are nearer. Never less
 /// than the true distance.
 [[nodiscard]] double distanceToMesh(const CheckedMesh& mesh, const Neighbourhoods& around, int face,
-                                    const Place& point);
+                                    const Place& point, double enough = 0);
 
 /// From a point to a patch, by the Gauss-Newton iteration from the parameters. Never less than the true
 /// distance.
 [[nodiscard]] double distanceToPatch(const SurfacesPart::Patch& patch, Parameters parameters,
-                                     const Place& point);
+                                     const Place& point, double enough = 0);
 
 } // namespace qm::check

@@ -21,13 +21,13 @@ DistanceToSurfaces::DistanceToSurfaces(const Context& context, const LayoutPart&
 
 double DistanceToSurfaces::distanceFrom(const Place& point, int face, std::size_t patch,
                                         const Parameters& parameters, double limit) const {
-    double nearest = distanceToPatch(part_.patches[patch], parameters, point);
+    double nearest = distanceToPatch(part_.patches[patch], parameters, point, limit);
     if (nearest <= limit) return nearest;
     for (const int vertex : mesh_.quads[at(face)])
         for (int k = 0; k < around_.valence(vertex); ++k) {
             const int other = around_.leftFace(around_.firstStep(vertex) + k);
             if (other < 0) continue;
-            nearest = std::min(nearest, distanceToPart(places_[at(other)], point, 2));
+            nearest = std::min(nearest, distanceToPart(places_[at(other)], point, 2, limit));
             if (nearest <= limit) return nearest;
         }
     return distanceToAll(point, limit, nearest);
@@ -35,14 +35,16 @@ double DistanceToSurfaces::distanceFrom(const Place& point, int face, std::size_
 
 /// To the surface over a face, or where the search leads to from a lattice of places there: where it is
 /// folded, many points are nearer than all around them.
-double DistanceToSurfaces::distanceToPart(const FacePlace& place, const Place& point, int steps) const {
+double DistanceToSurfaces::distanceToPart(const FacePlace& place, const Place& point, int steps,
+                                          double enough) const {
     double nearest = infinity;
     for (int i = 0; i <= steps; ++i)
-        for (int j = 0; j <= steps; ++j)
-            nearest = std::min(nearest, distanceToPatch(part_.patches[place.patch],
-                                                        {place.column + static_cast<double>(i) / steps,
-                                                         place.row + static_cast<double>(j) / steps},
-                                                        point));
+        for (int j = 0; j <= steps; ++j) {
+            const Parameters start{place.column + static_cast<double>(i) / steps,
+                                   place.row + static_cast<double>(j) / steps};
+            nearest = std::min(nearest, distanceToPatch(part_.patches[place.patch], start, point, enough));
+            if (nearest <= enough) return nearest;
+        }
     return nearest;
 }
 
@@ -60,7 +62,7 @@ double DistanceToSurfaces::distanceToAll(const Place& point, double limit, doubl
             radius = std::max(radius, distance(middle, corner(end[0], end[1])));
         constexpr double bulge = 1.5;
         if (distance(middle, point) - bulge * radius > nearest) continue;
-        nearest = std::min(nearest, distanceToPart(place, point, 4));
+        nearest = std::min(nearest, distanceToPart(place, point, 4, limit));
         if (nearest <= limit) break;
     }
     return nearest;

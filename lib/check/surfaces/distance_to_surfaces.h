@@ -29,7 +29,8 @@ private:
         int row = 0;
     };
 
-    [[nodiscard]] double distanceToPart(const FacePlace& place, const Place& point, int steps) const;
+    [[nodiscard]] double distanceToPart(const FacePlace& place, const Place& point, int steps,
+                                        double enough) const;
     [[nodiscard]] double distanceToAll(const Place& point, double limit, double nearest) const;
 
     const CheckedMesh& mesh_;

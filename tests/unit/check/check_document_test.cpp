@@ -524,6 +524,17 @@ TEST(CheckFigures, BelievesThatVerticesAroundFlatCornersWereMoved) {
     EXPECT_FALSE(complains());
 }
 
+TEST(CheckFigures, FindsTheSameOnAnyNumberOfThreads) {
+    Model model = statingModel();
+    lift(model.document, 1e-3, 0);
+    for (auto& each : model.document.surfaces->patches)
+        each.figures.stated = {{"maxFromFacets", 1e-9}, {"maxFromVertices", 1e-9}};
+    const Report alone = checkDocument(model.mesh, model.document);
+    const Report together = checkDocument(model.mesh, model.document, Report(), 3);
+    EXPECT_GT(alone.total(), 1U);
+    EXPECT_EQ(listed(alone), listed(together));
+}
+
 TEST(CheckFigures, AcceptsWhatIsTrue) {
     const Model model = statingModel();
     EXPECT_TRUE(checkDocument(model.mesh, model.document).ok());
