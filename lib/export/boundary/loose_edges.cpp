@@ -67,7 +67,7 @@ opencascade::handle<Curve> partOf(const opencascade::handle<Curve>& spline, doub
     return part;
 }
 
-/// The part of an edge between two parameters; its ends are not set.
+/// The part of an edge between two parameters; its ends are those of the whole.
 BoundaryEdge partOf(const BoundaryEdge& edge, double first, double last) {
     BoundaryEdge part = edge;
     if (const auto spline = Handle(Geom_BSplineCurve)::DownCast(edge.curve.curve); !spline.IsNull())
@@ -90,43 +90,56 @@ std::optional<double> division(const BoundaryEdge& edge, const Looseness& loosen
     return nearest > margin * distance ? std::optional(at) : std::nullopt;
 }
 
-} // namespace
-
-std::size_t divideLooseEdges(Boundary& boundary) {
+/// By edge: where to divide it, if at all.
+std::vector<std::optional<double>> divisionsOf(const Boundary& boundary) {
     std::vector<Looseness> looseness(boundary.edges.begin(), boundary.edges.end());
     forEachUse(boundary, [&](std::size_t face, const EdgeUse& use) {
         looseness[use.edge].add(boundary.faces[face].surface, use.side());
     });
-    const std::size_t count = boundary.edges.size();
     std::vector<std::optional<double>> divisions;
-    for (std::size_t e = 0; e < count; ++e)
+    for (std::size_t e = 0; e < boundary.edges.size(); ++e)
         divisions.push_back(division(boundary.edges[e], looseness[e], boundary.resolution));
+    return divisions;
+}
 
-    std::vector<std::size_t> rest(count); // by edge: the number of its second part
-    std::size_t divided = 0;
-    for (std::size_t e = 0; e < count; ++e) {
+/// The first part takes the edge's place, the second one becomes the last edge.
+void divide(Boundary& boundary, std::size_t edge, double at) {
+    const BoundaryEdge whole = boundary.edges[edge];
+    BoundaryEdge second = partOf(whole, at, whole.curve.last);
+    boundary.edges[edge] = partOf(whole, whole.curve.first, at);
+    boundary.edges[edge].ends[1] = second.ends[0] = boundary.vertices.size();
+    boundary.vertices.push_back({second.curve.start(), second.tolerance});
+    boundary.edges.push_back(std::move(second));
+}
+
+/// A loop with both parts where one edge was.
+/// \param second  by edge that there was: its second part, if it was divided
+std::vector<EdgeUse> withParts(const std::vector<EdgeUse>& loop,
+                               const std::vector<std::optional<std::size_t>>& second) {
+    std::vector<EdgeUse> result;
+    for (const EdgeUse& use : loop) {
+        result.push_back(use);
+        if (!second[use.edge]) continue;
+        result.push_back({*second[use.edge], use.forwards});
+        if (!use.forwards) std::iter_swap(result.end() - 1, result.end() - 2);
+    }
+    return result;
+}
+
+} // namespace
+
+std::size_t divideLooseEdges(Boundary& boundary) {
+    const std::vector<std::optional<double>> divisions = divisionsOf(boundary);
+    std::vector<std::optional<std::size_t>> second(divisions.size());
+    for (std::size_t e = 0; e < divisions.size(); ++e) {
         if (!divisions[e]) continue;
-        ++divided;
-        BoundaryEdge first = partOf(boundary.edges[e], boundary.edges[e].curve.first, *divisions[e]);
-        BoundaryEdge second = partOf(boundary.edges[e], *divisions[e], boundary.edges[e].curve.last);
-        first.ends[1] = second.ends[0] = boundary.vertices.size();
-        boundary.vertices.push_back({second.curve.start(), second.tolerance});
-        rest[e] = boundary.edges.size();
-        boundary.edges[e] = std::move(first);
-        boundary.edges.push_back(std::move(second));
+        second[e] = boundary.edges.size();
+        divide(boundary, e, *divisions[e]);
     }
     for (BoundaryFace& face : boundary.faces)
-        for (auto& loop : face.loops) {
-            std::vector<EdgeUse> uses;
-            for (const EdgeUse& use : loop) {
-                uses.push_back(use);
-                if (!divisions[use.edge]) continue;
-                uses.push_back({rest[use.edge], use.forwards});
-                if (!use.forwards) std::swap(uses.back(), *std::prev(uses.end(), 2));
-            }
-            loop = std::move(uses);
-        }
-    return divided;
+        for (auto& loop : face.loops)
+            loop = withParts(loop, second);
+    return boundary.edges.size() - divisions.size();
 }
 
 } // namespace qm
