@@ -86,7 +86,8 @@ private:
         BoundaryEdge& made = result_.edges.emplace_back();
         const Handle(Geom_BSplineCurve) known =
             splineCurve(restricted(border(at.patch, at.side), at.position, at.position + edge.length));
-        made.curve = simple_.exactCurve(edge, shared_, known).value_or(wholeCurve(known));
+        made.curve = simple_.exactCurve(edge, shared_, known)
+                         .value_or(wholeCurve(simple_.borderCurve(edge, shared_, known)));
         double gap = edge.gap;
         result_.largestGap = std::max(result_.largestGap, gap);
         for (std::size_t use = 0; use < edge.places.size(); ++use) {

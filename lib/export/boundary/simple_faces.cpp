@@ -38,6 +38,10 @@ void recogniseSimple(const std::vector<Patch>& patches, const SharedEdges& share
         if (!surfaces[k]) surfaces[k] = std::move(found[k]);
 }
 
+std::array<gp_Pnt, 2> endsOf(const SharedEdge& edge, const SharedEdges& shared) {
+    return {toGp(shared.vertexPoint[at(edge.start)]), toGp(shared.vertexPoint[at(edge.end)])};
+}
+
 /// Calls a function with every end of an edge, and each patch that the edge belongs to.
 template <class Function> void forEachEnd(const SharedEdges& shared, const Function& function) {
     for (const SharedEdge& edge : shared.edges)
@@ -130,13 +134,24 @@ std::optional<CurvePiece> SimpleFaces::exactCurve(const SharedEdge& edge, const 
     const auto& one = surfaces_[edge.places[0].patch];
     const auto& other = surfaces_[edge.places[1].patch];
     if (!one || !other) return std::nullopt;
-    const std::array ends{toGp(shared.vertexPoint[at(edge.start)]), toGp(shared.vertexPoint[at(edge.end)])};
+    const std::array ends = endsOf(edge, shared);
     const auto curve = commonCurve(border, ends, {*one, *other}, resolution_);
     for (int k = curve->FirstUKnotIndex(); k <= curve->LastUKnotIndex(); ++k)
         if (!(curve->Value(curve->Knot(k)).Distance(border->Value(curve->Knot(k))) <= reach_))
             return std::nullopt;
     const CurvePiece spline = wholeCurve(curve);
     return conicCurve({*one, *other}, ends, spline.middle(), resolution_).value_or(spline);
+}
+
+Handle(Geom_BSplineCurve) SimpleFaces::borderCurve(const SharedEdge& edge, const SharedEdges& shared,
+                                                   const Handle(Geom_BSplineCurve) & border) const {
+    const auto isSimple = [&](const BorderPlace& place) { return surfaces_[place.patch].has_value(); };
+    if (reach_ == 0 || std::ranges::none_of(edge.places, isSimple)) return border;
+    const std::array ends = endsOf(edge, shared);
+    if (ends[0].Distance(border->StartPoint()) <= resolution_ &&
+        ends[1].Distance(border->EndPoint()) <= resolution_)
+        return border;
+    return withEnds(border, ends);
 }
 
 } // namespace qm

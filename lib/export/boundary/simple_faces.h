@@ -45,6 +45,11 @@ public:
     [[nodiscard]] std::optional<CurvePiece> exactCurve(const SharedEdge& edge, const SharedEdges& shared,
                                                        const Handle(Geom_BSplineCurve) & border) const;
 
+    /// The border where an edge has no exact curve. If `moveVertices` has moved its ends, and a face of it is
+    /// simple, it ends where they are now: an outline on a simple face must not be open.
+    [[nodiscard]] Handle(Geom_BSplineCurve) borderCurve(const SharedEdge& edge, const SharedEdges& shared,
+                                                        const Handle(Geom_BSplineCurve) & border) const;
+
 private:
     /// \param facesAt  by vertex: the simple faces there
     void straightenSeams(SharedEdges& shared, const std::vector<std::vector<std::size_t>>& facesAt);

@@ -90,7 +90,7 @@ private:
         std::vector<std::array<std::optional<StepId>, 2>> onFaces(edges_.size());
         forEachUse(boundary_, [&](std::size_t face, const EdgeUse& use) {
             if (const auto& curve = boundary_.edges[use.edge].onFaces.at(use.side()); !curve.IsNull())
-                onFaces[use.edge].at(use.side()) = addOnSurface(curve, surfaces_[face]);
+                onFaces[use.edge].at(use.side()) = addOnSurface(curve, face);
         });
         for (std::size_t e = 0; e < edges_.size(); ++e) {
             const BoundaryEdge& edge = boundary_.edges[e];
@@ -104,9 +104,9 @@ private:
         }
     }
 
-    StepId addOnSurface(const Handle(Geom2d_BSplineCurve) & curve, StepId surface) {
-        const StepId plane = addPlaneCurve(file_, curve);
-        return file_.add("PCURVE", "", surface,
+    StepId addOnSurface(const Handle(Geom2d_BSplineCurve) & curve, std::size_t face) {
+        const StepId plane = addPlaneCurve(file_, curve, boundary_.faces[face].surface);
+        return file_.add("PCURVE", "", surfaces_[face],
                          file_.add("DEFINITIONAL_REPRESENTATION", "", std::array{plane}, planeContext_));
     }
 

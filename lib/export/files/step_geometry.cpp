@@ -13,6 +13,7 @@
 #include <Geom_SphericalSurface.hxx>
 #include <Geom_ToroidalSurface.hxx>
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace qm {
@@ -81,8 +82,16 @@ StepId addCurve(StepFile& file, const Handle(Geom_Curve) & curve) {
     return file.add("ELLIPSE", "", placement, ellipse->MajorRadius(), ellipse->MinorRadius());
 }
 
-StepId addPlaneCurve(StepFile& file, const Handle(Geom2d_BSplineCurve) & curve) {
-    return addSplineCurve(file, *curve);
+StepId addPlaneCurve(StepFile& file, const Handle(Geom2d_BSplineCurve) & curve,
+                     const Handle(Geom_Surface) & surface) {
+    const auto cone = Handle(Geom_ConicalSurface)::DownCast(surface);
+    if (cone.IsNull()) return addSplineCurve(file, *curve);
+    const auto onAxis = Handle(Geom2d_BSplineCurve)::DownCast(curve->Copy());
+    for (int k = 1; k <= onAxis->NbPoles(); ++k) {
+        const gp_Pnt2d& pole = onAxis->Pole(k);
+        onAxis->SetPole(k, {pole.X(), pole.Y() * std::cos(cone->SemiAngle())});
+    }
+    return addSplineCurve(file, *onAxis);
 }
 
 StepId addSurface(StepFile& file, const Handle(Geom_Surface) & surface) {

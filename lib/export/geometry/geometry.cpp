@@ -74,6 +74,24 @@ Handle(Geom_BSplineCurve) splineCurve(const SplineCurve& curve) {
     return new Geom_BSplineCurve(poles, knots.values, knots.multiplicities, 3);
 }
 
+Handle(Geom_BSplineCurve)
+    withEnds(const Handle(Geom_BSplineCurve) & clamped, const std::array<gp_Pnt, 2>& ends) {
+    const auto curve = Handle(Geom_BSplineCurve)::DownCast(clamped->Copy());
+    const gp_XYZ moveFirst = ends[0].XYZ() - clamped->StartPoint().XYZ();
+    const gp_XYZ moveLast = ends[1].XYZ() - clamped->EndPoint().XYZ();
+    const TColStd_Array1OfReal& knots = clamped->KnotSequence();
+    const double first = clamped->FirstParameter();
+    const double last = clamped->LastParameter();
+    for (int k = 1; k <= curve->NbPoles(); ++k) {
+        double parameter = 0; // of a spline that is linear, where it has this control point
+        for (int i = 1; i <= curve->Degree(); ++i)
+            parameter += knots(k + i) / curve->Degree();
+        const double share = (parameter - first) / (last - first);
+        curve->SetPole(k, curve->Pole(k).XYZ() + moveFirst * (1 - share) + moveLast * share);
+    }
+    return curve;
+}
+
 Handle(Geom2d_BSplineCurve) line(const gp_Pnt2d& from, const gp_Pnt2d& to, double first, double last) {
     TColgp_Array1OfPnt2d poles(1, 2);
     poles.SetValue(1, from);

