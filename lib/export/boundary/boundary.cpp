@@ -87,7 +87,7 @@ private:
         const Handle(Geom_BSplineCurve) known =
             splineCurve(restricted(border(at.patch, at.side), at.position, at.position + edge.length));
         made.curve = simple_.exactCurve(edge, shared_, known)
-                         .value_or(wholeCurve(simple_.borderCurve(edge, shared_, known)));
+                         .value_or(wholeCurve(simple_.movedBorder(edge, shared_, known)));
         double gap = edge.gap;
         result_.largestGap = std::max(result_.largestGap, gap);
         for (std::size_t use = 0; use < edge.places.size(); ++use) {

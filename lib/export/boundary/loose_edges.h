@@ -8,8 +8,8 @@ namespace qm {
 /// Divides edges that are farther than the resolution from a face's surface where they are farthest away.
 /// Files hold no tolerances: whoever reads one measures an edge's distance from its faces at the ends and at
 /// some points between, and trusts the largest. If the true one is only slightly larger, cuts through the
-/// edge fail. At an end it is not missed. What is so near an end already that the part to it would hardly be
-/// longer than its distance stays whole.
+/// edge fail. At an end it is not missed. An edge stays whole if one part would be hardly longer than the
+/// distance.
 /// \return the number of edges divided
 std::size_t divideLooseEdges(Boundary& boundary);
 

@@ -143,7 +143,7 @@ std::optional<CurvePiece> SimpleFaces::exactCurve(const SharedEdge& edge, const 
     return conicCurve({*one, *other}, ends, spline.middle(), resolution_).value_or(spline);
 }
 
-Handle(Geom_BSplineCurve) SimpleFaces::borderCurve(const SharedEdge& edge, const SharedEdges& shared,
+Handle(Geom_BSplineCurve) SimpleFaces::movedBorder(const SharedEdge& edge, const SharedEdges& shared,
                                                    const Handle(Geom_BSplineCurve) & border) const {
     const auto isSimple = [&](const BorderPlace& place) { return surfaces_[place.patch].has_value(); };
     if (reach_ == 0 || std::ranges::none_of(edge.places, isSimple)) return border;

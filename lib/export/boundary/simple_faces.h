@@ -47,7 +47,7 @@ public:
 
     /// The border where an edge has no exact curve. If `moveVertices` has moved its ends, and a face of it is
     /// simple, it ends where they are now: an outline on a simple face must not be open.
-    [[nodiscard]] Handle(Geom_BSplineCurve) borderCurve(const SharedEdge& edge, const SharedEdges& shared,
+    [[nodiscard]] Handle(Geom_BSplineCurve) movedBorder(const SharedEdge& edge, const SharedEdges& shared,
                                                         const Handle(Geom_BSplineCurve) & border) const;
 
 private:

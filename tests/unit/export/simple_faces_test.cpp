@@ -77,14 +77,14 @@ TEST(SimpleFaces, BordersEndWhereVerticesHaveBeenMoved) {
     const Point away(0, 0, 0.5);
     made.shared.vertexPoint[at(edge.start)] = fromGp(border->StartPoint());
     made.shared.vertexPoint[at(edge.end)] = fromGp(border->EndPoint()) + away;
-    const auto moved = simple.borderCurve(edge, made.shared, border);
+    const auto moved = simple.movedBorder(edge, made.shared, border);
     for (const double share : {0.0, 0.3, 1.0}) {
         const double parameter = std::lerp(border->FirstParameter(), border->LastParameter(), share);
         EXPECT_LT((fromGp(moved->Value(parameter)) - fromGp(border->Value(parameter)) - share * away).norm(),
                   1e-12);
     }
     const SimpleFaces planesOnly(made.faces.patches, made.shared, {1e-6, 1e-7, {}, 0.57});
-    EXPECT_EQ(planesOnly.borderCurve(edge, made.shared, border), border);
+    EXPECT_EQ(planesOnly.movedBorder(edge, made.shared, border), border);
 }
 
 TEST(CommonCurve, IsNoFinerThanHelpsWhereSurfacesDoNotMeet) {
