@@ -62,7 +62,7 @@ private:
 /// The part of a spline between two of its parameters.
 template <class Curve>
 opencascade::handle<Curve> partOf(const opencascade::handle<Curve>& spline, double first, double last) {
-    const auto part = opencascade::handle<Curve>::DownCast(spline->Copy());
+    auto part = opencascade::handle<Curve>::DownCast(spline->Copy());
     part->Segment(first, last);
     return part;
 }

@@ -76,7 +76,7 @@ Handle(Geom_BSplineCurve) splineCurve(const SplineCurve& curve) {
 
 Handle(Geom_BSplineCurve)
     withEnds(const Handle(Geom_BSplineCurve) & clamped, const std::array<gp_Pnt, 2>& ends) {
-    const auto curve = Handle(Geom_BSplineCurve)::DownCast(clamped->Copy());
+    auto curve = Handle(Geom_BSplineCurve)::DownCast(clamped->Copy());
     const gp_XYZ moveFirst = ends[0].XYZ() - clamped->StartPoint().XYZ();
     const gp_XYZ moveLast = ends[1].XYZ() - clamped->EndPoint().XYZ();
     const TColStd_Array1OfReal& knots = clamped->KnotSequence();
