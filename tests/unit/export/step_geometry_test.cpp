@@ -1,5 +1,4 @@
 #include "export/files/step_geometry.h"
-#include "export/geometry/geometry.h"
 
 #include <gtest/gtest.h>
 
@@ -12,10 +11,22 @@
 namespace qm {
 namespace {
 
+Handle(Geom2d_BSplineCurve) line(const gp_Pnt2d& from, const gp_Pnt2d& to) {
+    TColgp_Array1OfPnt2d poles(1, 2);
+    poles(1) = from;
+    poles(2) = to;
+    TColStd_Array1OfReal knots(1, 2);
+    knots(1) = 0;
+    knots(2) = 1;
+    TColStd_Array1OfInteger times(1, 2);
+    times.Init(2);
+    return new Geom2d_BSplineCurve(poles, knots, times, 1);
+}
+
 /// The parameter v at the end of a line from (0, 0) to (1, 2) in a surface's parameter plane, as written.
 double writtenHeight(const Handle(Geom_Surface) & surface) {
     StepFile file;
-    (void)addPlaneCurve(file, line({0, 0}, {1, 2}, 0, 1), surface);
+    (void)addPlaneCurve(file, line({0, 0}, {1, 2}), surface);
     const std::string text = file.text({"", ""}, "");
     const std::regex point(R"(CARTESIAN_POINT\('',\(1\.?,([^,)]+)\)\))");
     std::smatch found;
