@@ -162,7 +162,7 @@ std::vector<CertifiedDeviation> certifiedDeviations(const PairedSurfaces& surfac
     for (const CertifiedDeviation& one : result)
         close.negligible = std::max(close.negligible, one.lower / 2);
     parallelFor(result.size(), jobs, [&](std::size_t k) {
-        if (result[k].upper > close.enoughFor(result[k].lower))
+        if (!(result[k].upper <= close.enoughFor(result[k].lower)))
             result[k] = certifiedDeviation(surfaces, k, close);
     });
     return result;

@@ -128,7 +128,7 @@ std::vector<EdgeUse> withParts(const std::vector<EdgeUse>& loop,
 
 } // namespace
 
-std::size_t divideLooseEdges(Boundary& boundary) {
+bool divideLooseEdges(Boundary& boundary) {
     const std::vector<std::optional<double>> divisions = divisionsOf(boundary);
     std::vector<std::optional<std::size_t>> second(divisions.size());
     for (std::size_t e = 0; e < divisions.size(); ++e) {
@@ -139,7 +139,7 @@ std::size_t divideLooseEdges(Boundary& boundary) {
     for (BoundaryFace& face : boundary.faces)
         for (auto& loop : face.loops)
             loop = withParts(loop, second);
-    return boundary.edges.size() - divisions.size();
+    return boundary.edges.size() > divisions.size();
 }
 
 } // namespace qm

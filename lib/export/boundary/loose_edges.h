@@ -10,7 +10,7 @@ namespace qm {
 /// some points between, and trusts the largest. If the true one is only slightly larger, cuts through the
 /// edge fail. At an end it is not missed. An edge stays whole if one part would be hardly longer than the
 /// distance.
-/// \return the number of edges divided
-std::size_t divideLooseEdges(Boundary& boundary);
+/// \return whether there was one
+bool divideLooseEdges(Boundary& boundary);
 
 } // namespace qm

@@ -18,8 +18,7 @@ using Surfaces = std::vector<std::optional<SimpleSurface>>;
 /// How far vertices and edges may move, in the tolerances of simple faces.
 struct Reach {
     static constexpr double ofSimple = 4;
-    /// Where other faces meet, too: their edges stay, and end where the vertex was. If that is farther away,
-    /// gmsh finds outlines open.
+    /// Where other faces meet, too: the edges between these stay, and end where the vertex was.
     static constexpr double besideOthers = 0.25;
 };
 
@@ -67,18 +66,21 @@ SimpleFaces::SimpleFaces(const std::vector<Patch>& clampedPatches, const SharedE
     : resolution_(tolerances.resolution), isCommon_(shared.vertexPoint.size()) {
     for (const double tolerance : tolerances.simplify)
         tolerance_ = std::max(tolerance_, tolerance);
-    reach_ = Reach::ofSimple * tolerance_;
     for (const Patch& patch : clampedPatches)
         surfaces_.push_back(planeOf(patch, tolerances.flatness));
-    if (reach_ > 0) recogniseSimple(clampedPatches, shared, tolerances, surfaces_);
+    if (tolerance_ > 0) recogniseSimple(clampedPatches, shared, tolerances, surfaces_);
+}
+
+double SimpleFaces::reach() const {
+    return Reach::ofSimple * tolerance_;
 }
 
 void SimpleFaces::moveVertices(SharedEdges& shared) {
-    if (reach_ == 0) return;
+    if (tolerance_ == 0) return;
     const auto facesAt = simpleFacesAt(shared, surfaces_);
-    std::vector<double> reach(facesAt.size(), reach_);
+    std::vector<double> reachOf(facesAt.size(), reach());
     forEachEnd(shared, [&](VertexId vertex, std::size_t patch) {
-        if (!surfaces_[patch]) reach[at(vertex)] = Reach::besideOthers * tolerance_;
+        if (!surfaces_[patch]) reachOf[at(vertex)] = Reach::besideOthers * tolerance_;
     });
     for (std::size_t v = 0; v < facesAt.size(); ++v) {
         if (facesAt[v].size() < 2) continue;
@@ -87,7 +89,7 @@ void SimpleFaces::moveVertices(SharedEdges& shared) {
             surfaces.push_back(*surfaces_[face]);
         const gp_Pnt before = toGp(shared.vertexPoint[v]);
         const gp_Pnt after = commonPoint(before, surfaces);
-        if (!(after.Distance(before) <= reach[v])) continue;
+        if (!(after.Distance(before) <= reachOf[v])) continue;
         shared.vertexPoint[v] = fromGp(after);
         isCommon_[v] = true;
     }
@@ -118,7 +120,7 @@ void SimpleFaces::straightenSeams(SharedEdges& shared, const std::vector<std::ve
         const auto moved = straightened(seam, ends, others);
         const auto isGood = [&](std::size_t k) {
             const gp_Pnt& to = (*moved)[k];
-            return to.Distance(ends[k]) <= reach_ / 2 &&
+            return to.Distance(ends[k]) <= reach() / 2 &&
                    commonPoint(to, others[k]).Distance(to) <= resolution_ / 2;
         };
         if (!moved || !isGood(0) || !isGood(1)) continue;
@@ -137,7 +139,7 @@ std::optional<CurvePiece> SimpleFaces::exactCurve(const SharedEdge& edge, const 
     const std::array ends = endsOf(edge, shared);
     const auto curve = commonCurve(border, ends, {*one, *other}, resolution_);
     for (int k = curve->FirstUKnotIndex(); k <= curve->LastUKnotIndex(); ++k)
-        if (!(curve->Value(curve->Knot(k)).Distance(border->Value(curve->Knot(k))) <= reach_))
+        if (!(curve->Value(curve->Knot(k)).Distance(border->Value(curve->Knot(k))) <= reach()))
             return std::nullopt;
     const CurvePiece spline = wholeCurve(curve);
     return conicCurve({*one, *other}, ends, spline.middle(), resolution_).value_or(spline);
@@ -146,7 +148,7 @@ std::optional<CurvePiece> SimpleFaces::exactCurve(const SharedEdge& edge, const 
 Handle(Geom_BSplineCurve) SimpleFaces::movedBorder(const SharedEdge& edge, const SharedEdges& shared,
                                                    const Handle(Geom_BSplineCurve) & border) const {
     const auto isSimple = [&](const BorderPlace& place) { return surfaces_[place.patch].has_value(); };
-    if (reach_ == 0 || std::ranges::none_of(edge.places, isSimple)) return border;
+    if (tolerance_ == 0 || std::ranges::none_of(edge.places, isSimple)) return border;
     const std::array ends = endsOf(edge, shared);
     if (ends[0].Distance(border->StartPoint()) <= resolution_ &&
         ends[1].Distance(border->EndPoint()) <= resolution_)

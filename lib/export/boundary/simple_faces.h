@@ -54,10 +54,12 @@ private:
     /// \param facesAt  by vertex: the simple faces there
     void straightenSeams(SharedEdges& shared, const std::vector<std::vector<std::size_t>>& facesAt);
 
+    /// The largest distance by which a vertex or an edge may move.
+    [[nodiscard]] double reach() const;
+
     std::vector<std::optional<SimpleSurface>> surfaces_;
     double resolution_;
     double tolerance_ = 0;       ///< the largest between a patch and what replaces it
-    double reach_ = 0;           ///< largest distance by which a vertex or an edge may move
     std::vector<bool> isCommon_; ///< by vertex: whether it lies on all simple faces there
 };
 

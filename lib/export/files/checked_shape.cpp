@@ -58,9 +58,11 @@ CheckedShape withMergedFaces(const CheckedShape& shape, MergedSurface kind) {
     }
 }
 
-CheckedShape withMergedEdges(CheckedShape shape) {
+/// The same with edges changed, if OpenCASCADE takes that.
+/// \param change  called with the boundary; whether it has changed anything
+template <class Change> CheckedShape withEdges(CheckedShape shape, const Change& change) {
     Boundary boundary = shape.boundary;
-    if (!mergeEdges(boundary)) return shape;
+    if (!change(boundary)) return shape;
     CheckedShape made = checked(std::move(boundary), shape.origins);
     return made.isSound() || !shape.isSound() ? made : shape;
 }
@@ -87,16 +89,13 @@ CheckedShape checkedShape(const QuadMesh& mesh, const FacePatches& faces, double
 }
 
 CheckedShape withLooseEdgesDivided(CheckedShape shape) {
-    Boundary boundary = shape.boundary;
-    if (divideLooseEdges(boundary) == 0) return shape;
-    CheckedShape made = checked(std::move(boundary), shape.origins);
-    return made.isSound() || !shape.isSound() ? made : shape;
+    return withEdges(std::move(shape), divideLooseEdges);
 }
 
 CheckedShape merged(CheckedShape shape) {
     for (const MergedSurface kind : {MergedSurface::plane, MergedSurface::ruled})
         shape = withMergedFaces(shape, kind);
-    return withMergedEdges(std::move(shape));
+    return withEdges(std::move(shape), mergeEdges);
 }
 
 } // namespace qm

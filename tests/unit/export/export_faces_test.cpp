@@ -14,6 +14,9 @@
 
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
+#include <BRepGProp_Domain.hxx>
+#include <BRepGProp_Face.hxx>
+#include <BRepGProp_Vinert.hxx>
 #include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
 #include <Geom_BSplineSurface.hxx>
@@ -549,15 +552,21 @@ TEST(Analytic, ReadersFindTheWholeDistanceOfEdgesFromFaces) {
     EXPECT_GT(loose, 0);
 }
 
+/// Between the origin and the faces; OpenCASCADE's own volume of an open shell depends on its vertices.
+double volumeFromOrigin(const TopoDS_Shape& shape) {
+    double sum = 0;
+    for (const TopoDS_Shape& face : all(shape, TopAbs_FACE)) {
+        BRepGProp_Face integrated(TopoDS::Face(face));
+        BRepGProp_Domain domain(TopoDS::Face(face));
+        sum += BRepGProp_Vinert(integrated, domain, gp_Pnt(), gp_Pnt()).Mass();
+    }
+    return sum;
+}
+
 TEST(Analytic, FacesLookToTheSameSideAsPatches) {
     for (const bool inwards : {false, true}) {
         const FittedModel model = revolved([](double) { return 3.0; }, inwards);
-        GProp_GProps asSplines;
-        GProp_GProps asCylinders;
-        BRepGProp::VolumeProperties(readBack(model), asSplines);
-        BRepGProp::VolumeProperties(readBack(model, analytic()), asCylinders);
-        // Of an open shell it is that of the cone from the mean of the vertices, of which there may be more.
-        EXPECT_GT(asSplines.Mass() * asCylinders.Mass(), 0);
+        EXPECT_NEAR(volumeFromOrigin(readBack(model)), volumeFromOrigin(readBack(model, analytic())), 1e-2);
     }
 }
 

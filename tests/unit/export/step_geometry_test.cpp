@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <GCE2d_MakeSegment.hxx>
+#include <Geom2dConvert.hxx>
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <cmath>
@@ -11,22 +13,11 @@
 namespace qm {
 namespace {
 
-Handle(Geom2d_BSplineCurve) line(const gp_Pnt2d& from, const gp_Pnt2d& to) {
-    TColgp_Array1OfPnt2d poles(1, 2);
-    poles(1) = from;
-    poles(2) = to;
-    TColStd_Array1OfReal knots(1, 2);
-    knots(1) = 0;
-    knots(2) = 1;
-    TColStd_Array1OfInteger times(1, 2);
-    times.Init(2);
-    return new Geom2d_BSplineCurve(poles, knots, times, 1);
-}
-
 /// The parameter v at the end of a line from (0, 0) to (1, 2) in a surface's parameter plane, as written.
 double writtenHeight(const Handle(Geom_Surface) & surface) {
     StepFile file;
-    (void)addPlaneCurve(file, line({0, 0}, {1, 2}), surface);
+    const Handle(Geom2d_Curve) segment = GCE2d_MakeSegment(gp_Pnt2d(0, 0), gp_Pnt2d(1, 2)).Value();
+    (void)addPlaneCurve(file, Geom2dConvert::CurveToBSplineCurve(segment), surface);
     const std::string text = file.text({"", ""}, "");
     const std::regex point(R"(CARTESIAN_POINT\('',\(1\.?,([^,)]+)\)\))");
     std::smatch found;
