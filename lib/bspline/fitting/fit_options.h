@@ -17,7 +17,7 @@ struct SmoothFitOptions {
     double worthAll = 0.6;    ///< if more than this share of the control points is free, all are solved for
     bool removesKnots = true; ///< tries to do with fewer knots once the tolerance is kept
     int verifications = 5;    ///< largest number of verifications per attempt
-    int attempts = 5;         ///< largest number of attempts, while a verification fails
+    int attempts = 4;         ///< largest number of attempts, while a verification fails
 };
 
 } // namespace qm
