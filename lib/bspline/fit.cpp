@@ -61,11 +61,16 @@ constexpr double maxFlatness = 5e-6;
 /// Multiple of a scan's noise that its smoothing leaves at worst.
 constexpr double noiseLeft = 1.5;
 
+/// What is measured is larger by so much: distances up to this are found to be allowed.
+double certifiable(double allowed) {
+    return allowed / (1 + measureClosing);
+}
+
 /// The fit within a tolerance, verified by certified measurements.
 std::vector<Patch> smoothPatches(const QuadMesh& mesh, const Layout& layout, const FitReference& reference,
                                  double allowed, const Control& control) {
     const std::vector<ReferenceGrid>& grids = reference.target.grids;
-    const double limit = allowed / (1 + measureClosing); // what is measured is so much larger
+    const double limit = certifiable(allowed);
     const Verification verify = [&](const std::vector<Patch>& patches) {
         auto found = maxDeviations(mesh, layout, patches, grids, limit, control.jobs);
         for (double& distance : found)
@@ -108,11 +113,13 @@ Surfaces fitSurfaces(const QuadMesh& mesh, const Layout& layout, const std::vect
     surfaces.creases = creasePaths(mesh, marks);
     std::vector<bool> isSmooth = marks.isCrease;
     isSmooth.flip();
-    addMeasurement(measureSurfaces(mesh, layout, surfaces.patches, target.grids, isSmooth, control.jobs),
-                   surfaces);
+    const double negligible = std::min(measureNegligible * diagonal, certifiable(allowed));
+    addMeasurement(
+        measureSurfaces(mesh, layout, surfaces.patches, target.grids, isSmooth, negligible, control.jobs),
+        surfaces);
     if (scan != nullptr)
         surfaces.scan = {deviationFromScan(surfaces.patches, *scan, target.maxDistance,
-                                           {.negligible = measureNegligible * diagonal}, control.jobs),
+                                           {.negligible = negligible}, control.jobs),
                          target.coverage, target.noise};
     control.progress(1);
     return surfaces;

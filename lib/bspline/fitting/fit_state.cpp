@@ -236,12 +236,14 @@ void FitState::giveUpFolds() {
 
 bool FitState::stopSliding() {
     constexpr double around = 2; // mesh edges
-    bool changed = false;
+    std::vector<std::vector<KnotCell>> held(lattices_.size());
     forBadCells(1, [&](const KnotCell& cell, std::size_t k) {
-        const bool isNew = holdTargets({cell.begin[0] - around, cell.begin[1] - around},
-                                       {cell.end[0] + around, cell.end[1] + around}, changing(k));
-        changed = changed || isNew;
+        held[k].push_back({{cell.begin[0] - around, cell.begin[1] - around},
+                           {cell.end[0] + around, cell.end[1] + around}});
     });
+    bool changed = false;
+    for (std::size_t k = 0; k < held.size(); ++k)
+        if (!held[k].empty() && holdTargets(held[k], changing(k))) changed = true;
     return changed;
 }
 

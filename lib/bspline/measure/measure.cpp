@@ -47,8 +47,8 @@ public:
         result_.ofPatch.resize(patches.size());
     }
 
-    void certify() {
-        const CertificationOptions certification{measureClosing, measureNegligible * diagonal_};
+    void certify(double negligible) {
+        const CertificationOptions certification{measureClosing, negligible};
         fromReference_ = certifiedDeviations(toReference_, certification, jobs_);
         fromFacets_ = certifiedDeviations(toFacets_, certification, jobs_);
     }
@@ -184,9 +184,9 @@ private:
 
 Measurement measureSurfaces(const QuadMesh& mesh, const Layout& layout, const std::vector<Patch>& patches,
                             const std::vector<ReferenceGrid>& references, const std::vector<bool>& isSmooth,
-                            unsigned jobs) {
+                            double negligible, unsigned jobs) {
     Meter meter(mesh, layout, patches, references, jobs);
-    meter.certify();
+    meter.certify(negligible);
     parallelFor(patches.size(), jobs, [&](std::size_t k) { meter.measurePatch(k); });
     meter.measureBorders(isSmooth);
     return meter.finish();

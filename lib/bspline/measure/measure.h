@@ -13,7 +13,7 @@ namespace qm {
 
 /// Largest distances are too large by at most this share of themselves,
 constexpr double measureClosing = 0.02;
-/// or are below this share of the bounding box's diagonal.
+/// or are below this share of the bounding box's diagonal, and within the tolerance.
 constexpr double measureNegligible = 1e-5;
 
 struct PatchMeasurement {
@@ -32,10 +32,12 @@ struct Measurement {
 /// lines, folds and fairness. Linear in the mesh; about 10 microseconds per quad.
 /// \param references  by patch
 /// \param isSmooth    by edge: whether normals are compared across it
+/// \param negligible  distances below this need not be told apart
 [[nodiscard]] Measurement measureSurfaces(const QuadMesh& mesh, const Layout& layout,
                                           const std::vector<Patch>& patches,
                                           const std::vector<ReferenceGrid>& references,
-                                          const std::vector<bool>& isSmooth, unsigned jobs);
+                                          const std::vector<bool>& isSmooth, double negligible,
+                                          unsigned jobs);
 
 /// By patch: an upper bound of its distance from its reference, close where it is above a limit.
 [[nodiscard]] std::vector<double> maxDeviations(const QuadMesh& mesh, const Layout& layout,

@@ -51,8 +51,8 @@ TEST(LatticeHolds, AreWithinAnEdgeOfFoldsAndCountThem) {
 
 TEST(LatticeHolds, AreForGoodWhereTargetsAreHeld) {
     FitLattice lattice = slidLattice();
-    EXPECT_TRUE(holdTargets({0.6, 0.5}, {2, 1.5}, lattice));
-    EXPECT_FALSE(holdTargets({1, 1}, {1.5, 1.2}, lattice));
+    EXPECT_TRUE(holdTargets({{{0.6, 0.5}, {2, 1.5}}}, lattice));
+    EXPECT_FALSE(holdTargets({{{1, 1}, {1.5, 1.2}}}, lattice));
     releaseHolds(lattice);
     EXPECT_EQ(std::ranges::count(lattice.isHeld, true), 3 * 2);
     EXPECT_FALSE(lattice.isHeld[lattice.columns() + 1]);

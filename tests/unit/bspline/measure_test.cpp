@@ -3,6 +3,7 @@
 #include "bspline/measure/measure.h"
 #include "bspline/measure/scan_deviation.h"
 #include "bspline/splines/interpolate.h"
+#include "mesh/bounding_box.h"
 #include "support/grid_layout.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +18,8 @@ using test::Grid;
 Measurement measure(const QuadMesh& mesh, const Layout& layout, const std::vector<Patch>& patches,
                     bool smooth = true, unsigned jobs = 1) {
     return measureSurfaces(mesh, layout, patches, facetGrids(mesh, layout),
-                           std::vector<bool>(mesh.n_edges(), smooth), jobs);
+                           std::vector<bool>(mesh.n_edges(), smooth),
+                           measureNegligible * boundingBox(mesh).diagonal(), jobs);
 }
 
 Grid plane() {

@@ -411,7 +411,7 @@ TEST(SmoothFit, FollowsNormalsThatTurnEvenly) {
 }
 
 TEST(SmoothFit, IsSmoothAcrossTJointsAndWithinTheTolerance) {
-    for (const double percent : {1.0, 0.1, 0.01}) {
+    for (const double percent : {1.0, 0.1, 0.01, 5e-4}) {
         FitOptions options;
         options.tolerance = {percent, true};
         const Surfaces surfaces = test::fitted(test::sheet(), test::tJoint(), options).surfaces;
@@ -485,14 +485,23 @@ TEST(SmoothFit, DoesNotDependOnWhereTheModelLies) {
 }
 
 TEST(SmoothFit, DoesNotDependOnTheNumberOfThreads) {
-    const QuadMesh mesh = test::makeMesh(test::sheet());
-    const Layout layout = test::makeLayout(test::sheet(), test::tJoint());
+    const Grid waves{4, 3, [](double i, double j) { return Point(i, j, std::sin(2 * i) * std::cos(j)); }};
     Control several;
     several.jobs = 3;
-    const auto one = fitSurfaces(mesh, layout, dihedralAngles(mesh), {});
-    const auto three = fitSurfaces(mesh, layout, dihedralAngles(mesh), {}, nullptr, several);
-    for (std::size_t k = 0; k < one.patches.size(); ++k)
-        EXPECT_EQ(one.patches[k].controlPoints, three.patches[k].controlPoints);
+    const auto compare = [&](const Grid& grid, const std::vector<test::Rectangle>& rectangles,
+                             double percent) {
+        const QuadMesh mesh = test::makeMesh(grid);
+        const Layout layout = test::makeLayout(grid, rectangles);
+        FitOptions options;
+        options.tolerance = {percent, true};
+        const auto one = fitSurfaces(mesh, layout, dihedralAngles(mesh), options);
+        const auto three = fitSurfaces(mesh, layout, dihedralAngles(mesh), options, nullptr, several);
+        for (std::size_t k = 0; k < one.patches.size(); ++k)
+            EXPECT_EQ(one.patches[k].controlPoints, three.patches[k].controlPoints);
+        return missedTolerance(one, options);
+    };
+    EXPECT_EQ(compare(test::sheet(), test::tJoint(), 0.1), "");
+    EXPECT_NE(compare(waves, {{0, 0, 4, 3}}, 1e-5), "") << "all attempts are made";
 }
 
 /// Largest distance of points from the plane through three of them.

@@ -1,9 +1,9 @@
 #include "bspline/fitting/lattice/lattice_holds.h"
 
 #include "base/positions.h"
-#include "bspline/fitting/lattice/lattice_cells.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 
 namespace qm {
@@ -50,6 +50,33 @@ private:
     std::vector<int> sums_; ///< number of marks before a column and a row
 };
 
+/// By lattice point: whether it lies in any of the rectangles. There may be as many as points, each with many
+/// points: so only their corners are visited.
+std::vector<bool> pointsIn(const std::vector<KnotCell>& rectangles, const FitLattice& lattice) {
+    const std::size_t columns = lattice.columns();
+    const std::size_t width = columns + 1;
+    // How many rectangles more a point is in than those before it in its row and column.
+    std::vector<int> more(width * (lattice.reference.size() / columns + 1));
+    for (const KnotCell& rectangle : rectangles) {
+        const auto [begin, end] = rangeOf(rectangle, lattice);
+        ++more[begin[1] * width + begin[0]];
+        --more[begin[1] * width + end[0]];
+        --more[end[1] * width + begin[0]];
+        ++more[end[1] * width + end[0]];
+    }
+    std::vector<bool> isWithin;
+    std::vector<int> ofColumn(columns); // of `more`, in all rows so far
+    for (std::size_t row = 0; isWithin.size() < lattice.reference.size(); ++row) {
+        int rectanglesHere = 0;
+        for (std::size_t column = 0; column < columns; ++column) {
+            ofColumn[column] += more[row * width + column];
+            rectanglesHere += ofColumn[column];
+            isWithin.push_back(rectanglesHere > 0);
+        }
+    }
+    return isWithin;
+}
+
 } // namespace
 
 void holdAroundFolds(const std::vector<bool>& isFolded, FitLattice& lattice) {
@@ -67,12 +94,14 @@ void holdAroundFolds(const std::vector<bool>& isFolded, FitLattice& lattice) {
         }
 }
 
-bool holdTargets(const std::array<double, 2>& begin, const std::array<double, 2>& end, FitLattice& lattice) {
+bool holdTargets(const std::vector<KnotCell>& rectangles, FitLattice& lattice) {
+    const std::vector<bool> isWithin = pointsIn(rectangles, lattice);
     bool isNew = false;
-    forPoints({begin, end}, lattice, [&](std::size_t point) {
+    for (std::size_t point = 0; point < isWithin.size(); ++point) {
+        if (!isWithin[point]) continue;
         isNew = isNew || lattice.holds[point] < maxHolds;
         hold(point, maxHolds, lattice);
-    });
+    }
     return isNew;
 }
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "bspline/fitting/lattice/fit_lattice.h"
+#include "bspline/fitting/lattice/lattice_cells.h"
 
-#include <array>
 #include <vector>
 
 namespace qm {
@@ -13,9 +13,9 @@ namespace qm {
 /// \param isFolded  by point
 void holdAroundFolds(const std::vector<bool>& isFolded, FitLattice& lattice);
 
-/// Holds all points in a rectangle of parameters for good.
+/// Holds all points in rectangles of parameters for good.
 /// \return false if all of them were held for good already
-bool holdTargets(const std::array<double, 2>& begin, const std::array<double, 2>& end, FitLattice& lattice);
+bool holdTargets(const std::vector<KnotCell>& rectangles, FitLattice& lattice);
 
 /// Releases all points that have been held fewer than `maxHolds` times.
 void releaseHolds(FitLattice& lattice);
