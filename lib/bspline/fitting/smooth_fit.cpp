@@ -64,9 +64,8 @@ private:
     }
 
     /// Whether no further attempt is worth while.
-    [[nodiscard]] bool isOver() const {
-        return isNear(nearest_) || nearest_.isHopeless() || control_.stopRequested();
-    }
+    [[nodiscard]] bool isOver() const { return isSettled() || control_.stopRequested(); }
+    [[nodiscard]] bool isSettled() const { return isNear(nearest_) || nearest_.isHopeless(); }
 
     /// But for the uncertainty of a verification.
     [[nodiscard]] static bool isNear(const Fitted& fitted) {
@@ -92,8 +91,8 @@ private:
             found[k] = made(first + static_cast<int>(k), control);
             cameNear[k] = isNear(*found[k]);
         });
-        for (std::size_t k = 0; k < found.size() && found[k] && !isOver(); ++k)
-            take(std::move(*found[k]));
+        for (std::optional<Fitted>& fitted : found)
+            if (fitted && !isSettled()) take(std::move(*fitted));
     }
 
     const FitProblem& problem_;
