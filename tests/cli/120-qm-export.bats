@@ -58,6 +58,15 @@ PRODUCT('two 2'"
     assert_same_bytes plain.step none.step
 }
 
+@test "edges that move to analytic faces stay within their tolerance on other faces" {
+    qm-shape helix --resolution 8 -o helix.obj
+    qm-basecomplex -q helix.obj | qm-features | qm-cut -q | qm-enum -q | qm-merge -q | qm-prune -q | qm-bspline -q >helix.json
+    captured qm-export --stats --analytic helix.json -o helix.step
+    assert_success
+    [[ $stderr == *'"valid": 1'* ]]
+    assert [ "$(jq .simpleFaces <<<"${stderr_lines[-1]}")" -gt 0 ]
+}
+
 @test "neighbours that are one surface become one face" {
     qm-bspline --fit interpolate "$(stage layout plate)" -o plate.json
     quietly qm-export --quiet plate.json -o apart.step

@@ -88,12 +88,16 @@ private:
             splineCurve(restricted(border(at.patch, at.side), at.position, at.position + edge.length));
         made.curve = simple_.exactCurve(edge, shared_, known)
                          .value_or(wholeCurve(simple_.movedBorder(edge, shared_, known)));
+        result_.largestGap = std::max(result_.largestGap, edge.gap);
+        // An end moves farthest, see `movedBorder`.
+        const double moved = std::max(made.curve.start().Distance(known->StartPoint()),
+                                      made.curve.end().Distance(known->EndPoint()));
         double gap = edge.gap;
-        result_.largestGap = std::max(result_.largestGap, gap);
         for (std::size_t use = 0; use < edge.places.size(); ++use) {
             const auto& simple = simple_[edge.places[use].patch];
             if (!simple) {
                 made.onFaces.at(use) = inPlane(edge, use);
+                gap = std::max(gap, edge.gap + moved);
             } else {
                 const CurveOnSurface found = curveOnSurface(made.curve, *simple, resolution_);
                 made.onFaces.at(use) = found.curve;

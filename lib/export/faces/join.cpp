@@ -42,8 +42,9 @@ std::optional<Patch> joinedPatch(const Patch& one, const Patch& other, double to
         result.knots[0] = row.knots;
         result.count[0] = static_cast<int>(row.points.size());
     }
-    result = withoutNeedlessKnots(result, tolerance);
-    if (std::ranges::count(result.knots[0], one.knots[0].back()) > 2) return std::nullopt;
+    const double seam = one.knots[0].back();
+    result = withoutNeedlessKnot(result, seam, tolerance);
+    if (std::ranges::count(result.knots[0], seam) > 2) return std::nullopt;
     return result;
 }
 

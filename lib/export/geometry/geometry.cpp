@@ -44,6 +44,28 @@ bool hasRepeatedInnerKnot(const std::vector<double>& knots, int degree) {
     return std::adjacent_find(knots.begin() + surplus, knots.end() - surplus) != knots.end() - surplus;
 }
 
+/// Of an inner knot along u, as far as the surface does not need them.
+/// \return whether there were any
+bool removeRepetitions(Geom_BSplineSurface& surface, int knot, double tolerance) {
+    bool removed = false;
+    while (surface.UMultiplicity(knot) > 1 &&
+           surface.RemoveUKnot(knot, surface.UMultiplicity(knot) - 1, tolerance))
+        removed = true;
+    return removed;
+}
+
+/// A patch with the knots and control points of a surface.
+Patch withKnotsOf(const Geom_BSplineSurface& surface, Patch patch) {
+    patch.knots = {fullKnots(surface.UKnots(), surface.UMultiplicities()),
+                   fullKnots(surface.VKnots(), surface.VMultiplicities())};
+    patch.count = {surface.NbUPoles(), surface.NbVPoles()};
+    patch.controlPoints.clear();
+    for (int j = 1; j <= patch.count[1]; ++j)
+        for (int i = 1; i <= patch.count[0]; ++i)
+            patch.controlPoints.push_back(fromGp(surface.Pole(i, j)));
+    return patch;
+}
+
 } // namespace
 
 gp_Pnt toGp(const Point& point) {
@@ -107,23 +129,21 @@ Patch withoutNeedlessKnots(const Patch& clampedPatch, double tolerance) {
     const Handle(Geom_BSplineSurface) surface = splineSurface(clampedPatch);
     bool removed = false;
     for (int k = surface->NbUKnots() - 1; k > 1; --k)
-        while (surface->UMultiplicity(k) > 1 &&
-               surface->RemoveUKnot(k, surface->UMultiplicity(k) - 1, tolerance))
-            removed = true;
+        removed = removeRepetitions(*surface, k, tolerance) || removed;
     for (int k = surface->NbVKnots() - 1; k > 1; --k)
         while (surface->VMultiplicity(k) > 1 &&
                surface->RemoveVKnot(k, surface->VMultiplicity(k) - 1, tolerance))
             removed = true;
-    if (!removed) return clampedPatch;
-    Patch result = clampedPatch;
-    result.knots = {fullKnots(surface->UKnots(), surface->UMultiplicities()),
-                    fullKnots(surface->VKnots(), surface->VMultiplicities())};
-    result.count = {surface->NbUPoles(), surface->NbVPoles()};
-    result.controlPoints.clear();
-    for (int j = 1; j <= result.count[1]; ++j)
-        for (int i = 1; i <= result.count[0]; ++i)
-            result.controlPoints.push_back(fromGp(surface->Pole(i, j)));
-    return result;
+    return removed ? withKnotsOf(*surface, clampedPatch) : clampedPatch;
+}
+
+Patch withoutNeedlessKnot(const Patch& clampedPatch, double knot, double tolerance) {
+    const Handle(Geom_BSplineSurface) surface = splineSurface(clampedPatch);
+    int number = 2;
+    while (surface->UKnot(number) < knot)
+        ++number;
+    return removeRepetitions(*surface, number, tolerance) ? withKnotsOf(*surface, clampedPatch)
+                                                          : clampedPatch;
 }
 
 } // namespace qm

@@ -29,5 +29,7 @@ namespace qm {
 /// Removes repetitions of inner knots that the patch's shape does not need.
 /// \param tolerance  largest distance by which a point of the surface may move
 [[nodiscard]] Patch withoutNeedlessKnots(const Patch& clampedPatch, double tolerance);
+/// The same for a single inner knot along u, which the patch must have.
+[[nodiscard]] Patch withoutNeedlessKnot(const Patch& clampedPatch, double knot, double tolerance);
 
 } // namespace qm

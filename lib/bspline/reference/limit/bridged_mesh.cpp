@@ -22,12 +22,17 @@ constexpr double minCosineNearCreases = 0.64;
 constexpr double minCosine = 0.2;
 /// Largest number of rings of vertices around a fold that are moved with it.
 constexpr int maxRings = 3;
+/// A vertex of more quads stays: it lies where many of them have it, and moving it for each would take a time
+/// quadratic in their number.
+constexpr unsigned maxValence = 32;
 
 class Bridging {
 public:
     Bridging(const QuadMesh& mesh, const std::vector<bool>& isCrease)
-        : mesh_(mesh), isFolded_(mesh.n_faces()), isFixed_(mesh.n_vertices()),
+        : mesh_(mesh), isFolded_(mesh.n_faces()), isFixed_(mesh.n_vertices()), isHub_(mesh.n_vertices()),
           unknown_(mesh.n_vertices(), none) {
+        for (const VertexId vertex : mesh_.vertices())
+            isHub_[at(vertex)] = mesh_.valence(vertex) > maxValence;
         for (const FaceId face : mesh_.faces())
             isFolded_[at(face)] = qm::isFolded(mesh_, face);
         for (const EdgeId edge : mesh_.edges()) {
@@ -61,7 +66,7 @@ private:
 
     /// No crease passes, and the quads around that are not folded lie on one side of a smooth surface.
     [[nodiscard]] bool mayMove(VertexId vertex) const {
-        if (isFixed(vertex)) return false;
+        if (isFixed(vertex) || isHub_[at(vertex)]) return false;
         double limit = minCosine;
         Point sum(0, 0, 0);
         std::vector<Point> normals;
@@ -168,8 +173,9 @@ private:
                     constants.row(row) -= weight * vector(mesh_.point(of)).transpose();
             };
             add(vertex, 1);
+            const double share = 1.0 / mesh_.valence(vertex);
             for (const VertexId beside : mesh_.vv_range(vertex))
-                add(beside, -1.0 / mesh_.valence(vertex));
+                add(beside, -share);
             ++row;
         }
         Eigen::SparseMatrix<double> matrix(constants.rows(), static_cast<Eigen::Index>(moved.size()));
@@ -187,6 +193,7 @@ private:
     QuadMesh mesh_;
     std::vector<bool> isFolded_; ///< by face
     std::vector<bool> isFixed_;  ///< by vertex: a crease or the boundary passes
+    std::vector<bool> isHub_;    ///< by vertex: it belongs to very many quads
     std::vector<int> unknown_;   ///< by vertex: its number among those that move, or none
 };
 
