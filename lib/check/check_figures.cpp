@@ -2,7 +2,7 @@
 #include "base/parallel.h"
 #include "check/check_sections.h"
 #include "check/surfaces/bilinear_quad.h"
-#include "check/surfaces/distance.h"
+#include "check/surfaces/distance_to_mesh.h"
 #include "check/surfaces/distance_to_surfaces.h"
 #include "check/surfaces/folds.h"
 #include "check/surfaces/spline.h"
@@ -16,13 +16,19 @@
 namespace qm::check {
 namespace {
 
+/// In both directions.
+struct Distances {
+    DistanceToMesh toMesh;
+    DistanceToSurfaces toSurfaces;
+};
+
 /// The figures of one patch that concern its distance from the mesh, and its folds.
 class PatchCheck {
 public:
     PatchCheck(const Context& context, const LayoutPart& layout, const SurfacesPart& part, std::size_t patch,
-               const DistanceToSurfaces& surfaces, Report& report)
+               const Distances& distances, Report& report)
         : mesh_(context.mesh), around_(context.around), angles_(context.angles), part_(part), patch_(patch),
-          segment_(layout.segments[patch]), surfaces_(surfaces), report_(report),
+          segment_(layout.segments[patch]), distances_(distances), report_(report),
           vertices_(soundGridOf(mesh_, segment_)), fromFacets_(part.patches[patch].figures["maxFromFacets"]),
           fromVertices_(part.patches[patch].figures["maxFromVertices"]),
           mayFold_(part.patches[patch].figures["folds"].value_or(1) > 0) {}
@@ -93,17 +99,15 @@ private:
         if (fromFacets_ && plain > *fromFacets_ + slackOf(*fromFacets_)) {
             const double slack = slackOf(*fromFacets_);
             const double limit = *fromFacets_ + slack;
-            double error = distanceToFace(mesh_, cell.face, startIn(cell, s, t), on, limit);
-            if (error > limit) error = distanceToMesh(mesh_, around_, cell.face, on, limit);
-            if (error <= limit) error = surfaces_.distanceFrom(of, cell.face, patch_, parameters, limit);
+            double error = distances_.toMesh.from(on, cell.face, startIn(cell, s, t), limit);
+            if (error <= limit) error = distances_.toSurfaces.from(of, patch_, parameters, limit);
             if (checkFigure(part_, patch_, "maxFromFacets", error, slack, placeOf(cell), report_))
                 return true;
         }
         const bool atVertex = i % samplesPerEdge == 0 && j % samplesPerEdge == 0;
         if (!atVertex || !fromVertices_ || plain <= *fromVertices_ + slackOf(*fromVertices_)) return false;
         const double slack = slackOf(*fromVertices_);
-        const double error =
-            surfaces_.distanceFrom(of, cell.face, patch_, parameters, *fromVertices_ + slack);
+        const double error = distances_.toSurfaces.from(of, patch_, parameters, *fromVertices_ + slack);
         return checkFigure(part_, patch_, "maxFromVertices", error, slack, placeOf(cell), report_);
     }
 
@@ -140,7 +144,7 @@ private:
     const SurfacesPart& part_;
     std::size_t patch_;
     const LayoutPart::Segment& segment_;
-    const DistanceToSurfaces& surfaces_;
+    const Distances& distances_;
     Report& report_;
     std::vector<int> vertices_;                       ///< of the segment's grid
     std::optional<double> fromFacets_, fromVertices_; ///< as stated
@@ -151,10 +155,10 @@ private:
 
 void checkFigures(const Context& context, const LayoutPart& layout, const SurfacesPart& part, unsigned jobs,
                   Report& report) {
-    const DistanceToSurfaces surfaces(context, layout, part);
+    const Distances distances{DistanceToMesh(context.mesh), {context.mesh, layout, part}};
     std::vector<Report> ofPatch(part.patches.size());
     parallelFor(ofPatch.size(), jobs, [&](std::size_t patch) {
-        PatchCheck(context, layout, part, patch, surfaces, ofPatch[patch]).run();
+        PatchCheck(context, layout, part, patch, distances, ofPatch[patch]).run();
     });
     for (const Report& one : ofPatch)
         report.add(one);

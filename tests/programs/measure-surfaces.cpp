@@ -6,7 +6,7 @@
 /// document has them. Nothing is shared with lib/bspline. Lengths are shares of the bounding box's diagonal,
 /// angles are in degrees. Places within one edge of a folded or flat quad count as `besideBad`.
 #include "check/document/read_document.h"
-#include "check/surfaces/distance.h"
+#include "check/surfaces/distance_to_mesh.h"
 #include "check/surfaces/patch_borders.h"
 #include "check/surfaces/spline.h"
 #include "check/tracks/check_segments.h"
@@ -78,7 +78,7 @@ struct Spread {
 class Measurement {
 public:
     Measurement(const CheckedMesh& mesh, const CheckedDocument& document)
-        : mesh_(mesh), around_(mesh), layout_(*document.layout), part_(*document.surfaces),
+        : mesh_(mesh), around_(mesh), toMesh_(mesh), layout_(*document.layout), part_(*document.surfaces),
           borders_(patchBorders(around_, layout_)), sharp_(borders_.size(), 0) {
         markCreases();
         findDiagonal();
@@ -250,9 +250,8 @@ private:
                 const Place& of = lattice[j * width + i];
                 fromReference_.add(fromSurfaces(p, {us[i], vs[j]}, of, face, fromReference_.largest));
                 const double fromFacet = distance(on.point, bilinear(corners, i, j));
-                fromFacets_.add(fromFacet <= fromFacets_.largest
-                                    ? fromFacet
-                                    : distanceToMesh(mesh_, around_, face, on.point));
+                fromFacets_.add(fromFacet <= fromFacets_.largest ? fromFacet
+                                                                 : toMesh_.from(on.point, face, {0.5, 0.5}));
                 if (i + 1 == width || j + 1 == width) continue;
                 const Place across = minus(lattice[(j + 1) * width + i + 1], of);
                 const Place other = minus(lattice[(j + 1) * width + i], lattice[j * width + i + 1]);
@@ -363,6 +362,7 @@ private:
 
     const CheckedMesh& mesh_;
     Neighbourhoods around_;
+    DistanceToMesh toMesh_;
     const LayoutPart& layout_;
     const SurfacesPart& part_;
     std::vector<std::vector<BorderPlace>> borders_;

@@ -74,15 +74,6 @@ double nearest(const Surface& surface, Parameters at, const Parameters& max, con
     return min;
 }
 
-double distanceToFace(const CheckedMesh& mesh, int face, const Place& point, double enough) {
-    double min = HUGE_VAL;
-    for (const Parameters& start : {Parameters{0.5, 0.5}, {0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
-        min = std::min(min, check::distanceToFace(mesh, face, start, point, enough));
-        if (min <= enough) break;
-    }
-    return min;
-}
-
 } // namespace
 
 double distanceToFace(const CheckedMesh& mesh, int face, Parameters start, const Place& point,
@@ -94,29 +85,6 @@ double distanceToFace(const CheckedMesh& mesh, int face, Parameters start, const
                             minus(quad.at(s, 1), quad.at(s, 0))};
     };
     return nearest(surface, start, {1, 1}, point, enough);
-}
-
-double distanceToMesh(const CheckedMesh& mesh, const Neighbourhoods& around, int face, const Place& point,
-                      double enough) {
-    double min = distanceToFace(mesh, face, point, enough);
-    while (min > enough) {
-        int nearer = -1;
-        for (const int vertex : mesh.quads[at(face)]) {
-            const int first = around.firstStep(vertex);
-            for (int step = first; step < first + around.valence(vertex); ++step) {
-                const int other = around.leftFace(step);
-                if (other < 0 || other == face) continue;
-                const double there = distanceToFace(mesh, other, point, enough);
-                if (there < min) {
-                    min = there;
-                    nearer = other;
-                }
-            }
-        }
-        if (nearer < 0) break;
-        face = nearer;
-    }
-    return min;
 }
 
 double distanceToPatch(const SurfacesPart::Patch& patch, Parameters parameters, const Place& point,

@@ -1,4 +1,4 @@
-/// \file Distances between a surface and a mesh, near places that are known to correspond.
+/// \file Distances from a point to a face or a patch, near a place that corresponds to it.
 ///
 /// Every search ends once it has found a distance that is `enough`, or else with the smallest.
 #pragma once
@@ -13,11 +13,6 @@ namespace qm::check {
 /// distance.
 [[nodiscard]] double distanceToFace(const CheckedMesh& mesh, int face, Parameters start, const Place& point,
                                     double enough = 0);
-
-/// From a point to the mesh, walking from `face` to neighbouring faces as long as they are nearer. Never less
-/// than the true distance.
-[[nodiscard]] double distanceToMesh(const CheckedMesh& mesh, const Neighbourhoods& around, int face,
-                                    const Place& point, double enough = 0);
 
 /// From a point to a patch, by the Gauss-Newton iteration from the parameters. Never less than the true
 /// distance.

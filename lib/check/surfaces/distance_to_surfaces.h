@@ -1,8 +1,8 @@
 /// \file How far a point of a mesh is from the surfaces that were fitted to it.
 #pragma once
 
-#include "check/mesh/context.h"
 #include "check/surfaces/distance.h"
+#include "check/surfaces/search_starts.h"
 
 #include <cstddef>
 #include <vector>
@@ -12,15 +12,15 @@ namespace qm::check {
 /// Knows which patch lies over every face.
 class DistanceToSurfaces {
 public:
-    /// All arguments outlive this.
-    DistanceToSurfaces(const Context& context, const LayoutPart& layout, const SurfacesPart& part);
+    /// \param part  must outlive this
+    DistanceToSurfaces(const CheckedMesh& mesh, const LayoutPart& layout, const SurfacesPart& part);
 
-    /// From a point of a face to its patch, and if that is farther than the limit, from more places of the
-    /// faces around it as well: surfaces may slide into other patches, and a patch may meet itself. Never
-    /// less than the true distance.
-    /// \param parameters  of the point in its patch
-    [[nodiscard]] double distanceFrom(const Place& point, int face, std::size_t patch,
-                                      const Parameters& parameters, double limit) const;
+    /// From a point to a patch, and if that is farther than the limit, to whatever may be nearer: surfaces
+    /// may slide into other patches, a patch may meet itself, and a reference of another shape draws surfaces
+    /// away from their faces. Never less than the true distance.
+    /// \param parameters  of the point in the patch, about
+    [[nodiscard]] double from(const Place& point, std::size_t patch, const Parameters& parameters,
+                              double limit) const;
 
 private:
     struct FacePlace {
@@ -29,14 +29,12 @@ private:
         int row = 0;
     };
 
-    [[nodiscard]] double distanceToPart(const FacePlace& place, const Place& point, int steps,
-                                        double enough) const;
-    [[nodiscard]] double distanceToAll(const Place& point, double limit, double nearest) const;
+    /// \param within  the face: both parameters from 0 to 1
+    [[nodiscard]] Parameters inPatch(std::size_t face, const Parameters& within) const;
 
-    const CheckedMesh& mesh_;
-    const Neighbourhoods& around_;
     const SurfacesPart& part_;
     std::vector<FacePlace> places_; ///< by face
+    SearchStarts starts_;           ///< over faces
 };
 
 } // namespace qm::check

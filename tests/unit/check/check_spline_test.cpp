@@ -1,6 +1,6 @@
 // The checker's own evaluation of surfaces, and its distances.
 #include "check/surfaces/bilinear_quad.h"
-#include "check/surfaces/distance.h"
+#include "check/surfaces/distance_to_mesh.h"
 #include "check/surfaces/spline.h"
 #include "support/polycube.h"
 
@@ -80,20 +80,21 @@ TEST(CheckSpline, StandsRepeatedKnotsInside) {
 
 TEST(CheckDistance, ToAMeshIsThatToItsNearestFace) {
     const CheckedMesh mesh = plane({"xxxx", "xxxx"});
-    const Neighbourhoods around(mesh);
-    EXPECT_NEAR(distanceToMesh(mesh, around, 0, {3.3, 1.6, 0.25}), 0.25, 1e-12);
-    EXPECT_NEAR(distanceToMesh(mesh, around, 0, {0.5, -0.3, 0.4}), 0.5, 1e-12);
-    EXPECT_NEAR(distanceToMesh(mesh, around, 7, {-3, -4, 0}), 5, 1e-12);
+    const DistanceToMesh distance(mesh);
+    const Parameters middle{0.5, 0.5};
+    EXPECT_NEAR(distance.from({3.3, 1.6, 0.25}, 0, middle), 0.25, 1e-12);
+    EXPECT_NEAR(distance.from({0.5, -0.3, 0.4}, 0, middle), 0.5, 1e-12);
+    EXPECT_NEAR(distance.from({-3, -4, 0}, 7, middle), 5, 1e-12);
 }
 
 TEST(CheckDistance, ToABilinearFace) {
     CheckedMesh mesh = plane({"x"});
     mesh.points[2][2] = 1; // a saddle: z = x y
-    const Neighbourhoods around(mesh);
+    const DistanceToMesh distance(mesh);
     const Place middle = quadOf(mesh, 0).at(0.5, 0.5);
     EXPECT_EQ(middle, (Place{0.5, 0.5, 0.25}));
-    EXPECT_NEAR(distanceToMesh(mesh, around, 0, middle), 0, 1e-12);
-    EXPECT_NEAR(distanceToMesh(mesh, around, 0, {0.25, 0.75, 0.1875}), 0, 1e-9);
+    EXPECT_NEAR(distance.from(middle, 0, {0, 0}), 0, 1e-12);
+    EXPECT_NEAR(distance.from({0.25, 0.75, 0.1875}, 0, {0.5, 0.5}), 0, 1e-9);
 }
 
 TEST(CheckDistance, ToAPatch) {
