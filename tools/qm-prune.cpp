@@ -27,6 +27,7 @@ int main(int argc, char** argv) {
             tool.example("qm-merge part.enumeration.json | qm-prune --no-smooth > part.pruned.json");
             return [&tool, &options, stage] {
                 const qm::Model& model = stage->read();
+                options.constraints = model.constraints;
                 const double rho = qm::sharpAngle(stage->document().root);
                 const qm::PruneResult pruned =
                     qm::prune(model.mesh, model.complex, *model.layout, model.dihedralAngles, model.edgeCosts,

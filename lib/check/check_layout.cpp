@@ -39,7 +39,7 @@ public:
         checkWholeLines(around_, sourceless_, std::span(notTransversal, ordinary), tracksPlace, report_);
         particles(std::span(ordinary, tracks.end()));
         checkTransversals(around_, tracks, transversals, tracksPlace, report_);
-        checkConstraints(around_, context_.constraints, onTrack_, true, tracksPlace, report_);
+        constraints(std::span(notTransversal, tracks.end()));
         checkFront(part_, report_);
         const std::size_t before = report_.total();
         if (part_.divided) checkSegments(context_.mesh, around_, onTrack_, part_, report_);
@@ -47,6 +47,14 @@ public:
     }
 
 private:
+    void constraints(std::span<const ReadTrack> tracks) {
+        std::vector<char> present(onTrack_.size(), 0);
+        for (const ReadTrack& track : tracks)
+            for (const int step : track.steps)
+                present[at(around_.edge(step))] = 1;
+        checkConstraints(around_, context_.constraints, present, true, tracksPlace, report_);
+    }
+
     void ids() {
         std::unordered_set<int> seen;
         for (std::size_t i = 0; i < part_.tracks.size(); ++i)

@@ -35,6 +35,14 @@ public:
                 addBoundary(vertex);
     }
 
+    /// An arc is in if an edge of it is required, and out if one is forbidden.
+    void addDemands(const Constraints& constraints) {
+        for (const EdgeId edge : constraints.required)
+            if (arcOf_[at(edge)].valid()) result_.addRow({{arcOf_[at(edge)], 1}}, 1);
+        for (const EdgeId edge : constraints.forbidden)
+            if (arcOf_[at(edge)].valid()) result_.addRow({{arcOf_[at(edge)], -1}}, 0);
+    }
+
 private:
     static ColumnId columnOf(ArcId arc) { return GridProgram::columnOf(arc); }
 
@@ -148,13 +156,15 @@ ColumnValues GridProgram::valuesOf(const std::vector<bool>& present) const {
 
 GridProgram gridProgram(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
                         const std::vector<double>& dihedralAngles, const std::vector<double>& edgeCosts,
-                        const Layout& layout, const Smoothness& smoothness) {
+                        const Layout& layout, const Smoothness& smoothness, const Constraints& constraints) {
     GridProgram result;
     result.program.costs = ColumnValues(sumOverArcs(mesh, graph, complex, edgeCosts));
     result.quarters.assign(graph.arcs.size(), 0);
     const std::vector<ArcId> arcOf = arcsOfEdges(mesh, graph, complex);
     const SmoothnessRows smoothnessRows(mesh, arcOf, dihedralAngles, layout, smoothness);
-    Builder(mesh, complex, graph, arcOf, result).build(smoothnessRows);
+    Builder builder(mesh, complex, graph, arcOf, result);
+    builder.build(smoothnessRows);
+    builder.addDemands(constraints);
     addAnnuli(mesh, arcOf, result);
     addSeedLines(mesh, complex, graph, dihedralAngles, edgeCosts, result);
     smoothnessRows.keepEnds(result);

@@ -6,11 +6,13 @@
 /// - at a junction where exactly one arc of a line is in, both arcs of the other are;
 /// - at a seed that no line crosses both arcs are in, or both are out;
 /// - of two neighbouring edges at an extraordinary vertex at least one is in.
-/// Further variables make the number of segments linear: every corner counts a quarter, and every annulus,
-/// which becomes one segment when it is split, counts like four corners.
+/// Arcs with required edges are in, and those with forbidden ones are out. Further variables make the number
+/// of segments linear: every corner counts a quarter, and every annulus, which becomes one segment when it is
+/// split, counts like four corners.
 #pragma once
 
 #include "basecomplex/arc_graph.h"
+#include "layout/constraints.h"
 #include "layout/layout.h"
 #include "program/integer_program.h"
 
@@ -61,6 +63,6 @@ struct GridProgram {
 [[nodiscard]] GridProgram gridProgram(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
                                       const std::vector<double>& dihedralAngles,
                                       const std::vector<double>& edgeCosts, const Layout& layout,
-                                      const Smoothness& smoothness);
+                                      const Smoothness& smoothness, const Constraints& constraints = {});
 
 } // namespace qm

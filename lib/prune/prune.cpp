@@ -16,10 +16,19 @@ namespace {
 enum class Fate { keep, notQuadrilateral, notSmooth, removed };
 
 /// The candidates in decreasing order of cost; ties are in the order of ids.
-std::vector<std::size_t> candidates(const Layout& layout, double eta) {
+std::vector<std::size_t> candidates(const QuadMesh& mesh, const Layout& layout, const PruneOptions& options) {
+    std::vector<bool> isRequired(mesh.n_edges());
+    for (const EdgeId edge : options.constraints.required)
+        isRequired[at(edge)] = true;
+    const auto mayGo = [&](const LayoutTrack& track) {
+        return !track.transversal && track.track.cost > options.eta &&
+               std::ranges::none_of(track.track.halfedges, [&](HalfedgeId halfedge) {
+                   return isRequired[at(mesh.edge_handle(halfedge))];
+               });
+    };
     std::vector<std::size_t> order;
     for (std::size_t t = 0; t < layout.tracks.size(); ++t)
-        if (!layout.tracks[t].transversal && layout.tracks[t].track.cost > eta) order.push_back(t);
+        if (mayGo(layout.tracks[t])) order.push_back(t);
     std::ranges::stable_sort(order, std::greater{},
                              [&](std::size_t t) { return layout.tracks[t].track.cost; });
     return order;
@@ -53,7 +62,7 @@ std::vector<Fate> decide(const QuadMesh& mesh, const Layout& layout,
                          const std::vector<double>& dihedralAngles, const PruneOptions& options,
                          const Control& control) {
     Removal removal(mesh, layout);
-    const std::vector<std::size_t> order = candidates(layout, options.eta),
+    const std::vector<std::size_t> order = candidates(mesh, layout, options),
                                    rankOf = rankOfEdges(mesh, layout, order);
     std::vector<Fate> fates(layout.tracks.size(), Fate::keep);
     std::set<std::size_t> pass, nextPass; // ranks

@@ -3,6 +3,7 @@
 
 #include "base/control.h"
 #include "base/infinity.h"
+#include "layout/constraints.h"
 #include "layout/layout.h"
 #include "prune/front.h"
 
@@ -33,6 +34,7 @@ struct PruneOptions {
     double maxSegments = infinity;
     double timeLimit = 60; ///< optimum and front: seconds in total
     bool front = false;    ///< whether to find the front of layouts
+    Constraints constraints;
 };
 
 struct PruneResult {
@@ -50,7 +52,8 @@ struct PruneResult {
 
 /// Greedy: candidates in decreasing order of cost, ties by id; a track is removed if every segment stays a
 /// grid with four corners. A removal may make others possible, so candidates are tried again in the same
-/// order until none can be removed. Transversals are no candidates, and annuli stay annuli. The test of a
+/// order until none can be removed. Transversals and tracks with required edges are no candidates, and annuli
+/// stay annuli. The test of a
 /// track looks at its own vertices only, in time linear in its length.
 /// \param layout  as made by `buildLayout`
 [[nodiscard]] PruneResult pruneLayout(const QuadMesh& mesh, const Layout& layout,

@@ -1,6 +1,8 @@
 #include "prune/prune_optimum.h"
 
 #include "base/deadline.h"
+#include "base/error.h"
+#include "layout/borders.h"
 #include "layout/quality.h"
 #include "prune/pruning_search.h"
 #include "prune/turned_sides.h"
@@ -78,15 +80,30 @@ PruneResult pruneFrom(const Layout& layout, const QuadMesh& mesh, const BaseComp
     return result;
 }
 
+/// \throw Error  if the layout does not obey the constraints, which somebody may have added later
+void verifyConstraints(const QuadMesh& mesh, const Layout& layout, const Constraints& constraints) {
+    Borders borders(mesh);
+    for (const Track& track : properTracks(layout))
+        borders.add(track.halfedges);
+    const auto isBorder = [&](EdgeId edge) { return borders.isBorder(mesh.halfedge_handle(edge, 0)); };
+    const auto isInner = [&](EdgeId edge) { return !mesh.is_boundary(edge); };
+    if (!std::ranges::all_of(constraints.required, isBorder) ||
+        std::ranges::any_of(constraints.forbidden,
+                            [&](EdgeId edge) { return isInner(edge) && isBorder(edge); }))
+        throw Error("/constraints", "the layout does not obey them", "Run qm-enum and qm-merge again");
+}
+
 } // namespace
 
 PruneResult prune(const QuadMesh& mesh, const BaseComplex& complex, const Layout& layout,
                   const std::vector<double>& dihedralAngles, const std::vector<double>& edgeCosts,
                   const PruneOptions& options, double rho, const Control& control) {
+    verifyConstraints(mesh, layout, options.constraints);
     constexpr double halfTurn = 180; // no line turns by more
     if (!options.smooth || options.maxSharpTurn >= halfTurn)
         return pruneFrom(layout, mesh, complex, dihedralAngles, edgeCosts, options, rho, control);
-    const Layout cut = cutTurnedSides(mesh, layout, dihedralAngles, edgeCosts, options.maxSharpTurn);
+    const Layout cut = cutTurnedSides(mesh, layout, dihedralAngles, edgeCosts, options.maxSharpTurn,
+                                      options.constraints.forbidden);
     PruneResult result = pruneFrom(cut, mesh, complex, dihedralAngles, edgeCosts, options, rho, control);
     result.addedTracks = properTracks(cut).size() - properTracks(layout).size();
     return result;

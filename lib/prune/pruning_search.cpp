@@ -30,7 +30,8 @@ PruningSearch::PruningSearch(const QuadMesh& mesh, const BaseComplex& complex, c
     : mesh_(mesh), complex_(complex), layout_(layout), dihedralAngles_(dihedralAngles), edgeCosts_(edgeCosts),
       options_(options), control_(control), graph_(buildArcGraph(mesh, complex)),
       grids_(gridProgram(mesh, complex, graph_, dihedralAngles, edgeCosts, layout,
-                         options.smooth ? Smoothness{options.maxTurn, options.minCorner} : Smoothness())),
+                         options.smooth ? Smoothness{options.maxTurn, options.minCorner} : Smoothness(),
+                         options.constraints)),
       known_{valuesOf(layout)} {
     if (!grids_.program.allows(known_.front()))
         throw Error("/layout/tracks", "they are not made of whole arcs of the base complex",

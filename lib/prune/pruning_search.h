@@ -25,7 +25,7 @@ public:
     /// All references must outlive the object.
     /// \param layout          the starting point; results are never worse
     /// \param dihedralAngles  by edge, radians; like the costs
-    /// \param options         only the smoothness criterion is used
+    /// \param options         only the smoothness criterion and the constraints are used
     /// \throw Error  if the layout's tracks are not made of whole arcs
     PruningSearch(const QuadMesh& mesh, const BaseComplex& complex, const Layout& layout,
                   const std::vector<double>& dihedralAngles, const std::vector<double>& edgeCosts,

@@ -16,8 +16,11 @@ namespace {
 
 class Corners {
 public:
-    Corners(const QuadMesh& mesh, const std::vector<Track>& tracks, const std::vector<double>& dihedralAngles)
-        : mesh_(mesh), dihedralAngles_(dihedralAngles), borders_(mesh) {
+    Corners(const QuadMesh& mesh, const std::vector<Track>& tracks, const std::vector<double>& dihedralAngles,
+            const std::vector<EdgeId>& forbidden)
+        : mesh_(mesh), dihedralAngles_(dihedralAngles), borders_(mesh), isForbidden_(mesh.n_edges()) {
+        for (const EdgeId edge : forbidden)
+            isForbidden_[at(edge)] = true;
         for (const Track& track : tracks)
             borders_.add(track.halfedges);
     }
@@ -35,6 +38,7 @@ public:
         if (turn <= maxTurn || isRound(left, right, turn)) return {};
         while (!borders_.hasBorder(mesh_.to_vertex_handle(path.back())))
             path.push_back(straightOn(mesh_, path.back()));
+        if (std::ranges::any_of(path, [&](HalfedgeId step) { return isForbidden(step); })) return {};
         borders_.add(path);
         return path;
     }
@@ -42,6 +46,10 @@ public:
 private:
     [[nodiscard]] bool isSharpBorder(HalfedgeId halfedge) const {
         return borders_.isBorder(halfedge) && isSharp(mesh_, dihedralAngles_, halfedge);
+    }
+
+    [[nodiscard]] bool isForbidden(HalfedgeId halfedge) const {
+        return isForbidden_[at(mesh_.edge_handle(halfedge))];
     }
 
     /// Whether a line turns about as much at its next vertices on both sides, like a coarse circle.
@@ -58,14 +66,16 @@ private:
     const QuadMesh& mesh_;
     const std::vector<double>& dihedralAngles_;
     Borders borders_;
+    std::vector<bool> isForbidden_; ///< by edge
 };
 
 } // namespace
 
 Layout cutTurnedSides(const QuadMesh& mesh, const Layout& layout, const std::vector<double>& dihedralAngles,
-                      const std::vector<double>& edgeCosts, double maxTurn) {
+                      const std::vector<double>& edgeCosts, double maxTurn,
+                      const std::vector<EdgeId>& forbidden) {
     std::vector<Track> tracks = properTracks(layout), added;
-    Corners corners(mesh, tracks, dihedralAngles);
+    Corners corners(mesh, tracks, dihedralAngles, forbidden);
     const auto goOn = [&](HalfedgeId arriving) {
         for (auto path = corners.pathFrom(arriving, maxTurn); !path.empty();
              path = corners.pathFrom(path.back(), maxTurn))

@@ -13,8 +13,10 @@ namespace qm {
 /// \param layout          as made by `buildLayout`; transversals are no borders here, as they are drawn anew
 /// \param dihedralAngles  by edge index, radians
 /// \param maxTurn         degrees; at 180 nothing turns by more
+/// \param forbidden       edges over which no track goes on
 [[nodiscard]] Layout cutTurnedSides(const QuadMesh& mesh, const Layout& layout,
                                     const std::vector<double>& dihedralAngles,
-                                    const std::vector<double>& edgeCosts, double maxTurn);
+                                    const std::vector<double>& edgeCosts, double maxTurn,
+                                    const std::vector<EdgeId>& forbidden = {});
 
 } // namespace qm

@@ -156,6 +156,22 @@ objective() { field ".layout.cost + $1 * (.layout.segments | length)" "$2"; }
     misused qm-prune --method optimum --fewest-patches --max-segments 5 "$(stage layout block)"
 }
 
+@test "what is required stays, and a layout that does not obey is refused" {
+    layout=$(stage layout block)
+    quietly qm-prune --eta -100 --no-smooth "$layout" -o bold.json
+    gone=$(jq -c --slurpfile bold bold.json '[$bold[0].layout.tracks[].vertices] as $kept
+        | [.layout.tracks[].vertices | select(. as $path | $kept | index([$path]) | not)] | first' "$layout")
+    jq --argjson path "$gone" '.constraints = {"required": [{"vertices": $path}]}' "$layout" >required.json
+    for options in '--eta -100 --no-smooth' '--method optimum --beta 100 --no-smooth'; do
+        # shellcheck disable=SC2086  # a list of words
+        quietly qm-prune $options required.json -o out.json
+        quietly qm-check out.json
+    done
+    jq --argjson path "$gone" '.constraints = {"forbidden": [{"vertices": $path}]}' "$layout" >forbidden.json
+    complains qm-prune forbidden.json
+    assert_regex "$stderr" '/constraints: the layout does not obey them'
+}
+
 @test "options out of range" {
     for options in '--eta x' '--eta nan' '--max-turn -1' '--max-turn 181' '--max-turn' '--max-sharp-turn -1' '--max-sharp-turn 181' '--beta -1' '--beta 1e300' '--max-segments -1' '--method best' '--time-limit x'; do
         # shellcheck disable=SC2086  # a list of words

@@ -1,8 +1,10 @@
 // Compares the pruning program with trying every set of arcs, and with greedy removal.
 #include "base/at.h"
+#include "base/error.h"
 #include "base/infinity.h"
 #include "basecomplex/arc_graph.h"
 #include "enumerate/paper/plain_graph.h"
+#include "layout/tracks.h"
 #include "mesh/dihedral.h"
 #include "program/neighbourhood_search.h"
 #include "program/solve_program.h"
@@ -117,6 +119,66 @@ TEST_P(AllSetsOfArcs, HaveNoneThatIsBetterThanTheOptimum) {
     EXPECT_GT(compared, 10U);
     EXPECT_GT(cheaper, 3U);
     EXPECT_GT(annuli, 3U);
+}
+
+std::vector<bool> edgesOnTracks(const QuadMesh& mesh, const Layout& layout) {
+    std::vector<bool> onTrack(mesh.n_edges());
+    for (const Track& track : properTracks(layout))
+        for (const HalfedgeId halfedge : track.halfedges)
+            onTrack[at(mesh.edge_handle(halfedge))] = true;
+    return onTrack;
+}
+
+/// One edge on a track of the layout, and one on an arc that has none.
+Constraints drawConstraints(const Case& drawn, std::mt19937& random) {
+    const std::vector<bool> onTrack = edgesOnTracks(drawn.mesh, drawn.layout);
+    const ArcGraph graph = buildArcGraph(drawn.mesh, drawn.complex);
+    const std::vector<ArcId> arcOf = arcsOfEdges(drawn.mesh, graph, drawn.complex);
+    std::vector<EdgeId> edges(drawn.mesh.edges_begin(), drawn.mesh.edges_end());
+    std::ranges::shuffle(edges, random);
+    Constraints constraints;
+    for (const EdgeId edge : edges)
+        if (arcOf[at(edge)].valid())
+            (onTrack[at(edge)] ? constraints.required : constraints.forbidden).push_back(edge);
+    constraints.required.resize(std::min<std::size_t>(constraints.required.size(), 1));
+    constraints.forbidden.resize(std::min<std::size_t>(constraints.forbidden.size(), 1));
+    return constraints;
+}
+
+bool obeys(const Case& drawn, const Layout& layout, const Constraints& constraints) {
+    const std::vector<bool> onTrack = edgesOnTracks(drawn.mesh, layout);
+    const auto isOnTrack = [&](EdgeId edge) { return onTrack[at(edge)]; };
+    return std::ranges::all_of(constraints.required, isOnTrack) &&
+           std::ranges::none_of(constraints.forbidden, isOnTrack);
+}
+
+TEST_P(AllSetsOfArcs, HaveNoneThatObeysAndIsBetterThanTheOptimum) {
+    std::mt19937 random(1);
+    std::size_t compared = 0, dearer = 0;
+    for (unsigned number = 0; number < 600 && compared < 60; ++number) {
+        const auto drawn = drawSmallCase(number, GetParam());
+        if (!drawn) continue;
+        ++compared;
+        PruneOptions options = optimum(1, false);
+        const double free = objective(pruneCase(*drawn, drawn->layout, options).layout, options.beta);
+        options.constraints = drawConstraints(*drawn, random);
+        double lowest = infinity;
+        for (const Layout& layout : allLayouts(*drawn, buildArcGraph(drawn->mesh, drawn->complex)))
+            if (obeys(*drawn, layout, options.constraints))
+                lowest = std::min(lowest, objective(layout, options.beta));
+        const PruneResult pruned = pruneCase(*drawn, drawn->layout, options);
+        EXPECT_TRUE(pruned.proven);
+        EXPECT_TRUE(obeys(*drawn, pruned.layout, options.constraints)) << "case " << number;
+        EXPECT_NEAR(objective(pruned.layout, options.beta), lowest, 1e-6) << "case " << number;
+        if (lowest > free + 1e-6) ++dearer;
+        options.method = PruneMethod::greedy;
+        options.eta = -infinity;
+        EXPECT_TRUE(obeys(*drawn, pruneCase(*drawn, drawn->layout, options).layout, options.constraints));
+        std::swap(options.constraints.required, options.constraints.forbidden);
+        EXPECT_THROW((void)pruneCase(*drawn, drawn->layout, options), Error);
+    }
+    EXPECT_GT(compared, 10U);
+    EXPECT_GT(dearer, 3U);
 }
 
 /// Whether the corners at all extraordinary vertices have at least so many degrees.
