@@ -12,6 +12,7 @@
 #include <functional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace qm {
 namespace {
@@ -47,10 +48,11 @@ Improvement improveGraph(const QuadMesh& mesh, const BaseComplex& complex,
                          const Constraints& constraints, const MotorcycleGraph& graph, double seconds,
                          const Control& control, const KnownCost& tell) {
     const SearchSpace space = makeSearchSpace(mesh, complex, edgeCosts, {}, constraints, cornerCost);
-    KnownSoFar known(control, tell, graph.cost);
+    std::vector<bool> present = presentArcs(mesh, complex, space.graph, graph.tracks);
+    KnownSoFar known(control, tell, costOf(space, present));
     const Control telling = known.control();
     Improvement result;
-    GraphImprover improver(space, presentArcs(mesh, complex, space.graph, graph.tracks), known);
+    GraphImprover improver(space, std::move(present), known);
     const double shareOfTree = improver.isLarge() ? 1 : Tuning::shareOfTree;
     const bool together = telling.jobs > 1; // whether windows and bounds are computed at the same time
     const Deadline end(telling, seconds), tree(telling, shareOfTree * seconds),
@@ -83,7 +85,7 @@ Improvement improveGraph(const QuadMesh& mesh, const BaseComplex& complex,
     result.windows = improver.windows();
     result.improvements = improver.improvements();
     control.progress(1);
-    result.lowerBound = boundBelow(result.lowerBound, result.graph.cost);
+    result.lowerBound = boundBelow(result.lowerBound, costOf(space, improver.present()));
     return result;
 }
 

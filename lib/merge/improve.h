@@ -12,7 +12,7 @@ namespace qm {
 
 struct Improvement {
     MotorcycleGraph graph;
-    double lowerBound = 0;        ///< no graph is cheaper, up to rounding; the cost itself if proven
+    double lowerBound = 0;        ///< of all graphs' costs with those of corners; the graph's own if proven
     std::size_t windows = 0;      ///< searched
     std::size_t improvements = 0; ///< windows that made the graph cheaper
 };

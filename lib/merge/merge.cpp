@@ -100,7 +100,9 @@ MergeResult mergeGraphs(const QuadMesh& mesh, const BaseComplex& complex,
                                           constraints, result.graph, options.improve, control, tell);
         result.graph = std::move(better.graph);
         if (bounds)
-            result.lowerBound = std::max(better.lowerBound, result.lowerBound.value_or(better.lowerBound));
+            result.lowerBound =
+                boundBelow(std::max(better.lowerBound, result.lowerBound.value_or(better.lowerBound)),
+                           result.graph.cost);
         result.windows += better.windows;
         result.improvements += better.improvements;
     }

@@ -131,6 +131,15 @@ hard() {
     assert_equal "$stderr" ''
 }
 
+@test "a cost with segments is improved without a bound of the edges' cost" {
+    for cost in segments dihedral+0.5*segments; do
+        quietly qm-enum --cost "$cost" "$(stage cut cube)" -o cube.json
+        quietly qm-merge --improve 0.5 cube.json -o improved.json
+        quietly qm-check improved.json
+        assert_equal "$(field .layout.lowerBound improved.json)" null
+    done
+}
+
 @test "a cost with segments holds where tracks end on the mesh boundary past a cut" {
     qm-shape random-open --seed 4 -o open.obj
     qm-basecomplex -q open.obj | qm-cut --chi 5 >open.cut.json
