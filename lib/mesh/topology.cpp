@@ -15,7 +15,11 @@ bool isRegularWith(const QuadMesh& mesh, VertexId vertex, unsigned edges) {
 } // namespace
 
 bool isRegular(const QuadMesh& mesh, VertexId vertex) {
-    return mesh.is_isolated(vertex) || isRegularWith(mesh, vertex, mesh.valence(vertex));
+    constexpr unsigned enough = 5; // more need not be counted: they may be thousands
+    unsigned edges = 0;
+    for (auto edge = mesh.cve_iter(vertex); edge.is_valid() && edges < enough; ++edge)
+        ++edges;
+    return isRegularWith(mesh, vertex, edges);
 }
 
 std::vector<VertexId> extraordinaryVertices(const QuadMesh& mesh) {
