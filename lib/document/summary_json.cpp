@@ -27,6 +27,8 @@ Json fitToJson(const FitSummary& fit) {
     json["percentile95NormalAngle"] = deviation.percentile95NormalAngle;
     json["folds"] = deviation.folds;
     json["fold"] = fit.fold ? placeToJson(fit.fold->place, fit.fold->point) : Json();
+    json["bridged"] = Json();
+    if (fit.bridged) json["bridged"] = {{"distance", fit.bridged->distance}, {"patch", fit.bridged->patch}};
     return json;
 }
 

@@ -44,6 +44,13 @@ std::string scanTooFarAway(const Summary& summary, const std::string& unit) {
 
 } // namespace
 
+std::optional<BridgedVertex> bridgedVertex(const Surfaces& surfaces, double allowed) {
+    const Deviation& deviation = surfaces.deviation;
+    if (surfaces.scan || deviation.maxFromVertices <= std::max(deviation.max, allowed)) return std::nullopt;
+    const auto farthest = std::ranges::max_element(surfaces.ofPatch, {}, &Deviation::maxFromVertices);
+    return BridgedVertex{deviation.maxFromVertices, positionIn(surfaces.ofPatch, farthest)};
+}
+
 Summary summarise(const QuadMesh& mesh, const Layout* layout, const Surfaces* surfaces,
                   const FitOptions& fit) {
     Summary summary;
@@ -70,6 +77,7 @@ Summary summarise(const QuadMesh& mesh, const Layout* layout, const Surfaces* su
     figures.farthest = withPoint(surfaces->farthest);
     if (figures.scan) figures.farthestFromScan = withPoint(figures.scan->farthest);
     if (!surfaces->folds.empty()) figures.fold = withPoint(surfaces->folds.front());
+    if (figures.smooth) figures.bridged = bridgedVertex(*surfaces, figures.tolerance);
     return summary;
 }
 

@@ -20,15 +20,27 @@ struct SurfacePlace {
     Point point{0, 0, 0};
 };
 
+/// The vertex that surfaces fitted to a mesh are farthest from, where the quads around are folded and the
+/// reference does not pass through it (docs/METHOD.md#reference).
+struct BridgedVertex {
+    double distance = 0;
+    std::size_t patch = 0;
+};
+
+/// \param allowed  distance from the reference
+/// \return nothing if the surfaces are that near to every vertex, or were fitted to a scan
+[[nodiscard]] std::optional<BridgedVertex> bridgedVertex(const Surfaces& surfaces, double allowed);
+
 /// Figures of surfaces that were fitted.
 struct FitSummary {
     bool smooth = true;   ///< Fit::smooth, which heeds a tolerance and leaves no gaps
     double tolerance = 0; ///< in the mesh's unit; of a smooth fit; with what is left of a scan's noise
     Deviation deviation;
-    std::optional<ScanFigures> scan;  ///< that the surfaces were fitted to
-    SurfacePlace farthest;            ///< where deviation.max was found
-    SurfacePlace farthestFromScan;    ///< where scan->max was found
-    std::optional<SurfacePlace> fold; ///< the first place that may fold
+    std::optional<ScanFigures> scan;      ///< that the surfaces were fitted to
+    SurfacePlace farthest;                ///< where deviation.max was found
+    SurfacePlace farthestFromScan;        ///< where scan->max was found
+    std::optional<SurfacePlace> fold;     ///< the first place that may fold
+    std::optional<BridgedVertex> bridged; ///< of a smooth fit
 };
 
 /// Of a mesh and, as far as there are any, its layout and surfaces. Lengths are in the mesh's unit.

@@ -70,6 +70,10 @@ std::string fitLines(const FitSummary& fit, double diagonal, const std::string& 
     if (fit.deviation.folds > 0)
         text += line("folds", countText(fit.deviation.folds, "piece") + " of patches may fold over");
     if (fit.fold) text += line("  first", placeText(*fit.fold, diagonal));
+    if (fit.bridged)
+        text += line("vertices", "up to " + figureText(fit.bridged->distance) + " " + unit +
+                                     " away where folded quads are bridged, patch " +
+                                     std::to_string(fit.bridged->patch));
     return text;
 }
 

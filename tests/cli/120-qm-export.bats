@@ -64,7 +64,7 @@ PRODUCT('two 2'"
     captured qm-export --stats --analytic helix.json -o helix.step
     assert_success
     [[ $stderr == *'"valid": 1'* ]]
-    assert [ "$(jq .simpleFaces <<<"${stderr_lines[-1]}")" -gt 0 ]
+    assert [ "$(jq .counters.simpleFaces <<<"${stderr_lines[-1]}")" -gt 0 ]
 }
 
 @test "neighbours that are one surface become one face" {

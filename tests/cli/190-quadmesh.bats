@@ -178,6 +178,29 @@ fails_with() {
     fails_with '^quadmesh: folder.step: is a folder' part.obj -o folder.step
     fails_with '^quadmesh: nowhere/part.step: cannot be written' part.obj -o nowhere/part.step
     fails_with '^quadmesh: part.obj: is the mesh itself' part.obj -o part.obj
+    fails_with '^quadmesh: part.obj: is a file. Name a folder' part.obj --keep part.obj
+    fails_with '^quadmesh: part.obj/stages: cannot be made: Not a directory' part.obj --keep part.obj/stages
+}
+
+@test "no result takes the place of a mesh or document that another needs" {
+    refused part.obj --repair -o part.json -o part.repaired.obj
+    refused part.obj --quads 500 -o part.json -o ./part.quads.obj
+    mkdir stages
+    refused part.obj --repair --keep stages -o stages/part.repaired.obj
+    refused part.obj --keep stages -o stages/part.layout.json
+    quietly quadmesh --quiet part.obj --keep stages -o stages/part.surfaces.json -o part.repaired.obj
+    quietly qm-check stages/part.surfaces.json
+}
+
+@test "searches of whole meshes are not made of pieces" {
+    cp "$(sample helix)" part.obj
+    for search in --enum.method=plain --enum.class=tmesh; do
+        quietly quadmesh --quiet part.obj --cut.chi=20 -o cut.json
+        refused part.obj "$search" --cut.chi=20
+        quietly quadmesh --quiet part.obj "$search" -o whole.json
+        quietly qm-check whole.json
+        assert_equal "$(jq 'has("cut")' cut.json whole.json)" $'true\nfalse'
+    done
 }
 
 @test "a wrong command line is told at once" {
@@ -188,6 +211,7 @@ fails_with() {
     refused part.obj -o part.xyz
     refused part.obj --tolerance x
     refused part.obj --max-patches 0
+    refused part.obj --jobs 1025
     refused part.obj --unit furlong
     refused part.obj --cut.chi
     refused part.obj --cut.chi x
@@ -294,6 +318,10 @@ fails_with() {
     assert_regex "$stderr" '^qm-export: patches are [0-9.]+ mm apart'
     assert_line --regexp '^shape +closed, but patches are apart$'
     assert [ -s part.step ]
+    local told=$stderr
+    run --separate-stderr quadmesh --quiet part.obj --bspline.fit interpolate -o part.step
+    assert_equal "$status" 3
+    assert_equal "$stderr" "$told"
 }
 
 @test "--repair mends, and the mesh lies beside the document" {

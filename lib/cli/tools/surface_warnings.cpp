@@ -49,13 +49,10 @@ void warnOfFolds(const Tool& tool, const Surfaces& surfaces) {
 }
 
 void warnOfBridges(const Tool& tool, const Surfaces& surfaces, double allowed) {
-    const Deviation& deviation = surfaces.deviation;
-    // The reference passes through all vertices but those of folded quads, which it draws upright.
-    if (surfaces.scan || deviation.maxFromVertices <= std::max(deviation.max, allowed)) return;
-    const auto farthest = std::ranges::max_element(surfaces.ofPatch, {}, &Deviation::maxFromVertices);
-    tool.warn("folded quads are bridged: a vertex is " + figureText(deviation.maxFromVertices) +
-              " away from the surfaces, in patch " + std::to_string(positionIn(surfaces.ofPatch, farthest)) +
-              ". If they should pass through it, unfold the quads there");
+    if (const auto bridged = bridgedVertex(surfaces, allowed))
+        tool.warn("folded quads are bridged: a vertex is " + figureText(bridged->distance) +
+                  " away from the surfaces, in patch " + std::to_string(bridged->patch) +
+                  ". If they should pass through it, unfold the quads there");
 }
 
 } // namespace qm

@@ -103,6 +103,7 @@ TEST(Summary, TextFitsATerminal) {
     Summary summary = good();
     summary.loops.assign(9, {VertexId(0), 4, 123.456});
     summary.fit->deviation.folds = 3;
+    summary.fit->bridged = {12345.6, 7890};
     const std::string text = summaryText(summary, "part.obj", "inch", 12345.6);
     std::size_t lines = 0;
     for (std::size_t begin = 0; begin < text.size(); ++lines) {
