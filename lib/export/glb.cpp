@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "bspline/splines/evaluate.h"
 #include "export/quads.h"
+#include "mesh/bounding_box.h"
 
 #include <nlohmann/json.hpp>
 
@@ -24,7 +25,16 @@ float single(double coordinate) {
     return static_cast<float>(coordinate);
 }
 
-/// It also has 32 bits for the number of a vertex and for the size of the file.
+/// The coordinates of a mesh that is farther than this away from the origin, in its diagonals, begin at its
+/// centre: single precision would round its places away.
+constexpr double farAway = 10;
+
+Point originFor(const QuadMesh& mesh) {
+    const BoundingBox box = boundingBox(mesh);
+    return box.centre().norm() > farAway * box.diagonal() ? box.centre() : Point(0, 0, 0);
+}
+
+/// glTF has 32 bits for the number of a vertex and for the size of the file.
 std::uint32_t in32Bits(std::size_t number) {
     if (number > std::numeric_limits<std::uint32_t>::max())
         throw Error("mesh", "is too large for glTF", "Export it as PLY");
@@ -35,6 +45,9 @@ std::uint32_t in32Bits(std::size_t number) {
 /// that colours and normals end at its border.
 class Builder {
 public:
+    /// \param origin  of the coordinates
+    explicit Builder(const Point& origin) : origin_(origin) {}
+
     void add(const QuadMesh& mesh, const Segment& segment, const Colour& colour) {
         const auto vertices = vertexGrid(mesh, segment);
         const std::size_t width = at(segment.size[0]) + 1;
@@ -77,8 +90,9 @@ private:
                 const Point alongV = point(i, std::min(j + 1, height - 1)) - point(i, j > 0 ? j - 1 : 0);
                 // glTF asks for unit vectors.
                 const Point normal = unitNormal(alongU, alongV).value_or(Point(0, 0, 1));
+                const Point place = point(i, j) - origin_;
                 for (unsigned k = 0; k < 3; ++k) {
-                    const float coordinate = single(point(i, j)[k]);
+                    const float coordinate = single(place[k]);
                     low_[k] = std::min(low_[k], coordinate);
                     high_[k] = std::max(high_[k], coordinate);
                     appendBytes(positions_, coordinate);
@@ -124,6 +138,12 @@ private:
                                  {"material", 0},
                                  {"indices", k + 3}}}}});
         }
+        if (origin_ != Point(0, 0, 0)) {
+            const std::size_t whole = nodes.size();
+            nodes.push_back({{"name", "model"},
+                             {"translation", {origin_[0], origin_[1], origin_[2]}},
+                             {"children", std::exchange(segments, Json::array({whole}))}});
+        }
         root["scene"] = 0;
         root["scenes"] = {{{"nodes", std::move(segments)}}};
         root["nodes"] = std::move(nodes);
@@ -143,6 +163,7 @@ private:
         return root;
     }
 
+    Point origin_;
     std::string positions_;
     std::string normals_;
     std::string colours_;
@@ -156,7 +177,7 @@ private:
 } // namespace
 
 std::string quadsAsGlb(const QuadMesh& mesh, const Layout& layout, const std::vector<Colour>& colours) {
-    Builder builder;
+    Builder builder(originFor(mesh));
     for (std::size_t s = 0; s < layout.segments.size(); ++s)
         builder.add(mesh, layout.segments[s], colours[s]);
     return builder.file();

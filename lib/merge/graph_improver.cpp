@@ -40,6 +40,10 @@ OptimumResult GraphImprover::searchTree(const Control& control, const Control& o
     beside.stopRequested = [&] { return areOver || ofFirstWindows.stopRequested(); };
     std::optional<Ahead> windows(std::in_place, control.jobs,
                                  [&] { searchWindows({}, fastWindows(Tuning::fastShare), beside); });
+    const struct EndOfSearch { // if it fails, windows need not go on
+        std::atomic<bool>& areOver;
+        ~EndOfSearch() { areOver = true; }
+    } end{areOver};
     options.near = [&](double bound, const IdVector<VariableId, double>& relaxed) {
         known_.setBound(bound);
         if (control.jobs == 1) return; // the relaxation would wait for them

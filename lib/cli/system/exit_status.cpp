@@ -27,7 +27,7 @@ int statusOf(const std::function<int()>& work, const std::string& tool,
         const std::string name = input();
         return fail((name.empty() ? "" : name + ": ") + error.what());
     } catch (const std::bad_alloc&) {
-        return fail("out of memory");
+        return fail("out of memory. Ask for less, or use a machine with more");
     } catch (const std::exception& error) {
         return fail(std::string("unexpected failure: ") + error.what() +
                     ". This is a fault of the tool: please report it");

@@ -76,7 +76,7 @@ std::string outOfMemory; ///< the message, made while there is memory
 } // namespace
 
 void watchMemory(const std::string& tool) {
-    outOfMemory = tool + ": out of memory\n";
+    outOfMemory = tool + ": out of memory. Ask for less, or use a machine with more\n";
     if (otherwise == nullptr) otherwise = std::set_terminate(onTerminate);
 }
 

@@ -52,6 +52,7 @@ Progress::~Progress() {
 }
 
 void Progress::show(double fraction) {
+    const std::scoped_lock lock(mutex_);
     const Clock::time_point now = Clock::now();
     const double total = std::chrono::duration<double>(now - start_).count();
     if (total < secondsBeforeFirst) return;
@@ -62,6 +63,7 @@ void Progress::show(double fraction) {
 }
 
 void Progress::hide() {
+    const std::scoped_lock lock(mutex_);
     if (visible_) toTerminal("\r\033[K");
     visible_ = false;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <mutex>
 #include <string>
 
 namespace qm {
@@ -15,6 +16,7 @@ public:
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
+    /// Both may be called from any thread.
     /// \param fraction  0 to 1
     void show(double fraction);
     /// Removes the line to make room for a message; the next `show` brings it back.
@@ -23,6 +25,7 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
 
+    std::mutex mutex_;
     std::string label_;
     Clock::time_point start_ = Clock::now();
     Clock::time_point last_ = start_;

@@ -56,7 +56,8 @@ template <> struct Choices<Fit> {
 };
 
 constexpr double smallestPositive = std::numeric_limits<double>::denorm_min();
-constexpr double maxCount = 1e9; ///< limit of any count that a user can ask for
+constexpr double maxCount = 1e9;   ///< limit of any count that a user can ask for
+constexpr double maxSamples = 1e6; ///< that are kept in memory until all are drawn
 /// Price of a segment. Above it the solver is not precise enough, and only the number of segments counts
 /// anyway.
 constexpr double highestPrice = 1e4;
@@ -114,7 +115,7 @@ template <class Visitor> void describe(EnumerationOptions& options, Visitor&& op
     option("best", options.best, Range{1, maxCount},
            "keep this many of the cheapest graphs of every sub-mesh");
     option("count", options.count, Range{}, "count the graphs of every sub-mesh exactly, up to --max-cost");
-    option("sample", options.sample, Range{0, maxCount},
+    option("sample", options.sample, Range{0, maxSamples},
            "draw this many graphs of every sub-mesh at random, all equally likely");
     option("seed", options.seed, Range{0, maxCount}, "seed of --sample");
     option("max-cost", options.maxCost, Range{}, "consider only graphs up to this cost in every sub-mesh");

@@ -138,12 +138,12 @@ private:
 
     void searchBatch(std::vector<Window>& windows) {
         parallelFor(windows.size(), control_.jobs, [&](std::size_t k) { search(windows[k]); });
-        ++clock_;
+        const std::size_t time = ++clock_; // all were searched before any of them changes the graph
         const std::size_t before = result_.improvements;
         for (Window& window : windows) {
             ++result_.windows;
             if (!window.complete && !hard_) hard_ = size_;
-            searched_[window.chain] = clock_;
+            searched_[window.chain] = time;
             if (!window.values.empty()) accept(window, result_.improvements == before);
         }
         windows.clear();

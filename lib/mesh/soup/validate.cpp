@@ -90,7 +90,7 @@ void checkExtent(const Soup& soup) {
     constexpr double farthest = 1e7; // times the extent: 9 of 16 digits remain
     const auto pointOf = [&](std::int64_t corner) { return soup.points[at(corner)]; };
     const BoundingBox box = boundingBoxOf(soup.corners, pointOf);
-    const double extent = box.diagonal();
+    const double extent = box.size().max_abs(); // its square may be 0
     if (extent < smallest)
         throw Error("",
                     extent > 0 ? "it is only " + roundedText(extent) + " across"

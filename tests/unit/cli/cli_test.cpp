@@ -247,7 +247,7 @@ TEST(ExitStatus, SaysWhatWentWrongInOneMessage) {
     EXPECT_EQ(status([]() -> int { throw qm::Error("/cut", "it is wrong", "Mend it"); }), qm::exitFailure);
     EXPECT_EQ(said, std::string("part.json: ") + qm::Error("/cut", "it is wrong", "Mend it").what());
     EXPECT_EQ(status([]() -> int { throw std::bad_alloc(); }), qm::exitFailure);
-    EXPECT_EQ(said, "out of memory");
+    EXPECT_EQ(said, "out of memory. Ask for less, or use a machine with more");
     EXPECT_EQ(status([]() -> int { throw std::logic_error("odd"); }), qm::exitFailure);
     EXPECT_EQ(said, "unexpected failure: odd. This is a fault of the tool: please report it");
 }

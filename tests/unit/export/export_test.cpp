@@ -6,6 +6,7 @@
 #include "export/export.h"
 #include "export/faces/separate.h"
 #include "export/files/shape.h"
+#include "mesh/bounding_box.h"
 #include "support/fitted_model.h"
 
 #include <gtest/gtest.h>
@@ -388,6 +389,30 @@ TEST(Glb, IsWellFormed) {
     constexpr std::size_t vertices = 11 * 4 + 7 * 6 + 5 * 6;
     EXPECT_EQ(binary, vertices * (12 + 12 + 4) + model.mesh.n_faces() * 24);
     EXPECT_NE(text.find(R"("byteLength":)" + std::to_string(binary) + "}]"), std::string::npos);
+}
+
+TEST(Glb, CoordinatesFarFromTheOriginBeginAtTheCentre) {
+    Model model = fitted(sheet(), tJoint(), {});
+    const auto positions = [&] {
+        const std::string bytes = exported(model, ExportFormat::glb);
+        const std::uint32_t json = numberAt<std::uint32_t>(bytes, 12);
+        std::vector<float> result;
+        for (std::size_t k = 0; k < 3 * 11; ++k)
+            result.push_back(numberAt<float>(bytes, 20 + json + 8 + 4 * k));
+        return std::pair(bytes.substr(20, json), result);
+    };
+    const auto [plainText, plain] = positions();
+    EXPECT_EQ(plainText.find("translation"), std::string::npos);
+    const Point away(1 << 20, 0, 0);
+    for (const VertexId vertex : model.mesh.vertices())
+        model.mesh.point(vertex) += away;
+    const Point centre = boundingBox(model.mesh).centre() - away;
+    const auto [text, moved] = positions();
+    EXPECT_NE(text.find(R"("scenes":[{"nodes":[3]}])"), std::string::npos) << text;
+    EXPECT_NE(text.find(R"("children":[0,1,2])"), std::string::npos);
+    EXPECT_NE(text.find(R"("translation":[10485)"), std::string::npos);
+    for (std::size_t k = 0; k < plain.size(); ++k)
+        EXPECT_NEAR(moved[k] + centre[static_cast<unsigned>(k % 3)], plain[k], 1e-6);
 }
 
 TEST(Glb, RefusesWhatSinglePrecisionCannotHold) {

@@ -147,11 +147,10 @@ TEST(Refusal, OfSizesThatCannotBeComputedWith) {
                side + " 0\nf 1 2 3 4\n";
     };
     EXPECT_TRUE(says(refusal("v 1e-40 0 0\nv 0 1e-40 0\nv 0 0 1e-40\nv 0 0 0\nf 1 2 3 4\n", "a.obj"),
-                     "it is only 1.73205e-40 across", "Scale the model"));
+                     "it is only 1e-40 across", "Scale the model"));
     EXPECT_TRUE(says(refusal(quad("5", "0"), "a.obj"), "all vertices lie at one place"));
     EXPECT_TRUE(says(refusal(quad("30000000", "1"), "a.obj"),
-                     "it is 1.4142.* across and .*30000001 away from the origin",
-                     "Move the model to the origin"));
+                     "it is 1 across and 30000001 away from the origin", "Move the model to the origin"));
     EXPECT_EQ(read(quad("3000000", "1"), "a.obj").n_faces(), 1U);
 }
 
