@@ -30,10 +30,7 @@ int main(int argc, char** argv) {
                 if (requests.join) return qm::joinParts(tool, requests);
                 const qm::Model& model = stage->read();
                 options.constraints = model.constraints;
-                const qm::Enumeration enumeration =
-                    qm::enumerateGraphs(model.mesh, model.complex, model.dihedralAngles, model.subMeshes,
-                                        qm::forDocument(options, requests), tool.control("searching"));
-                qm::streamGraphs(tool, model, options, requests);
+                const qm::Enumeration enumeration = qm::searchGraphs(tool, model, options, requests);
                 const int status = qm::judge(tool, enumeration, requests);
                 const qm::SeparatrixIndex separatrices(model.mesh, model.baseComplex);
                 stage->write(options, qm::enumerationToJson(model.mesh, separatrices, enumeration));

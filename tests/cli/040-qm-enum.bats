@@ -162,6 +162,20 @@ is() { assert_equal "$(field "$1" out.json)" true; }
     is ".enumeration.subMeshes[0].graphs | length >= 2 and all(.cost <= $limit + 1e-9)"
 }
 
+@test "the paper's methods refuse thousands of particles" {
+    qm-shape random --voxels 4000 --resolution 1 -o many.obj
+    qm-basecomplex -q many.obj -o many.json
+    for method in naive bounds improved; do
+        complains qm-enum --method $method --time-limit 1 many.json -o out.json
+        assert_regex "$stderr" 'particles are too many for the paper.s methods'
+    done
+}
+
+@test "a part without sub-meshes counts nothing" {
+    quietly qm-enum --part 2/2 "$(stage basecomplex cube)" -o out.json
+    is '.enumeration.count == null'
+}
+
 @test "a limit of time ends the search with a warning and status 0, or 3 on request" {
     input=$(stage basecomplex bracket)
     run --separate-stderr qm-enum --time-limit 0 "$input" -o out.json

@@ -427,8 +427,26 @@ remeshing_tools() {
     assert_equal "$(jq -c '[.[].model]' rows.json)" '["b_c","cube"]'
     assert_equal "$(jq -c '[.[].summary.quads]' rows.json)" '[null,384]'
     assert_equal "$(jq -c '[.[].files | contains(["html", "step", "surfaces.json"])]' rows.json)" '[false,true]'
-    [[ $browser ]] || return 0
-    assert_equal "$(jq -c '[.[].files | contains(["png"])]' rows.json)" '[false,true]'
+    [[ ! $browser ]] || assert_equal "$(jq -c '[.[].files | contains(["png"])]' rows.json)" '[false,true]'
+}
+
+@test "the report has no figures and files of what a model was before it failed" {
+    rows() {
+        layout_mk -s MESH_PATH=meshes HTML_OPTIONS="$1" report >/dev/null 2>&1
+        sed -n '/^const rows = /,/^\];$/p' out/report.html | sed '1s/^const rows = //; $s/;$//' >rows.json
+    }
+    mkdir meshes
+    cp "$(sample cube)" meshes/cube.obj
+    rows ''
+    assert_equal "$(jq '.[0].summary.quads' rows.json)" 384
+    rows '--show no-such-layer'
+    assert_equal "$(jq -c '.[0] | [.summary.quads, (.files | contains(["step"])), (.files | contains(["html"]))]' rows.json)" '[384,true,false]'
+    head -n 300 "$(sample cube)" >meshes/cube.obj
+    rows ''
+    assert_equal "$(jq -c '.[0] | [.summary, .files]' rows.json)" '[null,[]]'
+    cp "$(sample cube)" meshes/cube.obj
+    rows ''
+    assert_equal "$(jq -c '.[0] | [.summary.quads, (.files | contains(["step", "html"]))]' rows.json)" '[384,true]'
 }
 
 @test "a model that is searched in parts has the same bytes" {

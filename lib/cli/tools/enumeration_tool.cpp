@@ -1,5 +1,6 @@
 #include "cli/tools/enumeration_tool.h"
 
+#include "base/deadline.h"
 #include "base/number_text.h"
 #include "cli/system/output_file.h"
 #include "cli/tools/graph_line.h"
@@ -9,6 +10,7 @@
 #include "document/options/options.h"
 #include "document/sections/enumeration_section.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 #include <utility>
@@ -112,12 +114,6 @@ void declareRequests(Tool& tool, EnumerationRequests& requests, EnumerationOptio
     });
 }
 
-EnumerationOptions forDocument(const EnumerationOptions& options, const EnumerationRequests& requests) {
-    EnumerationOptions result = options;
-    if (!requests.bestGraphs.empty()) result.best = 1;
-    return result;
-}
-
 int joinParts(const Tool& tool, const EnumerationRequests& requests) {
     std::vector<Document> parts;
     const auto add = [&](const std::string& bytes, const std::string& file) {
@@ -133,10 +129,23 @@ int joinParts(const Tool& tool, const EnumerationRequests& requests) {
     return exitDone;
 }
 
-void streamGraphs(const Tool& tool, const Model& model, const EnumerationOptions& options,
-                  const EnumerationRequests& requests) {
-    writeGraphs(tool, model, options, requests.allGraphs, ListedGraphs::every);
-    writeGraphs(tool, model, options, requests.bestGraphs, ListedGraphs::best);
+Enumeration searchGraphs(const Tool& tool, const Model& model, const EnumerationOptions& options,
+                         const EnumerationRequests& requests) {
+    const Control control = tool.control("searching");
+    const Deadline end(control, options.timeLimit);
+    int steps = 1 + (requests.allGraphs.empty() ? 0 : 1) + (requests.bestGraphs.empty() ? 0 : 1);
+    EnumerationOptions limited = options;
+    const auto shareTime = [&] { limited.timeLimit = end.secondsLeft() / std::max(1, steps--); };
+    shareTime();
+    if (!requests.bestGraphs.empty()) limited.best = 1;
+    Enumeration found =
+        enumerateGraphs(model.mesh, model.complex, model.dihedralAngles, model.subMeshes, limited, control);
+    limited.best = options.best;
+    shareTime();
+    writeGraphs(tool, model, limited, requests.allGraphs, ListedGraphs::every);
+    if (!requests.allGraphs.empty()) shareTime();
+    writeGraphs(tool, model, limited, requests.bestGraphs, ListedGraphs::best);
+    return found;
 }
 
 int judge(const Tool& tool, const Enumeration& enumeration, const EnumerationRequests& requests) {

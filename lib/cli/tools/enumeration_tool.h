@@ -26,15 +26,12 @@ void declareRequests(Tool& tool, EnumerationRequests& requests, EnumerationOptio
 /// \return the exit status
 int joinParts(const Tool& tool, const EnumerationRequests& requests);
 
-/// The options of the search for the document, which keeps only the best graph if all best graphs go to a
-/// file.
-[[nodiscard]] EnumerationOptions forDocument(const EnumerationOptions& options,
-                                             const EnumerationRequests& requests);
-
-/// Writes every graph, or the best ones, to a file if asked for; one line of JSON each: {"subMesh", "cost",
-/// "tracks"}.
-void streamGraphs(const Tool& tool, const Model& model, const EnumerationOptions& options,
-                  const EnumerationRequests& requests);
+/// Searches, and then writes every graph, or the best ones, to files if asked for; one line of JSON each:
+/// {"subMesh", "cost", "tracks"}. A time limit is that of all together.
+/// \return for the document; it keeps only the best graph if all best graphs go to a file
+[[nodiscard]] Enumeration searchGraphs(const Tool& tool, const Model& model,
+                                       const EnumerationOptions& options,
+                                       const EnumerationRequests& requests);
 
 /// The exit status: `exitUnmet` if the result does not meet the requirements. Warns if a limit ended the
 /// search.

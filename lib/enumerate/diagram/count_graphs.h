@@ -11,8 +11,8 @@ namespace qm {
 /// \return nothing if `control.stopRequested` ended the count
 [[nodiscard]] std::optional<BigCount> countGraphs(const Problem& problem, const Control& control = {});
 
-/// The same in memory linear in the problem: decides one variable, counts the independent parts that remain
-/// one by one, and multiplies their counts.
+/// The same without a diagram: decides one variable, counts the independent parts that remain one by one, and
+/// multiplies their counts. Memory is linear in the problem where it falls apart soon, and quadratic at worst.
 [[nodiscard]] std::optional<BigCount> countByParts(const Problem& problem, const Control& control = {});
 
 } // namespace qm

@@ -1,5 +1,6 @@
 #include "enumerate/paper/coordinates.h"
 
+#include "base/error.h"
 #include "enumerate/paper/courses.h"
 
 namespace qm {
@@ -165,10 +166,23 @@ private:
     std::vector<Undo> undo_;
 };
 
+/// These searches take a call for every particle, and there is no hope for so many anyway.
+constexpr std::size_t maxParticles = 5000;
+
+void verifyParticles(const Problem& problem) {
+    const std::size_t count = findCourses(problem).size();
+    if (count > maxParticles)
+        throw Error("",
+                    std::to_string(count) + " particles are too many for the paper's methods, which take " +
+                        std::to_string(maxParticles),
+                    "Use --method optimum, or a smaller --chi of qm-cut");
+}
+
 } // namespace
 
 bool forEachCoordinateVector(const Problem& problem, CoordinateMethod method, const Visit& visit,
                              const StopRequested& stopRequested) {
+    verifyParticles(problem);
     if (method == CoordinateMethod::naive) return NaiveSearch(problem, visit, stopRequested).run();
     return BoundedSearch(problem, method == CoordinateMethod::improved, visit, stopRequested).run();
 }

@@ -21,6 +21,7 @@ enum class CoordinateMethod {
 /// \param problem        a whole mesh or the particles of one sub-mesh
 /// \param stopRequested  asked regularly, because most steps lead to no graph; also ends the search
 /// \return false if the search was ended
+/// \throw Error  if there are thousands of particles
 bool forEachCoordinateVector(
     const Problem& problem, CoordinateMethod method, const std::function<bool(const Assignment&)>& visit,
     const std::function<bool()>& stopRequested = [] { return false; });

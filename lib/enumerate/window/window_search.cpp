@@ -200,7 +200,10 @@ private:
             const Problem problem = problemOf(window);
             const Assignment before = assignmentOf(problem, result_.present);
             change();
-            if (!improves(problem, before, result_.present)) return change();
+            if (!improves(problem, before, result_.present)) {
+                searched_[window.chain] = 0; // it may have others now
+                return change();
+            }
         }
         ++clock_;
         for (const ChainId chain : window.chains) {
