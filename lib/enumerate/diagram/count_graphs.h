@@ -12,7 +12,8 @@ namespace qm {
 [[nodiscard]] std::optional<BigCount> countGraphs(const Problem& problem, const Control& control = {});
 
 /// The same without a diagram: decides one variable, counts the independent parts that remain one by one, and
-/// multiplies their counts. Memory is linear in the problem where it falls apart soon, and quadratic at worst.
+/// multiplies their counts. Memory is linear in the problem where it falls apart soon, and quadratic at
+/// worst.
 [[nodiscard]] std::optional<BigCount> countByParts(const Problem& problem, const Control& control = {});
 
 } // namespace qm
