@@ -228,7 +228,7 @@ check-programs: $(programs) $(O)/tests/search-tables ## what only benchmarks run
 	@echo 'programs: $(words $^) passed, 0 failed'
 
 .PHONY: check-cli
-check-cli: $(tools) ## tests of the tools; only=REGEX to filter
+check-cli: $(tools) $(bin)/quadmesh ## tests of the tools; only=REGEX to filter
 	@QM_BIN=$(abspath $(bin)) scripts/check-cli $(O)/$@ '$(only)'
 
 .PHONY: check-layers
@@ -256,7 +256,7 @@ check-schemas: $(tools) ## the schemas are valid, and every tool prints the one 
 	@QM_BIN=$(abspath $(bin)) scripts/check-schemas
 
 .PHONY: check-docs
-check-docs: $(tools) ## the examples in the documents and in --help run; links and names hold
+check-docs: $(tools) $(bin)/quadmesh ## the examples in the documents and in --help run; links and names hold
 	@QM_BIN=$(abspath $(bin)) scripts/check-docs
 
 .PHONY: check-slurm
@@ -273,7 +273,7 @@ check-options: $(tools) $(bin)/quadmesh ## tried=2000 command lines made at rand
 	@QM_BIN=$(abspath $(bin)) JOBS=$(jobs) tests/faults/options $(abspath $(O))/check-options $(tried) $(seed)
 
 .PHONY: check-pairs
-check-pairs: $(tools) ## every option of every tool together with every other one
+check-pairs: $(tools) $(bin)/quadmesh ## every option of every tool together with every other one
 	@QM_BIN=$(abspath $(bin)) JOBS=$(jobs) tests/faults/pairs $(abspath $(O))/check-pairs
 
 # One test file alone, the quick way while writing it: `make test-cut` builds and runs tests/unit/cut/cut_test.cpp.

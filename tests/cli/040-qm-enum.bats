@@ -257,7 +257,7 @@ is() { assert_equal "$(field "$1" out.json)" true; }
 }
 
 @test "options out of range" {
-    for options in '--best 0' '--method best' '--epsilon -1' '--epsilon 4' '--time-limit -1' '--gap -1' '--alpha x'; do
+    for options in '--best 0' '--best 1000001' '--method best' '--epsilon -1' '--epsilon 4' '--time-limit -1' '--gap -1' '--alpha x'; do
         # shellcheck disable=SC2086  # a list of words
         misused qm-enum $options "$(stage basecomplex cube)"
     done

@@ -105,6 +105,8 @@ void declareRequests(Tool& tool, EnumerationRequests& requests, EnumerationOptio
         verifyFile(tool, "list", requests.bestGraphs);
         if (!requests.allGraphs.empty() && isSameFile(requests.allGraphs, requests.bestGraphs))
             throw UsageError("--all and --list name the same file");
+        if (static_cast<double>(options.best) > maxSamples && requests.bestGraphs.empty())
+            throw UsageError("--best: more than a million graphs go to a file only. Name it with --list");
         if (options.sample > 0 && std::isfinite(options.maxCost))
             throw UsageError("--sample draws from all graphs: --max-cost does not go with it");
         if (options.graphClass == GraphClass::tmesh && options.method != Method::optimum)

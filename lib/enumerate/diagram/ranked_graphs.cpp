@@ -144,7 +144,7 @@ public:
     /// \return false if the visitor returned false
     bool add(double cost, const Assignment& graph) {
         const bool tied = !graphs_.empty() && cost <= minCost_ + Incumbents::rounding;
-        if ((!tied || graphs_.size() == maxTies) && !handOver()) return false;
+        if ((!tied || graphs_.size() * graph.size() >= maxBytes) && !handOver()) return false;
         if (graphs_.empty()) minCost_ = cost;
         graphs_.emplace_back(graph, cost);
         return true;
@@ -158,7 +158,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t maxTies = 65536; ///< bounds the memory
+    static constexpr std::size_t maxBytes = 64'000'000;
     const Visit& visit_;
     double minCost_ = 0;
     std::vector<std::pair<Assignment, double>> graphs_;
@@ -166,12 +166,18 @@ private:
 
 } // namespace
 
-void forEachRankedGraph(const Diagram& diagram,
-                        const std::function<bool(double cost, const Assignment& graph)>& visit) {
-    if (diagram.root == Diagram::none) return;
+bool forEachRankedGraph(const Diagram& diagram,
+                        const std::function<bool(double cost, const Assignment& graph)>& visit,
+                        const Control& control) {
+    if (diagram.root == Diagram::none) return true;
     Ties ties(visit);
-    if (Ranking(diagram).run([&](double cost, const Assignment& graph) { return ties.add(cost, graph); }))
-        ties.handOver();
+    bool isStopped = false;
+    const auto add = [&](double cost, const Assignment& graph) {
+        isStopped = control.stopRequested();
+        return !isStopped && ties.add(cost, graph);
+    };
+    if (Ranking(diagram).run(add) || isStopped) ties.handOver();
+    return !isStopped;
 }
 
 } // namespace qm

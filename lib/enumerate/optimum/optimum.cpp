@@ -168,8 +168,9 @@ void searchTogether(SearchState& state, const OptimumOptions& options, const Con
         result.graphs.push_back(graph);
 }
 
-/// \return false if `visit` returned false
-template <class Visit> bool rank(const Diagram& diagram, const OptimumOptions& options, const Visit& visit) {
+/// \return false if `visit` returned false, or a limit ended it
+template <class Visit>
+bool rank(const Diagram& diagram, const OptimumOptions& options, const Control& control, const Visit& visit) {
     if (options.best == 1) { // without sorting all graphs of the same cost
         const double cost = diagram.fixedCost + cheapestPaths(diagram)[diagram.root];
         const auto graph = cheapestGraph(diagram);
@@ -177,12 +178,12 @@ template <class Visit> bool rank(const Diagram& diagram, const OptimumOptions& o
     }
     std::size_t left = options.best;
     bool ended = false;
-    forEachRankedGraph(diagram, [&](double cost, const Assignment& graph) {
+    const auto visitNext = [&](double cost, const Assignment& graph) {
         if (left-- == 0 || cost > options.maxCost + Incumbents::tolerance) return false;
         ended = !visit(graph);
         return !ended;
-    });
-    return !ended;
+    };
+    return forEachRankedGraph(diagram, visitNext, control) && !ended;
 }
 
 } // namespace
@@ -205,7 +206,7 @@ OptimumResult findBest(const Problem& problem, const OptimumOptions& options, co
     if (!diagram) return findOptimum(problem, options, control);
     OptimumResult result;
     result.lowerBound = diagram->fixedCost + cheapestPaths(*diagram)[diagram->root];
-    rank(*diagram, options, [&](const Assignment& graph) {
+    result.complete = rank(*diagram, options, control, [&](const Assignment& graph) {
         result.graphs.push_back(graph);
         return true;
     });
@@ -215,7 +216,7 @@ OptimumResult findBest(const Problem& problem, const OptimumOptions& options, co
 bool forEachBest(const Problem& problem, const OptimumOptions& options,
                  const std::function<bool(const Assignment&)>& visit, const Control& control) {
     if (const auto diagram = buildDiagram(problem, smallDiagram, control))
-        return rank(*diagram, options, visit);
+        return rank(*diagram, options, control, visit);
     const OptimumResult found = findOptimum(problem, options, control);
     return std::ranges::all_of(found.graphs, visit) && found.complete;
 }

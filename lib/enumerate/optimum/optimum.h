@@ -34,7 +34,7 @@ struct OpenPart {
 };
 
 struct OptimumResult {
-    std::vector<Assignment> graphs; ///< cheapest first; ties are in lexicographic order of the variables
+    std::vector<Assignment> graphs; ///< cheapest first; several that tie are in lexicographic order
     double lowerBound = 0;          ///< no graph is cheaper; infinity if there is no graph
     bool complete = true;           ///< all graphs asked for are found and proven
     std::size_t nodes = 0;          ///< of all search trees
@@ -55,7 +55,8 @@ struct OptimumResult {
 [[nodiscard]] OptimumResult findBest(const Problem& problem, const OptimumOptions& options,
                                      const Control& control = {});
 
-/// Calls `visit` with the graphs of `findBest` in their order; with a diagram, as soon as each is known.
+/// Calls `visit` with the graphs of `findBest` in their order; with a diagram, as soon as each is known. A
+/// single graph may be another of those that tie.
 /// \return false if `visit` returned false, or if not all graphs were found
 bool forEachBest(const Problem& problem, const OptimumOptions& options,
                  const std::function<bool(const Assignment&)>& visit, const Control& control = {});

@@ -25,7 +25,6 @@ public:
             const std::size_t i = queue_.begin()->second;
             const Plan walked = plans_[i];
             ++extended;
-            if (walked.begin == walked.end) break;
             for (int k = walked.begin; k < walked.end; ++k)
                 present_[walk(i).arc(k).idx()] = true;
             for (int k = walked.begin; k < walked.end; ++k)
