@@ -1,7 +1,7 @@
 /// \file qm-remesh: makes quads from the triangles of a scan, by QuadriFlow as included in Blender.
-#include "base/number_text.h"
 #include "cli/tool.h"
 #include "cli/tools/quadriflow.h"
+#include "cli/tools/remesh_messages.h"
 #include "cli/tools/repair_text.h"
 #include "mesh/files/read_triangles.h"
 #include "mesh/files/write_soup.h"
@@ -15,7 +15,9 @@ int main(int argc, char** argv) {
             tool.writes("a quad mesh in OBJ format");
             tool.explain("Uses QuadriFlow as built into Blender 3 and 4, which must be installed. Where it "
                          "fails or leaves holes, other seeds are tried, and then an open scan without "
-                         "holding edges to its boundary; small holes that the scan has not are closed.");
+                         "holding edges to its boundary; small holes that the scan has not are closed. Exit "
+                         "status 3, with a warning: the mesh is written, but leaves out a part of the scan "
+                         "or lies elsewhere, by more than two of its edges.");
             tool.option("quads", options.quads, qm::Range{8, 10'000'000}, "approximate number of quads");
             tool.option("preserve-sharp", options.preserveSharp,
                         "do not align edges with the sharp edges of the scan");
@@ -34,16 +36,12 @@ int main(int argc, char** argv) {
                     tool.warnOfInput(done);
                 const qm::Remeshed remeshed =
                     qm::remeshWithBlender(scan, options, tool.control("drawing").jobs);
-                if (remeshed.loops != remeshed.scanLoops)
-                    tool.warnOfInput("the quad mesh has " + qm::countText(remeshed.loops, "boundary loop") +
-                                     ", the scan has " + std::to_string(remeshed.scanLoops) +
-                                     ". Another number of quads may help");
                 if (remeshed.seed != options.seed)
                     tool.note("made with --seed " + std::to_string(remeshed.seed));
                 tool.count("quads", remeshed.mesh.n_faces());
                 tool.count("weldedVertices", remeshed.repair.weldedVertices);
                 tool.write(qm::writeObj(remeshed.mesh));
-                return qm::exitDone;
+                return qm::judgeRemeshed(tool, remeshed);
             };
         });
 }

@@ -4,10 +4,12 @@ load helpers.bash
 
 blender_or_skip() { command -v blender >/dev/null || skip 'there is no Blender'; }
 
-# fake_blender COMMAND: in Blender's place, a script that runs the command and gives back a cube.
+# fake_blender COMMAND [RESOLUTION]: in Blender's place, a script that runs the command and gives back a cube around the
+# scan, whose box is 1024 units long for Blender.
 fake_blender() {
     mkdir folder
-    qm-shape cube --resolution 1 -o cube.obj
+    qm-shape cube --resolution "${2-1}" | awk '{ v[NR] = $0 } /^v / { for (k = 2; k < 5; ++k) if ($k > most) most = $k }
+        END { for (n = 1; n <= NR; ++n) { $0 = v[n]; if ($1 == "v") for (k = 2; k < 5; ++k) $k = ($k / most - 0.5) * 1024; print } }' >cube.obj
     printf '#!/bin/bash\n%s\ncp %q "${@: -5:1}"\n' "$1" "$PWD/cube.obj" >folder/blender
     chmod +x folder/blender
     export PATH=$PWD/folder:$PATH
@@ -75,7 +77,7 @@ fake_blender() {
     rm told
     # Boundaries are kept; a result without them makes it try other seeds, and say so.
     run --separate-stderr qm-remesh open.stl -o part.obj
-    assert_success
+    assert_equal "$status" 3 # a cube is no plate
     assert_equal "$(cat told)" '5000 1 1 0 5000 1 1 1 5000 1 1 2 '
     assert_regex "$stderr" 'the quad mesh has 0 boundary loops, the scan has 2'
 }
@@ -83,7 +85,7 @@ fake_blender() {
 @test "if no seed helps, an open scan does without edges along its boundary" {
     fake_blender "printf '%s ' \"\${@: -2}\" >>${PWD@Q}/told; [[ \${@: -2:1} == 0 ]] || exit 1"
     qm-shape plate --scan 500 -o open.stl
-    run -0 --separate-stderr qm-remesh open.stl --seed 3 -o part.obj
+    run -3 --separate-stderr qm-remesh open.stl --seed 3 -o part.obj
     assert_equal "$(cat told)" '1 3 1 4 1 5 0 3 '
     assert_regex "$stderr" 'the quad mesh has 0 boundary loops, the scan has 2'
     rm told
@@ -98,6 +100,32 @@ fake_blender() {
     quietly qm-remesh scan.stl --quads 600 -o part.obj
     quietly qm-summary <(qm-basecomplex part.obj) --mesh part.obj
     assert_line --regexp '^shape +2 open loops'
+}
+
+@test "what the quads leave out of a scan is told, and the exit status is 3" {
+    fake_blender true 8
+    qm-shape cube --scan 400 -o scan.obj
+    quietly qm-remesh scan.obj -o part.obj
+    # A small octahedron in the middle.
+    count=$(grep -c '^v ' scan.obj)
+    middle=$(awk '/^v / { for (k = 2; k < 5; ++k) if ($k > most) most = $k } END { print most / 2 }' scan.obj)
+    for move in '1 0 0' '-1 0 0' '0 1 0' '0 -1 0' '0 0 1' '0 0 -1'; do
+        awk -v middle="$middle" '{ print "v", middle * (1 + $1 / 9), middle * (1 + $2 / 9), middle * (1 + $3 / 9) }' <<<"$move"
+    done >>scan.obj
+    for face in '1 3 5' '3 2 5' '2 4 5' '4 1 5' '3 1 6' '2 3 6' '4 2 6' '1 4 6'; do
+        read -r a b c <<<"$face"
+        echo "f $((count + a)) $((count + b)) $((count + c))"
+    done >>scan.obj
+    run --separate-stderr qm-remesh scan.obj -o part.obj
+    assert_equal "$status" 3
+    assert_equal "${#stderr_lines[@]}" 1
+    assert_regex "$stderr" '^qm-remesh: scan.obj: the quads leave out [0-9.]+% of the scan, up to [0-9.]+ away, at \('
+    assert [ -s part.obj ]
+    # A cube that is made of a plate.
+    qm-shape plate --scan 400 -o scan.obj
+    run --separate-stderr qm-remesh --no-draw scan.obj -o part.obj
+    assert_equal "$status" 3
+    assert_regex "${stderr_lines[-1]}" '^qm-remesh: scan.obj: a vertex of the quads is [0-9.]+ away from the scan, at \('
 }
 
 @test "scans that are no manifold are repaired first, and what was done is told" {

@@ -5,6 +5,7 @@
 #include "cli/tools/repair_text.h"
 #include "document/sections/mesh_section.h"
 #include "mesh/boundary_loops.h"
+#include "mesh/extent.h"
 #include "mesh/files/read_mesh.h"
 #include "mesh/files/write_soup.h"
 #include "mesh/suspicions.h"
@@ -42,6 +43,7 @@ MeshInput readMeshInput(const Tool& tool, bool repair) {
     const std::string bytes = tool.readInput();
     tool.protect(tool.inputPath());
     ReadResult read = readMesh(bytes, tool.inputPath() == "-" ? "" : tool.inputPath(), {repair});
+    verifyExtent(read.mesh);
     for (const std::string& warning : suspicions(read.mesh))
         tool.warnOfInput(warning);
     if (const std::vector<BoundaryLoop> loops = boundaryLoops(read.mesh); !loops.empty())

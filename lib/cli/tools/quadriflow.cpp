@@ -79,7 +79,7 @@ Attempt attempt(const TemporaryFolder& folder, const HeldSignals& signals, const
         for (const VertexId vertex : read.mesh.vertices())
             read.mesh.set_point(vertex, box.from(read.mesh.point(vertex)));
         const std::size_t loops = boundaryLoops(read.mesh).size();
-        return {Remeshed{std::move(read.mesh), read.repair, loops, scanLoops, options.seed}, {}};
+        return {Remeshed{std::move(read.mesh), read.repair, loops, scanLoops, options.seed, {}}, {}};
     } catch (const Error& error) {
         return {{}, error.what()};
     }
@@ -126,6 +126,7 @@ Remeshed remeshWithBlender(const Triangles& scan, const RemeshOptions& options, 
         best->loops = boundaryLoops(best->mesh).size();
     }
     if (options.draw && !HeldSignals::oneWaits()) best->mesh = drawToScan(std::move(best->mesh), scan, jobs);
+    best->mismatch = mismatchOf(best->mesh, scan, jobs);
     return std::move(*best);
 }
 

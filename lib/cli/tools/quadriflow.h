@@ -4,6 +4,7 @@
 #include "mesh/quad_mesh.h"
 #include "mesh/soup/repair.h"
 #include "mesh/triangles/triangles.h"
+#include "remesh/mismatch.h"
 
 namespace qm {
 
@@ -20,6 +21,7 @@ struct Remeshed {
     std::size_t loops = 0;     ///< boundary loops of the mesh
     std::size_t scanLoops = 0; ///< boundary loops of the scan
     int seed = 0;              ///< the one used
+    Mismatch mismatch;         ///< with the scan
 };
 
 /// Blender works on the scan moved to the origin, because it computes in single precision, and scaled. If the

@@ -4,7 +4,6 @@
 #include "base/error.h"
 #include "base/number_text.h"
 #include "base/positions.h"
-#include "mesh/bounding_box.h"
 #include "mesh/soup/soup_repairs.h"
 
 #include <algorithm>
@@ -72,36 +71,16 @@ void checkIndices(const Soup& soup) {
 }
 
 void checkPoints(const Soup& soup) {
-    constexpr double largest = 1e30;
+    constexpr double largest = 1e150;
     for (std::size_t k = 0; k < soup.points.size(); ++k)
         for (const double value : soup.points[k]) {
             if (std::abs(value) <= largest) continue;
             if (std::isfinite(value))
-                throw Error(soup.pointPlace(k), "a coordinate is larger than 1e30", "Scale the model");
+                throw Error(soup.pointPlace(k), "a coordinate is larger than 1e150", "Scale the model");
             throw Error(soup.pointPlace(k),
                         std::isnan(value) ? "a coordinate is not a number" : "a coordinate is infinite",
                         "Correct the vertex");
         }
-}
-
-/// Lengths are raised to powers, whose digits must not get lost.
-void checkExtent(const Soup& soup) {
-    constexpr double smallest = 1e-30;
-    constexpr double farthest = 1e7; // times the extent: 9 of 16 digits remain
-    const auto pointOf = [&](std::int64_t corner) { return soup.points[at(corner)]; };
-    const BoundingBox box = boundingBoxOf(soup.corners, pointOf);
-    const double extent = box.size().max_abs(); // its square may be 0
-    if (extent < smallest)
-        throw Error("",
-                    extent > 0 ? "it is only " + roundedText(extent) + " across"
-                               : "all vertices lie at one place",
-                    extent > 0 ? "Scale the model" : "Is it another format?");
-    const double distance = std::max(box.low.max_abs(), box.high.max_abs());
-    if (distance > farthest * extent)
-        throw Error("",
-                    "it is " + roundedText(extent) + " across and " + roundedText(distance) +
-                        " away from the origin, where coordinates have too few digits",
-                    "Move the model to the origin");
 }
 
 void checkRepeatedVertices(const Soup& soup) {
@@ -192,7 +171,6 @@ void validatePolygons(const Soup& soup) {
     checkSides(soup);
     checkIndices(soup);
     checkPoints(soup);
-    checkExtent(soup);
 }
 
 void validateElements(const Soup& soup) {
@@ -200,7 +178,6 @@ void validateElements(const Soup& soup) {
     checkQuads(soup);
     checkIndices(soup);
     checkPoints(soup);
-    checkExtent(soup);
 }
 
 std::vector<Side> validateSoup(const Soup& soup) {

@@ -8,12 +8,12 @@
 namespace qm {
 
 /// Checks what surfaces of any polygons need: at least one face, at least three sides per face, indices in
-/// range, coordinates that are finite, of a size that can be computed with, and not far from the origin.
+/// range, coordinates that are finite and small enough to be squared.
 /// \throw Error  with the first offending face or vertex, and its line if there are lines
 void validatePolygons(const Soup& soup);
 
 /// Checks what cannot be repaired: at least one face, quads only, indices in range, coordinates that are
-/// finite, of a size that can be computed with, and not far from the origin.
+/// finite and small enough to be squared.
 /// \throw Error  with the first offending face or vertex, and its line if there are lines
 void validateElements(const Soup& soup);
 

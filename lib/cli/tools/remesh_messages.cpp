@@ -1,0 +1,36 @@
+#include "cli/tools/remesh_messages.h"
+
+#include "base/number_text.h"
+#include "cli/system/exit_status.h"
+#include "cli/tool.h"
+#include "mesh/bounding_box.h"
+#include "summary/figure_text.h"
+
+#include <algorithm>
+#include <string>
+
+namespace qm {
+namespace {
+
+constexpr const char* remedy = ". Another number of quads or --seed may help, or a scan without small parts";
+
+} // namespace
+
+int judgeRemeshed(const Tool& tool, const Remeshed& remeshed) {
+    if (remeshed.loops != remeshed.scanLoops)
+        tool.warnOfInput("the quad mesh has " + countText(remeshed.loops, "boundary loop") +
+                         ", the scan has " + std::to_string(remeshed.scanLoops) +
+                         ". Another number of quads may help");
+    const Mismatch& found = remeshed.mismatch;
+    const double extent = boundingBox(remeshed.mesh).diagonal();
+    if (found.missing > 0)
+        tool.warnOfInput("the quads leave out " + figureText(std::max(100 * found.missing, 0.01)) +
+                         "% of the scan, up to " + figureText(found.missingDistance) + " away, at " +
+                         pointText(found.missingAt, extent) + remedy);
+    if (found.strayed > 0)
+        tool.warnOfInput("a vertex of the quads is " + figureText(found.strayed) +
+                         " away from the scan, at " + pointText(found.strayedAt, extent) + remedy);
+    return found.missing > 0 || found.strayed > 0 ? exitUnmet : exitDone;
+}
+
+} // namespace qm
