@@ -41,7 +41,6 @@ std::optional<std::string> countOfAll(const Enumeration& enumeration) {
         if (!count) return {};
         counts.push_back(*count);
     }
-    if (counts.empty()) return {}; // a part without sub-meshes
     return decimalProduct(counts);
 }
 

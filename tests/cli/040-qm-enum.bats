@@ -171,11 +171,6 @@ is() { assert_equal "$(field "$1" out.json)" true; }
     done
 }
 
-@test "a part without sub-meshes counts nothing" {
-    quietly qm-enum --part 2/2 "$(stage basecomplex cube)" -o out.json
-    is '.enumeration.count == null'
-}
-
 @test "a limit of time ends the search with a warning and status 0, or 3 on request" {
     input=$(stage basecomplex bracket)
     run --separate-stderr qm-enum --time-limit 0 "$input" -o out.json

@@ -112,7 +112,7 @@ struct LayoutPart {
     };
     std::optional<double> cost;
     std::optional<double> lowerBound;
-    bool pruned = false; ///< qm-prune wrote it, or a person who says so
+    bool pruned = false; ///< the last tool that wrote it removed tracks
     bool tmesh = false;  ///< it was made from a T-mesh
     std::vector<TrackPart> tracks;
     bool divided = false; ///< segments are given; they may be left out

@@ -203,7 +203,7 @@ CheckedDocument readDocument(const Json& root) {
     }
     if (const Json* value = section("layout")) {
         document.layout = readLayout(*value);
-        document.layout->pruned = wasPruned(root) || value->contains("prune");
+        document.layout->pruned = wasPruned(root);
         document.layout->tmesh = document.enumeration && document.enumeration->tmesh;
     }
     if (const Json* value = section("surfaces"))
