@@ -1,6 +1,7 @@
 #include "bspline/fit.h"
 
 #include "base/error.h"
+#include "base/infinity.h"
 #include "base/number_text.h"
 #include "bspline/fitting/centred_fit.h"
 #include "bspline/measure/measure.h"
@@ -14,6 +15,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <utility>
 
 namespace qm {
 namespace {
@@ -50,6 +52,18 @@ SmoothFitOptions effortFor(const QuadMesh& mesh) {
     return options;
 }
 
+/// A fit of a large mesh that is farther off than this, in tolerances, is made once more with the patience
+/// that small ones get: few meshes need it, such as plates around holes.
+constexpr double farOff = 2;
+
+SmoothFitOptions withPatience(SmoothFitOptions effort) {
+    const SmoothFitOptions patient;
+    effort.maxRounds = patient.maxRounds;
+    effort.maxIdle = patient.maxIdle;
+    effort.slides = patient.slides;
+    return effort;
+}
+
 /// Share of the tolerance that is used at the lattice's points: the rest is for what lies between.
 constexpr double shareAtPoints = 0.97;
 
@@ -80,9 +94,22 @@ std::vector<Patch> smoothPatches(const QuadMesh& mesh, const Layout& layout, con
     SmoothFitOptions effort = effortFor(mesh);
     effort.tolerance = shareAtPoints * allowed;
     effort.flatness = std::min(planeShare * allowed, maxFlatness * boundingBox(mesh).diagonal());
-    return fitCentred(
-        {reference.bridged ? *reference.bridged : mesh, layout, reference.network, reference.target, verify},
-        effort, control);
+    const QuadMesh& upright = reference.bridged ? *reference.bridged : mesh;
+    if (effort.attempts > 1)
+        return fitCentred({upright, layout, reference.network, reference.target, verify}, effort, control);
+
+    double nearest = infinity; // of what was verified, in tolerances
+    const Verification noted = [&](const std::vector<Patch>& patches) {
+        auto found = verify(patches);
+        nearest = std::min(nearest, std::ranges::max(found));
+        return found;
+    };
+    const FitProblem problem{upright, layout, reference.network, reference.target, noted};
+    std::vector<Patch> patches = fitCentred(problem, effort, control);
+    if (nearest <= farOff || control.stopRequested()) return patches;
+    const double before = std::exchange(nearest, infinity);
+    std::vector<Patch> better = fitCentred(problem, withPatience(effort), control);
+    return nearest < before ? better : patches;
 }
 
 void addMeasurement(const Measurement& measurement, Surfaces& surfaces) {

@@ -53,8 +53,7 @@ struct PruneResult {
 /// Greedy: candidates in decreasing order of cost, ties by id; a track is removed if every segment stays a
 /// grid with four corners. A removal may make others possible, so candidates are tried again in the same
 /// order until none can be removed. Transversals and tracks with required edges are no candidates, and annuli
-/// stay annuli. The test of a
-/// track looks at its own vertices only, in time linear in its length.
+/// stay annuli. The test of a track looks at its own vertices only, in time linear in its length.
 /// \param layout  as made by `buildLayout`
 [[nodiscard]] PruneResult pruneLayout(const QuadMesh& mesh, const Layout& layout,
                                       const std::vector<double>& dihedralAngles,

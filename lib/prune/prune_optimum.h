@@ -17,7 +17,8 @@ namespace qm {
 /// corner above 180 degrees. A front holds layouts for a range of beta, 1/16 to 64, from many segments to
 /// few; none is as good as another in segments, G_T and captured sharpness together.
 /// \param layout  the start, of the same base complex; the optimum is never worse
-/// \throw Error  if it does not obey the constraints, its tracks are not made of arcs, or nothing is found under a number of segments
+/// \throw Error  if it does not obey the constraints, its tracks are not made of arcs, or nothing is found under
+/// a number of segments
 [[nodiscard]] PruneResult prune(const QuadMesh& mesh, const BaseComplex& complex, const Layout& layout,
                                 const std::vector<double>& dihedralAngles,
                                 const std::vector<double>& edgeCosts, const PruneOptions& options, double rho,

@@ -114,7 +114,7 @@ bool FitState::solveFor(const std::vector<bool>& isFree, int slides) {
         system.solve(lattices_, Accuracy::draft, patches_);
         forFree([&](std::size_t i) {
             const double share = scale_[i] > 1 ? 0 : options_.slack;
-            slideTargets(patches_[i], share * options_.tolerance, lattices_[i]);
+            slideTargets(patches_[i], share * options_.tolerance, options_.slideShare, lattices_[i]);
         });
     }
     system.solve(lattices_, Accuracy::rounding, patches_);
@@ -238,8 +238,8 @@ bool FitState::stopSliding() {
     constexpr double around = 2; // mesh edges
     std::vector<std::vector<KnotCell>> held(lattices_.size());
     forBadCells(1, [&](const KnotCell& cell, std::size_t k) {
-        held[k].push_back({{cell.begin[0] - around, cell.begin[1] - around},
-                           {cell.end[0] + around, cell.end[1] + around}});
+        held[k].push_back(
+            {{cell.begin[0] - around, cell.begin[1] - around}, {cell.end[0] + around, cell.end[1] + around}});
     });
     bool changed = false;
     for (std::size_t k = 0; k < held.size(); ++k)

@@ -22,15 +22,18 @@ struct Attempt {
     SmoothFitOptions options;
 };
 
+constexpr double farSlides = 0.35; ///< as a share of a patch's shorter side
+
 /// In the first attempt all patches are stiff and may be farther away to be fairer. In the second one they
 /// may not, and the patches that miss the tolerance are soft, with their neighbours, and slide less; in later
-/// ones all are soft, and slide as in the first, then hardly at all.
+/// ones all are soft and may slide farther, as often as in the first, then hardly at all.
 Attempt attempt(int number, const Fitted& before, const FitProblem& problem,
                 const SmoothFitOptions& options) {
     const std::size_t patches = problem.layout.segments.size();
     if (number == 1) return {std::vector<bool>(patches, false), options};
     Attempt next{std::vector<bool>(patches, true), options};
     next.options.slack = 0;
+    if (number > 2) next.options.slideShare = farSlides;
     if (number > 3) next.options.slides = 1;
     if (number > 2) return next;
     next.options.slides /= 2;

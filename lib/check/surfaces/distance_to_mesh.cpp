@@ -2,8 +2,6 @@
 
 #include "check/surfaces/bilinear_quad.h"
 
-#include <algorithm>
-
 namespace qm::check {
 
 DistanceToMesh::DistanceToMesh(const CheckedMesh& mesh)
@@ -12,15 +10,11 @@ DistanceToMesh::DistanceToMesh(const CheckedMesh& mesh)
       }) {}
 
 double DistanceToMesh::from(const Place& point, int face, const Parameters& start, double limit) const {
-    double nearest = distanceToFace(mesh_, face, start, point, limit);
-    if (nearest <= limit) return nearest;
-    for (const Start& other : starts_.within(nearest, point)) {
-        if (other.distance - other.reach > nearest) continue;
-        nearest = std::min(
-            nearest, distanceToFace(mesh_, static_cast<int>(other.part), other.parameters, point, limit));
-        if (nearest <= limit) break;
-    }
-    return nearest;
+    const double first = distanceToFace(mesh_, face, start, point, limit);
+    if (first <= limit) return first;
+    return starts_.nearest(point, first, limit, [&](const Start& other) {
+        return distanceToFace(mesh_, static_cast<int>(other.part), other.parameters, point, limit);
+    });
 }
 
 } // namespace qm::check

@@ -3,8 +3,6 @@
 #include "base/at.h"
 #include "check/surfaces/spline.h"
 
-#include <algorithm>
-
 namespace qm::check {
 
 DistanceToSurfaces::DistanceToSurfaces(const CheckedMesh& mesh, const LayoutPart& layout,
@@ -24,15 +22,12 @@ DistanceToSurfaces::DistanceToSurfaces(const CheckedMesh& mesh, const LayoutPart
 
 double DistanceToSurfaces::from(const Place& point, std::size_t patch, const Parameters& parameters,
                                 double limit) const {
-    double nearest = distanceToPatch(part_.patches[patch], parameters, point, limit);
-    if (nearest <= limit) return nearest;
-    for (const Start& start : starts_.within(nearest, point)) {
-        if (start.distance - start.reach > nearest) continue;
-        nearest = std::min(nearest, distanceToPatch(part_.patches[places_[start.part].patch],
-                                                    inPatch(start.part, start.parameters), point, limit));
-        if (nearest <= limit) break;
-    }
-    return nearest;
+    const double first = distanceToPatch(part_.patches[patch], parameters, point, limit);
+    if (first <= limit) return first;
+    return starts_.nearest(point, first, limit, [&](const Start& start) {
+        return distanceToPatch(part_.patches[places_[start.part].patch],
+                               inPatch(start.part, start.parameters), point, limit);
+    });
 }
 
 Parameters DistanceToSurfaces::inPatch(std::size_t face, const Parameters& within) const {

@@ -4,6 +4,7 @@
 #include "check/mesh/vectors.h"
 #include "check/surfaces/spline.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -32,6 +33,21 @@ public:
     /// All starts whose reach leads to something nearer to the point than a distance, the nearest first:
     /// most searches from there succeed at once, and where the surface is folded, others do.
     [[nodiscard]] std::vector<Start> within(double distance, const Place& point) const;
+
+    /// The smallest distance of a point that searches find, which begin at all these starts; they end with
+    /// the first within a limit.
+    /// \param nearest  what has been found already
+    /// \param search   from a start, for a distance
+    template <class Search>
+    [[nodiscard]] double nearest(const Place& point, double nearest, double limit,
+                                 const Search& search) const {
+        for (const Start& start : within(nearest, point)) {
+            if (start.distance - start.reach > nearest) continue;
+            nearest = std::min(nearest, search(start));
+            if (nearest <= limit) break;
+        }
+        return nearest;
+    }
 
 private:
     class Boxes;

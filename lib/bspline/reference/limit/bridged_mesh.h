@@ -10,8 +10,9 @@
 namespace qm {
 
 /// Moves the vertices of folded quads (see `isFolded`), and if necessary those around them, to where the
-/// smoothest continuation of their surroundings has them, so that fewer quads are folded. Vertices on creases
-/// and on the boundary stay, as do those where folded quads may hide a crease. Linear in the mesh.
+/// smoothest continuation of their surroundings has them, so that fewer quads are folded. Vertices on
+/// creases, on the boundary and of very many quads stay, as do those where folded quads may hide a crease.
+/// Linear in the mesh.
 /// \param isCrease  by edge; ignored beside folded quads
 /// \return nothing if no vertex moves
 [[nodiscard]] std::optional<QuadMesh> bridgedMesh(const QuadMesh& mesh, const std::vector<bool>& isCrease);
