@@ -19,7 +19,9 @@ namespace index = boost::geometry::index;
 constexpr std::size_t steps = 4;
 
 Parameters latticeParameters(std::size_t k) {
-    return {static_cast<double>(k % (steps + 1)) / steps, static_cast<double>(k / (steps + 1)) / steps};
+    const std::size_t column = k % (steps + 1);
+    const std::size_t row = k / (steps + 1);
+    return {static_cast<double>(column) / steps, static_cast<double>(row) / steps};
 }
 
 using TreePoint = boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>;

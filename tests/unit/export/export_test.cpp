@@ -397,7 +397,8 @@ TEST(Glb, CoordinatesFarFromTheOriginBeginAtTheCentre) {
         const std::string bytes = exported(model, ExportFormat::glb);
         const std::uint32_t json = numberAt<std::uint32_t>(bytes, 12);
         std::vector<float> result;
-        for (std::size_t k = 0; k < 3 * 11; ++k)
+        constexpr std::size_t row = 11;
+        for (std::size_t k = 0; k < 3 * row; ++k)
             result.push_back(numberAt<float>(bytes, 20 + json + 8 + 4 * k));
         return std::pair(bytes.substr(20, json), result);
     };
