@@ -1,6 +1,5 @@
 #include "remesh/mismatch.h"
 
-#include "base/at.h"
 #include "base/infinity.h"
 #include "base/parallel.h"
 #include "bspline/reference/scan/triangle_surface.h"
@@ -13,19 +12,6 @@
 
 namespace qm {
 namespace {
-
-/// The halves of all quads that have an area.
-Triangles trianglesOf(const QuadMesh& mesh) {
-    Triangles triangles;
-    for (const FaceId face : mesh.faces())
-        for (const Triangle& half : halvesOf(mesh, face)) {
-            if (!triangleNormal(half)) continue;
-            const auto first = static_cast<int>(triangles.points.size());
-            triangles.points.insert(triangles.points.end(), half.begin(), half.end());
-            triangles.faces.push_back({first, first + 1, first + 2});
-        }
-    return triangles;
-}
 
 /// \param pointOf  of a number below `count`
 template <class PointOf>
@@ -49,8 +35,8 @@ Mismatch mismatchOf(const QuadMesh& mesh, const Triangles& scan, unsigned jobs) 
     Mismatch result;
     const auto samples = samplesOfScan(scan, edge * edge, samplesOfQuad * mesh.n_faces());
     const auto ofScan = distancesFrom(
-        TriangleSurface(trianglesOf(mesh)), samples.size(),
-        [&](std::size_t k) { return samples[k].position; }, jobs);
+        TriangleSurface(halves(mesh)), samples.size(), [&](std::size_t k) { return samples[k].position; },
+        jobs);
     double area = 0;
     for (std::size_t k = 0; k < samples.size(); ++k) {
         area += samples[k].area;

@@ -14,19 +14,6 @@ namespace {
 
 constexpr double minCosine = 0.4; ///< between the normals of places that belong together
 
-/// Both halves of all quads, in their order.
-Triangles halves(const QuadMesh& mesh) {
-    Triangles result;
-    for (const VertexId vertex : mesh.vertices())
-        result.points.push_back(mesh.point(vertex));
-    for (const FaceId face : mesh.faces()) {
-        const auto corners = cornersOf(mesh, face);
-        for (const std::size_t k : {1U, 2U})
-            result.faces.push_back({corners[0].idx(), corners[k].idx(), corners[k + 1].idx()});
-    }
-    return result;
-}
-
 /// Weights of a triangle's corners that give a point of it; none if it has no area.
 std::optional<std::array<double, 3>> weightsOf(const Triangle& corners, const Point& at) {
     const Point normal = (corners[1] - corners[0]) % (corners[2] - corners[0]);

@@ -59,6 +59,18 @@ std::vector<ScanSample> samplesOfScan(const Triangles& scan, double area, std::s
     return samples;
 }
 
+Triangles halves(const QuadMesh& mesh) {
+    Triangles result;
+    for (const VertexId vertex : mesh.vertices())
+        result.points.push_back(mesh.point(vertex));
+    for (const FaceId face : mesh.faces()) {
+        const auto corners = cornersOf(mesh, face);
+        for (const std::size_t k : {1U, 2U})
+            result.faces.push_back({corners[0].idx(), corners[k].idx(), corners[k + 1].idx()});
+    }
+    return result;
+}
+
 std::vector<QuadSample> samplesOfQuads(const QuadMesh& mesh) {
     constexpr std::array places = {1.0 / 6, 0.5, 5.0 / 6};
     std::vector<QuadSample> samples;

@@ -28,6 +28,9 @@ struct QuadSample {
     bool onBoundary = false; ///< of the mesh
 };
 
+/// Both halves of all quads, in their order.
+[[nodiscard]] Triangles halves(const QuadMesh& mesh);
+
 /// Nine inside every quad; of sides on the boundary three each, which stand for no area but that of a strip.
 [[nodiscard]] std::vector<QuadSample> samplesOfQuads(const QuadMesh& mesh);
 

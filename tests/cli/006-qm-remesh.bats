@@ -76,8 +76,8 @@ fake_blender() {
     assert_failure
     rm told
     # Boundaries are kept; a result without them makes it try other seeds, and say so.
-    run --separate-stderr qm-remesh open.stl -o part.obj
-    assert_equal "$status" 3 # a cube is no plate
+    run --separate-stderr qm-remesh open.stl --no-draw -o part.obj
+    assert_success
     assert_equal "$(cat told)" '5000 1 1 0 5000 1 1 1 5000 1 1 2 '
     assert_regex "$stderr" 'the quad mesh has 0 boundary loops, the scan has 2'
 }
@@ -85,7 +85,7 @@ fake_blender() {
 @test "if no seed helps, an open scan does without edges along its boundary" {
     fake_blender "printf '%s ' \"\${@: -2}\" >>${PWD@Q}/told; [[ \${@: -2:1} == 0 ]] || exit 1"
     qm-shape plate --scan 500 -o open.stl
-    run -3 --separate-stderr qm-remesh open.stl --seed 3 -o part.obj
+    run -0 --separate-stderr qm-remesh open.stl --seed 3 --no-draw -o part.obj
     assert_equal "$(cat told)" '1 3 1 4 1 5 0 3 '
     assert_regex "$stderr" 'the quad mesh has 0 boundary loops, the scan has 2'
     rm told

@@ -161,6 +161,7 @@ objective() { field ".layout.cost + $1 * (.layout.segments | length)" "$2"; }
     quietly qm-prune --eta -100 --no-smooth "$layout" -o bold.json
     gone=$(jq -c --slurpfile bold bold.json '[$bold[0].layout.tracks[].vertices] as $kept
         | [.layout.tracks[].vertices | select(. as $path | $kept | index([$path]) | not)] | first' "$layout")
+    assert [ "$gone" != null ]
     jq --argjson path "$gone" '.constraints = {"required": [{"vertices": $path}]}' "$layout" >required.json
     for options in '--eta -100 --no-smooth' '--method optimum --beta 100 --no-smooth'; do
         # shellcheck disable=SC2086  # a list of words

@@ -10,7 +10,6 @@
 #include "document/options/options.h"
 #include "document/sections/enumeration_section.h"
 
-#include <algorithm>
 #include <cmath>
 #include <string_view>
 #include <utility>
@@ -56,7 +55,6 @@ void verifyParts(const Tool& tool, const EnumerationRequests& requests, Enumerat
 
 void writeGraphs(const Tool& tool, const Model& model, const EnumerationOptions& options,
                  const std::string& path, ListedGraphs which) {
-    if (path.empty()) return;
     const bool areBest = which == ListedGraphs::best;
     if (path != "-" && isSameFile(path, tool.inputPath()))
         throw FileError(path, "is the input", "Name another file");
@@ -136,17 +134,18 @@ Enumeration searchGraphs(const Tool& tool, const Model& model, const Enumeration
     const Control control = tool.control("searching");
     const Deadline end(control, options.timeLimit);
     int steps = 1 + (requests.allGraphs.empty() ? 0 : 1) + (requests.bestGraphs.empty() ? 0 : 1);
-    EnumerationOptions limited = options;
-    const auto shareTime = [&] { limited.timeLimit = end.secondsLeft() / std::max(1, steps--); };
-    shareTime();
-    if (!requests.bestGraphs.empty()) limited.best = 1;
-    Enumeration found =
-        enumerateGraphs(model.mesh, model.complex, model.dihedralAngles, model.subMeshes, limited, control);
-    limited.best = options.best;
-    shareTime();
-    writeGraphs(tool, model, limited, requests.allGraphs, ListedGraphs::every);
-    if (!requests.allGraphs.empty()) shareTime();
-    writeGraphs(tool, model, limited, requests.bestGraphs, ListedGraphs::best);
+    const auto withShareOfTime = [&](EnumerationOptions step) {
+        step.timeLimit = end.secondsLeft() / steps--;
+        return step;
+    };
+    EnumerationOptions ofDocument = options;
+    if (!requests.bestGraphs.empty()) ofDocument.best = 1;
+    Enumeration found = enumerateGraphs(model.mesh, model.complex, model.dihedralAngles, model.subMeshes,
+                                        withShareOfTime(ofDocument), control);
+    if (!requests.allGraphs.empty())
+        writeGraphs(tool, model, withShareOfTime(options), requests.allGraphs, ListedGraphs::every);
+    if (!requests.bestGraphs.empty())
+        writeGraphs(tool, model, withShareOfTime(options), requests.bestGraphs, ListedGraphs::best);
     return found;
 }
 
