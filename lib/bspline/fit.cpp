@@ -8,6 +8,7 @@
 #include "bspline/measure/scan_deviation.h"
 #include "bspline/network/crease_paths.h"
 #include "bspline/reference/fit_reference.h"
+#include "bspline/reference/planes/plane_patches.h"
 #include "bspline/splines/interpolate.h"
 #include "mesh/bounding_box.h"
 
@@ -67,10 +68,8 @@ SmoothFitOptions withPatience(SmoothFitOptions effort) {
 /// Share of the tolerance that is used at the lattice's points: the rest is for what lies between.
 constexpr double shareAtPoints = 0.97;
 
-/// How far a reference may be from a plane that it is taken for: a share of what is allowed, and of the
-/// diagonal, as much as the coordinates of mesh files are rounded.
+/// How far a reference may be from a plane that it is taken for: a share of what is allowed.
 constexpr double planeShare = 0.005;
-constexpr double maxFlatness = 5e-6;
 
 /// Multiple of a scan's noise that its smoothing leaves at worst.
 constexpr double noiseLeft = 1.5;
@@ -94,7 +93,7 @@ std::vector<Patch> smoothPatches(const QuadMesh& mesh, const Layout& layout, con
     SmoothFitOptions effort = effortFor(mesh);
     effort.tolerance = shareAtPoints * allowed;
     effort.flatness = std::min(planeShare * allowed, maxFlatness * boundingBox(mesh).diagonal());
-    const QuadMesh& upright = reference.bridged ? *reference.bridged : mesh;
+    const QuadMesh& upright = reference.improved ? *reference.improved : mesh;
     if (effort.attempts > 1)
         return fitCentred({upright, layout, reference.network, reference.target, verify}, effort, control);
 
@@ -129,7 +128,7 @@ Surfaces fitSurfaces(const QuadMesh& mesh, const Layout& layout, const std::vect
     requireValid(options);
     const bool isSmoothFit = options.fit == Fit::smooth;
     const FitReference reference = fitReference(
-        mesh, layout, dihedralAngles, {.rho = options.rho, .bridges = isSmoothFit}, scan, control.jobs);
+        mesh, layout, dihedralAngles, {.rho = options.rho, .improves = isSmoothFit}, scan, control.jobs);
     const BorderMarks& marks = reference.network.marks;
     const FitTarget& target = reference.target;
     const double diagonal = boundingBox(mesh).diagonal();

@@ -27,9 +27,9 @@ struct FitOptions {
 };
 
 /// One patch for every segment, and how far they are from the reference and from the mesh. The reference is
-/// the smooth surface through the mesh's vertices, but for those of folded quads (see `bridgedMesh`), or a
-/// scan. If `control.stopRequested`, the smooth fit ends with the best surfaces that it has, which may be far
-/// from what is allowed, and measures them.
+/// the smooth surface through the mesh's vertices, but for those of folded quads and within plane parts (see
+/// `bridgedMesh` and `evenedMesh`), or a scan. If `control.stopRequested`, the smooth fit ends with the best
+/// surfaces that it has, which may be far from what is allowed, and measures them.
 /// \param dihedralAngles  of every edge, in radians, by edge index
 /// \param scan  null if there is none
 /// \throw Error  if an option is out of range, or the scan is not of this mesh

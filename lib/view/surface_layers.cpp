@@ -178,7 +178,7 @@ void addSurfaces(Scene& scene, const Viewed& viewed, const Point& centre, unsign
     // What was to keep to a tolerance was fitted smoothly, over bridged quads.
     const FitReference reference =
         fitReference(viewed.mesh, *viewed.layout, viewed.dihedralAngles,
-                     {.rho = viewed.rho, .bridges = viewed.tolerance.has_value()}, viewed.scan, jobs);
+                     {.rho = viewed.rho, .improves = viewed.tolerance.has_value()}, viewed.scan, jobs);
     const bool isKnown = !viewed.surfaces->scan || viewed.scan != nullptr;
     const auto add = [&scene](FaceLayer layer) { scene.faces.push_back(std::move(layer)); };
     add(patchLayer(scene, viewed));

@@ -11,7 +11,7 @@
 namespace qm {
 namespace {
 
-constexpr int maxIterations = 24; ///< a limit for what does not converge
+constexpr int maxIterations = 24; ///< of less than a whole quad: a limit for what does not converge
 constexpr int maxHalvings = 4;
 constexpr int maxCrossings = 6;  ///< enough to go around a vertex, and an end to going round and round
 constexpr double maxStep = 1;    // quads
@@ -22,7 +22,8 @@ using Parameters = std::array<double, 2>;
 /// Where a step towards a point leads.
 struct Step {
     Parameters to{};
-    int side = -1; ///< of the patch, if the step would lead beyond it
+    int side = -1;        ///< of the patch, if the step would lead beyond it
+    bool isWhole = false; ///< as long as it may be: the point is farther away
 };
 
 /// \param extent  the patch's range in either direction begins at 0 and ends here
@@ -38,10 +39,12 @@ Step gaussNewton(const PiecePoint& here, const Eigen::Vector3d& away, const Para
     Parameters step{alone(ru, 2 * uu), alone(rv, 2 * vv)};
     if (determinant > 1e-10 * uu * vv)
         step = {(ru * vv - rv * uv) / determinant, (rv * uu - ru * uv) / determinant};
+    const double longest = std::max(std::abs(step[0]), std::abs(step[1]));
     Step result;
+    result.isWhole = longest > maxStep;
     double overshoot = 0;
     for (std::size_t k = 0; k < 2; ++k) {
-        step[k] = std::clamp(step[k], -maxStep, maxStep);
+        if (result.isWhole) step[k] *= maxStep / longest; // in the same direction, which leads nearer
         result.to[k] = at[k] + step[k];
         const double beyond = std::max(-result.to[k], result.to[k] - extent[k]);
         if (beyond <= overshoot) continue;
@@ -153,7 +156,9 @@ Foot FootSearch::walk(std::size_t surface, const LayoutPlace& start, const Eigen
     Walk walk{surfaces_, crossings, start};
     walk.best.place = start;
     walk.best.distance = infinity;
-    for (int k = 0; k < maxIterations; ++k) {
+    const auto extentOfStart = surfaces_.extent(start.patch);
+    double wholeSteps = extentOfStart[0] + extentOfStart[1]; // that are left
+    for (int k = 0; k < maxIterations;) {
         const PiecePoint here = evaluateAt(surface, walk.place);
         const Eigen::Vector3d away = point - here.position;
         const double distance = away.norm();
@@ -161,13 +166,16 @@ Foot FootSearch::walk(std::size_t surface, const LayoutPlace& start, const Eigen
         // What is as near beyond a border as on it may lead on.
         if (!(distance < (hasCrossed ? 1 + 1e-9 : 1) * walk.best.distance)) {
             if (!walk.goBack()) break;
+            ++k;
             continue;
         }
         const bool hardly = !hasCrossed && distance > (1 - 1e-7) * walk.best.distance;
         walk.best = {walk.place, walk.turns, distance, here.position, here.du, here.dv};
         if (hardly) break;
         const auto extent = surfaces_.extent(walk.place.patch);
-        if (!walk.goOn(gaussNewton(here, away, walk.place.at, extent))) break;
+        const Step step = gaussNewton(here, away, walk.place.at, extent);
+        if (!(step.isWhole && wholeSteps-- > 0)) ++k;
+        if (!walk.goOn(step)) break;
     }
     return walk.best;
 }

@@ -7,6 +7,7 @@
 #include "bspline/measure/folds.h"
 #include "bspline/measure/foot_search.h"
 #include "bspline/measure/shape_measures.h"
+#include "bspline/reference/lattice/facet_grids.h"
 #include "bspline/splines/eigen_point.h"
 #include "bspline/splines/interpolate.h"
 #include "mesh/bounding_box.h"
@@ -203,13 +204,6 @@ std::vector<double> maxDeviations(const QuadMesh& mesh, const Layout& layout,
         result[k] = certifiedDeviation(pairs, k, {.closing = closing, .negligible = limit}).upper;
     });
     return result;
-}
-
-std::vector<ReferenceGrid> facetGrids(const QuadMesh& mesh, const Layout& layout) {
-    std::vector<ReferenceGrid> grids;
-    for (const Segment& segment : layout.segments)
-        grids.push_back({segment.size, 1, pointGrid(mesh, segment)});
-    return grids;
 }
 
 } // namespace qm

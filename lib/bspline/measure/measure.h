@@ -45,7 +45,4 @@ struct Measurement {
                                                 const std::vector<ReferenceGrid>& references, double limit,
                                                 unsigned jobs);
 
-/// The mesh's quads as a reference: bilinear.
-[[nodiscard]] std::vector<ReferenceGrid> facetGrids(const QuadMesh& mesh, const Layout& layout);
-
 } // namespace qm

@@ -3,10 +3,14 @@
 #include "base/error.h"
 #include "bspline/reference/limit/bridged_mesh.h"
 #include "bspline/reference/limit/limit_surface.h"
+#include "bspline/reference/planes/evened_mesh.h"
+#include "bspline/reference/planes/plane_patches.h"
 #include "bspline/reference/scan/scan_reference.h"
+#include "mesh/bounding_box.h"
 #include "mesh/dihedral.h"
 
 #include <string>
+#include <utility>
 
 namespace qm {
 namespace {
@@ -27,6 +31,20 @@ FitTarget fitTarget(const QuadMesh& mesh, const Layout& layout, const SmoothNetw
     return found;
 }
 
+/// Replaces the mesh and its network by better ones, if vertices are to move.
+void improve(const QuadMesh& mesh, const Layout& layout, double rho, unsigned jobs, FitReference& reference) {
+    const auto replace = [&](std::optional<QuadMesh> better) {
+        if (!better) return;
+        reference.improved = std::move(better);
+        reference.network =
+            buildNetwork(*reference.improved, layout, qm::dihedralAngles(*reference.improved), rho);
+    };
+    replace(bridgedMesh(mesh, reference.network.marks.isCrease));
+    const QuadMesh& upright = reference.improved ? *reference.improved : mesh;
+    const double flatness = maxFlatness * boundingBox(mesh).diagonal();
+    replace(evenedMesh(upright, layout, reference.network, flatness, jobs));
+}
+
 } // namespace
 
 FitReference fitReference(const QuadMesh& mesh, const Layout& layout,
@@ -34,11 +52,8 @@ FitReference fitReference(const QuadMesh& mesh, const Layout& layout,
                           const TriangleSurface* scan, unsigned jobs) {
     FitReference reference;
     reference.network = buildNetwork(mesh, layout, dihedralAngles, options.rho);
-    if (options.bridges) reference.bridged = bridgedMesh(mesh, reference.network.marks.isCrease);
-    if (reference.bridged)
-        reference.network =
-            buildNetwork(*reference.bridged, layout, qm::dihedralAngles(*reference.bridged), options.rho);
-    const QuadMesh& upright = reference.bridged ? *reference.bridged : mesh;
+    if (options.improves) improve(mesh, layout, options.rho, jobs, reference);
+    const QuadMesh& upright = reference.improved ? *reference.improved : mesh;
     reference.target = fitTarget(upright, layout, reference.network, scan, jobs);
     return reference;
 }

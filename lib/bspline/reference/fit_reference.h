@@ -17,14 +17,15 @@ namespace qm {
 constexpr std::size_t veryManyFaces = 300'000;
 
 struct FitReference {
-    std::optional<QuadMesh> bridged; ///< replaces the mesh if folded quads were bridged
+    std::optional<QuadMesh> improved; ///< replaces the mesh if vertices were moved
     SmoothNetwork network;
     FitTarget target;
 };
 
 struct ReferenceOptions {
-    double rho = 0;      ///< a border edge of a larger dihedral angle is a crease; radians
-    bool bridges = true; ///< whether to bridge folded quads (see `bridgedMesh`)
+    double rho = 0; ///< a border edge of a larger dihedral angle is a crease; radians
+    /// Whether vertices of folded quads and of plane parts are moved (see `bridgedMesh` and `evenedMesh`).
+    bool improves = true;
 };
 
 /// The target is the smooth surface through the mesh's vertices, or, with a scan, the scan as seen from that

@@ -1,4 +1,4 @@
-#include "bspline/fitting/solver/dense_elimination.h"
+#include "bspline/solver/dense_elimination.h"
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #include "base/at.h"
-#include "bspline/fitting/solver/elimination_tree.h"
-#include "bspline/fitting/solver/sparse_factors.h"
-#include "bspline/fitting/solver/supernodes.h"
+#include "bspline/solver/elimination_tree.h"
+#include "bspline/solver/sparse_factors.h"
+#include "bspline/solver/supernodes.h"
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>

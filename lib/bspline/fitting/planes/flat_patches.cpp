@@ -2,7 +2,7 @@
 
 #include "base/at.h"
 #include "base/disjoint_sets.h"
-#include "bspline/fitting/planes/principal_axes.h"
+#include "bspline/reference/planes/principal_axes.h"
 #include "bspline/splines/eigen_point.h"
 #include "layout/sides.h"
 

@@ -1,9 +1,9 @@
 /// \file Plane patches, and straight parts of the outline of a mesh where these end.
 #pragma once
 
-#include "bspline/fitting/planes/plane_patches.h"
 #include "bspline/network/smooth_network.h"
 #include "bspline/reference/lattice/reference_grid.h"
+#include "bspline/reference/planes/plane_patches.h"
 #include "layout/layout.h"
 
 #include <array>

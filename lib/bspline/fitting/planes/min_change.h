@@ -1,9 +1,9 @@
 /// \file The smallest change of control points that moves some of them into planes.
 #pragma once
 
-#include "bspline/fitting/planes/plane_patches.h"
-#include "bspline/fitting/solver/constrained_system.h"
 #include "bspline/network/border_strip.h"
+#include "bspline/reference/planes/plane_patches.h"
+#include "bspline/solver/constrained_system.h"
 
 #include <Eigen/Core>
 

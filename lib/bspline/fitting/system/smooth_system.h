@@ -4,7 +4,7 @@
 #include "bspline/fitting/energy/thin_plate.h"
 #include "bspline/fitting/knots/knot_plan.h"
 #include "bspline/fitting/lattice/fit_lattice.h"
-#include "bspline/fitting/solver/constrained_system.h"
+#include "bspline/solver/constrained_system.h"
 #include "bspline/splines/surfaces.h"
 #include "layout/layout.h"
 

@@ -2,12 +2,9 @@
 
 #include "base/at.h"
 #include "base/sort_unique.h"
-#include "bspline/splines/eigen_point.h"
+#include "bspline/reference/limit/smooth_continuation.h"
 #include "mesh/quad_geometry.h"
 #include "mesh/topology.h"
-
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <cstddef>
@@ -22,17 +19,11 @@ constexpr double minCosineNearCreases = 0.64;
 constexpr double minCosine = 0.2;
 /// Largest number of rings of vertices around a fold that are moved with it.
 constexpr int maxRings = 3;
-/// A vertex of more quads stays: it lies where many of them have it, and moving it for each would take a time
-/// quadratic in their number.
-constexpr unsigned maxValence = 32;
 
 class Bridging {
 public:
     Bridging(const QuadMesh& mesh, const std::vector<bool>& isCrease)
-        : mesh_(mesh), isFolded_(mesh.n_faces()), isFixed_(mesh.n_vertices()), isHub_(mesh.n_vertices()),
-          unknown_(mesh.n_vertices(), none) {
-        for (const VertexId vertex : mesh_.vertices())
-            isHub_[at(vertex)] = mesh_.valence(vertex) > maxValence;
+        : mesh_(mesh), isFolded_(mesh.n_faces()), isFixed_(mesh.n_vertices()) {
         for (const FaceId face : mesh_.faces())
             isFolded_[at(face)] = qm::isFolded(mesh_, face);
         for (const EdgeId edge : mesh_.edges()) {
@@ -57,8 +48,6 @@ public:
     }
 
 private:
-    static constexpr int none = -1;
-
     /// Only of quads that are not folded.
     [[nodiscard]] Point normalOf(FaceId face) const { return *middleNormal(mesh_, face); }
 
@@ -66,7 +55,7 @@ private:
 
     /// No crease passes, and the quads around that are not folded lie on one side of a smooth surface.
     [[nodiscard]] bool mayMove(VertexId vertex) const {
-        if (isFixed(vertex) || isHub_[at(vertex)]) return false;
+        if (isFixed(vertex) || isHub(mesh_, vertex)) return false;
         double limit = minCosine;
         Point sum(0, 0, 0);
         std::vector<Point> normals;
@@ -84,62 +73,59 @@ private:
     /// Moves a fold's vertices, and more and more of those around it, until no quad is folded there, or else
     /// as few as can be had.
     bool bridge(FaceId face) {
-        std::vector<VertexId> moved;
-        std::vector<Point> best;
+        std::vector<Point> best; // of those that moved first
         std::ptrdiff_t gain = 0;
+        moved_ = {};
         for (const VertexId vertex : mesh_.fv_range(face))
-            take(vertex, moved);
-        if (moved.empty()) return false;
+            take(vertex);
+        if (moved_.all().empty()) return false;
         for (int ring = 0; ring <= maxRings; ++ring) {
-            if (ring > 0) grow(moved);
-            const std::vector<Point> before = pointsOf(moved);
-            const auto wrongBefore = wrongAt(moved);
-            if (!continueSmoothly(moved)) break;
-            const auto wrong = wrongAt(moved);
+            if (ring > 0) grow();
+            const std::vector<Point> before = points();
+            const auto wrongBefore = wrongQuads();
+            if (!continueSmoothly()) break;
+            const auto wrong = wrongQuads();
             if (wrongBefore - wrong > gain) {
                 gain = wrongBefore - wrong;
-                best = pointsOf(moved);
+                best = points();
             }
-            setPoints(moved, before);
+            setPoints(before);
             if (wrong == 0) break;
         }
-        setPoints(moved, best);
-        for (const VertexId vertex : moved)
-            unknown_[at(vertex)] = none;
+        setPoints(best);
         for (std::size_t k = 0; k < best.size(); ++k)
-            for (const FaceId beside : mesh_.vf_range(moved[k]))
+            for (const FaceId beside : mesh_.vf_range(moved_.all()[k]))
                 isFolded_[at(beside)] = qm::isFolded(mesh_, beside);
         return gain > 0;
     }
 
-    void take(VertexId vertex, std::vector<VertexId>& moved) {
-        if (unknown_[at(vertex)] != none || !mayMove(vertex)) return;
-        unknown_[at(vertex)] = static_cast<int>(moved.size());
-        moved.push_back(vertex);
+    void take(VertexId vertex) {
+        if (mayMove(vertex)) moved_.add(vertex);
     }
 
-    void grow(std::vector<VertexId>& moved) {
-        for (const VertexId vertex : std::vector<VertexId>(moved))
+    void grow() {
+        for (const VertexId vertex : std::vector<VertexId>(moved_.all()))
             for (const FaceId face : mesh_.vf_range(vertex))
                 for (const VertexId other : mesh_.fv_range(face))
-                    take(other, moved);
+                    take(other);
     }
 
-    [[nodiscard]] std::vector<Point> pointsOf(const std::vector<VertexId>& vertices) const {
-        std::vector<Point> points(vertices.size());
-        std::ranges::transform(vertices, points.begin(),
-                               [&](VertexId vertex) { return mesh_.point(vertex); });
-        return points;
+    /// Of the vertices that move.
+    [[nodiscard]] std::vector<Point> points() const {
+        std::vector<Point> result;
+        for (const VertexId vertex : moved_.all())
+            result.push_back(mesh_.point(vertex));
+        return result;
     }
 
-    /// The first of these vertices, which are taken ring by ring.
-    void setPoints(const std::vector<VertexId>& vertices, const std::vector<Point>& points) {
+    /// Of the first of them.
+    void setPoints(const std::vector<Point>& points) {
         for (std::size_t k = 0; k < points.size(); ++k)
-            mesh_.set_point(vertices[k], points[k]);
+            mesh_.set_point(moved_.all()[k], points[k]);
     }
 
-    /// How many quads at these vertices are folded, or turned over against one beside them.
-    [[nodiscard]] std::ptrdiff_t wrongAt(const std::vector<VertexId>& vertices) const {
+    /// How many quads at the vertices that move are folded, or turned over against one beside them.
+    [[nodiscard]] std::ptrdiff_t wrongQuads() const {
         const auto agrees = [&](HalfedgeId side) {
             if (isFixed(mesh_.from_vertex_handle(side)) && isFixed(mesh_.to_vertex_handle(side))) return true;
             const FaceId beside = mesh_.opposite_face_handle(side);
@@ -149,52 +135,28 @@ private:
             return !qm::isFolded(mesh_, face) && std::ranges::all_of(mesh_.fh_range(face), agrees);
         };
         std::set<FaceId> wrong;
-        for (const VertexId vertex : vertices)
+        for (const VertexId vertex : moved_.all())
             for (const FaceId face : mesh_.vf_range(vertex))
                 if (!isUpright(face)) wrong.insert(face);
         return std::ssize(wrong);
     }
 
-    /// Least squares of the differences between vertices and the mean of their neighbours, at all vertices
-    /// that move and those beside them: a thin plate through what stays.
-    bool continueSmoothly(const std::vector<VertexId>& moved) {
-        std::vector<VertexId> rows = moved;
-        for (const VertexId vertex : moved)
+    /// Moves them to where the smoothest continuation of what stays has them.
+    bool continueSmoothly() {
+        std::vector<VertexId> even = moved_.all();
+        for (const VertexId vertex : moved_.all())
             for (const VertexId beside : mesh_.vv_range(vertex))
-                if (unknown_[at(beside)] == none && mayMove(beside)) rows.push_back(beside);
-        sortUnique(rows);
-        std::vector<Eigen::Triplet<double>> entries;
-        Eigen::MatrixX3d constants = Eigen::MatrixX3d::Zero(static_cast<Eigen::Index>(rows.size()), 3);
-        for (int row = 0; const VertexId vertex : rows) {
-            const auto add = [&](VertexId of, double weight) {
-                if (const int column = unknown_[at(of)]; column != none)
-                    entries.emplace_back(row, column, weight);
-                else
-                    constants.row(row) -= weight * vector(mesh_.point(of)).transpose();
-            };
-            add(vertex, 1);
-            const double share = 1.0 / mesh_.valence(vertex);
-            for (const VertexId beside : mesh_.vv_range(vertex))
-                add(beside, -share);
-            ++row;
-        }
-        Eigen::SparseMatrix<double> matrix(constants.rows(), static_cast<Eigen::Index>(moved.size()));
-        matrix.setFromTriplets(entries.begin(), entries.end());
-        const Eigen::SparseMatrix<double> transposed = matrix.transpose();
-        const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(transposed * matrix);
-        if (solver.info() != Eigen::Success) return false;
-        const Eigen::MatrixX3d solution = solver.solve(transposed * constants);
-        if (!solution.allFinite()) return false;
-        for (std::size_t k = 0; k < moved.size(); ++k)
-            mesh_.set_point(moved[k], point(solution.row(static_cast<Eigen::Index>(k))));
-        return true;
+                if (!moved_.contains(beside) && mayMove(beside)) even.push_back(beside);
+        sortUnique(even);
+        const auto points = smoothContinuation(mesh_, moved_, even, 1);
+        if (points) setPoints(*points);
+        return points.has_value();
     }
 
     QuadMesh mesh_;
     std::vector<bool> isFolded_; ///< by face
     std::vector<bool> isFixed_;  ///< by vertex: a crease or the boundary passes
-    std::vector<bool> isHub_;    ///< by vertex: it belongs to very many quads
-    std::vector<int> unknown_;   ///< by vertex: its number among those that move, or none
+    MovingVertices moved_;       ///< with the fold that is being bridged, ring by ring
 };
 
 } // namespace

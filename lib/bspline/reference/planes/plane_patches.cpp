@@ -1,7 +1,7 @@
-#include "bspline/fitting/planes/plane_patches.h"
+#include "bspline/reference/planes/plane_patches.h"
 
 #include "base/disjoint_sets.h"
-#include "bspline/fitting/planes/principal_axes.h"
+#include "bspline/reference/planes/principal_axes.h"
 #include "bspline/splines/eigen_point.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 /// \file The factors L D L' of a sparse symmetric matrix, computed and applied on several threads.
 #pragma once
 
-#include "bspline/fitting/solver/supernodes.h"
+#include "bspline/solver/supernodes.h"
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>

@@ -1,4 +1,4 @@
-#include "bspline/fitting/solver/constrained_system.h"
+#include "bspline/solver/constrained_system.h"
 
 #include "base/at.h"
 #include "base/infinity.h"

@@ -1,4 +1,4 @@
-#include "bspline/fitting/planes/principal_axes.h"
+#include "bspline/reference/planes/principal_axes.h"
 
 #include <Eigen/Eigenvalues>
 

@@ -1,4 +1,4 @@
-#include "bspline/fitting/solver/supernodes.h"
+#include "bspline/solver/supernodes.h"
 
 #include "base/at.h"
 

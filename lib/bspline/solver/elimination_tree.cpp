@@ -1,4 +1,4 @@
-#include "bspline/fitting/solver/elimination_tree.h"
+#include "bspline/solver/elimination_tree.h"
 
 #include "base/at.h"
 

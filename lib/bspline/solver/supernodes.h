@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/at.h"
-#include "bspline/fitting/solver/elimination_tree.h"
+#include "bspline/solver/elimination_tree.h"
 
 #include <Eigen/SparseCore>
 

@@ -3,8 +3,8 @@
 /// (docs/METHOD.md#amestoy-2004).
 #pragma once
 
-#include "bspline/fitting/solver/sparse_factors.h"
 #include "bspline/network/border_strip.h"
+#include "bspline/solver/sparse_factors.h"
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>

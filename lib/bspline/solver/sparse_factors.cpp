@@ -1,8 +1,8 @@
-#include "bspline/fitting/solver/sparse_factors.h"
+#include "bspline/solver/sparse_factors.h"
 
 #include "base/at.h"
 #include "base/parallel.h"
-#include "bspline/fitting/solver/dense_elimination.h"
+#include "bspline/solver/dense_elimination.h"
 
 #include <algorithm>
 #include <cstddef>
