@@ -24,6 +24,9 @@ namespace {
 struct FirstKnots {
     static constexpr double ofPatches = 0.2;
     static constexpr double ofBorders = 0.4;
+    /// Where patches fold, the distances are reduced to this share, up to so many times.
+    static constexpr double closer = 0.3;
+    static constexpr int maxTimes = 3;
 };
 
 /// Knots are removed only if the errors stay below this; errors closer to 1 would bring the knots back.
@@ -41,22 +44,17 @@ FitState::FitState(const FitProblem& problem, const SmoothFitOptions& options,
                    const std::vector<bool>& isSoft, unsigned jobs)
     : layout_(problem.layout), options_(options), jobs_(jobs),
       map_(problem.mesh, problem.layout, problem.network),
-      plan_(problem.layout, problem.network,
-            partsOfEdges(problem.reference.grids, options.minInterval * options.tolerance)),
+      planWithoutKnots_(problem.layout, problem.network,
+                        partsOfEdges(problem.reference.grids, options.minInterval * options.tolerance)),
+      plan_(planWithoutKnots_),
       sources_(latticeSources(problem.mesh, problem.layout, problem.network, problem.reference, jobs)),
       normalLimits_(problem.reference.grids.begin(), problem.reference.grids.end()),
       lattices_(sources_.size()), kept_(sources_.size()), errors_(sources_.size()), givenUp_(sources_.size()),
       reweighed_(sources_.size()), missed_(sources_.size()), scale_(sources_.size(), 1) {
-    parallelFor(sources_.size(), jobs_,
-                [&](std::size_t k) { lattices_[k] = makeLattice(sources_[k], parametersOf(k, {})); });
     for (std::size_t k = 0; k < sources_.size(); ++k) {
         const ReferenceGrid& grid = *sources_[k].grid;
         plates_.push_back(isSoft[k] ? softPlates(grid.size) : thinPlates(grid, options.tolerance));
     }
-    insertInitialKnots(layout_, lattices_, normalLimits_, map_, FirstKnots::ofPatches * options.tolerance,
-                       plan_);
-    insertBorderKnots(layout_, lattices_, normalLimits_, FirstKnots::ofBorders * options.tolerance, plan_);
-    plan_.endAtFirstKnots();
 }
 
 std::array<std::vector<double>, 2>
@@ -78,6 +76,41 @@ std::vector<bool> FitState::changedPatches(const std::vector<PatchSpace>& before
     return changed;
 }
 
+/// \param share  by patch: of the distances of `FirstKnots`
+void FitState::placeFirstKnots(const std::vector<double>& share) {
+    parallelFor(sources_.size(), jobs_,
+                [&](std::size_t k) { changing(k) = makeLattice(sources_[k], parametersOf(k, {})); });
+    const auto tolerances = [&](double distance) {
+        std::vector<double> result;
+        for (const double ofPatch : share)
+            result.push_back(ofPatch * distance * options_.tolerance);
+        return result;
+    };
+    plan_ = planWithoutKnots_;
+    insertInitialKnots(layout_, lattices_, normalLimits_, map_, tolerances(FirstKnots::ofPatches), plan_);
+    insertBorderKnots(layout_, lattices_, normalLimits_, tolerances(FirstKnots::ofBorders), plan_);
+    plan_.endAtFirstKnots();
+}
+
+void FitState::solveFirst(int slides) {
+    std::vector<double> share(sources_.size(), 1);
+    const auto solve = [&] {
+        placeFirstKnots(share);
+        solveAll(slides);
+    };
+    solve();
+    for (int times = 0; times < FirstKnots::maxTimes && isFolded(); ++times) {
+        for (std::size_t k = 0; k < share.size(); ++k)
+            if (errors_[k].anyFolded()) share[k] *= FirstKnots::closer;
+        solve();
+    }
+    if (!isFolded()) return;
+    for (std::size_t k = 0; k < share.size(); ++k)
+        if (errors_[k].anyFolded()) share[k] = 1; // something else makes them fold
+    solve();
+}
+
+/// \param slides  number of times that the targets slide in between
 void FitState::solveAll(int slides) {
     spaces_ = plan_.spaces();
     solveFor(everywhere(), slides);

@@ -24,15 +24,15 @@ namespace qm {
 /// The steps of a fit. Errors are in tolerances: values above 1 are too large.
 class FitState {
 public:
-    /// Begins with the fewest knots that are likely to suffice, and without patches. The arguments must
-    /// outlive it.
+    /// Without knots and patches; `solveFirst` comes first. The arguments must outlive it.
     /// \param isSoft  by patch: whether it follows the reference more closely at the cost of fairness
     FitState(const FitProblem& problem, const SmoothFitOptions& options, const std::vector<bool>& isSoft,
              unsigned jobs);
 
-    /// Solves for all patches.
+    /// Solves for all patches with the fewest knots that are likely to suffice. Patches that fold with so few
+    /// get more at once, because folded patches seldom unfold, and knots that are not needed can be removed.
     /// \param slides  number of times that the targets slide in between
-    void solveAll(int slides);
+    void solveFirst(int slides);
     /// Solves for the patches that have changed and those around them, or for all if that is impossible.
     void solveChanged(int slides);
 
@@ -82,6 +82,8 @@ private:
     [[nodiscard]] std::array<std::vector<double>, 2>
     parametersOf(std::size_t patch, const std::array<std::vector<double>, 2>& knots) const;
     [[nodiscard]] std::vector<bool> changedPatches(const std::vector<PatchSpace>& before) const;
+    void placeFirstKnots(const std::vector<double>& share);
+    void solveAll(int slides);
     bool solveFor(const std::vector<bool>& isFree, int slides);
     FitLattice& changing(std::size_t patch);
     void assess(const std::vector<bool>& isNew);
@@ -94,6 +96,7 @@ private:
     const SmoothFitOptions& options_;
     unsigned jobs_;
     StretchMap map_;
+    KnotPlan planWithoutKnots_;
     KnotPlan plan_;
     std::vector<LatticeSource> sources_;
     std::vector<NormalLimits> normalLimits_;

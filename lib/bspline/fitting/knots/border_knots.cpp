@@ -61,10 +61,12 @@ int nextKnot(const StretchKnots& knots, int begin, int farthest) {
 } // namespace
 
 void insertBorderKnots(const Layout& layout, const std::vector<FitLattice>& lattices,
-                       const std::vector<NormalLimits>& limits, double tolerance, KnotPlan& plan) {
+                       const std::vector<NormalLimits>& limits, const std::vector<double>& tolerances,
+                       KnotPlan& plan) {
     for (const Stretch& stretch : plan.stretches()) {
         const StretchSide& place = stretch.sides[0];
         const auto& size = layout.segments[place.patch].size;
+        const double tolerance = std::min(tolerances[place.patch], tolerances[stretch.sides[1].patch]);
         LatticeLines lines(lattices[place.patch], limits[place.patch], directionAlong(place.side), tolerance);
         const std::size_t line = isFarSide(place.side) ? lines.count() - 1 : 0; // along the side
         const auto fits = [&](int begin, int end) {

@@ -12,9 +12,10 @@ namespace qm {
 /// Into a plan with the knots that each patch needs by itself: inserts knots at grid lines until those that
 /// both sides of a border have are close enough for single cubics between them to follow the border. Only
 /// these serve the border; knots that one side has already are preferred.
-/// \param lattices   by patch, of equal steps
-/// \param tolerance  how far a cubic may be away from the border
+/// \param lattices    by patch, of equal steps
+/// \param tolerances  by patch: how far a cubic may be away from its borders
 void insertBorderKnots(const Layout& layout, const std::vector<FitLattice>& lattices,
-                       const std::vector<NormalLimits>& limits, double tolerance, KnotPlan& plan);
+                       const std::vector<NormalLimits>& limits, const std::vector<double>& tolerances,
+                       KnotPlan& plan);
 
 } // namespace qm

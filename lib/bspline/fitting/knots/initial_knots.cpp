@@ -25,11 +25,11 @@ std::vector<double> knotsBeside(const Layout& layout, const StretchMap& map, con
 }
 
 void insertInitialKnots(const Layout& layout, const std::vector<FitLattice>& lattices,
-                        const std::vector<NormalLimits>& limits, const StretchMap& map, double tolerance,
-                        KnotPlan& plan) {
+                        const std::vector<NormalLimits>& limits, const StretchMap& map,
+                        const std::vector<double>& tolerances, KnotPlan& plan) {
     for (std::size_t patch = 0; patch < lattices.size(); ++patch)
         for (std::size_t direction = 0; direction < 2; ++direction) {
-            LatticeLines lines(lattices[patch], limits[patch], direction, tolerance);
+            LatticeLines lines(lattices[patch], limits[patch], direction, tolerances[patch]);
             const auto fit = [&](int begin, int end) { return lines.fit(begin, end); };
             const auto beside = knotsBeside(layout, map, plan, patch, direction);
             int begin = 0;

@@ -15,12 +15,13 @@ namespace qm {
 constexpr double notMuchNearer = 0.5;
 
 /// Inserts knots at grid lines into a plan that has none, patch by patch, as far apart as possible: between
-/// two knots a cubic along every line of the lattice is within `tolerance` of it, with normals within their
-/// limits. If a neighbour has a knot that is not much nearer, that one is taken, because only knots that both
-/// sides have serve the border between them. The lattices must have equal steps.
+/// two knots a cubic along every line of the lattice is within the patch's tolerance of it, with normals
+/// within their limits. If a neighbour has a knot that is not much nearer, that one is taken, because only
+/// knots that both sides have serve the border between them. The lattices must have equal steps.
+/// \param tolerances  by patch
 void insertInitialKnots(const Layout& layout, const std::vector<FitLattice>& lattices,
-                        const std::vector<NormalLimits>& limits, const StretchMap& map, double tolerance,
-                        KnotPlan& plan);
+                        const std::vector<NormalLimits>& limits, const StretchMap& map,
+                        const std::vector<double>& tolerances, KnotPlan& plan);
 
 /// The knots of a patch's neighbours along the sides in direction u (0) or v (1), as parameters of the patch,
 /// ascending.
