@@ -43,8 +43,7 @@ struct EnumerationOptions {
 struct GraphListing {
     /// Appends the text of a graph; called on several threads at the same time.
     std::function<void(SubMeshId subMesh, const MotorcycleGraph& graph, std::string& text)> append;
-    /// Receives the text of the next graphs of the list. Calls come from different threads, but one after the
-    /// other. Returning false ends the search early.
+    /// Receives the text of the next graphs of the list. Returning false ends the search early.
     std::function<bool(std::string_view text, std::size_t graphs)> take;
 };
 

@@ -2,6 +2,7 @@
 
 #include "base/at.h"
 #include "base/error.h"
+#include "base/parallel.h"
 #include "enumerate/diagram/count_and_draw.h"
 #include "enumerate/diagram/count_graphs.h"
 #include "enumerate/diagram/walk.h"
@@ -13,8 +14,10 @@
 #include "layout/corners.h"
 #include "layout/tracks.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
+#include <span>
 #include <string>
 
 namespace qm {
@@ -92,18 +95,34 @@ SubMeshGraphs SubMeshSearch::search(SubMeshId subMesh, const Control& control,
 bool SubMeshSearch::list(SubMeshId subMesh, ListedGraphs which, const GraphListing& listing,
                          const Control& control) const {
     const Task task = this->task(subMesh);
-    GraphPipeline pipeline({[&](const Assignment& assignment, std::string& text) {
-                                listing.append(subMesh, graph(task, assignment), text);
-                            },
-                            [&](std::string_view text, std::size_t graphs) {
-                                return listing.take(text, graphs) && !control.stopRequested();
-                            }},
-                           control.jobs);
-    const auto put = [&](const Assignment& assignment) { return pipeline.put(assignment); };
+    // To write a graph takes far longer than to find it, so they are found in batches and written on all
+    // threads, some at a time.
+    constexpr std::size_t some = 64;
+    const std::size_t batch = control.jobs > 1 ? 8 * some * control.jobs : some;
+    std::vector<Assignment> waiting;
+    bool isWanted = true;
+    const auto handOver = [&] {
+        const auto part = [&](std::size_t k) {
+            return std::span(waiting).subspan(k * some, std::min(some, waiting.size() - k * some));
+        };
+        std::vector<std::string> texts((waiting.size() + some - 1) / some);
+        parallelFor(texts.size(), control.jobs, [&](std::size_t k) {
+            for (const Assignment& assignment : part(k))
+                listing.append(subMesh, graph(task, assignment), texts[k]);
+        });
+        for (std::size_t k = 0; k < texts.size() && isWanted; ++k)
+            isWanted = listing.take(texts[k], part(k).size()) && !control.stopRequested();
+        waiting.clear();
+    };
+    const auto put = [&](const Assignment& assignment) {
+        waiting.push_back(assignment);
+        if (waiting.size() == batch) handOver();
+        return isWanted;
+    };
     const bool found =
         which == ListedGraphs::best ? findRanked(task, put, control) : find(task, put, control);
-    const bool taken = pipeline.finish();
-    return found && taken;
+    if (isWanted) handOver();
+    return found && isWanted;
 }
 
 /// Visits every graph.

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "enumerate/enumerate.h"
-#include "enumerate/graph_pipeline.h"
+#include "enumerate/state/assignment.h"
 #include "enumerate/sub_mesh/search_space.h"
 
 #include <atomic>
