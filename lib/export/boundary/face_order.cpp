@@ -17,11 +17,8 @@ namespace {
 /// Faces side by side around a vertex, with smooth edges between them.
 using Fan = std::vector<std::size_t>;
 
-/// The faces on both sides of an edge that ends at a vertex.
-struct Meeting {
-    std::size_t vertex = 0;
-    std::array<std::size_t, 2> faces{};
-};
+/// The faces on both sides of an edge.
+using Meeting = std::array<std::size_t, 2>;
 
 /// The fans at one vertex; faces that close around it are none.
 /// \param meetings  of its smooth edges
@@ -29,7 +26,7 @@ void addFans(const std::vector<Meeting>& meetings, std::vector<Fan>& fans) {
     std::map<std::size_t, std::vector<std::size_t>> neighbours;
     for (const Meeting& meeting : meetings)
         for (const std::size_t k : {0U, 1U})
-            neighbours[meeting.faces.at(k)].push_back(meeting.faces.at(1 - k));
+            neighbours[meeting.at(k)].push_back(meeting.at(1 - k));
     std::set<std::size_t> isDone;
     for (const auto& [first, beside] : neighbours) {
         if (beside.size() > 1 || isDone.contains(first)) continue;
@@ -48,22 +45,16 @@ void addFans(const std::vector<Meeting>& meetings, std::vector<Fan>& fans) {
 std::vector<Fan> fansOf(const Boundary& boundary) {
     const auto facesOf = facesOfEdges(boundary);
     std::vector<bool> isSharp(boundary.vertices.size());
-    std::vector<Meeting> meetings;
+    std::vector<std::vector<Meeting>> meetingsAt(boundary.vertices.size());
     for (std::size_t e = 0; e < boundary.edges.size(); ++e)
         for (const std::size_t vertex : boundary.edges[e].ends)
             if (boundary.edges[e].isSmooth && facesOf[e].size() == 2)
-                meetings.push_back({vertex, {facesOf[e][0], facesOf[e][1]}});
+                meetingsAt[vertex].push_back({facesOf[e][0], facesOf[e][1]});
             else
                 isSharp[vertex] = true;
-    std::erase_if(meetings, [&](const Meeting& meeting) { return !isSharp[meeting.vertex]; });
-    std::ranges::stable_sort(meetings, {}, &Meeting::vertex);
     std::vector<Fan> fans;
-    for (auto begin = meetings.begin(); begin != meetings.end();) {
-        const auto end =
-            std::find_if(begin, meetings.end(), [&](const Meeting& m) { return m.vertex != begin->vertex; });
-        addFans({begin, end}, fans);
-        begin = end;
-    }
+    for (std::size_t vertex = 0; vertex < meetingsAt.size(); ++vertex)
+        if (isSharp[vertex]) addFans(meetingsAt[vertex], fans);
     std::erase_if(fans, [](const Fan& fan) { return fan.size() < 3; });
     return fans;
 }
