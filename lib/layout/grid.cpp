@@ -46,9 +46,6 @@ void readSides(const QuadMesh& mesh, const BorderLoop& loop, Segment& segment) {
 }
 
 void layFaces(const QuadMesh& mesh, HalfedgeId start, Segment& segment) {
-    const auto beside = [&](HalfedgeId bottom) {
-        return mesh.next_halfedge_handle(mesh.opposite_halfedge_handle(mesh.next_halfedge_handle(bottom)));
-    };
     HalfedgeId row = start;
     for (int j = 0; j < segment.size[1]; ++j) {
         HalfedgeId bottom = row;
@@ -56,7 +53,7 @@ void layFaces(const QuadMesh& mesh, HalfedgeId start, Segment& segment) {
             const FaceId face = mesh.face_handle(bottom);
             if (!face.is_valid()) refuse(mesh.from_vertex_handle(bottom), "the segment there is no grid");
             segment.faces.push_back(face);
-            if (i + 1 < segment.size[0]) bottom = beside(bottom);
+            if (i + 1 < segment.size[0]) bottom = straightOn(mesh, bottom);
         }
         if (j + 1 < segment.size[1]) row = acrossQuad(mesh, row);
     }
