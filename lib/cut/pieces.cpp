@@ -27,12 +27,7 @@ Piece PieceDivision::whole() {
 
 std::vector<Piece> PieceDivision::divide(const Piece& piece, const std::vector<int>& partOf, int count) {
     std::vector<Piece> parts(at(count));
-    std::vector<std::size_t> sizes(parts.size(), 0);
-    for (const int part : partOf)
-        ++sizes[at(part)];
-    for (int part = 0; part < count; ++part) {
-        Piece& made = parts[at(part)];
-        made.vertices.reserve(sizes[at(part)]);
+    for (Piece& made : parts) {
         made.measures.source = piece.measures.source;
         made.measures.sink = piece.measures.sink;
     }
