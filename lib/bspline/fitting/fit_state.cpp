@@ -24,7 +24,8 @@ namespace {
 struct FirstKnots {
     static constexpr double ofPatches = 0.2;
     static constexpr double ofBorders = 0.4;
-    /// Where patches fold, the distances are reduced to this share, up to so many times.
+    /// Where patches fold, the distances are reduced to this share, up to so many times; after that, knots
+    /// are inserted where they fold.
     static constexpr double closer = 0.3;
     static constexpr int maxTimes = 3;
 };
@@ -76,10 +77,15 @@ std::vector<bool> FitState::changedPatches(const std::vector<PatchSpace>& before
     return changed;
 }
 
-/// \param share  by patch: of the distances of `FirstKnots`
-void FitState::placeFirstKnots(const std::vector<double>& share) {
+/// Gives every patch the reference as its target, without slides or emphasis.
+void FitState::beginLattices() {
     parallelFor(sources_.size(), jobs_,
                 [&](std::size_t k) { changing(k) = makeLattice(sources_[k], parametersOf(k, {})); });
+}
+
+/// \param share  by patch: of the distances of `FirstKnots`
+void FitState::placeFirstKnots(const std::vector<double>& share) {
+    beginLattices(); // without knots, so that steps are equal
     const auto tolerances = [&](double distance) {
         std::vector<double> result;
         for (const double ofPatch : share)
@@ -95,18 +101,26 @@ void FitState::placeFirstKnots(const std::vector<double>& share) {
 void FitState::solveFirst(int slides) {
     std::vector<double> share(sources_.size(), 1);
     const auto solve = [&] {
-        placeFirstKnots(share);
+        beginLattices();
         solveAll(slides);
     };
+    placeFirstKnots(share);
     solve();
-    for (int times = 0; times < FirstKnots::maxTimes && isFolded(); ++times) {
-        for (std::size_t k = 0; k < share.size(); ++k)
-            if (errors_[k].anyFolded()) share[k] *= FirstKnots::closer;
+    for (int times = 0; times < options_.unfoldings && isFolded(); ++times) {
+        if (times < FirstKnots::maxTimes) {
+            for (std::size_t k = 0; k < share.size(); ++k)
+                if (errors_[k].anyFolded()) share[k] *= FirstKnots::closer;
+            placeFirstKnots(share);
+        } else if (!refine() && !(allowShorter() && refine())) {
+            break;
+        }
         solve();
     }
     if (!isFolded()) return;
+    // Something else makes them fold.
     for (std::size_t k = 0; k < share.size(); ++k)
-        if (errors_[k].anyFolded()) share[k] = 1; // something else makes them fold
+        if (errors_[k].anyFolded()) share[k] = 1;
+    placeFirstKnots(share);
     solve();
 }
 

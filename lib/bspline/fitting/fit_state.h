@@ -82,6 +82,8 @@ private:
     [[nodiscard]] std::array<std::vector<double>, 2>
     parametersOf(std::size_t patch, const std::array<std::vector<double>, 2>& knots) const;
     [[nodiscard]] std::vector<bool> changedPatches(const std::vector<PatchSpace>& before) const;
+    void beginLattices();
+    bool allowShorter() { return allow(MinInterval::eighth) || allow(MinInterval::thirtySecond); }
     void placeFirstKnots(const std::vector<double>& share);
     void solveAll(int slides);
     bool solveFor(const std::vector<bool>& isFree, int slides);

@@ -45,7 +45,9 @@ protected:
         }
     }
 
-    void insert(double tolerance) { insertBorderKnots(layout, lattices, limits, tolerance, plan); }
+    void insert(double tolerance) {
+        insertBorderKnots(layout, lattices, limits, std::vector(lattices.size(), tolerance), plan);
+    }
 
     /// The knots of a patch along the border, as places i of the sheet, ascending.
     [[nodiscard]] std::vector<double> knots(std::size_t patch) const {

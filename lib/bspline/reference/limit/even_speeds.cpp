@@ -1,11 +1,13 @@
 #include "bspline/reference/limit/even_speeds.h"
 
 #include "base/at.h"
+#include "base/infinity.h"
 #include "base/parallel.h"
 #include "bspline/reference/bending/crease_directions.h"
 #include "bspline/reference/bending/hermite.h"
 #include "bspline/reference/bending/sound_faces.h"
 #include "bspline/reference/lattice/lagrange.h"
+#include "mesh/topology.h"
 
 #include <algorithm>
 #include <array>
@@ -16,8 +18,11 @@ namespace {
 
 /// Limits of what a derivative is multiplied by. Where edges are very uneven, derivatives along long ones are
 /// too short by far, and their directions are no better: they are not made much longer.
-constexpr double minFactor = 0.2;
+constexpr double minFactor = 0.05;
 constexpr double maxFactor = 1.25;
+/// Where a line goes on with a much shorter edge, the surface leaves along the long one no faster than so
+/// many times the short one's length: splines cannot change their speed at once, and would turn back.
+constexpr double maxSpeedUp = 3;
 /// Cosine of the angle between the normals in the middle and at the corners of quads along which speeds may
 /// change: 78 degrees.
 constexpr double unfolded = 0.2;
@@ -107,7 +112,16 @@ private:
         if (!(product > 0)) return 0;
         // A cubic is nearest to an arc if its derivative exceeds the chord by this factor.
         const double ofArc = 2 / (1 + std::max(0.0, (chord | speed) / product));
-        return std::clamp(ofArc * chord.norm() / speed.norm(), minFactor, maxFactor) - 1;
+        const double wanted = std::min(ofArc * chord.norm(), maxSpeedUp * lengthBehind(leaving));
+        return std::clamp(wanted / speed.norm(), minFactor, maxFactor) - 1;
+    }
+
+    /// The length of the edge that the line comes over; without limit where no line passes.
+    [[nodiscard]] double lengthBehind(HalfedgeId leaving) const {
+        if (!continuesStraight(mesh_, mesh_.from_vertex_handle(leaving))) return infinity;
+        const HalfedgeId behind =
+            mesh_.ccw_rotated_halfedge_handle(mesh_.ccw_rotated_halfedge_handle(leaving));
+        return mesh_.calc_edge_length(behind);
     }
 
     void moveEdge(HalfedgeId side) {
