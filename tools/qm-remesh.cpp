@@ -14,8 +14,9 @@ int main(int argc, char** argv) {
             tool.reads("SCAN", "a triangle mesh in STL, PLY, OBJ or OFF format");
             tool.writes("a quad mesh in OBJ format");
             tool.explain("Uses QuadriFlow as built into Blender 3 and 4, which must be installed. Where it "
-                         "fails or leaves holes, other seeds are tried, and then an open scan without "
-                         "holding edges to its boundary; small holes that the scan has not are closed. Exit "
+                         "fails or leaves holes, other seeds are tried, without regard to sharp edges "
+                         "if it does not end, and then an open scan without holding edges to its "
+                         "boundary; small holes that the scan has not are closed. Exit "
                          "status 3, with a warning: the mesh is written, but leaves out a part of the scan "
                          "or lies elsewhere, by more than two of its edges.");
             tool.option("quads", options.quads, qm::Range{8, 10'000'000}, "approximate number of quads");
@@ -36,8 +37,10 @@ int main(int argc, char** argv) {
                     tool.warnOfInput(done);
                 const qm::Remeshed remeshed =
                     qm::remeshWithBlender(scan, options, tool.control("drawing").jobs);
-                if (remeshed.seed != options.seed)
-                    tool.note("made with --seed " + std::to_string(remeshed.seed));
+                if (remeshed.used.seed != options.seed)
+                    tool.note("made with --seed " + std::to_string(remeshed.used.seed));
+                if (remeshed.used.preserveSharp != options.preserveSharp)
+                    tool.warn("QuadriFlow did not end: made with --no-preserve-sharp");
                 tool.count("quads", remeshed.mesh.n_faces());
                 tool.count("weldedVertices", remeshed.repair.weldedVertices);
                 tool.write(qm::writeObj(remeshed.mesh));

@@ -172,6 +172,14 @@ fake_blender() {
     assert_regex "$stderr" 'QuadriFlow gave up'
 }
 
+@test "where QuadriFlow does not end, it is tried without regard to sharp edges" {
+    fake_blender "[[ \${@: -3:1} == 0 ]] || exec sleep 60"
+    qm-shape block --scan 500 -o scan.stl
+    PATH=$PWD/folder:$PATH run -0 --separate-stderr qm-remesh scan.stl --quads 8 -o part.obj
+    assert_regex "$stderr" 'did not end: made with --no-preserve-sharp'
+    assert [ -s part.obj ]
+}
+
 @test "an interrupt ends Blender and leaves nothing" {
     mkdir folder temporary
     printf '#!/bin/sh\necho $$ >%s/pid\nexec sleep 60\n' "$PWD" >folder/blender

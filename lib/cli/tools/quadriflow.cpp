@@ -14,6 +14,7 @@
 #include "remesh/draw_to_scan.h"
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -22,6 +23,12 @@ namespace qm {
 namespace {
 
 constexpr int maxSeeds = 3;
+
+/// How long QuadriFlow may take, ten times as long as it usually does: with sharp edges, it does not always
+/// end.
+std::chrono::seconds patienceFor(const Triangles& scan, int quads) {
+    return std::chrono::seconds(10 + quads / 100 + static_cast<int>(scan.faces.size() / 1000));
+}
 
 /// Moves the centre of a box to the origin, and scales the box to a length at which Blender, which takes no
 /// mesh with an edge shorter than 1e-4, takes every edge that single precision tells from none.
@@ -40,8 +47,9 @@ private:
     double unit_ = 1;
 };
 
-void runBlender(const TemporaryFolder& folder, const HeldSignals& signals, const RemeshOptions& options,
-                bool holdsBoundary) {
+/// \return whether it has ended in time
+bool runBlender(const TemporaryFolder& folder, const HeldSignals& signals, const RemeshOptions& options,
+                bool holdsBoundary, std::chrono::seconds patience) {
     const auto flag = [](bool value) { return std::string(value ? "1" : "0"); };
     const std::vector<std::string> words = {"blender",
                                             "--background",
@@ -58,30 +66,35 @@ void runBlender(const TemporaryFolder& folder, const HeldSignals& signals, const
                                             flag(options.preserveSharp),
                                             flag(holdsBoundary),
                                             std::to_string(options.seed)};
-    if (!runProgram(words, signals, folder.file("messages")))
+    const auto begin = std::chrono::steady_clock::now();
+    if (!runProgram(words, signals, folder.file("messages"), patience))
         throw Error("", "Blender makes the quads, and is not there", "Install Debian's package blender");
+    return std::chrono::steady_clock::now() - begin < patience;
 }
 
 /// A result of QuadriFlow, or the reason why it is no quad mesh.
 struct Attempt {
     std::optional<Remeshed> result;
     std::string problem;
+    bool isStuck = false; ///< QuadriFlow did not end
 };
 
 Attempt attempt(const TemporaryFolder& folder, const HeldSignals& signals, const WorkingBox& box,
-                const RemeshOptions& options, std::size_t scanLoops, bool holdsBoundary) {
+                const RemeshOptions& options, std::size_t scanLoops, bool holdsBoundary,
+                std::chrono::seconds patience) {
     std::filesystem::remove(folder.file("quads.obj"));
-    runBlender(folder, signals, options, holdsBoundary);
+    if (!runBlender(folder, signals, options, holdsBoundary, patience))
+        return {{}, "QuadriFlow does not end", true};
     if (HeldSignals::oneWaits() || !std::filesystem::exists(folder.file("quads.obj")))
-        return {{}, "QuadriFlow gave up"};
+        return {{}, "QuadriFlow gave up", false};
     try {
         ReadResult read = readMesh(readFile(folder.file("quads.obj")), "", {.repair = true});
         for (const VertexId vertex : read.mesh.vertices())
             read.mesh.set_point(vertex, box.from(read.mesh.point(vertex)));
         const std::size_t loops = boundaryLoops(read.mesh).size();
-        return {Remeshed{std::move(read.mesh), read.repair, loops, scanLoops, options.seed, {}}, {}};
+        return {Remeshed{std::move(read.mesh), read.repair, loops, scanLoops, options, {}}, {}, false};
     } catch (const Error& error) {
-        return {{}, error.what()};
+        return {{}, error.what(), false};
     }
 }
 
@@ -106,11 +119,13 @@ Remeshed remeshWithBlender(const Triangles& scan, const RemeshOptions& options, 
     const bool isOpen = scanLoops > 0;
     std::optional<Remeshed> best;
     std::string problem;
+    RemeshOptions next = options;
     const auto tryWith = [&](int seed, bool holdsBoundary) {
         if (HeldSignals::oneWaits()) return;
-        RemeshOptions next = options;
         next.seed = seed;
-        Attempt made = attempt(folder, signals, box, next, scanLoops, holdsBoundary);
+        Attempt made =
+            attempt(folder, signals, box, next, scanLoops, holdsBoundary, patienceFor(scan, options.quads));
+        if (made.isStuck) next.preserveSharp = false; // it would be stuck with other seeds, too
         if (made.result && (!best || difference(*made.result) < difference(*best)))
             best = std::move(made.result);
         if (problem.empty()) problem = made.problem;

@@ -20,14 +20,15 @@ struct Remeshed {
     RepairReport repair;       ///< repairs of QuadriFlow's result
     std::size_t loops = 0;     ///< boundary loops of the mesh
     std::size_t scanLoops = 0; ///< boundary loops of the scan
-    int seed = 0;              ///< the one used
+    RemeshOptions used;        ///< with which it was made
     Mismatch mismatch;         ///< with the scan
 };
 
 /// Blender works on the scan moved to the origin, because it computes in single precision, and scaled. If the
 /// result is no quad mesh, or has other boundary loops than the scan, the next seeds are tried, three in
-/// total; if no result is a quad mesh, an open scan is tried once more without holding edges to its boundary.
-/// The first of the best results is returned, with small holes closed where the scan has none.
+/// total, without regard to sharp edges once one did not end; if no result is a quad mesh, an open scan is
+/// tried once more without holding edges to its boundary. The first of the best results is returned, with
+/// small holes closed where the scan has none.
 /// \param scan  a manifold (see `repairTriangles`)
 /// \throw Error  if Blender is not installed, or no result is a quad mesh
 [[nodiscard]] Remeshed remeshWithBlender(const Triangles& scan, const RemeshOptions& options, unsigned jobs);
