@@ -100,28 +100,26 @@ void FitState::placeFirstKnots(const std::vector<double>& share) {
 
 void FitState::solveFirst(int slides) {
     std::vector<double> share(sources_.size(), 1);
-    const auto solve = [&] {
-        beginLattices();
-        solveAll(slides);
-    };
     placeFirstKnots(share);
-    solve();
+    solveAll(slides);
     for (int times = 0; times < options_.unfoldings && isFolded(); ++times) {
         if (times < FirstKnots::maxTimes) {
             for (std::size_t k = 0; k < share.size(); ++k)
                 if (errors_[k].anyFolded()) share[k] *= FirstKnots::closer;
             placeFirstKnots(share);
-        } else if (!refine() && !(allowShorter() && refine())) {
+        } else if (refine() || (allowShorter() && refine())) {
+            beginLattices();
+        } else {
             break;
         }
-        solve();
+        solveAll(slides);
     }
     if (!isFolded()) return;
     // Something else makes them fold.
     for (std::size_t k = 0; k < share.size(); ++k)
         if (errors_[k].anyFolded()) share[k] = 1;
     placeFirstKnots(share);
-    solve();
+    solveAll(slides);
 }
 
 /// \param slides  number of times that the targets slide in between
