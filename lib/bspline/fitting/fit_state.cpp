@@ -87,9 +87,9 @@ void FitState::beginLattices() {
 void FitState::placeFirstKnots(const std::vector<double>& share) {
     beginLattices(); // without knots, so that steps are equal
     const auto tolerances = [&](double distance) {
-        std::vector<double> result;
-        for (const double ofPatch : share)
-            result.push_back(ofPatch * distance * options_.tolerance);
+        std::vector<double> result = share;
+        for (double& ofPatch : result)
+            ofPatch *= distance * options_.tolerance;
         return result;
     };
     plan_ = planWithoutKnots_;

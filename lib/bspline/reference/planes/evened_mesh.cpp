@@ -47,9 +47,6 @@ public:
             isInner_[at(vertex)] = isInPlane(vertex) && !isHub(mesh_, vertex) && allAroundAreInPlane(vertex);
     }
 
-    /// Whether the vertex lies neither on the outline of a plane part nor on a crease within it.
-    [[nodiscard]] bool isInPlane(VertexId vertex) const { return isInPlane_[at(vertex)]; }
-
     /// The parts that have vertices within.
     [[nodiscard]] std::vector<PlanePart> all() const {
         std::vector<PlanePart> parts;
@@ -71,6 +68,9 @@ public:
     }
 
 private:
+    /// Whether the vertex lies neither on the outline of a plane part nor on a crease within it.
+    [[nodiscard]] bool isInPlane(VertexId vertex) const { return isInPlane_[at(vertex)]; }
+
     [[nodiscard]] bool liesInPlane(VertexId vertex, const std::vector<bool>& isCrease) const {
         if (mesh_.is_isolated(vertex) || mesh_.is_boundary(vertex)) return false;
         const std::optional<Plane>& plane = planes_[at(*mesh_.cvf_iter(vertex))];
@@ -107,7 +107,7 @@ bool isUneven(const QuadMesh& mesh, VertexId vertex) {
     return sum.norm() > share * distances;
 }
 
-/// How many quads at the vertices of a part are folded, or turned over against most others.
+/// How often a vertex of a part has a quad that is folded, or turned over against most others.
 std::size_t wrongQuads(const QuadMesh& mesh, const PlanePart& part) {
     std::array<std::size_t, 2> turned{};
     std::size_t folded = 0;
@@ -139,7 +139,6 @@ std::vector<Point> evened(const QuadMesh& mesh, const std::vector<VertexId>& inn
 /// Moves vertices unless that would turn quads over.
 /// \return whether it did
 bool move(const PlanePart& part, const std::vector<Point>& points, QuadMesh& mesh) {
-    if (points.empty()) return false;
     const std::size_t wrongBefore = wrongQuads(mesh, part);
     std::vector<Point> before;
     for (std::size_t k = 0; k < points.size(); ++k) {
@@ -163,11 +162,14 @@ std::optional<QuadMesh> evenedMesh(const QuadMesh& mesh, const Layout& layout, c
         std::max(1U, jobs / static_cast<unsigned>(std::max<std::size_t>(1, parts.size())));
     parallelFor(parts.size(), jobs,
                 [&](std::size_t k) { points[k] = evened(mesh, parts[k].inner, jobsEach); });
-    QuadMesh result = mesh;
+    std::optional<QuadMesh> result;
     bool hasMoved = false;
-    for (std::size_t k = 0; k < parts.size(); ++k)
-        hasMoved = move(parts[k], points[k], result) || hasMoved;
-    return hasMoved ? std::optional(std::move(result)) : std::nullopt;
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+        if (points[k].empty()) continue;
+        if (!result) result = mesh;
+        hasMoved = move(parts[k], points[k], *result) || hasMoved;
+    }
+    return hasMoved ? std::move(result) : std::nullopt;
 }
 
 } // namespace qm
