@@ -35,12 +35,15 @@ SmoothFitOptions effortFor(const QuadMesh& mesh) {
     constexpr std::size_t several = 8'000;
     constexpr std::size_t many = 30'000;
     SmoothFitOptions options;
-    if (mesh.n_faces() > several) options.steps = 2;
+    if (mesh.n_faces() > several) {
+        options.steps = 2;
+        options.unfoldings = 3;
+    }
     if (mesh.n_faces() <= many) return options;
     const bool areVeryMany = mesh.n_faces() > veryManyFaces;
     if (areVeryMany) options.steps = 1;
     options.minInterval = 2; // with edges as short, knots between would follow nothing but errors of the fit
-    options.unfoldings = 3;
+    options.unfoldings = 0;  // every beginning would take a second or more
     options.maxRounds = 20;
     options.maxIdle = 4;
     options.roundsOfMending = 4;
@@ -60,6 +63,7 @@ constexpr double farOff = 2;
 
 SmoothFitOptions withPatience(SmoothFitOptions effort) {
     const SmoothFitOptions patient;
+    effort.unfoldings = patient.unfoldings;
     effort.maxRounds = patient.maxRounds;
     effort.maxIdle = patient.maxIdle;
     effort.slides = patient.slides;

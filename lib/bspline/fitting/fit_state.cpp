@@ -114,7 +114,7 @@ void FitState::solveFirst(int slides) {
         }
         solveAll(slides);
     }
-    if (!isFolded()) return;
+    if (options_.unfoldings == 0 || !isFolded()) return;
     // Something else makes them fold.
     for (std::size_t k = 0; k < share.size(); ++k)
         if (errors_[k].anyFolded()) share[k] = 1;
