@@ -111,8 +111,9 @@ private:
                             "by the figures of the patches it is " + numberText(found));
     }
 
-    /// The reference passes through the vertices, unless it is a scan or folded quads have been bridged; so
-    /// no vertex is farther from the surfaces than the reference is.
+    /// The reference passes through the vertices (where plane parts were evened, in other places of the same
+    /// plane), unless it is a scan or folded quads have been bridged; so no vertex is farther from the
+    /// surfaces than the reference is.
     void fromVertices() {
         const auto max = part_.figures["max"], maxFromVertices = part_.figures["maxFromVertices"];
         if (part_.isOfScan || !max || !maxFromVertices) return;

@@ -175,7 +175,7 @@ void addSurfaces(Scene& scene, const Viewed& viewed, const Point& centre, unsign
     const std::vector<Segment>& segments = viewed.layout->segments;
     scene.patches = fittedPatches(viewed, centre);
     const Lattice lattice(segments, scene.patches.steps);
-    // What was to keep to a tolerance was fitted smoothly, over bridged quads.
+    // What was to keep to a tolerance was fitted smoothly, over bridged and evened quads.
     const FitReference reference =
         fitReference(viewed.mesh, *viewed.layout, viewed.dihedralAngles,
                      {.rho = viewed.rho, .improves = viewed.tolerance.has_value()}, viewed.scan, jobs);

@@ -100,7 +100,7 @@ private:
     }
 
     void take(VertexId vertex) {
-        if (mayMove(vertex)) moved_.add(vertex);
+        if (!moved_.contains(vertex) && mayMove(vertex)) moved_.add(vertex);
     }
 
     void grow() {
