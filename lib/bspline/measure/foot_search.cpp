@@ -71,11 +71,13 @@ struct Walk {
     Foot best{};                         ///< the nearest place so far
     std::optional<LayoutPlace> border{}; ///< of the patch that was left with the last step
     int halvings = 0;                    ///< of the last step
+    bool isOverLine = false;             ///< the last step led just over a mesh line
 
     /// Takes a step from the nearest place so far, if need be across a border.
     /// \return false if it hardly moves
     bool goOn(const Step& step) {
         halvings = 0;
+        isOverLine = false;
         border.reset();
         const double moved = std::hypot(step.to[0] - place.at[0], step.to[1] - place.at[1]);
         place.at = step.to;
@@ -100,9 +102,29 @@ struct Walk {
             return true;
         }
         if (++halvings > maxHalvings) return false;
+        const auto toLine = halvings == 1 ? shareToLine() : std::nullopt;
+        isOverLine = toLine.has_value();
+        const double share = toLine.value_or(0.5);
         for (std::size_t d = 0; d < 2; ++d)
-            place.at[d] = 0.5 * (place.at[d] + best.place.at[d]);
+            place.at[d] = best.place.at[d] + share * (place.at[d] - best.place.at[d]);
         return true;
+    }
+
+    /// The share of the last step that leads just over the first mesh line on its way, if there is one: quads
+    /// beyond may be far wider, and the step has been measured by those on this side.
+    [[nodiscard]] std::optional<double> shareToLine() const {
+        constexpr double just = 1e-9; // of a quad
+        std::optional<double> share;
+        for (std::size_t d = 0; d < 2; ++d) {
+            const double from = best.place.at[d];
+            const double way = place.at[d] - from;
+            if (way == 0) continue;
+            const double line =
+                std::floor(from) + (way > 0 ? 1 : 0); // a place on a line is in the quad beyond
+            const double toLine = (line + std::copysign(just, way) - from) / way;
+            if (toLine < share.value_or(1)) share = toLine;
+        }
+        return share;
     }
 };
 
@@ -162,8 +184,8 @@ Foot FootSearch::walk(std::size_t surface, const LayoutPlace& start, const Eigen
         const PiecePoint here = evaluateAt(surface, walk.place);
         const Eigen::Vector3d away = point - here.position;
         const double distance = away.norm();
-        const bool hasCrossed = walk.border.has_value();
-        // What is as near beyond a border as on it may lead on.
+        const bool hasCrossed = walk.border.has_value() || walk.isOverLine;
+        // What is as near beyond a border or line as on it may lead on.
         if (!(distance < (hasCrossed ? 1 + 1e-9 : 1) * walk.best.distance)) {
             if (!walk.goBack()) break;
             ++k;

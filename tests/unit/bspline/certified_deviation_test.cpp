@@ -290,5 +290,18 @@ TEST(Folds, AreNotSeenInStronglyBentPatches) {
     EXPECT_TRUE(findFolds(pair.patches[0], pair.references[0]).empty());
 }
 
+TEST(FootSearch, FindsWideQuadsFromNarrowOnes) {
+    // Beyond line 4 quads are narrow: a step measured in them leads far beyond what is nearest.
+    const auto uneven = [](double i, double j) { return Point(i < 4 ? 100 * (i - 4) : i - 4, j, 0); };
+    const Pair pair{{8, 4, uneven}, {{0, 0, 8, 4}}, uneven, 1};
+    const PairedSurfaces surfaces = pair.paired();
+    FootSearch search(surfaces);
+    for (const double x : {-0.3, -2.0, -40.0, 1.5})
+        for (const double from : {4.02, 4.6, 6.0}) {
+            const Foot foot = search(1, {0, {from, 2.1}}, {x, 1.7, 0.5});
+            EXPECT_NEAR(foot.distance, 0.5, 1e-9) << x << " from " << from;
+        }
+}
+
 } // namespace
 } // namespace qm
