@@ -5,6 +5,7 @@
 #include "bspline/reference/lattice/mesh_lattice.h"
 #include "bspline/reference/limit/control_mesh.h"
 #include "bspline/reference/limit/limit_surface.h"
+#include "bspline/reference/planes/plane_corners.h"
 #include "shape/shape.h"
 #include "support/quad_layout.h"
 
@@ -32,17 +33,24 @@ inline std::vector<ReferenceGrid> limitSurface(const QuadMesh& mesh, const Layou
 /// A mesh, and the limit surface of its subdivision on a lattice of four steps an edge.
 struct LimitSample {
     QuadMesh mesh;
+    std::vector<bool> isCrease;
     std::vector<VertexRule> rules;
     MeshLattice limit;
 
     explicit LimitSample(QuadMesh given) : mesh(std::move(given)), limit(mesh, {}) {
-        const auto sharp = creasesAndBoundary(mesh, std::vector<bool>(mesh.n_edges()));
-        rules = vertexRules(mesh, segmentPerQuad(mesh), sharp);
+        isCrease = creasesAndBoundary(mesh, std::vector<bool>(mesh.n_edges()));
+        rules = vertexRules(mesh, segmentPerQuad(mesh), isCrease);
         const ControlMesh control = interpolatingControlMesh(mesh, rules);
         MeshLattice lattice(mesh, control.points);
         for (int k = 0; k < 2; ++k)
-            lattice = lattice.subdivided(rules, sharp, 1);
-        limit = lattice.limit(rules, sharp, 1);
+            lattice = lattice.subdivided(rules, isCrease, 1);
+        limit = lattice.limit(rules, isCrease, 1);
+    }
+
+    /// No vertex is bound to a plane.
+    [[nodiscard]] PlaneCorners noPlanes() const {
+        constexpr double never = -1;
+        return {limit, rules, isCrease, never, 1};
     }
 };
 

@@ -1,10 +1,10 @@
 #include "bspline/reference/fit_reference.h"
 
 #include "base/error.h"
-#include "bspline/reference/limit/bridged_mesh.h"
+#include "bspline/reference/improvement/bridged_mesh.h"
+#include "bspline/reference/improvement/evened_mesh.h"
 #include "bspline/reference/limit/limit_surface.h"
-#include "bspline/reference/planes/evened_mesh.h"
-#include "bspline/reference/planes/plane_patches.h"
+#include "bspline/reference/planes/plane.h"
 #include "bspline/reference/scan/scan_reference.h"
 #include "mesh/bounding_box.h"
 #include "mesh/dihedral.h"
@@ -42,7 +42,7 @@ void improve(const QuadMesh& mesh, const Layout& layout, double rho, unsigned jo
     replace(bridgedMesh(mesh, reference.network.marks.isCrease));
     const QuadMesh& upright = reference.improved ? *reference.improved : mesh;
     const double flatness = maxFlatness * boundingBox(mesh).diagonal();
-    replace(evenedMesh(upright, layout, reference.network, flatness, jobs));
+    replace(evenedMesh(upright, reference.network.marks.isCrease, flatness, jobs));
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 #include "base/positions.h"
 #include "bspline/fit.h"
-#include "bspline/reference/limit/bridged_mesh.h"
+#include "bspline/reference/improvement/bridged_mesh.h"
 #include "mesh/dihedral.h"
 #include "mesh/quad_geometry.h"
 #include "support/grid_layout.h"

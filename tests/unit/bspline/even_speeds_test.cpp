@@ -20,7 +20,7 @@ using testing::stirred;
 TEST(EvenSpeeds, AreThoseOfArcsBetweenTheVertices) {
     const LimitSample sample(stirred(shape("torus", 4), 0.04, [](const Point& point) { return point; }));
     MeshLattice even = sample.limit;
-    evenSpeeds(even, sample.rules, 1);
+    evenSpeeds(even, sample.rules, sample.noPlanes(), 1);
     const auto unevenness = [&](const MeshLattice& lattice) {
         double sum = 0;
         for (const HalfedgeId side : sample.mesh.halfedges()) {
@@ -41,7 +41,7 @@ TEST(EvenSpeeds, AreThoseOfArcsBetweenTheVertices) {
 TEST(EvenSpeeds, LeaveEvenLinesAsTheyAre) {
     const LimitSample sample(shape("tube", 4));
     MeshLattice even = sample.limit;
-    evenSpeeds(even, sample.rules, 1);
+    evenSpeeds(even, sample.rules, sample.noPlanes(), 1);
     for (std::size_t k = 0; k < even.numbers().count(); ++k)
         EXPECT_LT((even.point(k) - sample.limit.point(k)).norm(), 1e-3);
 }
@@ -55,7 +55,7 @@ TEST(EvenSpeeds, AreThoseOfTheirEdgesWhereQuadsAreBentToo) {
                           }};
     const LimitSample sample(test::makeMesh(grid));
     MeshLattice even = sample.limit;
-    evenSpeeds(even, sample.rules, 1);
+    evenSpeeds(even, sample.rules, sample.noPlanes(), 1);
     const auto maxSpeed = [&](const MeshLattice& lattice) {
         double max = 0;
         for (const HalfedgeId side : sample.mesh.halfedges())
@@ -81,7 +81,7 @@ QuadMesh unevenTube() {
 TEST(EvenSpeeds, BoundariesFollowTheirCurveWhereTheirEdgesAreUneven) {
     const LimitSample sample(unevenTube());
     MeshLattice even = sample.limit;
-    evenSpeeds(even, sample.rules, 1);
+    evenSpeeds(even, sample.rules, sample.noPlanes(), 1);
     // Along a circle derivatives are perpendicular to the radius.
     const auto maxRise = [&](const MeshLattice& lattice) {
         double max = 0;
@@ -101,8 +101,8 @@ TEST(EvenSpeeds, AreTheSameOnAnyNumberOfThreads) {
     const LimitSample sample(shape("genus2", 6));
     MeshLattice one = sample.limit;
     MeshLattice three = sample.limit;
-    evenSpeeds(one, sample.rules, 1);
-    evenSpeeds(three, sample.rules, 3);
+    evenSpeeds(one, sample.rules, sample.noPlanes(), 1);
+    evenSpeeds(three, sample.rules, sample.noPlanes(), 3);
     for (std::size_t k = 0; k < one.numbers().count(); ++k)
         ASSERT_EQ(one.point(k), three.point(k));
 }

@@ -1,6 +1,6 @@
 #include "bspline/fit.h"
 #include "bspline/network/smooth_network.h"
-#include "bspline/reference/planes/evened_mesh.h"
+#include "bspline/reference/improvement/evened_mesh.h"
 #include "mesh/dihedral.h"
 #include "mesh/quad_geometry.h"
 #include "shape/shape.h"
@@ -49,8 +49,8 @@ Point onCylinder(double i, double j) {
 std::optional<QuadMesh> evened(const Grid& grid, const std::vector<test::Rectangle>& rectangles) {
     const QuadMesh mesh = test::makeMesh(grid);
     const Layout layout = test::makeLayout(grid, rectangles);
-    return evenedMesh(mesh, layout, buildNetwork(mesh, layout, dihedralAngles(mesh), defaultRho), flatness,
-                      2);
+    const SmoothNetwork network = buildNetwork(mesh, layout, dihedralAngles(mesh), defaultRho);
+    return evenedMesh(mesh, network.marks.isCrease, flatness, 2);
 }
 
 /// The largest turn of a line along u at a vertex within the mesh.

@@ -16,7 +16,7 @@ using testing::stirred;
 
 MeshLattice bent(const LimitSample& sample, unsigned jobs = 1) {
     MeshLattice lattice = sample.limit;
-    minimiseBending(lattice, sample.rules, jobs);
+    minimiseBending(lattice, sample.rules, sample.noPlanes(), jobs);
     return lattice;
 }
 

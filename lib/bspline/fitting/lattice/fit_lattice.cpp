@@ -4,7 +4,7 @@
 #include "base/parallel.h"
 #include "base/positions.h"
 #include "bspline/fitting/lattice/folded_quads.h"
-#include "bspline/reference/bending/sound_faces.h"
+#include "bspline/reference/lattice/sound_faces.h"
 #include "bspline/splines/evaluate.h"
 #include "layout/sides.h"
 

@@ -5,7 +5,7 @@
 #include "base/parallel.h"
 #include "bspline/reference/bending/bending_equations.h"
 #include "bspline/reference/bending/quad_bending.h"
-#include "bspline/reference/bending/sound_faces.h"
+#include "bspline/reference/lattice/sound_faces.h"
 
 #include <Eigen/Geometry>
 
@@ -25,14 +25,16 @@ constexpr double minAgreement = 0.5;
 
 class MinBending {
 public:
-    MinBending(MeshLattice& lattice, const std::vector<VertexRule>& rules, unsigned jobs)
+    MinBending(MeshLattice& lattice, const std::vector<VertexRule>& rules, const PlaneCorners& corners,
+               unsigned jobs)
         : lattice_(lattice), before_(lattice), mesh_(lattice.numbers().mesh()), jobs_(jobs),
           frames_(mesh_.n_vertices()) {
         const std::vector<bool> isSound = soundVertices(mesh_, jobs_);
         const std::vector<Eigen::Vector3d> normals = sumsOfNormals();
         parallelForMany(frames_.size(), jobs_, [&](std::size_t k) {
             const VertexId vertex(static_cast<int>(k));
-            const bool isFree = rules[k].kind == VertexRule::Kind::smooth && isSound[k];
+            const bool isFree =
+                rules[k].kind == VertexRule::Kind::smooth && isSound[k] && !corners.isBound(vertex);
             if (isFree && normals[k].norm() > minAgreement * mesh_.valence(vertex))
                 frames_[k] = frameAround(vertex, normals[k].normalized());
         });
@@ -153,8 +155,9 @@ private:
 
 } // namespace
 
-void minimiseBending(MeshLattice& lattice, const std::vector<VertexRule>& rules, unsigned jobs) {
-    MinBending(lattice, rules, jobs).run();
+void minimiseBending(MeshLattice& lattice, const std::vector<VertexRule>& rules, const PlaneCorners& corners,
+                     unsigned jobs) {
+    MinBending(lattice, rules, corners, jobs).run();
 }
 
 } // namespace qm

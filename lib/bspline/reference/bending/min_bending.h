@@ -4,6 +4,7 @@
 
 #include "bspline/network/vertex_rules.h"
 #include "bspline/reference/lattice/mesh_lattice.h"
+#include "bspline/reference/planes/plane_corners.h"
 
 #include <vector>
 
@@ -13,6 +14,7 @@ namespace qm {
 /// the surface at regular ones of these, so that it bends least in space; the vertices stay. A spline with
 /// uniform parameters takes mesh lines for straight, and waves where they turn, as around extraordinary
 /// vertices. Linear in the mesh.
-void minimiseBending(MeshLattice& lattice, const std::vector<VertexRule>& rules, unsigned jobs);
+void minimiseBending(MeshLattice& lattice, const std::vector<VertexRule>& rules, const PlaneCorners& corners,
+                     unsigned jobs);
 
 } // namespace qm

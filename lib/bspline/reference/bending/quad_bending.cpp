@@ -1,7 +1,7 @@
 #include "bspline/reference/bending/quad_bending.h"
 
 #include "base/at.h"
-#include "bspline/reference/bending/hermite.h"
+#include "bspline/reference/lattice/hermite.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>

@@ -4,9 +4,9 @@
 #include "base/infinity.h"
 #include "base/parallel.h"
 #include "bspline/reference/bending/crease_directions.h"
-#include "bspline/reference/bending/hermite.h"
-#include "bspline/reference/bending/sound_faces.h"
+#include "bspline/reference/lattice/hermite.h"
 #include "bspline/reference/lattice/lagrange.h"
+#include "bspline/reference/lattice/sound_faces.h"
 #include "mesh/topology.h"
 
 #include <algorithm>
@@ -44,7 +44,7 @@ public:
             hermite_.emplace_back(static_cast<double>(k) / static_cast<double>(steps_));
     }
 
-    void run(const std::vector<VertexRule>& rules, unsigned jobs) {
+    void run(const std::vector<VertexRule>& rules, const PlaneCorners& corners, unsigned jobs) {
         const std::vector<bool> isSound = soundVertices(mesh_, jobs);
         const std::vector<bool> isUnfolded = soundVertices(mesh_, jobs, unfolded);
         const std::vector<Point> directions = creaseDirections(lattice_, rules);
@@ -54,7 +54,8 @@ public:
             // The derivatives of a subdivision surface at an extraordinary vertex are what the polynomials
             // make of them.
             if (!mesh_.is_boundary(vertex) && mesh_.valence(vertex) != 4) return;
-            if (isSound[k] && isRegularCrease(vertex, rules[k])) turn(rules[k], directions[k]);
+            if (isSound[k] && isRegularCrease(vertex, rules[k]))
+                turn(rules[k], corners.within(rules[k].along[0], directions[k]));
             for (const HalfedgeId leaving : mesh_.voh_range(vertex))
                 changes_[at(leaving)].share = shareOf(leaving);
         });
@@ -81,9 +82,10 @@ private:
     /// Turns the derivatives along a crease into a direction.
     void turn(const VertexRule& rule, const Point& direction) {
         if (direction.sqrnorm() == 0) return;
+        const Point unit = direction.normalized();
         for (std::size_t k = 0; k < 2; ++k) {
             const Point now = before_.derivative(rule.along[k]);
-            changes_[at(rule.along[k])].turn = now.norm() * (k == 0 ? direction : -direction) - now;
+            changes_[at(rule.along[k])].turn = now.norm() * (k == 0 ? unit : -unit) - now;
         }
     }
 
@@ -185,8 +187,9 @@ private:
 
 } // namespace
 
-void evenSpeeds(MeshLattice& lattice, const std::vector<VertexRule>& rules, unsigned jobs) {
-    EvenSpeeds(lattice).run(rules, jobs);
+void evenSpeeds(MeshLattice& lattice, const std::vector<VertexRule>& rules, const PlaneCorners& corners,
+                unsigned jobs) {
+    EvenSpeeds(lattice).run(rules, corners, jobs);
 }
 
 } // namespace qm

@@ -4,6 +4,7 @@
 
 #include "bspline/network/vertex_rules.h"
 #include "bspline/reference/lattice/mesh_lattice.h"
+#include "bspline/reference/planes/plane_corners.h"
 
 #include <vector>
 
@@ -16,6 +17,7 @@ namespace qm {
 /// `creaseDirections`); vertices stay, and so do tangent planes but at creases. Nothing changes at
 /// extraordinary vertices, and where a quad is folded; directions change only where all quads are sound (see
 /// `soundFaces`). Linear in the mesh.
-void evenSpeeds(MeshLattice& lattice, const std::vector<VertexRule>& rules, unsigned jobs);
+void evenSpeeds(MeshLattice& lattice, const std::vector<VertexRule>& rules, const PlaneCorners& corners,
+                unsigned jobs);
 
 } // namespace qm

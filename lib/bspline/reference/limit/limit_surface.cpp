@@ -7,6 +7,9 @@
 #include "bspline/reference/limit/even_speeds.h"
 #include "bspline/reference/limit/through_vertices.h"
 #include "bspline/reference/limit/unfolded_lattice.h"
+#include "bspline/reference/planes/in_planes.h"
+#include "bspline/reference/planes/plane_corners.h"
+#include "mesh/bounding_box.h"
 
 #include <cstddef>
 
@@ -22,8 +25,10 @@ MeshLattice limitLattice(const QuadMesh& mesh, const std::vector<VertexRule>& ru
     lattice = lattice.limit(rules, sharp, jobs);
     drawThroughVertices(lattice, control.interpolates, jobs);
     unfold(lattice, rules, sharp, jobs);
-    evenSpeeds(lattice, rules, jobs);
-    minimiseBending(lattice, rules, jobs);
+    const PlaneCorners corners(lattice, rules, sharp, maxFlatness * boundingBox(mesh).diagonal(), jobs);
+    layInPlanes(lattice, corners, sharp, jobs);
+    evenSpeeds(lattice, rules, corners, jobs);
+    minimiseBending(lattice, rules, corners, jobs);
     return lattice;
 }
 

@@ -2,7 +2,7 @@
 
 #include "base/at.h"
 #include "base/parallel.h"
-#include "bspline/reference/bending/hermite.h"
+#include "bspline/reference/lattice/hermite.h"
 #include "mesh/topology.h"
 
 #include <array>

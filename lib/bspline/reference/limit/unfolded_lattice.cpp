@@ -3,9 +3,9 @@
 #include "base/at.h"
 #include "base/parallel.h"
 #include "bspline/reference/bending/edge_curves.h"
-#include "bspline/reference/bending/sound_faces.h"
 #include "bspline/reference/lattice/bilinear_quad.h"
 #include "bspline/reference/lattice/lagrange.h"
+#include "bspline/reference/lattice/sound_faces.h"
 #include "bspline/splines/eigen_point.h"
 #include "bspline/splines/spline_curve.h"
 

@@ -31,8 +31,6 @@ std::optional<Plane> planeThrough(const std::vector<ReferenceGrid>& reference,
     return isPlane ? std::optional(Plane{point(normal), normal.dot(spread.middle)}) : std::nullopt;
 }
 
-constexpr double flat = 1e-4; ///< share of its extent that a plane may be thick
-
 /// Finds planes for those patches that are plane together with their smooth neighbours.
 void findPlanes(const std::vector<ReferenceGrid>& reference, const SmoothNetwork& network, double tolerance,
                 const std::vector<bool>& isPlane, std::vector<std::optional<Plane>>& planes) {
@@ -46,7 +44,7 @@ void findPlanes(const std::vector<ReferenceGrid>& reference, const SmoothNetwork
         if (isPlane[k]) members[groups.find(k)].push_back(k);
     for (const auto& ofGroup : members) {
         if (ofGroup.empty()) continue;
-        const auto plane = planeThrough(reference, ofGroup, tolerance, flat);
+        const auto plane = planeThrough(reference, ofGroup, tolerance, maxThickness);
         for (const std::size_t patch : ofGroup)
             planes[patch] = plane;
     }
@@ -65,7 +63,7 @@ std::vector<std::optional<Plane>> planesOf(const std::vector<ReferenceGrid>& ref
         findPlanes(reference, network, tolerance, isPlane, planes);
     };
     look(1);    // finds narrow patches between others of the same plane
-    look(flat); // where such a chain bends, finds the patches that are plane without doubt
+    look(maxThickness); // where such a chain bends, finds the patches that are plane without doubt
     return planes;
 }
 

@@ -1,4 +1,4 @@
-#include "bspline/reference/bending/sound_faces.h"
+#include "bspline/reference/lattice/sound_faces.h"
 
 #include "base/at.h"
 #include "base/parallel.h"

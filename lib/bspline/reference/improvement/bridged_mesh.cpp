@@ -1,8 +1,8 @@
-#include "bspline/reference/limit/bridged_mesh.h"
+#include "bspline/reference/improvement/bridged_mesh.h"
 
 #include "base/at.h"
 #include "base/sort_unique.h"
-#include "bspline/reference/limit/smooth_continuation.h"
+#include "bspline/reference/improvement/smooth_continuation.h"
 #include "mesh/quad_geometry.h"
 #include "mesh/topology.h"
 

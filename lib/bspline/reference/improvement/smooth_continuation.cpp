@@ -1,4 +1,4 @@
-#include "bspline/reference/limit/smooth_continuation.h"
+#include "bspline/reference/improvement/smooth_continuation.h"
 
 #include "bspline/solver/sparse_factors.h"
 #include "bspline/splines/eigen_point.h"

@@ -1,0 +1,137 @@
+#include "bspline/reference/planes/plane_corners.h"
+
+#include "base/at.h"
+#include "base/parallel.h"
+#include "bspline/reference/lattice/sound_faces.h"
+#include "bspline/reference/planes/orthogonal_normals.h"
+#include "bspline/splines/eigen_point.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace qm {
+namespace {
+
+/// Least length of what is left of a derivative in the planes, as a share of it: it turns by 60 degrees.
+constexpr double minLeft = 0.5;
+/// Quads flat within 78 degrees: beside others surfaces have no certain tangent plane.
+constexpr double unfolded = 0.2;
+
+/// The halfedges that leave a vertex, counter-clockwise, beginning at a crease if there is one; the one
+/// without a face comes last.
+std::vector<HalfedgeId> leavingFrom(const QuadMesh& mesh, VertexId vertex,
+                                    const std::vector<bool>& isCrease) {
+    HalfedgeId first = mesh.halfedge_handle(vertex); // the boundary's, if there is one
+    if (mesh.is_boundary(first)) first = mesh.ccw_rotated_halfedge_handle(first);
+    if (!mesh.is_boundary(vertex))
+        for (const HalfedgeId leaving : mesh.voh_range(vertex))
+            if (isCrease[at(mesh.edge_handle(leaving))]) first = leaving;
+    std::vector<HalfedgeId> result{first};
+    for (HalfedgeId next = mesh.ccw_rotated_halfedge_handle(first); next != first;
+         next = mesh.ccw_rotated_halfedge_handle(next))
+        result.push_back(next);
+    return result;
+}
+
+} // namespace
+
+PlaneCorners::PlaneCorners(const MeshLattice& lattice, const std::vector<VertexRule>& rules,
+                           const std::vector<bool>& isCrease, double flatness, unsigned jobs)
+    : mesh_(lattice.numbers().mesh()), rules_(rules), parts_(planeParts(mesh_, isCrease, flatness, jobs)),
+      ofCorner_(mesh_.n_halfedges(), PlaneParts::none) {
+    if (parts_.planes.empty()) return;
+    const std::vector<bool> isUnfolded = soundVertices(mesh_, jobs, unfolded);
+    const auto forVertices = [&](const auto& work) {
+        parallelForMany(mesh_.n_vertices(), jobs, [&](std::size_t k) {
+            const VertexId vertex(static_cast<int>(k));
+            if (isUnfolded[k] && !mesh_.is_isolated(vertex)) work(vertex);
+        });
+    };
+    forVertices([&](VertexId vertex) { findSectors(vertex, isCrease); });
+    forVertices([&](VertexId vertex) {
+        if (isBound(vertex) && turnsMuch(lattice, vertex)) release(vertex);
+    });
+    parallelForMany(mesh_.n_faces(), jobs, [&](std::size_t k) { keepIfWhole(FaceId(static_cast<int>(k))); });
+    forVertices([&](VertexId vertex) { findSectors(vertex, isCrease); });
+}
+
+bool PlaneCorners::isBound(VertexId vertex) const {
+    return std::ranges::any_of(mesh_.voh_range(vertex), [&](HalfedgeId leaving) {
+        return ofCorner_[at(leaving)] != PlaneParts::none;
+    });
+}
+
+/// Gives every corner around a vertex the part that its sector has.
+void PlaneCorners::findSectors(VertexId vertex, const std::vector<bool>& isCrease) {
+    const std::vector<HalfedgeId> leaving = leavingFrom(mesh_, vertex, isCrease);
+    const auto partOfQuad = [&](HalfedgeId corner) {
+        return mesh_.is_boundary(corner) ? PlaneParts::none : partOf(mesh_.face_handle(corner));
+    };
+    for (std::size_t begin = 0, end = 0; begin < leaving.size(); begin = end) {
+        int part = PlaneParts::none;
+        bool isOne = true;
+        for (end = begin; end < leaving.size(); ++end) {
+            if (end > begin && isCrease[at(mesh_.edge_handle(leaving[end]))]) break;
+            const int ofQuad = partOfQuad(leaving[end]);
+            if (ofQuad == PlaneParts::none) continue;
+            isOne = isOne && (part == PlaneParts::none || part == ofQuad);
+            part = ofQuad;
+        }
+        for (std::size_t k = begin; k < end; ++k)
+            ofCorner_[at(leaving[k])] = isOne ? part : PlaneParts::none;
+    }
+}
+
+/// A quad of a part is whole if the part has all its corners.
+void PlaneCorners::keepIfWhole(FaceId face) {
+    int& part = parts_.ofFace[at(face)];
+    if (std::ranges::any_of(mesh_.fh_range(face),
+                            [&](HalfedgeId side) { return ofCorner_[at(side)] != part; }))
+        part = PlaneParts::none;
+}
+
+void PlaneCorners::release(VertexId vertex) {
+    for (const HalfedgeId leaving : mesh_.voh_range(vertex))
+        ofCorner_[at(leaving)] = PlaneParts::none;
+}
+
+/// Whether a line at a vertex would turn much to lie in its planes, or cannot.
+bool PlaneCorners::turnsMuch(const MeshLattice& lattice, VertexId vertex) const {
+    return std::ranges::any_of(mesh_.voh_range(vertex), [&](HalfedgeId leaving) {
+        constexpr double maxOff = 1e-6;
+        const Point derivative = lattice.derivative(leaving);
+        const Point left = within(leaving, derivative);
+        if (!(left.norm() >= minLeft * derivative.norm())) return true;
+        return std::ranges::any_of(partsOf(leaving), [&](int part) {
+            return std::abs(plane(part).normal | left) > maxOff * derivative.norm();
+        });
+    });
+}
+
+std::vector<int> PlaneCorners::partsOf(HalfedgeId leaving) const {
+    std::vector<int> parts;
+    const auto addBeside = [&](HalfedgeId line) {
+        const HalfedgeId back = mesh_.opposite_halfedge_handle(line);
+        for (const HalfedgeId corner :
+             {line, mesh_.is_boundary(back) ? line : mesh_.next_halfedge_handle(back)})
+            if (ofCorner_[at(corner)] != PlaneParts::none) parts.push_back(ofCorner_[at(corner)]);
+    };
+    addBeside(leaving);
+    const VertexRule& rule = rules_[at(mesh_.from_vertex_handle(leaving))];
+    if (rule.kind != VertexRule::Kind::crease) return parts;
+    for (std::size_t k = 0; k < 2; ++k)
+        if (rule.along[k] == leaving) addBeside(rule.along[1 - k]);
+    return parts;
+}
+
+Point PlaneCorners::within(HalfedgeId leaving, const Point& derivative) const {
+    OrthogonalNormals normals;
+    Eigen::Vector3d left = vector(derivative);
+    for (const int part : partsOf(leaving))
+        if (const auto direction = normals.add(vector(plane(part).normal)))
+            left -= left.dot(*direction) * *direction;
+    return point(left);
+}
+
+} // namespace qm
