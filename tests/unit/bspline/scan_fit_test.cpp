@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
 
 namespace qm {
 namespace {
@@ -74,6 +75,18 @@ TEST(DirtyScan, IsGivenUpWhereOnlyNoiseIsLeftToFollow) {
         fitSurfaces(mesh, testing::cheapestLayout(mesh), dihedralAngles(mesh), options, &surface, control);
     EXPECT_FALSE(missedTolerance(surfaces, options).empty());
     EXPECT_LT(rounds, 10);
+}
+
+TEST(DirtyScan, NoiseIsNotFollowedWhereTrianglesAreNoSmallerThanSteps) {
+    const QuadMesh mesh = makeShape("block");
+    Triangles scan = makeScan("block", 6 * static_cast<double>(mesh.n_faces()));
+    const std::size_t expected = controlPointsFor(mesh, scan);
+    addNoise(scan, 0.0005 * boundingBoxOf(scan.points).diagonal(), 1);
+    const TriangleSurface surface(scan);
+    const Surfaces surfaces =
+        fitSurfaces(mesh, testing::cheapestLayout(mesh), dihedralAngles(mesh), {}, &surface);
+    EXPECT_EQ(missedTolerance(surfaces, {}), "");
+    EXPECT_LE(controlPointCount(surfaces.patches), 2 * expected);
 }
 
 TEST(DirtyScan, NeedsFewMoreControlPointsThanACleanOne) {

@@ -18,9 +18,10 @@ constexpr double deviations = 1.4826;
 /// Standard deviations at which Tukey's biweight ends, as is usual.
 constexpr double biweightEnd = 4.685;
 
-/// How far every point is from the median of those around it, up to so many lattice steps away: the
-/// smaller value, where it is in two grids; infinite where it has no target.
+/// How far every point is from the median of those around it, up to so many grains away: the smaller value,
+/// where it is in two grids; infinite where it has no target.
 std::vector<double> residualsOfAll(const ScanTargets& targets, int reach) {
+    const int grain = targets.stepsOfGrain();
     std::vector<double> residuals(targets.weights.size(), infinity);
     std::vector<double> around;
     targets.forEachPoint([&](std::size_t g, int i, int j, std::size_t number) {
@@ -29,7 +30,8 @@ std::vector<double> residualsOfAll(const ScanTargets& targets, int reach) {
         around.clear();
         for (int down = -reach; down <= reach; ++down)
             for (int right = -reach; right <= reach; ++right)
-                if (const auto other = targets.offset(g, i + right, j + down)) around.push_back(*other);
+                if (const auto other = targets.offset(g, i + grain * right, j + grain * down))
+                    around.push_back(*other);
         residuals[number] = std::min(residuals[number], std::abs(*own - median(around)));
     });
     return residuals;
@@ -39,6 +41,7 @@ std::vector<double> residualsOfAll(const ScanTargets& targets, int reach) {
 /// smaller value, where it is in two grids.
 std::vector<double> usualResiduals(const ScanTargets& targets, const std::vector<double>& residuals) {
     constexpr int reach = 2;
+    const int grain = targets.stepsOfGrain();
     std::vector<double> usual(residuals.size(), infinity);
     std::vector<double> around;
     targets.forEachPoint([&](std::size_t g, int i, int j, std::size_t number) {
@@ -46,7 +49,7 @@ std::vector<double> usualResiduals(const ScanTargets& targets, const std::vector
         around.clear();
         for (int down = -reach; down <= reach; ++down)
             for (int right = -reach; right <= reach; ++right) {
-                const auto other = targets.numberAt(g, i + right, j + down);
+                const auto other = targets.numberAt(g, i + grain * right, j + grain * down);
                 if (other && targets.weights[*other] > 0 && !targets.lattice.sharp[*other])
                     around.push_back(residuals[*other]);
             }
@@ -57,10 +60,13 @@ std::vector<double> usualResiduals(const ScanTargets& targets, const std::vector
 
 } // namespace
 
-void weighOutliers(ScanTargets& targets, double step) {
+double noiseOfTargets(const ScanTargets& targets) {
     std::vector<double> sizes = residualsOfAll(targets, 1);
     std::erase_if(sizes, [](double residual) { return !std::isfinite(residual); });
-    targets.noise = deviations * median(sizes);
+    return deviations * median(sizes);
+}
+
+void weighOutliers(ScanTargets& targets, double step) {
     const std::vector<double> residuals = residualsOfAll(targets, 2); // spikes are wider than a point
     const std::vector<double> usual = usualResiduals(targets, residuals);
     for (std::size_t k = 0; k < residuals.size(); ++k) {

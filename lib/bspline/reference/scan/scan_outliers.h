@@ -5,13 +5,18 @@
 
 namespace qm {
 
-/// Measures the noise, and weights every target by Tukey's biweight of its distance from the median of its
+/// The noise, as far as the offsets of targets tell it: where they lie near the surface, as they do if the
+/// mesh's vertices were taken from a scan as coarse as the mesh, it comes out too small.
+[[nodiscard]] double noiseOfTargets(const ScanTargets& targets);
+
+/// Weights every target by Tukey's biweight of its distance from the median of its
 /// neighbours. Distances that are usual in a rough place do not make an outlier.
-/// \param step  differences between neighbours below this length do not indicate an outlier
+/// \param targets  their noise must be known
+/// \param step     differences between neighbours below this length do not indicate an outlier
 void weighOutliers(ScanTargets& targets, double step);
 
 /// Removes the targets of sharp points that stand out from their neighbours along the edge.
-/// \param step  as above; the noise must have been measured
+/// \param step  as above; the noise must be known
 void dropSharpOutliers(ScanTargets& targets, double step);
 
 } // namespace qm

@@ -10,9 +10,29 @@
 #include "bspline/reference/scan/scan_targets.h"
 #include "mesh/quad_geometry.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <utility>
 
 namespace qm {
+namespace {
+
+/// Of the triangles: of many of them, if there are very many.
+double meanEdgeLength(const TriangleSurface& scan) {
+    constexpr std::size_t enough = 10'000;
+    const std::size_t stride = 1 + scan.size() / enough;
+    double sum = 0;
+    double count = 0;
+    for (std::size_t face = 0; face < scan.size(); face += stride) {
+        const auto [a, b, c] = scan.corners(face);
+        sum += (b - a).norm() + (c - b).norm() + (a - c).norm();
+        count += 3;
+    }
+    return sum / count;
+}
+
+} // namespace
 
 FitTarget scanReference(const QuadMesh& mesh, const Layout& layout, const std::vector<ReferenceGrid>& surface,
                         const TriangleSurface& scan, unsigned jobs, double maxDistance) {
@@ -23,12 +43,17 @@ FitTarget scanReference(const QuadMesh& mesh, const Layout& layout, const std::v
     const ScanReach reach = maxDistance > 0 ? ScanReach{maxDistance, maxDistance} : ScanReach{step, 2 * edge};
     ScanProjection projection = projectOntoScan(lattice, scan, reach, jobs);
     ScanTargets targets(lattice, surface, std::move(projection.displacements));
+    targets.grain = meanEdgeLength(scan) / step;
+    const double grain = std::max(1.0, targets.grain);
+    // Within a triangle the noise of its corners is averaged.
+    const auto ofVertices = scan.noise();
+    targets.noise = ofVertices ? std::sqrt(0.5) * *ofVertices : noiseOfTargets(targets);
     const double negligible = step / 40; // as a difference between neighbours: no sign of an outlier
     weighOutliers(targets, negligible);
     const double coverage = targets.coverage();
     FitTarget result = targets.result();
     fillGaps(lattice, surface, Gaps::butForSharpOnes, result);
-    smoothInside(result, jobs);
+    smoothInside(result, grain, jobs);
     targets.update(result);
     extrapolateToSharpEdges(targets, scan, projection.maxDistance, step / 4);
     dropSharpOutliers(targets, negligible);
@@ -37,7 +62,7 @@ FitTarget scanReference(const QuadMesh& mesh, const Layout& layout, const std::v
     result.maxDistance = projection.maxDistance;
     dropFolded(lattice, surface, result);
     fillGaps(lattice, surface, Gaps::all, result);
-    smoothBorders(result, jobs);
+    smoothBorders(result, grain, jobs);
     return result;
 }
 

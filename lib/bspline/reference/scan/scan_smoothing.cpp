@@ -86,7 +86,7 @@ std::vector<std::array<std::ptrdiff_t, 2>> smoothParts(const std::vector<LinePoi
 }
 
 /// \param steps  of the lattice, a mesh edge
-std::vector<Point> smoothLine(const std::vector<LinePoint>& line, int steps, double noise) {
+std::vector<Point> smoothLine(const std::vector<LinePoint>& line, int steps, double noise, double grain) {
     constexpr double surprising = 2.5; // standard deviations
     constexpr double usual = 1.5;      // of a few points' residuals
     const auto parts = smoothParts(line);
@@ -105,6 +105,7 @@ std::vector<Point> smoothLine(const std::vector<LinePoint>& line, int steps, dou
                               : (wider.position - best.position).norm() <= surprising * best.noise * noise;
             if (!explained) break;
             best = wider;
+            best.noise = std::min(1.0, std::sqrt(grain) * best.noise);
         }
         result.push_back(best.position);
     }
@@ -112,7 +113,7 @@ std::vector<Point> smoothLine(const std::vector<LinePoint>& line, int steps, dou
 }
 
 /// Smooths a line along u (0) or v (1), but for its ends, which lie on border lines or are corners.
-void smooth(FitTarget& reference, std::size_t g, std::size_t direction, std::size_t line) {
+void smooth(FitTarget& reference, std::size_t g, std::size_t direction, std::size_t line, double grain) {
     ReferenceGrid& grid = reference.grids[g];
     const std::size_t columns = grid.columns();
     const auto index = [&](std::size_t along) {
@@ -121,7 +122,7 @@ void smooth(FitTarget& reference, std::size_t g, std::size_t direction, std::siz
     std::vector<LinePoint> points;
     for (std::size_t k = 0; k < (direction == 0 ? columns : grid.rows()); ++k)
         points.push_back({grid.points[index(k)], reference.weights[g][index(k)]});
-    const auto smoothed = smoothLine(points, grid.steps, reference.noise);
+    const auto smoothed = smoothLine(points, grid.steps, reference.noise, grain);
     for (std::size_t k = 1; k + 1 < smoothed.size(); ++k)
         grid.points[index(k)] = smoothed[k];
 }
@@ -133,21 +134,21 @@ std::size_t lines(const ReferenceGrid& grid, std::size_t direction) {
 
 } // namespace
 
-void smoothInside(FitTarget& reference, unsigned jobs) {
+void smoothInside(FitTarget& reference, double grain, unsigned jobs) {
     if (!(reference.noise > 0)) return;
     parallelFor(reference.grids.size(), jobs, [&](std::size_t g) {
         for (const std::size_t direction : {1U, 0U})
             for (std::size_t line = 1; line + 1 < lines(reference.grids[g], direction); ++line)
-                smooth(reference, g, direction, line);
+                smooth(reference, g, direction, line, grain);
     });
 }
 
-void smoothBorders(FitTarget& reference, unsigned jobs) {
+void smoothBorders(FitTarget& reference, double grain, unsigned jobs) {
     if (!(reference.noise > 0)) return;
     parallelFor(reference.grids.size(), jobs, [&](std::size_t g) {
         for (const std::size_t direction : {0U, 1U}) {
-            smooth(reference, g, direction, 0);
-            smooth(reference, g, direction, lines(reference.grids[g], direction) - 1);
+            smooth(reference, g, direction, 0, grain);
+            smooth(reference, g, direction, lines(reference.grids[g], direction) - 1, grain);
         }
     });
 }

@@ -11,9 +11,10 @@ namespace qm {
 /// noise (Lepski's rule, docs/METHOD.md#lepski-1991), so that details above the noise are kept. Border lines
 /// stay. Does nothing without noise.
 /// \param reference  its `noise` is the expected standard deviation
-void smoothInside(FitTarget& reference, unsigned jobs);
+/// \param grain      so many neighbours have nearly the same noise; 1 if each has its own
+void smoothInside(FitTarget& reference, double grain, unsigned jobs);
 
 /// The same for border lines, only along them, so that neighbours still agree there and creases stay sharp.
-void smoothBorders(FitTarget& reference, unsigned jobs);
+void smoothBorders(FitTarget& reference, double grain, unsigned jobs);
 
 } // namespace qm

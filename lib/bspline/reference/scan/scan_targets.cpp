@@ -1,5 +1,7 @@
 #include "bspline/reference/scan/scan_targets.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace qm {
@@ -21,6 +23,10 @@ std::optional<double> ScanTargets::offset(std::size_t g, int i, int j) const {
     const auto number = numberAt(g, i, j);
     if (!number || weights[*number] <= 0 || lattice.sharp[*number]) return std::nullopt;
     return displacements[*number]->dot(*lattice.oneSided[g][index(g, i, j)]);
+}
+
+int ScanTargets::stepsOfGrain() const {
+    return static_cast<int>(std::clamp(std::ceil(grain), 1.0, static_cast<double>(surface.front().steps)));
 }
 
 double ScanTargets::coverage() const {

@@ -14,7 +14,7 @@
 namespace qm {
 
 struct ScanTargets {
-    /// Gives every displacement a weight of 1.
+    /// Gives every displacement a weight of 1, and takes the scan for fine.
     /// \param lattice  of `surface`; both must outlive this
     ScanTargets(const LatticeNormals& lattice, const std::vector<ReferenceGrid>& surface,
                 std::vector<Displacement> displacements);
@@ -24,12 +24,16 @@ struct ScanTargets {
     std::vector<Displacement> displacements; ///< present wherever the weight is above 0
     std::vector<double> weights;             ///< from 0 to 1
     double noise = 0;                        ///< standard deviation of the offsets
+    double grain = 0;                        ///< length of a triangle's edges, in lattice steps
 
     [[nodiscard]] int columns(std::size_t g) const { return surface[g].size[0] * surface[g].steps; }
     [[nodiscard]] int rows(std::size_t g) const { return surface[g].size[1] * surface[g].steps; }
     [[nodiscard]] std::size_t index(std::size_t g, int i, int j) const {
         return at(j) * at(columns(g) + 1) + at(i);
     }
+
+    /// So far apart offsets have noise of their own: nearer ones come from one triangle, or share a vertex.
+    [[nodiscard]] int stepsOfGrain() const;
 
     template <class Function> void forEachPoint(const Function& f) const {
         for (std::size_t g = 0; g < surface.size(); ++g)

@@ -2,6 +2,7 @@
 
 #include "base/at.h"
 #include "base/infinity.h"
+#include "bspline/reference/scan/vertex_noise.h"
 #include "bspline/splines/eigen_point.h"
 #include "mesh/quad_geometry.h"
 #include "mesh/triangles/triangle_edges.h"
@@ -154,6 +155,10 @@ double TriangleSurface::distance(std::size_t face, const Point& place) const {
     const Vector3d point = vector(place);
     const Weights weights = nearestWeights(tree_->cornersOf(face), point);
     return (tree_->interpolated(face, weights, tree_->points) - point).norm();
+}
+
+std::optional<double> TriangleSurface::noise() const {
+    return vertexNoise(tree_->points, tree_->faces, tree_->normals);
 }
 
 TriangleSurface::TriangleSurface(const Triangles& triangles) : tree_(std::make_unique<Tree>(triangles)) {}

@@ -54,6 +54,9 @@ public:
     /// Its distance from any point.
     [[nodiscard]] double distance(std::size_t face, const Point& point) const;
 
+    /// The standard deviation of its vertices from smooth surfaces; see `vertexNoise`.
+    [[nodiscard]] std::optional<double> noise() const;
+
 private:
     struct Tree;
     std::unique_ptr<Tree> tree_;
