@@ -12,6 +12,7 @@
 #include "mesh/bounding_box.h"
 
 #include <Standard_Failure.hxx>
+#include <algorithm>
 #include <functional>
 #include <utility>
 
@@ -38,6 +39,8 @@ ShapeReport reportOf(const Boundary& boundary) {
         ++(!part.closed ? report.shells : part.cavityOf ? report.cavities : report.solids);
     report.lostEdges = countWhere(
         boundary.edges, [&](const BoundaryEdge& edge) { return maxLength(edge) < boundary.resolution; });
+    for (const BoundaryEdge& edge : boundary.edges)
+        report.largestNewAngle = std::max(report.largestNewAngle, edge.newAngle);
     report.resolution = boundary.resolution;
     report.largestGap = boundary.largestGap;
     report.largestTolerance = largestTolerance(boundary);

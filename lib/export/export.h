@@ -18,6 +18,8 @@ struct ShapeReport {
     std::size_t openEdges = 0; ///< number of edges with a face on one side only
     /// Number of edges whose faces' normals differ by less than 0.01 radians: readers take them for smooth.
     std::size_t smoothEdges = 0;
+    /// Largest angle between faces, in degrees, where patches that met smoothly became simple surfaces.
+    double largestNewAngle = 0;
     std::size_t simpleFaces = 0; ///< number of planes, cylinders, cones, spheres and tori
     std::size_t solids = 0;      ///< number of closed components that are no cavities
     std::size_t cavities = 0;    ///< number of closed components inside of solids, which look the other way

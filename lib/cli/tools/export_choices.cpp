@@ -75,6 +75,7 @@ int reportShape(Tool& tool, const std::optional<ShapeReport>& found, const Model
     tool.count("shapeFaces", shape.faces);
     tool.count("simpleFaces", shape.simpleFaces);
     tool.count("smoothEdges", shape.smoothEdges);
+    tool.count("newAngle", shape.largestNewAngle);
     tool.count("valid", shape.valid ? 1 : 0);
     tool.count("gap", shape.largestGap);
     tool.count("tolerance", shape.largestTolerance);

@@ -2,6 +2,7 @@
 
 #include "base/at.h"
 #include "bspline/splines/clamped_patch.h"
+#include "export/boundary/edge_angle.h"
 #include "export/boundary/simple_faces.h"
 #include "export/geometry/geometry.h"
 #include "export/simple/curve_on_surface.h"
@@ -107,6 +108,15 @@ private:
         made.tolerance = toleranceOf(gap, resolution_);
         made.isOpen = edge.places.size() < 2;
         made.isSmooth = !made.isOpen && edge.angle < smoothAngle;
+        if (!made.isSmooth || !simple_.isAnalytic()) return;
+        made.newAngle = largestAngle(made.curve, {sideOf(edge, made, 0), sideOf(edge, made, 1)});
+        made.isSmooth = made.newAngle < smoothAngle;
+    }
+
+    /// A face as one side of an edge.
+    [[nodiscard]] EdgeSide sideOf(const SharedEdge& edge, const BoundaryEdge& made, std::size_t use) const {
+        const BoundaryFace& face = result_.faces[edge.places[use].patch];
+        return {face.surface, face.reversed, made.onFaces.at(use)};
     }
 
     /// When all edges are known: their tolerances reach to where they end.

@@ -28,6 +28,9 @@ struct BoundaryEdge {
     double tolerance = 0;                               ///< largest distance from the faces' surfaces
     bool isOpen = false;                                ///< has a face on one side only
     bool isSmooth = false; ///< the faces' normals differ by less than 0.01 radians
+    /// Largest angle between the faces' normals, in degrees, if simple surfaces replace patches that met
+    /// smoothly here; 0 elsewhere.
+    double newAngle = 0;
 };
 
 struct BoundaryFace {

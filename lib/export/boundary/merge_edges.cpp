@@ -80,6 +80,7 @@ private:
         if (!after) return std::nullopt;
         BoundaryEdge result = edge;
         result.tolerance = std::max(edge.tolerance, by.tolerance);
+        result.newAngle = std::max(edge.newAngle, by.newAngle);
         result.curve = atEnd ? *after : reversed(*after);
         for (std::size_t side = 0; side < 2; ++side) {
             auto& onFace = result.onFaces.at(side);

@@ -10,6 +10,8 @@ namespace {
 /// Largest angle between the normals of two planes that are one, in radians; how far edges are apart counts
 /// besides.
 constexpr double maxAngle = 1e-3;
+/// Between the normals of what is one plane, but for rounding.
+constexpr double sameAngle = 1e-12;
 
 /// The largest distance of an edge's control points from a plane: no point of it is farther away.
 double distance(const BoundaryEdge& edge, const gp_Pln& plane) {
@@ -27,6 +29,10 @@ public:
         const auto plane = Handle(Geom_Plane)::DownCast(boundary_.faces[face].surface);
         if (plane.IsNull() || plane->Axis().Direction().Angle(plane_.Axis().Direction()) > maxAngle)
             return false;
+        // One plane for all: where its edges are farther away, so they were before.
+        if (plane->Axis().Direction().Angle(plane_.Axis().Direction()) <= sameAngle &&
+            plane_.Distance(plane->Location()) <= boundary_.resolution / 2)
+            return true;
         return std::ranges::all_of(boundary_.faces[face].loops.front(), [&](const EdgeUse& use) {
             return distance(boundary_.edges[use.edge], plane_) <= boundary_.flatness;
         });

@@ -1,6 +1,7 @@
 #include "export/boundary/simple_faces.h"
 
 #include "base/at.h"
+#include "export/boundary/border_samples.h"
 #include "export/geometry/geometry.h"
 #include "export/simple/conic_curve.h"
 #include "export/simple/curve_on_surface.h"
@@ -21,21 +22,6 @@ struct Reach {
     /// Where other faces meet, too: the edges between these stay, and end where the vertex was.
     static constexpr double besideOthers = 0.25;
 };
-
-/// Adds surfaces in the place of patches that are not exact planes.
-void recogniseSimple(const std::vector<Patch>& patches, const SharedEdges& shared,
-                     const SimpleFaceTolerances& tolerances, Surfaces& surfaces) {
-    std::vector<double> simplify = tolerances.simplify;
-    for (std::size_t k = 0; k < patches.size(); ++k)
-        if (surfaces[k]) simplify[k] = 0;
-    std::vector<std::array<std::size_t, 2>> neighbours;
-    for (const SharedEdge& edge : shared.edges)
-        if (edge.places.size() == 2 && edge.angle < tolerances.smoothAngle)
-            neighbours.push_back({edge.places[0].patch, edge.places[1].patch});
-    auto found = simpleSurfacesOf(patches, simplify, neighbours);
-    for (std::size_t k = 0; k < patches.size(); ++k)
-        if (!surfaces[k]) surfaces[k] = std::move(found[k]);
-}
 
 std::array<gp_Pnt, 2> endsOf(const SharedEdge& edge, const SharedEdges& shared) {
     return {toGp(shared.vertexPoint[at(edge.start)]), toGp(shared.vertexPoint[at(edge.end)])};
@@ -68,7 +54,9 @@ SimpleFaces::SimpleFaces(const std::vector<Patch>& clampedPatches, const SharedE
         tolerance_ = std::max(tolerance_, tolerance);
     for (const Patch& patch : clampedPatches)
         surfaces_.push_back(planeOf(patch, tolerances.flatness));
-    if (tolerance_ > 0) recogniseSimple(clampedPatches, shared, tolerances, surfaces_);
+    if (tolerance_ > 0)
+        surfaces_ = simpleSurfacesOf(clampedPatches, tolerances.simplify, std::move(surfaces_),
+                                     smoothBorders(clampedPatches, shared, tolerances.smoothAngle));
 }
 
 double SimpleFaces::reach() const {

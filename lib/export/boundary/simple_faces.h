@@ -32,6 +32,9 @@ public:
         return surfaces_[face];
     }
 
+    /// Whether surfaces replace patches that are not exactly those.
+    [[nodiscard]] bool isAnalytic() const { return tolerance_ > 0; }
+
     /// Moves vertices where several simple faces meet onto all of these, unless that is far away (or, where
     /// other faces meet as well, not very near), and then to where edges between two faces of one cylinder or
     /// cone can be straight. Does nothing if all simple faces are planes within the flatness.

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -46,11 +47,16 @@ PatchCloud cloudOf(const Patch& patch, std::size_t max) {
     for (const SurfacePoint& at :
          evaluateLattice(patch, thinned(parameters(patch.knots[0], samplesPerInterval), max),
                          thinned(parameters(patch.knots[1], samplesPerInterval), max))) {
+        const Vector3d across = vector(at.du).cross(vector(at.dv));
         const auto normal = unitNormal(at.du, at.dv);
         if (!normal) continue;
+        cloud.area += across.norm();
         cloud.samples.points.emplace_back((vector(at.position) - cloud.centre) / cloud.size);
         cloud.samples.normals.push_back(vector(*normal));
     }
+    const auto [u, v] = domain(patch);
+    cloud.area *= (u[1] - u[0]) * (v[1] - v[0]);
+    cloud.area /= static_cast<double>(std::max<std::size_t>(1, cloud.samples.points.size()));
     return cloud;
 }
 
@@ -60,6 +66,14 @@ PatchCloud inFrame(PatchCloud cloud, const Vector3d& centre, double size) {
     cloud.centre = centre;
     cloud.size = size;
     return cloud;
+}
+
+void append(PatchCloud& cloud, const PatchCloud& more) {
+    const PatchCloud moved = inFrame(more, cloud.centre, cloud.size);
+    OrientedPoints& all = cloud.samples;
+    all.points.insert(all.points.end(), moved.samples.points.begin(), moved.samples.points.end());
+    all.normals.insert(all.normals.end(), moved.samples.normals.begin(), moved.samples.normals.end());
+    cloud.area += more.area;
 }
 
 PatchCloud centred(PatchCloud cloud) {

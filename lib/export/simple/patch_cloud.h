@@ -14,6 +14,7 @@ namespace qm {
 struct PatchCloud {
     Eigen::Vector3d centre{0, 0, 0};
     double size = 1;
+    double area = 0;        ///< about; not scaled
     OrientedPoints samples; ///< empty if the patch has no extent
 };
 
@@ -23,6 +24,9 @@ struct PatchCloud {
 
 /// The same points about another origin and in another unit.
 [[nodiscard]] PatchCloud inFrame(PatchCloud cloud, const Eigen::Vector3d& centre, double size);
+
+/// All points of both, in the frame of the first.
+void append(PatchCloud& cloud, const PatchCloud& more);
 
 /// The same points about the middle of their bounding box, in units of its diagonal.
 [[nodiscard]] PatchCloud centred(PatchCloud cloud);

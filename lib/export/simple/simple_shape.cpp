@@ -43,4 +43,18 @@ Eigen::Vector3d SimpleShape::normal(const Eigen::Vector3d& point) const {
     }
 }
 
+SimpleShape fromFrame(SimpleShape shape, const Eigen::Vector3d& centre, double size) {
+    shape.origin = centre + shape.origin * size;
+    shape.radius *= size;
+    shape.tubeRadius *= size;
+    return shape;
+}
+
+SimpleShape intoFrame(SimpleShape shape, const Eigen::Vector3d& centre, double size) {
+    shape.origin = (shape.origin - centre) / size;
+    shape.radius /= size;
+    shape.tubeRadius /= size;
+    return shape;
+}
+
 } // namespace qm

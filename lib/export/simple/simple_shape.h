@@ -25,4 +25,8 @@ struct SimpleShape {
     [[nodiscard]] Eigen::Vector3d radial(const Eigen::Vector3d& point) const;
 };
 
+/// A shape among points that were moved by -centre and then divided by a size, where it was before; and back.
+[[nodiscard]] SimpleShape fromFrame(SimpleShape shape, const Eigen::Vector3d& centre, double size);
+[[nodiscard]] SimpleShape intoFrame(SimpleShape shape, const Eigen::Vector3d& centre, double size);
+
 } // namespace qm

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "bspline/splines/surfaces.h"
+#include "export/simple/smooth_borders.h"
 
 #include <Geom_ElementarySurface.hxx>
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -22,15 +22,15 @@ struct SimpleSurface {
 /// \param tolerance  largest distance of a control point from it
 [[nodiscard]] std::optional<SimpleSurface> planeOf(const Patch& clampedPatch, double tolerance);
 
-/// By patch: the first of plane, cylinder, cone, sphere and torus that is within the tolerance of the patch
-/// and looks where it does (docs/METHOD.md#faces). Its poles, apex and seam are away from the patch. Radii
-/// are at most ten times the patch's size, and curved surfaces nearer than a plane by far, because those of
-/// flatter patches would be arbitrary. Neighbours share a surface, except for its seam, where one surface
-/// suits both.
-/// \param tolerances        by patch; 0 leaves it as it is
-/// \param smoothNeighbours  pairs of patches
+/// By patch: the plane, cylinder, cone, sphere or torus that is within the tolerance of it and of as many of
+/// its neighbours as possible (shape_regions.h, docs/METHOD.md#faces), unless a smooth border would become a
+/// crease (smooth_borders.h). Its poles, apex and seam are away from the patch. Radii are at most ten times
+/// the size of all patches on the surface, and curved surfaces nearer to these than a plane by far, because
+/// those of flatter ones would be arbitrary. Patches of one surface share it, except for its seam.
+/// \param tolerances  by patch; 0 leaves it as it is
+/// \param planes      by patch: the plane that it is exactly, and stays
 [[nodiscard]] std::vector<std::optional<SimpleSurface>>
 simpleSurfacesOf(const std::vector<Patch>& clampedPatches, const std::vector<double>& tolerances,
-                 const std::vector<std::array<std::size_t, 2>>& smoothNeighbours);
+                 std::vector<std::optional<SimpleSurface>> planes, const std::vector<SmoothBorder>& borders);
 
 } // namespace qm

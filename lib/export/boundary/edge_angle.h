@@ -1,0 +1,24 @@
+/// \file The angle between the two faces of an edge.
+#pragma once
+
+#include "export/geometry/curve_piece.h"
+
+#include <Geom2d_BSplineCurve.hxx>
+#include <Geom_Surface.hxx>
+#include <array>
+
+namespace qm {
+
+/// The face on one side of an edge.
+struct EdgeSide {
+    Handle(Geom_Surface) surface;
+    bool reversed = false;              ///< the surface's normal points inwards
+    Handle(Geom2d_BSplineCurve) onFace; ///< of the edge; none on a plane
+};
+
+/// The largest angle between the outward normals of both faces along an edge, in degrees, by samples; where a
+/// face has no normal, it does not count.
+/// \param curve  has the parameters of both curves on the faces
+[[nodiscard]] double largestAngle(const CurvePiece& curve, const std::array<EdgeSide, 2>& sides);
+
+} // namespace qm
