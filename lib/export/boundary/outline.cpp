@@ -1,13 +1,18 @@
 #include "export/boundary/outline.h"
 
+#include "base/sort_unique.h"
 #include "export/simple/curve_on_surface.h"
 
 #include <boost/geometry.hpp>
+#include <boost/geometry/geometries/box.hpp>
+#include <boost/geometry/geometries/linestring.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/geometries/ring.hpp>
 
 #include <Geom_Plane.hxx>
 #include <algorithm>
+#include <array>
+#include <tuple>
 #include <vector>
 
 namespace qm {
@@ -15,6 +20,8 @@ namespace {
 
 using PlanePoint = boost::geometry::model::d2::point_xy<double>;
 using Ring = boost::geometry::model::ring<PlanePoint>;
+using Line = boost::geometry::model::linestring<PlanePoint>;
+using Box = boost::geometry::model::box<PlanePoint>;
 
 /// In the parameter plane.
 PlanePoint onFace(const BoundaryFace& face, const BoundaryEdge& edge, const EdgeUse& use, double parameter) {
@@ -48,16 +55,55 @@ void append(const Ring& points, Ring& ring) {
     ring.insert(ring.end(), points.begin(), points.end());
 }
 
+Ring ringOf(const Boundary& boundary, std::size_t face, const std::vector<EdgeUse>& loop) {
+    Ring ring;
+    for (const EdgeUse& use : loop)
+        append(curveOn(boundary.faces[face], boundary.edges[use.edge], use), ring);
+    append({ring.front()}, ring);
+    return ring;
+}
+
 } // namespace
 
 bool outlineCrossesItself(const Boundary& boundary, std::size_t face) {
     return std::ranges::any_of(boundary.faces[face].loops, [&](const std::vector<EdgeUse>& loop) {
-        Ring ring;
-        for (const EdgeUse& use : loop)
-            append(curveOn(boundary.faces[face], boundary.edges[use.edge], use), ring);
-        append({ring.front()}, ring);
-        return boost::geometry::intersects(ring);
+        return boost::geometry::intersects(ringOf(boundary, face, loop));
     });
+}
+
+std::vector<std::size_t> faultyEdges(const Boundary& boundary, std::size_t face) {
+    struct Piece {
+        std::size_t edge = 0;
+        std::array<std::size_t, 2> ends{};
+        Line line;
+        Box box;
+    };
+    std::vector<Piece> pieces;
+    std::vector<std::size_t> result;
+    std::vector<double> areas;
+    for (const std::vector<EdgeUse>& loop : boundary.faces[face].loops) {
+        areas.push_back(boost::geometry::area(ringOf(boundary, face, loop)));
+        const bool isTurned = areas.size() > 1 && (areas.back() > 0) == (areas.front() > 0);
+        for (const EdgeUse& use : loop) {
+            if (isTurned) result.push_back(use.edge);
+            const BoundaryEdge& edge = boundary.edges[use.edge];
+            const Ring points = curveOn(boundary.faces[face], edge, use);
+            Piece& piece =
+                pieces.emplace_back(Piece{use.edge, edge.ends, Line(points.begin(), points.end()), Box()});
+            boost::geometry::envelope(piece.line, piece.box);
+        }
+    }
+    for (std::size_t k = 0; k < pieces.size(); ++k)
+        for (std::size_t l = 0; l < k; ++l) {
+            const auto& [one, other] = std::tie(pieces[k], pieces[l]);
+            if (std::ranges::find_first_of(one.ends, other.ends) != one.ends.end() ||
+                !boost::geometry::intersects(one.box, other.box) ||
+                !boost::geometry::intersects(one.line, other.line))
+                continue;
+            result.insert(result.end(), {one.edge, other.edge});
+        }
+    sortUnique(result);
+    return result;
 }
 
 } // namespace qm

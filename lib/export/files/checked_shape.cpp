@@ -36,25 +36,55 @@ CheckedShape checked(Boundary boundary, const Origins& origins) {
     return made;
 }
 
-/// The same with merged faces, except where OpenCASCADE does not take them.
+/// So often, merged faces that OpenCASCADE does not take are tried again without those of their parts that
+/// are to blame; then they are not merged at all.
+constexpr int maxTrials = 4;
+
+/// Which faces merged faces with faults consist of.
+struct Blame {
+    std::set<std::size_t> segments;     ///< all of them
+    std::set<const Geom_Curve*> faulty; ///< curves of edges that make no outline
+};
+
+Blame blameOf(const CheckedShape& made) {
+    Blame blame;
+    for (std::size_t f = 0; f < made.isFaceSound.size(); ++f) {
+        if (made.isFaceSound[f]) continue;
+        blame.segments.insert(made.origins[f].begin(), made.origins[f].end());
+        for (const std::size_t edge : faultyEdges(made.boundary, f))
+            blame.faulty.insert(made.boundary.edges[edge].curve.curve.get());
+    }
+    return blame;
+}
+
+/// The same with merged faces, except where OpenCASCADE does not take them: where the outline of a merged
+/// face crosses itself, for instance around quads that are turned over within a plane, the faces there stay
+/// apart.
 CheckedShape withMergedFaces(const CheckedShape& shape, MergedSurface kind) {
     std::vector<bool> mayMerge(shape.boundary.faces.size(), true);
-    while (true) {
+    for (int trial = 0;; ++trial) {
         Boundary boundary = shape.boundary;
         Origins origins = shape.origins;
         if (!mergeFaces(boundary, origins, kind, mayMerge)) return shape;
         CheckedShape made = checked(std::move(boundary), origins);
         if (made.isSound() || !shape.isSound()) return made;
-        std::set<std::size_t> rejected; // segments
-        for (std::size_t f = 0; f < made.isFaceSound.size(); ++f)
-            if (!made.isFaceSound[f]) rejected.insert(made.origins[f].begin(), made.origins[f].end());
-        bool isAny = false;
-        for (std::size_t f = 0; f < mayMerge.size(); ++f)
-            if (mayMerge[f] && rejected.contains(shape.origins[f].front())) {
-                mayMerge[f] = false;
-                isAny = true;
-            }
-        if (!isAny) return shape;
+        const Blame blame = blameOf(made);
+        const auto isThere = [&](std::size_t f) {
+            return std::ranges::any_of(shape.boundary.faces[f].loops.front(), [&](const EdgeUse& use) {
+                return blame.faulty.contains(shape.boundary.edges[use.edge].curve.curve.get());
+            });
+        };
+        const auto reject = [&](const auto& isRejected) {
+            bool isAny = false;
+            for (std::size_t f = 0; f < mayMerge.size(); ++f)
+                if (mayMerge[f] && blame.segments.contains(shape.origins[f].front()) && isRejected(f)) {
+                    mayMerge[f] = false;
+                    isAny = true;
+                }
+            return isAny;
+        };
+        if (trial < maxTrials && reject(isThere)) continue;
+        if (!reject([](std::size_t) { return true; })) return shape;
     }
 }
 

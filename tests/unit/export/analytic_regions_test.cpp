@@ -93,6 +93,25 @@ TEST(AnalyticRegions, WavyPatchesLieInThePlaneOfTheirNeighbours) {
     EXPECT_EQ(file.shape->faces, 1U);
 }
 
+TEST(MergePlanes, LeavesOutOnlyWhatIsTurnedOver) {
+    const auto isTurned = [](double i) { return i >= 4 && i <= 6; };
+    std::vector<test::Rectangle> small;
+    for (int j = 0; j < 10; j += 2)
+        for (int i = 0; i < 10; i += 2)
+            small.push_back({i, j, i + 2, j + 2});
+    const FittedModel model = fitted(Grid{10, 10,
+                                          [&](double i, double j) {
+                                              const bool turned = isTurned(i) && isTurned(j);
+                                              return Point(turned ? 5 + 0.6 * (5 - i) : i, j, 0);
+                                          }},
+                                     small, FitOptions());
+    ExportOptions options;
+    EXPECT_EQ(exportModel(model.mesh, model.layout, &model.surfaces, options).shape->faces, 25U);
+    options.join = true;
+    const ShapeReport joined = *exportModel(model.mesh, model.layout, &model.surfaces, options).shape;
+    EXPECT_LE(joined.faces, 6U) << "and not 13";
+}
+
 /// A plane and one tilted against it, both to the side of a border along x.
 TEST(KeepSmooth, TheSurfaceWithLessWeightGivesWay) {
     const auto plane = [](double degrees, double weight, bool mayGo) {
