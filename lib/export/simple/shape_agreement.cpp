@@ -28,7 +28,7 @@ int sideOf(const SimpleShape& shape, const OrientedPoints& samples) {
 }
 
 bool isAlong(const SimpleShape& shape, int side, const OrientedPoints& samples, double tolerance,
-             const NormalLimits& limits) {
+             const WaveLimits& limits) {
     const double largest =
         (shape.kind == SimpleKind::plane ? limits.largestOfPlane : limits.largest) * degree;
     double squares = 0;
@@ -52,7 +52,7 @@ double farthest(const SimpleShape& shape, const OrientedPoints& samples) {
 }
 
 std::optional<SimpleShape> fittingShape(SimpleKind kind, const OrientedPoints& samples, double tolerance,
-                                        const NormalLimits& limits) {
+                                        const WaveLimits& limits) {
     if (samples.points.size() < minPoints) return std::nullopt;
     auto shape = fitShape(kind, samples);
     if (shape && !isAlong(*shape, sideOf(*shape, samples), samples, tolerance, limits)) return std::nullopt;

@@ -9,7 +9,7 @@
 namespace qm {
 
 /// Largest angles between the normals of patches and of what takes their place, in degrees.
-struct NormalLimits {
+struct WaveLimits {
     double rms = 3;      ///< root mean square: with more, another shape is meant
     double largest = 10; ///< fits wave within their tolerance, most of all at rims and where facets were
     /// Patches that are plane wave little, and hardly any of those that differ by more has an outline in a
@@ -18,7 +18,7 @@ struct NormalLimits {
 };
 
 /// Of all patches inside their creases together: there is nothing else that they could be.
-constexpr NormalLimits ofWholeComponents{6, 20, 6};
+constexpr WaveLimits ofWholeComponents{6, 20, 6};
 
 /// Largest radius, in sizes of a patch or region: larger arcs look flat, and where their axes lie depends on
 /// rounding errors.
@@ -30,7 +30,7 @@ constexpr double maxRadius = 10;
 /// Whether the shape lies along the points, on this side of all of them: within the tolerance, and with
 /// normals within the limits.
 [[nodiscard]] bool isAlong(const SimpleShape& shape, int side, const OrientedPoints& samples,
-                           double tolerance, const NormalLimits& limits = {});
+                           double tolerance, const WaveLimits& limits = {});
 
 /// The largest distance of a point.
 [[nodiscard]] double farthest(const SimpleShape& shape, const OrientedPoints& samples);
@@ -38,7 +38,7 @@ constexpr double maxRadius = 10;
 /// The best shape of a kind, if it lies along the points.
 /// \param tolerance  in the unit of the points
 [[nodiscard]] std::optional<SimpleShape> fittingShape(SimpleKind kind, const OrientedPoints& samples,
-                                                      double tolerance, const NormalLimits& limits = {});
+                                                      double tolerance, const WaveLimits& limits = {});
 
 /// Whether a shape is a plane, or clearly nearer to the points than a plane is. What bends less is within the
 /// tolerance of many surfaces, none of which is meant.

@@ -17,12 +17,12 @@ struct ShapeRegion {
     PatchCloud cloud;  ///< of all patches, or of those that the shape was found from
     SimpleShape shape; ///< in the cloud's frame
     std::vector<std::size_t> patches;
-    int side = 1;          ///< -1 if the shape's normals point the other way than the patches'
-    double tolerance = 0;  ///< the smallest of the patches'
-    double area = 0;       ///< of all patches
-    double looseness = 0;  ///< largest distance of the cloud's points from the shape; not scaled
-    bool isExact = false;  ///< the plane of a patch that is exactly that
-    NormalLimits limits{}; ///< between the patches and the shape
+    int side = 1;         ///< -1 if the shape's normals point the other way than the patches'
+    double tolerance = 0; ///< the smallest of the patches'
+    double area = 0;      ///< of all patches
+    double looseness = 0; ///< largest distance of the cloud's points from the shape; not scaled
+    bool isExact = false; ///< the plane of a patch that is exactly that
+    WaveLimits limits{};  ///< between the patches and the shape
 };
 
 /// What regions grow over.
