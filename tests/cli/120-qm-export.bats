@@ -67,6 +67,16 @@ PRODUCT('two 2'"
     assert [ "$(jq .counters.simpleFaces <<<"${stderr_lines[-1]}")" -gt 0 ]
 }
 
+@test "smooth edges stay smooth beside analytic faces, and the largest angle is told" {
+    for tolerance in 0.1% 1% 3%; do
+        captured qm-export --stats --join --analytic --analytic-tolerance "$tolerance" "$(stage surfaces bracket)" -o bracket.step
+        assert_success
+        jq -e '.counters | .simpleFaces > 0 and .newAngle < 1.1' <<<"${stderr_lines[-1]}"
+    done
+    captured qm-export --stats "$(stage surfaces bracket)" -o bracket.step
+    jq -e '.counters.newAngle == 0' <<<"${stderr_lines[-1]}"
+}
+
 @test "neighbours that are one surface become one face" {
     qm-bspline --fit interpolate "$(stage layout plate)" -o plate.json
     quietly qm-export --quiet plate.json -o apart.step
