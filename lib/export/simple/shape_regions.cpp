@@ -71,6 +71,20 @@ bool add(ShapeRegion& region, std::size_t patch, const ShapePatches& patches) {
     return true;
 }
 
+/// Every so many points of a cloud, if it has too many for a fit that may well be in vain. Patches are
+/// verified one by one at the end.
+void thin(OrientedPoints& samples) {
+    constexpr std::size_t enough = 20000;
+    const std::size_t step = samples.points.size() / enough + 1;
+    if (step == 1) return;
+    OrientedPoints few;
+    for (std::size_t k = 0; k < samples.points.size(); k += step) {
+        few.points.push_back(samples.points[k]);
+        few.normals.push_back(samples.normals[k]);
+    }
+    samples = std::move(few);
+}
+
 /// Whether the shape of a region is meant; and notes how well it fits.
 bool isSaying(ShapeRegion& region) {
     region.looseness = farthest(region.shape, region.cloud.samples) * region.cloud.size;
@@ -101,6 +115,7 @@ std::vector<ShapeRegion> wholeComponents(const ShapePatches& patches) {
     for (auto& [first, component] : components) {
         if (isOther.contains(first)) continue;
         component.limits = ofWholeComponents;
+        thin(component.cloud.samples);
         for (const auto& [kind, weight] : kinds) {
             ShapeRegion region = component;
             region.shape.kind = kind;
