@@ -19,6 +19,8 @@ namespace {
 constexpr double planeTolerance = 1e-7;
 /// Programs take two faces for one smooth surface below this angle, in degrees: 0.01 radians.
 constexpr double smoothAngle = 0.57;
+/// How far from its ends, in mesh edges, the angle at an edge is measured: patches may have no normal there.
+constexpr double fromEnds = 0.005;
 /// A tolerance covers so many times a gap that was sampled: between the samples it may be larger.
 constexpr double gapMargin = 1.1;
 
@@ -108,8 +110,10 @@ private:
         made.tolerance = toleranceOf(gap, resolution_);
         made.isOpen = edge.places.size() < 2;
         made.isSmooth = !made.isOpen && edge.angle < smoothAngle;
-        if (!made.isSmooth || !simple_.isAnalytic()) return;
-        made.newAngle = largestAngle(made.curve, {sideOf(edge, made, 0), sideOf(edge, made, 1)});
+        const auto isSimple = [&](const BorderPlace& place) { return simple_[place.patch].has_value(); };
+        if (!made.isSmooth || !simple_.isAnalytic() || std::ranges::none_of(edge.places, isSimple)) return;
+        made.newAngle =
+            largestAngle(made.curve, {sideOf(edge, made, 0), sideOf(edge, made, 1)}, fromEnds / edge.length);
         made.isSmooth = made.newAngle < smoothAngle;
     }
 

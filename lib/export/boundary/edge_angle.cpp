@@ -12,8 +12,6 @@ namespace qm {
 namespace {
 
 constexpr int samples = 4; ///< in every knot interval
-/// How far from its ends, in shares of the edge, where a face may have no normal, samples are.
-constexpr double fromEnds = 1e-3;
 
 std::optional<gp_Dir> normalAt(const EdgeSide& side, double parameter) {
     std::optional<gp_Dir> normal;
@@ -31,7 +29,7 @@ std::optional<gp_Dir> normalAt(const EdgeSide& side, double parameter) {
 
 } // namespace
 
-double largestAngle(const CurvePiece& curve, const std::array<EdgeSide, 2>& sides) {
+double largestAngle(const CurvePiece& curve, const std::array<EdgeSide, 2>& sides, double fromEnds) {
     double largest = 0;
     const double margin = fromEnds * (curve.last - curve.first);
     for (const double t : parametersOf(curve, samples)) {

@@ -18,7 +18,9 @@ struct EdgeSide {
 
 /// The largest angle between the outward normals of both faces along an edge, in degrees, by samples; where a
 /// face has no normal, it does not count.
-/// \param curve  has the parameters of both curves on the faces
-[[nodiscard]] double largestAngle(const CurvePiece& curve, const std::array<EdgeSide, 2>& sides);
+/// \param curve     has the parameters of both curves on the faces
+/// \param fromEnds  how far samples are from the ends, where a face may have no normal, in shares of the edge
+[[nodiscard]] double largestAngle(const CurvePiece& curve, const std::array<EdgeSide, 2>& sides,
+                                  double fromEnds);
 
 } // namespace qm
