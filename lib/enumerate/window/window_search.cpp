@@ -5,6 +5,7 @@
 #include "enumerate/optimum/optimum.h"
 #include "enumerate/state/incumbents.h"
 #include "enumerate/window/chain_links.h"
+#include "enumerate/window/searched_windows.h"
 
 #include <algorithm>
 #include <cmath>
@@ -74,7 +75,7 @@ private:
 
     struct Window {
         ChainId chain;
-        std::vector<ChainId> chains;
+        std::vector<ChainId> chains;  ///< ascending
         std::vector<ArcValue> values; ///< new values of its arcs; empty unless a cheaper graph was found
         bool complete = false;        ///< whether the search ended with a proof
     };
@@ -88,6 +89,7 @@ private:
         const std::size_t max = std::min<std::size_t>(options_.maxVariables, whole_.arcs.size());
         for (size_ = std::min(smallest, max); !isOver(); size_ = std::min(2 * size_, max)) {
             std::ranges::fill(searched_, 0);
+            searchedTogether_.clear();
             while (pass() && !isOver()) {
             }
             if (size_ >= max) break;
@@ -126,9 +128,13 @@ private:
         for (const ChainId chain : order) {
             if (lastChange_ <= searched_[chain]) continue; // its cluster need not be grown to know that
             std::vector<ChainId> chains = links_.cluster(chain, size_, weights);
-            const bool stale =
-                std::ranges::any_of(chains, [&](ChainId c) { return changed_[c] > searched_[chain]; });
-            if (stale) windows.push_back({chain, std::move(chains), {}, false});
+            std::ranges::sort(chains);
+            std::size_t& together = searchedTogether_.timeOf(chains); // many grow to the same window
+            const std::size_t last = std::max(searched_[chain], together);
+            if (std::ranges::any_of(chains, [&](ChainId c) { return changed_[c] > last; })) {
+                together = clock_ + 1; // when the batch will have been searched
+                windows.push_back({chain, std::move(chains), {}, false});
+            }
             if (windows.size() == Tuning::batch) searchBatch(windows);
             if (isOver()) return false;
         }
@@ -170,6 +176,10 @@ private:
                             input_.open, input_.walkers, input_.cornerCost, std::move(lines)});
     }
 
+    void setSearched(const Window& window, std::size_t time) {
+        searched_[window.chain] = searchedTogether_.timeOf(window.chains) = time;
+    }
+
     void search(Window& window) const {
         const Problem problem = problemOf(window);
         OptimumOptions options;
@@ -201,11 +211,12 @@ private:
             const Assignment before = assignmentOf(problem, result_.present);
             change();
             if (!improves(problem, before, result_.present)) {
-                searched_[window.chain] = 0; // it may have others now
+                setSearched(window, 0); // it may have others now
                 return change();
             }
         }
         ++clock_;
+        if (first && window.complete) setSearched(window, clock_); // nothing better until others change
         for (const ChainId chain : window.chains) {
             bool same = true;
             forEachArc(chain, [&](ArcId arc) { same = same && !changes.contains(arc); });
@@ -225,6 +236,7 @@ private:
     ChainLinks links_;
     IdVector<ChainId, std::size_t> changed_;  ///< last time at which a chain or one that crosses it changed
     IdVector<ChainId, std::size_t> searched_; ///< last time at which the window around a chain was searched
+    SearchedWindows searchedTogether_;        ///< the same for the chains of a window
     std::size_t lastChange_ = 1;              ///< of any chain
     std::size_t clock_ = 1;
     std::size_t nodes_;

@@ -1,0 +1,73 @@
+// That a search by windows repeats none; what windows achieve is tested in tests/property.
+#include "enumerate/paper/plain_graph.h"
+#include "enumerate/sub_mesh/search_space.h"
+#include "enumerate/window/chain_links.h"
+#include "enumerate/window/window_search.h"
+#include "layout/tracks.h"
+#include "shape/shape.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <set>
+#include <vector>
+
+namespace qm::testing {
+namespace {
+
+/// A mesh with random costs, and its plain graph.
+struct Sample {
+    QuadMesh mesh;
+    BaseComplex complex;
+    std::vector<double> costs;
+    SearchSpace space;
+    std::vector<bool> plain;
+
+    explicit Sample(unsigned seed)
+        : mesh(makeShape("random", {1, 0, seed, 80})), complex(buildBaseComplex(mesh)),
+          costs(drawCosts(seed)), space(makeSearchSpace(mesh, complex, costs, {}, {})),
+          plain(presentArcs(mesh, complex, space.graph, plainMotorcycleGraph(mesh, complex, costs).tracks)) {}
+
+    [[nodiscard]] std::vector<double> drawCosts(unsigned seed) const {
+        std::mt19937 random(seed);
+        std::uniform_real_distribution<double> cost(-1, 1);
+        std::vector<double> drawn(mesh.n_edges());
+        std::ranges::generate(drawn, [&] { return cost(random); });
+        return drawn;
+    }
+
+    [[nodiscard]] ProblemInput input() const { return {space.graph, space.arcCosts, {}, {}, {}, {}}; }
+};
+
+/// The largest windows that the chains of a problem grow to, each once.
+std::set<std::vector<ChainId>> largestWindows(const Problem& problem) {
+    const ChainLinks links(problem);
+    const IdVector<ChainId, double> weights(problem.chains.size(), 1);
+    std::set<std::vector<ChainId>> windows;
+    for (const ChainId chain : problem.chains.ids()) {
+        std::vector<ChainId> chains = links.cluster(chain, problem.domains.size(), weights);
+        std::ranges::sort(chains);
+        windows.insert(chains);
+    }
+    return windows;
+}
+
+TEST(WindowSearch, SearchesAWindowOnceHoweverManyChainsGrowToIt) {
+    for (unsigned seed = 0; seed < 10; ++seed) {
+        const Sample sample(seed);
+        const ProblemInput input = sample.input();
+        const Problem problem = makeProblem(input);
+        WindowOptions options;
+        options.minVariables = problem.domains.size();
+        const WindowResult result = improveByWindows(input, sample.plain, options);
+        // Those that change together with others may have to be searched again.
+        const std::size_t atMost = largestWindows(problem).size() + result.improvements;
+        ASSERT_LT(atMost, problem.chains.size());
+        EXPECT_LE(result.windows, atMost) << "seed " << seed;
+        EXPECT_GT(result.improvements, 0U);
+    }
+}
+
+} // namespace
+} // namespace qm::testing
