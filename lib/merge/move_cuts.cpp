@@ -12,6 +12,9 @@ constexpr double variablesPerBit = 6;
 /// Limits: each window takes a fraction of a second, and all take a few seconds.
 constexpr double maxVariables = 1000;
 constexpr std::size_t maxWindows = 2000;
+/// Nearly all models need a fiftieth of this work, which takes a few seconds. Where the relaxation is weak,
+/// trees of 50 nodes alone would take as many minutes.
+constexpr std::size_t maxWork = 200'000'000;
 
 } // namespace
 
@@ -22,6 +25,8 @@ WindowResult moveCuts(const SearchSpace& space, const std::vector<bool>& present
     options.minVariables = options.maxVariables =
         static_cast<std::size_t>(std::clamp(variablesPerBit * complexity, 1.0, maxVariables));
     options.maxWindows = maxWindows;
+    options.work = maxWork / 10;
+    options.maxWork = maxWork;
     return improveByWindows(wholeInput(space), present, options, control);
 }
 

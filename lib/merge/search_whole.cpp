@@ -16,6 +16,10 @@ struct Tuning {
     static constexpr std::size_t maxVariables = 10000;
     /// Limit of the search tree of each part: most parts need a few dozen nodes, others many thousands.
     static constexpr std::size_t nodes = 100;
+    /// Limit of the simplex method's work, twice what all but few models need: about a quarter of a minute.
+    /// Where the relaxation is weak, a hundred nodes would take five times as long, for a graph that is no
+    /// cheaper.
+    static constexpr std::size_t work = 400'000'000;
 };
 
 } // namespace
@@ -27,6 +31,7 @@ std::optional<WholeSearch> searchWhole(const SearchSpace& space, const std::vect
     OptimumOptions options;
     options.start = assignmentOf(problem, present);
     options.nodes = Tuning::nodes;
+    options.work = Tuning::work;
     if (problem.arcs.size() > Tuning::rootOnly) {
         constexpr auto never = std::numeric_limits<std::size_t>::max();
         options.nodes = 1;

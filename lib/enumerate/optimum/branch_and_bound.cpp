@@ -69,7 +69,7 @@ void BranchAndBound::search() {
         const SearchTree::OpenNode next = tree_.next();
         if (next.bound >= part_.incumbents.cutoff() - (part_.options.best == 1 ? part_.options.gap : 0))
             break;
-        if (part_.control.stopRequested() || tree_.size() > part_.options.nodes) {
+        if (part_.isOver() || tree_.size() > part_.options.nodes) {
             complete_ = false;
             break;
         }
@@ -95,7 +95,7 @@ void BranchAndBound::plunge(SearchTree::NodeId node, double bound) {
         const bool isRoot = tree_.isRoot(node);
         const RelaxedNode relaxed = relaxNode(part_, bound);
         if (relaxed == RelaxedNode::cut) return;
-        if (part_.control.stopRequested()) {
+        if (part_.isOver()) {
             tree_.open(node, bound);
             return;
         }

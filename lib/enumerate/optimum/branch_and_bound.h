@@ -46,6 +46,7 @@ public:
     [[nodiscard]] double lowerBound() const { return lowerBound_; }
     [[nodiscard]] bool complete() const { return complete_; }
     [[nodiscard]] std::size_t nodes() const { return nodes_; }
+    [[nodiscard]] std::size_t work() const { return part_.work(); }
     /// After a search that is not complete: what is left to decide at the root, relaxed, or what is known of
     /// that by gradients. The bound may grow, and the search be complete after all.
     [[nodiscard]] std::optional<RelaxedProgram> relaxedRoot();

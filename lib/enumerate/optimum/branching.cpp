@@ -45,7 +45,7 @@ BranchingChoice Branching::choose(double bound) {
         BranchingChoice choice{decisionOf(column), bound, bound};
         double score = -negativeScore;
         if (pseudoCosts_.trust(column) < Tuning::probesToTrust && probes < Tuning::probesPerNode &&
-            !part_.control.stopRequested()) {
+            !part_.isOver()) {
             ++probes;
             choice = probe(column, values[column], bound, score);
             part_.relaxation.setBasis(basis);

@@ -74,9 +74,14 @@ bool searchRest(PartSearch& part, bool keepBest) {
     for (const std::vector<VariableId>& piece : independentParts(part.state, rest)) {
         Assignment found;
         {
-            BranchAndBound search(part.state, piece, {1, infinity, 0, Tuning::nodes, never}, part.control);
+            PartOptions options;
+            options.nodes = Tuning::nodes;
+            options.work = part.options.work - std::min(part.work(), part.options.work);
+            options.hard = never;
+            BranchAndBound search(part.state, piece, options, part.control);
             if (keepBest) search.offer(part.incumbents.graphs().begin()->second);
             search.run();
+            part.workElsewhere += search.work();
             if (search.incumbents().empty()) return false;
             found = search.incumbents().graphs().begin()->second;
         }
@@ -91,7 +96,7 @@ bool searchRest(PartSearch& part, bool keepBest) {
 } // namespace
 
 void dive(PartSearch& part) {
-    while (!part.control.stopRequested() && fixSurest(part)) {
+    while (!part.isOver() && fixSurest(part)) {
         if (part.relaxation.solve(part.columns, part.incumbents.cutoff(), Tuning::iterations).kind !=
             Relaxation::Result::Kind::solved)
             return;
@@ -101,7 +106,7 @@ void dive(PartSearch& part) {
 }
 
 void diveToRest(PartSearch& part) {
-    while (!part.control.stopRequested()) {
+    while (!part.isOver()) {
         const ColumnState::Mark mark = part.columns.mark();
         const bool found = takeOverAll(part, false) <= Tuning::smallRest && searchRest(part, false);
         if (found) part.recordLeaf();

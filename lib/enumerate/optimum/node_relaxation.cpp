@@ -43,7 +43,7 @@ RelaxedNode relaxNode(PartSearch& part, double& bound) {
             result =
                 part.relaxation.solve(part.columns, part.incumbents.cutoff(), TreeTuning::iterationsPerSlice);
             bound = std::max(bound, result.proven);
-            if (result.kind != Relaxation::Result::Kind::unfinished || part.control.stopRequested()) break;
+            if (result.kind != Relaxation::Result::Kind::unfinished || part.isOver()) break;
         }
         if (result.kind == Relaxation::Result::Kind::tooExpensive) return RelaxedNode::cut;
         if (result.kind == Relaxation::Result::Kind::unfinished) return RelaxedNode::unfinished;

@@ -55,7 +55,11 @@ public:
     void run() {
         bool found = true;
         for (const Part& part : parts_)
+            variablesLeft_ += part.size();
+        for (const Part& part : parts_) {
             found = searchPart(part) && found;
+            variablesLeft_ -= part.size();
+        }
         if (found && costOf(state_.problem(), graph_) <= options_.maxCost + Incumbents::tolerance)
             result_.graphs.push_back(std::move(graph_));
     }
@@ -100,6 +104,9 @@ private:
         PartOptions options = options_;
         options.best = 1;
         options.maxCost = infinity; // that of the whole graph counts
+        // What smaller parts have left over, later ones get.
+        const std::size_t left = options.work - std::min(result_.work, options.work);
+        options.work = left / variablesLeft_ * part.size();
         options.gap /= static_cast<double>(parts_.size());
         if (!options_.start) options.large = never;
         if (part.size() >= options.large)
@@ -133,6 +140,7 @@ private:
             if (auto root = search.relaxedRoot())
                 result_.openParts.push_back({std::move(*root), search.lowerBound()});
         result_.nodes += search.nodes();
+        result_.work += search.work();
         result_.lowerBound += search.lowerBound();
         for (std::size_t k = 0; k < search.rootPresence().size() && options_.start; ++k)
             result_.relaxed[part[k]] = search.rootPresence()[k];
@@ -145,6 +153,7 @@ private:
     OptimumResult& result_;
     Assignment graph_;
     std::vector<Part> parts_;
+    std::size_t variablesLeft_ = 0; ///< of the parts that have not been searched
     DiagramOptimum diagramOptimum_;
 };
 
@@ -162,6 +171,7 @@ void searchTogether(SearchState& state, const OptimumOptions& options, const Con
     if (options.start) search.offer(*options.start);
     search.run();
     result.nodes = search.nodes();
+    result.work = search.work();
     result.lowerBound += search.lowerBound();
     result.complete = search.complete();
     for (const auto& [cost, graph] : search.incumbents().graphs())
@@ -190,7 +200,7 @@ bool rank(const Diagram& diagram, const OptimumOptions& options, const Control& 
 
 OptimumResult findOptimum(const Problem& problem, const OptimumOptions& options, const Control& control) {
     SearchState state(problem);
-    if (!state.consistent()) return {{}, infinity, true, 0, {}, {}};
+    if (!state.consistent()) return {{}, infinity, true, 0, 0, {}, {}};
     OptimumResult result;
     result.lowerBound = fixedCost(state);
     if (state.freeVariables() == 0 || options.best == 1)

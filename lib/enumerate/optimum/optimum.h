@@ -38,6 +38,7 @@ struct OptimumResult {
     double lowerBound = 0;          ///< no graph is cheaper; infinity if there is no graph
     bool complete = true;           ///< all graphs asked for are found and proven
     std::size_t nodes = 0;          ///< of all search trees
+    std::size_t work = 0;           ///< of the simplex method, see `Relaxation::work`
     /// The relaxed value of every variable at the root of the search, or its value in `start` if its root was
     /// not solved; empty without a start.
     IdVector<VariableId, double> relaxed;

@@ -14,6 +14,9 @@ struct PartOptions {
     double gap = 0; ///< stop when cost less lower bound is at most this
     /// Limit of the search tree of each part; the default is what fits into memory.
     std::size_t nodes = 20'000'000;
+    /// Limit of the simplex method's work in all parts together, see `Relaxation::work`. Of what is left,
+    /// every part gets a share by its size.
+    std::size_t work = std::numeric_limits<std::size_t>::max();
     /// From this number of variables on a part is hard, and smaller searches look for early graphs.
     std::size_t hard = 1500;
     /// From this number of variables on, cuts are added to the relaxation; smaller parts are proven as fast

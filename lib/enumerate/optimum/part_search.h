@@ -23,6 +23,10 @@ struct PartSearch {
     /// The value of a variable in the last relaxed solution.
     [[nodiscard]] double present(VariableId variable) const;
     [[nodiscard]] bool allDecided() const;
+    /// The simplex method's work so far, that of searches within this one included.
+    [[nodiscard]] std::size_t work() const { return workElsewhere + relaxation.work(); }
+    /// Whether to end with what is known: the limit of work is reached, or the caller asks for it.
+    [[nodiscard]] bool isOver() const { return work() >= options.work || control.stopRequested(); }
     /// Offers the current state, in which every variable is decided, as a graph.
     void recordLeaf();
 
@@ -35,6 +39,7 @@ struct PartSearch {
     Formulation formulation;
     ColumnState columns;
     Relaxation relaxation;
+    std::size_t workElsewhere = 0; ///< of relaxations before this one, and of searches within this one
 };
 
 } // namespace qm

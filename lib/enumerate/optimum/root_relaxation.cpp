@@ -43,6 +43,7 @@ bool RootRelaxation::tighten() {
     if (!fixByReducedCosts(part_.columns, values_, reducedCosts_, cutoff_ - bound_)) return false;
     state_ = part_.columns.mark();
     if (part_.relaxation.fixedShare(part_.columns) > TreeTuning::fixedShareToRebuild) {
+        part_.workElsewhere += part_.relaxation.work();
         part_.relaxation = Relaxation(part_.formulation, part_.columns, part_.control);
         basis_ = {};
     }

@@ -95,6 +95,7 @@ Relaxation::Result Relaxation::solve(const ColumnState& state, double cutoff, in
         solver_->dual();
         if (solver_->status() == failed) solver_->primal();
         iterations -= solver_->numberIterations();
+        work_ += at(solver_->numberIterations()) * at(solver_->numberRows() + solver_->numberColumns());
         if (solver_->status() == 1) return {Result::Kind::tooExpensive};
         result.bound = solver_->objectiveValue() + fixedCost_;
         if (solver_->status() != 0) return result;

@@ -78,10 +78,12 @@ private:
         std::vector<ChainId> chains;  ///< ascending
         std::vector<ArcValue> values; ///< new values of its arcs; empty unless a cheaper graph was found
         bool complete = false;        ///< whether the search ended with a proof
+        std::size_t work = 0;         ///< of the search
     };
 
     [[nodiscard]] bool isOver() const {
-        return result_.windows >= options_.maxWindows || control_.stopRequested();
+        return result_.windows >= options_.maxWindows || work_ >= options_.maxWork ||
+               control_.stopRequested();
     }
 
     /// Searches windows of one size until none helps, then of twice the size, and so on.
@@ -133,7 +135,7 @@ private:
             const std::size_t last = std::max(searched_[chain], together);
             if (std::ranges::any_of(chains, [&](ChainId c) { return changed_[c] > last; })) {
                 together = clock_ + 1; // when the batch will have been searched
-                windows.push_back({chain, std::move(chains), {}, false});
+                windows.push_back({chain, std::move(chains), {}, false, 0});
             }
             if (windows.size() == Tuning::batch) searchBatch(windows);
             if (isOver()) return false;
@@ -148,6 +150,7 @@ private:
         const std::size_t before = result_.improvements;
         for (Window& window : windows) {
             ++result_.windows;
+            work_ += window.work;
             if (!window.complete && !hard_) hard_ = size_;
             searched_[window.chain] = time;
             if (!window.values.empty()) accept(window, result_.improvements == before);
@@ -185,8 +188,10 @@ private:
         OptimumOptions options;
         options.start = assignmentOf(problem, result_.present);
         options.nodes = nodes_;
+        options.work = options_.work;
         const OptimumResult found = findOptimum(problem, options, control_);
         window.complete = found.complete;
+        window.work = found.work;
         if (found.graphs.empty() ||
             costOf(problem, found.graphs.front()) >= costOf(problem, *options.start) - Incumbents::tolerance)
             return;
@@ -240,6 +245,7 @@ private:
     std::size_t lastChange_ = 1;              ///< of any chain
     std::size_t clock_ = 1;
     std::size_t nodes_;
+    std::size_t work_ = 0;            ///< of all windows so far
     std::size_t size_ = 0;            ///< of the windows being searched
     std::optional<std::size_t> hard_; ///< the first window size at which a search ended without a proof
     WindowResult result_;

@@ -20,6 +20,11 @@ struct WindowOptions {
     std::size_t maxVariables = std::numeric_limits<std::size_t>::max();
     /// Largest number of windows to search in total.
     std::size_t maxWindows = std::numeric_limits<std::size_t>::max();
+    /// Limit of the simplex method's work in all windows, see `Relaxation::work`; the last ones may exceed
+    /// it.
+    std::size_t maxWork = std::numeric_limits<std::size_t>::max();
+    /// The same of a single window.
+    std::size_t work = std::numeric_limits<std::size_t>::max();
     std::size_t nodes = 50;      ///< limit of the search tree of one window, at first
     bool patient = false;        ///< start again with larger search trees when no window helps any more
     std::vector<double> relaxed; ///< value of every arc in the relaxed solution; empty if unknown
