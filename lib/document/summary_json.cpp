@@ -13,6 +13,7 @@ Json fitToJson(const FitSummary& fit) {
     json["tolerance"] = fit.smooth ? Json(fit.tolerance) : Json();
     json["deviation"] = deviation.max;
     json["deviationRelative"] = deviation.maxRelative;
+    json["maxFromFacets"] = deviation.maxFromFacets;
     json["farthest"] = placeToJson(fit.farthest.place, fit.farthest.point);
     json["scan"] = Json();
     if (const auto& scan = fit.scan)

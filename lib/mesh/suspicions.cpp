@@ -2,6 +2,7 @@
 
 #include "mesh/quad_geometry.h"
 #include "mesh/topology.h"
+#include "mesh/turned_over.h"
 
 #include <algorithm>
 #include <functional>
@@ -57,6 +58,10 @@ std::vector<std::string> suspicions(const QuadMesh& mesh) {
         result.push_back(of(flat.size(), mesh.n_faces(), "quads") + (flat.size() == 1 ? "has" : "have") +
                          " no area, the first is face " + std::to_string(flat.front()) +
                          ". Edges there count as flat; --repair takes out what has two corners at one place");
+    if (const std::vector<FaceId> turned = turnedOverQuads(mesh); !turned.empty())
+        result.push_back(of(turned.size(), mesh.n_faces(), "quads") + (turned.size() == 1 ? "lies" : "lie") +
+                         " upside down on others, the first is face " + std::to_string(turned.front().idx()) +
+                         ". The mesh is folded there: move the vertices");
     if (const std::size_t pieces = pieceCount(mesh); pieces > 10)
         result.push_back("the mesh has " + std::to_string(pieces) + " components. Should they be joined?");
     if (const std::size_t extraordinary = extraordinaryVertices(mesh).size();

@@ -45,7 +45,12 @@ std::string deviationLines(const FitSummary& fit, double diagonal, const std::st
     if (fit.smooth)
         text += ", " + figureText(100 * fit.deviation.max / fit.tolerance) + "% of the tolerance, " +
                 figureText(fit.tolerance) + " " + unit;
-    return line("deviation", text) + line("  largest", placeText(fit.farthest, diagonal));
+    text = line("deviation", text) + line("  largest", placeText(fit.farthest, diagonal));
+    // Of fine meshes it is about the same; between the vertices of coarse ones, a smooth surface bulges.
+    if (fit.smooth && !fit.scan && fit.deviation.maxFromFacets > fit.tolerance)
+        text += line("  facets", "up to " + figureText(fit.deviation.maxFromFacets) + " " + unit +
+                                     " from the mesh's quads themselves");
+    return text;
 }
 
 /// How much of the mesh the scan shows is never rounded to all of it.

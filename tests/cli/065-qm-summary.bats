@@ -11,6 +11,7 @@ figures() { run --separate-stderr qm-summary --json "$@"; }
     assert_success
     for pair in .quads=.mesh.faces .vertices=.mesh.vertices '.patches=(.layout.segments | length)' \
         .surfaces.deviation=.surfaces.deviation.max .surfaces.gap=.surfaces.deviation.largestGap \
+        .surfaces.maxFromFacets=.surfaces.deviation.maxFromFacets .surfaces.folds=.surfaces.deviation.folds \
         .surfaces.largestNormalAngle=.surfaces.deviation.largestNormalAngle \
         .surfaces.percentile95NormalAngle=.surfaces.deviation.percentile95NormalAngle \
         .surfaces.farthest=.surfaces.farthest; do

@@ -231,6 +231,31 @@ TEST(Warnings, AboutQuadsWithoutArea) {
                      "1 of 1 quads has no area"));
 }
 
+/// Three by three quads in a plane, of which two vertices have changed places.
+std::string plateObj(int one, int other) {
+    std::string text;
+    for (int k = 0; k < 16; ++k) {
+        const int at = k == one ? other : k == other ? one : k;
+        text += "v " + std::to_string(at % 4) + " " + std::to_string(at / 4) + " 0\n";
+    }
+    for (int j = 0; j < 3; ++j)
+        for (int i = 1 + 4 * j; i < 4 + 4 * j; ++i)
+            text += "f " + std::to_string(i) + " " + std::to_string(i + 1) + " " + std::to_string(i + 5) +
+                    " " + std::to_string(i + 4) + "\n";
+    return text;
+}
+
+TEST(Warnings, AboutQuadsThatLieUpsideDown) {
+    EXPECT_TRUE(says(onlyOne(warningsOf(plateObj(5, 10))),
+                     "1 of 9 quads lies upside down on others, the first "
+                     "is face 4"));
+    EXPECT_EQ(warningsOf(plateObj(5, 5)), std::vector<std::string>());
+    // A sheet that is folded in the middle has two sides.
+    EXPECT_EQ(warningsOf("v 0 0 0\nv 1 0 0\nv 0 0 0.1\nv 0 1 0\nv 1 1 0\nv 0 1 0.1\n"
+                         "f 1 2 5 4\nf 2 3 6 5\n"),
+              std::vector<std::string>());
+}
+
 TEST(Warnings, AboutManyComponents) {
     std::string text;
     for (int k = 0; k < 11; ++k)

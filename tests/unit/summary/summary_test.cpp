@@ -99,10 +99,23 @@ TEST(Summary, WhatInterpolatesPromisesNothing) {
     EXPECT_TRUE(unmetLimits(summary, {}, "mm").empty());
 }
 
+TEST(Summary, TheDistanceFromFacetsIsToldWhereItIsMoreThanTheTolerance) {
+    Summary summary = good();
+    summary.fit->deviation.maxFromFacets = 0.1;
+    EXPECT_EQ(summaryText(summary, "part.obj", "mm", {}).find("facets"), std::string::npos);
+    summary.fit->deviation.maxFromFacets = 0.123456;
+    const std::string text = summaryText(summary, "part.obj", "mm", {});
+    EXPECT_NE(text.find("\n  facets    up to 0.123 mm from the mesh's quads themselves\n"), std::string::npos)
+        << text;
+    summary.fit->scan.emplace();
+    EXPECT_EQ(summaryText(summary, "part.obj", "mm", {}).find("facets"), std::string::npos);
+}
+
 TEST(Summary, TextFitsATerminal) {
     Summary summary = good();
     summary.loops.assign(9, {VertexId(0), 4, 123.456});
     summary.fit->deviation.folds = 3;
+    summary.fit->deviation.maxFromFacets = 123456.7;
     summary.fit->bridged = {12345.6, 7890};
     const std::string text = summaryText(summary, "part.obj", "inch", 12345.6);
     std::size_t lines = 0;
