@@ -32,6 +32,8 @@ int main(int argc, char** argv) {
                                                     qm::sharpAngle(stage->document().root));
                 section["merge"] = qm::mergeFigures(merged);
                 stage->write(options, std::move(section));
+                if (merged.endedEarly)
+                    tool.warnOfInput("a limit ended the search; there may be cheaper layouts");
                 return qm::exitDone;
             };
         });

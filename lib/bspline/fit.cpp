@@ -1,5 +1,6 @@
 #include "bspline/fit.h"
 
+#include "base/deadline.h"
 #include "base/error.h"
 #include "base/infinity.h"
 #include "base/number_text.h"
@@ -131,6 +132,9 @@ void addMeasurement(const Measurement& measurement, Surfaces& surfaces) {
 Surfaces fitSurfaces(const QuadMesh& mesh, const Layout& layout, const std::vector<double>& dihedralAngles,
                      const FitOptions& options, const TriangleSurface* scan, const Control& control) {
     requireValid(options);
+    const Deadline end(control, options.timeLimit);
+    Control limited = end.control();
+    limited.progress = control.progress;
     const bool isSmoothFit = options.fit == Fit::smooth;
     const FitReference reference = fitReference(
         mesh, layout, dihedralAngles, {.rho = options.rho, .improves = isSmoothFit}, scan, control.jobs);
@@ -139,8 +143,9 @@ Surfaces fitSurfaces(const QuadMesh& mesh, const Layout& layout, const std::vect
     const double diagonal = boundingBox(mesh).diagonal();
     const double allowed = options.tolerance.length(diagonal) + noiseLeft * target.noise;
     Surfaces surfaces;
-    surfaces.patches = isSmoothFit ? smoothPatches(mesh, layout, reference, allowed, control)
+    surfaces.patches = isSmoothFit ? smoothPatches(mesh, layout, reference, allowed, limited)
                                    : interpolateSegments(mesh, layout, control.jobs);
+    surfaces.endedEarly = isSmoothFit && end.isOver();
     surfaces.creases = creasePaths(mesh, marks);
     std::vector<bool> isSmooth = marks.isCrease;
     isSmooth.flip();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/control.h"
+#include "base/infinity.h"
 #include "base/length.h"
 #include "bspline/reference/scan/triangle_surface.h"
 #include "bspline/splines/surfaces.h"
@@ -24,6 +25,8 @@ struct FitOptions {
     Length tolerance{0.1, true};
     /// A border edge is smooth if its dihedral angle is at most this, in radians.
     double rho = defaultRho;
+    /// Seconds for Fit::smooth, which ends then as if `control.stopRequested`; what is measured comes on top.
+    double timeLimit = infinity;
 };
 
 /// One patch for every segment, and how far they are from the reference and from the mesh. The reference is

@@ -1,5 +1,6 @@
 #include "merge/merge.h"
 
+#include "base/deadline.h"
 #include "base/error.h"
 #include "enumerate/paper/plain_graph.h"
 #include "enumerate/state/incumbents.h"
@@ -65,6 +66,10 @@ std::optional<double> searchAcrossCut(const SearchSpace& space, double complexit
     return whole ? std::optional(whole->lowerBound) : std::nullopt;
 }
 
+bool isProven(const MergeResult& result) {
+    return result.lowerBound && result.graph.cost <= *result.lowerBound + Incumbents::tolerance;
+}
+
 } // namespace
 
 MergeResult mergeGraphs(const QuadMesh& mesh, const BaseComplex& complex,
@@ -73,11 +78,16 @@ MergeResult mergeGraphs(const QuadMesh& mesh, const BaseComplex& complex,
                         double complexityLimit, const MergeOptions& options, const Control& control,
                         const KnownCost& tell) {
     if (enumeration.graphClass == GraphClass::tmesh) return wholeGraph(enumeration);
+    const Deadline end(control, options.timeLimit);
+    Control limited = end.control();
+    limited.progress = control.progress;
     const std::vector<double> costs = edgeCosts(mesh, dihedralAngles, enumeration.cost, constraints);
     const SearchSpace space =
         makeSearchSpace(mesh, complex, costs, subMeshes, constraints, cornerCost(enumeration.cost.terms));
+    // What ends early is extended without regard to the constraints.
+    const bool mayEnd = constraints.required.empty() && constraints.forbidden.empty();
     auto [present, result] = generateGraph(mesh, complex, space, enumeration, subMeshes, complexityLimit,
-                                           options.maxRounds, control);
+                                           options.maxRounds, mayEnd ? limited : control);
     if (subMeshes.count > 1) result.plain = takePlainIfCheaper(mesh, complex, costs, space, present);
     // Free particles are extended straight on without regard to the constraints.
     if (!obeys(space, present))
@@ -87,17 +97,17 @@ MergeResult mergeGraphs(const QuadMesh& mesh, const BaseComplex& complex,
     // If segments have a cost, the bound includes it and is no bound of G_T, which sums over edges only.
     const bool bounds = enumeration.cost.terms.segments == 0;
     if (subMeshes.count > 1) {
-        const auto lowerBound = searchAcrossCut(space, complexityLimit, control, present, result);
+        const auto lowerBound = searchAcrossCut(space, complexityLimit, limited, present, result);
         if (bounds) result.lowerBound = lowerBound;
     }
     result.graph = graphOf(mesh, complex, space.graph, present, costs);
     result.costBefore = result.graph.cost;
     if (result.lowerBound) result.lowerBound = boundBelow(*result.lowerBound, result.graph.cost);
     if (subMeshes.count == 1 && bounds) result.lowerBound = enumeration.subMeshes.front().lowerBound;
-    const bool proven = result.lowerBound && result.graph.cost <= *result.lowerBound + Incumbents::tolerance;
-    if (options.improve > 0 && !proven) {
-        Improvement better = improveGraph(mesh, complex, costs, cornerCost(enumeration.cost.terms),
-                                          constraints, result.graph, options.improve, control, tell);
+    if (options.improve > 0 && !isProven(result)) {
+        Improvement better =
+            improveGraph(mesh, complex, costs, cornerCost(enumeration.cost.terms), constraints, result.graph,
+                         std::min(options.improve, end.secondsLeft()), control, tell);
         result.graph = std::move(better.graph);
         if (bounds)
             result.lowerBound =
@@ -106,6 +116,7 @@ MergeResult mergeGraphs(const QuadMesh& mesh, const BaseComplex& complex,
         result.windows += better.windows;
         result.improvements += better.improvements;
     }
+    result.endedEarly = (subMeshes.count > 1 || options.improve > 0) && end.isOver() && !isProven(result);
     control.progress(1);
     return result;
 }

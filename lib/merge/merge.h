@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/control.h"
+#include "base/infinity.h"
 #include "enumerate/enumerate.h"
 
 namespace qm {
@@ -10,6 +11,9 @@ namespace qm {
 struct MergeOptions {
     int maxRounds = 100; ///< rounds of the complete generator before free particles are extended straight on
     double improve = 0;  ///< seconds for improving the complete graph
+    /// Seconds for all searches together, the improvement included. With constraints, the generators end
+    /// first.
+    double timeLimit = infinity;
 };
 
 struct MergeResult {
@@ -24,6 +28,7 @@ struct MergeResult {
     double costBefore = 0;            ///< of the complete graph, before it was improved
     std::size_t windows = 0;          ///< searched to improve it
     std::size_t improvements = 0;     ///< windows that made it cheaper
+    bool endedEarly = false;          ///< whether the time limit ended a search
 };
 
 /// Runs PMG, then CMG until no particle is free, then searches across the cut, then improves the graph if

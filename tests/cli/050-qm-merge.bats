@@ -123,6 +123,19 @@ hard() {
     done
 }
 
+@test "a limit of time ends all searches with a valid graph, a warning and status 0" {
+    input=$(hard)
+    for options in '' '--improve 600'; do
+        # shellcheck disable=SC2086  # a list of words
+        run -0 --separate-stderr qm-merge --time-limit 0 $options "$input" -o out.json
+        assert_equal "$stderr" "qm-merge: $input: a limit ended the search; there may be cheaper layouts"
+        is '.layout.merge.windows == 0'
+        quietly qm-check out.json
+    done
+    # Where it ends nothing, nothing is said.
+    quietly qm-merge --time-limit 0 "$(stage enumeration cube)" -o out.json
+}
+
 @test "what is known is said every few seconds" {
     input=$(hard)
     run -0 --separate-stderr qm-merge --improve 8 "$input" -o out.json

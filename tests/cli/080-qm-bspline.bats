@@ -95,6 +95,15 @@ is() { assert_equal "$(field "$1" out.json)" true; }
     done
 }
 
+@test "a limit of time ends the fit with the best so far, which is told" {
+    run -3 --separate-stderr qm-bspline --tolerance 1e-5 --time-limit 0 "$(stage pruned genus3)" -o out.json
+    assert_regex "${stderr_lines[0]}" '^qm-bspline: .*: a limit ended the fit; with more time it may be closer$'
+    assert_regex "$stderr" 'the tolerance is missed'
+    quietly qm-check out.json
+    quietly qm-bspline --time-limit 1e6 "$(stage pruned cube)" -o out.json
+    misused qm-bspline --fit interpolate --time-limit 1 "$(stage pruned cube)"
+}
+
 @test "a tolerance that cannot be kept is told with its place, and the exit status" {
     run -3 --separate-stderr qm-bspline --tolerance 1e-12 "$(stage pruned bracket)" -o out.json
     assert_regex "$stderr" 'tolerance is missed in patch [0-9]+ at u = .*times as far'

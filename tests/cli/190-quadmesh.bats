@@ -260,7 +260,9 @@ fails_with() {
     done
     # A limit of time holds for every search.
     quadmesh part.obj --prune.method optimum --time-limit 7 --tolerance 5% -o part.json
-    jq -e '.history[] | select(.tool == "qm-prune").options.timeLimit | . > 0 and . <= 7' part.json
+    jq -e '[.history[] | select(.tool | IN("qm-enum", "qm-merge", "qm-prune", "qm-bspline")).options.timeLimit]
+        | length == 4 and all(. > 0 and . <= 7)' part.json
+    quietly quadmesh part.obj --bspline.fit interpolate --time-limit 100
 }
 
 @test "signs that no option has, and lines within a value, are told" {

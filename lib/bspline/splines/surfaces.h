@@ -85,6 +85,7 @@ struct Surfaces {
     LayoutPlace farthest;            ///< where the largest distance from the reference was found
     std::vector<LayoutPlace> folds;  ///< a place in every piece that may fold, by patch
     std::optional<ScanFigures> scan; ///< if the reference is one
+    bool endedEarly = false;         ///< whether a time limit ended the fit; not part of documents
 };
 
 /// All patches' control points together.

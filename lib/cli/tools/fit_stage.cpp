@@ -1,5 +1,6 @@
 #include "cli/tools/fit_stage.h"
 
+#include "base/deadline.h"
 #include "base/or_null.h"
 #include "bspline/ranking.h"
 #include "cli/tools/scan_input.h"
@@ -34,17 +35,23 @@ Candidate fitted(Stage& stage, const Model& model, const FitOptions& options, co
     return candidate;
 }
 
-/// Fits and ranks all layouts, or those until an interrupt, best first; all but the best keep only their
-/// figures.
+/// Fits and ranks all layouts, or those until an interrupt or the limit of time, best first; all but the best
+/// keep only their figures.
 std::vector<Candidate> ranked(const Tool& tool, Stage& stage, const Model& first, const FitOptions& options,
                               const std::vector<std::string>& furtherFiles, const ScanInput& scan) {
+    const Control all = tool.control("fitting");
+    const Deadline end(all, options.timeLimit);
+    const auto inTime = [&end](FitOptions fit) {
+        fit.timeLimit = end.secondsLeft();
+        return fit;
+    };
     std::vector<Candidate> candidates;
-    candidates.push_back(fitted(stage, first, options, scan, tool.control("fitting")));
+    candidates.push_back(fitted(stage, first, inTime(options), scan, all));
     for (const std::string& file : furtherFiles) {
         const Control control = tool.control("fitting");
-        if (control.stopRequested()) break;
+        if (control.stopRequested() || end.isOver()) break;
         const Model& model = stage.readAnother(file, candidates.front().document);
-        candidates.push_back(fitted(stage, model, options, scan, control));
+        candidates.push_back(fitted(stage, model, inTime(options), scan, control));
         if (ranksBefore(candidates.back().layout, candidates.front().layout))
             std::swap(candidates.front(), candidates.back());
         candidates.back().document = {};
@@ -97,6 +104,7 @@ int fitAndWrite(const Tool& tool, Stage& stage, const FitOptions& options, const
     if (requests.rank) section["ranking"] = rankingToJson(candidates);
     stage.resume(std::move(best.document));
     stage.write(options, std::move(section));
+    if (surfaces.endedEarly) tool.warnOfInput("a limit ended the fit; with more time it may be closer");
     warnOfGaps(tool, surfaces);
     warnOfFolds(tool, surfaces);
     if (options.fit == Fit::smooth)

@@ -140,6 +140,8 @@ template <class Visitor> void describe(MergeOptions& options, Visitor&& option) 
     option("improve", options.improve, Range{0, infinity},
            "improve the layout for up to this many seconds, and compute a lower bound of the best layout's "
            "cost");
+    option("time-limit", options.timeLimit, Range{0, infinity},
+           "stop after this many seconds with the best result so far");
 }
 
 template <class Visitor> void describe(PruneOptions& options, Visitor&& option) {
@@ -187,10 +189,12 @@ template <class Visitor> void describe(FitOptions& options, Visitor&& option) {
     option("rho", options.rho, Range{0, std::numbers::pi},
            "borders are smooth up to this dihedral angle, in radians, and beyond it where a coarse mesh "
            "bends as much beside them");
+    option("time-limit", options.timeLimit, Range{0, infinity},
+           "with --fit smooth: stop after this many seconds with the best result so far");
 }
 
 template <class Visitor> void conditions(const FitOptions& options, Visitor&& needs) {
-    needs({"tolerance"}, "--fit smooth", [&options] { return options.fit == Fit::smooth; });
+    needs({"tolerance", "time-limit"}, "--fit smooth", [&options] { return options.fit == Fit::smooth; });
 }
 
 } // namespace qm
