@@ -54,6 +54,25 @@ fit() {
     assert_output --partial "same place and unit"
 }
 
+@test "triangles that lie the wrong way round are turned over, and count" {
+    qm-shape block --scan 20000 -o right.obj
+    awk '/^f / && n++ % 5 == 0 {print $1, $2, $4, $3; next} {print}' right.obj > turned.obj
+    fit --reference turned.obj --tolerance 0.5%
+    assert_output --partial "turned.obj: "
+    assert_output --partial "lie the wrong way round"
+    run -0 jq '.surfaces.scan.coverage > 0.99' out.json
+    assert_output true
+}
+
+@test "a scan that shows little of the part is asked about" {
+    qm-shape block --scan 20000 -o whole.obj
+    awk '/^v /{x[++n] = $2} /^f / && x[$2 + 0] > 0 {next} {print}' whole.obj > half.obj
+    fit --reference half.obj --tolerance 0.5%
+    assert_output --partial "per cent of the mesh are near the scan"
+    fit --reference whole.obj --tolerance 0.5%
+    refute_output --partial "are near the scan"
+}
+
 @test "interpolation has no reference and no tolerance to heed" {
     for option in '--reference clean.stl' '--tolerance 1%'; do
         run -2 qm-bspline part.json --fit interpolate $option -o out.json

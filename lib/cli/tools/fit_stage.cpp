@@ -107,6 +107,7 @@ int fitAndWrite(const Tool& tool, Stage& stage, const FitOptions& options, const
     if (surfaces.endedEarly) tool.warnOfInput("a limit ended the fit; with more time it may be closer");
     warnOfGaps(tool, surfaces);
     warnOfFolds(tool, surfaces);
+    warnOfCoverage(tool, surfaces);
     if (options.fit == Fit::smooth)
         warnOfBridges(tool, surfaces, allowedDistance(surfaces, options, boundingBox(first.mesh).diagonal()));
     const std::string missed = missedTolerance(surfaces, options);

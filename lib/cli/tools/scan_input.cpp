@@ -6,8 +6,27 @@
 #include "document/files/sha256.h"
 #include "document/json/utf8.h"
 #include "mesh/files/read_triangles.h"
+#include "mesh/triangles/orient_triangles.h"
+
+#include <cstddef>
 
 namespace qm {
+namespace {
+
+/// Neighbouring triangles agree in it, if they can: normals tell the sides of thin walls apart.
+TriangleSurface surfaceOf(const Tool& tool, const std::string& bytes, const std::string& path) {
+    Triangles triangles = readTriangles(bytes, path);
+    try {
+        if (const std::size_t turned = orientTriangles(triangles); turned > 0)
+            tool.warn(displayName(path) + ": " + std::to_string(turned) + " of " +
+                      std::to_string(triangles.faces.size()) +
+                      " triangles lie the wrong way round, and are turned over here");
+    } catch (const Error&) { // one-sided: they stay as they are
+    }
+    return TriangleSurface(triangles);
+}
+
+} // namespace
 
 ScanInput readScanInput(const Tool& tool, const std::string& path) {
     ScanInput input;
@@ -17,7 +36,7 @@ ScanInput readScanInput(const Tool& tool, const std::string& path) {
         requireUtf8Name(path);
         const std::string bytes = readFile(path);
         input.file = {path, sha256(bytes)};
-        input.surface.emplace(readTriangles(bytes, path));
+        input.surface = surfaceOf(tool, bytes, path);
     });
     tool.count("triangles", input.surface->size());
     return input;
@@ -38,7 +57,7 @@ std::optional<TriangleSurface> readRecordedScan(const Tool& tool, const Document
                                       {"scan", "--reference FILE", "Fit again with qm-bspline"});
         });
         tool.protect(file.path);
-        return inFile(file.path, [&] { return TriangleSurface(readTriangles(file.bytes, file.path)); });
+        return inFile(file.path, [&] { return surfaceOf(tool, file.bytes, file.path); });
     } catch (const FileError& error) {
         if (!path.empty()) throw;
         tool.warn(std::string(error.what()) +

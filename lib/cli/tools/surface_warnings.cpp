@@ -48,6 +48,16 @@ void warnOfFolds(const Tool& tool, const Surfaces& surfaces) {
               ". Look at it with qm-view, and mend the mesh there or make it finer");
 }
 
+void warnOfCoverage(const Tool& tool, const Surfaces& surfaces) {
+    constexpr double usual = 0.75;
+    if (!surfaces.scan || surfaces.scan->coverage >= usual) return;
+    const int percent = static_cast<int>(100 * surfaces.scan->coverage);
+    tool.warn("only " + std::to_string(percent) +
+              " per cent of the mesh are near the scan; elsewhere the surfaces follow the quads. Is it a "
+              "scan of the "
+              "same part, in the same place and unit?");
+}
+
 void warnOfBridges(const Tool& tool, const Surfaces& surfaces, double allowed) {
     if (const auto bridged = bridgedVertex(surfaces, allowed))
         tool.warn("folded quads are bridged: a vertex is " + figureText(bridged->distance) +
