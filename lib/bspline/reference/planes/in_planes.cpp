@@ -235,7 +235,7 @@ private:
 
 void layInPlanes(MeshLattice& lattice, const PlaneCorners& corners, const std::vector<bool>& isCrease,
                  unsigned jobs) {
-    LyingInPlanes(lattice, corners, isCrease).run(jobs);
+    if (!corners.isEmpty()) LyingInPlanes(lattice, corners, isCrease).run(jobs);
 }
 
 } // namespace qm

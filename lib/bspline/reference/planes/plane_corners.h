@@ -20,6 +20,8 @@ public:
     PlaneCorners(const MeshLattice& lattice, const std::vector<VertexRule>& rules,
                  const std::vector<bool>& isCrease, double flatness, unsigned jobs);
 
+    /// Whether the mesh has no plane parts.
+    [[nodiscard]] bool isEmpty() const { return parts_.planes.empty(); }
     /// The part that has a whole quad, or none.
     [[nodiscard]] int partOf(FaceId face) const { return parts_.ofFace[at(face)]; }
     /// The part that the surface follows where the face of a halfedge has its corner at the halfedge's

@@ -127,6 +127,8 @@ PlaneParts planeParts(const QuadMesh& mesh, const std::vector<bool>& isCrease, d
     Flats flats(mesh, isCrease, quads, parts);
     flats.dropSmallParts();
     flats.dropFacets();
+    const bool areNone = std::ranges::all_of(parts.ofFace, [](int part) { return part == none; });
+    if (areNone) parts.planes.clear(); // so that it is seen at once
     return parts;
 }
 

@@ -10,8 +10,9 @@ namespace qm {
 
 /// Connected quads in one plane.
 struct PlaneParts {
-    std::vector<Plane> planes; ///< of every part, the normal on the side of the quads' own
-    std::vector<int> ofFace;   ///< by face: its part, or none
+    std::vector<Plane>
+        planes; ///< of every part, the normal on the side of the quads' own; empty if none has a quad
+    std::vector<int> ofFace; ///< by face: its part, or none
 
     static constexpr int none = -1;
 };

@@ -62,7 +62,7 @@ std::vector<std::optional<Plane>> planesOf(const std::vector<ReferenceGrid>& ref
                 !planes[k] && planeThrough(reference, std::span(&k, 1), tolerance, share).has_value();
         findPlanes(reference, network, tolerance, isPlane, planes);
     };
-    look(1);    // finds narrow patches between others of the same plane
+    look(1);            // finds narrow patches between others of the same plane
     look(maxThickness); // where such a chain bends, finds the patches that are plane without doubt
     return planes;
 }
