@@ -74,6 +74,10 @@ TEST(Summary, WhatAScanShowsFarAwayIsTold) {
     ASSERT_EQ(unmet.size(), 1U);
     EXPECT_EQ(unmet[0].substr(0, unmet[0].find(':')),
               "the scan is up to 0.25 mm away where 0.1 mm are allowed, in patch 3 at (1, 2, 3)");
+    scan.noise = 0.01; // which explains a vertex there
+    EXPECT_TRUE(unmetLimits(summary, {}, "mm").empty());
+    scan.max = 0.28;
+    EXPECT_EQ(unmetLimits(summary, {}, "mm").size(), 1U);
 }
 
 TEST(Summary, LimitsAreToldWithFiguresAndPlace) {
