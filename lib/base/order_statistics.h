@@ -19,6 +19,9 @@ namespace qm {
     return values.empty() ? 0 : valueOfRank(values, values.size() / 2);
 }
 
+/// Times the median of sizes: the standard deviation, if they are those of a normal distribution.
+constexpr double deviationByMedian = 1.4826;
+
 /// The value up to which a share of all lies; 0 if there are none.
 [[nodiscard]] inline double quantile(std::vector<double>& values, double share) {
     if (values.empty()) return 0;

@@ -34,6 +34,16 @@ std::vector<VertexId> extraordinaryVertices(const QuadMesh& mesh) {
     return result;
 }
 
+std::vector<HalfedgeId> leavingFrom(const QuadMesh& mesh, HalfedgeId first) {
+    std::vector<HalfedgeId> result;
+    HalfedgeId next = first;
+    do {
+        result.push_back(next);
+        next = mesh.ccw_rotated_halfedge_handle(next);
+    } while (next != first);
+    return result;
+}
+
 std::vector<VertexId> verticesAlong(const QuadMesh& mesh, std::span<const HalfedgeId> halfedges) {
     std::vector<VertexId> vertices;
     if (halfedges.empty()) return vertices;

@@ -31,6 +31,9 @@ namespace qm {
     return !mesh.is_boundary(vertex) && isRegular(mesh, vertex);
 }
 
+/// All halfedges that leave a vertex, counter-clockwise from a first one.
+[[nodiscard]] std::vector<HalfedgeId> leavingFrom(const QuadMesh& mesh, HalfedgeId first);
+
 /// The opposite side of the quad on the left of a halfedge, in the same direction: the next quad is on its
 /// left.
 [[nodiscard]] inline HalfedgeId acrossQuad(const QuadMesh& mesh, HalfedgeId halfedge) {

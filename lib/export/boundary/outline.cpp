@@ -8,16 +8,18 @@
 #include <boost/geometry/geometries/linestring.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/geometries/ring.hpp>
+#include <boost/geometry/index/rtree.hpp>
 
 #include <Geom_Plane.hxx>
 #include <algorithm>
 #include <array>
-#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace qm {
 namespace {
 
+namespace index = boost::geometry::index;
 using PlanePoint = boost::geometry::model::d2::point_xy<double>;
 using Ring = boost::geometry::model::ring<PlanePoint>;
 using Line = boost::geometry::model::linestring<PlanePoint>;
@@ -93,15 +95,21 @@ std::vector<std::size_t> faultyEdges(const Boundary& boundary, std::size_t face)
             boost::geometry::envelope(piece.line, piece.box);
         }
     }
+    using Entry = std::pair<Box, std::size_t>;
+    std::vector<Entry> entries;
     for (std::size_t k = 0; k < pieces.size(); ++k)
-        for (std::size_t l = 0; l < k; ++l) {
-            const auto& [one, other] = std::tie(pieces[k], pieces[l]);
-            if (std::ranges::find_first_of(one.ends, other.ends) != one.ends.end() ||
-                !boost::geometry::intersects(one.box, other.box) ||
+        entries.emplace_back(pieces[k].box, k);
+    const index::rtree<Entry, index::rstar<8>> boxes(entries);
+    for (const auto& [box, k] : entries) {
+        const Piece& one = pieces[k];
+        for (auto near = boxes.qbegin(index::intersects(box)); near != boxes.qend(); ++near) {
+            const Piece& other = pieces[near->second];
+            if (near->second >= k || std::ranges::find_first_of(one.ends, other.ends) != one.ends.end() ||
                 !boost::geometry::intersects(one.line, other.line))
                 continue;
             result.insert(result.end(), {one.edge, other.edge});
         }
+    }
     sortUnique(result);
     return result;
 }

@@ -10,6 +10,9 @@ namespace qm {
 /// Cosine of the angle between the normals in the middle and at a corner of a nearly flat quad: 20 degrees.
 constexpr double nearlyFlat = 0.94;
 
+/// The same of quads that are not folded: 78 degrees.
+constexpr double notFolded = 0.2;
+
 /// By face: whether it is flat within an angle, nearly if not told otherwise, and convex, and no face around
 /// it is folded. Surfaces can be upright over such faces even where interpolation makes the reference fold.
 /// \param minCosine  of the angle between the normals in the middle and at any corner

@@ -1,5 +1,7 @@
 #include "bspline/reference/lattice/vertex_stencil.h"
 
+#include "mesh/topology.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -42,13 +44,8 @@ VertexStencil curveStencil(const std::array<HalfedgeId, 2>& along, double weight
 /// at least halve each time.
 VertexStencil dartLimit(const QuadMesh& mesh, HalfedgeId crease) {
     constexpr int maxSweeps = 200; // halving any error 60 times leaves rounding
-    std::vector<HalfedgeId> ring;  // counter-clockwise; the face of each lies between it and the next
-    HalfedgeId halfedge = crease;
-    do {
-        ring.push_back(halfedge);
-        halfedge = mesh.ccw_rotated_halfedge_handle(halfedge);
-    } while (halfedge != crease);
-
+    // The face of each lies between it and the next.
+    const std::vector<HalfedgeId> ring = leavingFrom(mesh, crease);
     const std::size_t count = ring.size();
     const double squared = static_cast<double>(count) * static_cast<double>(count);
     std::vector<double> edge(count, 4 / squared);

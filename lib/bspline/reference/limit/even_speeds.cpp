@@ -23,9 +23,6 @@ constexpr double maxFactor = 1.25;
 /// Where a line goes on with a much shorter edge, the surface leaves along the long one no faster than so
 /// many times the short one's length: splines cannot change their speed at once, and would turn back.
 constexpr double maxSpeedUp = 3;
-/// Cosine of the angle between the normals in the middle and at the corners of quads along which speeds may
-/// change: 78 degrees.
-constexpr double unfolded = 0.2;
 
 /// Of a derivative: it is turned first.
 struct Change {
@@ -46,7 +43,7 @@ public:
 
     void run(const std::vector<VertexRule>& rules, const PlaneCorners& corners, unsigned jobs) {
         const std::vector<bool> isSound = soundVertices(mesh_, jobs);
-        const std::vector<bool> isUnfolded = soundVertices(mesh_, jobs, unfolded);
+        const std::vector<bool> isUnfolded = soundVertices(mesh_, jobs, notFolded);
         const std::vector<Point> directions = creaseDirections(lattice_, rules);
         parallelForMany(mesh_.n_vertices(), jobs, [&](std::size_t k) {
             const VertexId vertex(static_cast<int>(k));

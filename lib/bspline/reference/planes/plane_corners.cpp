@@ -5,6 +5,7 @@
 #include "bspline/reference/lattice/sound_faces.h"
 #include "bspline/reference/planes/orthogonal_normals.h"
 #include "bspline/splines/eigen_point.h"
+#include "mesh/topology.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,23 +16,13 @@ namespace {
 
 /// Least length of what is left of a derivative in the planes, as a share of it: it turns by 60 degrees.
 constexpr double minLeft = 0.5;
-/// Quads flat within 78 degrees: beside others surfaces have no certain tangent plane.
-constexpr double unfolded = 0.2;
-
-/// The halfedges that leave a vertex, counter-clockwise, beginning at a crease if there is one; the one
-/// without a face comes last.
-std::vector<HalfedgeId> leavingFrom(const QuadMesh& mesh, VertexId vertex,
-                                    const std::vector<bool>& isCrease) {
-    HalfedgeId first = mesh.halfedge_handle(vertex); // the boundary's, if there is one
-    if (mesh.is_boundary(first)) first = mesh.ccw_rotated_halfedge_handle(first);
-    if (!mesh.is_boundary(vertex))
-        for (const HalfedgeId leaving : mesh.voh_range(vertex))
-            if (isCrease[at(mesh.edge_handle(leaving))]) first = leaving;
-    std::vector<HalfedgeId> result{first};
-    for (HalfedgeId next = mesh.ccw_rotated_halfedge_handle(first); next != first;
-         next = mesh.ccw_rotated_halfedge_handle(next))
-        result.push_back(next);
-    return result;
+/// A halfedge that leaves a vertex, with a face: a crease, if there is one; on the boundary the first.
+HalfedgeId firstLeaving(const QuadMesh& mesh, VertexId vertex, const std::vector<bool>& isCrease) {
+    const HalfedgeId any = mesh.halfedge_handle(vertex);
+    if (mesh.is_boundary(any)) return mesh.ccw_rotated_halfedge_handle(any);
+    for (const HalfedgeId leaving : mesh.voh_range(vertex))
+        if (isCrease[at(mesh.edge_handle(leaving))]) return leaving;
+    return any;
 }
 
 } // namespace
@@ -41,7 +32,7 @@ PlaneCorners::PlaneCorners(const MeshLattice& lattice, const std::vector<VertexR
     : mesh_(lattice.numbers().mesh()), rules_(rules), parts_(planeParts(mesh_, isCrease, flatness, jobs)),
       ofCorner_(mesh_.n_halfedges(), PlaneParts::none) {
     if (parts_.planes.empty()) return;
-    const std::vector<bool> isUnfolded = soundVertices(mesh_, jobs, unfolded);
+    const std::vector<bool> isUnfolded = soundVertices(mesh_, jobs, notFolded);
     const auto forVertices = [&](const auto& work) {
         parallelForMany(mesh_.n_vertices(), jobs, [&](std::size_t k) {
             const VertexId vertex(static_cast<int>(k));
@@ -64,7 +55,7 @@ bool PlaneCorners::isBound(VertexId vertex) const {
 
 /// Gives every corner around a vertex the part that its sector has.
 void PlaneCorners::findSectors(VertexId vertex, const std::vector<bool>& isCrease) {
-    const std::vector<HalfedgeId> leaving = leavingFrom(mesh_, vertex, isCrease);
+    const std::vector<HalfedgeId> leaving = leavingFrom(mesh_, firstLeaving(mesh_, vertex, isCrease));
     const auto partOfQuad = [&](HalfedgeId corner) {
         return mesh_.is_boundary(corner) ? PlaneParts::none : partOf(mesh_.face_handle(corner));
     };

@@ -12,9 +12,6 @@
 namespace qm {
 namespace {
 
-/// Times the median of sizes: the standard deviation of a normal distribution.
-constexpr double deviations = 1.4826;
-
 /// Standard deviations at which Tukey's biweight ends, as is usual.
 constexpr double biweightEnd = 4.685;
 
@@ -63,14 +60,14 @@ std::vector<double> usualResiduals(const ScanTargets& targets, const std::vector
 double noiseOfTargets(const ScanTargets& targets) {
     std::vector<double> sizes = residualsOfAll(targets, 1);
     std::erase_if(sizes, [](double residual) { return !std::isfinite(residual); });
-    return deviations * median(sizes);
+    return deviationByMedian * median(sizes);
 }
 
 void weighOutliers(ScanTargets& targets, double step) {
     const std::vector<double> residuals = residualsOfAll(targets, 2); // spikes are wider than a point
     const std::vector<double> usual = usualResiduals(targets, residuals);
     for (std::size_t k = 0; k < residuals.size(); ++k) {
-        const double end = biweightEnd * std::max({targets.noise, deviations * usual[k], step});
+        const double end = biweightEnd * std::max({targets.noise, deviationByMedian * usual[k], step});
         const double share = residuals[k] / end;
         targets.weights[k] *= share < 1 ? (1 - share * share) * (1 - share * share) : 0;
     }

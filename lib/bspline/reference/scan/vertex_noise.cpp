@@ -110,8 +110,7 @@ private:
 std::optional<double> vertexNoise(const Points& points, const Faces& faces, const Points& normals) {
     constexpr std::size_t many = 20'000; // of them are asked
     constexpr std::size_t few = 100;
-    constexpr std::size_t minShare = 4;   // one of so many must lie in a smooth place
-    constexpr double deviations = 1.4826; // times the median of sizes, for a normal distribution
+    constexpr std::size_t minShare = 4; // one of so many must lie in a smooth place
     const Neighbours neighbours(points.size(), faces);
     const std::vector<bool> isSmooth = smoothVertices(points, faces, normals);
     Bilaplacian bilaplacian(points, neighbours);
@@ -126,7 +125,7 @@ std::optional<double> vertexNoise(const Points& points, const Faces& faces, cons
         sizes.push_back(std::abs(bilaplacian(vertex).dot(normals[vertex])));
     }
     if (sizes.size() < few || minShare * sizes.size() < asked) return std::nullopt;
-    return deviations * median(sizes);
+    return deviationByMedian * median(sizes);
 }
 
 } // namespace qm
