@@ -40,7 +40,7 @@ Boundary twoTriangles(const Handle(Geom_BSplineCurve) & shared) {
     addLine(2, 0);
     addLine(0, 3);
     addLine(3, 1);
-    const Handle(Geom_Plane) plane = new Geom_Plane(gp_Pln());
+    const Handle(Geom_Surface) plane = new Geom_Plane(gp_Pln());
     boundary.faces.push_back({plane, false, true, {{{0, true}, {1, true}, {2, true}}}});
     boundary.faces.push_back({plane, false, true, {{{3, true}, {4, true}, {0, false}}}});
     return boundary;

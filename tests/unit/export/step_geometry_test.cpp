@@ -16,7 +16,7 @@ namespace {
 /// The parameter v at the end of a line from (0, 0) to (1, 2) in a surface's parameter plane, as written.
 double writtenHeight(const Handle(Geom_Surface) & surface) {
     StepFile file;
-    const Handle(Geom2d_Curve) segment = GCE2d_MakeSegment(gp_Pnt2d(0, 0), gp_Pnt2d(1, 2)).Value();
+    const Handle(Geom2d_Curve) segment(GCE2d_MakeSegment(gp_Pnt2d(0, 0), gp_Pnt2d(1, 2)).Value());
     (void)addPlaneCurve(file, Geom2dConvert::CurveToBSplineCurve(segment), surface);
     const std::string text = file.text({"", ""}, "");
     const std::regex point(R"(CARTESIAN_POINT\('',\(1\.?,([^,)]+)\)\))");
