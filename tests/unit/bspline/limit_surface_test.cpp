@@ -1,6 +1,8 @@
 #include "base/at.h"
 #include "bspline/network/vertex_rules.h"
+#include "bspline/reference/lattice/bilinear_quad.h"
 #include "bspline/reference/lattice/mesh_lattice.h"
+#include "bspline/reference/lattice/sound_faces.h"
 #include "bspline/reference/lattice/vertex_stencil.h"
 #include "bspline/reference/limit/control_mesh.h"
 #include "bspline/splines/evaluate.h"
@@ -23,6 +25,7 @@
 #include <map>
 #include <numbers>
 #include <random>
+#include <string>
 
 namespace qm {
 namespace {
@@ -194,12 +197,14 @@ struct StarEdge {
     double angle; ///< degrees
 };
 
-/// Plane parallelograms around a vertex, which are the first faces, inside a ring of quads.
+/// Parallelograms around a vertex, which are the first faces, inside a ring of quads.
 /// \param edges  from the middle vertex, counter-clockwise
-QuadMesh starMesh(const std::vector<StarEdge>& edges) {
+/// \param slope  of the edges, which go up and down by turns
+QuadMesh starMesh(const std::vector<StarEdge>& edges, double slope = 0) {
     const auto end = [&](std::size_t k) {
-        const double angle = edges[k % edges.size()].angle * std::numbers::pi / 180;
-        return edges[k % edges.size()].length * Point(std::cos(angle), std::sin(angle), 0);
+        const auto& [length, degrees] = edges[k % edges.size()];
+        const double angle = degrees * std::numbers::pi / 180;
+        return length * Point(std::cos(angle), std::sin(angle), k % edges.size() % 2 == 0 ? slope : -slope);
     };
     QuadMesh mesh;
     const VertexId middle = mesh.add_vertex(Point(0, 0, 0));
@@ -220,29 +225,51 @@ QuadMesh starMesh(const std::vector<StarEdge>& edges) {
     return mesh;
 }
 
+/// Edges of very different lengths, where the surface once turned over between the lattice's points: at
+/// corners of up to 141 degrees, and then along edges.
+std::vector<std::vector<StarEdge>> unevenStars() {
+    return {{{0.26, 0}, {1.12, 42}, {0.46, 183}, {0.24, 244}, {0.75, 315}},
+            {{1.19, 0}, {0.27, 54}, {0.36, 127}, {1.16, 234}, {0.31, 321}},
+            {{1.04, 0}, {0.21, 60}, {0.84, 178}, {0.75, 276}, {0.32, 316}},
+            {{0.99, 0}, {0.62, 76}, {0.24, 169}, {0.79, 259}, {0.21, 310}},
+            {{0.27, 0}, {0.3, 62}, {0.51, 113}, {1.19, 200}, {0.32, 245}, {1.12, 288}},
+            {{1.16, 0}, {0.2, 72}, {0.19, 114}, {0.19, 171}, {1.14, 235}, {0.2, 292}},
+            {{0.24, 0}, {0.32, 75}, {1.11, 128}, {0.31, 181}, {1.04, 243}, {1.01, 284}},
+            {{0.6, 0}, {0.31, 52}, {1.1, 136}, {0.25, 184}, {1.18, 225}, {0.78, 274}}};
+}
+
+void expectUpright(const ReferenceGrid& grid, const std::string& where) {
+    const BilinearQuad quad({grid.vertex(0, 0), grid.vertex(1, 0), grid.vertex(1, 1), grid.vertex(0, 1)});
+    constexpr int samples = 32;
+    for (int j = 0; j <= samples; ++j)
+        for (int i = 0; i <= samples; ++i) {
+            const double u = 1.0 * i / samples, v = 1.0 * j / samples;
+            const SurfacePoint point = grid.evaluate(u, v);
+            const SurfacePoint below = quad.evaluate(u, v);
+            EXPECT_GT((point.du % point.dv) | (below.du % below.dv), 0) << where << " at " << u << ' ' << v;
+        }
+}
+
 TEST(LimitSurface, DoesNotFoldOverPlaneQuadsOfVeryDifferentShape) {
-    // Edges of very different lengths, where the surface once turned over between the lattice's points: at
-    // corners of up to 141 degrees, and then along edges.
-    const std::vector<std::vector<StarEdge>> stars{
-        {{0.26, 0}, {1.12, 42}, {0.46, 183}, {0.24, 244}, {0.75, 315}},
-        {{1.19, 0}, {0.27, 54}, {0.36, 127}, {1.16, 234}, {0.31, 321}},
-        {{1.04, 0}, {0.21, 60}, {0.84, 178}, {0.75, 276}, {0.32, 316}},
-        {{0.99, 0}, {0.62, 76}, {0.24, 169}, {0.79, 259}, {0.21, 310}},
-        {{0.27, 0}, {0.3, 62}, {0.51, 113}, {1.19, 200}, {0.32, 245}, {1.12, 288}},
-        {{1.16, 0}, {0.2, 72}, {0.19, 114}, {0.19, 171}, {1.14, 235}, {0.2, 292}},
-        {{0.24, 0}, {0.32, 75}, {1.11, 128}, {0.31, 181}, {1.04, 243}, {1.01, 284}},
-        {{0.6, 0}, {0.31, 52}, {1.1, 136}, {0.25, 184}, {1.18, 225}, {0.78, 274}}};
-    for (const auto& edges : stars) {
+    for (const auto& edges : unevenStars()) {
         const QuadMesh mesh = starMesh(edges);
         const auto grids = limitSurface(mesh, segmentPerQuad(mesh), noCreases(mesh), 4, 1);
-        constexpr int samples = 32;
         for (std::size_t face = 0; face < edges.size(); ++face)
-            for (int j = 0; j <= samples; ++j)
-                for (int i = 0; i <= samples; ++i) {
-                    const SurfacePoint point = grids[face].evaluate(1.0 * i / samples, 1.0 * j / samples);
-                    EXPECT_GT((point.du % point.dv)[2], 0) << face << ' ' << i << ' ' << j;
-                }
+            expectUpright(grids[face], "face " + std::to_string(face));
     }
+}
+
+TEST(LimitSurface, DoesNotFoldOverTwistedQuadsOfVeryDifferentShape) {
+    for (const auto& edges : unevenStars())
+        for (const double slope : {0.2, 0.4, 0.6}) {
+            const QuadMesh mesh = starMesh(edges, slope);
+            const std::vector<bool> isUpright = uprightFaces(mesh, 1);
+            const auto grids = limitSurface(mesh, segmentPerQuad(mesh), noCreases(mesh), 4, 1);
+            for (std::size_t face = 0; face < mesh.n_faces(); ++face)
+                if (isUpright[face])
+                    expectUpright(grids[face],
+                                  "face " + std::to_string(face) + ", slope " + std::to_string(slope));
+        }
 }
 
 TEST(LimitSurface, BendsWhereItWouldHaveFolded) {

@@ -30,17 +30,12 @@ std::vector<QuadShape> shapesOf(const QuadMesh& mesh, unsigned jobs) {
     return shapes;
 }
 
-} // namespace
-
-std::vector<bool> soundFaces(const QuadMesh& mesh, unsigned jobs, double minCosine) {
+/// By face: whether it is turned over, in itself or against a face beside it.
+std::vector<bool> turnedOverFaces(const QuadMesh& mesh, const std::vector<QuadShape>& shapes) {
     constexpr double turnedOver = -0.5; // cosine between faces that share an edge
-    const std::vector<QuadShape> shapes = shapesOf(mesh, jobs);
-    std::vector<bool> isSound(mesh.n_faces());
     std::vector<bool> isTurnedOver(mesh.n_faces());
-    for (std::size_t face = 0; face < shapes.size(); ++face) {
-        isSound[face] = shapes[face].minCosine > minCosine;
+    for (std::size_t face = 0; face < shapes.size(); ++face)
         isTurnedOver[face] = !(shapes[face].minCosine > 0);
-    }
     for (const EdgeId edge : mesh.edges()) {
         if (mesh.is_boundary(edge)) continue;
         const std::size_t one = at(mesh.face_handle(mesh.halfedge_handle(edge, 0)));
@@ -48,6 +43,26 @@ std::vector<bool> soundFaces(const QuadMesh& mesh, unsigned jobs, double minCosi
         if ((shapes[one].normal | shapes[other].normal) < turnedOver)
             isTurnedOver[one] = isTurnedOver[other] = true;
     }
+    return isTurnedOver;
+}
+
+} // namespace
+
+std::vector<bool> uprightFaces(const QuadMesh& mesh, unsigned jobs) {
+    const std::vector<QuadShape> shapes = shapesOf(mesh, jobs);
+    std::vector<bool> isUpright = turnedOverFaces(mesh, shapes);
+    isUpright.flip();
+    for (std::size_t face = 0; face < shapes.size(); ++face)
+        if (!(shapes[face].minCosine > notFolded)) isUpright[face] = false;
+    return isUpright;
+}
+
+std::vector<bool> soundFaces(const QuadMesh& mesh, unsigned jobs, double minCosine) {
+    const std::vector<QuadShape> shapes = shapesOf(mesh, jobs);
+    const std::vector<bool> isTurnedOver = turnedOverFaces(mesh, shapes);
+    std::vector<bool> isSound(mesh.n_faces());
+    for (std::size_t face = 0; face < shapes.size(); ++face)
+        isSound[face] = shapes[face].minCosine > minCosine;
     for (const FaceId face : mesh.faces()) {
         if (!isTurnedOver[at(face)]) continue;
         for (const VertexId vertex : mesh.fv_range(face))

@@ -1,0 +1,75 @@
+#include "bspline/reference/limit/lattice_folds.h"
+
+#include "base/at.h"
+#include "bspline/splines/eigen_point.h"
+
+#include <Eigen/Geometry>
+
+#include <cstddef>
+
+namespace qm {
+namespace {
+
+/// Smallest cosine of the angle between a square and the quad's part below it: 60 degrees.
+constexpr double minCosine = 0.5;
+/// Smallest area over a part of a quad, as a share of the part's own: with less, it is easily turned over.
+/// `evenSpeeds` leaves a ninth where a corner's speeds are a third of the edges'.
+constexpr double minArea = 0.15;
+constexpr double minAreaAtPoint = 0.06;
+
+} // namespace
+
+LatticeFolds::LatticeFolds(const MeshLattice& lattice) : lattice_(lattice) {
+    const int squares = lattice_.squares();
+    for (int k = 0; k <= squares; ++k)
+        weights_.push_back(lagrange(squares, static_cast<double>(k) / squares));
+}
+
+BilinearQuad LatticeFolds::quad(FaceId face) const {
+    const int end = lattice_.squares();
+    const auto corner = [&](int i, int j) { return lattice_.point(lattice_.numbers()(face, i, j)); };
+    return BilinearQuad({corner(0, 0), corner(end, 0), corner(end, end), corner(0, end)});
+}
+
+bool LatticeFolds::isAbove(FaceId face) const {
+    const BilinearQuad below = quad(face);
+    return isAtPoints(face, below) || isInSquares(face, below);
+}
+
+bool LatticeFolds::isInSquares(FaceId face, const BilinearQuad& quad) const {
+    const int squares = lattice_.squares();
+    const double side = 1.0 / squares;
+    const auto point = [&](int i, int j) { return lattice_.point(lattice_.numbers()(face, i, j)); };
+    for (int j = 0; j < squares; ++j)
+        for (int i = 0; i < squares; ++i) {
+            const Point square =
+                (point(i + 1, j + 1) - point(i, j)) % (point(i, j + 1) - point(i + 1, j)) / 2;
+            const SurfacePoint below = quad.evaluate((i + 0.5) * side, (j + 0.5) * side);
+            const Point part = (below.du % below.dv) * side * side;
+            const double upright = square | part;
+            if (!(upright >= minCosine * square.norm() * part.norm() && upright >= minArea * part.sqrnorm()))
+                return true;
+        }
+    return false;
+}
+
+bool LatticeFolds::isAtPoints(FaceId face, const BilinearQuad& quad) const {
+    const std::vector<Eigen::Vector3d> points = lattice_.points(face);
+    const std::size_t width = weights_.size();
+    const double side = 1.0 / lattice_.squares();
+    for (std::size_t j = 0; j < width; ++j)
+        for (std::size_t i = 0; i < width; ++i) {
+            Eigen::Vector3d du(0, 0, 0), dv(0, 0, 0);
+            for (std::size_t k = 0; k < width; ++k) {
+                du += weights_[i][k][1] * points[j * width + k];
+                dv += weights_[j][k][1] * points[k * width + i];
+            }
+            const SurfacePoint below =
+                quad.evaluate(static_cast<double>(i) * side, static_cast<double>(j) * side);
+            const Point part = below.du % below.dv;
+            if (!(du.cross(dv).dot(vector(part)) >= minAreaAtPoint * part.sqrnorm())) return true;
+        }
+    return false;
+}
+
+} // namespace qm
