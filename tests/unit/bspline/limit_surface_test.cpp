@@ -263,7 +263,7 @@ TEST(LimitSurface, DoesNotFoldOverTwistedQuadsOfVeryDifferentShape) {
     for (const auto& edges : unevenStars())
         for (const double slope : {0.2, 0.4, 0.6}) {
             const QuadMesh mesh = starMesh(edges, slope);
-            const std::vector<bool> isUpright = uprightFaces(mesh, 1);
+            const std::vector<bool> isUpright = uprightFaces(mesh, noCreases(mesh), 1);
             const auto grids = limitSurface(mesh, segmentPerQuad(mesh), noCreases(mesh), 4, 1);
             for (std::size_t face = 0; face < mesh.n_faces(); ++face)
                 if (isUpright[face])

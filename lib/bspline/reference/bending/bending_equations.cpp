@@ -96,7 +96,7 @@ Eigen::Matrix<double, 12, 12> BendingTerm::matrix() const {
 std::vector<Eigen::Vector3d> minBendingTilts(const std::vector<BendingTerm>& terms, std::size_t vertices,
                                              unsigned jobs) {
     constexpr double accuracy = 1e-6;
-    constexpr int maxRounds = 50; // five times what real meshes take; folds of the surface take more
+    constexpr int maxRounds = 100; // ten times what real meshes take
     const Preconditioner preconditioner(terms, vertices);
     Values residual = rightHandSide(terms, static_cast<Eigen::Index>(3 * vertices));
     Values tilts = Values::Zero(residual.size());

@@ -30,45 +30,58 @@ std::vector<QuadShape> shapesOf(const QuadMesh& mesh, unsigned jobs) {
     return shapes;
 }
 
-/// By face: whether it is turned over, in itself or against a face beside it.
-std::vector<bool> turnedOverFaces(const QuadMesh& mesh, const std::vector<QuadShape>& shapes) {
-    constexpr double turnedOver = -0.5; // cosine between faces that share an edge
-    std::vector<bool> isTurnedOver(mesh.n_faces());
-    for (std::size_t face = 0; face < shapes.size(); ++face)
-        isTurnedOver[face] = !(shapes[face].minCosine > 0);
+/// Calls back with both faces of every inner edge, and the cosine between their normals.
+template <class Callback>
+void forNeighbours(const QuadMesh& mesh, const std::vector<QuadShape>& shapes, Callback callback) {
     for (const EdgeId edge : mesh.edges()) {
         if (mesh.is_boundary(edge)) continue;
         const std::size_t one = at(mesh.face_handle(mesh.halfedge_handle(edge, 0)));
         const std::size_t other = at(mesh.face_handle(mesh.halfedge_handle(edge, 1)));
-        if ((shapes[one].normal | shapes[other].normal) < turnedOver)
-            isTurnedOver[one] = isTurnedOver[other] = true;
+        callback(edge, one, other, shapes[one].normal | shapes[other].normal);
     }
-    return isTurnedOver;
 }
+
+/// Sets everything around chosen faces, and these, to false.
+template <class IsChosen>
+void clearAround(const QuadMesh& mesh, IsChosen isChosen, std::vector<bool>& byFace) {
+    for (const FaceId face : mesh.faces()) {
+        if (!isChosen(at(face))) continue;
+        for (const VertexId vertex : mesh.fv_range(face))
+            for (const FaceId beside : mesh.vf_range(vertex))
+                byFace[at(beside)] = false;
+    }
+}
+
+constexpr double turnedOver = -0.5; // cosine between faces that share an edge
 
 } // namespace
 
-std::vector<bool> uprightFaces(const QuadMesh& mesh, unsigned jobs) {
+std::vector<bool> uprightFaces(const QuadMesh& mesh, const std::vector<bool>& sharp, unsigned jobs) {
     const std::vector<QuadShape> shapes = shapesOf(mesh, jobs);
-    std::vector<bool> isUpright = turnedOverFaces(mesh, shapes);
-    isUpright.flip();
+    std::vector<bool> isUpright(mesh.n_faces());
     for (std::size_t face = 0; face < shapes.size(); ++face)
-        if (!(shapes[face].minCosine > notFolded)) isUpright[face] = false;
+        isUpright[face] = shapes[face].minCosine > notFolded;
+    forNeighbours(mesh, shapes, [&](EdgeId edge, std::size_t one, std::size_t other, double cosine) {
+        if (cosine < (sharp[at(edge)] ? turnedOver : 0)) isUpright[one] = isUpright[other] = false;
+    });
+    const auto hasNoArea = [&](std::size_t face) { return shapes[face].normal == Point(0, 0, 0); };
+    clearAround(mesh, hasNoArea, isUpright);
     return isUpright;
 }
 
 std::vector<bool> soundFaces(const QuadMesh& mesh, unsigned jobs, double minCosine) {
     const std::vector<QuadShape> shapes = shapesOf(mesh, jobs);
-    const std::vector<bool> isTurnedOver = turnedOverFaces(mesh, shapes);
     std::vector<bool> isSound(mesh.n_faces());
-    for (std::size_t face = 0; face < shapes.size(); ++face)
+    std::vector<bool> isTurnedOver(mesh.n_faces());
+    for (std::size_t face = 0; face < shapes.size(); ++face) {
         isSound[face] = shapes[face].minCosine > minCosine;
-    for (const FaceId face : mesh.faces()) {
-        if (!isTurnedOver[at(face)]) continue;
-        for (const VertexId vertex : mesh.fv_range(face))
-            for (const FaceId beside : mesh.vf_range(vertex))
-                isSound[at(beside)] = false;
+        isTurnedOver[face] = !(shapes[face].minCosine > 0);
     }
+    forNeighbours(mesh, shapes, [&](EdgeId, std::size_t one, std::size_t other, double cosine) {
+        if (cosine < turnedOver) isTurnedOver[one] = isTurnedOver[other] = true;
+    });
+    clearAround(
+        mesh, [&](std::size_t face) { return isTurnedOver[face]; }, isSound);
     return isSound;
 }
 

@@ -13,8 +13,11 @@ constexpr double nearlyFlat = 0.94;
 /// The same of quads that are not folded: 78 degrees.
 constexpr double notFolded = 0.2;
 
-/// By face: whether it is not folded itself, nor turned over against a face beside it.
-[[nodiscard]] std::vector<bool> uprightFaces(const QuadMesh& mesh, unsigned jobs);
+/// By face: whether it is not folded itself, nor turned over against a face beside it, nor turned by more
+/// than a right angle from one that it should meet smoothly, and no face around it is without area.
+/// \param sharp  by edge
+[[nodiscard]] std::vector<bool> uprightFaces(const QuadMesh& mesh, const std::vector<bool>& sharp,
+                                             unsigned jobs);
 
 /// By face: whether it is flat within an angle, nearly if not told otherwise, and convex, and no face around
 /// it is folded. Surfaces can be upright over such faces even where interpolation makes the reference fold.

@@ -12,14 +12,11 @@ namespace {
 
 /// Smallest cosine of the angle between a square and the quad's part below it: 60 degrees.
 constexpr double minCosine = 0.5;
-/// Smallest area over a part of a quad, as a share of the part's own: with less, it is easily turned over.
-/// `evenSpeeds` leaves a ninth where a corner's speeds are a third of the edges'.
-constexpr double minArea = 0.15;
-constexpr double minAreaAtPoint = 0.06;
 
 } // namespace
 
-LatticeFolds::LatticeFolds(const MeshLattice& lattice) : lattice_(lattice) {
+LatticeFolds::LatticeFolds(const MeshLattice& lattice, const FoldLimits& limits)
+    : lattice_(lattice), limits_(limits) {
     const int squares = lattice_.squares();
     for (int k = 0; k <= squares; ++k)
         weights_.push_back(lagrange(squares, static_cast<double>(k) / squares));
@@ -47,7 +44,8 @@ bool LatticeFolds::isInSquares(FaceId face, const BilinearQuad& quad) const {
             const SurfacePoint below = quad.evaluate((i + 0.5) * side, (j + 0.5) * side);
             const Point part = (below.du % below.dv) * side * side;
             const double upright = square | part;
-            if (!(upright >= minCosine * square.norm() * part.norm() && upright >= minArea * part.sqrnorm()))
+            if (!(upright >= minCosine * square.norm() * part.norm() &&
+                  upright >= limits_.minArea * part.sqrnorm()))
                 return true;
         }
     return false;
@@ -67,7 +65,7 @@ bool LatticeFolds::isAtPoints(FaceId face, const BilinearQuad& quad) const {
             const SurfacePoint below =
                 quad.evaluate(static_cast<double>(i) * side, static_cast<double>(j) * side);
             const Point part = below.du % below.dv;
-            if (!(du.cross(dv).dot(vector(part)) >= minAreaAtPoint * part.sqrnorm())) return true;
+            if (!(du.cross(dv).dot(vector(part)) >= limits_.minAreaAtPoint * part.sqrnorm())) return true;
         }
     return false;
 }

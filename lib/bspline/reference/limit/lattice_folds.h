@@ -9,11 +9,17 @@
 
 namespace qm {
 
+/// Smallest areas over a part of a quad, as shares of the part's own: with less, it is easily turned over.
+struct FoldLimits {
+    double minArea = 0;        ///< of a square of the lattice
+    double minAreaAtPoint = 0; ///< of what the derivatives span at a point of the lattice
+};
+
 /// Compares a lattice's surface with the quads between its corners.
 class LatticeFolds {
 public:
     /// \param lattice  must stay where it is; it may change
-    explicit LatticeFolds(const MeshLattice& lattice);
+    LatticeFolds(const MeshLattice& lattice, const FoldLimits& limits);
 
     /// Some square of the lattice is turned over against the quad's part below it, or nearly so, or has
     /// hardly any area left; or the surface does so at one of the lattice's points.
@@ -27,6 +33,7 @@ private:
     [[nodiscard]] bool isAtPoints(FaceId face, const BilinearQuad& quad) const;
 
     const MeshLattice& lattice_;
+    FoldLimits limits_;
     std::vector<LagrangeWeights> weights_; ///< at the lattice's parameters
 };
 

@@ -16,6 +16,10 @@
 namespace qm {
 namespace {
 
+constexpr FoldLimits ofLimit{.minArea = 0.3, .minAreaAtPoint = 0.1};
+/// Where both speeds at a corner are a third of the edges', `evenSpeeds` leaves a ninth of the area.
+constexpr FoldLimits afterEvening{.minArea = 0.15, .minAreaAtPoint = 0.06};
+
 MeshLattice limitLattice(const QuadMesh& mesh, const std::vector<VertexRule>& rules,
                          const std::vector<bool>& sharp, int steps, unsigned jobs) {
     const ControlMesh control = interpolatingControlMesh(mesh, rules);
@@ -24,11 +28,12 @@ MeshLattice limitLattice(const QuadMesh& mesh, const std::vector<VertexRule>& ru
         lattice = lattice.subdivided(rules, sharp, jobs);
     lattice = lattice.limit(rules, sharp, jobs);
     drawThroughVertices(lattice, control.interpolates, jobs);
+    unfold(lattice, rules, sharp, ofLimit, jobs);
     const PlaneCorners corners(lattice, rules, sharp, maxFlatness * boundingBox(mesh).diagonal(), jobs);
     layInPlanes(lattice, corners, sharp, jobs);
     evenSpeeds(lattice, rules, corners, jobs);
     minimiseBending(lattice, rules, corners, jobs);
-    unfold(lattice, rules, sharp, jobs);
+    unfold(lattice, rules, sharp, afterEvening, jobs);
     return lattice;
 }
 

@@ -5,7 +5,6 @@
 #include "bspline/reference/bending/edge_curves.h"
 #include "bspline/reference/lattice/bilinear_quad.h"
 #include "bspline/reference/lattice/sound_faces.h"
-#include "bspline/reference/limit/lattice_folds.h"
 #include "bspline/splines/spline_curve.h"
 
 #include <algorithm>
@@ -27,10 +26,11 @@ enum Stage : char { interpolated, betweenEnds, halfStraight, nearlyStraight, str
 class Unfolding {
 public:
     Unfolding(MeshLattice& lattice, const std::vector<VertexRule>& rules, const std::vector<bool>& sharp,
-              unsigned jobs)
+              const FoldLimits& limits, unsigned jobs)
         : lattice_(lattice), numbers_(lattice.numbers()), mesh_(numbers_.mesh()), squares_(lattice.squares()),
-          rules_(rules), sharp_(sharp), jobs_(jobs), folds_(lattice), isUpright_(uprightFaces(mesh_, jobs)),
-          faceStages_(mesh_.n_faces(), interpolated), edgeStages_(mesh_.n_edges(), interpolated) {}
+          rules_(rules), sharp_(sharp), jobs_(jobs), folds_(lattice, limits),
+          isUpright_(uprightFaces(mesh_, sharp, jobs)), faceStages_(mesh_.n_faces(), interpolated),
+          edgeStages_(mesh_.n_edges(), interpolated) {}
 
     void run() {
         if (!findFolds()) return;
@@ -162,8 +162,8 @@ private:
 } // namespace
 
 void unfold(MeshLattice& lattice, const std::vector<VertexRule>& rules, const std::vector<bool>& sharp,
-            unsigned jobs) {
-    Unfolding(lattice, rules, sharp, jobs).run();
+            const FoldLimits& limits, unsigned jobs) {
+    Unfolding(lattice, rules, sharp, limits, jobs).run();
 }
 
 } // namespace qm

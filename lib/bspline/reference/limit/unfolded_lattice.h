@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bspline/reference/lattice/mesh_lattice.h"
+#include "bspline/reference/limit/lattice_folds.h"
 
 #include <vector>
 
@@ -12,8 +13,9 @@ namespace qm {
 /// with other upright quads are replaced by curves determined by their ends alone (see `EdgeCurves`), sharp
 /// ones only where they turn back, and the surface beside them follows. While it still folds, all its curves
 /// move halfway to the quad's edges, twice, and then become these edges. Linear in the mesh.
-/// \param sharp  by edge
+/// \param sharp   by edge
+/// \param limits  what counts as a fold
 void unfold(MeshLattice& lattice, const std::vector<VertexRule>& rules, const std::vector<bool>& sharp,
-            unsigned jobs);
+            const FoldLimits& limits, unsigned jobs);
 
 } // namespace qm
