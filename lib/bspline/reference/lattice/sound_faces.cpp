@@ -16,6 +16,7 @@ namespace {
 struct QuadShape {
     Point normal; ///< unit, in the middle
     double minCosine = 0;
+    bool hasArea = false; ///< seen along its normal
 };
 
 std::vector<QuadShape> shapesOf(const QuadMesh& mesh, unsigned jobs) {
@@ -25,7 +26,10 @@ std::vector<QuadShape> shapesOf(const QuadMesh& mesh, unsigned jobs) {
         std::ranges::transform(cornersOf(mesh, FaceId(static_cast<int>(k))), corners.begin(),
                                [&](VertexId vertex) { return mesh.point(vertex); });
         const BilinearQuad quad(corners);
-        shapes[k] = {quad.normal(), quad.minCosine()};
+        const Point across = corners[2] - corners[0], along = corners[3] - corners[1];
+        const double length = std::max(across.norm(), along.norm());
+        constexpr double minShare = 1e-6; // with less, the normal is that of rounding
+        shapes[k] = {quad.normal(), quad.minCosine(), (across % along).norm() > minShare * length * length};
     });
     return shapes;
 }
@@ -64,8 +68,8 @@ std::vector<bool> uprightFaces(const QuadMesh& mesh, const std::vector<bool>& sh
     forNeighbours(mesh, shapes, [&](EdgeId edge, std::size_t one, std::size_t other, double cosine) {
         if (cosine < (sharp[at(edge)] ? turnedOver : 0)) isUpright[one] = isUpright[other] = false;
     });
-    const auto hasNoArea = [&](std::size_t face) { return shapes[face].normal == Point(0, 0, 0); };
-    clearAround(mesh, hasNoArea, isUpright);
+    clearAround(
+        mesh, [&](std::size_t face) { return !shapes[face].hasArea; }, isUpright);
     return isUpright;
 }
 

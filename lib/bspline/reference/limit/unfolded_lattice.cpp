@@ -28,7 +28,7 @@ public:
     Unfolding(MeshLattice& lattice, const std::vector<VertexRule>& rules, const std::vector<bool>& sharp,
               const FoldLimits& limits, unsigned jobs)
         : lattice_(lattice), numbers_(lattice.numbers()), mesh_(numbers_.mesh()), squares_(lattice.squares()),
-          rules_(rules), sharp_(sharp), jobs_(jobs), folds_(lattice, limits),
+          rules_(rules), sharp_(sharp), jobs_(jobs), test_(lattice, limits),
           isUpright_(uprightFaces(mesh_, sharp, jobs)), faceStages_(mesh_.n_faces(), interpolated),
           edgeStages_(mesh_.n_edges(), interpolated) {}
 
@@ -60,7 +60,7 @@ private:
         parallelForMany(mesh_.n_faces(), jobs_, [&](std::size_t face) {
             char& stage = faceStages_[face];
             if (stage == straight || !isUpright_[face]) return;
-            if (!folds_.isAbove(FaceId(static_cast<int>(face)))) return;
+            if (!test_.foldsOver(FaceId(static_cast<int>(face)))) return;
             ++stage;
             isNew = true;
         });
@@ -125,7 +125,7 @@ private:
 
     void fill(FaceId face, const MeshLattice& before) {
         if (faceStages_[at(face)] != interpolated)
-            fill(face, [&, quad = folds_.quad(face)](int i, int j) {
+            fill(face, [&, quad = test_.quad(face)](int i, int j) {
                 return quad.evaluate(share(i), share(j)).position;
             });
         else if (std::ranges::any_of(mesh_.fe_range(face),
@@ -153,7 +153,7 @@ private:
     const std::vector<VertexRule>& rules_;
     const std::vector<bool>& sharp_;
     unsigned jobs_;
-    LatticeFolds folds_;
+    FoldTest test_;
     std::vector<bool> isUpright_;  ///< by face
     std::vector<char> faceStages_; ///< bytes, as threads write them
     std::vector<char> edgeStages_;

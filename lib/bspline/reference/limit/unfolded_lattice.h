@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bspline/reference/lattice/mesh_lattice.h"
-#include "bspline/reference/limit/lattice_folds.h"
+#include "bspline/reference/limit/fold_test.h"
 
 #include <vector>
 

@@ -16,21 +16,21 @@ struct FoldLimits {
 };
 
 /// Compares a lattice's surface with the quads between its corners.
-class LatticeFolds {
+class FoldTest {
 public:
     /// \param lattice  must stay where it is; it may change
-    LatticeFolds(const MeshLattice& lattice, const FoldLimits& limits);
+    FoldTest(const MeshLattice& lattice, const FoldLimits& limits);
 
     /// Some square of the lattice is turned over against the quad's part below it, or nearly so, or has
     /// hardly any area left; or the surface does so at one of the lattice's points.
-    [[nodiscard]] bool isAbove(FaceId face) const;
+    [[nodiscard]] bool foldsOver(FaceId face) const;
 
     /// The quad between the corners of a face.
     [[nodiscard]] BilinearQuad quad(FaceId face) const;
 
 private:
-    [[nodiscard]] bool isInSquares(FaceId face, const BilinearQuad& quad) const;
-    [[nodiscard]] bool isAtPoints(FaceId face, const BilinearQuad& quad) const;
+    [[nodiscard]] bool foldsInSquares(FaceId face, const BilinearQuad& quad) const;
+    [[nodiscard]] bool foldsAtPoints(FaceId face, const BilinearQuad& quad) const;
 
     const MeshLattice& lattice_;
     FoldLimits limits_;

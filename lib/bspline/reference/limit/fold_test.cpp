@@ -1,4 +1,4 @@
-#include "bspline/reference/limit/lattice_folds.h"
+#include "bspline/reference/limit/fold_test.h"
 
 #include "base/at.h"
 #include "bspline/splines/eigen_point.h"
@@ -15,25 +15,25 @@ constexpr double minCosine = 0.5;
 
 } // namespace
 
-LatticeFolds::LatticeFolds(const MeshLattice& lattice, const FoldLimits& limits)
+FoldTest::FoldTest(const MeshLattice& lattice, const FoldLimits& limits)
     : lattice_(lattice), limits_(limits) {
     const int squares = lattice_.squares();
     for (int k = 0; k <= squares; ++k)
         weights_.push_back(lagrange(squares, static_cast<double>(k) / squares));
 }
 
-BilinearQuad LatticeFolds::quad(FaceId face) const {
+BilinearQuad FoldTest::quad(FaceId face) const {
     const int end = lattice_.squares();
     const auto corner = [&](int i, int j) { return lattice_.point(lattice_.numbers()(face, i, j)); };
     return BilinearQuad({corner(0, 0), corner(end, 0), corner(end, end), corner(0, end)});
 }
 
-bool LatticeFolds::isAbove(FaceId face) const {
+bool FoldTest::foldsOver(FaceId face) const {
     const BilinearQuad below = quad(face);
-    return isAtPoints(face, below) || isInSquares(face, below);
+    return foldsAtPoints(face, below) || foldsInSquares(face, below);
 }
 
-bool LatticeFolds::isInSquares(FaceId face, const BilinearQuad& quad) const {
+bool FoldTest::foldsInSquares(FaceId face, const BilinearQuad& quad) const {
     const int squares = lattice_.squares();
     const double side = 1.0 / squares;
     const auto point = [&](int i, int j) { return lattice_.point(lattice_.numbers()(face, i, j)); };
@@ -51,7 +51,7 @@ bool LatticeFolds::isInSquares(FaceId face, const BilinearQuad& quad) const {
     return false;
 }
 
-bool LatticeFolds::isAtPoints(FaceId face, const BilinearQuad& quad) const {
+bool FoldTest::foldsAtPoints(FaceId face, const BilinearQuad& quad) const {
     const std::vector<Eigen::Vector3d> points = lattice_.points(face);
     const std::size_t width = weights_.size();
     const double side = 1.0 / lattice_.squares();
