@@ -81,7 +81,8 @@ private:
             straighten(halfedge, stage == straight ? 1 : 0.5);
     }
 
-    /// That of the face that folds more. What an upright face cannot do without is done for its sake alone.
+    /// The later stage of the faces beside an edge, but the first change only where both are upright: what
+    /// straightens the curve serves the upright face, whatever the other is.
     [[nodiscard]] char stageBeside(EdgeId edge) const {
         char stage = interpolated;
         bool areUpright = true;
