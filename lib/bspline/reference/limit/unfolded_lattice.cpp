@@ -17,7 +17,7 @@ namespace {
 
 /// Smallest cosine of the angle between a curve and the edge below it: 60 degrees.
 constexpr double minCosine = 0.5;
-/// Largest number of passes over the mesh. Real folds take two; those that spread farther are left.
+/// Largest number of passes over the mesh. Folds take one a stage; those that spread farther are left.
 constexpr int maxPasses = 12;
 
 /// How much of interpolation is given up. A face is as far as it folds, an edge as far as a face beside it.
@@ -58,10 +58,10 @@ private:
     bool findFolds() {
         std::atomic<bool> isNew = false;
         parallelForMany(mesh_.n_faces(), jobs_, [&](std::size_t face) {
-            char& stage = faceStages_[face];
+            Stage& stage = faceStages_[face];
             if (stage == straight || !isUpright_[face]) return;
             if (!test_.foldsOver(FaceId(static_cast<int>(face)))) return;
-            ++stage;
+            stage = static_cast<Stage>(stage + 1);
             isNew = true;
         });
         return isNew;
@@ -69,8 +69,8 @@ private:
 
     /// Draws the curve above an edge as the faces beside it demand.
     void redraw(EdgeId edge, const EdgeCurves& curves) {
-        const char stage = stageBeside(edge);
-        char& drawn = edgeStages_[at(edge)];
+        const Stage stage = stageBeside(edge);
+        Stage& drawn = edgeStages_[at(edge)];
         if (stage <= drawn) return;
         if (stage == betweenEnds && sharp_[at(edge)] && !turnsBack(edge)) return;
         drawn = stage;
@@ -83,8 +83,8 @@ private:
 
     /// The later stage of the faces beside an edge, but the first change only where both are upright: what
     /// straightens the curve serves the upright face, whatever the other is.
-    [[nodiscard]] char stageBeside(EdgeId edge) const {
-        char stage = interpolated;
+    [[nodiscard]] Stage stageBeside(EdgeId edge) const {
+        Stage stage = interpolated;
         bool areUpright = true;
         for (const unsigned side : {0U, 1U}) {
             const FaceId face = mesh_.face_handle(mesh_.halfedge_handle(edge, side));
@@ -92,7 +92,7 @@ private:
             areUpright = areUpright && isUpright_[at(face)];
             stage = std::max(stage, faceStages_[at(face)]);
         }
-        return stage == betweenEnds && !areUpright ? static_cast<char>(interpolated) : stage;
+        return stage == betweenEnds && !areUpright ? interpolated : stage;
     }
 
     /// The curve above an edge somewhere goes back, or nearly so.
@@ -155,9 +155,9 @@ private:
     const std::vector<bool>& sharp_;
     unsigned jobs_;
     FoldTest test_;
-    std::vector<bool> isUpright_;  ///< by face
-    std::vector<char> faceStages_; ///< bytes, as threads write them
-    std::vector<char> edgeStages_;
+    std::vector<bool> isUpright_; ///< by face
+    std::vector<Stage> faceStages_;
+    std::vector<Stage> edgeStages_;
 };
 
 } // namespace
