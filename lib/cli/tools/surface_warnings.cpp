@@ -52,10 +52,10 @@ void warnOfCoverage(const Tool& tool, const Surfaces& surfaces) {
     constexpr double usual = 0.75;
     if (!surfaces.scan || surfaces.scan->coverage >= usual) return;
     const int percent = static_cast<int>(100 * surfaces.scan->coverage);
-    tool.warn("only " + std::to_string(percent) +
-              " per cent of the mesh are near the scan; elsewhere the surfaces follow the quads. Is it a "
-              "scan of the "
-              "same part, in the same place and unit?");
+    tool.warn(
+        "only " + std::to_string(percent) +
+        " per cent of the mesh are near the scan; elsewhere the surfaces follow the quads. Is it a scan of "
+        "the same part, in the same place and unit?");
 }
 
 void warnOfBridges(const Tool& tool, const Surfaces& surfaces, double allowed) {

@@ -10,8 +10,8 @@ namespace qm {
 
 /// Connected quads in one plane.
 struct PlaneParts {
-    std::vector<Plane>
-        planes; ///< of every part, the normal on the side of the quads' own; empty if none has a quad
+    /// Of every part, the normal on the side of the quads' own; empty if no part has a quad.
+    std::vector<Plane> planes;
     std::vector<int> ofFace; ///< by face: its part, or none
 
     static constexpr int none = -1;
