@@ -23,14 +23,17 @@
 
 #include "base/control.h"
 #include "cli/options/command_line.h"
-#include "cli/options/option_record.h"
+#include "cli/options/general_options.h"
 #include "cli/system/exit_status.h"
+#include "cli/system/run_statistics.h"
+#include "cli/terminal/console.h"
 #include "document/options/option.h"
 
 #include <functional>
-#include <memory>
+#include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace qm {
@@ -39,8 +42,7 @@ using ToolBody = std::function<int()>;
 
 class Tool {
 public:
-    Tool(std::string name, std::string summary);
-    ~Tool();
+    Tool(const std::string& name, const std::string& summary);
     Tool(const Tool&) = delete;
     Tool& operator=(const Tool&) = delete;
 
@@ -54,18 +56,20 @@ public:
     void operand(const std::string& name, std::string& value, const std::string& help, bool required = true,
                  std::vector<std::string> suggestions = {});
     /// Operands beyond those that are declared; more than none only where the caller's `verify` allows it.
-    void readsMore(std::vector<std::string>& files);
+    void readsMore(std::vector<std::string>& files) { more_ = &files; }
     /// -o, --output: a file or "-"; standard output if it is left out.
     void writes(const std::string& what);
     /// --schema prints the schema of this kind of document, such as "layout".
-    void schema(const std::string& kind);
+    void schema(const std::string& kind) { usage_.schema = kind; }
 
     /// These options have an effect only if this holds once the command line has been read; given without it,
     /// they are a usage error, `--NAME has no effect without WHAT`.
-    void needs(std::vector<std::string> names, std::string what, std::function<bool()> holds);
+    void needs(std::vector<std::string> names, std::string what, std::function<bool()> holds) {
+        conditions_.push_back({std::move(names), std::move(what), std::move(holds)});
+    }
     /// Options that are declared from here on stand under this heading in --help; `ownOptions` at first.
     /// Those under `generalOptions` come last.
-    void group(const std::string& heading);
+    void group(const std::string& heading) { group_ = heading; }
     static constexpr const char* ownOptions = "Options";
     static constexpr const char* generalOptions = "General options";
     /// All options of a struct, from its table in document/options/options.h.
@@ -83,28 +87,28 @@ public:
               const std::string& help, std::vector<std::string> suggestions = {});
     /// A command that works; shown under "Examples" in --help, in the order of the calls. The files part.obj
     /// and part.KIND.json exist where the examples are tried.
-    void example(const std::string& command);
+    void example(const std::string& command) { usage_.examples.push_back(command); }
     /// A paragraph of --help, below the summary.
-    void explain(const std::string& paragraph);
+    void explain(const std::string& paragraph) { usage_.paragraphs.push_back(paragraph); }
     /// The first interrupt asks the body through `Control::stopRequested` to end with the best so far, and
     /// the exit status is `exitUnmet`; a second one, later than a second, ends the tool. Without this the
     /// first one does.
-    void stopsGracefully();
+    void stopsGracefully() { isGraceful_ = true; }
     /// Called when the command line has been read and before anything else. What it throws, UsageError or
     /// Error, is a usage error.
-    void verify(std::function<void()> check);
+    void verify(std::function<void()> check) { verify_ = std::move(check); }
 
     // ---- What the body may use.
 
-    [[nodiscard]] const std::string& name() const;
+    [[nodiscard]] const std::string& name() const { return usage_.tool; }
     /// As in messages: the path, or "standard input".
     [[nodiscard]] std::string inputName() const;
     /// The path as it was given; "-" for standard input.
-    [[nodiscard]] const std::string& inputPath() const;
+    [[nodiscard]] const std::string& inputPath() const { return input_; }
     /// "-" for standard output.
-    [[nodiscard]] const std::string& outputPath() const;
+    [[nodiscard]] const std::string& outputPath() const { return general_.output; }
     /// True if the user gave this option on the command line.
-    [[nodiscard]] bool given(const std::string& optionName) const;
+    [[nodiscard]] bool given(const std::string& optionName) const { return given_.contains(optionName); }
     /// All bytes of the input.
     [[nodiscard]] std::string readInput() const;
     /// No output of this run may replace this file.
@@ -119,37 +123,50 @@ public:
 
     /// One line on standard error, `tool: message`; warnings are left out with --quiet, notes are shown with
     /// --verbose only.
-    void warn(const std::string& message) const;
-    void note(const std::string& message) const;
+    void warn(const std::string& message) const { console_.warn(message); }
+    void note(const std::string& message) const { console_.note(message); }
     /// A warning that begins with the name of the input.
     void warnOfInput(const std::string& message) const { warn(inputName() + ": " + message); }
 
     /// A figure for --stats.
     template <class Number> void count(const std::string& counter, Number value) const {
-        addCounter(counter, static_cast<double>(value));
+        statistics_.count(counter, static_cast<double>(value));
     }
 
-    [[nodiscard]] unsigned jobs() const;
+    [[nodiscard]] unsigned jobs() const { return general_.jobs; }
     /// Progress bar, interrupts and threads for a long computation. The bar appears on terminals only, after
     /// two seconds.
     [[nodiscard]] Control control(const std::string& label) const;
     /// Says every few seconds what a search tells it; not with --quiet.
-    [[nodiscard]] KnownCost sayingKnown() const;
+    [[nodiscard]] KnownCost sayingKnown() const { return console_.sayingKnown(); }
 
 private:
     friend int runTool(int argc, char** argv, const std::string& name, const std::string& summary,
                        const std::function<ToolBody(Tool&)>& declare);
-    struct State;
 
     void add(OptionRecord record);
-    void addCounter(const std::string& name, double value) const;
     void addGeneralOptions();
     void parse(int argc, char** argv);
     void noteSettings() const;
     int answer(const ToolBody& body);
-    int run(int argc, char** argv, const std::function<ToolBody(Tool&)>& declare);
 
-    std::unique_ptr<State> state_;
+    Usage usage_;
+    std::string group_ = ownOptions;
+    std::vector<std::string*> operands_;       ///< targets of those of `usage_`
+    std::vector<std::string>* more_ = nullptr; ///< for operands beyond those
+    bool hasInput_ = false;
+    bool hasOutput_ = false;
+    bool isGraceful_ = false;
+    std::vector<OptionCondition> conditions_;
+    std::function<void()> verify_;
+
+    std::string input_ = "-";
+    GeneralOptions general_;
+    std::set<std::string> given_;
+
+    // What a run says and counts changes nothing of the tool.
+    mutable RunStatistics statistics_;
+    mutable Console console_;
 };
 
 /// Runs a tool and returns its exit status.

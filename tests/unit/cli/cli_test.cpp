@@ -1,6 +1,6 @@
 /// \file Parts of the command line that need no process of their own; tests/cli tests the rest.
 #include "base/error.h"
-#include "cli/options/command_line_rules.h"
+#include "cli/options/command_line.h"
 #include "cli/options/usage.h"
 #include "cli/system/exit_status.h"
 #include "cli/system/output_file.h"
