@@ -1,11 +1,29 @@
 #include "cli/terminal/console.h"
 
-#include "cli/terminal/known_results.h"
+#include "base/number_text.h"
 #include "cli/terminal/messages.h"
 
+#include <atomic>
+#include <chrono>
+#include <cmath>
 #include <unistd.h>
 
 namespace qm {
+namespace {
+
+std::string rounded(double value) {
+    constexpr double digits = 1e4;
+    return numberText(std::round(value * digits) / digits);
+}
+
+/// "cost 12.5, at least 12.1, gap 0.4"
+std::string knownText(double cost, double lowerBound) {
+    const std::string text = "cost " + rounded(cost);
+    if (!std::isfinite(lowerBound)) return text + ", no bound yet";
+    return text + ", at least " + rounded(lowerBound) + ", gap " + rounded(cost - lowerBound);
+}
+
+} // namespace
 
 void Console::say(const std::string& message) const {
     hideProgress();
@@ -22,8 +40,14 @@ void Console::note(const std::string& message) const {
 
 KnownCost Console::sayingKnown() const {
     if (options_.quiet) return {};
-    return [this, last = std::make_shared<LastReport>()](double cost, double lowerBound) {
-        if (last->isDue()) say(knownText(cost, lowerBound));
+    using Clock = std::chrono::steady_clock;
+    const auto now = [] { return Clock::now().time_since_epoch().count(); };
+    const auto last = std::make_shared<std::atomic<Clock::rep>>(now());
+    return [this, now, last](double cost, double lowerBound) {
+        constexpr std::chrono::seconds between{3};
+        Clock::rep before = *last;
+        if (Clock::duration(now() - before) >= between && last->compare_exchange_strong(before, now()))
+            say(knownText(cost, lowerBound));
     };
 }
 
