@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,6 +18,9 @@ using JsonPointer = Json::json_pointer;
 template <class Value> [[nodiscard]] Json valueOrNull(const std::optional<Value>& value) {
     return value ? Json(*value) : Json();
 }
+
+/// The value as a 64-bit integer if it is whole, however it is written; otherwise nothing.
+[[nodiscard]] std::optional<std::int64_t> wholeNumber(const Json& value);
 
 /// Reads a value, in time linear in the text even for objects with many keys.
 /// \throw Error  with line and column, if the text is empty, no JSON or not UTF-8, has a key twice in one

@@ -1,7 +1,6 @@
 #include "document/json/json_place.h"
 
 #include "base/error.h"
-#include "document/json/whole_number.h"
 
 #include <utility>
 

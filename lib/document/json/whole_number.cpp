@@ -1,4 +1,4 @@
-#include "document/json/whole_number.h"
+#include "document/json/json.h"
 
 #include <cmath>
 #include <limits>

@@ -7,7 +7,6 @@
 
 #include "base/at.h"
 #include "document/json/json.h"
-#include "document/json/whole_number.h"
 #include "document/schema/shown_elements.h"
 
 #include <valijson/internal/adapter.hpp>

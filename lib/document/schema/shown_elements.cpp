@@ -1,7 +1,6 @@
 #include "document/schema/shown_elements.h"
 
 #include "base/infinity.h"
-#include "document/json/whole_number.h"
 
 #include <numeric>
 
