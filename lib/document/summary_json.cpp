@@ -1,6 +1,5 @@
 #include "document/summary_json.h"
 
-#include "document/options/length_text.h"
 #include "document/options/options.h"
 #include "document/sections/surfaces_section.h"
 

@@ -6,6 +6,8 @@
 namespace qm {
 
 /// "1.0.0"
-[[nodiscard]] std::string version();
+[[nodiscard]] inline std::string version() {
+    return QM_VERSION;
+}
 
 } // namespace qm

@@ -2,7 +2,6 @@
 
 #include "base/number_text.h"
 #include "document/options/cost_text.h"
-#include "document/options/length_text.h"
 
 #include <cmath>
 

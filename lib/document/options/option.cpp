@@ -15,6 +15,19 @@ std::string rangeText(const Range& range) {
     return bounded ? "at most " + roundedText(range.max) : "";
 }
 
+std::string lengthText(const Length& length) {
+    return numberText(length.value) + (length.percent ? "%" : "");
+}
+
+bool parseLength(std::string_view text, Length& length) {
+    const bool percent = text.ends_with('%');
+    if (percent) text.remove_suffix(1);
+    double value = 0;
+    if (!parseNumber(text, value) || value < 0) return false;
+    length = {value, percent};
+    return true;
+}
+
 std::string keyOf(std::string_view optionName) {
     std::string key;
     bool capital = false;

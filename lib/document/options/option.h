@@ -9,6 +9,7 @@
 #pragma once
 
 #include "base/infinity.h"
+#include "base/length.h"
 
 #include <cstddef>
 #include <string>
@@ -24,6 +25,12 @@ struct Range {
 
 /// "0 to 3.14", "at least 1"; empty if there is no limit.
 [[nodiscard]] std::string rangeText(const Range& range);
+
+/// A length as users and documents write it: "0.1%" or "0.05".
+[[nodiscard]] std::string lengthText(const Length& length);
+/// Reads a whole text as a number, not negative, with or without %. If it is anything else, returns false and
+/// leaves `length` unchanged.
+[[nodiscard]] bool parseLength(std::string_view text, Length& length);
 
 /// A value of an enumeration with its name on the command line.
 template <class Enum> struct Choice {

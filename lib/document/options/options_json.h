@@ -2,7 +2,6 @@
 #pragma once
 
 #include "document/json/json_place.h"
-#include "document/options/length_text.h"
 #include "document/options/options.h"
 
 #include <cmath>
