@@ -1,8 +1,8 @@
 /// \file qm-check: checks whether a document is true of its mesh. Only reading is shared with other tools.
 #include "check/check_document.h"
 #include "check/document/check_history.h"
-#include "check/document/print_report.h"
 #include "check/document/read_document.h"
+#include "check/document/report.h"
 #include "cli/terminal/messages.h"
 #include "cli/tool.h"
 #include "document/document.h"

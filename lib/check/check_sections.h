@@ -4,8 +4,10 @@
 /// Every one reports what is wrong, and takes sections before its own for true.
 #pragma once
 
+#include "check/document/checked_document.h"
 #include "check/document/report.h"
-#include "check/mesh/context.h"
+#include "check/mesh/angles.h"
+#include "check/mesh/neighbourhoods.h"
 #include "check/tracks/lines.h"
 
 #include <span>
@@ -13,6 +15,17 @@
 #include <vector>
 
 namespace qm::check {
+
+/// What the checks of tracks have in common.
+struct Context {
+    const CheckedMesh& mesh;
+    const Neighbourhoods& around;
+    Angles angles;
+    EdgeCosts costs;
+    ConstraintsPart constraints; ///< with sound paths
+    double segmentCost = 0;      ///< of every segment
+    std::vector<int> labels;     ///< sub-mesh of every vertex; empty if the mesh is not cut
+};
 
 /// The base complex of the mesh (docs/METHOD.md#base-complex).
 /// \param network  the lines of the whole mesh, without feature seeds

@@ -6,7 +6,7 @@
 /// document has them. Nothing is shared with lib/bspline. Lengths are shares of the bounding box's diagonal,
 /// angles are in degrees. Places within one edge of a folded or flat quad count as `besideBad`.
 #include "check/document/read_document.h"
-#include "check/surfaces/distance_to_mesh.h"
+#include "check/surfaces/distance.h"
 #include "check/surfaces/patch_borders.h"
 #include "check/surfaces/spline.h"
 #include "check/tracks/check_segments.h"

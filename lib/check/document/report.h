@@ -1,4 +1,5 @@
-/// \file What a check found: the violations, each with its place, and what proved true.
+/// \file What a check found: the violations, each with its place, and what proved true; as people and
+/// programs read it.
 #pragma once
 
 #include <cstddef>
@@ -63,5 +64,16 @@ inline void checkNumber(int id, std::size_t place, const std::string& here, cons
     if (std::cmp_not_equal(id, place))
         report.violate(below(here, "id"), "id", plural + " are numbered from 0 in their order");
 }
+
+/// One line for each thing that was found true, and the verdict.
+[[nodiscard]] std::string reportText(const Report& report);
+
+/// An object with "ok", "verified", "violations" (those that were kept) and "violationCount", ending in a
+/// line break.
+[[nodiscard]] std::string reportJson(const Report& report);
+
+/// The violations as lines without line breaks, `pointer: rule: explanation`: at most `max`, and one more
+/// line that says how many there are if those are not all.
+[[nodiscard]] std::vector<std::string> violationLines(const Report& report, std::size_t max);
 
 } // namespace qm::check

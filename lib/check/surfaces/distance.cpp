@@ -94,4 +94,46 @@ double distanceToPatch(const SurfacesPart::Patch& patch, Parameters parameters, 
                    {max(0), max(1)}, point, enough);
 }
 
+DistanceToMesh::DistanceToMesh(const CheckedMesh& mesh)
+    : mesh_(mesh), starts_(mesh.quads.size(), [this](std::size_t face, const Parameters& parameters) {
+          return quadOf(mesh_, static_cast<int>(face)).at(parameters[0], parameters[1]);
+      }) {}
+
+double DistanceToMesh::from(const Place& point, int face, const Parameters& start, double limit) const {
+    const double first = distanceToFace(mesh_, face, start, point, limit);
+    if (first <= limit) return first;
+    return starts_.nearest(point, first, limit, [&](const Start& other) {
+        return distanceToFace(mesh_, static_cast<int>(other.part), other.parameters, point, limit);
+    });
+}
+
+DistanceToSurfaces::DistanceToSurfaces(const CheckedMesh& mesh, const LayoutPart& layout,
+                                       const SurfacesPart& part)
+    : part_(part), places_(mesh.quads.size()),
+      starts_(mesh.quads.size(), [this](std::size_t face, const Parameters& within) {
+          const auto [u, v] = inPatch(face, within);
+          return evaluate(part_.patches[places_[face].patch], u, v).point;
+      }) {
+    for (std::size_t p = 0; p < layout.segments.size(); ++p) {
+        const auto& segment = layout.segments[p];
+        for (std::size_t f = 0; f < segment.faces.size(); ++f)
+            places_[at(segment.faces[f])] = {p, static_cast<int>(f) % segment.size[0],
+                                             static_cast<int>(f) / segment.size[0]};
+    }
+}
+
+double DistanceToSurfaces::from(const Place& point, std::size_t patch, const Parameters& parameters,
+                                double limit) const {
+    const double first = distanceToPatch(part_.patches[patch], parameters, point, limit);
+    if (first <= limit) return first;
+    return starts_.nearest(point, first, limit, [&](const Start& start) {
+        return distanceToPatch(part_.patches[places_[start.part].patch],
+                               inPatch(start.part, start.parameters), point, limit);
+    });
+}
+
+Parameters DistanceToSurfaces::inPatch(std::size_t face, const Parameters& within) const {
+    return {places_[face].column + within[0], places_[face].row + within[1]};
+}
+
 } // namespace qm::check

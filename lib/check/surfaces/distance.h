@@ -1,11 +1,15 @@
-/// \file Distances from a point to a face or a patch, near a place that corresponds to it.
+/// \file Distances from a point to a face or a patch near a place that corresponds to it, and to all of them.
 ///
 /// Every search ends once it has found a distance that is `enough`, or else with the smallest.
 #pragma once
 
 #include "check/mesh/neighbourhoods.h"
 #include "check/mesh/vectors.h"
+#include "check/surfaces/search_starts.h"
 #include "check/surfaces/spline.h"
+
+#include <cstddef>
+#include <vector>
 
 namespace qm::check {
 
@@ -18,5 +22,49 @@ namespace qm::check {
 /// distance.
 [[nodiscard]] double distanceToPatch(const SurfacesPart::Patch& patch, Parameters parameters,
                                      const Place& point, double enough = 0);
+
+/// From points to a mesh whose quads are bilinear.
+class DistanceToMesh {
+public:
+    /// \param mesh  must outlive this
+    explicit DistanceToMesh(const CheckedMesh& mesh);
+
+    /// To a face, and if that is farther than the limit, to whatever may be nearer. Never less than the true
+    /// distance.
+    /// \param start  parameters in the face
+    [[nodiscard]] double from(const Place& point, int face, const Parameters& start, double limit = 0) const;
+
+private:
+    const CheckedMesh& mesh_;
+    SearchStarts starts_; ///< on faces
+};
+
+/// Knows which patch lies over every face.
+class DistanceToSurfaces {
+public:
+    /// \param part  must outlive this
+    DistanceToSurfaces(const CheckedMesh& mesh, const LayoutPart& layout, const SurfacesPart& part);
+
+    /// From a point to a patch, and if that is farther than the limit, to whatever may be nearer: surfaces
+    /// may slide into other patches, a patch may meet itself, and a reference of another shape draws surfaces
+    /// away from their faces. Never less than the true distance.
+    /// \param parameters  of the point in the patch, about
+    [[nodiscard]] double from(const Place& point, std::size_t patch, const Parameters& parameters,
+                              double limit) const;
+
+private:
+    struct FacePlace {
+        std::size_t patch = 0;
+        int column = 0;
+        int row = 0;
+    };
+
+    /// \param within  the face: both parameters from 0 to 1
+    [[nodiscard]] Parameters inPatch(std::size_t face, const Parameters& within) const;
+
+    const SurfacesPart& part_;
+    std::vector<FacePlace> places_; ///< by face
+    SearchStarts starts_;           ///< over faces
+};
 
 } // namespace qm::check

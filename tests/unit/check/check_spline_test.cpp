@@ -1,6 +1,6 @@
 // The checker's own evaluation of surfaces, and its distances.
 #include "check/surfaces/bilinear_quad.h"
-#include "check/surfaces/distance_to_mesh.h"
+#include "check/surfaces/distance.h"
 #include "check/surfaces/spline.h"
 #include "support/polycube.h"
 

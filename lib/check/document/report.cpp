@@ -1,4 +1,4 @@
-#include "check/document/print_report.h"
+#include "check/document/report.h"
 
 #include <nlohmann/json.hpp>
 
