@@ -3,26 +3,6 @@
 #include "enumerate/state/junction_rule.h"
 
 namespace qm {
-namespace {
-
-/// Draws the conclusions of rule 2 at a crossing.
-bool concludeAround(const Crossing& crossing, PartialAssignment& assignment) {
-    const std::array<VariableId, 4> arcs = crossing.arcs();
-    unsigned index = 0;
-    for (const std::size_t k : {3U, 2U, 1U, 0U}) {
-        const ArcState state = assignment.value(arcs[k]);
-        index = index * 3 + (state == ArcState::free ? 2U : static_cast<unsigned>(state));
-    }
-    const JunctionConclusion& conclusion = concludeAtJunction(index);
-    if (!conclusion.possible) return false;
-    for (unsigned k = 0; k < 4; ++k) {
-        if ((conclusion.forcedIn >> k & 1) && !assignment.set(arcs[k], ArcState::in)) return false;
-        if ((conclusion.forcedOut >> k & 1) && !assignment.set(arcs[k], ArcState::out)) return false;
-    }
-    return true;
-}
-
-} // namespace
 
 SearchState::SearchState(const Problem& problem)
     : problem_(problem), assignment_(problem), lines_(problem, assignment_),
