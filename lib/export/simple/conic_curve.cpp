@@ -2,7 +2,6 @@
 
 #include "base/infinity.h"
 #include "export/simple/curve_on_surface.h"
-#include "export/simple/elementary_numbers.h"
 #include "export/simple/straight_seam.h"
 
 #include <ElCLib.hxx>

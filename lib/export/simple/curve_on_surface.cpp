@@ -2,18 +2,20 @@
 
 #include "base/at.h"
 #include "export/geometry/geometry.h"
-#include "export/simple/elementary_numbers.h"
 
 #include <ElSLib.hxx>
 #include <Geom2dAPI_Interpolate.hxx>
 #include <Geom2d_BSplineCurve.hxx>
 #include <GeomAPI_Interpolate.hxx>
+#include <Geom_ConicalSurface.hxx>
+#include <Geom_CylindricalSurface.hxx>
 #include <Geom_Plane.hxx>
+#include <Geom_SphericalSurface.hxx>
+#include <Geom_ToroidalSurface.hxx>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace qm {
@@ -78,6 +80,16 @@ template <class Make> auto refined(double resolution, const Make& make) {
 }
 
 } // namespace
+
+ElementaryNumbers numbersOf(const Handle(Geom_ElementarySurface) & surface) {
+    if (const auto plane = Handle(Geom_Plane)::DownCast(surface); !plane.IsNull()) return plane->Pln();
+    if (const auto cylinder = Handle(Geom_CylindricalSurface)::DownCast(surface); !cylinder.IsNull())
+        return cylinder->Cylinder();
+    if (const auto cone = Handle(Geom_ConicalSurface)::DownCast(surface); !cone.IsNull()) return cone->Cone();
+    if (const auto sphere = Handle(Geom_SphericalSurface)::DownCast(surface); !sphere.IsNull())
+        return sphere->Sphere();
+    return Handle(Geom_ToroidalSurface)::DownCast(surface)->Torus();
+}
 
 gp_Pnt2d parametersAt(const Handle(Geom_ElementarySurface) & surface, const gp_Pnt& point) {
     double u = 0;

@@ -7,6 +7,12 @@
 #include <Geom2d_BSplineCurve.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <array>
+#include <gp_Cone.hxx>
+#include <gp_Cylinder.hxx>
+#include <gp_Pln.hxx>
+#include <gp_Sphere.hxx>
+#include <gp_Torus.hxx>
+#include <variant>
 #include <vector>
 
 namespace qm {
@@ -16,6 +22,11 @@ struct CurveOnSurface {
     Handle(Geom2d_BSplineCurve) curve;
     double gap = 0; ///< largest distance between points of the same parameter
 };
+
+/// The numbers by which a surface is defined.
+using ElementaryNumbers = std::variant<gp_Pln, gp_Cylinder, gp_Cone, gp_Sphere, gp_Torus>;
+
+[[nodiscard]] ElementaryNumbers numbersOf(const Handle(Geom_ElementarySurface) & surface);
 
 /// Parameters u and v of the point of a surface that is nearest to a point.
 [[nodiscard]] gp_Pnt2d parametersAt(const Handle(Geom_ElementarySurface) & surface, const gp_Pnt& point);
