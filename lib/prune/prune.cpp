@@ -84,6 +84,12 @@ std::vector<Fate> decide(const QuadMesh& mesh, const Layout& layout,
     return fates;
 }
 
+bool dominates(const FrontPoint& one, const FrontPoint& other) {
+    constexpr double rounding = 1e-9;
+    return one.segments <= other.segments && one.cost <= other.cost + rounding &&
+           one.capturedSharpness >= other.capturedSharpness - rounding;
+}
+
 } // namespace
 
 PruneResult pruneLayout(const QuadMesh& mesh, const Layout& layout, const std::vector<double>& dihedralAngles,
@@ -101,6 +107,12 @@ PruneResult pruneLayout(const QuadMesh& mesh, const Layout& layout, const std::v
     result.keptNotQuadrilateral = number(Fate::notQuadrilateral);
     result.keptNotSmooth = number(Fate::notSmooth);
     return result;
+}
+
+void addToFront(std::vector<FrontPoint>& front, const FrontPoint& point) {
+    if (std::ranges::any_of(front, [&](const FrontPoint& other) { return dominates(other, point); })) return;
+    std::erase_if(front, [&](const FrontPoint& other) { return dominates(point, other); });
+    front.push_back(point);
 }
 
 } // namespace qm

@@ -5,8 +5,8 @@
 #include "base/infinity.h"
 #include "layout/constraints.h"
 #include "layout/layout.h"
-#include "prune/front.h"
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -37,6 +37,17 @@ struct PruneOptions {
     Constraints constraints;
 };
 
+/// The figures of a layout on the Pareto front (docs/METHOD.md#pruning-program). One layout dominates another
+/// if its number of segments, its G_T and its captured sharpness are all at least as good, up to rounding.
+struct FrontPoint {
+    double beta = 0; ///< price of a segment for which the layout was found
+    std::size_t segments = 0;
+    double cost = 0; ///< G_T
+    double capturedSharpness = 0;
+    double objectiveBound = 0; ///< no layout has a lower G_T + beta * segments
+    bool proven = false;       ///< the layout attains the bound
+};
+
 struct PruneResult {
     Layout layout;
     std::size_t addedTracks = 0; ///< from corners of sharp edges, before anything is removed
@@ -59,5 +70,9 @@ struct PruneResult {
                                       const std::vector<double>& dihedralAngles,
                                       const std::vector<double>& edgeCosts, const PruneOptions& options,
                                       const Control& control = {});
+
+/// Adds a point unless another one dominates it, and removes all points that the new one dominates.
+/// \param front  no point of it dominates another
+void addToFront(std::vector<FrontPoint>& front, const FrontPoint& point);
 
 } // namespace qm

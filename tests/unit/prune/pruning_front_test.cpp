@@ -1,4 +1,4 @@
-#include "prune/front.h"
+#include "prune/prune.h"
 
 #include <gtest/gtest.h>
 
