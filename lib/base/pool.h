@@ -2,10 +2,10 @@
 #pragma once
 
 #include <functional>
+#include <list>
 #include <memory>
 #include <mutex>
 #include <utility>
-#include <vector>
 
 namespace qm {
 
@@ -18,43 +18,33 @@ public:
     /// must not depend on what earlier calls did to it.
     template <class Function> auto use(const Function& f) {
         const Loan loan(*this);
-        return f(*loan.object);
+        return f(*loan.one.front());
     }
 
 private:
+    /// An object on its way: nodes go from list to list, which cannot fail.
     struct Loan {
-        explicit Loan(Pool& from) : pool(from), object(from.take()) {}
+        explicit Loan(Pool& from) : pool(from) {
+            {
+                const std::lock_guard<std::mutex> lock(pool.mutex_);
+                if (!pool.idle_.empty()) one.splice(one.begin(), pool.idle_, pool.idle_.begin());
+            }
+            if (one.empty()) one.push_back(pool.make_());
+        }
         ~Loan() {
             const std::lock_guard<std::mutex> lock(pool.mutex_);
-            pool.idle_.push_back(object); // there is room, so it cannot fail
+            pool.idle_.splice(pool.idle_.begin(), one);
         }
         Loan(const Loan&) = delete;
         Loan& operator=(const Loan&) = delete;
 
         Pool& pool;
-        T* object;
+        std::list<std::unique_ptr<T>> one;
     };
-
-    T* take() {
-        {
-            const std::lock_guard<std::mutex> lock(mutex_);
-            if (!idle_.empty()) {
-                T* object = idle_.back();
-                idle_.pop_back();
-                return object;
-            }
-        }
-        std::unique_ptr<T> made = make_();
-        const std::lock_guard<std::mutex> lock(mutex_);
-        idle_.reserve(all_.size() + 1);
-        all_.push_back(std::move(made));
-        return all_.back().get();
-    }
 
     std::function<std::unique_ptr<T>()> make_;
     std::mutex mutex_;
-    std::vector<std::unique_ptr<T>> all_;
-    std::vector<T*> idle_;
+    std::list<std::unique_ptr<T>> idle_;
 };
 
 } // namespace qm

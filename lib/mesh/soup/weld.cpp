@@ -26,24 +26,13 @@ double toleranceOf(const Soup& soup) {
     return 1e-9 * boundingBoxOf(soup.corners, point).size().max();
 }
 
-/// The sides that begin at each vertex.
-class Stars {
-public:
-    explicit Stars(const Soup& soup) : begin_(soup.points.size() + 2, 0), sides_(soup.corners.size()) {
-        for (Side side = 0; side < sides_.size(); ++side)
-            ++begin_[cornerAt(soup, side) + 2];
-        std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-        for (Side side = 0; side < sides_.size(); ++side)
-            sides_[begin_[cornerAt(soup, side) + 1]++] = side;
-    }
-    [[nodiscard]] std::span<const Side> of(std::size_t vertex) const {
-        return {sides_.data() + begin_[vertex], sides_.data() + begin_[vertex + 1]};
-    }
-
-private:
-    std::vector<std::size_t> begin_;
-    std::vector<Side> sides_;
-};
+/// By vertex: the sides that begin there.
+std::vector<std::vector<Side>> starsOf(const Soup& soup) {
+    std::vector<std::vector<Side>> stars(soup.points.size());
+    for (Side side = 0; side < soup.corners.size(); ++side)
+        stars[cornerAt(soup, side)].push_back(side);
+    return stars;
+}
 
 std::vector<bool> borderVertices(const Soup& soup) {
     std::vector<bool> border(soup.points.size(), false);
@@ -96,7 +85,7 @@ std::vector<std::size_t> identity(std::size_t count) {
 class Collapser {
 public:
     explicit Collapser(const Soup& soup)
-        : soup_(soup), stars_(soup), border_(borderVertices(soup)), tolerance_(toleranceOf(soup)),
+        : soup_(soup), stars_(starsOf(soup)), border_(borderVertices(soup)), tolerance_(toleranceOf(soup)),
           touched_(soup.points.size(), false) {
         result_.faceStays.assign(soup.faceCount(), true);
         result_.target = identity(soup.points.size());
@@ -120,7 +109,7 @@ private:
     /// corners.
     [[nodiscard]] bool shareOnly(Side side, std::size_t a, std::size_t c) const {
         std::vector<std::size_t> around;
-        for (const Side out : stars_.of(a)) {
+        for (const Side out : stars_[a]) {
             around.push_back(cornerAt(soup_, nextSide(out)));
             around.push_back(cornerAt(soup_, previousSide(out)));
             if (out / 4 != side / 4)
@@ -129,7 +118,7 @@ private:
         }
         std::ranges::sort(around);
         const std::size_t b = cornerAt(soup_, nextSide(side)), d = cornerAt(soup_, previousSide(side));
-        return std::ranges::all_of(stars_.of(c), [&](Side out) {
+        return std::ranges::all_of(stars_[c], [&](Side out) {
             for (const std::size_t neighbour :
                  {cornerAt(soup_, nextSide(out)), cornerAt(soup_, previousSide(out))})
                 if (neighbour != b && neighbour != d && std::ranges::binary_search(around, neighbour))
@@ -143,13 +132,13 @@ private:
         result_.target[gone] = kept;
         result_.faceStays[side / 4] = false;
         for (const std::size_t vertex : {kept, gone})
-            for (const Side out : stars_.of(vertex))
+            for (const Side out : stars_[vertex])
                 for (Side other = out & ~3U; other <= (out | 3U); ++other)
                     touched_[cornerAt(soup_, other)] = true;
     }
 
     const Soup& soup_;
-    Stars stars_;
+    std::vector<std::vector<Side>> stars_;
     std::vector<bool> border_;
     double tolerance_;
     std::vector<bool> touched_;
@@ -160,13 +149,13 @@ private:
 
 std::vector<std::size_t> weldTargets(const Soup& soup) {
     const std::vector<bool> border = borderVertices(soup);
-    const Stars stars(soup);
+    const auto stars = starsOf(soup);
     PointTree tree(soup.points, toleranceOf(soup));
     std::vector<std::size_t> target = identity(soup.points.size());
     for (std::size_t k = 0; k < target.size(); ++k) {
         if (!border[k]) continue;
         target[k] = tree.find(k, [&](std::size_t other) {
-            return std::ranges::none_of(stars.of(k), [&](Side out) {
+            return std::ranges::none_of(stars[k], [&](Side out) {
                 return target[cornerAt(soup, nextSide(out))] == other ||
                        target[cornerAt(soup, previousSide(out))] == other;
             });
