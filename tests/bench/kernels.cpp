@@ -31,55 +31,48 @@ void setSize(benchmark::State& state, const QuadMesh& mesh) {
     state.counters["quads/s"] = benchmark::Counter(quads, benchmark::Counter::kIsIterationInvariantRate);
 }
 
-void dihedral(benchmark::State& state) {
+/// Measures a function of a model.
+template <class Work> void measure(benchmark::State& state, const Work& work) {
     const Model model = bench::model(state);
     for ([[maybe_unused]] auto _ : state)
-        benchmark::DoNotOptimize(dihedralAngles(model.mesh));
+        benchmark::DoNotOptimize(work(model));
     setSize(state, model.mesh);
+}
+
+void dihedral(benchmark::State& state) {
+    measure(state, [](const Model& model) { return dihedralAngles(model.mesh); });
 }
 
 void baseComplex(benchmark::State& state) {
-    const Model model = bench::model(state);
-    for ([[maybe_unused]] auto _ : state)
-        benchmark::DoNotOptimize(buildBaseComplex(model.mesh));
-    setSize(state, model.mesh);
+    measure(state, [](const Model& model) { return buildBaseComplex(model.mesh); });
 }
 
 void arcGraph(benchmark::State& state) {
-    const Model model = bench::model(state);
-    for ([[maybe_unused]] auto _ : state)
-        benchmark::DoNotOptimize(buildArcGraph(model.mesh, model.complex));
-    setSize(state, model.mesh);
+    measure(state, [](const Model& model) { return buildArcGraph(model.mesh, model.complex); });
 }
 
 void features(benchmark::State& state) {
-    const Model model = bench::model(state);
-    for ([[maybe_unused]] auto _ : state)
-        benchmark::DoNotOptimize(findFeatures(model.mesh, model.angles, {}));
-    setSize(state, model.mesh);
+    measure(state, [](const Model& model) { return findFeatures(model.mesh, model.angles, {}); });
 }
 
 void cut(benchmark::State& state) {
-    const Model model = bench::model(state);
-    for ([[maybe_unused]] auto _ : state)
-        benchmark::DoNotOptimize(cutMesh(model.mesh, model.complex, model.angles, {}));
-    setSize(state, model.mesh);
+    measure(state, [](const Model& model) { return cutMesh(model.mesh, model.complex, model.angles, {}); });
+}
+
+void enumerateBy(Method method, benchmark::State& state) {
+    EnumerationOptions options;
+    options.method = method;
+    measure(state, [&](const Model& model) {
+        return enumerateGraphs(model.mesh, model.complex, model.angles, {}, options);
+    });
 }
 
 void plainGraph(benchmark::State& state) {
-    const Model model = bench::model(state);
-    EnumerationOptions options;
-    options.method = Method::plain;
-    for ([[maybe_unused]] auto _ : state)
-        benchmark::DoNotOptimize(enumerateGraphs(model.mesh, model.complex, model.angles, {}, options));
-    setSize(state, model.mesh);
+    enumerateBy(Method::plain, state);
 }
 
 void optimum(benchmark::State& state) {
-    const Model model = bench::model(state);
-    for ([[maybe_unused]] auto _ : state)
-        benchmark::DoNotOptimize(enumerateGraphs(model.mesh, model.complex, model.angles, {}, {}));
-    setSize(state, model.mesh);
+    enumerateBy(EnumerationOptions().method, state);
 }
 
 void layout(benchmark::State& state) {

@@ -9,6 +9,7 @@
 #include "document/sections/features_section.h"
 #include "merge/merge.h"
 #include "prune/prune_optimum.h"
+#include "support/checked_mesh.h"
 #include "support/sample_document.h"
 
 #include <array>
@@ -128,18 +129,6 @@ void edit(Json& root, Choices& choices) {
     }
 }
 
-qm::check::CheckedMesh checkedMesh(const qm::QuadMesh& mesh) {
-    qm::check::CheckedMesh result;
-    for (const auto vertex : mesh.vertices())
-        result.points.push_back({mesh.point(vertex)[0], mesh.point(vertex)[1], mesh.point(vertex)[2]});
-    for (const auto face : mesh.faces()) {
-        auto corner = result.quads.emplace_back().begin();
-        for (auto vertex = mesh.cfv_begin(face); vertex.is_valid(); ++vertex)
-            *corner++ = vertex->idx();
-    }
-    return result;
-}
-
 /// Runs the next stages on a document.
 void workOn(const qm::Document& document, const qm::Model& model) {
     qm::EnumerationOptions options;
@@ -164,7 +153,7 @@ struct Sample {
             qm::testing::dividedCubes(small ? qm::testing::box(2, 1, 1) : qm::testing::bump(), small ? 1 : 3);
         root = qm::testing::sampleDocument(folder, kind, quads).root;
         if (kind < qm::Kind::enumeration) demand(root);
-        mesh = checkedMesh(quads);
+        mesh = qm::testing::checkedMesh(quads);
     }
 
     qm::testing::TemporaryFolder folder;

@@ -6,6 +6,7 @@
 /// document has them. Nothing is shared with lib/bspline. Lengths are shares of the bounding box's diagonal,
 /// angles are in degrees. Places within one edge of a folded or flat quad count as `besideBad`.
 #include "check/document/read_document.h"
+#include "check/mesh/vectors.h"
 #include "check/surfaces/distance.h"
 #include "check/surfaces/patch_borders.h"
 #include "check/surfaces/spline.h"
@@ -39,18 +40,8 @@ std::size_t index(int i) {
     return static_cast<std::size_t>(i);
 }
 
-Place minus(const Place& a, const Place& b) {
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-Place cross(const Place& a, const Place& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double dot(const Place& a, const Place& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 double degreesBetween(const Place& a, const Place& b) {
-    const Place both = cross(a, b);
-    return std::atan2(std::sqrt(dot(both, both)), dot(a, b) + 0.0) * 180 / std::numbers::pi;
+    return std::atan2(length(cross(a, b)), dot(a, b) + 0.0) * 180 / std::numbers::pi;
 }
 
 /// The largest and the root mean square of a set of values.

@@ -1,5 +1,7 @@
 #include "programs/measure/subdivision.h"
 
+#include "check/mesh/vectors.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -11,6 +13,7 @@ namespace {
 
 using qm::check::CheckedMesh;
 using qm::check::LayoutPart;
+using qm::check::minus;
 using qm::check::Neighbourhoods;
 
 std::size_t index(int i) {
@@ -20,10 +23,6 @@ std::size_t index(int i) {
 void addTo(Place& sum, double weight, const Place& place) {
     for (std::size_t k = 0; k < 3; ++k)
         sum[k] += weight * place[k];
-}
-
-Place minus(const Place& a, const Place& b) {
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
 /// The turn, in radians, of a path from a over `at` to b.
