@@ -1,3 +1,4 @@
+#include "base/bytes.h"
 #include "base/error.h"
 #include "mesh/files/ply_header.h"
 #include "mesh/soup/soup.h"
@@ -6,7 +7,6 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstring>
 #include <memory>
 #include <utility>
 
@@ -48,7 +48,7 @@ private:
 
 class BinaryValues : public Values {
 public:
-    BinaryValues(std::string_view bytes, bool swapped) : bytes_(bytes), swapped_(swapped) {}
+    BinaryValues(std::string_view bytes, std::endian order) : bytes_(bytes), order_(order) {}
 
     std::optional<double> next(PlyType type) override {
         switch (type) {
@@ -76,15 +76,13 @@ public:
 private:
     template <class Number> std::optional<double> take() {
         if (bytes_.size() < sizeof(Number)) return std::nullopt;
-        std::array<char, sizeof(Number)> raw;
-        std::memcpy(raw.data(), bytes_.data(), sizeof(Number));
+        const auto number = numberFrom<Number>(bytes_, order_);
         bytes_.remove_prefix(sizeof(Number));
-        if (swapped_) std::ranges::reverse(raw);
-        return static_cast<double>(std::bit_cast<Number>(raw));
+        return static_cast<double>(number);
     }
 
     std::string_view bytes_;
-    bool swapped_;
+    std::endian order_;
 };
 
 class PlyReader {
@@ -113,8 +111,7 @@ private:
     std::unique_ptr<Values> openBody() {
         if (header_.format == PlyFormat::ascii) return std::make_unique<TextValues>(lines_);
         const bool little = header_.format == PlyFormat::littleEndian;
-        return std::make_unique<BinaryValues>(lines_.rest(),
-                                              little != (std::endian::native == std::endian::little));
+        return std::make_unique<BinaryValues>(lines_.rest(), little ? std::endian::little : std::endian::big);
     }
 
     void addPoint(const Point& point) {

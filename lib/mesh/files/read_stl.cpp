@@ -1,12 +1,10 @@
+#include "base/bytes.h"
 #include "base/error.h"
 #include "mesh/files/text_lines.h"
 #include "mesh/soup/soup.h"
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cctype>
-#include <cstring>
 #include <utility>
 
 namespace qm {
@@ -18,20 +16,12 @@ bool isWord(std::string_view word, std::string_view keyword) {
                               [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
 }
 
-/// Reads a little-endian number on any machine.
-template <class Number> Number numberAt(std::string_view bytes, std::size_t at) {
-    std::array<char, sizeof(Number)> raw;
-    std::memcpy(raw.data(), bytes.data() + at, sizeof(Number));
-    if constexpr (std::endian::native == std::endian::big) std::reverse(raw.begin(), raw.end());
-    return std::bit_cast<Number>(raw);
-}
-
 constexpr std::size_t headerSize = 84; // 80 bytes of arbitrary text and the number of facets
 constexpr std::size_t facetSize = 50;  // normal, three points, two bytes of attributes
 
 /// The size of a binary file according to its number of facets.
 std::size_t announcedSize(std::string_view bytes) {
-    return headerSize + facetSize * std::size_t{numberAt<std::uint32_t>(bytes, headerSize - 4)};
+    return headerSize + facetSize * std::size_t{numberFrom<std::uint32_t>(bytes.substr(headerSize - 4))};
 }
 
 Soup readBinary(std::string_view bytes) {
@@ -48,7 +38,7 @@ Soup readBinary(std::string_view bytes) {
     for (std::size_t facet = headerSize; facet < bytes.size(); facet += facetSize) {
         for (std::size_t corner = 1; corner <= 3; ++corner) {
             const auto coordinate = [&](std::size_t k) -> double {
-                return numberAt<float>(bytes, facet + 12 * corner + 4 * k);
+                return numberFrom<float>(bytes.substr(facet + 12 * corner + 4 * k));
             };
             soup.corners.push_back(static_cast<std::int64_t>(soup.points.size()));
             soup.points.emplace_back(coordinate(0), coordinate(1), coordinate(2));
