@@ -1,7 +1,6 @@
 /// \file Documents of every kind for a small mesh, made by the library, for tests of reading and writing.
 #pragma once
 
-#include "base/error.h"
 #include "cli/system/child_process.h"
 #include "document/document.h"
 #include "document/model.h"
@@ -30,15 +29,5 @@ public:
 /// halves. The mesh file is `mesh.obj` in the folder, to which the document refers by its full path.
 [[nodiscard]] Document sampleDocument(const TemporaryFolder& folder, Kind kind,
                                       const QuadMesh& mesh = sampleMesh());
-
-/// The message of the qm::Error that f throws; fails the test if it throws none.
-template <class Function> [[nodiscard]] std::string messageOf(Function&& f) {
-    try {
-        f();
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "(nothing was thrown)";
-}
 
 } // namespace qm::testing

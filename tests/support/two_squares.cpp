@@ -1,8 +1,8 @@
 #include "support/two_squares.h"
 
-#include "base/error.h"
 #include "mesh/files/read_mesh.h"
 #include "support/mesh_text.h"
+#include "support/message_of.h"
 
 #include <array>
 #include <cstddef>
@@ -15,14 +15,10 @@ QuadMesh read(const std::string& text, const std::string& name) {
 }
 
 std::string refusal(const std::string& text, const std::string& name) {
-    try {
-        (void)readMesh(text, name);
-    } catch (const Error& error) {
-        EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << "one line";
-        return error.what();
-    }
-    ADD_FAILURE() << "accepted:\n" << text.substr(0, 300);
-    return {};
+    const std::string message = messageOf([&] { (void)readMesh(text, name); });
+    EXPECT_NE(message, "") << "accepted:\n" << text.substr(0, 300);
+    EXPECT_EQ(message.find('\n'), std::string::npos) << "one line";
+    return message;
 }
 
 std::string twoObj() {

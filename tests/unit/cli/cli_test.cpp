@@ -10,6 +10,7 @@
 #include "cli/tool.h"
 #include "document/files/files.h"
 #include "document/json/json.h"
+#include "support/message_of.h"
 #include "support/sample_document.h"
 
 #include <gtest/gtest.h>
@@ -188,16 +189,6 @@ TEST(Usage, HelpAndJsonSayTheSame) {
     EXPECT_EQ(json["examples"], usage.examples);
 }
 
-/// The error message for a wrong command line; empty if it is right.
-std::string usageError(const std::function<void()>& read) {
-    try {
-        read();
-    } catch (const qm::UsageError& error) {
-        return error.what();
-    }
-    return "";
-}
-
 TEST(CommandLineRules, GiveWordsToOperandsInTheirOrder) {
     const std::vector<qm::Operand> declared{{"FIRST", "a", true, {}}, {"SECOND", "b", false, {}}};
     std::string first, second;
@@ -206,7 +197,9 @@ TEST(CommandLineRules, GiveWordsToOperandsInTheirOrder) {
         first.clear();
         second = "unset";
         rest.clear();
-        return usageError([&] { qm::assignOperands(words, declared, {&first, &second}, more); });
+        return messageOf<qm::UsageError>([&] {
+            qm::assignOperands(words, declared, {&first, &second}, more);
+        });
     };
     EXPECT_EQ(assign({"x"}, nullptr), "");
     EXPECT_EQ(first + " " + second, "x unset");
@@ -224,7 +217,7 @@ TEST(CommandLineRules, RefuseOptionsWithoutEffect) {
     const std::vector<qm::OptionCondition> conditions{
         {{"seed", "draws"}, "--count", [&] { return counting; }}};
     const auto refused = [&](const std::set<std::string>& given) {
-        return usageError([&] { qm::requireEffects(conditions, given); });
+        return messageOf<qm::UsageError>([&] { qm::requireEffects(conditions, given); });
     };
     EXPECT_EQ(refused({"best"}), "");
     EXPECT_EQ(refused({"best", "draws"}), "--draws has no effect without --count. Leave it out");

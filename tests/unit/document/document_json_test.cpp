@@ -1,11 +1,11 @@
 /// \file Reading and printing JSON.
-#include "base/error.h"
 #include "base/infinity.h"
 #include "base/number_text.h"
 #include "document/json/json.h"
 #include "document/json/json_place.h"
 #include "document/json/utf8.h"
 #include "document/schema/misspelt_keys.h"
+#include "support/message_of.h"
 #include "support/sample_document.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,6 @@
 /// \file Reading the sections of documents: the result equals what was written, and every violation is
 /// reported with its place.
 #include "base/at.h"
-#include "base/error.h"
 #include "bspline/splines/basis.h"
 #include "document/document.h"
 #include "document/files/sha256.h"
@@ -9,6 +8,7 @@
 #include "document/model.h"
 #include "document/sections/enumeration_section.h"
 #include "mesh/topology.h"
+#include "support/message_of.h"
 #include "support/sample_document.h"
 
 #include <gtest/gtest.h>
@@ -133,15 +133,13 @@ TEST_F(ModelTest, TheBaseComplexCannotBeEdited) {
           "/baseComplex/separatrices/2/vertices/1");
     begin(complaint(Kind::basecomplex, [](Json& root) { root["baseComplex"]["separatrices"].erase(7); }),
           "/baseComplex/separatrices/7/id");
-    EXPECT_EQ(complaint(Kind::basecomplex, [](Json& root) { root["baseComplex"]["mine"] = "kept"; }),
-              "(nothing was thrown)");
+    EXPECT_EQ(complaint(Kind::basecomplex, [](Json& root) { root["baseComplex"]["mine"] = "kept"; }), "");
 }
 
 // ------------------------------------------------------------------------------------------- features
 
 TEST_F(ModelTest, CurvesMayBeDeletedAndAdded) {
-    EXPECT_EQ(complaint(Kind::features, [](Json& root) { root["features"]["curves"] = Json::array(); }),
-              "(nothing was thrown)");
+    EXPECT_EQ(complaint(Kind::features, [](Json& root) { root["features"]["curves"] = Json::array(); }), "");
     Document document = sampleDocument(folder, Kind::features);
     Json& curves = document.root["features"]["curves"];
     curves[0]["id"] = 17;
@@ -159,7 +157,7 @@ TEST_F(ModelTest, ACurveMustRunStraightAlongAMeshLine) {
     const Json curve = sampleDocument(folder, Kind::features).root["features"]["curves"][0];
     std::vector<int> good = curve["vertices"];
     const int seed = curve["seed"];
-    EXPECT_EQ(withCurve(good, seed), "(nothing was thrown)");
+    EXPECT_EQ(withCurve(good, seed), "");
 
     EXPECT_TRUE(begins(withCurve({good[0], good[2]}, seed), "/features/curves/0/vertices/1: vertex " +
                                                                 std::to_string(good[2]) +
@@ -279,7 +277,7 @@ TEST_F(ModelTest, ConstraintsAreEdgesOfSeparatrices) {
         const std::vector<int> curve = document.root["features"]["curves"][0]["vertices"];
         if (std::find(curve.begin(), curve.end(), a) != curve.end()) continue;
         const std::string message = constrained({{"forbidden", {{{"vertices", {a, b}}}}}});
-        if (message == "(nothing was thrown)") continue; // the edge lies on the seed's line
+        if (message == "") continue; // the edge lies on the seed's line
         EXPECT_TRUE(begins(
             message, "/constraints/forbidden/0/vertices/1: the edge to this vertex lies on no separatrix"))
             << message;
@@ -298,8 +296,7 @@ TEST_F(ModelTest, GraphsMustFitTheMesh) {
     EXPECT_TRUE(begins(complaint(Kind::enumeration,
                                  [&](Json& root) { root["enumeration"]["subMeshes"][0]["cost"] = nullptr; }),
                        "/enumeration/subMeshes/0/cost: is not "));
-    EXPECT_EQ(complaint(Kind::enumeration, [&](Json& root) { graphs(root)[0].erase("cost"); }),
-              "(nothing was thrown)");
+    EXPECT_EQ(complaint(Kind::enumeration, [&](Json& root) { graphs(root)[0].erase("cost"); }), "");
     EXPECT_EQ(complaint(Kind::enumeration,
                         [&](Json& root) { graphs(root)[0]["tracks"][0]["separatrix"] = 100000; }),
               tracks + "/0/separatrix: is not the separatrix that begins with the track's first edge");
@@ -329,7 +326,7 @@ TEST_F(ModelTest, GraphsMustFitTheMesh) {
             << count;
     EXPECT_EQ(complaint(Kind::enumeration,
                         [&](Json& root) { root["enumeration"]["count"] = "123456789012345678901234567890"; }),
-              "(nothing was thrown)");
+              "");
 }
 
 TEST_F(ModelTest, TracksMustStartInTheirSubMesh) {
@@ -376,7 +373,7 @@ TEST_F(ModelTest, ATrackThatIsDeletedIsHonouredOrRefused) {
     for (std::size_t i = 0; i < tracks; ++i) {
         EXPECT_TRUE(begins(without(i, true), "/layout/")) << i;
         const std::string message = without(i, false);
-        if (message == "(nothing was thrown)")
+        if (message == "")
             ++honoured;
         else
             EXPECT_TRUE(begins(message, "/layout/tracks: do not cut the mesh into grids: ")) << message;

@@ -5,6 +5,7 @@
 #include "document/schema/schema.h"
 #include "document/schema/schema_check.h"
 #include "document/schema/shown_elements.h"
+#include "support/message_of.h"
 #include "support/sample_document.h"
 
 #include <gtest/gtest.h>
@@ -140,13 +141,13 @@ TEST(Validation, NamesThePlaceAlsoInLongLists) {
         root["labels"][index] = value;
         return messageOf([&] { qm::validate(root, schema); });
     };
-    EXPECT_EQ(complaint(0, 4), "(nothing was thrown)");
-    EXPECT_EQ(complaint(0, 4.0), "(nothing was thrown)");
+    EXPECT_EQ(complaint(0, 4), "");
+    EXPECT_EQ(complaint(0, 4.0), "");
     EXPECT_EQ(complaint(4321, -1), "/labels/4321: is less than 0");
     EXPECT_EQ(complaint(1234, 10), "/labels/1234: is more than 9");
     EXPECT_EQ(complaint(77, 3.5), "/labels/77: is number, not integer");
     EXPECT_EQ(complaint(4999, "x"), "/labels/4999: is string, not integer");
-    EXPECT_NE(complaint(5000, 3), "(nothing was thrown)");
+    EXPECT_NE(complaint(5000, 3), "");
 }
 
 TEST(Validation, IsFastAndStopsAtTheFirstError) {

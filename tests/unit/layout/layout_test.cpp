@@ -1,9 +1,9 @@
-#include "base/error.h"
 #include "enumerate/paper/plain_graph.h"
 #include "layout/layout.h"
 #include "layout/quality.h"
 #include "mesh/topology.h"
 #include "support/layout_fault.h"
+#include "support/message_of.h"
 #include "support/polycube.h"
 #include "support/random_graph.h"
 #include "support/track_along.h"
@@ -30,12 +30,7 @@ Layout plainLayout(const QuadMesh& mesh) {
 }
 
 std::string refusal(const QuadMesh& mesh, const std::vector<Path>& paths) {
-    try {
-        (void)layoutAlong(mesh, paths);
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "";
+    return messageOf([&] { (void)layoutAlong(mesh, paths); });
 }
 
 TEST(Layout, LeavesARectangleWhole) {

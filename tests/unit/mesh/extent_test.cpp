@@ -1,5 +1,5 @@
-#include "base/error.h"
 #include "mesh/extent.h"
+#include "support/message_of.h"
 
 #include <gtest/gtest.h>
 
@@ -13,12 +13,7 @@ std::string refusal(double origin, double side) {
     QuadMesh mesh;
     const auto add = [&](double x, double y) { return mesh.add_vertex({origin + x, y, 0}); };
     mesh.add_face(add(0, 0), add(side, 0), add(side, side), add(0, side));
-    try {
-        verifyExtent(mesh);
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "";
+    return testing::messageOf([&] { verifyExtent(mesh); });
 }
 
 TEST(Extent, IsNeitherTooSmallNorTooLarge) {

@@ -3,6 +3,7 @@
 #include "mesh/files/write_soup.h"
 #include "shape/shape.h"
 #include "support/mesh_text.h"
+#include "support/message_of.h"
 
 #include <gtest/gtest.h>
 
@@ -20,20 +21,10 @@ std::string textStl() {
     return std::string("solid two of them\n") + facet + otherFacet + "endsolid two of them\n";
 }
 
-std::string refusal(const std::string& bytes, const std::string& name) {
-    try {
-        (void)readTriangles(bytes, name);
-    } catch (const Error& error) {
-        EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << "one line";
-        return error.what();
-    }
-    ADD_FAILURE() << "accepted:\n" << bytes.substr(0, 300);
-    return {};
-}
-
 void expectRefused(const std::string& bytes, const std::string& name, const std::string& part) {
-    const std::string message = refusal(bytes, name);
-    EXPECT_NE(message.find(part), std::string::npos) << message;
+    const std::string message = testing::messageOf([&] { (void)readTriangles(bytes, name); });
+    EXPECT_EQ(message.find('\n'), std::string::npos) << "one line";
+    EXPECT_NE(message.find(part), std::string::npos) << message << " of:\n" << bytes.substr(0, 300);
 }
 
 Triangles square() {
