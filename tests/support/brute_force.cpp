@@ -1,5 +1,7 @@
 #include "support/brute_force.h"
 
+#include "base/at.h"
+
 #include <algorithm>
 
 namespace qm::testing {
@@ -8,10 +10,6 @@ namespace {
 
 using check::Arrival;
 using check::Way;
-
-std::size_t index(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 /// What is known about a condition while some coordinates are not chosen yet.
 enum class Answer { no, maybe, yes };
@@ -43,8 +41,8 @@ public:
     }
 
 private:
-    [[nodiscard]] const Way& way(int w) const { return network_.ways[index(w)]; }
-    [[nodiscard]] int x(int w) const { return x_[index(w)]; }
+    [[nodiscard]] const Way& way(int w) const { return network_.ways[at(w)]; }
+    [[nodiscard]] int x(int w) const { return x_[at(w)]; }
 
     /// Orders the ways such that ways that meet are close together, and contradictions show early. Lines
     /// without junctions are walked by the first of their two particles.
@@ -53,18 +51,18 @@ private:
         for (int start = 0; start < static_cast<int>(network_.ways.size()); ++start) {
             if (way(start).length() == 1) {
                 const bool second = way(start).opposite >= 0 && way(start).opposite < start;
-                x_[index(start)] = second ? 0 : 1;
+                x_[at(start)] = second ? 0 : 1;
                 result_.uncrossedLines += second;
                 continue;
             }
-            if (seen[index(start)]) continue;
-            seen[index(start)] = 1;
+            if (seen[at(start)]) continue;
+            seen[at(start)] = 1;
             std::size_t next = order_.size();
             order_.push_back(start);
             for (; next < order_.size(); ++next)
                 for (const int other : neighbours(order_[next])) {
-                    if (seen[index(other)]) continue;
-                    seen[index(other)] = 1;
+                    if (seen[at(other)]) continue;
+                    seen[at(other)] = 1;
                     order_.push_back(other);
                 }
         }
@@ -75,7 +73,7 @@ private:
         std::vector<int> found;
         if (way(w).opposite >= 0) found.push_back(way(w).opposite);
         for (const int crossing : way(w).stops)
-            for (const Arrival& arrival : network_.crossings[index(crossing)].from)
+            for (const Arrival& arrival : network_.crossings[at(crossing)].from)
                 if (arrival.way >= 0) found.push_back(arrival.way);
         return found;
     }
@@ -89,11 +87,11 @@ private:
         }
         const int w = order_[depth];
         const std::vector<int> affected = neighbours(w);
-        for (x_[index(w)] = 0; x(w) <= way(w).length(); ++x_[index(w)])
+        for (x_[at(w)] = 0; x(w) <= way(w).length(); ++x_[at(w)])
             if (possible(w) &&
                 std::all_of(affected.begin(), affected.end(), [&](int o) { return possible(o); }))
                 choose(depth + 1);
-        x_[index(w)] = notChosen;
+        x_[at(w)] = notChosen;
     }
 
     /// False if the coordinates chosen so far break a rule for this way, whatever the others will be.
@@ -149,9 +147,9 @@ private:
         double cost = 0;
         for (int w = 0; w < static_cast<int>(x_.size()); ++w)
             for (int step = 0; step < way(w).stepsTo(x(w)); ++step)
-                edges.push_back(around_.edge(way(w).steps[index(step)]));
+                edges.push_back(around_.edge(way(w).steps[at(step)]));
         for (const int edge : edges)
-            cost += costs_.cost[index(edge)];
+            cost += costs_.cost[at(edge)];
         std::sort(edges.begin(), edges.end());
         result_.graphs.try_emplace(std::move(edges), BruteForce::Graph{cost, x_});
     }

@@ -1,5 +1,6 @@
 #include "support/true_document.h"
 
+#include "base/at.h"
 #include "check/tracks/check_segments.h"
 #include "check/tracks/lines.h"
 #include "support/brute_force.h"
@@ -13,16 +14,12 @@ namespace {
 
 using namespace check;
 
-std::size_t index(int i) {
-    return static_cast<std::size_t>(i);
-}
-
 constexpr CostWeights weights{0.4, 0.2};
 
 std::vector<int> verticesOf(const Neighbourhoods& around, const Way& way, int steps) {
     std::vector<int> vertices{around.from(way.steps.front())};
     for (int i = 0; i < steps; ++i)
-        vertices.push_back(around.to(way.steps[index(i)]));
+        vertices.push_back(around.to(way.steps[at(i)]));
     return vertices;
 }
 
@@ -54,7 +51,7 @@ std::vector<TrackPart> tracksOf(const Neighbourhoods& around, const LineNetwork&
         track.vertices = verticesOf(around, way, way.stepsTo(coordinates[w]));
         CostSum cost(costs);
         for (int i = 0; i < way.stepsTo(coordinates[w]); ++i)
-            cost.add(around.edge(way.steps[index(i)]));
+            cost.add(around.edge(way.steps[at(i)]));
         track.cost = cost.value();
         tracks.push_back(std::move(track));
     }
@@ -76,24 +73,23 @@ EnumerationPart::SubMesh graphsOf(const Neighbourhoods& around, const LineNetwor
 
 /// The step that follows `step` counter-clockwise around the face on its left.
 int nextAround(const CheckedMesh& mesh, const Neighbourhoods& around, int step) {
-    const auto& quad = mesh.quads[index(around.leftFace(step))];
+    const auto& quad = mesh.quads[at(around.leftFace(step))];
     const auto here = std::find(quad.begin(), quad.end(), around.to(step)) - quad.begin();
-    return around.stepBetween(quad[index(static_cast<int>(here))],
-                              quad[index(static_cast<int>(here + 1) % 4)]);
+    return around.stepBetween(quad[at(static_cast<int>(here))], quad[at(static_cast<int>(here + 1) % 4)]);
 }
 
 } // namespace
 
 std::vector<LayoutPart::Segment> segmentsBetween(const CheckedMesh& mesh, const Neighbourhoods& around,
                                                  const std::vector<char>& border) {
-    const auto isBorder = [&](int step) { return around.boundary(step) || border[index(around.edge(step))]; };
+    const auto isBorder = [&](int step) { return around.boundary(step) || border[at(around.edge(step))]; };
     const auto next = [&](int step) { return nextAround(mesh, around, step); };
     const auto across = [&](int step) { return around.back(step); };
     std::vector<char> done(mesh.quads.size(), 0);
     std::vector<LayoutPart::Segment> segments;
     for (int first = 0; first < around.steps(); ++first) {
         // A corner begins here if this side of the face and the one before it are on the border.
-        if (around.leftFace(first) < 0 || done[index(around.leftFace(first))]) continue;
+        if (around.leftFace(first) < 0 || done[at(around.leftFace(first))]) continue;
         if (!isBorder(first) || !isBorder(next(next(next(first))))) continue;
         LayoutPart::Segment segment;
         segment.id = static_cast<int>(segments.size());
@@ -101,7 +97,7 @@ std::vector<LayoutPart::Segment> segmentsBetween(const CheckedMesh& mesh, const 
             int columns = 0;
             for (int step = row;; step = next(across(next(step)))) {
                 segment.faces.push_back(around.leftFace(step));
-                done[index(around.leftFace(step))] = 1;
+                done[at(around.leftFace(step))] = 1;
                 ++columns;
                 if (isBorder(next(step))) break;
             }
@@ -113,7 +109,7 @@ std::vector<LayoutPart::Segment> segmentsBetween(const CheckedMesh& mesh, const 
         const auto grid = gridOf(mesh, segment, "", report);
         if (grid.empty()) throw std::logic_error(report.violations().front().explanation);
         const int a = segment.size[0], b = segment.size[1];
-        const auto vertex = [&](int i, int j) { return grid[index(j * (a + 1) + i)]; };
+        const auto vertex = [&](int i, int j) { return grid[at(j * (a + 1) + i)]; };
         for (int i = 0; i <= a; ++i)
             segment.sides[0].push_back(vertex(i, 0));
         for (int j = 0; j <= b; ++j)
@@ -143,7 +139,7 @@ SurfacesPart bilinearPatches(const CheckedMesh& mesh, const LayoutPart& layout) 
             patch.count[k] = segment.size[k] + 1;
         }
         for (const int vertex : soundGridOf(mesh, segment))
-            patch.controlPoints.push_back(mesh.points[index(vertex)]);
+            patch.controlPoints.push_back(mesh.points[at(vertex)]);
         part.patches.push_back(std::move(patch));
     }
     return part;
@@ -187,10 +183,10 @@ CheckedDocument trueDocument(const CheckedMesh& mesh, const DocumentRecipe& reci
     layout.cost = whole.graphs.front().cost;
     layout.lowerBound = layout.cost;
     layout.tracks = whole.graphs.front().tracks;
-    std::vector<char> border(index(around.edges()), 0);
+    std::vector<char> border(at(around.edges()), 0);
     for (const auto& track : layout.tracks)
         for (std::size_t i = 1; i < track.vertices.size(); ++i)
-            border[index(around.edge(around.stepBetween(track.vertices[i - 1], track.vertices[i])))] = 1;
+            border[at(around.edge(around.stepBetween(track.vertices[i - 1], track.vertices[i])))] = 1;
     layout.segments = segmentsBetween(mesh, around, border);
     document.surfaces = bilinearPatches(mesh, layout);
     document.layout = std::move(layout);

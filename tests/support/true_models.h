@@ -19,6 +19,7 @@ struct Model {
 /// The true document of a mesh, whose surfaces claim to interpolate and to be watertight.
 [[nodiscard]] Model make(check::CheckedMesh mesh, const DocumentRecipe& recipe = {});
 
+/// A plane with two holes side by side: four pairs of lines cross, and every line ends at the boundary.
 [[nodiscard]] check::CheckedMesh twoHoles();
 [[nodiscard]] check::CheckedMesh corner();
 

@@ -1,9 +1,11 @@
 // Breaks each of the two sets of rules by hand, and compares the two on many small meshes.
+#include "base/at.h"
 #include "base/error.h"
 #include "check/tracks/arc_rules.h"
 #include "check/tracks/track_rules.h"
 #include "support/brute_force.h"
 #include "support/polycube.h"
+#include "support/true_models.h"
 
 #include <gtest/gtest.h>
 
@@ -15,15 +17,6 @@ namespace qm::testing {
 namespace {
 
 using namespace check;
-
-std::size_t index(int i) {
-    return static_cast<std::size_t>(i);
-}
-
-/// A plane with two holes side by side: four pairs of lines cross, and every line ends at the boundary.
-CheckedMesh twoHoles() {
-    return plane({"xxxxxx", "x..xxx", "xxxx.x", "xxxxxx"});
-}
 
 struct Lines {
     explicit Lines(const CheckedMesh& mesh, const std::vector<int>& seedSteps = {})
@@ -71,7 +64,7 @@ TEST(CheckTrackRules, SeeTracksThatPassThroughEachOther) {
     std::vector<int> x;
     for (std::size_t w = 0; w < lines.network.ways.size(); ++w) {
         const Way& way = lines.network.ways[w];
-        const bool covered = way.opposite >= 0 && index(way.opposite) < w;
+        const bool covered = way.opposite >= 0 && at(way.opposite) < w;
         x.push_back(covered ? 0 : way.length());
     }
     EXPECT_EQ(rulesBroken(lines, x), Rules{"A2"});
@@ -121,7 +114,7 @@ TEST(CheckTrackRules, LetNothingPassASeed) {
     const int crossing = around.turn(down->steps[1], 1);
     const Lines lines(mesh, {crossing});
     const int way = lines.network.wayByFirstStep.at(down->steps[0]);
-    ASSERT_EQ(lines.network.ways[index(way)].length(), 2);
+    ASSERT_EQ(lines.network.ways[at(way)].length(), 2);
     std::vector<int> x;
     for (const Way& each : lines.network.ways)
         x.push_back(each.length());
@@ -131,7 +124,7 @@ TEST(CheckTrackRules, LetNothingPassASeed) {
     EXPECT_TRUE(rulesBroken(lines, x).contains("A2"));
     for (std::size_t w = 0; w < x.size(); ++w)
         if (lines.network.ways[w].length() == 2 &&
-            lines.network.crossings[index(lines.network.ways[w].stops[0])].seeded)
+            lines.network.crossings[at(lines.network.ways[w].stops[0])].seeded)
             x[w] = 1;
     EXPECT_FALSE(rulesBroken(lines, x).contains("A4"));
 }
@@ -146,9 +139,9 @@ struct Arc {
 
 class ArcSets {
 public:
-    explicit ArcSets(const Lines& lines) : lines_(lines), present(index(lines.around.edges()), 0) {
+    explicit ArcSets(const Lines& lines) : lines_(lines), present(at(lines.around.edges()), 0) {
         for (int w = 0; w < static_cast<int>(lines.network.ways.size()); ++w) {
-            const Way& way = lines.network.ways[index(w)];
+            const Way& way = lines.network.ways[at(w)];
             if (way.opposite >= 0 && way.opposite < w) continue;
             for (int arc = 0; arc < way.length(); ++arc) {
                 const bool required = arc == 0 || (way.opposite >= 0 && arc == way.length() - 1);
@@ -160,10 +153,10 @@ public:
     }
 
     void set(const Arc& arc, bool in) {
-        const Way& way = lines_.network.ways[index(arc.way)];
+        const Way& way = lines_.network.ways[at(arc.way)];
         for (int i = way.stepsTo(arc.number); i < way.stepsTo(arc.number + 1); ++i) {
-            char& edge = present[index(lines_.around.edge(way.steps[index(i)]))];
-            count += index(in) - index(edge);
+            char& edge = present[at(lines_.around.edge(way.steps[at(i)]))];
+            count += std::size_t{in} - static_cast<std::size_t>(edge);
             edge = in;
         }
     }
@@ -212,7 +205,7 @@ TEST(CheckArcRules, SeeTwoGaps) {
     for (const Arc& arc : arcs.free)
         arcs.set(arc, true);
     const auto middle = std::find_if(arcs.free.begin(), arcs.free.end(), [&](const Arc& arc) {
-        return arc.number == 1 && lines.network.ways[index(arc.way)].length() >= 5;
+        return arc.number == 1 && lines.network.ways[at(arc.way)].length() >= 5;
     });
     ASSERT_NE(middle, arcs.free.end());
     arcs.set(*middle, false);
@@ -233,7 +226,7 @@ TEST(CheckArcRules, SeeUncrackedCrossings) {
 TEST(CheckArcRules, SeePartsOfArcsAndEdgesOffTheLines) {
     const Lines lines(polycube(box(1, 1, 1), 3));
     ArcSets arcs(lines);
-    arcs.present[index(lines.around.edge(lines.network.ways[0].steps[0]))] = 0;
+    arcs.present[at(lines.around.edge(lines.network.ways[0].steps[0]))] = 0;
     --arcs.count;
     EXPECT_EQ(arcs.broken(), (Rules{"arc rule 1", "whole arcs"}));
     ArcSets more(lines);
@@ -280,7 +273,7 @@ std::vector<int> randomSeeds(const Neighbourhoods& around, std::mt19937& random,
     std::vector<int> seeds;
     std::set<int> used;
     for (int i = 0; i < count; ++i) {
-        const int vertex = static_cast<int>(random() % index(around.vertices()));
+        const int vertex = static_cast<int>(random() % at(around.vertices()));
         if (around.passable(vertex) && used.insert(vertex).second)
             seeds.push_back(around.firstStep(vertex) + static_cast<int>(random() % 4));
     }
