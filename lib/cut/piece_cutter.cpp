@@ -4,7 +4,6 @@
 #include "cut/min_cut.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <utility>
 
 namespace qm {

@@ -5,7 +5,6 @@
 #include "cut/cut.h"
 #include "cut/measure.h"
 
-#include <utility>
 #include <vector>
 
 namespace qm {

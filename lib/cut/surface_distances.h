@@ -7,7 +7,6 @@
 #include "cut/cell_ties.h"
 #include "cut/geodesics.h"
 
-#include <cstddef>
 #include <optional>
 #include <vector>
 

@@ -5,7 +5,6 @@
 #include "mesh/quad_geometry.h"
 #include "mesh/topology.h"
 
-#include <algorithm>
 #include <array>
 #include <functional>
 #include <optional>

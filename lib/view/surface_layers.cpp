@@ -5,7 +5,6 @@
 #include "view/surface_samples.h"
 
 #include <cmath>
-#include <optional>
 
 namespace qm {
 namespace {

@@ -4,7 +4,6 @@
 #include "base/error.h"
 #include "cli/options/command_line.h"
 #include "cli/options/general_options.h"
-#include "cli/tools/export_choices.h"
 #include "cli/tools/export_date.h"
 #include "document/options/options_json.h"
 #include "view/view_options.h"

@@ -4,7 +4,6 @@
 #include "base/infinity.h"
 #include "basecomplex/arc_graph.h"
 #include "enumerate/paper/plain_graph.h"
-#include "layout/tracks.h"
 #include "mesh/dihedral.h"
 #include "program/neighbourhood_search.h"
 #include "program/solve_program.h"

@@ -1,7 +1,6 @@
 // Compares the searches with each other and with trying everything, on random meshes with random seeds and
 // costs.
 #include "base/at.h"
-#include "base/error.h"
 #include "base/infinity.h"
 #include "enumerate/diagram/count_and_draw.h"
 #include "enumerate/diagram/count_graphs.h"

@@ -4,7 +4,6 @@
 #include "layout/layout.h"
 
 #include <string>
-#include <vector>
 
 namespace qm::testing {
 

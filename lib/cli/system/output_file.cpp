@@ -4,9 +4,7 @@
 #include "cli/system/signals.h"
 #include "document/files/files.h"
 
-#include <algorithm>
 #include <cerrno>
-#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>

@@ -4,7 +4,6 @@
 #include "document/json/json_fwd.h"
 
 #include <string>
-#include <string_view>
 
 namespace qm {
 

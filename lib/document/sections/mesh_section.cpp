@@ -1,6 +1,5 @@
 #include "document/sections/mesh_section.h"
 
-#include "base/error.h"
 #include "document/files/files.h"
 #include "document/files/referenced_file.h"
 #include "document/files/sha256.h"

@@ -1,6 +1,5 @@
 #include "enumerate/optimum/diving.h"
 
-#include "base/infinity.h"
 #include "enumerate/optimum/branch_and_bound.h"
 #include "enumerate/optimum/rounding.h"
 #include "enumerate/optimum/tuning.h"

@@ -3,7 +3,6 @@
 #include <GeomLProp_SLProps.hxx>
 #include <Geom_Plane.hxx>
 #include <algorithm>
-#include <cmath>
 #include <gp_Dir.hxx>
 #include <numbers>
 #include <optional>

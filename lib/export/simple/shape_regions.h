@@ -5,7 +5,6 @@
 #include "export/simple/shape_agreement.h"
 #include "export/simple/simple_shape.h"
 
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <vector>

@@ -5,7 +5,6 @@
 #include "export/simple/smooth_borders.h"
 
 #include <Geom_ElementarySurface.hxx>
-#include <cstddef>
 #include <optional>
 #include <vector>
 

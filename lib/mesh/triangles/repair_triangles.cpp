@@ -2,8 +2,6 @@
 
 #include "base/at.h"
 #include "base/disjoint_sets.h"
-#include "base/error.h"
-#include "base/number_text.h"
 #include "base/positions.h"
 #include "mesh/triangles/orient_triangles.h"
 #include "mesh/triangles/separate_sheets.h"

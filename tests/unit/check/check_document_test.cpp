@@ -1,5 +1,4 @@
 // True documents pass; for every rule there is a document that breaks it, and the place is named.
-#include "base/error.h"
 #include "base/infinity.h"
 #include "check/check_document.h"
 #include "check/check_sections.h"

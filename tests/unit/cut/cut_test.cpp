@@ -2,7 +2,6 @@
 #include "check/tracks/lines.h"
 #include "cut/cut.h"
 #include "mesh/dihedral.h"
-#include "mesh/soup/build_mesh.h"
 #include "mesh/topology.h"
 #include "support/checked_mesh.h"
 #include "support/polycube.h"
