@@ -26,8 +26,8 @@ struct Passage {
 
 class CreaseSpline {
 public:
-    CreaseSpline(const MeshLattice& lattice, const std::vector<VertexRule>& rules)
-        : lattice_(lattice), rules_(rules), mesh_(lattice.numbers().mesh()), places_(rules.size()) {
+    CreaseSpline(const QuadMesh& mesh, const std::vector<VertexRule>& rules)
+        : mesh_(mesh), rules_(rules), places_(rules.size()) {
         for (std::size_t vertex = 0; vertex < rules.size(); ++vertex)
             if (passes(vertex)) {
                 places_[vertex] = vertices_.size();
@@ -59,20 +59,18 @@ public:
     }
 
 private:
-    [[nodiscard]] Point chord(HalfedgeId halfedge) const {
-        return lattice_.point(at(mesh_.to_vertex_handle(halfedge))) -
-               lattice_.point(at(mesh_.from_vertex_handle(halfedge)));
-    }
-
     [[nodiscard]] bool passes(std::size_t vertex) const {
-        const auto hasLength = [&](HalfedgeId halfedge) { return chord(halfedge).sqrnorm() > 0; };
+        const auto hasLength = [&](HalfedgeId halfedge) {
+            return mesh_.calc_edge_vector(halfedge).sqrnorm() > 0;
+        };
         return rules_[vertex].kind == VertexRule::Kind::crease &&
                std::ranges::all_of(rules_[vertex].along, hasLength);
     }
 
     [[nodiscard]] Passage passageOf(const std::array<HalfedgeId, 2>& along) const {
         Passage passage;
-        const std::array chords{chord(along[0]), -chord(along[1])}; // both along the curve
+        const std::array chords{mesh_.calc_edge_vector(along[0]),
+                                -mesh_.calc_edge_vector(along[1])}; // both along the curve
         const std::array lengths{chords[0].norm(), chords[1].norm()};
         passage.weight = 2 * (lengths[0] + lengths[1]);
         passage.side = Point(0, 0, 0);
@@ -96,9 +94,8 @@ private:
         return passage;
     }
 
-    const MeshLattice& lattice_;
-    const std::vector<VertexRule>& rules_;
     const QuadMesh& mesh_;
+    const std::vector<VertexRule>& rules_;
     std::vector<std::optional<std::size_t>> places_; ///< by vertex, in both lists
     std::vector<std::size_t> vertices_;
     std::vector<Passage> passages_;
@@ -106,8 +103,8 @@ private:
 
 } // namespace
 
-std::vector<Point> creaseDirections(const MeshLattice& lattice, const std::vector<VertexRule>& rules) {
-    CreaseSpline spline(lattice, rules);
+std::vector<Point> creaseDirections(const QuadMesh& mesh, const std::vector<VertexRule>& rules) {
+    CreaseSpline spline(mesh, rules);
     spline.solve();
     return spline.directions();
 }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "bspline/network/vertex_rules.h"
-#include "bspline/reference/lattice/mesh_lattice.h"
+#include "mesh/quad_mesh.h"
 
 #include <vector>
 
@@ -15,7 +15,6 @@ namespace qm {
 /// curvature. Linear in the mesh.
 /// \return by vertex: a unit vector into the first edge of the rule's `along`; zero if no curve passes, or if
 ///         one of both edges has no length
-[[nodiscard]] std::vector<Point> creaseDirections(const MeshLattice& lattice,
-                                                  const std::vector<VertexRule>& rules);
+[[nodiscard]] std::vector<Point> creaseDirections(const QuadMesh& mesh, const std::vector<VertexRule>& rules);
 
 } // namespace qm

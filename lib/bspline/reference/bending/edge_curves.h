@@ -16,8 +16,8 @@ namespace qm {
 class EdgeCurves {
 public:
     /// The arguments must outlive the curves.
-    /// \param lattice  the limit surface, which may be folded, so only the axes of its normals at vertices
-    /// are used
+    /// \param lattice  the surface through the vertices, which may be folded, so only the axes of its normals
+    /// there are used
     /// \param sharp    by edge
     EdgeCurves(const MeshLattice& lattice, const std::vector<VertexRule>& rules,
                const std::vector<bool>& sharp);
@@ -26,13 +26,12 @@ public:
     [[nodiscard]] std::array<Point, 4> above(HalfedgeId halfedge) const;
 
 private:
-    [[nodiscard]] Point begin(HalfedgeId halfedge) const;
-    [[nodiscard]] Point chord(HalfedgeId halfedge) const;
     [[nodiscard]] Point derivative(HalfedgeId leaving) const;
     [[nodiscard]] Point normalBeside(HalfedgeId leaving) const;
     [[nodiscard]] Point normalIn(HalfedgeId leaving) const;
 
     const MeshLattice& lattice_;
+    const QuadMesh& mesh_;
     const std::vector<VertexRule>& rules_;
     const std::vector<bool>& sharp_;
 };

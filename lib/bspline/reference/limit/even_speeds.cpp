@@ -44,7 +44,7 @@ public:
     void run(const std::vector<VertexRule>& rules, const PlaneCorners& corners, unsigned jobs) {
         const std::vector<bool> isSound = soundVertices(mesh_, jobs);
         const std::vector<bool> isUnfolded = soundVertices(mesh_, jobs, notFolded);
-        const std::vector<Point> directions = creaseDirections(lattice_, rules);
+        const std::vector<Point> directions = creaseDirections(mesh_, rules);
         parallelForMany(mesh_.n_vertices(), jobs, [&](std::size_t k) {
             const VertexId vertex(static_cast<int>(k));
             if (!isUnfolded[k]) return;
