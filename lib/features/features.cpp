@@ -28,7 +28,7 @@ public:
     void addTo(std::vector<FeatureCurve>& curves) const {
         const int first = line_.closed ? firstBlunt() : 0;
         if (first == count_) { // a closed line that is sharp all round
-            if (isLong(0, count_)) add(0, count_, curves);
+            if (isLong(0, count_) && hasEnoughEdges(0, count_)) add(0, count_, curves);
             return;
         }
         for (int begin = first; begin < first + count_; ++begin) {
@@ -36,7 +36,8 @@ public:
             int end = begin + 1;
             while (end < first + count_ && isSharp(end))
                 ++end;
-            if (isLong(begin, end) && isFarFromSources(begin, end)) add(begin, end, curves);
+            if (isLong(begin, end) && hasEnoughEdges(begin, end) && isFarFromSources(begin, end))
+                add(begin, end, curves);
             begin = end;
         }
     }
@@ -44,9 +45,8 @@ public:
 private:
     [[nodiscard]] HalfedgeId halfedgeAt(int k) const { return line_.halfedges[at(k % count_)]; }
 
-    [[nodiscard]] bool isSharp(int k) const {
-        return angles_[at(mesh_.edge_handle(halfedgeAt(k)))] > options_.rho;
-    }
+    [[nodiscard]] double angle(HalfedgeId halfedge) const { return angles_[at(mesh_.edge_handle(halfedge))]; }
+    [[nodiscard]] bool isSharp(int k) const { return angle(halfedgeAt(k)) > options_.rho; }
 
     /// The position at which the walk round a closed line can begin without dividing a run; the line's length
     /// if there is none.
@@ -57,8 +57,24 @@ private:
         return k;
     }
 
-    [[nodiscard]] bool isLong(int begin, int end) const {
-        return end - begin >= options_.tau && lengthOf(begin, end) >= minLength_;
+    [[nodiscard]] bool isLong(int begin, int end) const { return lengthOf(begin, end) >= minLength_; }
+
+    [[nodiscard]] bool hasEnoughEdges(int begin, int end) const {
+        if (end - begin >= options_.tau) return true;
+        for (int k = begin; k < end; ++k)
+            if (angle(halfedgeAt(k)) <= options_.shortRho) return false;
+        return (line_.closed && end - begin == count_) ||
+               (isHeld(mesh_.opposite_halfedge_handle(halfedgeAt(begin))) && isHeld(halfedgeAt(end - 1)));
+    }
+
+    /// Whether a curve that arrives there ends at the boundary, or at edges that are as sharp.
+    [[nodiscard]] bool isHeld(HalfedgeId arriving) const {
+        const VertexId vertex = mesh_.to_vertex_handle(arriving);
+        if (mesh_.is_boundary(vertex)) return true;
+        const HalfedgeId back = mesh_.opposite_halfedge_handle(arriving);
+        return std::ranges::any_of(mesh_.voh_range(vertex), [&](HalfedgeId leaving) {
+            return leaving != back && angle(leaving) > options_.shortRho;
+        });
     }
 
     [[nodiscard]] bool isFarFromSources(int begin, int end) const {

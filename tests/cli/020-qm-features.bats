@@ -64,6 +64,7 @@ curves() { field '.features.curves | length' out.json; }
 @test "limits in edges alone are the paper's, without lengths" {
     find_curves genus2 --tau 15 --zeta 30
     assert_equal "$(field '.features | [.minLength, .minDistance, .tau, .zeta] | join(" ")' out.json)" '0% 0% 15 30'
+    assert_equal "$(field '.features | .shortRho > 3.14' out.json)" true
     find_curves genus2 --tau 15
     assert_equal "$(field '.features | [.minLength, .minDistance, .tau, .zeta] | join(" ")' out.json)" '0% 1% 15 1'
     find_curves genus2 --tau 15 --min-length 0.5
@@ -104,7 +105,7 @@ curves() { field '.features.curves | length' out.json; }
 }
 
 @test "options out of range" {
-    for options in '--min-length -1' '--min-length x%' '--min-distance -1%' '--rho -1' '--rho 4' '--rho nan' '--max-roundness 2' '--max-roundness -0.1' '--tau 0' '--tau 1.5' '--zeta -1' '--tau x' '--rho'; do
+    for options in '--min-length -1' '--min-length x%' '--min-distance -1%' '--rho -1' '--rho 4' '--rho nan' '--max-roundness 2' '--max-roundness -0.1' '--short-rho -1' '--short-rho 4' '--tau 0' '--tau 1.5' '--zeta -1' '--tau x' '--rho'; do
         # shellcheck disable=SC2086  # a list of words
         misused qm-features $options "$(stage basecomplex block)"
     done

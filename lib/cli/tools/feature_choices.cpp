@@ -24,6 +24,7 @@ double parseAngle(std::string_view text) {
 void settleFeatureOptions(const Tool& tool, const std::string& minAngle, FeatureOptions& options) {
     if (tool.given("tau") && !tool.given("min-length")) options.minLength.value = 0;
     if (tool.given("tau") && !tool.given("max-roundness")) options.maxRoundness = 1;
+    if (tool.given("tau") && !tool.given("short-rho")) options.shortRho = std::numbers::pi;
     if (tool.given("zeta") && !tool.given("min-distance")) options.minDistance.value = 0;
     if (minAngle.empty()) return;
     if (tool.given("rho")) throw UsageError("--rho and --min-angle are the same: give one of them");

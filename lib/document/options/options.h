@@ -76,7 +76,10 @@ template <class Visitor> void describe(FeatureOptions& options, Visitor&& option
            "minimum distance, along its line, of the ends of a curve from every extraordinary vertex");
     option("tau", options.tau, Range{1, maxCount},
            "minimum number of edges of a curve; the paper uses 15. With this option --min-length is 0 unless "
-           "given, and --max-roundness is 1");
+           "given, --max-roundness is 1 and --short-rho is pi");
+    option("short-rho", options.shortRho, Range{0, std::numbers::pi},
+           "a curve with fewer than tau edges counts if all of them have a dihedral angle above this, in "
+           "radians, and it ends at the boundary or at other edges as sharp; pi leaves out all such curves");
     option("zeta", options.zeta, Range{0, maxCount},
            "the ends of a curve are more than this many edges, along its line, from every extraordinary "
            "vertex; the paper uses 30. With this option --min-distance is 0 unless given");

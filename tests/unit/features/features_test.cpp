@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <numbers>
 #include <set>
 
 namespace qm::testing {
@@ -19,7 +20,7 @@ constexpr double sharp = 1;
 /// Options for curves of at least `tau` edges sharper than 0.5, with ends more than `zeta` edges from
 /// sources.
 FeatureOptions limits(int tau, int zeta) {
-    return {0.5, {0, true}, {0, true}, tau, zeta, 1};
+    return {0.5, {0, true}, {0, true}, tau, std::numbers::pi, zeta, 1};
 }
 
 std::vector<Path> paths(const QuadMesh& mesh, const Features& features) {
@@ -60,6 +61,23 @@ TEST(Features, AreSharperThanRhoNotEquallySharp) {
     const QuadMesh mesh = rectangle(8, 2);
     const PerEdge angles = PerEdge(mesh, 0.1).along(row(8, 1, 2, 6), 0.5);
     EXPECT_TRUE(findFeatures(mesh, angles, limits(1, 0)).curves.empty());
+}
+
+TEST(Features, MayBeShortBetweenBoundariesAndOtherSharpEdges) {
+    const QuadMesh mesh = rectangle(8, 4);
+    FeatureOptions options = limits(6, 0);
+    options.shortRho = 0.9;
+    const auto count = [&](const PerEdge& angles) {
+        return findFeatures(mesh, angles, options).curves.size();
+    };
+    const Path across{4, 13, 22, 31, 40}; // from boundary to boundary
+    EXPECT_EQ(count(PerEdge(mesh, 0.1).along(across, sharp)), 1U);
+    EXPECT_EQ(count(PerEdge(mesh, 0.1).along(across, 0.9)), 0U) << "not sharp enough";
+    EXPECT_EQ(count(PerEdge(mesh, 0.1).along({4, 13, 22}, sharp)), 0U) << "a loose end";
+    // Up from the boundary to a longer line.
+    EXPECT_EQ(count(PerEdge(mesh, 0.1).along({4, 13, 22}, sharp).along(row(8, 2, 0, 8), sharp)), 2U);
+    EXPECT_EQ(count(PerEdge(mesh, 0.1).along({4, 13, 22}, sharp).along(row(8, 2, 0, 8), 0.8)), 1U)
+        << "the line that it ends on is not as sharp";
 }
 
 TEST(Features, AreDividedByABluntEdge) {
@@ -185,15 +203,32 @@ public:
             double length = 0;
             for (const int part : run)
                 length += mesh_.calc_edge_length(EdgeId(part));
-            if (ahead && behind && static_cast<int>(run.size()) >= options_.tau &&
-                length > options_.minLength.value)
-                result.insert(run);
+            const bool isEnough = static_cast<int>(run.size()) >= options_.tau || isHeld(run);
+            if (ahead && behind && isEnough && length > options_.minLength.value) result.insert(run);
         }
         return result;
     }
 
 private:
     bool isSharp(EdgeId edge) const { return !mesh_.is_boundary(edge) && angles_[at(edge)] > options_.rho; }
+
+    /// Whether the edges of a run are sharper than `shortRho`, and its ends at the boundary or at others.
+    bool isHeld(const std::set<int>& run) const {
+        for (const int part : run)
+            if (angles_[at(part)] <= options_.shortRho) return false;
+        for (const VertexId vertex : mesh_.vertices()) {
+            std::size_t own = 0;
+            std::size_t others = 0;
+            for (const EdgeId edge : mesh_.ve_range(vertex)) {
+                if (run.contains(edge.idx()))
+                    ++own;
+                else if (angles_[at(edge)] > options_.shortRho)
+                    ++others;
+            }
+            if (own == 1 && others == 0 && !mesh_.is_boundary(vertex)) return false;
+        }
+        return true;
+    }
 
     /// Adds the sharp edges ahead to the run.
     /// \return whether the end is far enough from extraordinary vertices
@@ -237,6 +272,7 @@ TEST(Features, AgreeWithTheLetterOfTheMethod) {
         // These lengths are far from all sums of edge lengths, so rounding cannot decide.
         if (round % 2 == 0) options.minLength = {1.2345 * (round % 5), false};
         if (round % 7 < 3) options.minDistance = {0.98765 * (round % 7), false};
+        if (round % 5 < 2) options.shortRho = 0.9;
         const Features features = findFeatures(*mesh, angles, options);
         const std::set<std::set<int>> expected = ByTheLetter(*mesh, angles, options).curves();
 
