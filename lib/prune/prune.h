@@ -26,7 +26,7 @@ struct PruneOptions {
     /// vertex.
     double minCorner = 25;
     /// Degrees: where a track ends on a line of sharp edges that turns by more, it is continued first.
-    double maxSharpTurn = 180;
+    double maxSharpTurn = 35;
     double beta = 1; ///< optimum: price of a segment
     /// Optimum: minimises the number of segments first and G_T second; beta is not used.
     bool fewestPatches = false;

@@ -44,8 +44,8 @@ is() { assert_equal "$(field "$1" out.json)" true; }
     done
 }
 
-@test "tracks go on from corners of sharp edges on request, and qm-check accepts" {
-    prune random
+@test "tracks go on from corners of sharp edges, unless --max-sharp-turn allows any turn, and qm-check accepts" {
+    prune random --max-sharp-turn 180
     is '.layout.prune.addedTracks == 0 and .history[-1].options.maxSharpTurn == 180'
     for model in random bracket; do
         prune "$model" --max-sharp-turn 0

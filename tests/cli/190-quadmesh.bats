@@ -154,8 +154,8 @@ fails_with() {
         # shellcheck disable=SC2086  # a list of words
         fails_with "^quadmesh: $long.obj: the name is too long" "$long.obj" $option
     done
-    mv "$long.obj" "${long:11}.obj"
-    quietly quadmesh "${long:11}.obj" --keep stages --repair
+    mv "$long.obj" "${long:14}.obj"
+    quietly quadmesh "${long:14}.obj" --keep stages --repair
 }
 
 @test "a stage that fails gives one message" {
@@ -378,6 +378,72 @@ END
             assert_equal "$(ls -A "$TMPDIR")" ''
         done
     done
+}
+
+@test "what an interrupted stage leaves among the documents that are kept is named so" {
+    mkdir tools
+    ln -s "$QM_BIN"/qm-* tools
+    rm tools/qm-bspline
+    cat >tools/qm-bspline <<END
+#!/bin/bash
+'$QM_BIN/qm-bspline' "\$@"
+[[ \${*: -1} != /dev/null ]] || exit
+echo >started
+sleep 60
+END
+    chmod +x tools/qm-bspline
+    QM_BIN=$PWD/tools quadmesh part.obj --keep kept 2>messages &
+    command=$!
+    for _ in {1..400}; do [[ -e started ]] && break; sleep 0.05; done
+    kill -TERM "$command"
+    wait "$command" && status=0 || status=$?
+    assert_equal "$status" 143
+    assert_equal "$(<messages)" 'quadmesh: interrupted. What was found until then is kept/part.surfaces.json.interrupted'
+    assert_equal "$(ls kept | grep surfaces)" part.surfaces.json.interrupted
+    quietly qm-check kept/part.surfaces.json.interrupted
+    quietly quadmesh part.obj --keep kept
+    assert_equal "$(ls kept | grep surfaces)" part.surfaces.json
+}
+
+# frame HEIGHT QUADS: a frame of 40 x 30 with walls 4 wide, so many quads high; every vertex has valence four.
+frame() {
+    awk -v height="$1" -v high="$2" '
+        function ring(inset, z,   side, k) {
+            for (side = 0; side < 4; ++side)
+                for (k = 0; k < 8; ++k) print "v", corner(side, 0, inset, k), corner(side, 1, inset, k), z
+            ++rings
+        }
+        function end(side, axis, inset) {
+            return axis == 0 ? (side % 4 == 0 || side % 4 == 3 ? inset : 40 - inset) : (side % 4 < 2 ? inset : 30 - inset)
+        }
+        function corner(side, axis, inset, k) {
+            return (end(side, axis, inset) * (8 - k) + end(side + 1, axis, inset) * k) / 8
+        }
+        BEGIN {
+            for (j = 0; j <= high; ++j) ring(0, height * j / high)
+            ring(2, height)
+            for (j = high; j >= 0; --j) ring(4, height * j / high)
+            ring(2, 0)
+            for (i = 0; i < rings; ++i)
+                for (k = 0; k < 32; ++k) {
+                    up = (i + 1) % rings
+                    print "f", 32 * i + k + 1, 32 * i + (k + 1) % 32 + 1, 32 * up + (k + 1) % 32 + 1, 32 * up + k + 1
+                }
+        }'
+}
+
+@test "frames and tubes keep their mitred corners, and become planes" {
+    for size in '60 12' '5 3'; do
+        # shellcheck disable=SC2086  # two words
+        frame $size >frame.obj
+        quietly quadmesh frame.obj -o frame.step -o frame.json
+        assert_equal "$(jq '.surfaces.deviation | .maxFromFacets < 0.1 * .max / .maxRelative * 1e-3' frame.json)" true
+        assert_equal "$(jq '.surfaces.patches | length' frame.json)" 16
+        assert_equal "$(grep -c 'PLANE(' frame.step)" 16
+        quietly qm-check frame.json
+    done
+    quietly quadmesh frame.obj --prune.max-sharp-turn 180 --features.short-rho 3.14 -o paper.json
+    assert_equal "$(jq '.surfaces.patches | length' paper.json)" 4
 }
 
 @test "standard output that is closed or full is an error" {

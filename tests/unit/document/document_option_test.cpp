@@ -20,7 +20,7 @@ TEST(Options, AreRecordedAsTheyAreInEffect) {
                                               {"smooth", true},
                                               {"maxTurn", 25.0},
                                               {"minCorner", 25.0},
-                                              {"maxSharpTurn", 180.0},
+                                              {"maxSharpTurn", 35.0},
                                               {"beta", 1.0},
                                               {"fewestPatches", false},
                                               {"maxSegments", nullptr},
