@@ -13,6 +13,7 @@
 #include "support/polycube.h"
 #include "support/quad_layout.h"
 #include "support/random_graph.h"
+#include "support/rounded_box.h"
 #include "support/steps.h"
 
 #include <gtest/gtest.h>
@@ -383,6 +384,33 @@ TEST(LimitSurface, SegmentsMayBeTurnedInAnyWay) {
                     << turned;
             }
     }
+}
+
+/// The largest distance of the surface over the sides of a box from their planes.
+double largestDistanceFromSides(const QuadMesh& box) {
+    constexpr std::array<double, 3> half{30, 20, 10};
+    const std::vector<ReferenceGrid> grids = limitSurface(box, segmentPerQuad(box), noCreases(box), 4, 1);
+    double largest = 0;
+    for (const ReferenceGrid& grid : grids)
+        for (const std::size_t axis : {0U, 1U, 2U}) {
+            const auto distance = [&](const Point& point) {
+                return std::abs(std::abs(point[axis]) - half[axis]);
+            };
+            bool isSide = true;
+            for (const int j : {0, 1})
+                for (const int i : {0, 1})
+                    isSide = isSide && distance(grid.vertex(i, j)) < 1e-9;
+            for (const Point& point : grid.points)
+                if (isSide) largest = std::max(largest, distance(point));
+        }
+    return largest;
+}
+
+TEST(LimitSurface, StaysPlaneWhereNarrowQuadsBesidePlanePartsAreRedrawn) {
+    for (const int fillet : {4, 6})
+        for (const int flat : {1, 2, 4})
+            EXPECT_LT(largestDistanceFromSides(testing::RoundedBox(fillet, flat).mesh()), 1e-9)
+                << fillet << " " << flat;
 }
 
 TEST(LimitSurface, StartsFromTheVerticesWhereNoControlMeshInterpolates) {

@@ -1,13 +1,14 @@
 #include "bspline/reference/bending/edge_curves.h"
 
 #include "base/at.h"
-#include "bspline/reference/lattice/bilinear_quad.h"
+#include "bspline/splines/evaluate.h"
+#include "mesh/quad_geometry.h"
 
 namespace qm {
 
-EdgeCurves::EdgeCurves(const MeshLattice& lattice, const std::vector<VertexRule>& rules,
-                       const std::vector<bool>& sharp)
-    : lattice_(lattice), mesh_(lattice.numbers().mesh()), rules_(rules), sharp_(sharp) {}
+EdgeCurves::EdgeCurves(const QuadMesh& mesh, const std::vector<VertexRule>& rules,
+                       const std::vector<bool>& sharp, const PlaneCorners* corners)
+    : mesh_(mesh), rules_(rules), sharp_(sharp), corners_(corners) {}
 
 std::array<Point, 4> EdgeCurves::above(HalfedgeId halfedge) const {
     const HalfedgeId back = mesh_.opposite_halfedge_handle(halfedge);
@@ -16,8 +17,13 @@ std::array<Point, 4> EdgeCurves::above(HalfedgeId halfedge) const {
     return {from, from + derivative(halfedge) / 3, to + derivative(back) / 3, to};
 }
 
-/// At the beginning of a halfedge, into it.
+/// At the beginning of a halfedge, into it, as long as the edge.
 Point EdgeCurves::derivative(HalfedgeId leaving) const {
+    const Point along = alongSurface(leaving);
+    return corners_ == nullptr ? along : along.norm() * unit(corners_->within(leaving, along));
+}
+
+Point EdgeCurves::alongSurface(HalfedgeId leaving) const {
     const VertexRule& rule = rules_[at(mesh_.from_vertex_handle(leaving))];
     const Point along = mesh_.calc_edge_vector(leaving);
     const double length = along.norm();
@@ -34,7 +40,7 @@ Point EdgeCurves::derivative(HalfedgeId leaving) const {
     return length * unit(along - normal * (along | normal));
 }
 
-/// Of the surface at the beginning of a halfedge, between the sharp edges on either side of it.
+/// At the beginning of a halfedge, of the faces between the sharp edges on either side of it.
 Point EdgeCurves::normalBeside(HalfedgeId leaving) const {
     const auto isSharp = [&](HalfedgeId halfedge) { return sharp_[at(mesh_.edge_handle(halfedge))]; };
     Point sum(0, 0, 0);
@@ -51,20 +57,16 @@ Point EdgeCurves::normalBeside(HalfedgeId leaving) const {
     return unit(sum);
 }
 
-/// Of the surface above a halfedge's face, at the halfedge's beginning: on the side that the quad shows.
+/// Of a halfedge's face, at the halfedge's beginning, with the weight that makes the sum exact on spheres
+/// (docs/METHOD.md#max-1999).
 Point EdgeCurves::normalIn(HalfedgeId leaving) const {
-    const LatticeNumbers& numbers = lattice_.numbers();
-    std::array<Point, 4> corners;
-    HalfedgeId side = leaving;
-    for (Point& corner : corners) {
-        corner = mesh_.point(mesh_.from_vertex_handle(side));
-        side = mesh_.next_halfedge_handle(side);
-    }
-    const Point ofQuad = BilinearQuad(corners).normal();
-    const Point normal = unit((lattice_.point(numbers(leaving, 1, 0)) - corners[0]) %
-                              (lattice_.point(numbers(leaving, 0, 1)) - corners[0]));
-    if (normal.sqrnorm() == 0) return ofQuad;
-    return (normal | ofQuad) < 0 ? -normal : normal;
+    const Point along = mesh_.calc_edge_vector(leaving);
+    const Point beside = -mesh_.calc_edge_vector(mesh_.prev_halfedge_handle(leaving));
+    const double weight = along.sqrnorm() * beside.sqrnorm();
+    if (!(weight > 0)) return {0, 0, 0};
+    const Point normal = (along % beside) / weight;
+    const Point ofFace = middleNormal(mesh_, mesh_.face_handle(leaving)).value_or(normal);
+    return (normal | ofFace) < 0 ? -normal : normal;
 }
 
 } // namespace qm

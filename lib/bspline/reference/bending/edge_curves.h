@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bspline/network/vertex_rules.h"
-#include "bspline/reference/lattice/mesh_lattice.h"
+#include "bspline/reference/planes/plane_corners.h"
 #include "mesh/quad_mesh.h"
 
 #include <array>
@@ -16,24 +16,24 @@ namespace qm {
 class EdgeCurves {
 public:
     /// The arguments must outlive the curves.
-    /// \param lattice  the surface through the vertices, which may be folded, so only the axes of its normals
-    /// there are used
     /// \param sharp    by edge
-    EdgeCurves(const MeshLattice& lattice, const std::vector<VertexRule>& rules,
-               const std::vector<bool>& sharp);
+    /// \param corners  whose planes the derivatives have to lie in; null if there are none
+    EdgeCurves(const QuadMesh& mesh, const std::vector<VertexRule>& rules, const std::vector<bool>& sharp,
+               const PlaneCorners* corners);
 
     /// The Bezier points above a halfedge, from its beginning to its end.
     [[nodiscard]] std::array<Point, 4> above(HalfedgeId halfedge) const;
 
 private:
     [[nodiscard]] Point derivative(HalfedgeId leaving) const;
+    [[nodiscard]] Point alongSurface(HalfedgeId leaving) const;
     [[nodiscard]] Point normalBeside(HalfedgeId leaving) const;
     [[nodiscard]] Point normalIn(HalfedgeId leaving) const;
 
-    const MeshLattice& lattice_;
     const QuadMesh& mesh_;
     const std::vector<VertexRule>& rules_;
     const std::vector<bool>& sharp_;
+    const PlaneCorners* corners_;
 };
 
 } // namespace qm

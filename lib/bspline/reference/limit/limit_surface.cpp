@@ -28,12 +28,12 @@ MeshLattice limitLattice(const QuadMesh& mesh, const std::vector<VertexRule>& ru
         lattice = lattice.subdivided(rules, sharp, jobs);
     lattice = lattice.limit(rules, sharp, jobs);
     drawThroughVertices(lattice, control.interpolates, jobs);
-    unfold(lattice, rules, sharp, ofLimit, jobs);
+    unfold(lattice, rules, sharp, nullptr, ofLimit, jobs);
     const PlaneCorners corners(lattice, rules, sharp, maxFlatness * boundingBox(mesh).diagonal(), jobs);
     layInPlanes(lattice, corners, sharp, jobs);
     evenSpeeds(lattice, rules, corners, jobs);
     minimiseBending(lattice, rules, corners, jobs);
-    unfold(lattice, rules, sharp, afterEvening, jobs);
+    unfold(lattice, rules, sharp, &corners, afterEvening, jobs);
     return lattice;
 }
 

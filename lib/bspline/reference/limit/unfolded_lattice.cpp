@@ -26,16 +26,16 @@ enum Stage : char { interpolated, betweenEnds, halfStraight, nearlyStraight, str
 class Unfolding {
 public:
     Unfolding(MeshLattice& lattice, const std::vector<VertexRule>& rules, const std::vector<bool>& sharp,
-              const FoldLimits& limits, unsigned jobs)
+              const PlaneCorners* corners, const FoldLimits& limits, unsigned jobs)
         : lattice_(lattice), numbers_(lattice.numbers()), mesh_(numbers_.mesh()), squares_(lattice.squares()),
-          rules_(rules), sharp_(sharp), jobs_(jobs), test_(lattice, limits),
+          rules_(rules), sharp_(sharp), corners_(corners), jobs_(jobs), test_(lattice, limits),
           isUpright_(uprightFaces(mesh_, sharp, jobs)), faceStages_(mesh_.n_faces(), interpolated),
           edgeStages_(mesh_.n_edges(), interpolated) {}
 
     void run() {
         if (!findFolds()) return;
         const MeshLattice before = lattice_;
-        const EdgeCurves curves(before, rules_, sharp_);
+        const EdgeCurves curves(mesh_, rules_, sharp_, corners_);
         for (int pass = 0; pass < maxPasses; ++pass) {
             for (const EdgeId edge : mesh_.edges())
                 redraw(edge, curves);
@@ -153,6 +153,7 @@ private:
     int squares_;
     const std::vector<VertexRule>& rules_;
     const std::vector<bool>& sharp_;
+    const PlaneCorners* corners_;
     unsigned jobs_;
     FoldTest test_;
     std::vector<bool> isUpright_; ///< by face
@@ -163,8 +164,8 @@ private:
 } // namespace
 
 void unfold(MeshLattice& lattice, const std::vector<VertexRule>& rules, const std::vector<bool>& sharp,
-            const FoldLimits& limits, unsigned jobs) {
-    Unfolding(lattice, rules, sharp, limits, jobs).run();
+            const PlaneCorners* corners, const FoldLimits& limits, unsigned jobs) {
+    Unfolding(lattice, rules, sharp, corners, limits, jobs).run();
 }
 
 } // namespace qm

@@ -3,6 +3,7 @@
 
 #include "bspline/reference/lattice/mesh_lattice.h"
 #include "bspline/reference/limit/fold_test.h"
+#include "bspline/reference/planes/plane_corners.h"
 
 #include <vector>
 
@@ -13,9 +14,10 @@ namespace qm {
 /// with other upright quads are replaced by curves determined by their ends alone (see `EdgeCurves`), sharp
 /// ones only where they turn back, and the surface beside them follows. While it still folds, all its curves
 /// move halfway to the quad's edges, twice, and then become these edges. Linear in the mesh.
-/// \param sharp   by edge
-/// \param limits  what counts as a fold
+/// \param sharp    by edge
+/// \param corners  whose planes the surface stays tangent to; null if it is tangent to none yet
+/// \param limits   what counts as a fold
 void unfold(MeshLattice& lattice, const std::vector<VertexRule>& rules, const std::vector<bool>& sharp,
-            const FoldLimits& limits, unsigned jobs);
+            const PlaneCorners* corners, const FoldLimits& limits, unsigned jobs);
 
 } // namespace qm
