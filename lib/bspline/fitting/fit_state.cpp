@@ -28,6 +28,10 @@ struct FirstKnots {
     /// are inserted where they fold.
     static constexpr double closer = 0.3;
     static constexpr int maxTimes = 3;
+    /// Folds of a reference that is nothing but noise take ever more knots: control points grow up to so many
+    /// times those of the first solution, and so many per quad in addition.
+    static constexpr std::size_t maxGrowth = 8;
+    static constexpr std::size_t maxPerQuad = 4;
 };
 
 /// Knots are removed only if the errors stay below this; errors closer to 1 would bring the knots back.
@@ -102,7 +106,13 @@ void FitState::solveFirst(int slides) {
     std::vector<double> share(sources_.size(), 1);
     placeFirstKnots(share);
     solveAll(slides);
+    std::size_t quads = 0;
+    for (const Segment& segment : layout_.segments)
+        quads += segment.faces.size();
+    const std::size_t most =
+        FirstKnots::maxGrowth * controlPointCount(patches_) + FirstKnots::maxPerQuad * quads;
     for (int times = 0; times < options_.unfoldings && isFolded(); ++times) {
+        if (controlPointCount(patches_) > most) break;
         if (times < FirstKnots::maxTimes) {
             for (std::size_t k = 0; k < share.size(); ++k)
                 if (errors_[k].anyFolded()) share[k] *= FirstKnots::closer;
