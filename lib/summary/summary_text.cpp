@@ -33,8 +33,9 @@ std::string shapeText(const Summary& summary, const std::string& unit) {
     if (isSolid(summary)) {
         const std::size_t solids = summary.pieces - summary.cavities;
         std::string text = solids == 1 ? "solid" : countText(solids, "solid");
-        if (summary.cavities == 1) text += " with a cavity";
-        if (summary.cavities > 1) text += " with " + std::to_string(summary.cavities) + " cavities";
+        const std::string joined = solids == 1 ? " with " : " and "; // of several, one may have all of them
+        if (summary.cavities == 1) text += joined + "a cavity";
+        if (summary.cavities > 1) text += joined + std::to_string(summary.cavities) + " cavities";
         return text;
     }
     return summary.fit ? "closed, but patches are apart" : "closed";

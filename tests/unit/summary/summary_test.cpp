@@ -52,6 +52,22 @@ TEST(Summary, IsolatedVerticesAreNoPieces) {
     EXPECT_LT(cube.size[0], 10);
 }
 
+TEST(Summary, CavitiesAreCountedWithTheirSolids) {
+    const auto shape = [](std::size_t pieces, std::size_t cavities) {
+        Summary summary = good();
+        summary.pieces = pieces;
+        summary.cavities = cavities;
+        const std::string text = summaryText(summary, "part", "mm", std::nullopt);
+        const std::size_t line = text.find("shape") + 12; // the label's column
+        return text.substr(line, text.find('\n', line) - line);
+    };
+    EXPECT_EQ(shape(1, 0), "solid");
+    EXPECT_EQ(shape(2, 1), "solid with a cavity");
+    EXPECT_EQ(shape(3, 2), "solid with 2 cavities");
+    EXPECT_EQ(shape(3, 1), "2 solids and a cavity") << "only one of them has it";
+    EXPECT_EQ(shape(5, 2), "3 solids and 2 cavities");
+}
+
 TEST(Summary, WhatIsClosedWithoutGapsIsASolid) {
     Summary summary = good();
     EXPECT_TRUE(isSolid(summary));
