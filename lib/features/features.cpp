@@ -27,7 +27,7 @@ public:
 
     void addTo(std::vector<FeatureCurve>& curves) const {
         const int first = line_.closed ? firstBlunt() : 0;
-        if (first == count_) { // a closed line that is sharp all round
+        if (line_.closed && first == count_) { // sharp all round
             if (isLong(0, count_) && hasEnoughEdges(0, count_)) add(0, count_, curves);
             return;
         }
@@ -43,7 +43,10 @@ public:
     }
 
 private:
-    [[nodiscard]] HalfedgeId halfedgeAt(int k) const { return line_.halfedges[at(k % count_)]; }
+    /// \param k  on a closed line, up to twice their number
+    [[nodiscard]] HalfedgeId halfedgeAt(int k) const {
+        return line_.halfedges[at(k < count_ ? k : k - count_)];
+    }
 
     [[nodiscard]] double angle(HalfedgeId halfedge) const { return angles_[at(mesh_.edge_handle(halfedge))]; }
     [[nodiscard]] bool isSharp(int k) const { return angle(halfedgeAt(k)) > options_.rho; }
