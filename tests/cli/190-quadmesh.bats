@@ -342,8 +342,9 @@ fails_with() {
     cd result && quietly qm-check twice.json
 }
 
-# hangs TOOL BY: another is in the tool's place, and waits until there is a file `ended` where the tool's options are
-# tried (BY is options) or where it works (BY is work). It has begun when there is a file `started`.
+# hangs TOOL BY [after]: another is in the tool's place, and waits until there is a file `ended` where the tool's options
+# are tried (BY is options) or where it works (BY is work), with `after` when it has worked. It has begun when there is a
+# file `started`.
 hangs() {
     rm -rf tools started ended
     mkdir tools
@@ -354,6 +355,7 @@ hangs() {
 by=work
 [[ \${*: -1} != /dev/null ]] || by=options
 [[ \$by == $2 ]] || exec '$QM_BIN/$1' "\$@"
+[[ '${3-}' != after ]] || '$QM_BIN/$1' "\$@"
 echo >started
 for _ in {1..600}; do [[ ! -e ended ]] || break; sleep 0.05; done
 END
@@ -381,22 +383,13 @@ END
 }
 
 @test "what an interrupted stage leaves among the documents that are kept is named so" {
-    mkdir tools
-    ln -s "$QM_BIN"/qm-* tools
-    rm tools/qm-bspline
-    cat >tools/qm-bspline <<END
-#!/bin/bash
-'$QM_BIN/qm-bspline' "\$@"
-[[ \${*: -1} != /dev/null ]] || exit
-echo >started
-sleep 60
-END
-    chmod +x tools/qm-bspline
+    hangs qm-bspline work after
     QM_BIN=$PWD/tools quadmesh part.obj --keep kept 2>messages &
     command=$!
     for _ in {1..400}; do [[ -e started ]] && break; sleep 0.05; done
     kill -TERM "$command"
     wait "$command" && status=0 || status=$?
+    : >ended
     assert_equal "$status" 143
     assert_equal "$(<messages)" 'quadmesh: interrupted. What was found until then is kept/part.surfaces.json.interrupted'
     assert_equal "$(ls kept | grep surfaces)" part.surfaces.json.interrupted

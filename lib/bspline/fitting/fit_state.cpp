@@ -109,10 +109,10 @@ void FitState::solveFirst(int slides) {
     std::size_t quads = 0;
     for (const Segment& segment : layout_.segments)
         quads += segment.faces.size();
-    const std::size_t most =
+    const std::size_t maxControlPoints =
         FirstKnots::maxGrowth * controlPointCount(patches_) + FirstKnots::maxPerQuad * quads;
     for (int times = 0; times < options_.unfoldings && isFolded(); ++times) {
-        if (controlPointCount(patches_) > most) break;
+        if (controlPointCount(patches_) > maxControlPoints) break;
         if (times < FirstKnots::maxTimes) {
             for (std::size_t k = 0; k < share.size(); ++k)
                 if (errors_[k].anyFolded()) share[k] *= FirstKnots::closer;
