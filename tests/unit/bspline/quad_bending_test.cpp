@@ -5,9 +5,11 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <vector>
 
 namespace qm {
 namespace {
@@ -87,6 +89,80 @@ TEST(QuadBending, IsMinimalWhereTiltsTakeAwayWhatTiltsGave) {
     const Eigen::MatrixXd matrix = bending.matrix.topLeftCorner(9, 9);
     const Eigen::VectorXd undone = matrix.llt().solve(Eigen::VectorXd(bending.right.head(9)));
     EXPECT_LT((undone + tilts.head(9)).norm(), 0.02 * tilts.norm());
+}
+
+/// Quads around an extraordinary vertex in a plane, all of which have that vertex at the same corner.
+class TiltedStar {
+public:
+    TiltedStar(int valence, std::size_t corner, double twist)
+        : valence_(valence), ends_(quadCorners[corner]) {
+        TangentFrame frame = upright();
+        frame.dual.fill(Eigen::Vector3d::Zero());
+        frame.twistOfSlopes = twist;
+        CornerFrames frames{};
+        frames[corner] = &frame;
+        CornerTilts tilts = CornerTilts::Zero();
+        tilts.segment<2>(static_cast<Eigen::Index>(3 * corner)) << 0.1, 0.07;
+        for (int k = 0; k < valence; ++k) {
+            std::vector<Eigen::Vector3d> points = flat(k);
+            const auto lifts = QuadSurface(steps, points).displacements(frames, tilts);
+            for (std::size_t n = 0; n < points.size(); ++n)
+                points[n] += lifts[n];
+            quads_.emplace_back(steps, points);
+        }
+    }
+
+    /// The largest difference of normals across edges that leave the vertex, a little way from it.
+    [[nodiscard]] double jump() const {
+        double max = 0;
+        for (int k = 0; k < valence_; ++k)
+            max =
+                std::max(max, (normal(k, first_) - normal((k + valence_ - 1) % valence_, 1 - first_)).norm());
+        return max;
+    }
+
+private:
+    [[nodiscard]] double parameter(std::size_t direction, double way) const {
+        return ends_[direction] == 0 ? way : 1 - way;
+    }
+
+    [[nodiscard]] std::vector<Eigen::Vector3d> flat(int k) const {
+        const auto edge = [&](std::size_t direction) {
+            const int number = direction == first_ ? k : k + 1;
+            const double angle = 2 * std::numbers::pi * number / valence_;
+            return Eigen::Vector3d(std::cos(angle), std::sin(angle), 0);
+        };
+        std::vector<Eigen::Vector3d> points;
+        for (int j = 0; j <= steps; ++j)
+            for (int i = 0; i <= steps; ++i)
+                points.emplace_back(parameter(0, static_cast<double>(i) / steps) * edge(0) +
+                                    parameter(1, static_cast<double>(j) / steps) * edge(1));
+        return points;
+    }
+
+    /// Of a quad, on the edge in a direction.
+    [[nodiscard]] Eigen::Vector3d normal(int k, std::size_t direction) const {
+        std::array<double, 2> at{parameter(0, 0), parameter(1, 0)};
+        at[direction] = parameter(direction, 1.0 / 64);
+        const auto derivatives =
+            quads_[static_cast<std::size_t>(k)].secondOrder(lagrange(steps, at[0]), lagrange(steps, at[1]));
+        return derivatives.u.cross(derivatives.v).normalized();
+    }
+
+    int valence_;
+    std::array<std::size_t, 2> ends_;
+    /// The direction of the first of both edges in a quad, counter-clockwise.
+    std::size_t first_ = ends_[0] == ends_[1] ? 0 : 1;
+    std::vector<QuadSurface> quads_;
+};
+
+TEST(QuadBending, KeepsTiltedQuadsAroundAVertexTangent) {
+    for (const int valence : {3, 5, 6, 9})
+        for (std::size_t corner = 0; corner < 4; ++corner)
+            EXPECT_LT(TiltedStar(valence, corner, twistOfSlopes(valence)).jump(),
+                      0.1 * TiltedStar(valence, corner, 0).jump());
+    EXPECT_EQ(twistOfSlopes(4), 0);
+    EXPECT_EQ(twistOfSlopes(2), 0);
 }
 
 TEST(QuadBending, TakesSurfacesWithoutAnArea) {

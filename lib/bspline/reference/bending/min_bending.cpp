@@ -98,9 +98,10 @@ private:
 
     [[nodiscard]] TangentFrame frameAround(VertexId vertex, const Eigen::Vector3d& normal) const {
         const Eigen::Vector3d along = normal.unitOrthogonal();
-        TangentFrame frame{normal, {along, normal.cross(along)}, {}};
+        const auto valence = static_cast<int>(mesh_.valence(vertex));
+        TangentFrame frame{normal, {along, normal.cross(along)}, {}, twistOfSlopes(valence)};
         frame.dual.fill(Eigen::Vector3d::Zero());
-        if (mesh_.valence(vertex) != 4) return frame;
+        if (valence != 4) return frame;
         const HalfedgeId first = mesh_.halfedge_handle(vertex);
         const Eigen::Vector3d u = vector(before_.derivative(first));
         const Eigen::Vector3d v = vector(before_.derivative(mesh_.ccw_rotated_halfedge_handle(first)));

@@ -47,8 +47,12 @@ CornerChange changeOf(const QuadSurface& surface, std::size_t corner, const Tang
     const Eigen::Vector3d& u = surface.derivative(corner, 0);
     const Eigen::Vector3d& v = surface.derivative(corner, 1);
     const auto& [first, second] = frame.dual;
+    const auto inwards = [&](std::size_t direction) {
+        return quadCorners[corner][direction] == 0 ? 1.0 : -1.0;
+    };
     return {{slope.dot(u), slope.dot(v)},
-            tilt[2] * (first.dot(u) * second.dot(v) + second.dot(u) * first.dot(v))};
+            tilt[2] * (first.dot(u) * second.dot(v) + second.dot(u) * first.dot(v)) +
+                frame.twistOfSlopes * (inwards(1) * slope.dot(u) + inwards(0) * slope.dot(v))};
 }
 
 /// Second derivatives in space, from those by u and v: those of the surface itself are its second fundamental
@@ -126,6 +130,16 @@ std::array<std::array<CornerChange, 3>, 4> unitChanges(const QuadSurface& surfac
 }
 
 } // namespace
+
+double twistOfSlopes(int valence) {
+    // Of two quads, both edges lie in one line, and no quad is across.
+    if (valence < 3 || valence == 4) return 0;
+    // Let a be the lift along an edge, with the slope s at the vertex, and b, c the lifts across it into the
+    // quads on both sides. Tangent quads have b + c = lambda a'. As a'' = -4 s in the cubic, both twists have
+    // to sum to -4 lambda s; and the slopes along the next edges on both sides to lambda s.
+    const double lambda = 2 * std::cos(2 * std::numbers::pi / valence);
+    return -4 * lambda / (2 + lambda);
+}
 
 QuadSurface::QuadSurface(int steps, std::vector<Eigen::Vector3d> points)
     : steps_(steps), points_(std::move(points)) {

@@ -24,7 +24,14 @@ struct TangentFrame {
     /// The dual basis of the mesh lines: its products with a vector are the vector's steps along them; zero
     /// where there is no twist.
     std::array<Eigen::Vector3d, 2> dual;
+    /// How much a tilt twists each quad here, as a multiple of the sum of its slopes along the quad's two
+    /// edges.
+    double twistOfSlopes = 0;
 };
+
+/// The twist by which tilted quads around an extraordinary vertex stay tangent to one another, to second
+/// order in the distance from it; 0 at a regular one.
+[[nodiscard]] double twistOfSlopes(int valence);
 
 /// The frames at a quad's corners, in the order of `quadCorners`; null where the tangent plane is fixed.
 using CornerFrames = std::array<const TangentFrame*, 4>;
