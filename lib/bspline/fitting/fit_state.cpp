@@ -58,7 +58,8 @@ FitState::FitState(const FitProblem& problem, const SmoothFitOptions& options,
       reweighed_(sources_.size()), missed_(sources_.size()), scale_(sources_.size(), 1) {
     for (std::size_t k = 0; k < sources_.size(); ++k) {
         const ReferenceGrid& grid = *sources_[k].grid;
-        plates_.push_back(isSoft[k] ? softPlates(grid.size) : thinPlates(grid, options.tolerance));
+        plates_.push_back(isSoft[k] ? softPlates(grid.size)
+                                    : thinPlates(grid, sources_[k].isStiff, options.tolerance));
     }
 }
 

@@ -63,5 +63,12 @@ TEST(UprightFaces, AreFoldedNeitherThemselvesNorBesideQuadsWithoutArea) {
     EXPECT_EQ(notUpright({3, 3, 1e-9}), (std::vector<int>{6, 7, 8, 11, 12, 13, 16, 17, 18}));
 }
 
+TEST(Shrunk, TakesOutRingsAroundTheOthers) {
+    const QuadMesh mesh = test::makeMesh({7, 1, [](double i, double j) { return Point(i, j, 0); }});
+    const std::vector<bool> faces{false, true, true, true, true, true, true};
+    EXPECT_EQ(shrunk(mesh, faces, 0), faces);
+    EXPECT_EQ(shrunk(mesh, faces, 2), (std::vector<bool>{false, false, false, true, true, true, true}));
+}
+
 } // namespace
 } // namespace qm

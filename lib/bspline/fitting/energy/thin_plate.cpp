@@ -14,6 +14,8 @@ struct Stiffness {
     /// Lower weights do not prevent surfaces from oscillating, higher ones prevent them from bending at all.
     static constexpr double min = 1e-4;
     static constexpr double max = 0.1;
+    /// Factor where quads are stiff. Beside folded quads, stiff plates fold the more.
+    static constexpr double ofStiff = 3;
     /// Quads that are even longer are mostly skewed as well and have no clear direction.
     static constexpr double maxAspect = 8;
 };
@@ -24,7 +26,8 @@ ThinPlate plate(double weight, double aspect) {
 
 } // namespace
 
-std::vector<ThinPlate> thinPlates(const ReferenceGrid& reference, double tolerance) {
+std::vector<ThinPlate> thinPlates(const ReferenceGrid& reference, const std::vector<bool>& isStiff,
+                                  double tolerance) {
     const auto length = [&](int i, int j, int di, int dj) {
         return (reference.vertex(i + di, j + dj) - reference.vertex(i, j)).norm();
     };
@@ -37,8 +40,9 @@ std::vector<ThinPlate> thinPlates(const ReferenceGrid& reference, double toleran
                 plates.push_back(plate(Stiffness::min, 1));
                 continue;
             }
-            const double weight = Stiffness::ofTurns * tolerance * tolerance / (u * v);
-            plates.push_back(plate(std::clamp(weight, Stiffness::min, Stiffness::max),
+            const double factor = isStiff[plates.size()] ? Stiffness::ofStiff : 1;
+            const double weight = factor * Stiffness::ofTurns * tolerance * tolerance / (u * v);
+            plates.push_back(plate(std::clamp(weight, Stiffness::min, factor * Stiffness::max),
                                    std::clamp(v / u, 1 / Stiffness::maxAspect, Stiffness::maxAspect)));
         }
     return plates;

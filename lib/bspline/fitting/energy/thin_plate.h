@@ -17,8 +17,11 @@ struct ThinPlate {
 };
 
 /// The stiffness of plates with the quads' own shape, by quad, row by row: if a surface can turn by a radian
-/// less within a quad, it may be about a third of the tolerance farther away for it.
-[[nodiscard]] std::vector<ThinPlate> thinPlates(const ReferenceGrid& reference, double tolerance);
+/// less within a quad, it may be about half of the tolerance farther away for it, and a third of the
+/// tolerance where the quad is not stiff.
+/// \param isStiff  by quad
+[[nodiscard]] std::vector<ThinPlate> thinPlates(const ReferenceGrid& reference,
+                                                const std::vector<bool>& isStiff, double tolerance);
 
 /// Plates that yield to any error, for patches where the ones above prevent the surface from following the
 /// reference.

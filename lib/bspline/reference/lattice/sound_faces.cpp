@@ -89,6 +89,15 @@ std::vector<bool> soundFaces(const QuadMesh& mesh, unsigned jobs, double minCosi
     return isSound;
 }
 
+std::vector<bool> shrunk(const QuadMesh& mesh, std::vector<bool> faces, int rings) {
+    for (int ring = 0; ring < rings; ++ring) {
+        const std::vector<bool> before = faces;
+        clearAround(
+            mesh, [&](std::size_t face) { return !before[face]; }, faces);
+    }
+    return faces;
+}
+
 std::vector<bool> soundVertices(const QuadMesh& mesh, unsigned jobs, double minCosine) {
     const std::vector<bool> isSound = soundFaces(mesh, jobs, minCosine);
     std::vector<bool> result(mesh.n_vertices(), true);

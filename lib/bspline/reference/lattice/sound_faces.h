@@ -25,6 +25,9 @@ constexpr double notFolded = 0.2;
 [[nodiscard]] std::vector<bool> soundFaces(const QuadMesh& mesh, unsigned jobs,
                                            double minCosine = nearlyFlat);
 
+/// Takes out the faces within so many rings around those that are not among them.
+[[nodiscard]] std::vector<bool> shrunk(const QuadMesh& mesh, std::vector<bool> faces, int rings);
+
 /// By vertex: whether all faces around it are sound.
 [[nodiscard]] std::vector<bool> soundVertices(const QuadMesh& mesh, unsigned jobs,
                                               double minCosine = nearlyFlat);
