@@ -50,7 +50,7 @@ SmoothFitOptions effortFor(const QuadMesh& mesh) {
     options.roundsOfMending = 4;
     options.slides = areVeryMany ? 2 : 3;
     options.verifications = 4;
-    options.attempts = 1;
+    options.restarts = false;
     options.slack = 0; // nothing would begin anew where it leads astray
     options.ringsAround = 1;
     options.worthAll = 0.8;
@@ -100,7 +100,7 @@ std::vector<Patch> smoothPatches(const QuadMesh& mesh, const Layout& layout, con
     effort.tolerance = shareAtPoints * allowed;
     effort.flatness = std::min(planeShare * allowed, maxFlatness * boundingBox(mesh).diagonal());
     const QuadMesh& upright = reference.improved ? *reference.improved : mesh;
-    if (effort.attempts > 1)
+    if (effort.restarts)
         return fitCentred({upright, layout, reference.network, reference.target, verify}, effort, control);
 
     double nearest = infinity; // of what was verified, in tolerances

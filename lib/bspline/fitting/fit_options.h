@@ -13,13 +13,12 @@ struct SmoothFitOptions {
     int maxIdle = 12;         ///< a search ends after so many rounds without a better result
     int roundsOfMending = 8;  ///< largest number of rounds for mending what a verification has found
     int slides = 6;           ///< solutions per round, between which the targets slide
-    double slideShare = 0.25; ///< how far they slide; see `slideTargets`
     double slack = 0.25;      ///< in tolerances: surfaces may be farther by this if that makes them fairer
     int ringsAround = 2;      ///< rings of patches around those that change that are solved for with them
     double worthAll = 0.6;    ///< if more than this share of the control points is free, all are solved for
     bool removesKnots = true; ///< tries to do with fewer knots once the tolerance is kept
     int verifications = 5;    ///< largest number of verifications per attempt
-    int attempts = 4;         ///< largest number of attempts, while a verification fails
+    bool restarts = true;     ///< attempts it anew, at most twice, while a verification fails
 };
 
 } // namespace qm

@@ -170,7 +170,7 @@ bool FitState::solveFor(const std::vector<bool>& isFree, int slides) {
         system.solve(lattices_, Accuracy::draft, patches_);
         forFree([&](std::size_t i) {
             const double share = scale_[i] > 1 ? 0 : options_.slack;
-            slideTargets(patches_[i], share * options_.tolerance, options_.slideShare, lattices_[i]);
+            slideTargets(patches_[i], share * options_.tolerance, lattices_[i]);
         });
     }
     system.solve(lattices_, Accuracy::rounding, patches_);

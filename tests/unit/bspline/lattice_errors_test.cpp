@@ -71,7 +71,7 @@ TEST_F(LatticeErrors, FoldsCountAsErrorsButNotAsDistances) {
 }
 
 TEST_F(LatticeErrors, TargetsStayOnTheReferenceWithoutSlack) {
-    slideTargets(raisedInTheMiddle(0.001), 0, 0, lattice);
+    slideTargets(raisedInTheMiddle(0.001), 0, lattice);
     EXPECT_NEAR(height(4), 0, 1e-5);
 }
 
@@ -79,31 +79,31 @@ TEST_F(LatticeErrors, TargetsFollowWavesWithinTheSlack) {
     const Patch wave = raisedInTheMiddle(0.001);
     const double mean = 0.00025; // of a pyramid with weights of 1, 2 and 4
     for (int k = 0; k < 40; ++k)
-        slideTargets(wave, 1, 0, lattice);
+        slideTargets(wave, 1, lattice);
     EXPECT_NEAR(height(4), 0.85 * (0.001 - mean), 1e-7);
     EXPECT_NEAR(height(1), -0.85 * mean, 1e-7);
 }
 
 TEST_F(LatticeErrors, TargetsStopWhereTheSlackEnds) {
-    slideTargets(raisedInTheMiddle(-0.003), 0.001, 0, lattice);
+    slideTargets(raisedInTheMiddle(-0.003), 0.001, lattice);
     EXPECT_NEAR(height(4), -0.001, 1e-5);
 }
 
 TEST_F(LatticeErrors, TheWholePatchIsNotFollowed) {
-    slideTargets(lifted(0.05), 0.1, 0, lattice);
+    slideTargets(lifted(0.05), 0.1, lattice);
     EXPECT_NEAR(height(4), 0, 1e-15);
 }
 
 TEST_F(LatticeErrors, WhatWasMissedHasLessSlack) {
     lattice.emphasis[4] = 10;
-    slideTargets(raisedInTheMiddle(0.005), 0.001, 0, lattice);
+    slideTargets(raisedInTheMiddle(0.005), 0.001, lattice);
     EXPECT_NEAR(height(4), 0.0001, 1e-5);
 }
 
 TEST_F(LatticeErrors, CreasesAreFollowedWithoutSlack) {
     source.isCrease[0] = {true};
     lattice = makeLattice(source, lattice.targets.parameters);
-    slideTargets(raisedInTheMiddle(0.002), 0.001, 0, lattice);
+    slideTargets(raisedInTheMiddle(0.002), 0.001, lattice);
     EXPECT_NEAR(height(1), 0, 1e-15);
     EXPECT_GT(height(4), 0.0005);
 }

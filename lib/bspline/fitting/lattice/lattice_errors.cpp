@@ -120,13 +120,17 @@ PatchErrors latticeErrors(const FitLattice& lattice, const Patch& patch, double 
     return errors;
 }
 
-void slideTargets(const Patch& patch, double slack, double slideShare, FitLattice& lattice) {
+void slideTargets(const Patch& patch, double slack, FitLattice& lattice) {
     // Enough for slides to converge in a few steps, but not so much that they oscillate.
     constexpr double momentum = 0.8;
     // Draws targets back to the reference's parameters where nothing else determines them.
     constexpr double anchor = 0.01;
     // The same along the normal: waves are much stiffer than this, the shapes of whole parts much softer.
     constexpr double restoring = 0.15;
+    // Targets slide by one edge at most, or by this share of the patch's shorter side: where the mesh's lines
+    // turn all at once, such as around a hole in a plate, it takes the more of its edges to turn gently the
+    // finer the mesh is.
+    constexpr double slideShare = 0.25;
     const auto& parameters = lattice.targets.parameters;
     const double maxSlide = // relative to the reference's edges
         std::max(1.0, slideShare * std::min(parameters[0].back(), parameters[1].back()));

@@ -39,10 +39,7 @@ struct PatchErrors {
 /// follow only deviations from the mean distance of the whole patch, since the plates would otherwise shrink
 /// round parts. Tangent-distance minimisation (docs/METHOD.md#wang-2006), accelerated
 /// (docs/METHOD.md#nesterov-1983).
-/// \param slack       in the unit of the reference
-/// \param slideShare  targets slide by one edge at most, or by this share of the patch's shorter side. Where
-/// the mesh's lines turn all at once, such as around a hole in a plate, it takes the more of its edges to
-/// turn gently the finer the mesh is.
-void slideTargets(const Patch& patch, double slack, double slideShare, FitLattice& lattice);
+/// \param slack  in the unit of the reference
+void slideTargets(const Patch& patch, double slack, FitLattice& lattice);
 
 } // namespace qm
