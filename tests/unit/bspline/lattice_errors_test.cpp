@@ -20,7 +20,6 @@ protected:
         source.grid = &grid;
         for (auto& side : source.isCrease)
             side = {false};
-        source.isSound = {true};
         lattice = makeLattice(source, {std::vector<double>{0, 0.5, 1}, std::vector<double>{0, 0.5, 1}});
     }
 
