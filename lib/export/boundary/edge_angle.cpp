@@ -3,14 +3,14 @@
 #include <GeomLProp_SLProps.hxx>
 #include <Geom_Plane.hxx>
 #include <algorithm>
-#include <gp_Dir.hxx>
 #include <numbers>
-#include <optional>
 
 namespace qm {
 namespace {
 
 constexpr int samples = 4; ///< in every knot interval
+
+} // namespace
 
 std::optional<gp_Dir> normalAt(const EdgeSide& side, double parameter) {
     std::optional<gp_Dir> normal;
@@ -25,8 +25,6 @@ std::optional<gp_Dir> normalAt(const EdgeSide& side, double parameter) {
     }
     return side.reversed ? normal->Reversed() : *normal;
 }
-
-} // namespace
 
 double largestAngle(const CurvePiece& curve, const std::array<EdgeSide, 2>& sides, double fromEnds) {
     double largest = 0;

@@ -1,4 +1,4 @@
-/// \file The angle between the two faces of an edge.
+/// \file The normals of the two faces of an edge, and the angle between them.
 #pragma once
 
 #include "export/geometry/curve_piece.h"
@@ -6,6 +6,8 @@
 #include <Geom2d_BSplineCurve.hxx>
 #include <Geom_Surface.hxx>
 #include <array>
+#include <gp_Dir.hxx>
+#include <optional>
 
 namespace qm {
 
@@ -15,6 +17,9 @@ struct EdgeSide {
     bool reversed = false;              ///< the surface's normal points inwards
     Handle(Geom2d_BSplineCurve) onFace; ///< of the edge; none on a plane
 };
+
+/// The outward normal of the face at a parameter of the edge; none where it has no normal.
+[[nodiscard]] std::optional<gp_Dir> normalAt(const EdgeSide& side, double parameter);
 
 /// The largest angle between the outward normals of both faces along an edge, in degrees, by samples; where a
 /// face has no normal, it does not count.

@@ -1,10 +1,10 @@
 #include "export/boundary/loose_edges.h"
 
+#include "export/boundary/divided_edges.h"
 #include "export/simple/curve_on_surface.h"
 
 #include <boost/math/tools/minima.hpp>
 
-#include <Geom_BSplineCurve.hxx>
 #include <Geom_ElementarySurface.hxx>
 #include <algorithm>
 #include <limits>
@@ -59,26 +59,6 @@ private:
     std::vector<std::pair<Handle(Geom_Surface), Handle(Geom2d_BSplineCurve)>> surfaces_;
 };
 
-/// The part of a spline between two of its parameters.
-template <class Curve>
-opencascade::handle<Curve> partOf(const opencascade::handle<Curve>& spline, double first, double last) {
-    auto part = opencascade::handle<Curve>::DownCast(spline->Copy());
-    part->Segment(first, last);
-    return part;
-}
-
-/// The part of an edge between two parameters; its ends are those of the whole.
-BoundaryEdge partOf(const BoundaryEdge& edge, double first, double last) {
-    BoundaryEdge part = edge;
-    if (const auto spline = Handle(Geom_BSplineCurve)::DownCast(edge.curve.curve); !spline.IsNull())
-        part.curve = wholeCurve(partOf(spline, first, last));
-    part.curve.first = first;
-    part.curve.last = last;
-    for (auto& curve : part.onFaces)
-        if (!curve.IsNull()) curve = partOf(curve, first, last);
-    return part;
-}
-
 /// Where to divide an edge, if that is worth while.
 std::optional<double> division(const BoundaryEdge& edge, const Looseness& looseness, double resolution) {
     constexpr double margin = 4; // the parts are longer than their distance by this factor
@@ -102,44 +82,10 @@ std::vector<std::optional<double>> divisionsOf(const Boundary& boundary) {
     return divisions;
 }
 
-/// The first part takes the edge's place, the second one becomes the last edge.
-void divide(Boundary& boundary, std::size_t edge, double at) {
-    const BoundaryEdge whole = boundary.edges[edge];
-    BoundaryEdge second = partOf(whole, at, whole.curve.last);
-    boundary.edges[edge] = partOf(whole, whole.curve.first, at);
-    boundary.edges[edge].ends[1] = second.ends[0] = boundary.vertices.size();
-    boundary.vertices.push_back({second.curve.start(), second.tolerance});
-    boundary.edges.push_back(std::move(second));
-}
-
-/// A loop with both parts where one edge was.
-/// \param second  by edge that there was: its second part, if it was divided
-std::vector<EdgeUse> withParts(const std::vector<EdgeUse>& loop,
-                               const std::vector<std::optional<std::size_t>>& second) {
-    std::vector<EdgeUse> result;
-    for (const EdgeUse& use : loop) {
-        result.push_back(use);
-        if (!second[use.edge]) continue;
-        result.push_back({*second[use.edge], use.forwards});
-        if (!use.forwards) std::iter_swap(result.end() - 1, result.end() - 2);
-    }
-    return result;
-}
-
 } // namespace
 
 bool divideLooseEdges(Boundary& boundary) {
-    const std::vector<std::optional<double>> divisions = divisionsOf(boundary);
-    std::vector<std::optional<std::size_t>> second(divisions.size());
-    for (std::size_t e = 0; e < divisions.size(); ++e) {
-        if (!divisions[e]) continue;
-        second[e] = boundary.edges.size();
-        divide(boundary, e, *divisions[e]);
-    }
-    for (BoundaryFace& face : boundary.faces)
-        for (auto& loop : face.loops)
-            loop = withParts(loop, second);
-    return boundary.edges.size() > divisions.size();
+    return divideEdges(boundary, divisionsOf(boundary));
 }
 
 } // namespace qm

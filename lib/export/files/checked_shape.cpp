@@ -5,6 +5,7 @@
 #include "export/boundary/merge_edges.h"
 #include "export/boundary/merge_faces.h"
 #include "export/boundary/outline.h"
+#include "export/boundary/twisted_edges.h"
 
 #include <BRepCheck_Analyzer.hxx>
 #include <algorithm>
@@ -120,6 +121,10 @@ CheckedShape checkedShape(const QuadMesh& mesh, const FacePatches& faces, double
 
 CheckedShape withLooseEdgesDivided(CheckedShape shape) {
     return withEdges(std::move(shape), divideLooseEdges);
+}
+
+CheckedShape withTwistedEdgesDivided(CheckedShape shape) {
+    return withEdges(std::move(shape), divideTwistedEdges);
 }
 
 CheckedShape merged(CheckedShape shape) {

@@ -34,4 +34,7 @@ struct CheckedShape {
 /// takes that.
 [[nodiscard]] CheckedShape withLooseEdgesDivided(CheckedShape shape);
 
+/// The same with edges divided along which faces twist (twisted_edges.h), if OpenCASCADE takes that.
+[[nodiscard]] CheckedShape withTwistedEdgesDivided(CheckedShape shape);
+
 } // namespace qm
