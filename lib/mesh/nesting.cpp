@@ -1,7 +1,9 @@
 #include "mesh/nesting.h"
 
+#include "base/at.h"
 #include "mesh/bounding_box.h"
 #include "mesh/quad_geometry.h"
+#include "mesh/topology.h"
 
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point.hpp>
@@ -116,6 +118,16 @@ bool contains(const BoundingBox& outer, const BoundingBox& inner) {
 }
 
 } // namespace
+
+std::vector<std::vector<FaceId>> closedComponents(const QuadMesh& mesh) {
+    const Components pieces = components(mesh);
+    std::vector<std::vector<FaceId>> faces(at(pieces.count));
+    for (const FaceId face : mesh.faces())
+        faces[at(pieces.ofVertex[at(*mesh.cfv_iter(face))])].push_back(face);
+    for (const VertexId vertex : mesh.vertices())
+        if (mesh.is_boundary(vertex)) faces[at(pieces.ofVertex[at(vertex)])].clear();
+    return faces;
+}
 
 std::vector<Nesting> nestingOf(const QuadMesh& mesh, const std::vector<std::vector<FaceId>>& parts) {
     std::vector<Nesting> result(parts.size());

@@ -19,6 +19,9 @@ struct Nesting {
     std::optional<std::size_t> cavityOf;
 };
 
+/// The faces of every component; empty in the place of one that has a boundary, or no faces.
+[[nodiscard]] std::vector<std::vector<FaceId>> closedComponents(const QuadMesh& mesh);
+
 /// Parts should not cross: one lies where its first corner does. Takes time n log n in the faces, and
 /// compares the boxes of all pairs of parts.
 /// \param parts  the faces of every part, without a boundary; empty in the place of a part that is not closed

@@ -9,7 +9,8 @@
 namespace qm {
 
 /// One sentence, with figures and places, for each of these: coincident vertices, quads without area, quads
-/// turned over, more than ten components, more than one extraordinary vertex in ten.
+/// turned over, closed components that are inside out, more than ten components, more than one extraordinary
+/// vertex in ten.
 [[nodiscard]] std::vector<std::string> suspicions(const QuadMesh& mesh);
 
 } // namespace qm

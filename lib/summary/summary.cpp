@@ -1,6 +1,5 @@
 #include "summary/summary.h"
 
-#include "base/at.h"
 #include "base/positions.h"
 #include "bspline/splines/evaluate.h"
 #include "mesh/bounding_box.h"
@@ -15,12 +14,8 @@ namespace {
 
 /// The number of those of a closed mesh's pieces that are cavities of others.
 std::size_t cavityCount(const QuadMesh& mesh) {
-    const Components pieces = components(mesh);
-    std::vector<std::vector<FaceId>> faces(at(pieces.count));
-    for (const FaceId face : mesh.faces())
-        faces[at(pieces.ofVertex[at(*mesh.cfv_iter(face))])].push_back(face);
     const auto isCavity = [](const Nesting& nesting) { return nesting.cavityOf.has_value(); };
-    return countWhere(nestingOf(mesh, faces), isCavity);
+    return countWhere(nestingOf(mesh, closedComponents(mesh)), isCavity);
 }
 
 std::string missedTolerance(const Summary& summary, const std::string& unit) {
