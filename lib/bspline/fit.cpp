@@ -71,6 +71,9 @@ SmoothFitOptions withPatience(SmoothFitOptions effort) {
     return effort;
 }
 
+/// The slack of fits to scans, in tolerances: noise that is left takes more of it.
+constexpr double slackInNoise = 0.5;
+
 /// Share of the tolerance that is used at the lattice's points: the rest is for what lies between.
 constexpr double shareAtPoints = 0.97;
 
@@ -98,6 +101,7 @@ std::vector<Patch> smoothPatches(const QuadMesh& mesh, const Layout& layout, con
     };
     SmoothFitOptions effort = effortFor(mesh);
     effort.tolerance = shareAtPoints * allowed;
+    if (reference.target.noise > 0 && effort.slack > 0) effort.slack = slackInNoise;
     effort.flatness = std::min(planeShare * allowed, maxFlatness * boundingBox(mesh).diagonal());
     const QuadMesh& upright = reference.improved ? *reference.improved : mesh;
     if (effort.restarts)

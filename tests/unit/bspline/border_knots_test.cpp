@@ -36,6 +36,7 @@ protected:
         for (const ReferenceGrid& grid : grids) {
             LatticeSource source;
             source.grid = &grid;
+            source.isSound.assign(columns, true);
             for (std::size_t side = 0; side < 4; ++side)
                 source.isCrease[side].assign(side % 2 == 0 ? columns : 1, false);
             lattices.push_back(

@@ -20,6 +20,7 @@ protected:
         source.grid = &grid;
         for (auto& side : source.isCrease)
             side = {false};
+        source.isSound = {true};
         lattice = makeLattice(source, {std::vector<double>{0, 0.5, 1}, std::vector<double>{0, 0.5, 1}});
     }
 

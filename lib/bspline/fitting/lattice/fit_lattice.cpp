@@ -3,6 +3,8 @@
 #include "base/at.h"
 #include "base/parallel.h"
 #include "base/positions.h"
+#include "bspline/fitting/lattice/folded_quads.h"
+#include "bspline/reference/lattice/sound_faces.h"
 #include "bspline/splines/evaluate.h"
 #include "layout/sides.h"
 
@@ -12,6 +14,9 @@
 
 namespace qm {
 namespace {
+
+/// Factor of a point's weight where the reference folds over a sound quad.
+constexpr double ofGuesses = 0.05;
 
 /// Factor of a point's weight. Points of a crease stand for half a cell, those of corners for a quarter or
 /// less, and nothing but them draws a curve to its place: where they weigh no more than others, the fit
@@ -101,10 +106,13 @@ std::vector<LatticeSource> latticeSources(const QuadMesh& mesh, const Layout& la
                                           const SmoothNetwork& network, const FitTarget& reference,
                                           unsigned jobs) {
     std::vector<LatticeSource> sources(reference.grids.size());
+    const std::vector<bool> isSound = soundFaces(mesh, jobs);
     parallelFor(sources.size(), jobs, [&](std::size_t k) {
         const Segment& segment = layout.segments[k];
         sources[k].grid = &reference.grids[k];
         if (!reference.weights.empty()) sources[k].weights = &reference.weights[k];
+        for (const FaceId face : segment.faces)
+            sources[k].isSound.push_back(isSound[at(face)]);
         for (std::size_t side = 0; side < 4; ++side) {
             const auto& vertices = segment.sides[side];
             for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
@@ -151,6 +159,8 @@ FitLattice makeLattice(const LatticeSource& source, const std::array<std::vector
         lattice.edge.push_back(std::sqrt(std::min(point.du.sqrnorm(), point.dv.sqrnorm())));
     }
     lattice.axes = lattice.normals;
+    lattice.isGuess.assign(points.size(), false);
+    replaceFoldedNormals(source, lattice);
     forgetFoldedNormals(lattice);
     lattice.targets.points = lattice.reference;
     lattice.freedom.assign(points.size(), Freedom::surface);
@@ -212,6 +222,7 @@ void weighTargets(const LatticeSource& source, FitLattice& lattice) {
     for (std::size_t j = 0; j < vs.size(); ++j)
         for (std::size_t i = 0; i < us.size(); ++i) {
             double weight = us[i] * vs[j] * lattice.emphasis[weights.size()];
+            if (lattice.isGuess[weights.size()]) weight *= ofGuesses;
             weight *= factorOf(lattice.freedom[weights.size()]);
             if (source.weights != nullptr)
                 weight *= (*source.weights)[nearest(lattice.targets.parameters[1][j]) * grid.columns() +

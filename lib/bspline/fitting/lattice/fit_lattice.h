@@ -25,6 +25,7 @@ struct LatticeSource {
     const std::vector<double>* weights = nullptr; ///< of the grid's points; all 1 if null
     std::array<std::vector<bool>, 4> isCrease{};  ///< by side, edge by edge counter-clockwise
     std::array<VertexRule::Kind, 4> corners{};    ///< the rules of the segment's corner vertices
+    std::vector<bool> isSound;                    ///< by quad: see `soundFaces`
 };
 
 /// The part of a lattice that changes during a fit. All lists but the parameters have one entry per point:
@@ -45,6 +46,7 @@ struct FitLattice : LatticeProgress {
     std::vector<Point> axes;      ///< the normal, or at a crease the unit direction of the curve
     std::vector<double> jacobian; ///< length of the cross product of the reference's derivatives
     std::vector<double> edge;     ///< length of the shorter of these derivatives
+    std::vector<bool> isGuess;    ///< the reference folds there although the quad is sound
 
     [[nodiscard]] std::size_t columns() const { return targets.parameters[0].size(); }
     [[nodiscard]] std::size_t rows() const { return targets.parameters[1].size(); }
