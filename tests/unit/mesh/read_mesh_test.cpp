@@ -269,7 +269,7 @@ TEST(Warnings, AboutComponentsThatAreInsideOut) {
         for (const FaceId face : cube.faces()) {
             std::string corners;
             for (const VertexId vertex : cube.fv_range(face)) // from last to first
-                corners = " " + std::to_string(vertex.idx() - static_cast<int>(cube.n_vertices())) + corners;
+                corners.insert(0, " " + std::to_string(vertex.idx() - static_cast<int>(cube.n_vertices())));
             text.append("f").append(corners).append("\n");
         }
         return text;
