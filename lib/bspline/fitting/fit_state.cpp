@@ -51,7 +51,7 @@ std::vector<bool> stiffFaces(const QuadMesh& mesh, unsigned jobs) {
     return shrunk(mesh, soundFaces(mesh, jobs), rings);
 }
 
-/// The faces of a segment.
+/// What is told by face, for the quads of a segment.
 std::vector<bool> ofSegment(const Segment& segment, const std::vector<bool>& byFace) {
     std::vector<bool> result;
     for (const FaceId face : segment.faces)
