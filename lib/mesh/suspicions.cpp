@@ -120,10 +120,10 @@ std::vector<std::string> suspicions(const QuadMesh& mesh) {
                          ". The mesh is folded there: move the vertices");
     if (const auto parts = insideOut(mesh); !parts.empty())
         result.push_back(
-            (parts.size() == 1 ? "a closed component is"
-                               : std::to_string(parts.size()) + " closed components are") +
-            " inside out, " + (parts.size() == 1 ? "" : "the first ") + "with face " +
-            std::to_string(parts.front().front().idx()) +
+            (parts.size() == 1
+                 ? "a closed component is inside out, that"
+                 : std::to_string(parts.size()) + " closed components are inside out, the first is that") +
+            " of face " + std::to_string(parts.front().front().idx()) +
             ". Solids in STEP and IGES files are turned; for all else, reverse the mesh's faces");
     if (const std::size_t pieces = pieceCount(mesh); pieces > 10)
         result.push_back("the mesh has " + std::to_string(pieces) + " components. Should they be joined?");

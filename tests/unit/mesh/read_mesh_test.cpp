@@ -276,10 +276,10 @@ TEST(Warnings, AboutComponentsThatAreInsideOut) {
     };
     EXPECT_EQ(warningsOf(good), std::vector<std::string>());
     const Point beside(5, 0, 0);
-    EXPECT_TRUE(
-        says(onlyOne(warningsOf(good + turned(beside))), "a closed component is inside out, with face 96."));
+    EXPECT_TRUE(says(onlyOne(warningsOf(good + turned(beside))),
+                     "a closed component is inside out, that of face 96."));
     EXPECT_TRUE(says(onlyOne(warningsOf(turned({0, 0, 0}) + turned(beside))),
-                     "2 closed components are inside out, the first with face 0."));
+                     "2 closed components are inside out, the first is that of face 0."));
 }
 
 TEST(Warnings, AboutManyComponents) {
