@@ -83,13 +83,13 @@ std::vector<FaceId> turnedOverQuads(const QuadMesh& mesh) {
     return turned;
 }
 
-/// Those closed components that look into the solid.
-std::vector<std::vector<FaceId>> insideOut(const QuadMesh& mesh) {
-    std::vector<std::vector<FaceId>> closed = closedComponents(mesh);
+/// The first face of every closed component that looks into the solid.
+std::vector<FaceId> insideOut(const QuadMesh& mesh) {
+    const std::vector<std::vector<FaceId>> closed = closedComponents(mesh);
     const std::vector<Nesting> nesting = nestingOf(mesh, closed);
-    std::vector<std::vector<FaceId>> result;
+    std::vector<FaceId> result;
     for (std::size_t k = 0; k < closed.size(); ++k)
-        if (nesting[k].inward) result.push_back(std::move(closed[k]));
+        if (nesting[k].inward) result.push_back(closed[k].front());
     return result;
 }
 
@@ -118,12 +118,12 @@ std::vector<std::string> suspicions(const QuadMesh& mesh) {
         result.push_back(of(turned.size(), mesh.n_faces(), "quads") + (turned.size() == 1 ? "lies" : "lie") +
                          " upside down on others, the first is face " + std::to_string(turned.front().idx()) +
                          ". The mesh is folded there: move the vertices");
-    if (const auto parts = insideOut(mesh); !parts.empty())
+    if (const std::vector<FaceId> parts = insideOut(mesh); !parts.empty())
         result.push_back(
             (parts.size() == 1
                  ? "a closed component is inside out, that"
                  : std::to_string(parts.size()) + " closed components are inside out, the first is that") +
-            " of face " + std::to_string(parts.front().front().idx()) +
+            " of face " + std::to_string(parts.front().idx()) +
             ". Solids in STEP and IGES files are turned; for all else, reverse the mesh's faces");
     if (const std::size_t pieces = pieceCount(mesh); pieces > 10)
         result.push_back("the mesh has " + std::to_string(pieces) + " components. Should they be joined?");

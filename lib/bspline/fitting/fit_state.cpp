@@ -1,6 +1,5 @@
 #include "bspline/fitting/fit_state.h"
 
-#include "base/at.h"
 #include "base/parallel.h"
 #include "bspline/fitting/knots/border_knots.h"
 #include "bspline/fitting/knots/initial_knots.h"
@@ -12,7 +11,6 @@
 #include "bspline/fitting/system/continuity_equations.h"
 #include "bspline/fitting/system/free_patches.h"
 #include "bspline/fitting/system/smooth_system.h"
-#include "bspline/reference/lattice/sound_faces.h"
 
 #include <algorithm>
 #include <memory>
@@ -45,20 +43,6 @@ struct Emphasis {
     static constexpr double max = 100;
 };
 
-/// By face: whether plates are stiff there, far enough from quads over which surfaces may fold.
-std::vector<bool> stiffFaces(const QuadMesh& mesh, unsigned jobs) {
-    constexpr int rings = 2;
-    return shrunk(mesh, soundFaces(mesh, jobs), rings);
-}
-
-/// What is told by face, for the quads of a segment.
-std::vector<bool> ofSegment(const Segment& segment, const std::vector<bool>& byFace) {
-    std::vector<bool> result;
-    for (const FaceId face : segment.faces)
-        result.push_back(byFace[at(face)]);
-    return result;
-}
-
 } // namespace
 
 FitState::FitState(const FitProblem& problem, const SmoothFitOptions& options,
@@ -72,12 +56,10 @@ FitState::FitState(const FitProblem& problem, const SmoothFitOptions& options,
       normalLimits_(problem.reference.grids.begin(), problem.reference.grids.end()),
       lattices_(sources_.size()), kept_(sources_.size()), errors_(sources_.size()), givenUp_(sources_.size()),
       reweighed_(sources_.size()), missed_(sources_.size()), scale_(sources_.size(), 1) {
-    const std::vector<bool> isStiff = stiffFaces(problem.mesh, jobs);
     for (std::size_t k = 0; k < sources_.size(); ++k) {
         const ReferenceGrid& grid = *sources_[k].grid;
-        plates_.push_back(
-            isSoft[k] ? softPlates(grid.size)
-                      : thinPlates(grid, ofSegment(problem.layout.segments[k], isStiff), options.tolerance));
+        plates_.push_back(isSoft[k] ? softPlates(grid.size)
+                                    : thinPlates(grid, sources_[k].isStiff, options.tolerance));
     }
 }
 

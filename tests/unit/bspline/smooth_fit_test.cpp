@@ -289,8 +289,7 @@ TEST(SmoothSystem, FindsTheSamePatchWhileItsNeighboursStay) {
     for (std::size_t k = 0; k < sources.size(); ++k) {
         lattices.push_back(makeLattice(sources[k], {latticeParameters(layout.segments[k].size[0], 4, {}),
                                                     latticeParameters(layout.segments[k].size[1], 4, {})}));
-        plates.push_back(
-            thinPlates(target.grids[k], std::vector<bool>(layout.segments[k].faces.size(), true), 0.1));
+        plates.push_back(thinPlates(target.grids[k], sources[k].isStiff, 0.1));
     }
     const auto solve = [&](const std::vector<bool>& isFree, std::vector<Patch>& patches) {
         SmoothSystem system(layout, plan, spaces, lattices, plates, isFree, patches, 1);

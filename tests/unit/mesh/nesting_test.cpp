@@ -1,4 +1,5 @@
 #include "mesh/nesting.h"
+#include "mesh/suspicions.h"
 #include "shape/shape.h"
 
 #include <gtest/gtest.h>
@@ -35,6 +36,7 @@ public:
     Parts& out(double radius) { return add("sphere", radius, {0, 0, 0}, false); }
     Parts& in(double radius, const Point& to = {0, 0, 0}) { return add("sphere", radius, to, true); }
 
+    [[nodiscard]] std::vector<std::string> warnings() const { return suspicions(mesh_); }
     [[nodiscard]] std::vector<Nesting> nesting() const { return nestingOf(mesh_, faces_); }
     [[nodiscard]] std::vector<std::optional<std::size_t>> cavities() const {
         std::vector<std::optional<std::size_t>> result;
@@ -71,6 +73,19 @@ TEST(Nesting, AMeshThatIsInsideOutIsTurnedWithItsCavities) {
     EXPECT_TRUE(nesting[0].inward);
     EXPECT_EQ(nesting[1].cavityOf, 0U);
     EXPECT_TRUE(nesting[1].inward);
+}
+
+TEST(Nesting, ComponentsThatAreInsideOutAreWarnedOf) {
+    const auto only = [](const Parts& parts) {
+        const std::vector<std::string> warnings = parts.warnings();
+        EXPECT_EQ(warnings.size(), 1U);
+        return warnings.empty() ? "" : warnings.front();
+    };
+    EXPECT_EQ(Parts().out(2).in(1).warnings(), std::vector<std::string>());
+    EXPECT_TRUE(only(Parts().add("cube", 1, {5, 0, 0}, false).in(1))
+                    .starts_with("a closed component is inside out, that of face 384."));
+    EXPECT_TRUE(only(Parts().in(2).out(1))
+                    .starts_with("2 closed components are inside out, the first is that of face 0."));
 }
 
 TEST(Nesting, TheHoleOfARingIsNotInside) {

@@ -256,32 +256,6 @@ TEST(Warnings, AboutQuadsThatLieUpsideDown) {
               std::vector<std::string>());
 }
 
-TEST(Warnings, AboutComponentsThatAreInsideOut) {
-    const QuadMesh cube = makeShape("cube", {.resolution = 4});
-    const std::string good = writeObj(cube);
-    const auto turned = [&](const Point& to) {
-        std::string text;
-        for (const VertexId vertex : cube.vertices()) {
-            const Point place = cube.point(vertex) + to;
-            text += "v " + std::to_string(place[0]) + " " + std::to_string(place[1]) + " " +
-                    std::to_string(place[2]) + "\n";
-        }
-        for (const FaceId face : cube.faces()) {
-            std::string corners;
-            for (const VertexId vertex : cube.fv_range(face)) // from last to first
-                corners.insert(0, " " + std::to_string(vertex.idx() - static_cast<int>(cube.n_vertices())));
-            text.append("f").append(corners).append("\n");
-        }
-        return text;
-    };
-    EXPECT_EQ(warningsOf(good), std::vector<std::string>());
-    const Point beside(5, 0, 0);
-    EXPECT_TRUE(says(onlyOne(warningsOf(good + turned(beside))),
-                     "a closed component is inside out, that of face 96."));
-    EXPECT_TRUE(says(onlyOne(warningsOf(turned({0, 0, 0}) + turned(beside))),
-                     "2 closed components are inside out, the first is that of face 0."));
-}
-
 TEST(Warnings, AboutManyComponents) {
     std::string text;
     for (int k = 0; k < 11; ++k)

@@ -106,13 +106,17 @@ std::vector<LatticeSource> latticeSources(const QuadMesh& mesh, const Layout& la
                                           const SmoothNetwork& network, const FitTarget& reference,
                                           unsigned jobs) {
     std::vector<LatticeSource> sources(reference.grids.size());
+    constexpr int ringsOfStiff = 2;
     const std::vector<bool> isSound = soundFaces(mesh, jobs);
+    const std::vector<bool> isStiff = shrunk(mesh, isSound, ringsOfStiff);
     parallelFor(sources.size(), jobs, [&](std::size_t k) {
         const Segment& segment = layout.segments[k];
         sources[k].grid = &reference.grids[k];
         if (!reference.weights.empty()) sources[k].weights = &reference.weights[k];
-        for (const FaceId face : segment.faces)
+        for (const FaceId face : segment.faces) {
             sources[k].isSound.push_back(isSound[at(face)]);
+            sources[k].isStiff.push_back(isStiff[at(face)]);
+        }
         for (std::size_t side = 0; side < 4; ++side) {
             const auto& vertices = segment.sides[side];
             for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
