@@ -1,5 +1,6 @@
 #include "bspline/fitting/fit_attempt.h"
 
+#include "base/at.h"
 #include "base/infinity.h"
 #include "bspline/fitting/fit_round.h"
 #include "bspline/fitting/fit_state.h"
@@ -7,6 +8,7 @@
 #include "bspline/fitting/verified_flattening.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -50,8 +52,8 @@ struct Rounds {
     int halved = 0;                  ///< the one that has halved the distance for the last time, and
     double distance = infinity;      ///< the distance then
     double excess = infinity;        ///< of the last one
-    int removals = 0;                ///< of knots;
-    int lastRemoval = 0;             ///< the round of the last one, and
+    int removals = 0;                ///< of knots
+    int repairs = 0;                 ///< rounds since the last removal, and
     double controlPoints = infinity; ///< their number before it
 };
 
@@ -107,8 +109,10 @@ private:
             if (++rounds_ > roundsForFolds) state_.giveUpFolds();
             if (state_.worst() <= 1) {
                 const bool leavesRepairs = round + maxRepairs <= maxRounds;
-                if (saving == Saving::none || !leavesRepairs || !removeKnots(round, past)) break;
-            } else if (!comeNearer(round, past)) {
+                if (saving == Saving::none || !leavesRepairs || !removeKnots(past)) break;
+            } else if (!best_.score.keeps) {
+                comeNearer(past);
+            } else if (!repair(past)) {
                 break;
             }
         }
@@ -129,23 +133,33 @@ private:
     }
 
     /// \return false if that is no longer worth while, or no knot can go
-    bool removeKnots(int round, Rounds& past) {
+    bool removeKnots(Rounds& past) {
         const auto count = static_cast<double>(best_.score.controlPoints);
         if (past.removals++ == maxRemovals || count > worthwhile * past.controlPoints) return false;
         past.controlPoints = count;
-        past.lastRemoval = round;
-        return state_.removeKnots() > 0;
+        past.repairs = 0;
+        return state_.removeKnots();
     }
 
-    /// \return false if the knots that were removed are missing for too long
-    bool comeNearer(int round, Rounds& past) {
-        if (best_.score.keeps && past.idle > 0 && round - past.lastRemoval > maxRepairs) return false;
+    /// Puts back knots whose removal breaks the tolerance, more from round to round.
+    /// \return false if that has not helped
+    bool repair(Rounds& past) {
+        using enum FitState::Where;
+        constexpr std::array<FitState::Where, maxRepairs> steps{inCells, inPatches, aroundPatches,
+                                                                aroundPatches};
+        while (past.repairs < maxRepairs) {
+            const bool isWeighed = state_.weighWhatIsMissed();
+            if (state_.putBackKnots(steps[at(past.repairs++)]) || isWeighed) return true;
+        }
+        return false;
+    }
+
+    void comeNearer(Rounds& past) {
         const bool isWeighed = state_.weighWhatIsMissed();
         const bool isRefined = state_.refine();
         // Without more knots to insert, weights may still help.
         const bool gains = state_.excess() < worthwhileGain * std::exchange(past.excess, state_.excess());
         if (!isRefined && !(isWeighed && gains) && !tryHarder()) state_.giveUp();
-        return true;
     }
 
     /// Whether very many control points have not brought it much nearer than it was in its first round.

@@ -4,7 +4,7 @@
 #include "bspline/fitting/knots/border_knots.h"
 #include "bspline/fitting/knots/initial_knots.h"
 #include "bspline/fitting/knots/knot_insertion.h"
-#include "bspline/fitting/knots/knot_removal.h"
+#include "bspline/fitting/knots/reach_alignment.h"
 #include "bspline/fitting/lattice/lattice_cells.h"
 #include "bspline/fitting/lattice/lattice_holds.h"
 #include "bspline/fitting/planes/flattening.h"
@@ -101,6 +101,7 @@ void FitState::placeFirstKnots(const std::vector<double>& share) {
     insertInitialKnots(layout_, lattices_, normalLimits_, map_, tolerances(FirstKnots::ofPatches), plan_);
     insertBorderKnots(layout_, lattices_, normalLimits_, tolerances(FirstKnots::ofBorders), plan_);
     plan_.endAtFirstKnots();
+    alignReaches(plan_);
 }
 
 void FitState::solveFirst(int slides) {
@@ -259,15 +260,37 @@ bool FitState::refine() {
     return qm::refine(layout_, lattices_, map_, spaces_, errors_, plan_);
 }
 
-std::size_t FitState::removeKnots() {
-    return qm::removeKnots(lattices_, normalLimits_, patches_, errors_, options_.tolerance, removalLimit,
-                           plan_);
-}
-
 template <class Function> void FitState::forBadCells(double limit, Function&& function) {
     for (std::size_t k = 0; k < lattices_.size(); ++k)
         for (const KnotCell& cell : cellsOf(spaces_[k]))
             if (worstIn(cell, lattices_[k], errors_[k]).error > limit) function(cell, k);
+}
+
+bool FitState::removeKnots() {
+    removed_ =
+        qm::removeKnots(lattices_, normalLimits_, patches_, errors_, options_.tolerance, removalLimit, plan_);
+    return !removed_.empty();
+}
+
+bool FitState::putBackKnots(Where where) {
+    std::vector<std::vector<KnotCell>> missed(sources_.size());
+    std::vector<bool> patches(sources_.size());
+    forBadCells(1, [&](const KnotCell& cell, std::size_t k) {
+        missed[k].push_back(cell);
+        patches[k] = true;
+    });
+    if (where == Where::aroundPatches) patches = withNeighbours(plan_.stretches(), std::move(patches), 1);
+    const auto comesBack = [&](const RemovedKnot& removed) {
+        if (where != Where::inCells) return static_cast<bool>(patches[removed.patch]);
+        return std::ranges::any_of(missed[removed.patch], [&](const KnotCell& cell) {
+            return cell.begin[removed.direction] < removed.knot && removed.knot < cell.end[removed.direction];
+        });
+    };
+    return std::erase_if(removed_, [&](const RemovedKnot& removed) {
+               if (!comesBack(removed)) return false;
+               plan_.insert(removed.patch, removed.direction, removed.knot);
+               return true;
+           }) > 0;
 }
 
 void FitState::giveUpCells(double limit, BadCells which) {

@@ -6,6 +6,7 @@
 #include "bspline/fitting/fit_problem.h"
 #include "bspline/fitting/fit_round.h"
 #include "bspline/fitting/knots/knot_plan.h"
+#include "bspline/fitting/knots/knot_removal.h"
 #include "bspline/fitting/lattice/fit_lattice.h"
 #include "bspline/fitting/lattice/given_up_cells.h"
 #include "bspline/fitting/lattice/lattice_errors.h"
@@ -67,9 +68,15 @@ public:
     void giveUp();
     /// Gives up cells that are folded but near enough.
     void giveUpFolds();
-    /// Removes knots that are not needed.
-    /// \return the number of knots removed
-    std::size_t removeKnots();
+    /// Removes knots that seem not to be needed.
+    /// \return false if there are none
+    bool removeKnots();
+    /// Where points are too far away: in the rows and columns of their cells, in their patches, or in these
+    /// and those around them.
+    enum class Where { inCells, inPatches, aroundPatches };
+    /// Puts back the knots removed last, there.
+    /// \return false if there were none
+    bool putBackKnots(Where where);
 
     /// Where a verification found a patch farther away than its lattice shows, scales the errors of this
     /// patch from now on so that the largest equals what was found.
@@ -112,6 +119,7 @@ private:
     std::vector<GivenUpCells> givenUp_;
     std::vector<bool> reweighed_;       ///< by patch: whether weights have changed since the last solution
     std::vector<SmoothRun> solvedRuns_; ///< the runs with the tangent ratios of the last solution
+    std::vector<RemovedKnot> removed_;  ///< the last time, and not put back
     std::vector<double>
         missed_; ///< by patch: by how much its largest error exceeds 1, including what is given up
     std::vector<double> scale_; ///< by patch: factor of its errors

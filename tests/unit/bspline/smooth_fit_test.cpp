@@ -313,55 +313,6 @@ TEST(SmoothSystem, FindsTheSamePatchWhileItsNeighboursStay) {
     EXPECT_FALSE(solve({true, false, false}, all));
 }
 
-TEST(KnotPlan, ForcesDoubleKnotsWhereSmoothBordersTurnIntoCreases) {
-    // A crease along j = 3 for i < 4, which then ends.
-    const Grid grid{
-        8, 6, [](double i, double j) { return Point(i, j, std::max(0.0, 4 - i) * 0.4 * std::abs(j - 3)); }};
-    const QuadMesh mesh = test::makeMesh(grid);
-    const Layout layout = test::makeLayout(grid, {{0, 0, 8, 3}, {0, 3, 8, 6}});
-    const SmoothNetwork network = networkOf(mesh, layout);
-    ASSERT_EQ(network.runs.size(), 1U);
-    KnotPlan plan(layout, network);
-    for (const PatchSpace& space : plan.spaces()) {
-        const auto inner = space.knots[0].size() - 8 + space.knots[1].size() - 8;
-        EXPECT_EQ(inner, 2U) << "one knot, twice";
-    }
-    EXPECT_TRUE(plan.insert(0, 1, 1));
-    EXPECT_FALSE(plan.insert(0, 1, 1));
-    EXPECT_FALSE(plan.insert(0, 1, 3)) << "its end";
-    plan.erase(0, 1, 1);
-    EXPECT_TRUE(plan.chosen(0, 1).empty());
-}
-
-TEST(KnotPlan, HasIntervalsOfALengthAtLeast) {
-    ReferenceGrid grid{.size = {2, 3}, .steps = 2};
-    for (int j = 0; j <= 6; ++j)
-        for (int i = 0; i <= 4; ++i)
-            grid.points.emplace_back(0.1 * i, 2.0 * j, 0); // edges of length 0.2 and 4
-    const IntervalLengths lengths = partsOfEdges({grid}, 0.6);
-    EXPECT_NEAR(lengths[0][0], 3, 1e-12);
-    EXPECT_NEAR(lengths[0][1], 0.15, 1e-12);
-    EXPECT_EQ(partsOfEdges({grid}, 0)[0][0], 0);
-    const Grid sheet{8, 6, [](double i, double j) { return Point(i, j, 0); }};
-    const QuadMesh mesh = test::makeMesh(sheet);
-    const Layout layout = test::makeLayout(sheet, {{0, 0, 8, 6}});
-    const SmoothNetwork network = networkOf(mesh, layout);
-    KnotPlan plan(layout, network, lengths);
-    EXPECT_NEAR(plan.minInterval(0, 0), 6, 1e-12);
-    EXPECT_NEAR(plan.minInterval(0, 1), 0.3, 1e-12);
-    EXPECT_TRUE(plan.allow(MinInterval::eighth));
-    EXPECT_NEAR(plan.minInterval(0, 0), 3, 1e-12);
-    EXPECT_NEAR(plan.minInterval(0, 1), 0.15, 1e-12);
-    EXPECT_FALSE(plan.allow(MinInterval::eighth)) << "again";
-    EXPECT_TRUE(plan.allow(MinInterval::thirtySecond));
-    EXPECT_NEAR(plan.minInterval(0, 1), 0.15, 1e-12) << "as short as the length, not shorter";
-    EXPECT_FALSE(plan.allow(MinInterval::quarter)) << "longer";
-    KnotPlan unlimited(layout, network);
-    EXPECT_EQ(unlimited.minInterval(0, 0), 0.25);
-    EXPECT_TRUE(unlimited.allow(MinInterval::thirtySecond));
-    EXPECT_EQ(unlimited.minInterval(0, 0), 0.03125);
-}
-
 TEST(SoundFaces, AreFlatAndConvexAndHaveNoFoldBesideThem) {
     const auto soundWith = [](const Point& moved) { // moves vertex (3, 1) of a flat sheet
         const QuadMesh mesh = test::makeMesh(

@@ -107,7 +107,8 @@ TEST(TurnedSides, PruningKeepsTheTracksUnlessSidesNeedNotBeSmooth) {
     EXPECT_EQ(pruned(options).layout.segments.size(), 4U);
     options.maxSharpTurn = 180;
     EXPECT_EQ(pruned(options).addedTracks, 0U) << "as in the paper";
-    options = {.smooth = false};
+    options = {};
+    options.smooth = false;
     EXPECT_EQ(pruned(options).addedTracks, 0U);
 }
 

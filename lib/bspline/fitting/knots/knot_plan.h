@@ -41,6 +41,11 @@ public:
     /// where smooth borders turn into creases.
     [[nodiscard]] std::vector<PatchSpace> spaces() const;
 
+    /// The inner knots where smooth borders turn into creases, ascending.
+    [[nodiscard]] const KnotLists& turns() const { return turns_; }
+    /// The sizes of all patches, in quads.
+    [[nodiscard]] const std::vector<std::array<int, 2>>& sizes() const { return sizes_; }
+
     /// The chosen inner knots of a patch along u (0) or v (1), ascending.
     [[nodiscard]] const std::vector<double>& chosen(std::size_t patch, std::size_t direction) const {
         return chosen_[patch][direction];
@@ -52,6 +57,9 @@ public:
     /// Ends each tangent ratio at the first chosen knot, or at half of its run where the two ends would
     /// overlap.
     void endAtFirstKnots();
+
+    /// \param reach  along the run, such that the two ends do not overlap
+    void setReach(std::size_t run, std::size_t end, double reach) { runs_[run].ratio.reach[end] = reach; }
 
     /// Halves the reach of the tangent ratio at one end of a run.
     /// \return false if it is as short as the shortest interval already
@@ -72,7 +80,7 @@ private:
     KnotLists chosen_;
     IntervalLengths shortest_;
     MinInterval minInterval_ = MinInterval::quarter;
-    KnotLists turns_; ///< where smooth borders turn into creases
+    KnotLists turns_;
 };
 
 } // namespace qm

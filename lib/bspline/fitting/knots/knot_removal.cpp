@@ -60,10 +60,12 @@ double errorWithout(const FitLattice& lattice, const NormalLimits& limits, const
 
 } // namespace
 
-std::size_t removeKnots(const std::vector<FitLattice>& lattices, const std::vector<NormalLimits>& limits,
-                        const std::vector<Patch>& patches, const std::vector<PatchErrors>& errors,
-                        double tolerance, double limit, KnotPlan& plan) {
-    std::size_t removed = 0;
+std::vector<RemovedKnot> removeKnots(const std::vector<FitLattice>& lattices,
+                                     const std::vector<NormalLimits>& limits,
+                                     const std::vector<Patch>& patches,
+                                     const std::vector<PatchErrors>& errors, double tolerance, double limit,
+                                     KnotPlan& plan) {
+    std::vector<RemovedKnot> removed;
     for (std::size_t patch = 0; patch < patches.size(); ++patch)
         for (std::size_t direction = 0; direction < 2; ++direction) {
             const auto& knots = patches[patch].knots[direction];
@@ -81,7 +83,7 @@ std::size_t removeKnots(const std::vector<FitLattice>& lattices, const std::vect
                 if (isGone[knot - 1] || isGone[knot + 1]) continue;
                 isGone[knot] = true;
                 plan.erase(patch, direction, knots[knot]);
-                ++removed;
+                removed.push_back({patch, direction, knots[knot]});
             }
         }
     return removed;

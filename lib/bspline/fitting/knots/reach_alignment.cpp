@@ -1,0 +1,150 @@
+#include "bspline/fitting/knots/reach_alignment.h"
+
+#include "layout/sides.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <map>
+#include <vector>
+
+namespace qm {
+namespace {
+
+/// How far an end may move, relative to its first reach, and how near to its vertex, in mesh edges. Within a
+/// longer reach a border is a single quadratic, and seldom near enough.
+struct Movement {
+    static constexpr double nearest = 0.25;
+    static constexpr double farthest = 2;
+    static constexpr double minReach = 0.25;
+};
+
+/// Every move can make others worth while.
+constexpr int maxPasses = 4;
+
+/// The end of a tangent ratio: 0 at the beginning of its run, 1 at the end.
+struct RatioEnd {
+    std::size_t run = 0;
+    std::size_t end = 0;
+    double firstReach = 0;
+};
+
+class Alignment {
+public:
+    explicit Alignment(KnotPlan& plan) : plan_(plan), spaces_(plan.spaces()), users_(spaces_.size()) {
+        for (std::size_t patch = 0; patch < spaces_.size(); ++patch)
+            for (const std::size_t direction : {0U, 1U})
+                for (const double knot : plan.turns()[patch][direction])
+                    ++users_[patch][direction][knot];
+        for (std::size_t run = 0; run < plan.runs().size(); ++run) {
+            const TangentRatio& ratio = plan.runs()[run].ratio;
+            for (const std::size_t end : {0U, 1U}) {
+                if (ratio.isLinear || ratio.atEnd[end] == 0) continue;
+                ends_.push_back({run, end, ratio.reach[end]});
+                use(ends_.back(), ratio.reach[end], 1);
+            }
+        }
+    }
+
+    void run() {
+        for (int pass = 0; pass < maxPasses; ++pass) {
+            bool hasMoved = false;
+            for (const RatioEnd& end : ends_)
+                hasMoved = move(end) || hasMoved;
+            if (!hasMoved) return;
+        }
+    }
+
+private:
+    /// A knot of a patch along u (0) or v (1).
+    struct Place {
+        std::size_t patch = 0;
+        std::size_t direction = 0;
+        double knot = 0;
+    };
+
+    [[nodiscard]] const SmoothRun& runOf(const RatioEnd& end) const { return plan_.runs()[end.run]; }
+    [[nodiscard]] double reach(const RatioEnd& end) const { return runOf(end).ratio.reach[end.end]; }
+    [[nodiscard]] const std::array<StretchSide, 2>& sides(const RatioEnd& end) const {
+        return plan_.stretches()[runOf(end).stretch].sides;
+    }
+
+    /// The knots inside the two patches of a border that a reach makes double.
+    [[nodiscard]] std::vector<Place> knots(const RatioEnd& end, double reach) const {
+        const SmoothRun& run = runOf(end);
+        std::vector<Place> places;
+        for (const StretchSide& side : sides(end)) {
+            const std::size_t direction = directionAlong(side.side);
+            const std::array<int, 2>& size = plan_.sizes()[side.patch];
+            const double knot =
+                patchParameter(size, side, end.end == 0 ? run.begin + reach : run.end - reach);
+            if (knot > 0 && knot < size[direction]) places.push_back({side.patch, direction, knot});
+        }
+        return places;
+    }
+
+    void use(const RatioEnd& end, double reach, int count) {
+        for (const Place& place : knots(end, reach))
+            users_[place.patch][place.direction][place.knot] += count;
+    }
+
+    /// The control points that a reach takes in addition to what others need.
+    [[nodiscard]] std::size_t cost(const RatioEnd& end, double reach) const {
+        std::size_t points = 0;
+        for (const auto& [patch, direction, knot] : knots(end, reach)) {
+            const auto& users = users_[patch][direction];
+            if (const auto found = users.find(knot); found != users.end() && found->second > 0) continue;
+            const std::size_t times =
+                std::ranges::binary_search(plan_.chosen(patch, direction), knot) ? 1 : 2;
+            points += times * spaces_[patch].count(1 - direction);
+        }
+        return points;
+    }
+
+    /// The reaches with which this end would be where others end.
+    [[nodiscard]] std::vector<double> candidates(const RatioEnd& end) const {
+        const SmoothRun& run = runOf(end);
+        const double farthest =
+            std::min(Movement::farthest * end.firstReach, run.ratio.length - run.ratio.reach[1 - end.end]);
+        const double nearest = std::max(Movement::nearest * end.firstReach, Movement::minReach);
+        std::vector<double> reaches;
+        for (const StretchSide& side : sides(end))
+            for (const auto& [knot, users] : users_[side.patch][directionAlong(side.side)]) {
+                const double x = stretchParameter(plan_.sizes()[side.patch], side, knot);
+                const double reach = end.end == 0 ? x - run.begin : run.end - x;
+                if (users > 0 && reach >= nearest && reach <= farthest) reaches.push_back(reach);
+            }
+        return reaches;
+    }
+
+    /// \return false if the end is best where it is
+    bool move(const RatioEnd& end) {
+        use(end, reach(end), -1);
+        double best = reach(end);
+        std::size_t least = cost(end, best);
+        for (const double candidate : candidates(end)) {
+            const std::size_t points = cost(end, candidate);
+            if (points >= least) continue;
+            best = candidate;
+            least = points;
+        }
+        const bool moves = best != reach(end);
+        plan_.setReach(end.run, end.end, best);
+        use(end, best, 1);
+        return moves;
+    }
+
+    KnotPlan& plan_;
+    std::vector<PatchSpace> spaces_; ///< before
+    std::vector<std::array<std::map<double, int>, 2>>
+        users_; ///< by patch, direction and knot: how many reasons there are for it to be double
+    std::vector<RatioEnd> ends_;
+};
+
+} // namespace
+
+void alignReaches(KnotPlan& plan) {
+    Alignment(plan).run();
+}
+
+} // namespace qm

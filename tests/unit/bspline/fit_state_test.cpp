@@ -1,0 +1,80 @@
+#include "bspline/fitting/fit_state.h"
+#include "bspline/network/smooth_network.h"
+#include "bspline/reference/limit/limit_surface.h"
+#include "mesh/dihedral.h"
+#include "support/grid_layout.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace qm {
+namespace {
+
+/// A fit to a waved sheet of two patches.
+class WavedFit : public testing::Test {
+protected:
+    WavedFit()
+        : sheet{24, 8,
+                [](double i, double j) {
+                    return Point(i, j, 0.3 * std::sin(0.03 * i * i) * std::cos(0.3 * j));
+                }},
+          mesh(test::makeMesh(sheet)), layout(test::makeLayout(sheet, {{0, 0, 24, 4}, {0, 4, 24, 8}})),
+          network(buildNetwork(mesh, layout, dihedralAngles(mesh), 3)), reference{limitSurface(
+                                                                            mesh, layout, network.rules,
+                                                                            network.marks.isCrease, 4, 1)} {
+        options.tolerance = 0.02;
+    }
+
+    /// The number of control points without knots that are not needed, and the number after some of them came
+    /// back because the first patch was found too far away.
+    struct Points {
+        std::size_t first = 0;
+        std::size_t removed = 0;
+        std::size_t back = 0;
+        bool areSomeBack = false;
+    };
+    [[nodiscard]] Points pointsWith(FitState::Where where) const {
+        FitState state(problem, options, std::vector<bool>(2), 1);
+        state.solveFirst(2);
+        while (state.worst() > 1 && state.refine())
+            state.solveChanged(2);
+        Points points{.first = state.score().controlPoints};
+        state.removeKnots();
+        state.solveChanged(2);
+        points.removed = state.score().controlPoints;
+        FitRound round = state.round();
+        round.distances = {1.8, 0.5};
+        state.tighten(round);
+        points.areSomeBack = state.putBackKnots(where);
+        state.solveChanged(2);
+        points.back = state.score().controlPoints;
+        return points;
+    }
+
+    test::Grid sheet;
+    QuadMesh mesh;
+    Layout layout;
+    SmoothNetwork network;
+    FitTarget reference;
+    Verification verify;
+    FitProblem problem{mesh, layout, network, reference, verify};
+    SmoothFitOptions options;
+};
+
+TEST_F(WavedFit, PutsBackTheKnotsThatTurnOutToBeNeeded) {
+    using enum FitState::Where;
+    const Points near = pointsWith(inCells);
+    const Points inPatch = pointsWith(inPatches);
+    const Points around = pointsWith(aroundPatches);
+    EXPECT_TRUE(near.areSomeBack && inPatch.areSomeBack && around.areSomeBack);
+    EXPECT_LT(near.removed, near.back);
+    EXPECT_LT(near.back, inPatch.back) << "those far from what misses are not needed";
+    EXPECT_LT(inPatch.back, around.back) << "nor those of the other patch";
+    EXPECT_EQ(around.back, around.first);
+}
+
+} // namespace
+} // namespace qm
