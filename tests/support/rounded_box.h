@@ -13,13 +13,15 @@
 
 namespace qm::testing {
 
-/// A box of 60 x 40 x 20 with edges and corners of radius 4: few narrow quads beside many wide ones, or
-/// beside few that are wider still.
+/// A box of 60 x 40 x 20 with round edges and corners: few narrow quads beside many wide ones, or beside few
+/// that are wider still.
 class RoundedBox {
 public:
     /// \param fillet  number of quads around an edge, even
     /// \param flat    number of quads along the flat part of every side
-    RoundedBox(int fillet, int flat) : half_(fillet / 2), flat_(flat) {
+    /// \param radius  of edges and corners
+    RoundedBox(int fillet, int flat, double radius = 4)
+        : half_(fillet / 2), flat_(flat), radius_(radius) {
         for (int axis = 0; axis < 3; ++axis)
             for (const int level : {0, steps()})
                 for (int i = 0; i < steps(); ++i)
@@ -55,8 +57,7 @@ private:
     }
 
     [[nodiscard]] Point place(const Index& index) const {
-        constexpr double radius = 4;
-        const Point half(30 - radius, 20 - radius, 10 - radius);
+        const Point half(30 - radius_, 20 - radius_, 10 - radius_);
         Point core;
         Point direction;
         for (int axis = 0; axis < 3; ++axis) {
@@ -65,11 +66,12 @@ private:
             core[at(axis)] = half[at(axis)] * (2.0 * from / flat_ - 1);
             direction[at(axis)] = std::tan(std::numbers::pi / 4 * beyond / half_);
         }
-        return core + radius * direction.normalized();
+        return core + radius_ * direction.normalized();
     }
 
     int half_;
     int flat_;
+    double radius_;
     QuadMesh mesh_;
     std::map<Index, VertexId> vertices_;
 };

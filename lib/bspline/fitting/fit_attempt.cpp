@@ -30,11 +30,13 @@ constexpr double worthwhile = 0.985;
 /// After so many rounds, folds that are near enough are accepted.
 constexpr int roundsForFolds = 30;
 
-/// If a verification finds a distance or a number of control points larger than the previous one by these
-/// factors, the attempt ends, unless it is the last one: more rounds would add ever more knots.
+/// If a verification finds a distance larger than the previous one by a factor, or more control points
+/// without a gain in distance, the attempt ends, unless it is the last one: more rounds would add ever more
+/// knots.
 struct Astray {
     static constexpr double distance = 1.2;
     static constexpr double points = 1.5;
+    static constexpr double gain = 0.8; ///< share of the distance that is left
 };
 
 /// A fit that is so many tolerances away will not come within one. It is not verified again and not attempted
@@ -62,7 +64,8 @@ bool isAstrayFrom(const Fitted& before, const Fitted& found) {
         return static_cast<double>(controlPointCount(fitted.patches));
     };
     return found.farthest() > Astray::distance * before.farthest() ||
-           points(found) > Astray::points * points(before);
+           (points(found) > Astray::points * points(before) &&
+            found.farthest() > Astray::gain * before.farthest());
 }
 
 class FitAttempt {

@@ -5,6 +5,7 @@
 #include "bspline/fitting/knots/initial_knots.h"
 #include "bspline/fitting/knots/knot_insertion.h"
 #include "bspline/fitting/knots/reach_alignment.h"
+#include "bspline/fitting/knots/uneven_lines.h"
 #include "bspline/fitting/lattice/lattice_cells.h"
 #include "bspline/fitting/lattice/lattice_holds.h"
 #include "bspline/fitting/planes/flattening.h"
@@ -50,7 +51,8 @@ FitState::FitState(const FitProblem& problem, const SmoothFitOptions& options,
     : layout_(problem.layout), options_(options), jobs_(jobs),
       map_(problem.mesh, problem.layout, problem.network),
       planWithoutKnots_(problem.layout, problem.network,
-                        partsOfEdges(problem.reference.grids, options.minInterval * options.tolerance)),
+                        partsOfEdges(problem.reference.grids, options.minInterval * options.tolerance),
+                        unevenLines(problem.reference.grids)),
       plan_(planWithoutKnots_),
       sources_(latticeSources(problem.mesh, problem.layout, problem.network, problem.reference, jobs)),
       normalLimits_(problem.reference.grids.begin(), problem.reference.grids.end()),

@@ -1,5 +1,6 @@
 #include "bspline/fitting/knots/knot_plan.h"
 #include "bspline/fitting/knots/reach_alignment.h"
+#include "bspline/fitting/knots/uneven_lines.h"
 #include "bspline/fitting/system/continuity_equations.h"
 #include "mesh/dihedral.h"
 #include "support/grid_layout.h"
@@ -68,6 +69,31 @@ TEST(KnotPlan, HasIntervalsOfALengthAtLeast) {
     EXPECT_EQ(unlimited.minInterval(0, 0), 0.25);
     EXPECT_TRUE(unlimited.allow(MinInterval::thirtySecond));
     EXPECT_EQ(unlimited.minInterval(0, 0), 0.03125);
+}
+
+TEST(KnotPlan, HasTheDoubleKnotsThatItIsGiven) {
+    const Grid sheet{8, 6, [](double i, double j) { return Point(i, j, 0); }};
+    const QuadMesh mesh = test::makeMesh(sheet);
+    const Layout layout = test::makeLayout(sheet, {{0, 0, 8, 6}});
+    const SmoothNetwork network = networkOf(mesh, layout);
+    KnotPlan plan(layout, network, {}, {{{{2, 7}, {}}}});
+    plan.insert(0, 0, 2);
+    plan.insert(0, 1, 3);
+    const std::vector<PatchSpace> spaces = plan.spaces();
+    EXPECT_EQ(spaces[0].knots[0], (std::vector<double>{0, 0, 0, 0, 2, 2, 7, 7, 8, 8, 8, 8}));
+    EXPECT_EQ(spaces[0].knots[1], (std::vector<double>{0, 0, 0, 0, 3, 6, 6, 6, 6}));
+}
+
+TEST(UnevenLines, LieBetweenNarrowQuadsAndMuchWiderOnes) {
+    const std::vector<double> columns{0, 1, 2, 8, 12, 12.7};
+    ReferenceGrid grid{.size = {5, 2}, .steps = 2};
+    for (int j = 0; j <= 4; ++j)
+        for (std::size_t i = 0; i <= 10; ++i)
+            grid.points.emplace_back((columns[i / 2] + columns[(i + 1) / 2]) / 2, 0.5 * j, 0);
+    const KnotLists lines = unevenLines({grid});
+    ASSERT_EQ(lines.size(), 1U);
+    EXPECT_EQ(lines[0][0], (std::vector<double>{2, 4})) << "at 3 the widths are 6 and 4";
+    EXPECT_TRUE(lines[0][1].empty());
 }
 
 /// Three patches of 12 x 2 quads in a column, each the neighbour of the next, with tangent ratios at the

@@ -40,5 +40,17 @@ TEST(RoundedBox, WideQuadsBesideNarrowOnesDoNotFold) {
     }
 }
 
+TEST(RoundedBox, MayHaveASingleQuadOnEveryFlat) {
+    for (const double radius : {4.0, 2.0}) {
+        for (const int fillet : {4, 8}) {
+            const RoundedBox box(fillet, 1, radius);
+            const Surfaces surfaces = surfacesOf(box.mesh());
+            EXPECT_EQ(missedTolerance(surfaces, {}), "") << radius << ' ' << fillet;
+            EXPECT_TRUE(surfaces.folds.empty()) << radius << ' ' << fillet;
+            EXPECT_LT(controlPoints(surfaces), 2500U) << radius << ' ' << fillet;
+        }
+    }
+}
+
 } // namespace
 } // namespace qm

@@ -77,13 +77,18 @@ IntervalLengths partsOfEdges(const std::vector<ReferenceGrid>& grids, double len
     return parts;
 }
 
-KnotPlan::KnotPlan(const Layout& layout, const SmoothNetwork& network, IntervalLengths shortest)
+KnotPlan::KnotPlan(const Layout& layout, const SmoothNetwork& network, IntervalLengths shortest,
+                   const KnotLists& twice)
     : stretches_(&network.stretches), runs_(network.runs), chosen_(layout.segments.size()),
       shortest_(std::move(shortest)) {
     shortest_.resize(layout.segments.size());
     for (const Segment& segment : layout.segments)
         sizes_.push_back(segment.size);
-    turns_ = findTurns(sizes_, network);
+    alwaysDouble_ = findTurns(sizes_, network);
+    for (std::size_t patch = 0; patch < twice.size(); ++patch)
+        for (const std::size_t direction : {0U, 1U})
+            for (const double knot : twice[patch][direction])
+                insertSorted(alwaysDouble_[patch][direction], knot);
     for (SmoothRun& run : runs_) {
         TangentRatio& ratio = run.ratio;
         ratio.isLinear = ratio.atEnd[0] != 0 && ratio.atEnd[1] != 0;
@@ -160,7 +165,7 @@ bool KnotPlan::shorten(std::size_t run, std::size_t end) {
 }
 
 KnotLists KnotPlan::doubleKnots() const {
-    KnotLists knots = turns_;
+    KnotLists knots = alwaysDouble_;
     for (const SmoothRun& run : runs_) {
         if (run.ratio.isLinear) continue;
         for (std::size_t end = 0; end < 2; ++end) {

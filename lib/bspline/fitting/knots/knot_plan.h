@@ -32,7 +32,9 @@ class KnotPlan {
 public:
     /// \param network   must outlive the plan
     /// \param shortest  intervals are no shorter, whatever `MinInterval` allows; empty if there is no limit
-    KnotPlan(const Layout& layout, const SmoothNetwork& network, IntervalLengths shortest = {});
+    /// \param twice     inner knots that are double besides those that smoothness requires; empty if none are
+    KnotPlan(const Layout& layout, const SmoothNetwork& network, IntervalLengths shortest = {},
+             const KnotLists& twice = {});
 
     [[nodiscard]] const std::vector<Stretch>& stretches() const { return *stretches_; }
     [[nodiscard]] const std::vector<SmoothRun>& runs() const { return runs_; } ///< with their present ratios
@@ -41,8 +43,9 @@ public:
     /// where smooth borders turn into creases.
     [[nodiscard]] std::vector<PatchSpace> spaces() const;
 
-    /// The inner knots where smooth borders turn into creases, ascending.
-    [[nodiscard]] const KnotLists& turns() const { return turns_; }
+    /// The inner knots that are double wherever tangent ratios end, ascending: where smooth borders turn into
+    /// creases, and those that the plan was given.
+    [[nodiscard]] const KnotLists& alwaysDouble() const { return alwaysDouble_; }
     /// The sizes of all patches, in quads.
     [[nodiscard]] const std::vector<std::array<int, 2>>& sizes() const { return sizes_; }
 
@@ -80,7 +83,7 @@ private:
     KnotLists chosen_;
     IntervalLengths shortest_;
     MinInterval minInterval_ = MinInterval::quarter;
-    KnotLists turns_;
+    KnotLists alwaysDouble_;
 };
 
 } // namespace qm

@@ -34,7 +34,7 @@ public:
     explicit Alignment(KnotPlan& plan) : plan_(plan), spaces_(plan.spaces()), users_(spaces_.size()) {
         for (std::size_t patch = 0; patch < spaces_.size(); ++patch)
             for (const std::size_t direction : {0U, 1U})
-                for (const double knot : plan.turns()[patch][direction])
+                for (const double knot : plan.alwaysDouble()[patch][direction])
                     ++users_[patch][direction][knot];
         for (std::size_t run = 0; run < plan.runs().size(); ++run) {
             const TangentRatio& ratio = plan.runs()[run].ratio;

@@ -48,9 +48,11 @@ public:
         parallelForMany(mesh_.n_vertices(), jobs, [&](std::size_t k) {
             const VertexId vertex(static_cast<int>(k));
             if (!isUnfolded[k]) return;
-            // The derivatives of a subdivision surface at an extraordinary vertex are what the polynomials
-            // make of them.
-            if (!mesh_.is_boundary(vertex) && mesh_.valence(vertex) != 4) return;
+            if (!mesh_.is_boundary(vertex) && mesh_.valence(vertex) != 4) {
+                for (const HalfedgeId leaving : mesh_.voh_range(vertex))
+                    changes_[at(leaving)].share = shareAtExtraordinary(leaving);
+                return;
+            }
             if (isSound[k] && isRegularCrease(vertex, rules[k]))
                 turn(rules[k], corners.within(rules[k].along[0], directions[k]));
             for (const HalfedgeId leaving : mesh_.voh_range(vertex))
@@ -113,6 +115,26 @@ private:
         const double ofArc = 2 / (1 + std::max(0.0, (chord | speed) / product));
         const double wanted = std::min(ofArc * chord.norm(), maxSpeedUp * lengthBehind(leaving));
         return std::clamp(wanted / speed.norm(), minFactor, maxFactor) - 1;
+    }
+
+    /// The same at an extraordinary vertex. Derivatives of a subdivision surface are there what the
+    /// polynomials make of them; they only become shorter, and only beside much shorter edges.
+    [[nodiscard]] double shareAtExtraordinary(HalfedgeId leaving) const {
+        const double speed = before_.derivative(leaving).norm();
+        if (!(speed > 0)) return 0;
+        return std::clamp(maxSpeedUp * lengthOpposite(leaving) / speed, minFactor, 1.0) - 1;
+    }
+
+    /// The length of the shorter one of the two edges opposite to an edge at a vertex; of the one opposite,
+    /// if there is one.
+    [[nodiscard]] double lengthOpposite(HalfedgeId leaving) const {
+        const auto count = static_cast<int>(mesh_.valence(mesh_.from_vertex_handle(leaving)));
+        double length = infinity;
+        HalfedgeId edge = leaving;
+        for (int k = 0; k <= (count + 1) / 2; ++k, edge = mesh_.ccw_rotated_halfedge_handle(edge))
+            if (k == count / 2 || k == (count + 1) / 2)
+                length = std::min(length, mesh_.calc_edge_length(edge));
+        return length;
     }
 
     /// The length of the edge that the line comes over; without limit where no line passes.

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cstddef>
 
 namespace qm {
@@ -65,7 +66,11 @@ bool FoldTest::foldsAtPoints(FaceId face, const BilinearQuad& quad) const {
             const SurfacePoint below =
                 quad.evaluate(static_cast<double>(i) * side, static_cast<double>(j) * side);
             const Point part = below.du % below.dv;
-            if (!(du.cross(dv).dot(vector(part)) >= limits_.minAreaAtPoint * part.sqrnorm())) return true;
+            const auto speed = [&](const Eigen::Vector3d& derivative, const Point& ofQuad) {
+                return std::clamp(derivative.norm() / ofQuad.norm(), limits_.minSpeed, 1.0);
+            };
+            const double minShare = limits_.minAreaAtPoint * speed(du, below.du) * speed(dv, below.dv);
+            if (!(du.cross(dv).dot(vector(part)) >= minShare * part.sqrnorm())) return true;
         }
     return false;
 }

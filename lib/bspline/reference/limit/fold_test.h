@@ -11,8 +11,11 @@ namespace qm {
 
 /// Smallest areas over a part of a quad, as shares of the part's own: with less, it is easily turned over.
 struct FoldLimits {
-    double minArea = 0;        ///< of a square of the lattice
-    double minAreaAtPoint = 0; ///< of what the derivatives span at a point of the lattice
+    double minArea = 0; ///< of a square of the lattice
+    /// Of what the derivatives span at a point of the lattice. The part is as much smaller as derivatives are
+    /// shorter than the quad's, down to `minSpeed`.
+    double minAreaAtPoint = 0;
+    double minSpeed = 1;
 };
 
 /// Compares a lattice's surface with the quads between its corners.

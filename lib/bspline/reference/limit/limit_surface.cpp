@@ -17,8 +17,8 @@ namespace qm {
 namespace {
 
 constexpr FoldLimits ofLimit{.minArea = 0.3, .minAreaAtPoint = 0.1};
-/// Where both speeds at a corner are a third of the edges', `evenSpeeds` leaves a ninth of the area.
-constexpr FoldLimits afterEvening{.minArea = 0.15, .minAreaAtPoint = 0.06};
+/// `evenSpeeds` makes derivatives shorter on purpose, beside edges that are much shorter down to a twentieth.
+constexpr FoldLimits afterEvening{.minArea = 0.15, .minAreaAtPoint = 0.1, .minSpeed = 0.02};
 
 MeshLattice limitLattice(const QuadMesh& mesh, const std::vector<VertexRule>& rules,
                          const std::vector<bool>& sharp, int steps, unsigned jobs) {
