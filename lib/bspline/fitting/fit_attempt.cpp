@@ -157,6 +157,7 @@ private:
         return false;
     }
 
+    /// Gives weight to what misses and divides it, or does what helps where neither does.
     void comeNearer(Rounds& past) {
         const bool isWeighed = state_.weighWhatIsMissed();
         const bool isRefined = state_.refine();

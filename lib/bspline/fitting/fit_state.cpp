@@ -282,13 +282,13 @@ bool FitState::putBackKnots(Where where) {
         patches[k] = true;
     });
     if (where == Where::aroundPatches) patches = withNeighbours(plan_.stretches(), std::move(patches), 1);
-    const auto comesBack = [&](const RemovedKnot& removed) {
+    const auto comesBack = [&](const PatchKnot& removed) {
         if (where != Where::inCells) return static_cast<bool>(patches[removed.patch]);
         return std::ranges::any_of(missed[removed.patch], [&](const KnotCell& cell) {
             return cell.begin[removed.direction] < removed.knot && removed.knot < cell.end[removed.direction];
         });
     };
-    return std::erase_if(removed_, [&](const RemovedKnot& removed) {
+    return std::erase_if(removed_, [&](const PatchKnot& removed) {
                if (!comesBack(removed)) return false;
                plan_.insert(removed.patch, removed.direction, removed.knot);
                return true;

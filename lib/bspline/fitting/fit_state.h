@@ -119,7 +119,7 @@ private:
     std::vector<GivenUpCells> givenUp_;
     std::vector<bool> reweighed_;       ///< by patch: whether weights have changed since the last solution
     std::vector<SmoothRun> solvedRuns_; ///< the runs with the tangent ratios of the last solution
-    std::vector<RemovedKnot> removed_;  ///< the last time, and not put back
+    std::vector<PatchKnot> removed_;    ///< the last time, and not put back
     std::vector<double>
         missed_; ///< by patch: by how much its largest error exceeds 1, including what is given up
     std::vector<double> scale_; ///< by patch: factor of its errors

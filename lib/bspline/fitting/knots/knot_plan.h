@@ -15,6 +15,13 @@ namespace qm {
 /// The knots along u and v of every patch.
 using KnotLists = std::vector<std::array<std::vector<double>, 2>>;
 
+/// A knot of a patch along u (0) or v (1).
+struct PatchKnot {
+    std::size_t patch = 0;
+    std::size_t direction = 0;
+    double knot = 0;
+};
+
 /// The lengths of knot intervals along u and v of every patch, in mesh edges.
 using IntervalLengths = std::vector<std::array<double, 2>>;
 
@@ -39,8 +46,8 @@ public:
     [[nodiscard]] const std::vector<Stretch>& stretches() const { return *stretches_; }
     [[nodiscard]] const std::vector<SmoothRun>& runs() const { return runs_; } ///< with their present ratios
 
-    /// The spline spaces of all patches: the chosen knots, and double knots where tangent ratios end and
-    /// where smooth borders turn into creases.
+    /// The spline spaces of all patches: the chosen knots, double knots where tangent ratios end, and those
+    /// that are always double.
     [[nodiscard]] std::vector<PatchSpace> spaces() const;
 
     /// The inner knots that are double wherever tangent ratios end, ascending: where smooth borders turn into

@@ -60,12 +60,11 @@ double errorWithout(const FitLattice& lattice, const NormalLimits& limits, const
 
 } // namespace
 
-std::vector<RemovedKnot> removeKnots(const std::vector<FitLattice>& lattices,
-                                     const std::vector<NormalLimits>& limits,
-                                     const std::vector<Patch>& patches,
-                                     const std::vector<PatchErrors>& errors, double tolerance, double limit,
-                                     KnotPlan& plan) {
-    std::vector<RemovedKnot> removed;
+std::vector<PatchKnot> removeKnots(const std::vector<FitLattice>& lattices,
+                                   const std::vector<NormalLimits>& limits, const std::vector<Patch>& patches,
+                                   const std::vector<PatchErrors>& errors, double tolerance, double limit,
+                                   KnotPlan& plan) {
+    std::vector<PatchKnot> removed;
     for (std::size_t patch = 0; patch < patches.size(); ++patch)
         for (std::size_t direction = 0; direction < 2; ++direction) {
             const auto& knots = patches[patch].knots[direction];

@@ -12,20 +12,14 @@
 
 namespace qm {
 
-/// A knot that a patch had along u (0) or v (1).
-struct RemovedKnot {
-    std::size_t patch = 0;
-    std::size_t direction = 0;
-    double knot = 0;
-};
-
 /// Removes chosen knots, never two in a row. A knot goes if the jump of the third derivative at it predicts
 /// that without it all errors around, and the slopes relative to their limits, stay below `limit`. The
 /// prediction is not certain, so the fit must be made and measured again.
-[[nodiscard]] std::vector<RemovedKnot> removeKnots(const std::vector<FitLattice>& lattices,
-                                                   const std::vector<NormalLimits>& limits,
-                                                   const std::vector<Patch>& patches,
-                                                   const std::vector<PatchErrors>& errors, double tolerance,
-                                                   double limit, KnotPlan& plan);
+/// \return what was removed
+[[nodiscard]] std::vector<PatchKnot> removeKnots(const std::vector<FitLattice>& lattices,
+                                                 const std::vector<NormalLimits>& limits,
+                                                 const std::vector<Patch>& patches,
+                                                 const std::vector<PatchErrors>& errors, double tolerance,
+                                                 double limit, KnotPlan& plan);
 
 } // namespace qm

@@ -56,36 +56,34 @@ public:
     }
 
 private:
-    /// A knot of a patch along u (0) or v (1).
-    struct Place {
-        std::size_t patch = 0;
-        std::size_t direction = 0;
-        double knot = 0;
-    };
-
     [[nodiscard]] const SmoothRun& runOf(const RatioEnd& end) const { return plan_.runs()[end.run]; }
     [[nodiscard]] double reach(const RatioEnd& end) const { return runOf(end).ratio.reach[end.end]; }
     [[nodiscard]] const std::array<StretchSide, 2>& sides(const RatioEnd& end) const {
         return plan_.stretches()[runOf(end).stretch].sides;
     }
 
-    /// The knots inside the two patches of a border that a reach makes double.
-    [[nodiscard]] std::vector<Place> knots(const RatioEnd& end, double reach) const {
+    /// The parameter of a patch, along one of its sides, where a reach ends.
+    [[nodiscard]] double knotAt(const RatioEnd& end, double reach, const StretchSide& side) const {
         const SmoothRun& run = runOf(end);
-        std::vector<Place> places;
+        return patchParameter(plan_.sizes()[side.patch], side,
+                              end.end == 0 ? run.begin + reach : run.end - reach);
+    }
+
+    /// The knots inside the two patches of a border that a reach makes double.
+    [[nodiscard]] std::vector<PatchKnot> knots(const RatioEnd& end, double reach) const {
+        std::vector<PatchKnot> knots;
         for (const StretchSide& side : sides(end)) {
             const std::size_t direction = directionAlong(side.side);
-            const std::array<int, 2>& size = plan_.sizes()[side.patch];
-            const double knot =
-                patchParameter(size, side, end.end == 0 ? run.begin + reach : run.end - reach);
-            if (knot > 0 && knot < size[direction]) places.push_back({side.patch, direction, knot});
+            const double knot = knotAt(end, reach, side);
+            if (knot > 0 && knot < plan_.sizes()[side.patch][direction])
+                knots.push_back({side.patch, direction, knot});
         }
-        return places;
+        return knots;
     }
 
     void use(const RatioEnd& end, double reach, int count) {
-        for (const Place& place : knots(end, reach))
-            users_[place.patch][place.direction][place.knot] += count;
+        for (const auto& [patch, direction, knot] : knots(end, reach))
+            users_[patch][direction][knot] += count;
     }
 
     /// The control points that a reach takes in addition to what others need.
@@ -108,12 +106,16 @@ private:
             std::min(Movement::farthest * end.firstReach, run.ratio.length - run.ratio.reach[1 - end.end]);
         const double nearest = std::max(Movement::nearest * end.firstReach, Movement::minReach);
         std::vector<double> reaches;
-        for (const StretchSide& side : sides(end))
-            for (const auto& [knot, users] : users_[side.patch][directionAlong(side.side)]) {
-                const double x = stretchParameter(plan_.sizes()[side.patch], side, knot);
-                const double reach = end.end == 0 ? x - run.begin : run.end - x;
-                if (users > 0 && reach >= nearest && reach <= farthest) reaches.push_back(reach);
+        if (nearest > farthest) return reaches;
+        for (const StretchSide& side : sides(end)) {
+            const auto& users = users_[side.patch][directionAlong(side.side)];
+            const auto [first, last] = std::minmax({knotAt(end, nearest, side), knotAt(end, farthest, side)});
+            for (auto place = users.lower_bound(first); place != users.end() && place->first <= last;
+                 ++place) {
+                const double x = stretchParameter(plan_.sizes()[side.patch], side, place->first);
+                if (place->second > 0) reaches.push_back(end.end == 0 ? x - run.begin : run.end - x);
             }
+        }
         return reaches;
     }
 
