@@ -20,8 +20,7 @@ public:
     /// \param fillet  number of quads around an edge, even
     /// \param flat    number of quads along the flat part of every side
     /// \param radius  of edges and corners
-    RoundedBox(int fillet, int flat, double radius = 4)
-        : half_(fillet / 2), flat_(flat), radius_(radius) {
+    RoundedBox(int fillet, int flat, double radius = 4) : half_(fillet / 2), flat_(flat), radius_(radius) {
         for (int axis = 0; axis < 3; ++axis)
             for (const int level : {0, steps()})
                 for (int i = 0; i < steps(); ++i)
