@@ -17,6 +17,15 @@ struct SmoothRun {
     int begin = 0;
     int end = 0;
     TangentRatio ratio; ///< over 0 to end - begin
+
+    /// The stretch's parameter at a distance from the run's beginning (0) or end (1).
+    [[nodiscard]] double parameterAt(std::size_t which, double distance) const {
+        return which == 0 ? begin + distance : end - distance;
+    }
+    /// The distance of a parameter of the stretch from there.
+    [[nodiscard]] double distanceFrom(std::size_t which, double parameter) const {
+        return which == 0 ? parameter - begin : end - parameter;
+    }
 };
 
 /// Adds the equations (each form is to be 0) by which both sides of a stretch have the same border curve: C0.

@@ -2,8 +2,8 @@
 #include "bspline/fitting/knots/reach_alignment.h"
 #include "bspline/fitting/knots/uneven_lines.h"
 #include "bspline/fitting/system/continuity_equations.h"
-#include "mesh/dihedral.h"
 #include "support/grid_layout.h"
+#include "support/network_of.h"
 
 #include <gtest/gtest.h>
 
@@ -17,10 +17,7 @@ namespace qm {
 namespace {
 
 using test::Grid;
-
-SmoothNetwork networkOf(const QuadMesh& mesh, const Layout& layout) {
-    return buildNetwork(mesh, layout, dihedralAngles(mesh), 0.45);
-}
+using test::networkOf;
 
 TEST(KnotPlan, ForcesDoubleKnotsWhereSmoothBordersTurnIntoCreases) {
     // A crease along j = 3 for i < 4, which then ends.

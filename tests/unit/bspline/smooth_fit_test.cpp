@@ -18,6 +18,7 @@
 #include "support/cheapest_layout.h"
 #include "support/fitted_model.h"
 #include "support/grid_layout.h"
+#include "support/network_of.h"
 #include "support/quad_layout.h"
 #include "support/star_mesh.h"
 
@@ -33,10 +34,7 @@ namespace qm {
 namespace {
 
 using test::Grid;
-
-SmoothNetwork networkOf(const QuadMesh& mesh, const Layout& layout) {
-    return buildNetwork(mesh, layout, dihedralAngles(mesh), 0.45);
-}
+using test::networkOf;
 
 /// A sheet with a right-angle bend at i = 4.
 Grid folded() {

@@ -133,7 +133,7 @@ double KnotPlan::firstKnot(const SmoothRun& run, std::size_t end) const {
     for (const StretchSide& place : stretches()[run.stretch].sides)
         for (const double knot : chosen_[place.patch][directionAlong(place.side)]) {
             const double x = stretchParameter(sizes_[place.patch], place, knot);
-            if (x > run.begin && x < run.end) reach = std::min(reach, end == 0 ? x - run.begin : run.end - x);
+            if (x > run.begin && x < run.end) reach = std::min(reach, run.distanceFrom(end, x));
         }
     return reach;
 }
@@ -164,19 +164,25 @@ bool KnotPlan::shorten(std::size_t run, std::size_t end) {
     return true;
 }
 
+std::vector<PatchKnot> KnotPlan::knotsAt(const SmoothRun& run, std::size_t end, double reach) const {
+    std::vector<PatchKnot> knots;
+    for (const StretchSide& place : stretches()[run.stretch].sides) {
+        const auto& size = sizes_[place.patch];
+        const std::size_t direction = directionAlong(place.side);
+        const double knot = patchParameter(size, place, run.parameterAt(end, reach));
+        if (knot > 0 && knot < size[direction]) knots.push_back({place.patch, direction, knot});
+    }
+    return knots;
+}
+
 KnotLists KnotPlan::doubleKnots() const {
     KnotLists knots = alwaysDouble_;
     for (const SmoothRun& run : runs_) {
         if (run.ratio.isLinear) continue;
         for (std::size_t end = 0; end < 2; ++end) {
             if (run.ratio.atEnd[end] == 0) continue;
-            const double x = end == 0 ? run.begin + run.ratio.reach[0] : run.end - run.ratio.reach[1];
-            for (const StretchSide& place : stretches()[run.stretch].sides) {
-                const auto& size = sizes_[place.patch];
-                const std::size_t direction = directionAlong(place.side);
-                const double knot = patchParameter(size, place, x);
-                if (knot > 0 && knot < size[direction]) insertSorted(knots[place.patch][direction], knot);
-            }
+            for (const auto& [patch, direction, knot] : knotsAt(run, end, run.ratio.reach[end]))
+                insertSorted(knots[patch][direction], knot);
         }
     }
     return knots;

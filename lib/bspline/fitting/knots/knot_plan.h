@@ -68,6 +68,9 @@ public:
     /// overlap.
     void endAtFirstKnots();
 
+    /// The knots inside the two patches of a run at which its tangent ratio ends with this reach.
+    [[nodiscard]] std::vector<PatchKnot> knotsAt(const SmoothRun& run, std::size_t end, double reach) const;
+
     /// \param reach  along the run, such that the two ends do not overlap
     void setReach(std::size_t run, std::size_t end, double reach) { runs_[run].ratio.reach[end] = reach; }
 

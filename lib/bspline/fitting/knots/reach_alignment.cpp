@@ -58,38 +58,16 @@ public:
 private:
     [[nodiscard]] const SmoothRun& runOf(const RatioEnd& end) const { return plan_.runs()[end.run]; }
     [[nodiscard]] double reach(const RatioEnd& end) const { return runOf(end).ratio.reach[end.end]; }
-    [[nodiscard]] const std::array<StretchSide, 2>& sides(const RatioEnd& end) const {
-        return plan_.stretches()[runOf(end).stretch].sides;
-    }
-
-    /// The parameter of a patch, along one of its sides, where a reach ends.
-    [[nodiscard]] double knotAt(const RatioEnd& end, double reach, const StretchSide& side) const {
-        const SmoothRun& run = runOf(end);
-        return patchParameter(plan_.sizes()[side.patch], side,
-                              end.end == 0 ? run.begin + reach : run.end - reach);
-    }
-
-    /// The knots inside the two patches of a border that a reach makes double.
-    [[nodiscard]] std::vector<PatchKnot> knots(const RatioEnd& end, double reach) const {
-        std::vector<PatchKnot> knots;
-        for (const StretchSide& side : sides(end)) {
-            const std::size_t direction = directionAlong(side.side);
-            const double knot = knotAt(end, reach, side);
-            if (knot > 0 && knot < plan_.sizes()[side.patch][direction])
-                knots.push_back({side.patch, direction, knot});
-        }
-        return knots;
-    }
 
     void use(const RatioEnd& end, double reach, int count) {
-        for (const auto& [patch, direction, knot] : knots(end, reach))
+        for (const auto& [patch, direction, knot] : plan_.knotsAt(runOf(end), end.end, reach))
             users_[patch][direction][knot] += count;
     }
 
     /// The control points that a reach takes in addition to what others need.
     [[nodiscard]] std::size_t cost(const RatioEnd& end, double reach) const {
         std::size_t points = 0;
-        for (const auto& [patch, direction, knot] : knots(end, reach)) {
+        for (const auto& [patch, direction, knot] : plan_.knotsAt(runOf(end), end.end, reach)) {
             const auto& users = users_[patch][direction];
             if (const auto found = users.find(knot); found != users.end() && found->second > 0) continue;
             const std::size_t times =
@@ -107,14 +85,16 @@ private:
         const double nearest = std::max(Movement::nearest * end.firstReach, Movement::minReach);
         std::vector<double> reaches;
         if (nearest > farthest) return reaches;
-        for (const StretchSide& side : sides(end)) {
+        for (const StretchSide& side : plan_.stretches()[run.stretch].sides) {
+            const auto& size = plan_.sizes()[side.patch];
+            const auto knotAt = [&](double reach) {
+                return patchParameter(size, side, run.parameterAt(end.end, reach));
+            };
             const auto& users = users_[side.patch][directionAlong(side.side)];
-            const auto [first, last] = std::minmax({knotAt(end, nearest, side), knotAt(end, farthest, side)});
-            for (auto place = users.lower_bound(first); place != users.end() && place->first <= last;
-                 ++place) {
-                const double x = stretchParameter(plan_.sizes()[side.patch], side, place->first);
-                if (place->second > 0) reaches.push_back(end.end == 0 ? x - run.begin : run.end - x);
-            }
+            const auto [first, last] = std::minmax({knotAt(nearest), knotAt(farthest)});
+            for (auto place = users.lower_bound(first); place != users.end() && place->first <= last; ++place)
+                if (place->second > 0)
+                    reaches.push_back(run.distanceFrom(end.end, stretchParameter(size, side, place->first)));
         }
         return reaches;
     }

@@ -7,7 +7,6 @@
 #include "bspline/reference/lattice/hermite.h"
 #include "bspline/reference/lattice/lagrange.h"
 #include "bspline/reference/lattice/sound_faces.h"
-#include "mesh/topology.h"
 
 #include <algorithm>
 #include <array>
@@ -122,27 +121,21 @@ private:
     [[nodiscard]] double shareAtExtraordinary(HalfedgeId leaving) const {
         const double speed = before_.derivative(leaving).norm();
         if (!(speed > 0)) return 0;
-        return std::clamp(maxSpeedUp * lengthOpposite(leaving) / speed, minFactor, 1.0) - 1;
+        return std::clamp(maxSpeedUp * lengthBehind(leaving) / speed, minFactor, 1.0) - 1;
     }
 
-    /// The length of the shorter one of the two edges opposite to an edge at a vertex; of the one opposite,
-    /// if there is one.
-    [[nodiscard]] double lengthOpposite(HalfedgeId leaving) const {
-        const auto count = static_cast<int>(mesh_.valence(mesh_.from_vertex_handle(leaving)));
-        double length = infinity;
-        HalfedgeId edge = leaving;
-        for (int k = 0; k <= (count + 1) / 2; ++k, edge = mesh_.ccw_rotated_halfedge_handle(edge))
-            if (k == count / 2 || k == (count + 1) / 2)
-                length = std::min(length, mesh_.calc_edge_length(edge));
-        return length;
-    }
-
-    /// The length of the edge that the line comes over; without limit where no line passes.
+    /// The length of the edge that the line comes over; at an extraordinary vertex the shorter one of the two
+    /// edges opposite. Without limit on the boundary.
     [[nodiscard]] double lengthBehind(HalfedgeId leaving) const {
-        if (!continuesStraight(mesh_, mesh_.from_vertex_handle(leaving))) return infinity;
-        const HalfedgeId behind =
-            mesh_.ccw_rotated_halfedge_handle(mesh_.ccw_rotated_halfedge_handle(leaving));
-        return mesh_.calc_edge_length(behind);
+        const VertexId vertex = mesh_.from_vertex_handle(leaving);
+        if (mesh_.is_boundary(vertex)) return infinity;
+        const auto count = mesh_.valence(vertex);
+        HalfedgeId behind = leaving;
+        for (unsigned k = 0; k < count / 2; ++k)
+            behind = mesh_.ccw_rotated_halfedge_handle(behind);
+        const double length = mesh_.calc_edge_length(behind);
+        if (count % 2 == 0) return length;
+        return std::min(length, mesh_.calc_edge_length(mesh_.ccw_rotated_halfedge_handle(behind)));
     }
 
     void moveEdge(HalfedgeId side) {
