@@ -58,7 +58,7 @@ public:
     void run() {
         const double diagonal = boundingBoxDiagonal(mesh_);
         for (std::size_t p = 0; p < part_.patches.size(); ++p)
-            ofOne(part_.patches[p].figures, below(below("/surfaces/patches", p), "deviation"), diagonal);
+            ofOne(part_.patches[p].figures, below("/surfaces/patches", p, "deviation"), diagonal);
         ofOne(part_.figures, all, diagonal);
         for (const char* figure : maxima)
             total(figure, [](double sum, double next) { return std::max(sum, next); });

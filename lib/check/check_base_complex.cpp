@@ -44,9 +44,7 @@ public:
     }
 
 private:
-    [[nodiscard]] std::string pointer(std::size_t rank) const {
-        return below(below(place, "separatrices"), rank);
-    }
+    [[nodiscard]] std::string pointer(std::size_t rank) const { return below(place, "separatrices", rank); }
 
     void readOne(std::size_t rank) {
         const auto& separatrix = part_.separatrices[rank];
@@ -57,7 +55,7 @@ private:
         if (!steps) return;
         const auto found = network_.wayByFirstStep.find(steps->front());
         if (found == network_.wayByFirstStep.end()) {
-            report_.violate(below(path, std::size_t{0}), "separatrix start",
+            report_.violate(below(path, 0), "separatrix start",
                             "no separatrix leaves vertex " + std::to_string(separatrix.vertices[0]) +
                                 " this way");
             return;

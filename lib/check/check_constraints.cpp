@@ -35,7 +35,7 @@ void checkConstraints(const Neighbourhoods& around, const ConstraintsPart& const
 bool checkConstraintPaths(const Neighbourhoods& around, const ConstraintsPart& constraints, Report& report) {
     const std::size_t before = report.total();
     const auto read = [&](const std::vector<int>& path, const char* list, std::size_t i) {
-        (void)readPath(around, path, below(below(below("/constraints", list), i), "vertices"), report);
+        (void)readPath(around, path, below("/constraints", list, i, "vertices"), report);
     };
     for (std::size_t i = 0; i < constraints.required.size(); ++i)
         read(constraints.required[i], "required", i);

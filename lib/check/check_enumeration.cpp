@@ -47,7 +47,7 @@ private:
         known_.clear();
         double before = -infinity;
         for (std::size_t g = 0; g < subMesh.graphs.size(); ++g) {
-            const std::string place = below(below(here, "graphs"), g);
+            const std::string place = below(here, "graphs", g);
             const CostSum cost = graph(k, subMesh.graphs[g], place);
             if (cost.value() < before && !cost.equals(before))
                 report_.violate(place, "sorted", "the graph before it costs more");
@@ -55,7 +55,7 @@ private:
             if (g == 0) best(subMesh, cost, here);
         }
         for (std::size_t s = 0; s < subMesh.samples.size(); ++s)
-            (void)graph(k, subMesh.samples[s], below(below(here, "samples"), s), true);
+            (void)graph(k, subMesh.samples[s], below(here, "samples", s), true);
         count(subMesh, here);
     }
 

@@ -132,7 +132,7 @@ private:
         if (mayFold_ || !cell.quad.isConvex() || liesAgainstNeighbour(mesh_, around_, angles_, cell.face) ||
             !isFolded(cell.quad, samples))
             return false;
-        report_.violate(below(below(below("/surfaces/patches", patch_), "deviation"), "folds"), "deviation",
+        report_.violate(below("/surfaces/patches", patch_, "deviation", "folds"), "deviation",
                         "the normal turns over " + placeOf(cell));
         return true;
     }

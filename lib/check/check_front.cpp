@@ -55,14 +55,13 @@ void checkFront(const LayoutPart& part, Report& report) {
     for (std::size_t i = 0; i < front.size(); ++i) {
         const Point& point = front[i];
         if (i > 0 && point.segments > front[i - 1].segments)
-            report.violate(below(below(place, i), "segments"), "front",
-                           "there are more than in the one before");
+            report.violate(below(place, i, "segments"), "front", "there are more than in the one before");
         const double objective = point.cost + point.beta * point.segments;
         if (point.objectiveBound && *point.objectiveBound > objective + slackOf(point))
-            report.violate(below(below(place, i), "objectiveBound"), "front",
+            report.violate(below(place, i, "objectiveBound"), "front",
                            "the layout is below it: " + numberText(objective));
         if (point.proven && std::abs(point.objectiveBound.value_or(objective) - objective) > slackOf(point))
-            report.violate(below(below(place, i), "proven"), "front",
+            report.violate(below(place, i, "proven"), "front",
                            "the bound is not attained: it is " + numberText(objective));
     }
 }

@@ -59,7 +59,7 @@ private:
         std::unordered_set<int> seen;
         for (std::size_t i = 0; i < part_.tracks.size(); ++i)
             if (part_.tracks[i].id && !seen.insert(*part_.tracks[i].id).second)
-                report_.violate(below(below(tracksPlace, i), "id"), "id", "another track has it too");
+                report_.violate(below(tracksPlace, i, "id"), "id", "another track has it too");
     }
 
     void prices(std::span<const ReadTrack> tracks) {
@@ -71,7 +71,7 @@ private:
             if (!part_.tracks[track.rank].transversal) total.add(cost);
             const auto& claimed = part_.tracks[track.rank].cost;
             if (claimed && !cost.equals(*claimed))
-                report_.violate(below(below(tracksPlace, track.rank), "cost"), "cost",
+                report_.violate(below(tracksPlace, track.rank, "cost"), "cost",
                                 "its edges cost " + numberText(cost.value()));
         }
         if (part_.cost && !total.equals(*part_.cost))
@@ -102,7 +102,7 @@ private:
 
     /// What pruning leaves may begin and end anywhere; the segments tell whether that is right.
     void straight(const ReadTrack& track) {
-        const std::string path = below(below(tracksPlace, track.rank), "vertices");
+        const std::string path = below(tracksPlace, track.rank, "vertices");
         for (std::size_t k = 0; k < track.steps.size(); ++k) {
             if (around_.boundary(track.steps[k]))
                 return report_.violate(below(path, k), "track inside",

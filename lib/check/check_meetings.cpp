@@ -91,7 +91,7 @@ private:
     void readCreases(const std::vector<std::vector<BorderPlace>>& places) {
         isCrease_.assign(places.size(), false);
         for (std::size_t k = 0; k < part_.creases->size(); ++k) {
-            const std::string pointer = below(below("/surfaces/creases", k), "vertices");
+            const std::string pointer = below("/surfaces/creases", k, "vertices");
             const auto steps = readPath(around_, (*part_.creases)[k], pointer, report_);
             for (std::size_t i = 0; steps && i < steps->size(); ++i) {
                 const auto edge = at(around_.edge((*steps)[i]));
@@ -142,7 +142,7 @@ bool checkFigure(const SurfacesPart& part, std::size_t patch, const char* figure
                  const std::string& where, Report& report) {
     const auto stated = part.patches[patch].figures[figure];
     if (!stated || found <= *stated * (1 + 1e-6) + slack) return false;
-    report.violate(below(below(below("/surfaces/patches", patch), "deviation"), figure), "deviation",
+    report.violate(below("/surfaces/patches", patch, "deviation", figure), "deviation",
                    "it is " + numberText(found) + " " + where);
     return true;
 }

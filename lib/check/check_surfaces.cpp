@@ -64,9 +64,8 @@ private:
             for (const double x : patch.controlPoints[i])
                 if (!std::isfinite(x)) {
                     const std::size_t columns = std::max<std::size_t>(1, at(patch.count[0]));
-                    report_.violate(
-                        below(below(below(pointer(p), "controlPoints"), i / columns), i % columns), "finite",
-                        "a coordinate is no finite number");
+                    report_.violate(below(pointer(p), "controlPoints", i / columns, i % columns), "finite",
+                                    "a coordinate is no finite number");
                 }
         return report_.total() == before;
     }
@@ -74,9 +73,9 @@ private:
     void direction(std::size_t p, std::size_t k) {
         const Patch& patch = part_.patches[p];
         const auto& knots = patch.knots[k];
-        const std::string here = below(below(pointer(p), "knots"), k);
+        const std::string here = below(pointer(p), "knots", k);
         if (patch.degree[k] < 1 || patch.degree[k] > maxDegree) {
-            report_.violate(below(below(pointer(p), "degree"), k), "degree",
+            report_.violate(below(pointer(p), "degree", k), "degree",
                             "degrees are 1 to " + std::to_string(maxDegree));
             return;
         }

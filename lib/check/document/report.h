@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -48,12 +49,16 @@ private:
     std::vector<std::string> verified_;
 };
 
-/// A pointer one level deeper.
-[[nodiscard]] inline std::string below(const std::string& pointer, std::size_t index) {
-    return pointer + "/" + std::to_string(index);
-}
-[[nodiscard]] inline std::string below(const std::string& pointer, const char* key) {
-    return pointer + "/" + key;
+/// A pointer further down: by a key or an index for every level.
+template <class... Steps> [[nodiscard]] std::string below(std::string pointer, const Steps&... steps) {
+    const auto text = [](const auto& step) {
+        if constexpr (std::is_integral_v<std::remove_cvref_t<decltype(step)>>)
+            return std::to_string(step);
+        else
+            return std::string(step);
+    };
+    ((pointer += "/" + text(steps)), ...);
+    return pointer;
 }
 
 /// Reports an element of a list whose id is not its place there.

@@ -24,7 +24,7 @@ void checkStraight(const Neighbourhoods& around, std::span<const ReadTrack> trac
                    const std::string& pointer, Report& report) {
     for (const ReadTrack& track : tracks)
         if (const std::size_t bend = firstBend(around, track.steps); bend < track.steps.size())
-            report.violate(below(below(below(pointer, track.rank), "vertices"), bend + 1), "track straight",
+            report.violate(below(pointer, track.rank, "vertices", bend + 1), "track straight",
                            "it does not go straight on to this vertex");
 }
 
@@ -50,7 +50,7 @@ Coordinates coordinatesOf(const Neighbourhoods& around, const LineNetwork& netwo
         const std::string path = below(here, "vertices");
         const auto start = network.wayByFirstStep.find(track.steps.front());
         if (start == network.wayByFirstStep.end()) {
-            unsound(below(path, std::size_t{0}), "track start",
+            unsound(below(path, 0), "track start",
                     "no particle starts at vertex " + std::to_string(around.from(track.steps.front())) +
                         " this way");
             continue;
@@ -98,7 +98,7 @@ std::vector<ReadTrack> readTracks(const Neighbourhoods& around, const std::vecto
     std::vector<ReadTrack> read;
     read.reserve(tracks.size());
     for (std::size_t i = 0; i < tracks.size(); ++i)
-        if (auto steps = readPath(around, tracks[i].vertices, below(below(pointer, i), "vertices"), report))
+        if (auto steps = readPath(around, tracks[i].vertices, below(pointer, i, "vertices"), report))
             read.push_back({i, std::move(*steps)});
     return read;
 }

@@ -35,7 +35,7 @@ std::vector<int> gridOf(const CheckedMesh& mesh, const LayoutPart::Segment& segm
     std::vector<int> grid(width * (at(segment.size[1]) + 1), -1);
     grid[0] = segment.corners[0];
     for (std::size_t f = 0; f < segment.faces.size(); ++f) {
-        const std::string here = below(below(pointer, "faces"), f);
+        const std::string here = below(pointer, "faces", f);
         const int face = segment.faces[f];
         if (face < 0 || at(face) >= mesh.quads.size()) {
             report.violate(here, "face", "the mesh has no face of this number");
@@ -89,7 +89,7 @@ private:
             if (face < 0 || face >= around_.faces()) continue; // the grid reports it
             int& owner = segmentOf_[at(face)];
             if (owner >= 0)
-                report_.violate(below(below(here, "faces"), f), "tiling",
+                report_.violate(below(here, "faces", f), "tiling",
                                 "the face lies also in segment " + std::to_string(owner));
             owner = static_cast<int>(s);
         }
@@ -115,12 +115,12 @@ private:
         }
         for (std::size_t k = 0; k < 4; ++k) {
             if (segment.corners[k] != border[k].front())
-                report_.violate(below(below(here, "corners"), k), "corner",
+                report_.violate(below(here, "corners", k), "corner",
                                 "the grid's corner is vertex " + std::to_string(border[k].front()));
             const auto& side = segment.sides[k];
             const auto differs = std::mismatch(side.begin(), side.end(), border[k].begin(), border[k].end());
             if (differs.first == side.end() && differs.second == border[k].end()) continue;
-            const std::string list = below(below(here, "sides"), k);
+            const std::string list = below(here, "sides", k);
             if (differs.first == side.end() || differs.second == border[k].end())
                 report_.violate(list, "side",
                                 "the grid's side has " + std::to_string(border[k].size()) + " vertices");

@@ -47,7 +47,7 @@ void checkTransversals(const Neighbourhoods& around, std::span<const ReadTrack> 
                        std::span<const ReadTrack> transversals, const std::string& pointer, Report& report) {
     const std::vector<int> visits = countVisits(around, tracks);
     for (const ReadTrack& track : transversals)
-        checkTransversal(around, track, visits, below(below(pointer, track.rank), "vertices"), report);
+        checkTransversal(around, track, visits, below(pointer, track.rank, "vertices"), report);
 }
 
 } // namespace qm::check

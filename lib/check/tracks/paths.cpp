@@ -16,7 +16,7 @@ std::optional<std::vector<int>> readPath(const Neighbourhoods& around, const std
     }
     std::vector<int> steps;
     steps.reserve(vertices.size() - 1);
-    if (!knownVertex(around, vertices[0], below(pointer, std::size_t{0}), report)) return std::nullopt;
+    if (!knownVertex(around, vertices[0], below(pointer, 0), report)) return std::nullopt;
     for (std::size_t i = 1; i < vertices.size(); ++i) {
         if (!knownVertex(around, vertices[i], below(pointer, i), report)) return std::nullopt;
         const int step = around.stepBetween(vertices[i - 1], vertices[i]);
