@@ -117,7 +117,7 @@ private:
     static void pass(Junction& junction, ArcId before) {
         const bool second = junction.seeded || junction.arcs[0].valid();
         junction.arcs[second ? 1 : 0] = before;
-        junction.arcs[second ? 3 : 2] = ArcId(before.value() + 1);
+        junction.arcs[second ? 3 : 2] = before + 1;
     }
 
     /// Enters the end of a line at a seed as one of the seed's two arcs. Other ends, at extraordinary
@@ -145,10 +145,15 @@ ArcGraph buildArcGraph(const QuadMesh& mesh, const BaseComplex& complex,
     return Builder(mesh, complex, labels).build();
 }
 
-std::span<const HalfedgeId> halfedgesOf(const ArcGraph& graph, const BaseComplex& complex, ArcId id) {
-    const Arc& arc = graph.arcs[id.idx()];
-    const std::span<const HalfedgeId> path = complex.separatrices[graph.lineOf(id).forward.idx()].halfedges;
-    return path.subspan(static_cast<std::size_t>(arc.begin), static_cast<std::size_t>(arc.end - arc.begin));
+std::span<const HalfedgeId> halfedgesOf(const ArcGraph& graph, const BaseComplex& complex, ArcId arc) {
+    return halfedgesOf(graph, complex, ArcRun{arc, 1});
+}
+
+std::span<const HalfedgeId> halfedgesOf(const ArcGraph& graph, const BaseComplex& complex,
+                                        const ArcRun& run) {
+    const std::span path(complex.separatrices[graph.lineOf(run.first).forward.idx()].halfedges);
+    const int begin = graph.arcs[run.first.idx()].begin, end = graph.arcs[run.last().idx()].end;
+    return path.subspan(at(begin), at(end - begin));
 }
 
 std::vector<ArcId> arcsOfEdges(const QuadMesh& mesh, const ArcGraph& graph, const BaseComplex& complex) {

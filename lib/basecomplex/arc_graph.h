@@ -2,6 +2,7 @@
 /// (docs/METHOD.md#arc-rules).
 #pragma once
 
+#include "base/id_vector.h"
 #include "base/ids.h"
 #include "basecomplex/base_complex.h"
 #include "mesh/quad_mesh.h"
@@ -25,7 +26,8 @@ struct Line {
     JunctionId beginsAt = {}; ///< if the line begins at a seed that another line crosses
     JunctionId endsAt = {};   ///< if it ends at such a seed, or at its own track
 
-    [[nodiscard]] ArcId lastArc() const { return ArcId(firstArc.value() + arcCount - 1); }
+    [[nodiscard]] ArcId lastArc() const { return firstArc + (arcCount - 1); }
+    [[nodiscard]] IdRange<ArcId> arcs() const { return {firstArc, firstArc + arcCount}; }
 };
 
 /// The part of a line between successive stops.
@@ -72,9 +74,32 @@ struct ArcGraph {
 [[nodiscard]] ArcGraph buildArcGraph(const QuadMesh& mesh, const BaseComplex& complex,
                                      const std::vector<SubMeshId>& labels = {});
 
-/// The halfedges of an arc, in the line's direction.
+/// Consecutive arcs of one line.
+struct ArcRun {
+    ArcId first;
+    int count = 0;
+
+    [[nodiscard]] ArcId last() const { return first + (count - 1); }
+    [[nodiscard]] IdRange<ArcId> arcs() const { return {first, first + count}; }
+};
+
+/// The arcs of a line for which a condition holds, as maximal runs in its direction.
+template <class Condition>
+[[nodiscard]] std::vector<ArcRun> runsOf(const Line& line, const Condition& holds) {
+    std::vector<ArcRun> runs;
+    for (const ArcId arc : line.arcs()) {
+        if (!holds(arc)) continue;
+        if (runs.empty() || runs.back().last() + 1 != arc) runs.push_back({arc, 0});
+        ++runs.back().count;
+    }
+    return runs;
+}
+
+/// The halfedges of an arc or a run of arcs, in the line's direction.
 [[nodiscard]] std::span<const HalfedgeId> halfedgesOf(const ArcGraph& graph, const BaseComplex& complex,
                                                       ArcId arc);
+[[nodiscard]] std::span<const HalfedgeId> halfedgesOf(const ArcGraph& graph, const BaseComplex& complex,
+                                                      const ArcRun& run);
 
 /// The arc on every edge; none for edges without a line.
 [[nodiscard]] std::vector<ArcId> arcsOfEdges(const QuadMesh& mesh, const ArcGraph& graph,

@@ -3,7 +3,7 @@
 
 #include "mesh/quad_mesh.h"
 
-#include <optional>
+#include <utility>
 #include <vector>
 
 namespace qm {
@@ -18,6 +18,11 @@ struct Track {
 struct MotorcycleGraph {
     double cost = 0; ///< G_T, the sum of the tracks' costs
     std::vector<Track> tracks;
+
+    void add(Track track) {
+        cost += track.cost;
+        tracks.push_back(std::move(track));
+    }
 };
 
 } // namespace qm

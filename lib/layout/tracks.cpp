@@ -29,7 +29,7 @@ std::vector<Coverage> coverLines(const ArcGraph& graph, const std::vector<bool>&
     std::vector<Coverage> result;
     for (std::size_t i = 0; i < graph.lines.size(); ++i) {
         const Line& line = graph.lines[i];
-        const auto in = [&](int k) { return present[at(line.firstArc.value() + k)]; };
+        const auto in = [&](int k) { return present[(line.firstArc + k).idx()]; };
         Coverage coverage;
         if (walkers.fromBegin(LineId(i)))
             while (coverage.fromBegin < line.arcCount && in(coverage.fromBegin))
@@ -55,23 +55,15 @@ MotorcycleGraph graphOf(const QuadMesh& mesh, const BaseComplex& complex, const 
                         const Walkers& walkers) {
     const std::vector<Coverage> coverages = coverLines(graph, present, walkers);
     MotorcycleGraph result;
-    const auto add = [&](SeparatrixId separatrix, std::size_t length) {
-        if (length == 0) return;
+    const auto add = [&](SeparatrixId separatrix, const ArcRun& run) {
         const std::span path(complex.separatrices[separatrix.idx()].halfedges);
-        result.tracks.push_back(trackOf(mesh, path.first(length), edgeCosts));
-        result.cost += result.tracks.back().cost;
+        result.add(trackOf(mesh, path.first(halfedgesOf(graph, complex, run).size()), edgeCosts));
     };
     for (std::size_t i = 0; i < graph.lines.size(); ++i) {
         const Line& line = graph.lines[i];
-        const auto edges = [&](int firstArc, int count) {
-            std::size_t sum = 0;
-            for (int k = firstArc; k < firstArc + count; ++k)
-                sum += halfedgesOf(graph, complex, ArcId(line.firstArc.value() + k)).size();
-            return sum;
-        };
-        const Coverage& coverage = coverages[i];
-        add(line.forward, edges(0, coverage.fromBegin));
-        if (line.backward) add(*line.backward, edges(line.arcCount - coverage.fromEnd, coverage.fromEnd));
+        const auto& [fromBegin, fromEnd] = coverages[i];
+        if (fromBegin > 0) add(line.forward, {line.firstArc, fromBegin});
+        if (fromEnd > 0) add(*line.backward, {line.lastArc() - (fromEnd - 1), fromEnd});
     }
     return result;
 }
@@ -79,22 +71,13 @@ MotorcycleGraph graphOf(const QuadMesh& mesh, const BaseComplex& complex, const 
 MotorcycleGraph tMeshOf(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
                         const std::vector<bool>& present, const std::vector<double>& edgeCosts) {
     MotorcycleGraph result;
-    for (const Line& line : graph.lines) {
-        const auto in = [&](int k) { return k < line.arcCount && present[at(line.firstArc.value() + k)]; };
-        for (int first = 0, last = 0; first < line.arcCount; first = last + 1) {
-            for (last = first; in(last);)
-                ++last;
-            if (first == last) continue;
-            const auto begin = at(graph.arcs[at(line.firstArc.value() + first)].begin),
-                       end = at(graph.arcs[at(line.firstArc.value() + last - 1)].end);
-            const bool fromEnd = first > 0 && last == line.arcCount && line.backward;
-            const auto& way = complex.separatrices[(fromEnd ? *line.backward : line.forward).idx()].halfedges;
-            const std::span path(way);
-            result.tracks.push_back(trackOf(
-                mesh, fromEnd ? path.first(end - begin) : path.subspan(begin, end - begin), edgeCosts));
-            result.cost += result.tracks.back().cost;
+    for (const Line& line : graph.lines)
+        for (const ArcRun& run : runsOf(line, [&](ArcId arc) { return present[arc.idx()]; })) {
+            auto path = halfedgesOf(graph, complex, run);
+            if (run.first != line.firstArc && run.last() == line.lastArc() && line.backward)
+                path = std::span(complex.separatrices[line.backward->idx()].halfedges).first(path.size());
+            result.add(trackOf(mesh, path, edgeCosts));
         }
-    }
     return result;
 }
 

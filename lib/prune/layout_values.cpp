@@ -3,6 +3,9 @@
 #include "base/at.h"
 #include "layout/tracks.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace qm {
 
 ColumnValues valuesOf(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
@@ -26,20 +29,10 @@ Layout layoutOf(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph
                 const ColumnValues& values, const std::vector<double>& dihedralAngles,
                 const std::vector<double>& edgeCosts) {
     std::vector<Track> tracks;
-    for (const Line& line : graph.lines) {
-        bool running = false;
-        for (int k = 0; k < line.arcCount; ++k) {
-            const ArcId arc = line.firstArc + k;
-            const bool in = values[GridProgram::columnOf(arc)] > 0.5;
-            if (in && !running) tracks.emplace_back();
-            running = in;
-            if (!in) continue;
-            for (const HalfedgeId halfedge : halfedgesOf(graph, complex, arc)) {
-                tracks.back().halfedges.push_back(halfedge);
-                tracks.back().cost += edgeCosts[at(mesh.edge_handle(halfedge))];
-            }
-        }
-    }
+    const auto isIn = [&](ArcId arc) { return values[GridProgram::columnOf(arc)] > 0.5; };
+    for (const Line& line : graph.lines)
+        for (const ArcRun& run : runsOf(line, isIn))
+            tracks.push_back(trackOf(mesh, halfedgesOf(graph, complex, run), edgeCosts));
     return buildLayout(mesh, tracks, dihedralAngles, edgeCosts);
 }
 
@@ -47,8 +40,7 @@ std::vector<std::vector<ColumnId>> columnsOfLines(const ArcGraph& graph) {
     std::vector<std::vector<ColumnId>> columns;
     for (const Line& line : graph.lines) {
         columns.emplace_back();
-        for (int k = 0; k < line.arcCount; ++k)
-            columns.back().push_back(GridProgram::columnOf(line.firstArc + k));
+        std::ranges::transform(line.arcs(), std::back_inserter(columns.back()), GridProgram::columnOf);
     }
     return columns;
 }

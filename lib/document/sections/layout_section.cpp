@@ -4,7 +4,7 @@
 #include "base/error.h"
 #include "document/sections/mesh_paths.h"
 #include "layout/quality.h"
-#include "mesh/topology.h"
+#include "layout/tracks.h"
 
 namespace qm {
 
@@ -106,8 +106,7 @@ std::vector<LayoutTrack> readTracks(const QuadMesh& mesh, const std::vector<doub
     std::vector<bool> taken(mesh.n_edges());
     for (const JsonPlace& place : list.elements()) {
         const JsonPlace vertices = place["vertices"];
-        LayoutTrack entry;
-        entry.track.halfedges = pathAt(mesh, vertices);
+        LayoutTrack entry{trackOf(mesh, pathAt(mesh, vertices), edgeCosts), false};
         for (std::size_t k = 0; k < entry.track.halfedges.size(); ++k) {
             const EdgeId edge = mesh.edge_handle(entry.track.halfedges[k]);
             if (mesh.is_boundary(edge))
@@ -116,7 +115,6 @@ std::vector<LayoutTrack> readTracks(const QuadMesh& mesh, const std::vector<doub
             taken[at(edge)] = true;
         }
         requireStraight(mesh, entry.track.halfedges, vertices);
-        entry.track.cost = sumAlong(mesh, entry.track.halfedges, edgeCosts);
         verifyCost(place, entry.track.cost);
         if (const auto transversal = place.find("transversal")) entry.transversal = transversal->boolean();
         tracks.push_back(std::move(entry));

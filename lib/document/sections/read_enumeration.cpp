@@ -6,7 +6,7 @@
 #include "document/sections/enumeration_section.h"
 #include "document/sections/mesh_paths.h"
 #include "layout/corners.h"
-#include "mesh/topology.h"
+#include "layout/tracks.h"
 
 #include <algorithm>
 #include <optional>
@@ -68,12 +68,11 @@ private:
         MotorcycleGraph result;
         std::unordered_set<int> edges;
         for (const JsonPlace& trackPlace : place["tracks"].elements()) {
-            result.tracks.push_back(track(trackPlace, id));
+            result.add(track(trackPlace, id));
             const std::vector<HalfedgeId>& path = result.tracks.back().halfedges;
             for (std::size_t k = 0; k < path.size(); ++k)
                 if (!edges.insert(mesh_.edge_handle(path[k]).idx()).second)
                     trackPlace["vertices"].failAt(k + 1, "the edge to this vertex lies on a track already");
-            result.cost += result.tracks.back().cost;
         }
         if (corners_)
             result.cost +=
@@ -84,9 +83,7 @@ private:
 
     Track track(const JsonPlace& place, SubMeshId id) {
         const JsonPlace vertices = place["vertices"];
-        Track result;
-        result.halfedges = pathAt(mesh_, vertices);
-        result.cost = sumAlong(mesh_, result.halfedges, context_.edgeCosts);
+        Track result = trackOf(mesh_, pathAt(mesh_, vertices), context_.edgeCosts);
         verifySource(place, result.halfedges.front());
         if (graphClass_ == GraphClass::tmesh)
             verifyOnLines(vertices, result.halfedges);

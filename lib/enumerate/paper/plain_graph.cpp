@@ -138,8 +138,7 @@ MotorcycleGraph plainMotorcycleGraph(const QuadMesh& mesh, const BaseComplex& co
     for (const SeparatrixId i : walked.ids()) {
         if (walked[i] == 0) continue;
         const std::span path(complex.separatrices[i.idx()].halfedges);
-        graph.tracks.push_back(trackOf(mesh, path.first(walked[i]), edgeCosts));
-        graph.cost += graph.tracks.back().cost;
+        graph.add(trackOf(mesh, path.first(walked[i]), edgeCosts));
     }
     return graph;
 }

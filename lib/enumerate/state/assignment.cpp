@@ -26,21 +26,16 @@ Assignment assignmentOf(const Problem& problem, const std::vector<bool>& present
 std::vector<ArcId> differences(const Problem& problem, const Assignment& assignment,
                                const std::vector<bool>& present) {
     std::vector<ArcId> result;
-    for (const VariableId v : problem.variables()) {
-        const ArcRun& run = problem.arcs[v];
-        for (int k = 0; k < run.count; ++k)
-            if (const ArcId arc = run.first + k; present[arc.idx()] != (assignment[v] == 1))
-                result.push_back(arc);
-    }
+    for (const VariableId v : problem.variables())
+        for (const ArcId arc : problem.arcs[v].arcs())
+            if (present[arc.idx()] != (assignment[v] == 1)) result.push_back(arc);
     return result;
 }
 
 void apply(const Problem& problem, const Assignment& assignment, std::vector<bool>& present) {
-    for (const VariableId v : problem.variables()) {
-        const ArcRun& run = problem.arcs[v];
-        for (int k = 0; k < run.count; ++k)
-            present[(run.first + k).idx()] = assignment[v] == 1;
-    }
+    for (const VariableId v : problem.variables())
+        for (const ArcId arc : problem.arcs[v].arcs())
+            present[arc.idx()] = assignment[v] == 1;
 }
 
 std::vector<double> arcValues(const Problem& problem, const IdVector<VariableId, double>& values,

@@ -48,9 +48,8 @@ private:
         if (!line.backward) return false;
         const ChainId chain = chainOf_[id];
         if (chain.valid()) return chains_[chain].coveredBefore && chains_[chain].coveredAfter;
-        for (int k = 0; k < line.arcCount; ++k)
-            if (input_.states[line.firstArc + k] != ArcState::in) return false;
-        return true;
+        return std::ranges::all_of(line.arcs(),
+                                   [&](ArcId arc) { return input_.states[arc] == ArcState::in; });
     }
 
     [[nodiscard]] LineId lineOf(ArcId arc) const { return graph_.arcs[arc.idx()].line; }

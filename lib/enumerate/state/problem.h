@@ -74,15 +74,9 @@ struct Crossing {
     }
 };
 
-/// Consecutive arcs of one line that can only be in or out together.
-struct ArcRun {
-    ArcId first;
-    int count = 0;
-};
-
 /// The ids of variables, and after them those of two constants: in() is present, out() is absent.
 struct Problem {
-    IdVector<VariableId, ArcRun> arcs;      ///< the arcs of every variable
+    IdVector<VariableId, ArcRun> arcs;      ///< of every variable, which can only be in or out together
     IdVector<VariableId, double> costs;     ///< of every variable when it is in; 0 for the two constants
     IdVector<VariableId, ArcState> domains; ///< of every variable and the two constants
     IdVector<ChainId, Chain> chains;

@@ -16,7 +16,7 @@ public:
     [[nodiscard]] int arcCount() const { return line_.arcCount; }
     /// The arc that follows after `walked` arcs.
     [[nodiscard]] ArcId arc(int walked) const {
-        return ArcId(line_.firstArc.value() + (fromEnd_ ? line_.arcCount - 1 - walked : walked));
+        return fromEnd_ ? line_.lastArc() - walked : line_.firstArc + walked;
     }
     /// The junction reached after `walked` arcs, at least one; none at the far end.
     [[nodiscard]] JunctionId junction(int walked) const {

@@ -31,9 +31,9 @@ private:
         const LineId own(graph.lines.size());
         graph.lines.push_back(line);
         graph.lines.back().firstArc = ArcId(graph.arcs.size());
-        for (int k = 0; k < line.arcCount; ++k) {
-            const std::size_t arc = (line.firstArc + k).idx();
-            arcOf_.put(ArcId(arc), ArcId(graph.arcs.size()));
+        for (const ArcId original : line.arcs()) {
+            const std::size_t arc = original.idx();
+            arcOf_.put(original, ArcId(graph.arcs.size()));
             graph.arcs.push_back({own, whole_.arcs[arc].begin, whole_.arcs[arc].end});
             graph.junctionAfter.push_back(whole_.junctionAfter[arc]);
             part_.arcCosts.push_back(space_.arcCosts[arc]);
