@@ -1,7 +1,9 @@
 #include "layout/seed_line.h"
 
 #include "base/at.h"
-#include "mesh/topology.h"
+#include "mesh/mesh_lines.h"
+
+#include <algorithm>
 
 namespace qm {
 namespace {
@@ -24,20 +26,14 @@ HalfedgeId edgeOfMaxAngle(const QuadMesh& mesh, std::span<const FaceId> faces,
 std::vector<HalfedgeId> seedLine(const QuadMesh& mesh, std::span<const FaceId> faces,
                                  const std::vector<double>& dihedralAngles) {
     const HalfedgeId start = edgeOfMaxAngle(mesh, faces, dihedralAngles);
-    std::vector<HalfedgeId> line{start};
-    while (continuesStraight(mesh, mesh.to_vertex_handle(line.back()))) {
-        const HalfedgeId next = straightOn(mesh, line.back());
-        if (next == start) return line;
-        line.push_back(next);
-    }
-    std::vector<HalfedgeId> back{mesh.opposite_halfedge_handle(start)};
-    while (continuesStraight(mesh, mesh.to_vertex_handle(back.back())))
-        back.push_back(straightOn(mesh, back.back()));
-    std::vector<HalfedgeId> whole;
-    for (std::size_t k = back.size(); k-- > 1;)
-        whole.push_back(mesh.opposite_halfedge_handle(back[k]));
-    whole.insert(whole.end(), line.begin(), line.end());
-    return whole;
+    const MeshLine ahead = straightFrom(mesh, start);
+    if (ahead.closed) return ahead.halfedges;
+    std::vector<HalfedgeId> line = straightFrom(mesh, mesh.opposite_halfedge_handle(start)).halfedges;
+    std::ranges::reverse(line);
+    for (HalfedgeId& halfedge : line)
+        halfedge = mesh.opposite_halfedge_handle(halfedge);
+    line.insert(line.end(), ahead.halfedges.begin() + 1, ahead.halfedges.end());
+    return line;
 }
 
 } // namespace qm

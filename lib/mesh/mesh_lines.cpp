@@ -15,14 +15,10 @@ public:
     }
 
     MeshLine trace(HalfedgeId start) {
-        MeshLine line;
-        for (HalfedgeId halfedge = start;; halfedge = straightOn(mesh_, halfedge)) {
+        MeshLine line = straightFrom(mesh_, start);
+        for (const HalfedgeId halfedge : line.halfedges)
             visited_[index(halfedge)] = true;
-            line.halfedges.push_back(halfedge);
-            if (!continuesStraight(mesh_, mesh_.to_vertex_handle(halfedge))) return line;
-            line.closed = straightOn(mesh_, halfedge) == start;
-            if (line.closed) return line;
-        }
+        return line;
     }
 
 private:
@@ -33,6 +29,16 @@ private:
 };
 
 } // namespace
+
+MeshLine straightFrom(const QuadMesh& mesh, HalfedgeId start) {
+    MeshLine line{{start}, false};
+    while (!line.closed && continuesStraight(mesh, mesh.to_vertex_handle(line.halfedges.back()))) {
+        const HalfedgeId next = straightOn(mesh, line.halfedges.back());
+        line.closed = next == start;
+        if (!line.closed) line.halfedges.push_back(next);
+    }
+    return line;
+}
 
 void forEachMeshLine(const QuadMesh& mesh, const std::function<void(const MeshLine&)>& visit) {
     Tracer tracer(mesh);

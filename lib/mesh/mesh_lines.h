@@ -15,6 +15,9 @@ struct MeshLine {
     bool closed = false;
 };
 
+/// What goes straight on from a halfedge over interior edges: the rest of its line, or all of a closed one.
+[[nodiscard]] MeshLine straightFrom(const QuadMesh& mesh, HalfedgeId start);
+
 /// Visits every line once, and so every interior edge: first open lines, by their first vertex, then closed
 /// lines, by their lowest edge. Linear in the mesh.
 void forEachMeshLine(const QuadMesh& mesh, const std::function<void(const MeshLine&)>& visit);
