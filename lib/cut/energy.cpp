@@ -1,6 +1,7 @@
 #include "cut/energy.h"
 
 #include "base/at.h"
+#include "mesh/topology.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,11 +16,9 @@ constexpr double largestWeight = 1e100;
 
 std::vector<double> sharpestAtVertices(const QuadMesh& mesh, const std::vector<double>& angles) {
     std::vector<double> sharpest(mesh.n_vertices(), 0);
-    for (const EdgeId edge : mesh.edges()) {
-        const HalfedgeId halfedge = mesh.halfedge_handle(edge, 0);
-        for (const VertexId end : {mesh.from_vertex_handle(halfedge), mesh.to_vertex_handle(halfedge)})
+    for (const EdgeId edge : mesh.edges())
+        for (const VertexId end : endsOf(mesh, edge))
             sharpest[at(end)] = std::max(sharpest[at(end)], angles[at(edge)]);
-    }
     return sharpest;
 }
 

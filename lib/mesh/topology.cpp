@@ -26,8 +26,8 @@ std::vector<VertexId> extraordinaryVertices(const QuadMesh& mesh) {
     // A single pass over the edges is several times faster than a walk around every vertex.
     std::vector<unsigned> edges(mesh.n_vertices(), 0);
     for (const EdgeId edge : mesh.edges())
-        for (const unsigned side : {0U, 1U})
-            ++edges[at(mesh.to_vertex_handle(mesh.halfedge_handle(edge, side)))];
+        for (const VertexId end : endsOf(mesh, edge))
+            ++edges[at(end)];
     std::vector<VertexId> result;
     for (const VertexId vertex : mesh.vertices())
         if (!isRegularWith(mesh, vertex, edges[at(vertex)])) result.push_back(vertex);
@@ -63,9 +63,10 @@ double sumAlong(const QuadMesh& mesh, std::span<const HalfedgeId> path, const st
 
 Components components(const QuadMesh& mesh) {
     DisjointSets sets(mesh.n_vertices());
-    for (const EdgeId edge : mesh.edges())
-        sets.join(at(mesh.to_vertex_handle(mesh.halfedge_handle(edge, 0))),
-                  at(mesh.to_vertex_handle(mesh.halfedge_handle(edge, 1))));
+    for (const EdgeId edge : mesh.edges()) {
+        const auto [one, other] = endsOf(mesh, edge);
+        sets.join(at(one), at(other));
+    }
     Components result;
     result.ofVertex.resize(mesh.n_vertices());
     for (std::size_t k = 0; k < result.ofVertex.size(); ++k) { // the lowest vertex of a set comes first

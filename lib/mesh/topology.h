@@ -16,9 +16,12 @@ namespace qm {
 /// All vertices that are not regular, ascending.
 [[nodiscard]] std::vector<VertexId> extraordinaryVertices(const QuadMesh& mesh);
 
-/// From where a halfedge leads, and to where.
+/// From where a halfedge leads, and to where; of an edge, its first halfedge.
 [[nodiscard]] inline std::array<VertexId, 2> endsOf(const QuadMesh& mesh, HalfedgeId halfedge) {
     return {mesh.from_vertex_handle(halfedge), mesh.to_vertex_handle(halfedge)};
+}
+[[nodiscard]] inline std::array<VertexId, 2> endsOf(const QuadMesh& mesh, EdgeId edge) {
+    return endsOf(mesh, mesh.halfedge_handle(edge, 0));
 }
 
 /// The halfedge that continues `halfedge` straight across its end, which must be an interior regular vertex.

@@ -6,6 +6,7 @@
 #include "mesh/boundary_loops.h"
 #include "mesh/quad_geometry.h"
 #include "mesh/soup/build_mesh.h"
+#include "mesh/topology.h"
 #include "mesh/triangles/triangle_edges.h"
 
 #include <algorithm>
@@ -190,10 +191,8 @@ private:
     }
 
     VertexId halved(EdgeId edge) {
-        const HalfedgeId halfedge = mesh_.halfedge_handle(edge, 0);
-        const Point ends =
-            mesh_.point(mesh_.from_vertex_handle(halfedge)) + mesh_.point(mesh_.to_vertex_handle(halfedge));
-        const VertexId middle = mesh_.add_vertex(ends / 2);
+        const auto [from, to] = endsOf(mesh_, edge);
+        const VertexId middle = mesh_.add_vertex((mesh_.point(from) + mesh_.point(to)) / 2);
         mesh_.split_edge(edge, middle);
         return middle;
     }

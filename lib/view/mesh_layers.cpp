@@ -10,7 +10,7 @@ namespace {
 void addEdges(Scene& scene, const QuadMesh& mesh, const std::vector<double>& dihedralAngles) {
     LineLayer edges = newLines("edges", "mesh edges", "edge", "");
     for (const EdgeId edge : mesh.edges()) {
-        addItem(edges, endsOf(mesh, mesh.halfedge_handle(edge, 0)));
+        addItem(edges, endsOf(mesh, edge));
         addFigure(edges.items, "dihedral angle, degrees", dihedralAngles[at(edge)] * 180 / std::numbers::pi);
     }
     for (Column& column : edges.items.columns)

@@ -12,9 +12,8 @@ namespace qm {
 namespace {
 
 std::string nameOf(const QuadMesh& mesh, EdgeId edge) {
-    const HalfedgeId halfedge = mesh.halfedge_handle(edge, 0);
-    return "edge " + std::to_string(mesh.from_vertex_handle(halfedge).idx()) + " " +
-           std::to_string(mesh.to_vertex_handle(halfedge).idx());
+    const auto [from, to] = endsOf(mesh, edge);
+    return "edge " + std::to_string(from.idx()) + " " + std::to_string(to.idx());
 }
 
 std::vector<ArcState> demandsOf(const QuadMesh& mesh, const BaseComplex& complex, const ArcGraph& graph,
