@@ -3,6 +3,7 @@
 #include "view/layers.h"
 #include "view/palette.h"
 
+#include <algorithm>
 #include <optional>
 
 namespace qm {
@@ -11,11 +12,9 @@ namespace {
 /// The sub-mesh of every quad whose vertices agree; faces in between belong to none.
 std::vector<std::uint32_t> labelsOfQuads(const Shell& shell, const std::vector<SubMeshId>& labels) {
     std::vector<std::uint32_t> result;
-    for (std::size_t k = 0; k + 3 < shell.quads.size(); k += 4) {
-        const SubMeshId label = labels[shell.quads[k]];
-        bool same = true;
-        for (std::size_t corner = 1; corner < 4; ++corner)
-            same = same && labels[shell.quads[k + corner]] == label;
+    for (auto corner = shell.quads.begin(); corner != shell.quads.end(); corner += 4) {
+        const SubMeshId label = labels[*corner];
+        const bool same = std::all_of(corner, corner + 4, [&](auto v) { return labels[v] == label; });
         result.push_back(same ? static_cast<std::uint32_t>(label.value()) : noItem);
     }
     return result;
@@ -51,7 +50,7 @@ void addCut(Scene& scene, const QuadMesh& mesh, const Cut& cut) {
     LineLayer lines = newLines("cuts", "edges that are cut", "cut edge", "");
     std::vector<std::pair<std::uint32_t, std::uint32_t>> neighbours;
     for (const EdgeId edge : mesh.edges()) {
-        const auto ends = endsOf(mesh, mesh.halfedge_handle(edge, 0));
+        const auto ends = endsOf(mesh, edge);
         const auto label = [&](std::size_t end) {
             return static_cast<std::uint32_t>(cut.labels[at(ends[end])].value());
         };

@@ -1,5 +1,7 @@
 #include "view/number_bytes.h"
 
+#include "base/bytes.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -27,7 +29,7 @@ std::string differenceBytes(const std::vector<std::int64_t>& values) {
 }
 
 RoughNumbers roughNumbers(const std::vector<float>& values) {
-    constexpr unsigned none = 65535;
+    constexpr std::uint16_t none = 65535;
     constexpr double highest = none - 1;
     float largest = 0;
     for (const float value : values)
@@ -35,12 +37,8 @@ RoughNumbers roughNumbers(const std::vector<float>& values) {
     RoughNumbers result;
     if (largest > 0) result.unit = largest / highest;
     for (const float value : values) {
-        const unsigned number =
-            std::isnan(value)
-                ? none
-                : static_cast<unsigned>(std::lround(std::clamp(value / result.unit, 0.0, highest)));
-        result.bytes += static_cast<char>(number & 255U);
-        result.bytes += static_cast<char>(number >> 8U);
+        const double share = std::clamp(value / result.unit, 0.0, highest);
+        appendBytes(result.bytes, std::isnan(value) ? none : static_cast<std::uint16_t>(std::lround(share)));
     }
     return result;
 }

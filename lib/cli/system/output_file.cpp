@@ -9,8 +9,8 @@
 #include <cstring>
 #include <fcntl.h>
 #include <filesystem>
-#include <memory>
 #include <sys/stat.h>
+#include <system_error>
 #include <unistd.h>
 #include <vector>
 
@@ -32,8 +32,9 @@ std::string folderOf(const std::string& path) {
 
 /// The target of a link, so that the link itself is not replaced.
 std::string followLinks(const std::string& path) {
-    const std::unique_ptr<char, decltype(&std::free)> real(realpath(path.c_str(), nullptr), &std::free);
-    return real ? std::string(real.get()) : path;
+    std::error_code missing;
+    const std::filesystem::path real = std::filesystem::canonical(path, missing);
+    return missing ? path : real.string();
 }
 
 struct ProtectedFile {

@@ -30,7 +30,7 @@ std::string repairedName(const std::string& path) {
 /// "2 boundary loops, 16 (at vertex 0) and 1.88 (at vertex 40) long".
 std::string loopsText(const std::vector<BoundaryLoop>& loops) {
     constexpr std::size_t shown = 4;
-    std::string text = std::to_string(loops.size()) + " boundary loop" + (loops.size() == 1 ? ", " : "s, ");
+    std::string text = countText(loops.size(), "boundary loop") + ", ";
     for (std::size_t k = 0; k < std::min(loops.size(), shown); ++k)
         text += (k == 0 ? "" : ", ") + roundedText(loops[k].length) + " long (at vertex " +
                 std::to_string(loops[k].vertex.idx()) + ")";

@@ -3,18 +3,11 @@
 #include "document/files/files.h"
 #include "document/files/sha256.h"
 
-#include <unistd.h>
+#include <filesystem>
+#include <system_error>
 #include <vector>
 
 namespace qm {
-
-namespace {
-
-bool exists(const std::string& path) {
-    return access(path.c_str(), F_OK) == 0;
-}
-
-} // namespace
 
 std::vector<std::string> referencedPaths(const JsonPlace& section, const std::string& documentPath) {
     const std::string& recorded = section["path"].text();
@@ -43,7 +36,7 @@ ReferencedFile findReferencedFile(const JsonPlace& section, const std::string& d
     const std::vector<std::string> paths =
         givenPath.empty() ? referencedPaths(section, documentPath) : std::vector<std::string>{givenPath};
     for (const std::string& path : paths) {
-        if (!exists(path)) continue;
+        if (std::error_code unknown; !std::filesystem::exists(path, unknown)) continue;
         if (!isRegularFile(path))
             throw FileError(path, subject + " is no file but a folder, a pipe or a device", remedy);
         ReferencedFile file{path, readFile(path)};

@@ -1,7 +1,8 @@
 #include "document/schema/shown_elements.h"
 
-#include "base/infinity.h"
+#include "base/positions.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace qm {
@@ -15,26 +16,16 @@ std::vector<std::size_t> shownElements(const Json::array_t& array) {
     };
     if (array.size() <= shortArray) return all();
 
+    if (!std::ranges::all_of(array, &Json::is_number)) return all();
+    const auto isFraction = [](const Json& number) {
+        return number.is_number_float() && !wholeNumber(number);
+    };
+    const auto value = [](const Json& number) { return number.get<double>(); };
     std::vector<std::size_t> shown;
-    std::size_t minAt = 0;
-    std::size_t maxAt = 0;
-    double minValue = infinity;
-    double maxValue = -minValue;
-    for (std::size_t i = 0; i < array.size(); ++i) {
-        if (!array[i].is_number()) return all();
-        if (shown.empty() && array[i].is_number_float() && !wholeNumber(array[i])) shown.push_back(i);
-        const auto value = array[i].get<double>();
-        if (value < minValue) {
-            minValue = value;
-            minAt = i;
-        }
-        if (value > maxValue) {
-            maxValue = value;
-            maxAt = i;
-        }
-    }
-    shown.push_back(minAt);
-    shown.push_back(maxAt);
+    const auto fraction = std::ranges::find_if(array, isFraction);
+    if (fraction != array.end()) shown.push_back(positionIn(array, fraction));
+    shown.push_back(positionIn(array, std::ranges::min_element(array, {}, value)));
+    shown.push_back(positionIn(array, std::ranges::max_element(array, {}, value)));
     return shown;
 }
 
