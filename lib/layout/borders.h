@@ -2,9 +2,11 @@
 #pragma once
 
 #include "base/at.h"
+#include "layout/motorcycle_graph.h"
 #include "mesh/quad_mesh.h"
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 namespace qm {
@@ -15,6 +17,10 @@ public:
     explicit Borders(const QuadMesh& mesh) : mesh_(&mesh), isBorder_(mesh.n_edges()) {
         for (const EdgeId edge : mesh.edges())
             isBorder_[at(edge)] = mesh.is_boundary(edge);
+    }
+    Borders(const QuadMesh& mesh, std::span<const Track> tracks) : Borders(mesh) {
+        for (const Track& track : tracks)
+            add(track.halfedges);
     }
 
     void add(HalfedgeId halfedge) { set(halfedge, true); }
@@ -28,9 +34,8 @@ public:
             set(halfedge, false);
     }
 
-    [[nodiscard]] bool isBorder(HalfedgeId halfedge) const {
-        return isBorder_[at(mesh_->edge_handle(halfedge))];
-    }
+    [[nodiscard]] bool isBorder(EdgeId edge) const { return isBorder_[at(edge)]; }
+    [[nodiscard]] bool isBorder(HalfedgeId halfedge) const { return isBorder(mesh_->edge_handle(halfedge)); }
 
     /// Whether a border passes a vertex or ends there.
     [[nodiscard]] bool hasBorder(VertexId vertex) const {

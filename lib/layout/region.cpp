@@ -20,7 +20,7 @@ std::vector<FaceId> RegionFinder::flood(FaceId start) {
     for (std::size_t next = 0; next < faces.size(); ++next)
         for (const HalfedgeId halfedge : mesh_.fh_range(faces[next])) {
             if (borders_.isBorder(halfedge)) continue;
-            const FaceId neighbour = mesh_.face_handle(mesh_.opposite_halfedge_handle(halfedge));
+            const FaceId neighbour = mesh_.opposite_face_handle(halfedge);
             if (seen_[at(neighbour)]) continue;
             seen_[at(neighbour)] = true;
             faces.push_back(neighbour);

@@ -82,14 +82,11 @@ PruneResult pruneFrom(const Layout& layout, const QuadMesh& mesh, const BaseComp
 
 /// \throw Error  if the layout does not obey the constraints, which somebody may have added later
 void verifyConstraints(const QuadMesh& mesh, const Layout& layout, const Constraints& constraints) {
-    Borders borders(mesh);
-    for (const Track& track : properTracks(layout))
-        borders.add(track.halfedges);
-    const auto isBorder = [&](EdgeId edge) { return borders.isBorder(mesh.halfedge_handle(edge, 0)); };
-    const auto isInner = [&](EdgeId edge) { return !mesh.is_boundary(edge); };
+    const Borders borders(mesh, properTracks(layout));
+    const auto isBorder = [&](EdgeId edge) { return borders.isBorder(edge); };
+    const auto isOnTrack = [&](EdgeId edge) { return borders.isBorder(edge) && !mesh.is_boundary(edge); };
     if (!std::ranges::all_of(constraints.required, isBorder) ||
-        std::ranges::any_of(constraints.forbidden,
-                            [&](EdgeId edge) { return isInner(edge) && isBorder(edge); }))
+        std::ranges::any_of(constraints.forbidden, isOnTrack))
         throw Error("/constraints", "the layout does not obey them", "Run qm-enum and qm-merge again");
 }
 

@@ -12,9 +12,8 @@
 namespace qm {
 
 Removal::Removal(const QuadMesh& mesh, const Layout& layout)
-    : mesh_(mesh), borders_(mesh), segmentOf_(mesh.n_faces()), sets_(layout.segments.size()) {
-    for (const LayoutTrack& track : layout.tracks)
-        if (!track.transversal) borders_.add(track.track.halfedges);
+    : mesh_(mesh), borders_(mesh, properTracks(layout)), segmentOf_(mesh.n_faces()),
+      sets_(layout.segments.size()) {
     for (std::size_t s = 0; s < layout.segments.size(); ++s)
         for (const FaceId face : layout.segments[s].faces)
             segmentOf_[at(face)] = SegmentId(s);
@@ -56,9 +55,8 @@ Removal::Pairs Removal::joinedPairs(const Track& track) {
     bool newPiece = first != last || borders_.hasBorder(first); // otherwise the last piece continues here
     for (const HalfedgeId halfedge : track.halfedges) {
         if (newPiece)
-            pairs.push_back(
-                {find(segmentOf_[at(mesh_.face_handle(halfedge))]),
-                 find(segmentOf_[at(mesh_.face_handle(mesh_.opposite_halfedge_handle(halfedge)))])});
+            pairs.push_back({find(segmentOf_[at(mesh_.face_handle(halfedge))]),
+                             find(segmentOf_[at(mesh_.opposite_face_handle(halfedge))])});
         newPiece = borders_.hasBorder(mesh_.to_vertex_handle(halfedge));
     }
     return pairs;

@@ -12,23 +12,15 @@ namespace qm {
 SmoothnessRows::SmoothnessRows(const QuadMesh& mesh, const std::vector<ArcId>& arcOf,
                                const std::vector<double>& dihedralAngles, const Layout& layout,
                                const Smoothness& smoothness)
-    : mesh_(mesh), arcOf_(arcOf), dihedralAngles_(dihedralAngles), layout_(layout), smoothness_(smoothness),
-      inLayout_(mesh.n_edges(), false) {
-    for (const LayoutTrack& track : layout.tracks)
-        for (const HalfedgeId halfedge : track.track.halfedges)
-            inLayout_[at(mesh.edge_handle(halfedge))] = !track.transversal;
-}
-
-bool SmoothnessRows::isInLayout(HalfedgeId halfedge) const {
-    return inLayout_[at(mesh_.edge_handle(halfedge))];
-}
+    : mesh_(mesh), arcOf_(arcOf), dihedralAngles_(dihedralAngles), smoothness_(smoothness),
+      tracks_(properTracks(layout)), borders_(mesh, tracks_) {}
 
 ArcId SmoothnessRows::arcAt(HalfedgeId halfedge) const {
     return arcOf_[at(mesh_.edge_handle(halfedge))];
 }
 
 bool SmoothnessRows::mustStay(HalfedgeId before, HalfedgeId leaving, HalfedgeId after) const {
-    return isInLayout(leaving) && arcAt(leaving).valid() &&
+    return borders_.isBorder(leaving) && arcAt(leaving).valid() &&
            turnBetween(mesh_, before, after) > smoothness_.maxTurn;
 }
 
@@ -38,7 +30,7 @@ void SmoothnessRows::keepRoom(VertexId vertex, GridProgram& grids) const {
         std::size_t missing = 0;
         for (const HalfedgeId edge : sector.edges) {
             terms.emplace_back(arcAt(edge), 1);
-            missing += isInLayout(edge) ? 0 : 1;
+            missing += borders_.isBorder(edge) ? 0 : 1;
         }
         missing = std::max(missing, sector.maxMissing);
         if (missing < terms.size()) grids.addRow(terms, static_cast<double>(terms.size() - missing));
@@ -46,10 +38,9 @@ void SmoothnessRows::keepRoom(VertexId vertex, GridProgram& grids) const {
 }
 
 void SmoothnessRows::keepEnds(GridProgram& grids) const {
-    for (const LayoutTrack& track : layout_.tracks) {
-        if (track.transversal) continue;
-        keepEnd(track.track.halfedges.back(), grids);
-        keepEnd(mesh_.opposite_halfedge_handle(track.track.halfedges.front()), grids);
+    for (const Track& track : tracks_) {
+        keepEnd(track.halfedges.back(), grids);
+        keepEnd(mesh_.opposite_halfedge_handle(track.halfedges.front()), grids);
     }
 }
 

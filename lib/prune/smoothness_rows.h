@@ -1,6 +1,7 @@
 /// \file Rows of the pruning program that keep borders smooth (docs/METHOD.md#pruning, smoothness).
 #pragma once
 
+#include "layout/borders.h"
 #include "layout/layout.h"
 #include "prune/grid_program.h"
 
@@ -32,15 +33,14 @@ public:
 
 private:
     void keepEnd(HalfedgeId arriving, GridProgram& grids) const;
-    [[nodiscard]] bool isInLayout(HalfedgeId halfedge) const;
     [[nodiscard]] ArcId arcAt(HalfedgeId halfedge) const;
 
     const QuadMesh& mesh_;
     const std::vector<ArcId>& arcOf_;
     const std::vector<double>& dihedralAngles_;
-    const Layout& layout_;
     Smoothness smoothness_;
-    std::vector<bool> inLayout_; ///< whether an edge lies on a track, transversals apart
+    std::vector<Track> tracks_; ///< of the layout, transversals apart
+    Borders borders_;
 };
 
 } // namespace qm

@@ -18,11 +18,9 @@ class Corners {
 public:
     Corners(const QuadMesh& mesh, const std::vector<Track>& tracks, const std::vector<double>& dihedralAngles,
             const std::vector<EdgeId>& forbidden)
-        : mesh_(mesh), dihedralAngles_(dihedralAngles), borders_(mesh), isForbidden_(mesh.n_edges()) {
+        : mesh_(mesh), dihedralAngles_(dihedralAngles), borders_(mesh, tracks), isForbidden_(mesh.n_edges()) {
         for (const EdgeId edge : forbidden)
             isForbidden_[at(edge)] = true;
-        for (const Track& track : tracks)
-            borders_.add(track.halfedges);
     }
 
     /// What goes straight on from the end of a track to the next border; empty if nothing needs to.
