@@ -1,5 +1,7 @@
 #include "export/boundary/drop_unused.h"
 
+#include "base/keep_marked.h"
+
 namespace qm {
 
 void dropUnused(Boundary& boundary) {

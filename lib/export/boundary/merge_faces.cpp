@@ -1,5 +1,6 @@
 #include "export/boundary/merge_faces.h"
 
+#include "base/keep_marked.h"
 #include "base/sort_unique.h"
 #include "export/boundary/drop_unused.h"
 #include "export/boundary/face_chart.h"
@@ -143,7 +144,7 @@ private:
 
 } // namespace
 
-bool mergeFaces(Boundary& boundary, std::vector<std::vector<std::size_t>>& origins, MergedSurface kind,
+bool mergeFaces(Boundary& boundary, FaceOrigins& origins, MergedSurface kind,
                 const std::vector<bool>& mayMerge) {
     const std::vector<Region> regions = Growth(boundary, kind, mayMerge).regions();
     if (regions.empty()) return false;

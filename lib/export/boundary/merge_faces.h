@@ -3,7 +3,6 @@
 
 #include "export/boundary/boundary.h"
 
-#include <cstddef>
 #include <vector>
 
 namespace qm {
@@ -14,11 +13,11 @@ enum class MergedSurface { plane, ruled };
 /// needs any more. A merged face may have holes; no vertex is on its outline twice, and it has a few hundred
 /// edges at most. What would go all around a cylinder or cone becomes faces of half a turn at most, so that
 /// none meets itself. A merged face takes the place of the first of its faces.
-/// \param origins   by face: the segments that it consists of; merged likewise, ascending
+/// \param origins   merged likewise
 /// \param boundary  its faces of such surfaces have no holes yet
 /// \param mayMerge  by face
 /// \return whether there were any
-bool mergeFaces(Boundary& boundary, std::vector<std::vector<std::size_t>>& origins, MergedSurface kind,
+bool mergeFaces(Boundary& boundary, FaceOrigins& origins, MergedSurface kind,
                 const std::vector<bool>& mayMerge);
 
 } // namespace qm

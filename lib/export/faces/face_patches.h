@@ -9,12 +9,14 @@
 
 namespace qm {
 
+/// By face: the segments of the given layout that it consists of, ascending.
+using FaceOrigins = std::vector<std::vector<std::size_t>>;
+
 /// Faces instead of segments: each a grid of quads and its surface, clamped, over [0, a] x [0, b].
 struct FacePatches {
     Layout layout; ///< one segment per face; no tracks
     std::vector<Patch> patches;
-    /// By face: the segments of the given layout that it consists of.
-    std::vector<std::vector<std::size_t>> origins;
+    FaceOrigins origins;
 
     void add(Segment segment, Patch patch, std::vector<std::size_t> segments);
 };

@@ -15,9 +15,7 @@
 namespace qm {
 namespace {
 
-using Origins = std::vector<std::vector<std::size_t>>;
-
-CheckedShape checked(Boundary boundary, const Origins& origins) {
+CheckedShape checked(Boundary boundary, const FaceOrigins& origins) {
     orderFaces(boundary);
     CheckedShape made{std::move(boundary), origins, {}};
     made.shape = buildShape(made.boundary);
@@ -65,7 +63,7 @@ CheckedShape withMergedFaces(const CheckedShape& shape, MergedSurface kind) {
     std::vector<bool> mayMerge(shape.boundary.faces.size(), true);
     for (int trial = 0;; ++trial) {
         Boundary boundary = shape.boundary;
-        Origins origins = shape.origins;
+        FaceOrigins origins = shape.origins;
         if (!mergeFaces(boundary, origins, kind, mayMerge)) return shape;
         CheckedShape made = checked(std::move(boundary), origins);
         if (made.isSound() || !shape.isSound()) return made;

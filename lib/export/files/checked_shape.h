@@ -5,14 +5,13 @@
 #include "export/faces/face_patches.h"
 #include "export/files/shape.h"
 
-#include <cstddef>
 #include <vector>
 
 namespace qm {
 
 struct CheckedShape {
     Boundary boundary;
-    std::vector<std::vector<std::size_t>> origins; ///< of every face
+    FaceOrigins origins;
     BoundaryShape shape;
     bool isValid = false; ///< OpenCASCADE finds no faults
     /// By face: OpenCASCADE finds no faults, and the outline of a simple face does not cross itself.

@@ -67,9 +67,7 @@ private:
     std::lock_guard<std::mutex> lock_;
 };
 
-using Origins = std::vector<std::vector<std::size_t>>;
-
-void labelFaces(const BoundaryShape& shape, const Origins& origins,
+void labelFaces(const BoundaryShape& shape, const FaceOrigins& origins,
                 const Handle(Transfer_FinderProcess) & process) {
     for (std::size_t k = 0; k < shape.faces.size(); ++k) {
         Handle(IGESData_IGESEntity) entity;
@@ -81,7 +79,8 @@ void labelFaces(const BoundaryShape& shape, const Origins& origins,
 
 } // namespace
 
-std::string shapeAsIges(const BoundaryShape& shape, const Origins& origins, const ExportOptions& options) {
+std::string shapeAsIges(const BoundaryShape& shape, const FaceOrigins& origins,
+                        const ExportOptions& options) {
     const Session session;
     // The writer would convert from millimetres; so it is given those, and the unit is declared afterwards.
     IGESControl_Writer writer("MM", 1);

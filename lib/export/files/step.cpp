@@ -55,8 +55,7 @@ StepId addContext(StepFile& file, LengthUnit unit, double accuracy) {
 
 class Writer {
 public:
-    Writer(const Boundary& boundary, const std::vector<std::vector<std::size_t>>& origins,
-           const ExportOptions& options)
+    Writer(const Boundary& boundary, const FaceOrigins& origins, const ExportOptions& options)
         : boundary_(boundary), origins_(origins), options_(options), edges_(boundary.edges.size()) {
         application_ =
             file_.add("APPLICATION_CONTEXT", "core data for automotive mechanical design processes");
@@ -173,7 +172,7 @@ private:
 
     const Boundary& boundary_;
     const std::vector<std::vector<std::size_t>> cavities_{cavitiesOf(boundary_.parts)}; ///< by part
-    const std::vector<std::vector<std::size_t>>& origins_;
+    const FaceOrigins& origins_;
     const ExportOptions& options_;
     StepFile file_;
     StepId application_;
@@ -187,7 +186,7 @@ private:
 
 } // namespace
 
-std::string boundaryAsStep(const Boundary& boundary, const std::vector<std::vector<std::size_t>>& origins,
+std::string boundaryAsStep(const Boundary& boundary, const FaceOrigins& origins,
                            const ExportOptions& options) {
     return Writer(boundary, origins, options).write();
 }
