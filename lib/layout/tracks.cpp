@@ -2,6 +2,7 @@
 
 #include "base/at.h"
 #include "base/error.h"
+#include "base/groups.h"
 #include "base/sort_unique.h"
 #include "layout/meetings.h"
 #include "mesh/topology.h"
@@ -90,14 +91,12 @@ std::vector<ArcId> coveredArcs(const QuadMesh& mesh, const ArcGraph& graph,
             edges.emplace_back(arcOfEdge[at(edgeOf(halfedge))], edgeOf(halfedge));
     sortUnique(edges);
     std::vector<ArcId> result;
-    for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
-        const ArcId id = edges[begin].first;
-        while (end < edges.size() && edges[end].first == id)
-            ++end;
-        if (!id.valid()) continue;
+    forEachGroup(edges, &std::pair<ArcId, int>::first, [&](const auto& covered) {
+        const ArcId id = covered.front().first;
+        if (!id.valid()) return;
         const Arc& arc = graph.arcs[id.idx()];
-        if (end - begin == at(arc.end - arc.begin)) result.push_back(id);
-    }
+        if (covered.size() == at(arc.end - arc.begin)) result.push_back(id);
+    });
     for (const Track& track : tracks)
         for (const HalfedgeId halfedge : track.halfedges)
             if (!std::ranges::binary_search(result, arcOfEdge[at(edgeOf(halfedge))]))

@@ -1,4 +1,5 @@
 #include "base/at.h"
+#include "base/keep_marked.h"
 #include "base/positions.h"
 #include "shape/sample_meshes.h"
 #include "shape/voxels.h"
@@ -44,12 +45,12 @@ Voxels randomVoxels(int count, Chance& chance) {
 }
 
 /// Whether the remaining ones of a vertex's faces still make a single fan.
-bool isOneFan(const QuadList& list, const std::vector<bool>& gone, const std::vector<std::size_t>& around,
+bool isOneFan(const QuadList& list, const std::vector<bool>& stays, const std::vector<std::size_t>& around,
               int vertex) {
     // In a fan of k faces, k or k - 1 of the corners go on to another one.
     std::vector<int> leaving, arriving;
     for (const std::size_t face : around) {
-        if (gone[face]) continue;
+        if (!stays[face]) continue;
         const auto& quad = list.quads[face];
         const std::size_t corner = positionIn(quad, std::ranges::find(quad, vertex));
         leaving.push_back(quad[(corner + 1) % 4]);
@@ -66,18 +67,15 @@ void removeFaces(QuadList& list, Chance& chance) {
     for (std::size_t face = 0; face < list.quads.size(); ++face)
         for (const int vertex : list.quads[face])
             around[at(vertex)].push_back(face);
-    std::vector<bool> gone(list.quads.size(), false);
+    std::vector<bool> stays(list.quads.size(), true);
     for (std::size_t trial = 0; trial < list.quads.size() / 8 + 1; ++trial) {
         const std::size_t face = chance.below(list.quads.size());
-        if (gone[face]) continue;
-        gone[face] = true;
-        gone[face] = std::ranges::all_of(
-            list.quads[face], [&](int vertex) { return isOneFan(list, gone, around[at(vertex)], vertex); });
+        if (!stays[face]) continue;
+        stays[face] = false;
+        stays[face] = !std::ranges::all_of(
+            list.quads[face], [&](int vertex) { return isOneFan(list, stays, around[at(vertex)], vertex); });
     }
-    std::size_t kept = 0;
-    for (std::size_t face = 0; face < gone.size(); ++face)
-        if (!gone[face]) list.quads[kept++] = list.quads[face];
-    list.quads.resize(kept);
+    (void)keepMarked(list.quads, stays);
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include "base/at.h"
 #include "base/disjoint_sets.h"
+#include "base/groups.h"
 #include "base/sort_unique.h"
 
 #include <algorithm>
@@ -48,17 +49,17 @@ void checkWholeLines(const Neighbourhoods& around, const std::vector<int>& compo
     };
     std::stable_sort(tracks.begin(), tracks.end(),
                      [&](const ReadTrack& a, const ReadTrack& b) { return componentOf(a) < componentOf(b); });
-    for (std::size_t begin = 0, end = 0; begin < tracks.size(); begin = end) {
+    forEachGroup(tracks, componentOf, [&](std::span<const ReadTrack> together) {
         std::vector<int> edges;
-        for (; end < tracks.size() && componentOf(tracks[end]) == componentOf(tracks[begin]); ++end)
-            for (const int step : tracks[end].steps)
+        for (const ReadTrack& track : together)
+            for (const int step : track.steps)
                 edges.push_back(around.edge(step));
         std::sort(edges.begin(), edges.end());
-        if (edges != wholeLine(around, tracks[begin].steps.front()))
+        if (edges != wholeLine(around, together.front().steps.front()))
             report.violate(
-                below(pointer, tracks[begin].rank), "whole line",
+                below(pointer, together.front().rank), "whole line",
                 "no particle starts in this component, and its tracks are not one whole mesh line");
-    }
+    });
 }
 
 } // namespace qm::check

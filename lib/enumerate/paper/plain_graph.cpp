@@ -1,10 +1,12 @@
 #include "enumerate/paper/plain_graph.h"
 
 #include "base/at.h"
+#include "base/groups.h"
 #include "base/id_vector.h"
 #include "layout/tracks.h"
 
 #include <algorithm>
+#include <span>
 
 namespace qm {
 namespace {
@@ -60,17 +62,12 @@ private:
     /// Decides at every vertex which particles go on.
     std::vector<SeparatrixId> meet(const std::vector<Arrival>& arrivals) {
         std::vector<SeparatrixId> active;
-        for (std::size_t begin = 0; begin < arrivals.size();) {
-            std::size_t end = begin + 1;
-            while (end < arrivals.size() && arrivals[end].vertex == arrivals[begin].vertex)
-                ++end;
-            const bool traced = traced_[at(arrivals[begin].vertex)];
-            traced_[at(arrivals[begin].vertex)] = true;
-            if (!traced && end - begin == 1) goOn(arrivals[begin].particle, active);
-            if (!traced && end - begin == 2)
-                meetTwo(arrivals[begin].particle, arrivals[begin + 1].particle, active);
-            begin = end;
-        }
+        forEachGroup(arrivals, &Arrival::vertex, [&](std::span<const Arrival> here) {
+            const std::size_t vertex = at(here.front().vertex);
+            if (!traced_[vertex] && here.size() == 1) goOn(here[0].particle, active);
+            if (!traced_[vertex] && here.size() == 2) meetTwo(here[0].particle, here[1].particle, active);
+            traced_[vertex] = true;
+        });
         std::ranges::sort(active);
         return active;
     }

@@ -16,10 +16,7 @@ std::vector<bool> crowdedVertices(const Soup& soup, const SoupEdges& edges) {
 
 std::size_t copyPoint(Soup& soup, std::size_t point) {
     const std::size_t number = soup.pointNumber(point);
-    // Messages still name the vertex of the file.
-    if (soup.pointNumbers.empty())
-        for (std::size_t k = 0; k < soup.points.size(); ++k)
-            soup.pointNumbers.push_back(static_cast<std::uint32_t>(soup.pointNumber(k)));
+    writeDown(soup.pointNumbers, soup.points.size()); // messages still name the vertex of the file
     soup.pointNumbers.push_back(static_cast<std::uint32_t>(number));
     if (!soup.pointLines.empty()) soup.pointLines.push_back(soup.pointLines[point]);
     soup.points.emplace_back(Point(soup.points[point]));

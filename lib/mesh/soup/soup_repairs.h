@@ -13,6 +13,9 @@ namespace qm {
 
 // ---- soup_edit.cpp
 
+/// Extends a list of numbers in the file, which may be implicit, to the given length.
+void writeDown(std::vector<std::uint32_t>& numbers, std::size_t count);
+
 /// Keeps the faces marked true, in their order.
 /// \return the number of faces removed
 std::size_t keepFaces(Soup& soup, const std::vector<bool>& kept);

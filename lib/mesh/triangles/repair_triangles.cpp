@@ -2,6 +2,8 @@
 
 #include "base/at.h"
 #include "base/disjoint_sets.h"
+#include "base/groups.h"
+#include "base/keep_marked.h"
 #include "base/positions.h"
 #include "mesh/triangles/orient_triangles.h"
 #include "mesh/triangles/separate_sheets.h"
@@ -35,26 +37,22 @@ private:
     /// Drops all but one of each group, and marks those that are left where the two orientations are
     /// balanced.
     void findGroups() {
-        std::vector<std::pair<std::array<int, 3>, std::size_t>> entries; // points, ascending, and triangle
+        using Entry = std::pair<std::array<int, 3>, std::size_t>; // points, ascending, and triangle
+        std::vector<Entry> entries;
         for (const auto& face : triangles_.faces) {
             entries.emplace_back(face, entries.size());
             std::ranges::sort(entries.back().first);
         }
         std::ranges::sort(entries);
-        for (auto begin = entries.begin(); begin != entries.end();) {
-            const auto end = std::find_if(begin, entries.end(),
-                                          [&](const auto& entry) { return entry.first != begin->first; });
-            const auto ascending =
-                std::count_if(begin, end, [&](const auto& entry) { return ascends(entry.second); });
-            const auto descending = (end - begin) - ascending;
-            const auto stays = std::find_if(begin, end, [&](const auto& entry) {
-                return ascends(entry.second) == (ascending >= descending);
-            });
-            for (auto entry = begin; entry != end; ++entry)
-                kept_[entry->second] = entry == stays;
-            isFlap_[stays->second] = ascending == descending;
-            begin = end;
-        }
+        forEachGroup(entries, &Entry::first, [&](std::span<const Entry> group) {
+            const auto isAscending = [&](const Entry& entry) { return ascends(entry.second); };
+            const std::size_t ascending = countWhere(group, isAscending),
+                              descending = group.size() - ascending;
+            const std::size_t stays = std::ranges::find(group, ascending >= descending, isAscending)->second;
+            for (const Entry& entry : group)
+                kept_[entry.second] = entry.second == stays;
+            isFlap_[stays] = ascending == descending;
+        });
     }
 
     /// Whether its points ascend from the lowest on.
@@ -96,12 +94,8 @@ private:
 
 std::size_t dropDoubled(Triangles& triangles) {
     const std::vector<bool> kept = Doubled(triangles).run();
-    std::size_t count = 0;
-    for (std::size_t face = 0; face < kept.size(); ++face)
-        if (kept[face]) triangles.faces[count++] = triangles.faces[face];
-    const std::size_t dropped = kept.size() - count;
-    triangles.faces.resize(count);
-    return dropped;
+    (void)keepMarked(triangles.faces, kept);
+    return countIn(kept, false);
 }
 
 } // namespace

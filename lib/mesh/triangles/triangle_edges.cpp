@@ -2,8 +2,10 @@
 
 #include "base/at.h"
 #include "base/disjoint_sets.h"
+#include "base/groups.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace qm {
 
@@ -18,13 +20,8 @@ void forEachEdge(const Triangles& triangles,
                 {std::min(from, to), std::max(from, to), from < to, static_cast<Side>(sides.size())});
         }
     std::ranges::sort(sides);
-    for (auto begin = sides.begin(); begin != sides.end();) {
-        const auto end = std::find_if(begin, sides.end(), [&](const TriangleSide& side) {
-            return side.low != begin->low || side.high != begin->high;
-        });
-        visit({begin, end});
-        begin = end;
-    }
+    forEachGroup(
+        sides, [](const TriangleSide& side) { return std::pair(side.low, side.high); }, visit);
 }
 
 BoundarySides boundarySides(const Triangles& triangles) {
