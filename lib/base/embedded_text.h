@@ -2,7 +2,10 @@
 /// functions.
 #pragma once
 
+#include <algorithm>
 #include <span>
+#include <stdexcept>
+#include <string>
 #include <string_view>
 
 namespace qm {
@@ -17,5 +20,13 @@ struct EmbeddedText {
 [[nodiscard]] std::span<const EmbeddedText> embeddedSchemas();        ///< of schemas
 [[nodiscard]] std::span<const EmbeddedText> embeddedPageParts();      ///< of lib/view/page, and three.js
 [[nodiscard]] std::span<const EmbeddedText> embeddedBlenderScripts(); ///< of lib/cli/tools/remesh
+
+/// The text of one of them.
+/// \throw std::logic_error  if there is none of that name
+[[nodiscard]] inline std::string_view textNamed(std::span<const EmbeddedText> texts, std::string_view name) {
+    const auto found = std::ranges::find(texts, name, &EmbeddedText::name);
+    if (found == texts.end()) throw std::logic_error("there is no embedded text " + std::string(name));
+    return found->text;
+}
 
 } // namespace qm

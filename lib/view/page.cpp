@@ -5,16 +5,9 @@
 #include "view/scene_json.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace qm {
 namespace {
-
-std::string_view part(std::string_view name) {
-    for (const EmbeddedText& candidate : embeddedPageParts())
-        if (candidate.name == name) return candidate.text;
-    throw std::logic_error("the page lacks " + std::string(name));
-}
 
 /// Every line that is "{{name}}" and nothing else becomes the part of that name.
 std::string filledIn(std::string_view frame, const std::string& sceneJson) {
@@ -28,7 +21,7 @@ std::string filledIn(std::string_view frame, const std::string& sceneJson) {
             continue;
         }
         const std::string_view name = line.substr(2, line.find("}}") - 2);
-        page += name == "scene" ? std::string_view(sceneJson) : part(name);
+        page += name == "scene" ? std::string_view(sceneJson) : textNamed(embeddedPageParts(), name);
         if (!page.ends_with('\n')) page += '\n';
     }
     return page;
@@ -79,7 +72,7 @@ void requireLayers(std::span<const Scene> scenes, const std::vector<std::string>
 
 std::string printPage(std::span<const Scene> scenes, const PageOptions& options) {
     requireLayers(scenes, options.shown);
-    return filledIn(part("page.html"), sceneJson(scenes, options));
+    return filledIn(textNamed(embeddedPageParts(), "page.html"), sceneJson(scenes, options));
 }
 
 } // namespace qm

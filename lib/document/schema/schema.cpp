@@ -13,9 +13,7 @@ namespace {
 constexpr std::string_view localReference = "#/definitions/";
 
 Json embedded(const std::string& file) {
-    for (const EmbeddedText& schema : embeddedSchemas())
-        if (schema.name == file) return Json::parse(schema.text);
-    throw std::logic_error("there is no schema " + file);
+    return Json::parse(textNamed(embeddedSchemas(), file));
 }
 
 /// Collects all definitions that a schema refers to, in any file, and makes the references local.
