@@ -2,6 +2,7 @@
 
 #include "base/at.h"
 #include "mesh/quad_geometry.h"
+#include "mesh/topology.h"
 
 #include <cmath>
 
@@ -15,10 +16,8 @@ std::vector<double> dihedralAngles(const QuadMesh& mesh) {
     std::vector<double> angles(mesh.n_edges(), 0);
     for (const EdgeId edge : mesh.edges()) {
         if (mesh.is_boundary(edge)) continue;
-        const auto normal = [&](unsigned side) {
-            return normals[at(mesh.face_handle(mesh.halfedge_handle(edge, side)))];
-        };
-        if (const auto a = normal(0), b = normal(1); a && b)
+        const auto [left, right] = facesBeside(mesh, edge);
+        if (const auto& a = normals[at(left)], &b = normals[at(right)]; a && b)
             angles[at(edge)] = std::atan2((*a % *b).norm(), *a | *b);
     }
     return angles;

@@ -56,8 +56,8 @@ std::vector<FaceId> turnedOverQuads(const QuadMesh& mesh) {
     std::vector<std::array<std::size_t, 2>> folds;
     for (const EdgeId edge : mesh.edges()) {
         if (mesh.is_boundary(edge)) continue;
-        const std::size_t one = at(mesh.face_handle(mesh.halfedge_handle(edge, 0)));
-        const std::size_t other = at(mesh.face_handle(mesh.halfedge_handle(edge, 1)));
+        const auto [left, right] = facesBeside(mesh, edge);
+        const std::size_t one = at(left), other = at(right);
         if (normals[one] && normals[other] && (*normals[one] | *normals[other]) < opposite)
             folds.push_back({one, other});
         else

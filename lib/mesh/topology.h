@@ -24,6 +24,11 @@ namespace qm {
     return endsOf(mesh, mesh.halfedge_handle(edge, 0));
 }
 
+/// The faces on both sides of an inner edge.
+[[nodiscard]] inline std::array<FaceId, 2> facesBeside(const QuadMesh& mesh, EdgeId edge) {
+    return {mesh.face_handle(mesh.halfedge_handle(edge, 0)), mesh.face_handle(mesh.halfedge_handle(edge, 1))};
+}
+
 /// The halfedge that continues `halfedge` straight across its end, which must be an interior regular vertex.
 [[nodiscard]] inline HalfedgeId straightOn(const QuadMesh& mesh, HalfedgeId halfedge) {
     return mesh.next_halfedge_handle(mesh.opposite_halfedge_handle(mesh.next_halfedge_handle(halfedge)));

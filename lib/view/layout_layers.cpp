@@ -12,8 +12,8 @@ neighbouringSegments(const QuadMesh& mesh, const std::vector<std::uint32_t>& of)
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
     for (const EdgeId edge : mesh.edges()) {
         if (mesh.is_boundary(edge)) continue;
-        const auto side = [&](unsigned k) { return of[at(mesh.face_handle(mesh.halfedge_handle(edge, k)))]; };
-        if (side(0) != side(1)) pairs.emplace_back(side(0), side(1));
+        const auto [left, right] = facesBeside(mesh, edge);
+        if (of[at(left)] != of[at(right)]) pairs.emplace_back(of[at(left)], of[at(right)]);
     }
     return pairs;
 }
