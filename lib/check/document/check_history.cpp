@@ -34,10 +34,10 @@ struct Stage {
 
 std::vector<Stage> stages(const Json& root) {
     std::vector<Stage> result;
-    const auto& history = elements(member(root, "history"));
+    const JsonValue history = JsonValue(root)["history"];
     for (std::size_t i = 0; i < history.size(); ++i)
         for (const PipelineTool& tool : pipeline)
-            if (text(member(history[i], "tool")) == tool.name) result.push_back({&tool, i});
+            if (history[i]["tool"].text() == tool.name) result.push_back({&tool, i});
     return result;
 }
 
@@ -55,7 +55,7 @@ void checkHistory(const Json& root, Report& report) {
             report.violate(below("/history", all[i].entry), "history",
                            std::string(all[i].tool->name) + " comes after " + all[i - 1].tool->name +
                                ", whose section it would have dropped");
-    const auto kind = text(member(root, "kind"));
+    const auto kind = JsonValue(root)["kind"].text();
     if (all.empty() || kind != all.back().tool->kind)
         report.violate("/history", "history",
                        "its last tool makes no document of kind " + kind.value_or("unknown"));

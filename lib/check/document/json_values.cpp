@@ -5,55 +5,49 @@
 
 namespace qm::check {
 
-const Json& member(const Json& object, const char* key) {
-    static const Json none;
-    if (!object.is_object()) return none;
-    const auto found = object.find(key);
-    return found == object.end() ? none : *found;
+JsonValue JsonValue::none() {
+    static const Json null;
+    return JsonValue(null);
 }
 
-const Json::array_t& elements(const Json& value) {
-    static const Json::array_t none;
-    return value.is_array() ? value.get_ref<const Json::array_t&>() : none;
+JsonValue JsonValue::operator[](const std::string& key) const {
+    if (!isObject()) return none();
+    const auto found = value_->find(key);
+    return found == value_->end() ? none() : JsonValue(*found);
 }
 
-const Json& element(const Json& value, std::size_t rank) {
-    static const Json none;
-    return rank < elements(value).size() ? elements(value)[rank] : none;
+JsonValue JsonValue::operator[](std::size_t rank) const {
+    return rank < size() ? JsonValue((*value_)[rank]) : none();
 }
 
-std::optional<double> number(const Json& value) {
-    return value.is_number() ? std::optional(value.get<double>()) : std::nullopt;
+std::optional<double> JsonValue::number() const {
+    return value_->is_number() ? std::optional(value_->get<double>()) : std::nullopt;
 }
 
-double numberOrNan(const Json& value) {
-    return number(value).value_or(std::numeric_limits<double>::quiet_NaN());
+double JsonValue::numberOrNan() const {
+    return number().value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
-int whole(const Json& value) {
-    const double figure = numberOrNan(value);
+int JsonValue::whole() const {
+    const double figure = numberOrNan();
     const bool fits =
         figure >= 0 && figure <= std::numeric_limits<int>::max() && figure == std::floor(figure);
     return fits ? static_cast<int>(figure) : -1;
 }
 
-std::optional<int> wholeIfAny(const Json& value) {
-    return value.is_null() ? std::nullopt : std::optional(whole(value));
+std::optional<int> JsonValue::wholeIfAny() const {
+    return isNull() ? std::nullopt : std::optional(whole());
 }
 
-std::optional<std::string> text(const Json& value) {
-    return value.is_string() ? std::optional(value.get<std::string>()) : std::nullopt;
+std::optional<std::string> JsonValue::text() const {
+    return value_->is_string() ? std::optional(value_->get<std::string>()) : std::nullopt;
 }
 
-bool isTrue(const Json& value) {
-    return value.is_boolean() && value.get<bool>();
-}
-
-std::vector<int> wholes(const Json& value) {
-    std::vector<int> result;
-    result.reserve(elements(value).size());
-    for (const Json& each : elements(value))
-        result.push_back(whole(each));
+std::map<std::string, double, std::less<>> JsonValue::numbers() const {
+    std::map<std::string, double, std::less<>> result;
+    if (isObject())
+        for (const auto& [name, value] : value_->items())
+            if (const auto figure = JsonValue(value).number()) result.emplace(name, *figure);
     return result;
 }
 

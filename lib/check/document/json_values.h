@@ -4,37 +4,69 @@
 
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <cstddef>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace qm::check {
 
 using Json = nlohmann::ordered_json;
 
-/// A member of an object; null if there is none.
-[[nodiscard]] const Json& member(const Json& object, const char* key);
-/// The elements of an array; none of anything else.
-[[nodiscard]] const Json::array_t& elements(const Json& value);
-[[nodiscard]] const Json& element(const Json& value, std::size_t rank);
-[[nodiscard]] std::optional<double> number(const Json& value);
-/// NaN for what is no number: no comparison accepts it.
-[[nodiscard]] double numberOrNan(const Json& value);
-/// -1 for what is no whole number from 0 on that an index can hold.
-[[nodiscard]] int whole(const Json& value);
-[[nodiscard]] std::optional<int> wholeIfAny(const Json& value);
-[[nodiscard]] std::optional<std::string> text(const Json& value);
-[[nodiscard]] bool isTrue(const Json& value);
-[[nodiscard]] std::vector<int> wholes(const Json& value);
+/// A value somewhere in a document, which must outlive this; null where the document has none.
+class JsonValue {
+public:
+    explicit JsonValue(const Json& value) : value_(&value) {}
+    /// What is not there.
+    [[nodiscard]] static JsonValue none();
 
-/// What `read` makes of the elements of an array; none of anything else.
-template <class Part, class Read> [[nodiscard]] std::vector<Part> all(const Json& list, const Read& read) {
-    std::vector<Part> parts;
-    parts.reserve(elements(list).size());
-    for (const Json& each : elements(list))
-        parts.push_back(read(each));
-    return parts;
-}
+    /// A member of an object; null if there is none.
+    [[nodiscard]] JsonValue operator[](const std::string& key) const;
+    /// An element of an array; null if there is none.
+    [[nodiscard]] JsonValue operator[](std::size_t rank) const;
+    /// Of an array; 0 for anything else.
+    [[nodiscard]] std::size_t size() const { return value_->is_array() ? value_->size() : 0; }
+
+    [[nodiscard]] bool isNull() const { return value_->is_null(); }
+    [[nodiscard]] bool isArray() const { return value_->is_array(); }
+    [[nodiscard]] bool isObject() const { return value_->is_object(); }
+    [[nodiscard]] bool isTrue() const { return value_->is_boolean() && value_->get<bool>(); }
+
+    [[nodiscard]] std::optional<double> number() const;
+    /// NaN for what is no number: no comparison accepts it.
+    [[nodiscard]] double numberOrNan() const;
+    /// -1 for what is no whole number from 0 on that an index can hold.
+    [[nodiscard]] int whole() const;
+    [[nodiscard]] std::optional<int> wholeIfAny() const;
+    [[nodiscard]] std::optional<std::string> text() const;
+
+    /// What `read` makes of the elements of an array; none of anything else.
+    template <class Read> [[nodiscard]] auto all(const Read& read) const {
+        std::vector<std::invoke_result_t<Read, JsonValue>> parts;
+        parts.reserve(size());
+        for (std::size_t k = 0; k < size(); ++k)
+            parts.push_back(std::invoke(read, (*this)[k]));
+        return parts;
+    }
+    [[nodiscard]] std::vector<int> wholes() const { return all(&JsonValue::whole); }
+
+    /// What `read` makes of the first elements of an array, as many as there have to be.
+    template <std::size_t count, class Read> [[nodiscard]] auto first(const Read& read) const {
+        std::array<std::invoke_result_t<Read, JsonValue>, count> parts;
+        for (std::size_t k = 0; k < count; ++k)
+            parts[k] = std::invoke(read, (*this)[k]);
+        return parts;
+    }
+
+    /// The numbers among the members of an object, by name.
+    [[nodiscard]] std::map<std::string, double, std::less<>> numbers() const;
+
+private:
+    const Json* value_;
+};
 
 } // namespace qm::check

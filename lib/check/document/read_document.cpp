@@ -3,77 +3,61 @@
 #include "check/document/check_history.h"
 #include "check/document/json_values.h"
 
-#include <algorithm>
-
 namespace qm::check {
 
 namespace {
 
-std::vector<std::vector<int>> readPaths(const Json& list) {
-    return all<std::vector<int>>(list, [](const Json& path) { return wholes(member(path, "vertices")); });
+std::vector<std::vector<int>> readPaths(const JsonValue& list) {
+    return list.all([](const JsonValue& path) { return path["vertices"].wholes(); });
 }
 
-BaseComplexPart readBaseComplex(const Json& section) {
-    BaseComplexPart part;
-    part.extraordinaryVertices = wholes(member(section, "extraordinaryVertices"));
-    part.ordinaryJunctions = whole(member(section, "ordinaryJunctions"));
-    part.separatrices =
-        all<BaseComplexPart::Separatrix>(member(section, "separatrices"), [](const Json& separatrix) {
-            return BaseComplexPart::Separatrix{
-                whole(member(separatrix, "id")), wholes(member(separatrix, "vertices")),
-                wholeIfAny(member(separatrix, "opposite")), isTrue(member(separatrix, "selfCrossing"))};
-        });
-    return part;
+BaseComplexPart readBaseComplex(const JsonValue& section) {
+    const auto readSeparatrix = [](const JsonValue& separatrix) {
+        return BaseComplexPart::Separatrix{separatrix["id"].whole(), separatrix["vertices"].wholes(),
+                                           separatrix["opposite"].wholeIfAny(),
+                                           separatrix["selfCrossing"].isTrue()};
+    };
+    return {section["extraordinaryVertices"].wholes(), section["ordinaryJunctions"].whole(),
+            section["separatrices"].all(readSeparatrix)};
 }
 
-FeaturesPart readFeatures(const Json& section) {
-    return {all<FeaturesPart::Curve>(member(section, "curves"), [](const Json& curve) {
-        return FeaturesPart::Curve{whole(member(curve, "id")), wholes(member(curve, "vertices")),
-                                   whole(member(curve, "seed"))};
+FeaturesPart readFeatures(const JsonValue& section) {
+    return {section["curves"].all([](const JsonValue& curve) {
+        return FeaturesPart::Curve{curve["id"].whole(), curve["vertices"].wholes(), curve["seed"].whole()};
     })};
 }
 
-CutPart readCut(const Json& section) {
-    CutPart part;
-    part.labels = wholes(member(section, "labels"));
-    part.subMeshes = all<CutPart::SubMesh>(member(section, "subMeshes"), [](const Json& subMesh) {
-        return CutPart::SubMesh{whole(member(subMesh, "id")), number(member(subMesh, "quasiComplexity")),
-                                wholeIfAny(member(subMesh, "ordinaryJunctions")),
-                                wholeIfAny(member(subMesh, "source")), wholeIfAny(member(subMesh, "sink"))};
-    });
-    return part;
-}
-
-TrackPart readTrack(const Json& track) {
-    return {wholeIfAny(member(track, "id")),     wholeIfAny(member(track, "separatrix")),
-            wholeIfAny(member(track, "source")), wholes(member(track, "vertices")),
-            number(member(track, "cost")),       isTrue(member(track, "transversal"))};
-}
-
-EnumerationPart readEnumeration(const Json& section) {
-    const auto readGraph = [](const Json& graph) {
-        return EnumerationPart::Graph{number(member(graph, "cost")),
-                                      all<TrackPart>(member(graph, "tracks"), readTrack)};
+CutPart readCut(const JsonValue& section) {
+    const auto readSubMesh = [](const JsonValue& subMesh) {
+        return CutPart::SubMesh{subMesh["id"].whole(), subMesh["quasiComplexity"].number(),
+                                subMesh["ordinaryJunctions"].wholeIfAny(), subMesh["source"].wholeIfAny(),
+                                subMesh["sink"].wholeIfAny()};
     };
-    EnumerationPart part;
-    part.tmesh = text(member(section, "class")) == "tmesh";
-    part.count = text(member(section, "count"));
-    part.subMeshes = all<EnumerationPart::SubMesh>(member(section, "subMeshes"), [&](const Json& subMesh) {
-        return EnumerationPart::SubMesh{whole(member(subMesh, "id")),
-                                        number(member(subMesh, "cost")),
-                                        number(member(subMesh, "lowerBound")),
-                                        text(member(subMesh, "count")),
-                                        all<EnumerationPart::Graph>(member(subMesh, "graphs"), readGraph),
-                                        all<EnumerationPart::Graph>(member(subMesh, "samples"), readGraph)};
-    });
-    return part;
+    return {section["labels"].wholes(), section["subMeshes"].all(readSubMesh)};
 }
 
-CostWeights readWeights(const Json& section) {
-    CostWeights weights{numberOrNan(member(section, "alpha")), numberOrNan(member(section, "epsilon"))};
-    const Json& terms = member(section, "terms");
-    const auto read = [&](const char* name, double& weight) {
-        if (!member(terms, name).is_null()) weight = numberOrNan(member(terms, name));
+TrackPart readTrack(const JsonValue& track) {
+    return {track["id"].wholeIfAny(),   track["separatrix"].wholeIfAny(), track["source"].wholeIfAny(),
+            track["vertices"].wholes(), track["cost"].number(),           track["transversal"].isTrue()};
+}
+
+EnumerationPart readEnumeration(const JsonValue& section) {
+    const auto readGraph = [](const JsonValue& graph) {
+        return EnumerationPart::Graph{graph["cost"].number(), graph["tracks"].all(readTrack)};
+    };
+    const auto readSubMesh = [&](const JsonValue& subMesh) {
+        return EnumerationPart::SubMesh{
+            subMesh["id"].whole(),   subMesh["cost"].number(),         subMesh["lowerBound"].number(),
+            subMesh["count"].text(), subMesh["graphs"].all(readGraph), subMesh["samples"].all(readGraph)};
+    };
+    return {section["class"].text() == "tmesh", section["count"].text(),
+            section["subMeshes"].all(readSubMesh)};
+}
+
+CostWeights readWeights(const JsonValue& section) {
+    CostWeights weights{section["alpha"].numberOrNan(), section["epsilon"].numberOrNan()};
+    const auto read = [terms = section["terms"]](const char* name, double& weight) {
+        if (!terms[name].isNull()) weight = terms[name].numberOrNan();
     };
     read("dihedral", weights.dihedral);
     read("length", weights.length);
@@ -82,133 +66,112 @@ CostWeights readWeights(const Json& section) {
     return weights;
 }
 
-ConstraintsPart::Weight readWeight(const Json& entry) {
-    return {wholes(member(entry, "vertices")), numberOrNan(member(entry, "weight"))};
+ConstraintsPart readConstraints(const JsonValue& section) {
+    const auto readWeight = [](const JsonValue& entry) {
+        return ConstraintsPart::Weight{entry["vertices"].wholes(), entry["weight"].numberOrNan()};
+    };
+    return {readPaths(section["required"]), readPaths(section["forbidden"]),
+            section["weights"].all(readWeight)};
 }
 
-LayoutPart::Segment readSegment(const Json& segment) {
-    LayoutPart::Segment part;
-    part.id = whole(member(segment, "id"));
-    for (std::size_t k = 0; k < 2; ++k)
-        part.size[k] = whole(element(member(segment, "size"), k));
-    for (std::size_t k = 0; k < 4; ++k) {
-        part.corners[k] = whole(element(member(segment, "corners"), k));
-        part.sides[k] = wholes(element(member(segment, "sides"), k));
-    }
-    part.faces = wholes(member(segment, "faces"));
-    return part;
+LayoutPart::Segment readSegment(const JsonValue& segment) {
+    return {segment["id"].whole(), segment["size"].first<2>(&JsonValue::whole),
+            segment["corners"].first<4>(&JsonValue::whole), segment["sides"].first<4>(&JsonValue::wholes),
+            segment["faces"].wholes()};
 }
 
-LayoutPart::FrontPoint readFrontPoint(const Json& point) {
-    return {numberOrNan(member(point, "beta")),      numberOrNan(member(point, "segments")),
-            numberOrNan(member(point, "cost")),      numberOrNan(member(point, "capturedSharpness")),
-            number(member(point, "objectiveBound")), isTrue(member(point, "proven"))};
+LayoutPart::FrontPoint readFrontPoint(const JsonValue& point) {
+    return {point["beta"].numberOrNan(),      point["segments"].numberOrNan(),
+            point["cost"].numberOrNan(),      point["capturedSharpness"].numberOrNan(),
+            point["objectiveBound"].number(), point["proven"].isTrue()};
 }
 
-LayoutPart readLayout(const Json& section) {
+LayoutPart readLayout(const JsonValue& section) {
     LayoutPart part;
-    part.cost = number(member(section, "cost"));
-    part.lowerBound = number(member(section, "lowerBound"));
-    part.tracks = all<TrackPart>(member(section, "tracks"), readTrack);
-    part.divided = member(section, "segments").is_array();
-    part.segments = all<LayoutPart::Segment>(member(section, "segments"), readSegment);
-    const Json& quality = member(section, "quality");
-    part.quality = {number(member(quality, "rho")),          number(member(quality, "segments")),
-                    number(member(quality, "tJoints")),      number(member(quality, "capturedSharpness")),
-                    number(member(quality, "medianAspect")), number(member(quality, "maxAspect")),
-                    number(member(quality, "gap"))};
-    part.front = all<LayoutPart::FrontPoint>(member(member(section, "prune"), "front"), readFrontPoint);
+    part.cost = section["cost"].number();
+    part.lowerBound = section["lowerBound"].number();
+    part.tracks = section["tracks"].all(readTrack);
+    part.divided = section["segments"].isArray();
+    part.segments = section["segments"].all(readSegment);
+    const JsonValue quality = section["quality"];
+    part.quality = {quality["rho"].number(),          quality["segments"].number(),
+                    quality["tJoints"].number(),      quality["capturedSharpness"].number(),
+                    quality["medianAspect"].number(), quality["maxAspect"].number(),
+                    quality["gap"].number()};
+    part.front = section["prune"]["front"].all(readFrontPoint);
     return part;
 }
 
-SurfacesPart::Figures readFigures(const Json& deviation) {
-    SurfacesPart::Figures figures;
-    if (deviation.is_object())
-        for (const auto& [name, value] : deviation.items())
-            if (const auto figure = number(value)) figures.stated.emplace(name, *figure);
-    return figures;
-}
-
-SurfacesPart::Patch readPatch(const Json& patch) {
+SurfacesPart::Patch readPatch(const JsonValue& patch) {
     SurfacesPart::Patch part;
-    part.segment = whole(member(patch, "segment"));
-    for (std::size_t k = 0; k < 2; ++k) {
-        part.degree[k] = whole(element(member(patch, "degree"), k));
-        part.knots[k] = all<double>(element(member(patch, "knots"), k), numberOrNan);
+    part.segment = patch["segment"].whole();
+    part.degree = patch["degree"].first<2>(&JsonValue::whole);
+    part.knots =
+        patch["knots"].first<2>([](const JsonValue& knots) { return knots.all(&JsonValue::numberOrNan); });
+    const JsonValue rows = patch["controlPoints"];
+    const std::size_t width = rows[0].size();
+    part.count = {static_cast<int>(width), static_cast<int>(rows.size())};
+    for (std::size_t j = 0; j < rows.size(); ++j) {
+        const JsonValue row = rows[j];
+        part.rectangular = part.rectangular && row.size() == width;
+        for (std::size_t i = 0; i < row.size(); ++i)
+            part.controlPoints.push_back(row[i].first<3>(&JsonValue::numberOrNan));
     }
-    const Json& rows = member(patch, "controlPoints");
-    const std::size_t width = elements(element(rows, 0)).size();
-    part.count = {static_cast<int>(width), static_cast<int>(elements(rows).size())};
-    for (const Json& row : elements(rows)) {
-        part.rectangular = part.rectangular && elements(row).size() == width;
-        for (const Json& point : elements(row))
-            part.controlPoints.push_back({numberOrNan(element(point, 0)), numberOrNan(element(point, 1)),
-                                          numberOrNan(element(point, 2))});
-    }
-    part.figures = readFigures(member(patch, "deviation"));
+    part.figures = {patch["deviation"].numbers()};
     return part;
 }
 
 /// The options of the last tool of this name in the history; null if it took no part.
-const Json& optionsOf(const Json& root, const char* tool) {
-    static const Json none;
-    const auto& history = elements(member(root, "history"));
-    const auto last = std::find_if(history.rbegin(), history.rend(),
-                                   [&](const Json& entry) { return text(member(entry, "tool")) == tool; });
-    return last == history.rend() ? none : member(*last, "options");
+JsonValue optionsOf(const JsonValue& root, const char* tool) {
+    const JsonValue history = root["history"];
+    for (std::size_t k = history.size(); k-- > 0;)
+        if (history[k]["tool"].text() == tool) return history[k]["options"];
+    return JsonValue::none();
 }
 
-SurfacesPart::Claim readClaim(const Json& place) {
-    SurfacesPart::Claim claim{whole(member(place, "patch")), {}, {}};
-    for (std::size_t k = 0; k < 2; ++k)
-        claim.at[k] = numberOrNan(element(member(place, "at"), k));
-    for (std::size_t k = 0; k < 3; ++k)
-        claim.point[k] = numberOrNan(element(member(place, "point"), k));
-    return claim;
+SurfacesPart::Claim readClaim(const JsonValue& place) {
+    return {place["patch"].whole(), place["at"].first<2>(&JsonValue::numberOrNan),
+            place["point"].first<3>(&JsonValue::numberOrNan)};
 }
 
 /// \param options  of the fit
-SurfacesPart readSurfaces(const Json& section, const Json& options) {
+SurfacesPart readSurfaces(const JsonValue& section, const JsonValue& options) {
     SurfacesPart part;
-    part.patches = all<SurfacesPart::Patch>(member(section, "patches"), readPatch);
-    part.figures = readFigures(member(section, "deviation"));
-    if (const Json& farthest = member(section, "farthest"); farthest.is_object())
-        part.farthest = readClaim(farthest);
-    if (const Json& creases = member(section, "creases"); creases.is_array())
-        part.creases = readPaths(creases);
-    part.folds = all<SurfacesPart::Claim>(member(section, "foldPlaces"), readClaim);
-    part.isOfScan = member(section, "scan").is_object();
-    part.interpolates = text(member(options, "fit")) == "interpolate";
-    part.watertight = text(member(options, "fit")) == "smooth";
+    part.patches = section["patches"].all(readPatch);
+    part.figures = {section["deviation"].numbers()};
+    if (section["farthest"].isObject()) part.farthest = readClaim(section["farthest"]);
+    if (section["creases"].isArray()) part.creases = readPaths(section["creases"]);
+    part.folds = section["foldPlaces"].all(readClaim);
+    part.isOfScan = section["scan"].isObject();
+    part.interpolates = options["fit"].text() == "interpolate";
+    part.watertight = options["fit"].text() == "smooth";
     return part;
 }
 
 } // namespace
 
-CheckedDocument readDocument(const Json& root) {
-    CheckedDocument document;
-    const auto section = [&](const char* key) -> const Json* {
-        const Json& value = member(root, key);
-        return value.is_object() ? &value : nullptr;
+CheckedDocument readDocument(const Json& document) {
+    const JsonValue root(document);
+    const auto readIfAny = [&](const char* key, const auto& read) {
+        const JsonValue section = root[key];
+        return section.isObject() ? std::optional(read(section)) : std::nullopt;
     };
-    if (const Json* value = section("constraints"))
-        document.constraints = {readPaths(member(*value, "required")), readPaths(member(*value, "forbidden")),
-                                all<ConstraintsPart::Weight>(member(*value, "weights"), readWeight)};
-    if (const Json* value = section("baseComplex")) document.baseComplex = readBaseComplex(*value);
-    if (const Json* value = section("features")) document.features = readFeatures(*value);
-    if (const Json* value = section("cut")) document.cut = readCut(*value);
-    if (const Json* value = section("enumeration")) {
-        document.enumeration = readEnumeration(*value);
-        document.weights = readWeights(*value);
+    CheckedDocument result;
+    result.constraints = readIfAny("constraints", readConstraints);
+    result.baseComplex = readIfAny("baseComplex", readBaseComplex);
+    result.features = readIfAny("features", readFeatures);
+    result.cut = readIfAny("cut", readCut);
+    result.enumeration = readIfAny("enumeration", readEnumeration);
+    result.weights = readIfAny("enumeration", readWeights);
+    result.layout = readIfAny("layout", readLayout);
+    if (result.layout) {
+        result.layout->pruned = wasPruned(document);
+        result.layout->tmesh = result.enumeration && result.enumeration->tmesh;
     }
-    if (const Json* value = section("layout")) {
-        document.layout = readLayout(*value);
-        document.layout->pruned = wasPruned(root);
-        document.layout->tmesh = document.enumeration && document.enumeration->tmesh;
-    }
-    if (const Json* value = section("surfaces"))
-        document.surfaces = readSurfaces(*value, optionsOf(root, "qm-bspline"));
-    return document;
+    result.surfaces = readIfAny("surfaces", [&](const JsonValue& section) {
+        return readSurfaces(section, optionsOf(root, "qm-bspline"));
+    });
+    return result;
 }
 
 } // namespace qm::check

@@ -10,7 +10,7 @@ namespace qm::check {
 /// Takes over every figure as it stands. Never fails, whatever the JSON is: what is missing or of another
 /// type becomes a value that no check accepts, and a schema is the place to say so.
 ///
-/// \param root  the whole document
-[[nodiscard]] CheckedDocument readDocument(const nlohmann::ordered_json& root);
+/// \param document  the whole of it
+[[nodiscard]] CheckedDocument readDocument(const nlohmann::ordered_json& document);
 
 } // namespace qm::check
