@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
 #include <unistd.h>
 #ifdef __GLIBC__
 #include <malloc.h>

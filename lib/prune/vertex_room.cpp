@@ -1,6 +1,5 @@
 #include "prune/vertex_room.h"
 
-#include "base/at.h"
 #include "prune/sharp_edge.h"
 #include "prune/turn.h"
 

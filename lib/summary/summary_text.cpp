@@ -1,4 +1,3 @@
-#include "base/at.h"
 #include "base/number_text.h"
 #include "summary/figure_text.h"
 #include "summary/summary.h"

@@ -11,7 +11,6 @@
 #include "base/infinity.h"
 #include "base/length.h"
 
-#include <cstddef>
 #include <string>
 #include <string_view>
 

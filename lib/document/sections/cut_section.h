@@ -3,7 +3,9 @@
 
 #include "cut/cut.h"
 #include "document/json/json_place.h"
-#include "enumerate/enumerate.h"
+#include "mesh/sub_meshes.h"
+
+#include <optional>
 
 namespace qm {
 

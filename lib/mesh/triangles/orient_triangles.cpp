@@ -7,7 +7,6 @@
 #include "mesh/orientation.h"
 #include "mesh/triangles/triangle_edges.h"
 
-#include <algorithm>
 #include <span>
 #include <utility>
 #include <vector>

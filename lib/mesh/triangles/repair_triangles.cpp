@@ -1,6 +1,5 @@
 #include "mesh/triangles/repair_triangles.h"
 
-#include "base/at.h"
 #include "base/disjoint_sets.h"
 #include "base/groups.h"
 #include "base/keep_marked.h"
