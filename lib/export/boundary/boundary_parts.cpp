@@ -22,11 +22,15 @@ std::vector<std::size_t> patchComponents(const SharedEdges& shared) {
 
 } // namespace
 
-std::vector<std::vector<std::size_t>> cavitiesOf(const std::vector<BoundaryPart>& parts) {
-    std::vector<std::vector<std::size_t>> cavities(parts.size());
+std::vector<BoundaryBody> bodiesOf(const std::vector<BoundaryPart>& parts) {
+    std::vector<BoundaryBody> bodies(parts.size());
     for (std::size_t k = 0; k < parts.size(); ++k)
-        if (parts[k].cavityOf) cavities[*parts[k].cavityOf].push_back(k);
-    return cavities;
+        if (parts[k].cavityOf)
+            bodies[*parts[k].cavityOf].cavities.push_back(&parts[k]);
+        else
+            bodies[k].outer = &parts[k];
+    std::erase_if(bodies, [](const BoundaryBody& body) { return body.outer == nullptr; });
+    return bodies;
 }
 
 std::vector<BoundaryPart> boundaryParts(const QuadMesh& mesh, const Layout& layout,

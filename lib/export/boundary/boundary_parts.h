@@ -19,8 +19,15 @@ struct BoundaryPart {
     std::optional<std::size_t> cavityOf{}; ///< the part around it, if this one is a cavity (see `Nesting`)
 };
 
-/// By part: its cavities, ascending.
-[[nodiscard]] std::vector<std::vector<std::size_t>> cavitiesOf(const std::vector<BoundaryPart>& parts);
+/// A solid with its cavities, or a shell.
+struct BoundaryBody {
+    const BoundaryPart* outer = nullptr;
+    std::vector<const BoundaryPart*> cavities;
+};
+
+/// In the order of their outer parts.
+/// \param parts  must outlive the bodies
+[[nodiscard]] std::vector<BoundaryBody> bodiesOf(const std::vector<BoundaryPart>& parts);
 
 /// The components, ordered by their lowest face.
 /// \param layout  one segment per face

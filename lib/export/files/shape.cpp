@@ -30,10 +30,10 @@ public:
         BoundaryShape result;
         for (const BoundaryFace& face : boundary_.faces)
             result.faces.push_back(makeFace(face));
-        std::vector<TopoDS_Shape> parts;
-        for (std::size_t part = 0; part < boundary_.parts.size(); ++part)
-            if (!boundary_.parts[part].cavityOf) parts.push_back(makePart(part, result.faces));
-        result.shape = parts.size() == 1 ? parts.front() : compound(parts);
+        std::vector<TopoDS_Shape> bodies;
+        for (const BoundaryBody& body : bodiesOf(boundary_.parts))
+            bodies.push_back(makeBody(body, result.faces));
+        result.shape = bodies.size() == 1 ? bodies.front() : compound(bodies);
         return result;
     }
 
@@ -62,15 +62,14 @@ private:
         builder_.Add(wire, edges_[use.edge].Oriented(use.forwards ? TopAbs_FORWARD : TopAbs_REVERSED));
     }
 
-    /// A shell, or a solid with its cavities.
-    TopoDS_Shape makePart(std::size_t part, const std::vector<TopoDS_Face>& faces) {
-        const TopoDS_Shape outer = makeShell(boundary_.parts[part], faces);
-        if (!boundary_.parts[part].closed) return outer;
+    TopoDS_Shape makeBody(const BoundaryBody& body, const std::vector<TopoDS_Face>& faces) {
+        const TopoDS_Shape outer = makeShell(*body.outer, faces);
+        if (!body.outer->closed) return outer;
         TopoDS_Solid solid;
         builder_.MakeSolid(solid);
         builder_.Add(solid, outer);
-        for (const std::size_t cavity : cavities_[part])
-            builder_.Add(solid, makeShell(boundary_.parts[cavity], faces));
+        for (const BoundaryPart* cavity : body.cavities)
+            builder_.Add(solid, makeShell(*cavity, faces));
         return solid;
     }
 
@@ -83,16 +82,15 @@ private:
         return part.inward ? shell.Reversed() : TopoDS_Shape(shell);
     }
 
-    TopoDS_Shape compound(const std::vector<TopoDS_Shape>& parts) {
+    TopoDS_Shape compound(const std::vector<TopoDS_Shape>& bodies) {
         TopoDS_Compound result;
         builder_.MakeCompound(result);
-        for (const TopoDS_Shape& part : parts)
-            builder_.Add(result, part);
+        for (const TopoDS_Shape& body : bodies)
+            builder_.Add(result, body);
         return result;
     }
 
     const Boundary& boundary_;
-    const std::vector<std::vector<std::size_t>> cavities_{cavitiesOf(boundary_.parts)}; ///< by part
     std::vector<TopoDS_Vertex> vertices_;
     std::vector<TopoDS_Edge> edges_;
     BRep_Builder builder_;

@@ -2,7 +2,6 @@
 #include "export/files/length_unit_names.h"
 #include "export/files/step_geometry.h"
 
-#include <algorithm>
 #include <array>
 #include <gp_Ax3.hxx>
 #include <optional>
@@ -74,12 +73,10 @@ public:
         for (const BoundaryFace& face : boundary_.faces)
             surfaces_.push_back(addSurface(file_, face.surface));
         addEdges();
-        const auto bodies =
-            std::ranges::count_if(boundary_.parts, [](const BoundaryPart& part) { return !part.cavityOf; });
+        const std::vector<BoundaryBody> bodies = bodiesOf(boundary_.parts);
         int number = 0;
-        for (std::size_t part = 0; part < boundary_.parts.size(); ++part)
-            if (!boundary_.parts[part].cavityOf)
-                addPart(part, bodies == 1 ? "" : " " + std::to_string(++number));
+        for (const BoundaryBody& body : bodies)
+            addBody(body, bodies.size() == 1 ? "" : " " + std::to_string(++number));
         return file_.text({stepText(options_.name), options_.date},
                           "AUTOMOTIVE_DESIGN { 1 0 10303 214 1 1 1 1 }");
     }
@@ -134,28 +131,26 @@ private:
         return file_.add(part.closed ? "CLOSED_SHELL" : "OPEN_SHELL", "", faces);
     }
 
-    /// \param name  of the solid
-    StepId addSolid(std::size_t part, const std::string& name) {
-        const StepId outer = addShell(boundary_.parts[part]);
+    StepId addSolid(const BoundaryBody& body, const std::string& name) {
+        const StepId outer = addShell(*body.outer);
         std::vector<StepId> cavities;
-        for (const std::size_t cavity : cavities_[part])
-            cavities.push_back(file_.add("ORIENTED_CLOSED_SHELL", "", derivedValue,
-                                         addShell(boundary_.parts[cavity]), true));
+        for (const BoundaryPart* cavity : body.cavities)
+            cavities.push_back(file_.add("ORIENTED_CLOSED_SHELL", "", derivedValue, addShell(*cavity), true));
         return cavities.empty() ? file_.add("MANIFOLD_SOLID_BREP", name, outer)
                                 : file_.add("BREP_WITH_VOIDS", name, outer, cavities);
     }
 
     /// \param number  the end of its name
-    void addPart(std::size_t part, const std::string& number) {
+    void addBody(const BoundaryBody& body, const std::string& number) {
         const std::string name = stepText(options_.name, maxName - number.size()) + number;
-        const bool isSolid = boundary_.parts[part].closed;
-        const StepId body = isSolid ? addSolid(part, name)
-                                    : file_.add("SHELL_BASED_SURFACE_MODEL", name,
-                                                std::array{addShell(boundary_.parts[part])});
+        const bool isSolid = body.outer->closed;
+        const StepId made =
+            isSolid ? addSolid(body, name)
+                    : file_.add("SHELL_BASED_SURFACE_MODEL", name, std::array{addShell(*body.outer)});
         addProduct(stepText(options_.name) + number,
                    file_.add(isSolid ? "ADVANCED_BREP_SHAPE_REPRESENTATION"
                                      : "MANIFOLD_SURFACE_SHAPE_REPRESENTATION",
-                             "", std::array{origin_, body}, context_));
+                             "", std::array{origin_, made}, context_));
     }
 
     void addProduct(const std::string& name, StepId shape) {
@@ -171,7 +166,6 @@ private:
     }
 
     const Boundary& boundary_;
-    const std::vector<std::vector<std::size_t>> cavities_{cavitiesOf(boundary_.parts)}; ///< by part
     const FaceOrigins& origins_;
     const ExportOptions& options_;
     StepFile file_;
