@@ -42,7 +42,7 @@ void addCut(Scene& scene, const QuadMesh& mesh, const Cut& cut) {
     for (const SubMeshId id : cut.subMeshes.ids()) {
         const SubMesh& subMesh = cut.subMeshes[id];
         addFigure(faces.items, "quasi-complexity", subMesh.quasiComplexity);
-        addFigure(faces.items, "ordinary junctions", static_cast<double>(subMesh.ordinaryJunctions));
+        addFigure(faces.items, "ordinary junctions", subMesh.ordinaryJunctions);
         addTerminal(terminals, subMesh.source, id, true);
         addTerminal(terminals, subMesh.sink, id, false);
     }
@@ -76,7 +76,7 @@ void addGraphs(Scene& scene, const QuadMesh& mesh, const Enumeration& enumeratio
             addPath(lines, verticesAlong(mesh, tracks[i].halfedges));
             addFigure(lines.items, "cost", tracks[i].cost);
             addFigure(lines.items, "sub-mesh", subMesh.value());
-            addFigure(lines.items, "track", static_cast<double>(i));
+            addFigure(lines.items, "track", i);
         }
     }
     scene.lines.push_back(std::move(lines));

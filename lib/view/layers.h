@@ -33,6 +33,9 @@ constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 /// Adds a figure of the next item to the column of that name, which is made when it is first used.
 void addFigure(Items& items, const std::string& name, double value);
+template <class Number> void addFigure(Items& items, const std::string& name, Number value) {
+    addFigure(items, name, static_cast<double>(value));
+}
 
 /// A layer without items.
 template <class Layer>

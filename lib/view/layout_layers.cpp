@@ -34,8 +34,8 @@ void addSegments(Scene& scene, const QuadMesh& mesh, const Layout& layout) {
         for (std::size_t side = 0; side < 4; ++side) {
             addFigure(faces.items, "corner " + std::to_string(side), segment.corners[side].idx());
             addPath(borders, segment.sides[side]);
-            addFigure(borders.items, "of segment", static_cast<double>(k));
-            addFigure(borders.items, "side", static_cast<double>(side));
+            addFigure(borders.items, "of segment", k);
+            addFigure(borders.items, "side", side);
         }
     }
     faces.colours = colourNumbers(layout.segments.size(), neighbouringSegments(mesh, faces.groups));

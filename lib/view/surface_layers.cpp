@@ -73,7 +73,7 @@ LineLayer borderCurves(const std::vector<Segment>& segments, const Lattice& latt
             for (std::size_t along = 0; along <= edges * lattice.steps(); ++along)
                 curves.points.push_back(lattice.onSide(k, side, along));
             endItem(curves);
-            addFigure(curves.items, "of patch", static_cast<double>(k));
+            addFigure(curves.items, "of patch", k);
             addFigure(curves.items, "side", side);
         }
     return curves;
@@ -95,8 +95,8 @@ LineLayer smoothBorders(const Viewed& viewed, const Lattice& lattice, const Bord
         for (std::size_t along = begin; along <= begin + lattice.steps(); ++along)
             jumps.points.push_back(lattice.onSide(place.patch, place.side, along));
         endItem(jumps);
-        addFigure(jumps.items, "between patch", static_cast<double>(place.patch));
-        addFigure(jumps.items, "and patch", static_cast<double>(borders[k].places.back().patch));
+        addFigure(jumps.items, "between patch", place.patch);
+        addFigure(jumps.items, "and patch", borders[k].places.back().patch);
         addFigure(jumps.items, "angle between normals, degrees", angles[k]);
         jumps.items.columns.back().rough = true;
     }
