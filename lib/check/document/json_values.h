@@ -55,9 +55,9 @@ public:
     [[nodiscard]] std::vector<int> wholes() const { return all(&JsonValue::whole); }
 
     /// What `read` makes of the first elements of an array, as many as there have to be.
-    template <std::size_t count, class Read> [[nodiscard]] auto first(const Read& read) const {
-        std::array<std::invoke_result_t<Read, JsonValue>, count> parts;
-        for (std::size_t k = 0; k < count; ++k)
+    template <std::size_t Count, class Read> [[nodiscard]] auto first(const Read& read) const {
+        std::array<std::invoke_result_t<Read, JsonValue>, Count> parts;
+        for (std::size_t k = 0; k < Count; ++k)
             parts[k] = std::invoke(read, (*this)[k]);
         return parts;
     }

@@ -32,6 +32,7 @@ std::size_t keepFaces(Soup& soup, const std::vector<bool>& kept) {
 
 std::size_t mergePoints(Soup& soup, const std::vector<std::size_t>& target) {
     std::vector<bool> isKept;
+    isKept.reserve(target.size());
     for (const std::size_t other : target)
         isKept.push_back(other == isKept.size());
     writeDown(soup.pointNumbers, soup.points.size());
