@@ -44,7 +44,7 @@ SmoothFitOptions effortFor(const QuadMesh& mesh) {
     const bool areVeryMany = mesh.n_faces() > veryManyFaces;
     if (areVeryMany) options.steps = 1;
     options.minInterval = 2; // with edges as short, knots between would follow nothing but errors of the fit
-    options.unfoldings = 0;  // every beginning would take a second or more
+    options.unfoldings = 0;  // beginning anew can take seconds
     options.maxRounds = 20;
     options.maxIdle = 4;
     options.roundsOfMending = 4;

@@ -72,11 +72,11 @@ FitState::parametersOf(std::size_t patch, const std::array<std::vector<double>, 
             latticeParameters(size[1], options_.steps, knots[1])};
 }
 
-/// Marks the patches that have changed since the last solution or still miss the tolerance.
+/// Marks the patches whose knots, weights or tangent ratios have changed since the last solution.
 std::vector<bool> FitState::changedPatches(const std::vector<PatchSpace>& before) const {
     std::vector<bool> changed = reweighed_;
     for (std::size_t k = 0; k < sources_.size(); ++k)
-        if (spaces_[k].knots != before[k].knots || errors_[k].max() > 1) changed[k] = true;
+        if (spaces_[k].knots != before[k].knots) changed[k] = true;
     for (std::size_t k = 0; k < solvedRuns_.size(); ++k)
         if (const SmoothRun& run = plan_.runs()[k]; run.ratio != solvedRuns_[k].ratio)
             for (const StretchSide& side : plan_.stretches()[run.stretch].sides)
@@ -84,32 +84,38 @@ std::vector<bool> FitState::changedPatches(const std::vector<PatchSpace>& before
     return changed;
 }
 
-/// Gives every patch the reference as its target, without slides or emphasis.
-void FitState::beginLattices() {
+/// The reference as the target of every patch. There are no knots yet, so that steps are equal.
+std::vector<FitLattice> FitState::evenLattices() const {
+    std::vector<FitLattice> lattices(sources_.size());
     parallelFor(sources_.size(), jobs_,
-                [&](std::size_t k) { changing(k) = makeLattice(sources_[k], parametersOf(k, {})); });
+                [&](std::size_t k) { lattices[k] = makeLattice(sources_[k], parametersOf(k, {})); });
+    return lattices;
 }
 
-/// \param share  by patch: of the distances of `FirstKnots`
-void FitState::placeFirstKnots(const std::vector<double>& share) {
-    beginLattices(); // without knots, so that steps are equal
+/// \param lattices  of equal steps
+/// \param share     by patch: of the distances of `FirstKnots`
+KnotPlan FitState::firstKnots(const std::vector<FitLattice>& lattices,
+                              const std::vector<double>& share) const {
     const auto tolerances = [&](double distance) {
         std::vector<double> result = share;
         for (double& ofPatch : result)
             ofPatch *= distance * options_.tolerance;
         return result;
     };
-    plan_ = planWithoutKnots_;
-    insertInitialKnots(layout_, lattices_, normalLimits_, map_, tolerances(FirstKnots::ofPatches), plan_);
-    insertBorderKnots(layout_, lattices_, normalLimits_, tolerances(FirstKnots::ofBorders), plan_);
-    plan_.endAtFirstKnots();
-    alignReaches(plan_);
+    KnotPlan plan = planWithoutKnots_;
+    insertInitialKnots(layout_, lattices, normalLimits_, map_, tolerances(FirstKnots::ofPatches), plan);
+    insertBorderKnots(layout_, lattices, normalLimits_, tolerances(FirstKnots::ofBorders), plan);
+    plan.endAtFirstKnots();
+    alignReaches(plan);
+    return plan;
 }
 
 void FitState::solveFirst(int slides) {
     std::vector<double> share(sources_.size(), 1);
-    placeFirstKnots(share);
-    solveAll(slides);
+    lattices_ = evenLattices();
+    plan_ = firstKnots(lattices_, share);
+    spaces_ = plan_.spaces();
+    solveFor(everywhere(), slides);
     std::size_t quads = 0;
     for (const Segment& segment : layout_.segments)
         quads += segment.faces.size();
@@ -120,33 +126,45 @@ void FitState::solveFirst(int slides) {
         if (times < FirstKnots::maxTimes) {
             for (std::size_t k = 0; k < share.size(); ++k)
                 if (errors_[k].anyFolded()) share[k] *= FirstKnots::closer;
-            placeFirstKnots(share);
-        } else if (refine() || (allowShorter() && refine())) {
-            beginLattices();
-        } else {
+            plan_ = firstKnots(evenLattices(), share);
+        } else if (!refine() && !(allowShorter() && refine())) {
             break;
         }
-        solveAll(slides);
+        beginAnew(slides);
     }
     if (options_.unfoldings == 0 || !isFolded()) return;
     // Something else makes them fold.
     for (std::size_t k = 0; k < share.size(); ++k)
         if (errors_[k].anyFolded()) share[k] = 1;
-    placeFirstKnots(share);
-    solveAll(slides);
+    plan_ = firstKnots(evenLattices(), share);
+    beginAnew(slides);
 }
 
-/// \param slides  number of times that the targets slide in between
-void FitState::solveAll(int slides) {
-    spaces_ = plan_.spaces();
-    solveFor(everywhere(), slides);
+/// Draws the folded patches, those whose knots have changed, and those around them to the reference, without
+/// what was learnt before, and solves for them, or does so with all if that is impossible.
+void FitState::beginAnew(int slides) {
+    std::vector<bool> isFree = freeAround([](const PatchErrors& errors) { return errors.anyFolded(); });
+    for (;; isFree = everywhere()) {
+        parallelFor(sources_.size(), jobs_, [&](std::size_t k) {
+            if (isFree[k]) changing(k) = makeLattice(sources_[k], parametersOf(k, {}));
+        });
+        if (solveFor(isFree, slides)) return;
+    }
 }
 
 void FitState::solveChanged(int slides) {
-    const std::vector<PatchSpace> before = std::exchange(spaces_, plan_.spaces());
-    const std::vector<bool> isFree = freePatches(plan_.stretches(), spaces_, changedPatches(before),
-                                                 options_.ringsAround, options_.worthAll);
+    const std::vector<bool> isFree = freeAround([](const PatchErrors& errors) { return errors.max() > 1; });
     if (!solveFor(isFree, slides)) solveFor(everywhere(), slides);
+}
+
+/// Makes the spaces of the plan, and marks the patches to solve for: those that have changed since the last
+/// solution or whose errors are of some kind, and patches around them.
+template <class OfKind> std::vector<bool> FitState::freeAround(const OfKind& isOfKind) {
+    const std::vector<PatchSpace> before = std::exchange(spaces_, plan_.spaces());
+    std::vector<bool> changed = changedPatches(before);
+    for (std::size_t k = 0; k < sources_.size(); ++k)
+        if (isOfKind(errors_[k])) changed[k] = true;
+    return freePatches(plan_.stretches(), spaces_, changed, options_.ringsAround, options_.worthAll);
 }
 
 /// Solves for the free patches, and measures them.

@@ -89,10 +89,12 @@ private:
     [[nodiscard]] std::array<std::vector<double>, 2>
     parametersOf(std::size_t patch, const std::array<std::vector<double>, 2>& knots) const;
     [[nodiscard]] std::vector<bool> changedPatches(const std::vector<PatchSpace>& before) const;
-    void beginLattices();
+    [[nodiscard]] std::vector<FitLattice> evenLattices() const;
     bool allowShorter() { return allow(MinInterval::eighth) || allow(MinInterval::thirtySecond); }
-    void placeFirstKnots(const std::vector<double>& share);
-    void solveAll(int slides);
+    [[nodiscard]] KnotPlan firstKnots(const std::vector<FitLattice>& lattices,
+                                      const std::vector<double>& share) const;
+    void beginAnew(int slides);
+    template <class OfKind> std::vector<bool> freeAround(const OfKind& isOfKind);
     bool solveFor(const std::vector<bool>& isFree, int slides);
     FitLattice& changing(std::size_t patch);
     void assess(const std::vector<bool>& isNew);
