@@ -86,12 +86,14 @@ void GraphImprover::take(const Assignment& graph) {
 /// Options for windows that are small enough for the tree search to wait for them.
 WindowOptions GraphImprover::fastWindows(std::size_t share) const {
     WindowOptions options;
+    options.alongTracks = true;
     options.maxVariables = std::max(Tuning::fastWindow, problem_.arcs.size() / share);
     return options;
 }
 
 WindowOptions patientWindows() {
     WindowOptions options;
+    options.alongTracks = true;
     options.patient = true;
     return options;
 }

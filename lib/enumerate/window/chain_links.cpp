@@ -20,16 +20,31 @@ struct Candidate {
     }
 };
 
+/// The chain of every variable that counts.
+template <class Counts> IdVector<VariableId, ChainId> chainsOf(const Problem& problem, const Counts& counts) {
+    IdVector<VariableId, ChainId> chainOf(problem.domains.size());
+    for (const ChainId chain : problem.chains.ids())
+        for (const VariableId variable : problem.chains[chain].variables())
+            if (counts(variable)) chainOf[variable] = chain;
+    return chainOf;
+}
+
 } // namespace
 
 ChainLinks::ChainLinks(const Problem& problem)
-    : neighbours_(problem.chains.size()), crossings_(problem.chains.size()) {
-    IdVector<VariableId, ChainId> chainOf(problem.domains.size());
-    for (const ChainId chain : problem.chains.ids()) {
-        lengths_.push_back(problem.chains[chain].count);
-        for (const VariableId variable : problem.chains[chain].variables())
-            chainOf[variable] = chain;
-    }
+    : ChainLinks(problem, chainsOf(problem, [](VariableId) { return true; })) {}
+
+ChainLinks::ChainLinks(const Problem& problem, const Assignment& graph)
+    : ChainLinks(problem, chainsOf(problem, [&](VariableId variable) { return graph[variable] == 1; })) {}
+
+/// \param chainOf  of every variable whose crossings count
+ChainLinks::ChainLinks(const Problem& problem, const IdVector<VariableId, ChainId>& chainOf)
+    : lengths_(problem.chains.size(), 0), neighbours_(problem.chains.size()),
+      crossings_(problem.chains.size()) {
+    for (const Chain& chain : problem.chains)
+        variables_.push_back(chain.count);
+    for (const ChainId chain : chainOf)
+        if (chain.valid()) ++lengths_[chain];
     IdVector<ChainId, std::map<ChainId, int>> links(problem.chains.size());
     for (const Crossing& crossing : problem.crossings)
         for (const VariableId v : {crossing.sides[0].before, crossing.sides[0].after})
@@ -58,13 +73,13 @@ std::vector<ChainId> ChainLinks::cluster(ChainId start, std::size_t variables,
         sum += count;
         waiting.push({sum * weights[chain] / lengths_[chain], chain});
     };
-    addCrossings(start, 1);
+    waiting.push({0, start});
     for (std::size_t size = 0; size < variables && !waiting.empty();) {
         const ChainId chain = waiting.top().chain;
         waiting.pop();
         if (std::exchange(crossings[chain], member) == member) continue; // it came closer, and was taken then
         members.push_back(chain);
-        size += at(lengths_[chain]);
+        size += at(variables_[chain]);
         for (std::size_t k = 0; k < neighbours_[chain].size(); ++k)
             addCrossings(neighbours_[chain][k], crossings_[chain][k]);
     }

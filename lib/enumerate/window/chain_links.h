@@ -1,6 +1,7 @@
-/// \file Which chains cross each other, and clusters of chains that cross often.
+/// \file Which chains are close to each other, and clusters of chains that are (docs/METHOD.md#windows).
 #pragma once
 
+#include "enumerate/state/assignment.h"
 #include "enumerate/state/problem.h"
 
 #include <vector>
@@ -9,20 +10,27 @@ namespace qm {
 
 class ChainLinks {
 public:
+    /// Links chains whose lines cross.
     explicit ChainLinks(const Problem& problem);
+    /// Links chains whose tracks cross or touch in a graph. Most lines cross many others far from their own
+    /// track, and a window of such lines is walled in by the tracks of all others.
+    ChainLinks(const Problem& problem, const Assignment& graph);
 
-    /// The chains that cross a chain, ascending; includes the chain itself if it crosses itself.
+    /// The chains linked to a chain, ascending; includes the chain itself if it crosses itself.
     [[nodiscard]] const std::vector<ChainId>& neighbours(ChainId chain) const { return neighbours_[chain]; }
 
     /// Grows a cluster from a chain until it has at least this many variables. Next comes always the chain
-    /// with the most crossings with the cluster, relative to its length; of equals, the lowest. Takes time
-    /// linear in the crossings of the cluster, up to a logarithm.
+    /// with the most crossings with the cluster, relative to the length of its line or track; of equals, the
+    /// lowest. Takes time linear in the crossings of the cluster, up to a logarithm.
     /// \param weights  of every chain, not negative; the higher, the earlier it is added
     [[nodiscard]] std::vector<ChainId> cluster(ChainId chain, std::size_t variables,
                                                const IdVector<ChainId, double>& weights) const;
 
 private:
-    IdVector<ChainId, int> lengths_; ///< number of variables of every chain
+    ChainLinks(const Problem& problem, const IdVector<VariableId, ChainId>& chainOf);
+
+    IdVector<ChainId, int> variables_; ///< the number of variables of every chain
+    IdVector<ChainId, int> lengths_;   ///< the number of those whose crossings count
     IdVector<ChainId, std::vector<ChainId>> neighbours_;
     IdVector<ChainId, std::vector<int>> crossings_; ///< number of crossings with each neighbour
 };

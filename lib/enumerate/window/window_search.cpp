@@ -90,6 +90,7 @@ private:
     void growWindows(std::size_t smallest) {
         const std::size_t max = std::min<std::size_t>(options_.maxVariables, whole_.arcs.size());
         for (size_ = std::min(smallest, max); !isOver(); size_ = std::min(2 * size_, max)) {
+            if (options_.alongTracks) links_ = ChainLinks(whole_, assignmentOf(whole_, result_.present));
             std::ranges::fill(searched_, 0);
             searchedTogether_.clear();
             while (pass() && !isOver()) {
@@ -239,7 +240,7 @@ private:
     const WindowOptions& options_;
     const Control& control_;
     ChainLinks links_;
-    IdVector<ChainId, std::size_t> changed_;  ///< last time at which a chain or one that crosses it changed
+    IdVector<ChainId, std::size_t> changed_;  ///< last time at which a chain or one linked to it changed
     IdVector<ChainId, std::size_t> searched_; ///< last time at which the window around a chain was searched
     SearchedWindows searchedTogether_;        ///< the same for the chains of a window
     std::size_t lastChange_ = 1;              ///< of any chain

@@ -1,8 +1,8 @@
 /// \file Improves a graph by searching one window after another (docs/METHOD.md#windows).
 ///
-/// A window is a chain and those that cross it most; all others stay fixed. If a relaxed solution is known,
-/// windows begin with chains on which the graph disagrees with it, those that disagree most first. Windows
-/// grow when none of their size improves the graph.
+/// A window is a chain and those that are closest to it; all others stay fixed. If a relaxed solution is
+/// known, windows begin with chains on which the graph disagrees with it, those that disagree most first.
+/// Windows grow when none of their size improves the graph.
 #pragma once
 
 #include "base/control.h"
@@ -25,7 +25,10 @@ struct WindowOptions {
     std::size_t maxWork = std::numeric_limits<std::size_t>::max();
     /// The same of a single window.
     std::size_t work = std::numeric_limits<std::size_t>::max();
-    std::size_t nodes = 50;      ///< limit of the search tree of one window, at first
+    std::size_t nodes = 50; ///< limit of the search tree of one window, at first
+    /// Windows grow along tracks that touch in the graph, not along lines that cross. Their searches take
+    /// longer and find more.
+    bool alongTracks = false;
     bool patient = false;        ///< start again with larger search trees when no window helps any more
     std::vector<double> relaxed; ///< value of every arc in the relaxed solution; empty if unknown
     /// Called with the arcs of every cheaper graph.

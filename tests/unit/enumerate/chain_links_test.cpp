@@ -12,12 +12,17 @@ namespace {
 
 /// A cluster by its definition: of all chains that cross it, the one with the most crossings in proportion to
 /// its length is next.
-std::vector<ChainId> clusterByDefinition(const Problem& problem, ChainId start, std::size_t variables,
-                                         const IdVector<ChainId, double>& weights) {
+/// \param counts  the variables whose crossings and length count
+std::vector<ChainId> clusterByDefinition(const Problem& problem, const Assignment& counts, ChainId start,
+                                         std::size_t variables, const IdVector<ChainId, double>& weights) {
     IdVector<VariableId, ChainId> chainOf(problem.domains.size());
+    IdVector<ChainId, int> lengths(problem.chains.size(), 0);
     for (const ChainId chain : problem.chains.ids())
         for (const VariableId variable : problem.chains[chain].variables())
-            chainOf[variable] = chain;
+            if (counts[variable] == 1) {
+                chainOf[variable] = chain;
+                ++lengths[chain];
+            }
     std::vector<ChainId> members{start};
     auto size = static_cast<std::size_t>(problem.chains[start].count);
     while (size < variables) {
@@ -33,7 +38,7 @@ std::vector<ChainId> clusterByDefinition(const Problem& problem, ChainId start, 
                             ++crossings[chainOf[w]];
         if (crossings.empty()) break;
         const auto closeness = [&](const auto& entry) {
-            return entry.second * weights[entry.first] / problem.chains[entry.first].count;
+            return entry.second * weights[entry.first] / lengths[entry.first];
         };
         members.push_back(std::ranges::max_element(crossings, {}, closeness)->first);
         size += static_cast<std::size_t>(problem.chains[members.back()].count);
@@ -42,12 +47,13 @@ std::vector<ChainId> clusterByDefinition(const Problem& problem, ChainId start, 
 }
 
 TEST(ChainLinks, ClustersGrowByTheClosestChain) {
-    int compared = 0;
+    int compared = 0, ofTracks = 0;
     for (unsigned number = 0; number < 60; ++number) {
         const auto drawn = testing::randomProblem(number);
         if (!drawn || !drawn->problem) continue;
         const Problem& problem = *drawn->problem;
         const ChainLinks links(problem);
+        const Assignment everything(problem.domains.size(), 1);
         std::mt19937 random(number);
         IdVector<ChainId, double> weights(problem.chains.size(), 1);
         if (number % 2 == 0)
@@ -56,11 +62,18 @@ TEST(ChainLinks, ClustersGrowByTheClosestChain) {
         for (const ChainId chain : problem.chains.ids())
             for (const std::size_t variables : {1U, 8U, 1000U}) {
                 const auto cluster = links.cluster(chain, variables, weights);
-                EXPECT_EQ(cluster, clusterByDefinition(problem, chain, variables, weights)) << number;
+                EXPECT_EQ(cluster, clusterByDefinition(problem, everything, chain, variables, weights))
+                    << number;
                 compared += cluster.size() > 3 ? 1 : 0;
+                if (drawn->graphs.empty()) continue;
+                const Assignment& graph = drawn->graphs.front();
+                const auto tracks = ChainLinks(problem, graph).cluster(chain, variables, weights);
+                EXPECT_EQ(tracks, clusterByDefinition(problem, graph, chain, variables, weights)) << number;
+                ofTracks += tracks.size() > 2 && tracks != cluster ? 1 : 0;
             }
     }
     EXPECT_GT(compared, 50);
+    EXPECT_GT(ofTracks, 50);
 }
 
 } // namespace
