@@ -11,12 +11,17 @@ namespace qm {
 namespace {
 
 struct Tuning {
-    /// Size of the largest windows that the search of the whole mesh waits for: at least `fastWindow`
-    /// variables, one in `fastShare` of all, or one in `relaxedShare` after the relaxation of large parts.
-    /// Such windows take little of the time of the search itself.
-    static constexpr std::size_t fastWindow = 500;
+    /// Size of the largest windows that the search of the whole mesh waits for: tracks of at least
+    /// `fastWindow` variables, or one in `fastShare` of all. Such windows take little of the time of the
+    /// search itself.
+    static constexpr std::size_t fastWindow = 100;
     static constexpr std::size_t fastShare = 8;
-    static constexpr std::size_t relaxedShare = 2;
+    /// Size of the largest windows of a large problem: one in this many of all. The simplex method would take
+    /// too long for larger ones, too.
+    static constexpr std::size_t largeShare = 2;
+    /// Accuracy of the gradients. Nothing follows that would make the bound better, and more digits take
+    /// longer than they are worth to it.
+    static constexpr double nearlySolved = 5e-3;
 };
 
 } // namespace
@@ -34,41 +39,41 @@ OptimumResult GraphImprover::searchTree(const Control& control, const Control& o
     OptimumOptions options;
     options.start = assignmentOf(problem_, present_);
     options.large = large_;
+    options.nearlySolved = Tuning::nearlySolved;
     options.keepOpenParts = true;
     std::atomic<bool> areOver = false;
     Control beside = ofFirstWindows;
     beside.stopRequested = [&] { return areOver || ofFirstWindows.stopRequested(); };
     std::optional<Ahead> windows(std::in_place, control.jobs,
-                                 [&] { searchWindows({}, fastWindows(Tuning::fastShare), beside); });
+                                 [&] { searchWindows({}, fastWindows(), beside); });
     const struct EndOfSearch { // if it fails, windows need not go on
         std::atomic<bool>& areOver;
         ~EndOfSearch() { areOver = true; }
     } end{areOver};
-    options.near = [&](double bound, const IdVector<VariableId, double>& relaxed) {
+    bool isRelaxedOnly = false;
+    options.near = [&](double bound) {
         known_.setBound(bound);
-        if (control.jobs == 1) return; // the relaxation would wait for them
-        areOver = true;
-        windows->wait();
-        areOver = false;
-        windows.emplace(control.jobs, [&, relaxed] { searchWindows(relaxed, patientWindows(), beside); });
+        isRelaxedOnly = true; // windows find better graphs in the time of the simplex method
+        return false;
     };
     options.polish = [&](const Assignment& graph, const IdVector<VariableId, double>& relaxed) {
-        areOver = isLarge();
         windows->wait();
         take(graph);
-        searchWindows(relaxed, fastWindows(isLarge() ? Tuning::relaxedShare : Tuning::fastShare), control);
+        searchWindows(relaxed, fastWindows(), control);
         return assignmentOf(problem_, present_);
     };
     OptimumResult found = findOptimum(problem_, options, control);
     areOver = isLarge();
     windows->wait();
     if (!found.graphs.empty()) take(found.graphs.front());
+    if (isRelaxedOnly) found.openParts.clear(); // clusters of large parts gain next to nothing
     return found;
 }
 
 void GraphImprover::searchWindows(const IdVector<VariableId, double>& relaxed, WindowOptions options,
                                   const Control& control) {
     options.relaxed = arcValues(problem_, relaxed, space_.graph.arcs.size());
+    if (isLarge()) options.maxVariables = std::min(options.maxVariables, tracks() / Tuning::largeShare);
     options.improved = [&](const std::vector<bool>& present) { known_.setCost(costOf(space_, present)); };
     WindowResult windows = improveByWindows(input_, present_, options, control);
     present_ = std::move(windows.present);
@@ -83,11 +88,17 @@ void GraphImprover::take(const Assignment& graph) {
     known_.setCost(costOf(space_, present_));
 }
 
+/// The number of variables that are in the graph.
+std::size_t GraphImprover::tracks() const {
+    const Assignment graph = assignmentOf(problem_, present_);
+    return static_cast<std::size_t>(std::ranges::count(graph, 1));
+}
+
 /// Options for windows that are small enough for the tree search to wait for them.
-WindowOptions GraphImprover::fastWindows(std::size_t share) const {
+WindowOptions GraphImprover::fastWindows() const {
     WindowOptions options;
     options.alongTracks = true;
-    options.maxVariables = std::max(Tuning::fastWindow, problem_.arcs.size() / share);
+    options.maxVariables = std::max(Tuning::fastWindow, tracks() / Tuning::fastShare);
     return options;
 }
 

@@ -18,20 +18,20 @@ class GraphImprover {
 public:
     /// \param present  the arcs of a valid graph
     /// \param known    gets the cost of every cheaper graph, and early bounds
-    /// \param large    from this number of variables on, only the root of a part is searched
+    /// \param large    from this number of variables on, a part is relaxed by gradients and not searched
     /// The space and `known` must outlive the object.
     GraphImprover(const SearchSpace& space, std::vector<bool> present, KnownSoFar& known,
                   std::size_t large = 15000);
 
-    /// Whether the problem has so many variables that only its root is searched: the simplex method alone
-    /// would take half a minute.
+    /// Whether the problem has so many variables that it is only relaxed by gradients: the simplex method
+    /// alone would take half a minute.
     [[nodiscard]] bool isLarge() const;
 
-    /// Searches the whole mesh, and at the same time windows of the present graph: of large problems those
-    /// that gradients show to be in need of it, as soon as these have been used.
+    /// Searches the whole mesh, or relaxes it if it is large, and at the same time windows of the present
+    /// graph.
     /// \param control         of the search of the whole mesh
     /// \param ofFirstWindows  of the windows that are searched before the relaxation is known
-    /// \return includes the lower bound
+    /// \return includes the lower bound, and parts left open if none of them is large
     OptimumResult searchTree(const Control& control, const Control& ofFirstWindows);
 
     /// \param relaxed  the relaxed value of every variable, as `searchTree` returns it; may be empty
@@ -45,7 +45,8 @@ public:
 
 private:
     void take(const Assignment& graph);
-    [[nodiscard]] WindowOptions fastWindows(std::size_t share) const;
+    [[nodiscard]] std::size_t tracks() const;
+    [[nodiscard]] WindowOptions fastWindows() const;
 
     const SearchSpace& space_;
     const ProblemInput input_;

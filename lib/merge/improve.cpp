@@ -18,8 +18,8 @@ namespace qm {
 namespace {
 
 struct Tuning {
-    /// Share of the time for the search of the whole mesh, which gives both bound and graph. If parts are
-    /// large, their root may take all of the time: no window finds graphs as good as those near its solution.
+    /// Share of the time for the search of the whole mesh, which gives both bound and graph. If it is large,
+    /// its relaxation may take all of the time: there is no other bound.
     static constexpr double shareOfTree = 0.55;
     /// Share of the time for the windows that a single thread searches before the whole mesh.
     static constexpr double shareOfFirst = 0.2;
@@ -68,9 +68,10 @@ Improvement improveGraph(const QuadMesh& mesh, const BaseComplex& complex,
     if (!found.complete) {
         const std::array<std::function<void()>, 2> work{
             [&] {
-                // Without open parts there is no bound to improve, and windows get all of the time.
-                Control ofWindows = (found.openParts.empty() ? end : windows).control();
-                if (together) ofWindows.jobs -= telling.jobs / 2;
+                // Without open parts there is no bound to improve, and windows get all time and threads.
+                const bool alone = found.openParts.empty();
+                Control ofWindows = (alone ? end : windows).control();
+                if (together && !alone) ofWindows.jobs -= telling.jobs / 2;
                 improver.searchWindows(found.relaxed, patientWindows(), ofWindows);
             },
             [&] {

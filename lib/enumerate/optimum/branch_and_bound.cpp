@@ -30,19 +30,20 @@ void BranchAndBound::offer(const Assignment& assignment) {
 void BranchAndBound::run() {
     if (part_.columns.consistent()) {
         double bound = part_.cost.lowerBound(part_.state);
-        if (part_.variables.size() >= part_.options.large) bound = std::max(bound, relaxNearly());
+        complete_ = part_.variables.size() < part_.options.large || relaxNearly(bound);
         tree_.open(tree_.add({}, {}), bound);
         guessGraphs(part_);
-        search();
+        if (complete_) search();
     }
     summarise();
 }
 
-double BranchAndBound::relaxNearly() {
-    const double bound = root_.relaxNearly();
-    if (near_) near_(bound, root_.presence());
+/// \return whether to go on to the root
+bool BranchAndBound::relaxNearly(double& bound) {
+    bound = std::max(bound, root_.relaxNearly());
+    if (near_ && !near_(bound)) return false;
     root_.startFromNear();
-    return bound;
+    return true;
 }
 
 void BranchAndBound::resume(std::size_t nodes) {

@@ -31,8 +31,8 @@ public:
     using Polish = std::function<Assignment(const Assignment& graph, const std::vector<double>& relaxed)>;
     /// What to call in a hard part after its relaxation.
     void polishWith(Polish polish) { polisher_ = std::move(polish); }
-    /// Learns a lower bound and the relaxed values of the part's variables in their order.
-    using Near = std::function<void(double bound, const std::vector<double>& relaxed)>;
+    /// Learns a lower bound, and says whether to go on.
+    using Near = std::function<bool(double bound)>;
     /// What to call in a large part as soon as it is nearly relaxed, long before it is relaxed.
     void tellNear(Near near) { near_ = std::move(near); }
     void run();
@@ -54,7 +54,7 @@ public:
     [[nodiscard]] const std::vector<double>& rootPresence() const { return root_.presence(); }
 
 private:
-    double relaxNearly();
+    bool relaxNearly(double& bound);
     void search();
     void summarise();
     bool replay(SearchTree::NodeId node);

@@ -76,10 +76,9 @@ private:
                 return polish(part, best, relaxed);
             });
         if (options_.start && options_.near)
-            search.tellNear([&](double bound, const std::vector<double>& relaxed) {
+            search.tellNear([&](double bound) {
                 // Of later parts nothing is known yet, but usually only the last is large.
-                const bool isLast = &part == &parts_.back();
-                options_.near(isLast ? result_.lowerBound + bound : -infinity, withRelaxed(part, relaxed));
+                return options_.near(&part == &parts_.back() ? result_.lowerBound + bound : -infinity);
             });
         search.run();
         if (mayUseDiagram(part) && !search.complete() && !control_.stopRequested()) {

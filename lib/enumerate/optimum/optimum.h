@@ -18,9 +18,9 @@ struct OptimumOptions : PartOptions {
     /// after their relaxation; `relaxed` holds the relaxed value of every variable.
     std::function<Assignment(const Assignment& graph, const IdVector<VariableId, double>& relaxed)> polish =
         {};
-    /// Learns a lower bound, and the relaxed value of every variable. Called for large parts as soon as these
-    /// are known nearly, which takes a small share of the time of the relaxation; needs a start.
-    std::function<void(double lowerBound, const IdVector<VariableId, double>& relaxed)> near = {};
+    /// Learns a lower bound, and says whether to go on to the root. Called for large parts as soon as they
+    /// are nearly relaxed, which takes a small share of the time of the relaxation; needs a start.
+    std::function<bool(double lowerBound)> near = {};
     /// Limit of the tree of a part that is not hard, before a decision diagram is tried. Few trees grow
     /// larger, but where the relaxation is weak they may grow without end.
     std::size_t nodesBeforeDiagram = 1000;

@@ -25,6 +25,8 @@ struct PartOptions {
     /// From this number of variables on, only the root of a part is searched, and its relaxation begins with
     /// gradients, because the simplex method alone would take too long. Needs a start.
     std::size_t large = std::numeric_limits<std::size_t>::max();
+    /// Accuracy of these gradients. Before the simplex method, more digits would take longer than it needs.
+    double nearlySolved = 2e-2;
 };
 
 } // namespace qm

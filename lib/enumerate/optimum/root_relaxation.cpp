@@ -11,7 +11,7 @@ namespace qm {
 double RootRelaxation::relaxNearly() {
     near_ = part_.relaxation.program(part_.columns);
     GradientOptions options;
-    options.tolerance = TreeTuning::nearlySolved;
+    options.tolerance = part_.options.nearlySolved;
     NearOptimum found = relaxByGradients(near_->program, options, part_.control);
     near_->values = std::move(found.values);
     near_->duals = std::move(found.duals);

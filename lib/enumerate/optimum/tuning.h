@@ -30,9 +30,6 @@ struct TreeTuning {
     static constexpr int maxSlices = 10000;
     /// The same for solving the root again, which was optimal before some columns were fixed.
     static constexpr int maxSlicesAgain = 20;
-    /// Accuracy of the gradients before the simplex method takes over: more digits would take longer than the
-    /// simplex method needs.
-    static constexpr double nearlySolved = 2e-2;
     /// Share of fixed columns at which the relaxation is built anew. Building costs as much as many solves,
     /// which the smaller program has to repay.
     static constexpr double fixedShareToRebuild = 0.3;

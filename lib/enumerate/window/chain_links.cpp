@@ -41,8 +41,6 @@ ChainLinks::ChainLinks(const Problem& problem, const Assignment& graph)
 ChainLinks::ChainLinks(const Problem& problem, const IdVector<VariableId, ChainId>& chainOf)
     : lengths_(problem.chains.size(), 0), neighbours_(problem.chains.size()),
       crossings_(problem.chains.size()) {
-    for (const Chain& chain : problem.chains)
-        variables_.push_back(chain.count);
     for (const ChainId chain : chainOf)
         if (chain.valid()) ++lengths_[chain];
     IdVector<ChainId, std::map<ChainId, int>> links(problem.chains.size());
@@ -79,7 +77,7 @@ std::vector<ChainId> ChainLinks::cluster(ChainId start, std::size_t variables,
         waiting.pop();
         if (std::exchange(crossings[chain], member) == member) continue; // it came closer, and was taken then
         members.push_back(chain);
-        size += at(variables_[chain]);
+        size += at(lengths_[chain]);
         for (std::size_t k = 0; k < neighbours_[chain].size(); ++k)
             addCrossings(neighbours_[chain][k], crossings_[chain][k]);
     }

@@ -19,9 +19,9 @@ public:
     /// The chains linked to a chain, ascending; includes the chain itself if it crosses itself.
     [[nodiscard]] const std::vector<ChainId>& neighbours(ChainId chain) const { return neighbours_[chain]; }
 
-    /// Grows a cluster from a chain until it has at least this many variables. Next comes always the chain
-    /// with the most crossings with the cluster, relative to the length of its line or track; of equals, the
-    /// lowest. Takes time linear in the crossings of the cluster, up to a logarithm.
+    /// Grows a cluster from a chain until it has at least this many variables, or its tracks have. Next comes
+    /// always the chain with the most crossings with the cluster, relative to its length or that of its
+    /// tracks; of equals, the lowest. Takes time linear in the crossings of the cluster, up to a logarithm.
     /// \param weights  of every chain, not negative; the higher, the earlier it is added
     [[nodiscard]] std::vector<ChainId> cluster(ChainId chain, std::size_t variables,
                                                const IdVector<ChainId, double>& weights) const;
@@ -29,8 +29,7 @@ public:
 private:
     ChainLinks(const Problem& problem, const IdVector<VariableId, ChainId>& chainOf);
 
-    IdVector<ChainId, int> variables_; ///< the number of variables of every chain
-    IdVector<ChainId, int> lengths_;   ///< the number of those whose crossings count
+    IdVector<ChainId, int> lengths_; ///< number of variables of every chain, or of its tracks
     IdVector<ChainId, std::vector<ChainId>> neighbours_;
     IdVector<ChainId, std::vector<int>> crossings_; ///< number of crossings with each neighbour
 };

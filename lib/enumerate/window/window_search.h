@@ -26,8 +26,8 @@ struct WindowOptions {
     /// The same of a single window.
     std::size_t work = std::numeric_limits<std::size_t>::max();
     std::size_t nodes = 50; ///< limit of the search tree of one window, at first
-    /// Windows grow along tracks that touch in the graph, not along lines that cross. Their searches take
-    /// longer and find more.
+    /// Windows grow along tracks that touch in the graph, not along lines that cross, and their size is that
+    /// of the tracks. Their searches take longer and find more.
     bool alongTracks = false;
     bool patient = false;        ///< start again with larger search trees when no window helps any more
     std::vector<double> relaxed; ///< value of every arc in the relaxed solution; empty if unknown

@@ -24,7 +24,7 @@ std::vector<ChainId> clusterByDefinition(const Problem& problem, const Assignmen
                 ++lengths[chain];
             }
     std::vector<ChainId> members{start};
-    auto size = static_cast<std::size_t>(problem.chains[start].count);
+    auto size = static_cast<std::size_t>(lengths[start]);
     while (size < variables) {
         std::map<ChainId, int> crossings;
         for (const Crossing& crossing : problem.crossings)
@@ -41,7 +41,7 @@ std::vector<ChainId> clusterByDefinition(const Problem& problem, const Assignmen
             return entry.second * weights[entry.first] / lengths[entry.first];
         };
         members.push_back(std::ranges::max_element(crossings, {}, closeness)->first);
-        size += static_cast<std::size_t>(problem.chains[members.back()].count);
+        size += static_cast<std::size_t>(lengths[members.back()]);
     }
     return members;
 }
