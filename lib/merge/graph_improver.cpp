@@ -11,10 +11,9 @@ namespace qm {
 namespace {
 
 struct Tuning {
-    /// Size of the largest windows that the search of the whole mesh waits for: tracks of at least
-    /// `fastWindow` variables, or one in `fastShare` of all. Such windows take little of the time of the
-    /// search itself.
-    static constexpr std::size_t fastWindow = 100;
+    /// Size of the largest windows that the search of the whole mesh waits for: at least `fastWindow`
+    /// variables, or one in `fastShare` of all. Such windows take little of the time of the search itself.
+    static constexpr std::size_t fastWindow = 500;
     static constexpr std::size_t fastShare = 8;
     /// Size of the largest windows of a large problem: one in this many of all. The simplex method would take
     /// too long for larger ones, too.
@@ -73,6 +72,7 @@ OptimumResult GraphImprover::searchTree(const Control& control, const Control& o
 void GraphImprover::searchWindows(const IdVector<VariableId, double>& relaxed, WindowOptions options,
                                   const Control& control) {
     options.relaxed = arcValues(problem_, relaxed, space_.graph.arcs.size());
+    options.alongTracks = isLarge();
     if (isLarge()) options.maxVariables = std::min(options.maxVariables, tracks() / Tuning::largeShare);
     options.improved = [&](const std::vector<bool>& present) { known_.setCost(costOf(space_, present)); };
     WindowResult windows = improveByWindows(input_, present_, options, control);
@@ -97,14 +97,13 @@ std::size_t GraphImprover::tracks() const {
 /// Options for windows that are small enough for the tree search to wait for them.
 WindowOptions GraphImprover::fastWindows() const {
     WindowOptions options;
-    options.alongTracks = true;
-    options.maxVariables = std::max(Tuning::fastWindow, tracks() / Tuning::fastShare);
+    const std::size_t all = isLarge() ? tracks() : problem_.arcs.size();
+    options.maxVariables = std::max(Tuning::fastWindow, all / Tuning::fastShare);
     return options;
 }
 
 WindowOptions patientWindows() {
     WindowOptions options;
-    options.alongTracks = true;
     options.patient = true;
     return options;
 }
