@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <optional>
 #include <utility>
 
 namespace qm {
@@ -12,11 +11,12 @@ namespace {
 
 struct Tuning {
     /// Size of the largest windows that the search of the whole mesh waits for: at least `fastWindow`
-    /// variables, or one in `fastShare` of all. Such windows take little of the time of the search itself.
+    /// variables, or one in `fastShare` of all, of a large problem of those in the graph. Such windows take
+    /// little of the time of the search itself.
     static constexpr std::size_t fastWindow = 500;
     static constexpr std::size_t fastShare = 8;
-    /// Size of the largest windows of a large problem: one in this many of all. The simplex method would take
-    /// too long for larger ones, too.
+    /// Size of the largest windows of a large problem: one in this many of the variables in the graph. For
+    /// larger ones the simplex method would take as long as for the whole.
     static constexpr std::size_t largeShare = 2;
     /// Accuracy of the gradients. Nothing follows that would make the bound better, and more digits take
     /// longer than they are worth to it.
@@ -43,8 +43,7 @@ OptimumResult GraphImprover::searchTree(const Control& control, const Control& o
     std::atomic<bool> areOver = false;
     Control beside = ofFirstWindows;
     beside.stopRequested = [&] { return areOver || ofFirstWindows.stopRequested(); };
-    std::optional<Ahead> windows(std::in_place, control.jobs,
-                                 [&] { searchWindows({}, fastWindows(), beside); });
+    Ahead windows(control.jobs, [&] { searchWindows({}, fastWindows(), beside); });
     const struct EndOfSearch { // if it fails, windows need not go on
         std::atomic<bool>& areOver;
         ~EndOfSearch() { areOver = true; }
@@ -56,14 +55,14 @@ OptimumResult GraphImprover::searchTree(const Control& control, const Control& o
         return false;
     };
     options.polish = [&](const Assignment& graph, const IdVector<VariableId, double>& relaxed) {
-        windows->wait();
+        windows.wait();
         take(graph);
         searchWindows(relaxed, fastWindows(), control);
         return assignmentOf(problem_, present_);
     };
     OptimumResult found = findOptimum(problem_, options, control);
     areOver = isLarge();
-    windows->wait();
+    windows.wait();
     if (!found.graphs.empty()) take(found.graphs.front());
     if (isRelaxedOnly) found.openParts.clear(); // clusters of large parts gain next to nothing
     return found;
@@ -73,7 +72,8 @@ void GraphImprover::searchWindows(const IdVector<VariableId, double>& relaxed, W
                                   const Control& control) {
     options.relaxed = arcValues(problem_, relaxed, space_.graph.arcs.size());
     options.alongTracks = isLarge();
-    if (isLarge()) options.maxVariables = std::min(options.maxVariables, tracks() / Tuning::largeShare);
+    if (isLarge())
+        options.maxVariables = std::min(options.maxVariables, presentVariables() / Tuning::largeShare);
     options.improved = [&](const std::vector<bool>& present) { known_.setCost(costOf(space_, present)); };
     WindowResult windows = improveByWindows(input_, present_, options, control);
     present_ = std::move(windows.present);
@@ -88,8 +88,8 @@ void GraphImprover::take(const Assignment& graph) {
     known_.setCost(costOf(space_, present_));
 }
 
-/// The number of variables that are in the graph.
-std::size_t GraphImprover::tracks() const {
+/// The number of variables that are in the graph: the size of all its tracks.
+std::size_t GraphImprover::presentVariables() const {
     const Assignment graph = assignmentOf(problem_, present_);
     return static_cast<std::size_t>(std::ranges::count(graph, 1));
 }
@@ -97,7 +97,7 @@ std::size_t GraphImprover::tracks() const {
 /// Options for windows that are small enough for the tree search to wait for them.
 WindowOptions GraphImprover::fastWindows() const {
     WindowOptions options;
-    const std::size_t all = isLarge() ? tracks() : problem_.arcs.size();
+    const std::size_t all = isLarge() ? presentVariables() : problem_.arcs.size();
     options.maxVariables = std::max(Tuning::fastWindow, all / Tuning::fastShare);
     return options;
 }

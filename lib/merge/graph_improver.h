@@ -45,7 +45,7 @@ public:
 
 private:
     void take(const Assignment& graph);
-    [[nodiscard]] std::size_t tracks() const;
+    [[nodiscard]] std::size_t presentVariables() const;
     [[nodiscard]] WindowOptions fastWindows() const;
 
     const SearchSpace& space_;

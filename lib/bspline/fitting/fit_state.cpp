@@ -84,11 +84,14 @@ std::vector<bool> FitState::changedPatches(const std::vector<PatchSpace>& before
     return changed;
 }
 
-/// The reference as the target of every patch. There are no knots yet, so that steps are equal.
+/// A lattice without knots, so that steps are equal, with the reference as its target.
+FitLattice FitState::evenLattice(std::size_t patch) const {
+    return makeLattice(sources_[patch], parametersOf(patch, {}));
+}
+
 std::vector<FitLattice> FitState::evenLattices() const {
     std::vector<FitLattice> lattices(sources_.size());
-    parallelFor(sources_.size(), jobs_,
-                [&](std::size_t k) { lattices[k] = makeLattice(sources_[k], parametersOf(k, {})); });
+    parallelFor(sources_.size(), jobs_, [&](std::size_t k) { lattices[k] = evenLattice(k); });
     return lattices;
 }
 
@@ -143,13 +146,13 @@ void FitState::solveFirst(int slides) {
 /// Draws the folded patches, those whose knots have changed, and those around them to the reference, without
 /// what was learnt before, and solves for them, or does so with all if that is impossible.
 void FitState::beginAnew(int slides) {
-    std::vector<bool> isFree = freeAround([](const PatchErrors& errors) { return errors.anyFolded(); });
-    for (;; isFree = everywhere()) {
+    const auto begin = [&](const std::vector<bool>& isFree) {
         parallelFor(sources_.size(), jobs_, [&](std::size_t k) {
-            if (isFree[k]) changing(k) = makeLattice(sources_[k], parametersOf(k, {}));
+            if (isFree[k]) changing(k) = evenLattice(k);
         });
-        if (solveFor(isFree, slides)) return;
-    }
+        return solveFor(isFree, slides);
+    };
+    if (!begin(freeAround([](const PatchErrors& errors) { return errors.anyFolded(); }))) begin(everywhere());
 }
 
 void FitState::solveChanged(int slides) {
