@@ -81,6 +81,23 @@ TEST(PlaneParts, RowsOfQuadsAlongACylinderAreNone) {
     EXPECT_EQ(quadsIn(partsOf(test::makeMesh(column(24, 1, 1, false)))), 0U);
 }
 
+TEST(PlaneParts, WhatLeavesThemSlowlyDoesNotHideThem) {
+    // Parts that begin where the mesh leaves the plane reach into it, and turn.
+    for (const double size : {1e-6, 2e-6, 4e-6, 1e-5, 1e-4}) {
+        const auto leaving = [=](double i, double j) {
+            const auto rise = [](double steps) { return steps > 0 ? steps * steps * steps : 0; };
+            return Point(i, j, size * (rise(i - 16) + 0.9 * rise(4 - i) - 0.6 * rise(4 - j)));
+        };
+        const QuadMesh mesh = test::makeMesh({24, 24, leaving});
+        const PlaneParts parts = partsOf(mesh);
+        for (const FaceId face : mesh.faces()) {
+            const Point middle = mesh.calc_face_centroid(face);
+            if (middle[0] < 4 || middle[0] > 16 || middle[1] < 4) continue;
+            EXPECT_NE(parts.ofFace[at(face)], PlaneParts::none) << size << ' ' << middle;
+        }
+    }
+}
+
 TEST(PlaneParts, FewQuadsThatLieInOnePlaneByChanceAreNone) {
     // A ridge beside a flat of two quads by two, which is not wider than what continues it.
     const auto dented = [](double i, double j) {

@@ -26,33 +26,79 @@ public:
     }
 
     PlaneParts run() {
-        for (const FaceId face : mesh_.faces())
+        for (const FaceId face : seeds())
             if (!isTried_[at(face)]) growFrom(face);
         return std::move(parts_);
     }
 
 private:
-    struct Fit {
+    /// Those around which the mesh is flattest come first: from beside a plane, a part would grow into it and
+    /// turn away from where it began.
+    [[nodiscard]] std::vector<FaceId> seeds() const {
+        std::vector<std::pair<double, FaceId>> byRise;
+        byRise.reserve(mesh_.n_faces());
+        for (const FaceId face : mesh_.faces())
+            byRise.emplace_back(riseAround(face), face);
+        std::ranges::sort(byRise, {},
+                          [](const auto& entry) { return std::pair(entry.first, entry.second.idx()); });
+        std::vector<FaceId> result;
+        result.reserve(byRise.size());
+        for (const auto& [rise, face] : byRise)
+            result.push_back(face);
+        return result;
+    }
+
+    /// How far the faces beside one rise from its plane or fall below; 0 if that is negligible.
+    [[nodiscard]] double riseAround(FaceId face) const {
+        constexpr double negligible = 1e-3; // relative to the flatness
+        double max = 0;
+        for (const HalfedgeId side : mesh_.fh_range(face)) {
+            if (isCrease_[at(mesh_.edge_handle(side))]) continue;
+            const HalfedgeId beside = mesh_.opposite_halfedge_handle(side);
+            for (const HalfedgeId away :
+                 {mesh_.next_halfedge_handle(beside), mesh_.prev_halfedge_handle(beside)})
+                max = std::max(max, std::abs(mesh_.calc_edge_vector(away) | quads_[at(face)].normal));
+        }
+        return max < negligible * flatness_ ? 0 : max;
+    }
+
+    /// The corners of faces, and the plane nearest to them.
+    struct Spread {
+        std::vector<Eigen::Vector3d> points;
         Plane plane;
-        bool isPlane = false;
+        double allowed = 0; ///< distance of a part's points from its plane
     };
 
-    /// A plane through few vertices may be tilted by their roundings, so it is found again as the part grows.
+    struct Part {
+        std::vector<FaceId> faces;
+        Plane plane;
+    };
+
+    /// A plane through few vertices may be tilted by their roundings, so it is found again as the part grows,
+    /// until it turns away from the seed.
     void growFrom(FaceId seed) {
         std::vector<FaceId> faces{seed};
-        Fit fit = fitted(faces);
-        if (!fit.isPlane) return;
-        for (std::size_t before = 0; faces.size() > before;) {
+        Spread spread = spreadOf(faces);
+        if (!isIn(spread.plane, spread)) return;
+        Part largest;
+        for (std::size_t before = 0; faces.size() > before && liesIn(spread.plane, seed);) {
             before = faces.size();
-            faces = grown(seed, fit.plane);
-            fit = fitted(faces);
+            const Plane grownBy = spread.plane;
+            faces = grown(seed, grownBy);
+            spread = spreadOf(faces);
+            for (const Plane& plane : {spread.plane, grownBy}) {
+                if (faces.size() < largest.faces.size() || !isIn(plane, spread)) continue;
+                largest = {faces, plane};
+                break;
+            }
         }
         for (const FaceId face : faces)
             isTried_[at(face)] = true;
-        if (!fit.isPlane) return;
-        for (const FaceId face : faces)
+        for (const FaceId face : largest.faces) {
+            isTried_[at(face)] = true;
             parts_.ofFace[at(face)] = static_cast<int>(parts_.planes.size());
-        parts_.planes.push_back(fit.plane);
+        }
+        if (!largest.faces.empty()) parts_.planes.push_back(largest.plane);
     }
 
     /// The seed, and the faces that lie in the plane and are connected with it.
@@ -78,22 +124,25 @@ private:
                });
     }
 
-    [[nodiscard]] Fit fitted(const std::vector<FaceId>& faces) const {
-        std::vector<Eigen::Vector3d> points;
-        points.reserve(4 * faces.size());
+    [[nodiscard]] Spread spreadOf(const std::vector<FaceId>& faces) const {
+        Spread spread;
+        spread.points.reserve(4 * faces.size());
         for (const FaceId face : faces)
             for (const VertexId corner : mesh_.fv_range(face))
-                points.push_back(vector(mesh_.point(corner)));
-        const PrincipalAxes spread = principalAxes(points);
-        Eigen::Vector3d normal = spread.axes.col(0);
+                spread.points.push_back(vector(mesh_.point(corner)));
+        const PrincipalAxes axes = principalAxes(spread.points);
+        Eigen::Vector3d normal = axes.axes.col(0);
         const double side = normal.dot(vector(quads_[at(faces.front())].normal));
         if (side < 0) normal = -normal;
-        Fit fit{{point(normal), normal.dot(spread.middle)}};
-        const double allowed = std::min(flatness_, maxThickness * spread.extents[1]);
-        fit.isPlane = side != 0 && std::ranges::all_of(points, [&](const Eigen::Vector3d& at) {
-                          return std::abs(fit.plane.distance(point(at))) <= allowed;
-                      });
-        return fit;
+        spread.plane = {point(normal), normal.dot(axes.middle)};
+        if (side != 0) spread.allowed = std::min(flatness_, maxThickness * axes.extents[1]);
+        return spread;
+    }
+
+    [[nodiscard]] static bool isIn(const Plane& plane, const Spread& spread) {
+        return spread.allowed > 0 && std::ranges::all_of(spread.points, [&](const Eigen::Vector3d& at) {
+                   return std::abs(plane.distance(point(at))) <= spread.allowed;
+               });
     }
 
     const QuadMesh& mesh_;
@@ -102,7 +151,7 @@ private:
     double flatness_;
     std::vector<int> visit_; ///< by face: the last growth that came there
     int visits_ = 0;
-    std::vector<bool> isTried_; ///< by face: a part has grown over it
+    std::vector<bool> isTried_; ///< by face: growth came there
     PlaneParts parts_;
 };
 

@@ -15,7 +15,8 @@ struct FlatQuad {
 };
 
 /// Parts grow over edges that are no creases, as long as all vertices lie in one plane, and no quad is turned
-/// over. Linear in the mesh: a part that turns out too thick is not tried again from its other quads.
+/// over. They begin where the mesh is flattest, and a part that turns out too thick is not tried again from
+/// its other quads, so little is grown over twice.
 /// \param isCrease  by edge, and the boundary
 /// \param quads     by face
 /// \param flatness  largest distance of vertices from the plane of their part
