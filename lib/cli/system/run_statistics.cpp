@@ -2,6 +2,8 @@
 
 #include "document/json/json.h"
 
+#include <cmath>
+#include <cstdint>
 #include <sys/resource.h>
 
 namespace qm {
@@ -11,6 +13,13 @@ double peakMegabytes() {
     struct rusage usage {};
     getrusage(RUSAGE_SELF, &usage);
     return static_cast<double>(usage.ru_maxrss) / 1024; // Linux counts in KiB
+}
+
+/// A whole number without an exponent, as far as doubles count.
+Json counted(double value) {
+    constexpr double exact = 9007199254740992; // 2^53
+    if (value == std::floor(value) && std::abs(value) < exact) return static_cast<std::int64_t>(value);
+    return value;
 }
 
 } // namespace
@@ -23,7 +32,7 @@ std::string RunStatistics::line(const std::string& tool) const {
     stats["peakMegabytes"] = peakMegabytes();
     stats["counters"] = Json::object();
     for (const auto& [counter, value] : counters_)
-        stats["counters"][counter] = value;
+        stats["counters"][counter] = counted(value);
     std::string text = printJsonLine(stats);
     text.pop_back(); // the line end
     return text;
