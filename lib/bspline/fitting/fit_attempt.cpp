@@ -77,7 +77,8 @@ public:
           state_(problem, options, isSoft, jobs) {}
 
     Fitted run(bool isLast, const Control& control) {
-        state_.solveFirst(2 * options_.slides); // more slides while there are few knots
+        // More slides while there are few knots.
+        state_.solveFirst(2 * options_.slides, control.stopRequested);
         search(options_.maxRounds, options_.removesKnots ? Saving::tried : Saving::none, control);
         Fitted nearest;
         for (int k = 1;; ++k) {

@@ -113,7 +113,7 @@ KnotPlan FitState::firstKnots(const std::vector<FitLattice>& lattices,
     return plan;
 }
 
-void FitState::solveFirst(int slides) {
+void FitState::solveFirst(int slides, const std::function<bool()>& isStopRequested) {
     std::vector<double> share(sources_.size(), 1);
     lattices_ = evenLattices();
     plan_ = firstKnots(lattices_, share);
@@ -125,6 +125,7 @@ void FitState::solveFirst(int slides) {
     const std::size_t maxControlPoints =
         FirstKnots::maxGrowth * controlPointCount(patches_) + FirstKnots::maxPerQuad * quads;
     for (int times = 0; times < options_.unfoldings && isFolded(); ++times) {
+        if (isStopRequested()) return;
         if (controlPointCount(patches_) > maxControlPoints) break;
         if (times < FirstKnots::maxTimes) {
             for (std::size_t k = 0; k < share.size(); ++k)
@@ -135,7 +136,7 @@ void FitState::solveFirst(int slides) {
         }
         beginAnew(slides);
     }
-    if (options_.unfoldings == 0 || !isFolded()) return;
+    if (options_.unfoldings == 0 || !isFolded() || isStopRequested()) return;
     // Something else makes them fold.
     for (std::size_t k = 0; k < share.size(); ++k)
         if (errors_[k].anyFolded()) share[k] = 1;

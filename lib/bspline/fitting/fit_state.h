@@ -16,6 +16,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -32,8 +33,9 @@ public:
 
     /// Solves for all patches with the fewest knots that are likely to suffice. Patches that fold with so few
     /// get more at once, because folded patches seldom unfold, and knots that are not needed can be removed.
-    /// \param slides  number of times that the targets slide in between
-    void solveFirst(int slides);
+    /// \param slides           number of times that the targets slide in between
+    /// \param isStopRequested  patches that fold remain folded once it returns true
+    void solveFirst(int slides, const std::function<bool()>& isStopRequested);
     /// Solves for the patches that have changed and those around them, or for all if that is impossible.
     void solveChanged(int slides);
 

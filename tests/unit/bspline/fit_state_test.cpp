@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace qm {
@@ -16,10 +17,10 @@ namespace {
 /// A fit to a waved sheet of two patches.
 class WavedFit : public testing::Test {
 protected:
-    WavedFit()
+    explicit WavedFit(double height = 0.3)
         : sheet{24, 8,
-                [](double i, double j) {
-                    return Point(i, j, 0.3 * std::sin(0.03 * i * i) * std::cos(0.3 * j));
+                [=](double i, double j) {
+                    return Point(i, j, height * std::sin(0.03 * i * i) * std::cos(0.3 * j));
                 }},
           mesh(test::makeMesh(sheet)), layout(test::makeLayout(sheet, {{0, 0, 24, 4}, {0, 4, 24, 8}})),
           network(buildNetwork(mesh, layout, dihedralAngles(mesh), 3)), reference{limitSurface(
@@ -38,7 +39,7 @@ protected:
     };
     [[nodiscard]] Points pointsWith(FitState::Where where) const {
         FitState state(problem, options, std::vector<bool>(2), 1);
-        state.solveFirst(2);
+        state.solveFirst(2, [] { return false; });
         while (state.worst() > 1 && state.refine())
             state.solveChanged(2);
         Points points{.first = state.score().controlPoints};
@@ -74,6 +75,27 @@ TEST_F(WavedFit, PutsBackTheKnotsThatTurnOutToBeNeeded) {
     EXPECT_LT(near.back, inPatch.back) << "those far from what misses are not needed";
     EXPECT_LT(inPatch.back, around.back) << "nor those of the other patch";
     EXPECT_EQ(around.back, around.first);
+}
+
+/// Waves so high, and a tolerance so large, that patches fold with the first knots.
+class HighWaves : public WavedFit {
+protected:
+    HighWaves() : WavedFit(6) { options.tolerance = 10; }
+
+    /// The number of control points after the first solution.
+    [[nodiscard]] std::size_t first(const std::function<bool()>& isStopRequested) const {
+        FitState state(problem, options, std::vector<bool>(2), 1);
+        state.solveFirst(2, isStopRequested);
+        return state.score().controlPoints;
+    }
+};
+
+TEST_F(HighWaves, AreNotUnfoldedOnceTheFitIsToStop) {
+    const std::size_t unfolded = first([] { return false; });
+    const std::size_t stopped = first([] { return true; });
+    options.unfoldings = 0;
+    EXPECT_EQ(stopped, first([] { return false; }));
+    EXPECT_LT(stopped, unfolded);
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "base/at.h"
 #include "bspline/fit.h"
+#include "bspline/fitting/fit_options.h"
 #include "bspline/splines/evaluate.h"
 #include "mesh/bounding_box.h"
 #include "mesh/dihedral.h"
@@ -68,13 +69,16 @@ TEST(DirtyScan, IsGivenUpWhereOnlyNoiseIsLeftToFollow) {
     addNoise(scan, 0.01 * boundingBoxOf(scan.points).diagonal(), 1);
     const TriangleSurface surface(scan);
     const FitOptions options{.tolerance = {0.02, true}, .rho = 0.2};
-    int rounds = 0; // every one asks
+    int rounds = 0;
+    int questions = 0; // one in every round, and one whenever folded patches begin anew
     Control control;
-    control.stopRequested = [&] { return ++rounds < 0; };
+    control.progress = [&](double) { ++rounds; };
+    control.stopRequested = [&] { return ++questions < 0; };
     const Surfaces surfaces =
         fitSurfaces(mesh, testing::cheapestLayout(mesh), dihedralAngles(mesh), options, &surface, control);
     EXPECT_FALSE(missedTolerance(surfaces, options).empty());
     EXPECT_LT(rounds, 10);
+    EXPECT_LT(questions, 10 + SmoothFitOptions{}.unfoldings) << "it is not begun once more";
 }
 
 TEST(DirtyScan, NoiseIsNotFollowedWhereTrianglesAreNoSmallerThanSteps) {
