@@ -17,7 +17,7 @@ IdVector<CrackNodeId, int> capacities(const Problem& problem) {
 CrackRule::CrackRule(const Problem& problem, const PartialAssignment& assignment, LineRule& lines)
     : problem_(problem), assignment_(assignment), lines_(lines), nodeOfChain_(problem.chains.size()),
       crossingsOfNode_(problem.nodes.size()), counted_(problem.crossings.size(), false),
-      forest_(capacities(problem)) {
+      visited_(problem.nodes.size(), false), forest_(capacities(problem)) {
     for (const CrackNodeId node : problem.nodes.ids())
         if (problem.nodes[node].chain.valid()) nodeOfChain_[problem.nodes[node].chain] = node;
     for (const CrossingId crossing : problem.crossings.ids())
@@ -63,15 +63,21 @@ bool CrackRule::visitCrossing(CrossingId id) {
 
 bool CrackRule::visitCovered(ChainId chain) {
     const CrackNodeId node = nodeOfChain_[chain];
-    return !node.valid() || std::ranges::all_of(crossingsOfNode_[node], [this](CrossingId crossing) {
-        return visitCrossing(crossing);
-    });
+    if (!node.valid() || visited_[node]) return true;
+    visited_[node] = true;
+    visitedTrail_.push_back(node);
+    return std::ranges::all_of(crossingsOfNode_[node],
+                               [this](CrossingId crossing) { return visitCrossing(crossing); });
 }
 
 void CrackRule::undo(const Mark& mark) {
     while (countedTrail_.size() > mark.counted) {
         counted_[countedTrail_.back()] = false;
         countedTrail_.pop_back();
+    }
+    while (visitedTrail_.size() > mark.visited) {
+        visited_[visitedTrail_.back()] = false;
+        visitedTrail_.pop_back();
     }
     forest_.undo(mark.changes);
 }

@@ -38,14 +38,18 @@ public:
     /// Draws the conclusions of rule 4 at a crossing.
     /// \return false on a contradiction
     bool visitCrossing(CrossingId crossing);
-    /// Draws the conclusions of rule 4 along a chain that has just been covered or has got a gap.
+    /// Draws the conclusions of rule 4 along a chain that is covered or has got a gap. Once is enough: what
+    /// changes later is a crossing's arc, which is visited then, or whether the other line is covered.
     bool visitCovered(ChainId chain);
 
     struct Mark {
         std::size_t counted = 0;
+        std::size_t visited = 0;
         std::size_t changes = 0;
     };
-    [[nodiscard]] Mark mark() const { return {countedTrail_.size(), forest_.changes()}; }
+    [[nodiscard]] Mark mark() const {
+        return {countedTrail_.size(), visitedTrail_.size(), forest_.changes()};
+    }
     void undo(const Mark& mark);
 
 private:
@@ -58,6 +62,8 @@ private:
     IdVector<CrackNodeId, std::vector<CrossingId>> crossingsOfNode_;
     IdVector<CrossingId, bool> counted_; ///< crossings that are in the forest
     std::vector<CrossingId> countedTrail_;
+    IdVector<CrackNodeId, bool> visited_; ///< nodes whose crossings `visitCovered` has visited
+    std::vector<CrackNodeId> visitedTrail_;
     CrackForest forest_;
 };
 

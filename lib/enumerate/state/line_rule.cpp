@@ -12,21 +12,21 @@ bool LineRule::visit(VariableId variable) {
         if (state == ArcState::out) {
             if (!openGap(id, variable)) return false;
         } else if (!gap.empty()) {
-            const int step = variable < gap.first ? -1 : 1;
-            for (VariableId v = variable + step; chain.has(v); v = v + step)
-                if (!assignment_.set(v, ArcState::in)) return false;
+            if (!spread(chain, variable, variable < gap.first ? -1 : 1)) return false;
         }
-    } else if (!closeOneSided(chain, variable, state)) {
-        return false;
+    } else {
+        const bool towardsBegin = chain.coveredBefore == (state == ArcState::in);
+        if (!spread(chain, variable, towardsBegin ? -1 : 1)) return false;
     }
     return !promised_[id] || assignment_.inCount(id) != chain.count;
 }
 
 /// For a chain covered from one side: all variables between that side and a variable that is in are in; all
-/// beyond a variable that is out are out.
-bool LineRule::closeOneSided(const Chain& chain, VariableId variable, ArcState state) {
-    const bool towardsBegin = chain.coveredBefore == (state == ArcState::in);
-    const int step = towardsBegin ? -1 : 1;
+/// beyond a variable that is out are out. Beside a gap, all beyond a variable that is in are in.
+///
+/// A variable on the way that has the value already goes on from there when its own turn comes.
+bool LineRule::spread(const Chain& chain, VariableId variable, int step) {
+    const ArcState state = assignment_.value(variable);
     for (VariableId v = variable + step; chain.has(v); v = v + step) {
         if (assignment_.value(v) == state) break;
         if (!assignment_.set(v, state)) return false;
@@ -44,7 +44,10 @@ bool LineRule::openGap(ChainId id, VariableId variable) {
     const bool first = before.empty();
     gap = first ? Gap{variable, variable}
                 : Gap{std::min(before.first, variable), std::max(before.last, variable)};
-    for (const VariableId v : IdRange(gap.first, gap.last + 1))
+    const IdRange added = first                     ? IdRange(variable, variable + 1)
+                          : variable < before.first ? IdRange(variable, before.first)
+                                                    : IdRange(before.last + 1, variable + 1);
+    for (const VariableId v : added)
         if (!assignment_.set(v, ArcState::out)) return false;
     if (!first) return true;
     for (const int step : {-1, 1}) {

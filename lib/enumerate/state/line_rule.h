@@ -59,7 +59,7 @@ private:
         Gap before;
     };
 
-    bool closeOneSided(const Chain& chain, VariableId variable, ArcState value);
+    bool spread(const Chain& chain, VariableId variable, int step);
     bool openGap(ChainId chain, VariableId variable);
 
     const Problem& problem_;
