@@ -2,12 +2,16 @@
 // anything that copies or collects parts of the mesh for every element shows in them, on every machine alike.
 #include "cut/cut.h"
 #include "enumerate/enumerate.h"
+#include "enumerate/relaxation/column_state.h"
+#include "enumerate/state/independent_parts.h"
 #include "features/features.h"
 #include "layout/layout.h"
 #include "merge/merge.h"
 #include "mesh/dihedral.h"
 #include "prune/prune.h"
 #include "shape/shape.h"
+#include "support/polycube.h"
+#include "support/random_graph.h"
 
 #include <gtest/gtest.h>
 
@@ -81,6 +85,27 @@ std::map<std::string, double> bytesOfStages(int voxels) {
     (void)pruneLayout(mesh, layout, angles, costs, {}, control);
     done("prune");
     return bytes;
+}
+
+/// The bytes that the formulations of all parts of a search problem allocate, for solids that nothing
+/// connects.
+double bytesOfFormulations(std::size_t solids) {
+    const QuadMesh mesh = quadMesh(together(std::vector(solids, polycube(bump()))));
+    const ArcGraph graph = buildArcGraph(mesh, buildBaseComplex(mesh));
+    const std::vector<double> costs(graph.arcs.size(), 1);
+    const Problem problem = makeProblem({graph, costs, {}, {}, {}, {}});
+    SearchState state(problem);
+    const auto parts = independentParts(state);
+    EXPECT_GE(parts.size(), solids);
+    const std::size_t before = bytesTaken;
+    for (const std::vector<VariableId>& part : parts)
+        EXPECT_TRUE(ColumnState(state, formulate(state, part)).consistent());
+    return static_cast<double>(bytesTaken - before);
+}
+
+TEST(Growth, AFormulationTakesNoMoreThanItsPart) {
+    constexpr double maxGrowth = 1.01;
+    EXPECT_LE(bytesOfFormulations(400), 4 * maxGrowth * bytesOfFormulations(100));
 }
 
 TEST(Growth, NoStageTakesMuchMoreThanInProportion) {

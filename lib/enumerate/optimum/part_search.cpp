@@ -14,7 +14,7 @@ bool PartSearch::allDecided() const {
 }
 
 double PartSearch::present(VariableId variable) const {
-    const auto& [fromBefore, fromAfter] = formulation.columnsOf[variable];
+    const auto [fromBefore, fromAfter, cover] = formulation.columnsOf[variable];
     const auto value = [this](ColumnId column) { return column.valid() ? relaxation.values()[column] : 0; };
     return value(fromBefore) + value(fromAfter);
 }

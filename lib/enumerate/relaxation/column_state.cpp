@@ -18,6 +18,10 @@ ColumnState::ColumnState(SearchState& state, const Formulation& formulation)
             rowsOf_[column].push_back(row);
     for (const RowId row : formulation.rows.ids())
         consistent_ = consistent_ && visitRow(row);
+    // Of the variables that have a value already, only few may belong to the formulation.
+    for (const VariableId variable : formulation.variableOf)
+        consistent_ = consistent_ && (!variable.valid() || state.isFree(variable) || passOn(variable));
+    seen_ = state.mark();
     consistent_ = consistent_ && settle();
 }
 
@@ -49,7 +53,7 @@ bool ColumnState::take(const Decision& decision) {
         if (!arcs_.isFree(decision.variable)) return arcs_.value(decision.variable) == decision.state;
         return arcs_.assign(decision.variable, decision.state) && settle();
     }
-    const Formulation::Columns& columns = formulation_.columnsOf[decision.variable];
+    const Formulation::Columns columns = formulation_.columnsOf[decision.variable];
     return fixColumn(decision.about == Decision::About::fromBefore ? columns.fromBefore : columns.fromAfter,
                      decision.state);
 }
@@ -85,18 +89,23 @@ bool ColumnState::settle() {
 }
 
 bool ColumnState::arcsToColumns() {
-    for (const VariableId variable : arcs_.assignedSince(seen_)) {
-        const auto& [fromBefore, fromAfter] = formulation_.columnsOf[variable];
-        const ArcState value = arcs_.value(variable);
-        if (const RowId row = formulation_.coverRowOf[variable]; row.valid() && value == ArcState::in) {
-            if (!demanded_[row]) demandTrail_.push_back(row);
-            demanded_[row] = true;
-            continue;
-        }
-        for (const ColumnId column : {fromBefore, fromAfter})
-            if (column.valid() && !set(column, value)) return false;
-    }
+    for (const VariableId variable : arcs_.assignedSince(seen_))
+        if (!passOn(variable)) return false;
     seen_ = arcs_.mark();
+    return true;
+}
+
+/// Passes the value of a variable on to its columns, or demands that it be covered.
+bool ColumnState::passOn(VariableId variable) {
+    const auto [fromBefore, fromAfter, cover] = formulation_.columnsOf[variable];
+    const ArcState value = arcs_.value(variable);
+    if (cover.valid() && value == ArcState::in) {
+        if (!demanded_[cover]) demandTrail_.push_back(cover);
+        demanded_[cover] = true;
+        return true;
+    }
+    for (const ColumnId column : {fromBefore, fromAfter})
+        if (column.valid() && !set(column, value)) return false;
     return true;
 }
 
@@ -105,7 +114,7 @@ bool ColumnState::columnsToArcs() {
         const ColumnId column = columnTrail_[told_++];
         const VariableId variable = formulation_.variableOf[column];
         if (!variable.valid()) continue; // its value follows from the variables
-        const auto& [fromBefore, fromAfter] = formulation_.columnsOf[variable];
+        const auto [fromBefore, fromAfter, cover] = formulation_.columnsOf[variable];
         const auto isOut = [this](ColumnId c) { return !c.valid() || columns_[c] == ArcState::out; };
         ArcState value = ArcState::free;
         if (columns_[column] == ArcState::in)

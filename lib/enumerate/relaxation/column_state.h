@@ -50,6 +50,7 @@ private:
     bool set(ColumnId column, ArcState value);
     bool settle();
     bool arcsToColumns();
+    bool passOn(VariableId variable);
     bool columnsToArcs();
     bool visitRow(RowId row);
 

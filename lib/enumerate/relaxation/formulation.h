@@ -7,6 +7,7 @@
 /// lines at most one is passed. Every stop makes two corners of segments.
 #pragma once
 
+#include "base/sparse_id_vector.h"
 #include "enumerate/state/search_state.h"
 #include "program/integer_program.h"
 
@@ -20,11 +21,12 @@ struct Formulation {
     struct Columns {
         ColumnId fromBefore;
         ColumnId fromAfter;
+        RowId cover; ///< the row p + s <= 1 if there are both
         [[nodiscard]] bool any() const { return fromBefore.valid() || fromAfter.valid(); }
     };
     using Row = IntegerProgram::Row;
-    IdVector<VariableId, Columns> columnsOf;   ///< of every variable and both constants
-    IdVector<VariableId, RowId> coverRowOf;    ///< the row p + s <= 1 of every variable that has both columns
+    /// Of variables of the part, and of lines that are covered but may be cracked.
+    SparseIdVector<VariableId, Columns> columnsOf;
     IdVector<ColumnId, VariableId> variableOf; ///< none for a flag that a crossing has no arcs
     ColumnValues costs;                        ///< of every column
     double constant = 0;                       ///< added to the cost of the columns

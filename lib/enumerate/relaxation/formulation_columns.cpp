@@ -7,30 +7,25 @@
 
 namespace qm {
 FormulationColumns::FormulationColumns(const SearchState& state, const std::vector<VariableId>& variables)
-    : state_(state), problem_(state.problem()), ours_(problem_.domains.size(), false),
-      known_(problem_.chains.size(), false) {
-    result_.columnsOf.resize(problem_.domains.size());
-    result_.coverRowOf.resize(problem_.domains.size());
-    for (const VariableId variable : variables) {
-        ours_[variable] = true;
+    : state_(state), problem_(state.problem()), ours_(variables) {
+    for (const VariableId variable : variables)
         crossings_.insert(crossings_.end(), state.crossingsOf(variable).begin(),
                           state.crossingsOf(variable).end());
-    }
     sortUnique(crossings_);
     if (problem_.gaps) {
         for (const VariableId variable : variables)
             knowChain(state.chainOf(variable));
         knowCovered();
-        for (const ChainId chain : problem_.chains.ids())
-            if (known_[chain]) addChain(problem_.chains[chain]);
+        for (const ChainId chain : known_)
+            addChain(problem_.chains[chain]);
     } else {
         for (const VariableId variable : variables)
-            result_.columnsOf[variable].fromBefore = newColumn(variable);
+            result_.columnsOf.at(variable).fromBefore = newColumn(variable);
     }
 }
 
 bool FormulationColumns::isForeign(VariableId variable) const {
-    return state_.isFree(variable) && !ours_[variable];
+    return state_.isFree(variable) && !std::ranges::binary_search(ours_, variable);
 }
 bool FormulationColumns::isForeign(const Chain& chain) const {
     return std::ranges::any_of(chain.variables(), [this](VariableId v) { return isForeign(v); });
@@ -40,8 +35,8 @@ bool FormulationColumns::isForeign(const Crossing& crossing) const {
 }
 
 void FormulationColumns::knowChain(ChainId chain) {
-    if (!chain.valid() || known_[chain] || isForeign(problem_.chains[chain])) return;
-    known_[chain] = true;
+    if (!chain.valid() || known_.contains(chain) || isForeign(problem_.chains[chain])) return;
+    known_.insert(chain);
     fresh_.push_back(chain);
 }
 
@@ -81,15 +76,15 @@ void FormulationColumns::addChain(const Chain& chain) {
         }
     for (const VariableId v : chain.variables()) {
         if (isOut(v)) continue;
-        Formulation::Columns& here = result_.columnsOf[v];
+        Formulation::Columns& here = result_.columnsOf.at(v);
         if (chain.coveredBefore && v < firstOut) here.fromBefore = newColumn(v);
         if (chain.coveredAfter && v > lastOut) here.fromAfter = newColumn(v);
         if (here.fromBefore.valid() && here.fromAfter.valid()) {
-            result_.coverRowOf[v] = result_.rows.nextId();
+            here.cover = result_.rows.nextId();
             result_.rows.push_back({{here.fromBefore, here.fromAfter}, {1, 1}, isIn(v) ? 1.0 : -infinity, 1});
         }
         if (v == chain.first) continue;
-        const Formulation::Columns& previous = columns(v - 1);
+        const Formulation::Columns previous = columns(v - 1);
         if (previous.fromBefore.valid() && here.fromBefore.valid())
             addLowerLimit(Expression{}.add(previous.fromBefore, 1).add(here.fromBefore, -1), 0);
         if (previous.fromAfter.valid() && here.fromAfter.valid())
@@ -105,9 +100,9 @@ ColumnId FormulationColumns::newFlag() {
 
 Expression FormulationColumns::present(VariableId variable) const {
     Expression expression;
-    const auto& [fromBefore, fromAfter] = columns(variable);
-    expression.add(fromBefore, 1).add(fromAfter, 1);
-    if (!columns(variable).any()) expression.constant = isIn(variable) ? 1 : 0;
+    const Formulation::Columns both = columns(variable);
+    expression.add(both.fromBefore, 1).add(both.fromAfter, 1);
+    if (!both.any()) expression.constant = isIn(variable) ? 1 : 0;
     return expression;
 }
 
@@ -159,8 +154,7 @@ Expression FormulationColumns::surePass(const CrossingSide& side) const {
 }
 
 std::array<Expression, 2> FormulationColumns::particleStops(const CrossingSide& side) const {
-    const auto& before = columns(side.before);
-    const auto& after = columns(side.after);
+    const Formulation::Columns before = columns(side.before), after = columns(side.after);
     return {Expression{}.add(before.fromBefore, 1).add(after.fromBefore, -1),
             Expression{}.add(after.fromAfter, 1).add(before.fromAfter, -1)};
 }

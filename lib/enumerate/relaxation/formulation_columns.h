@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -37,6 +38,7 @@ struct Expression {
 /// Makes the columns, and the rows between columns of one chain.
 class FormulationColumns {
 public:
+    /// \param variables  ascending; must outlive this, as the state must
     FormulationColumns(const SearchState& state, const std::vector<VariableId>& variables);
 
     /// The crossings that need rows: those of the variables, and those of lines that are covered but may be
@@ -49,7 +51,7 @@ public:
     /// Whether a crossing has free arcs of another part; then none of its rules concerns this part.
     [[nodiscard]] bool isForeign(const Crossing& crossing) const;
 
-    [[nodiscard]] const Formulation::Columns& columns(VariableId variable) const {
+    [[nodiscard]] Formulation::Columns columns(VariableId variable) const {
         return result_.columnsOf[variable];
     }
     /// The presence y of a variable or constant.
@@ -85,9 +87,9 @@ private:
     const Problem& problem_;
     Formulation result_;
     std::vector<CrossingId> crossings_;
-    IdVector<VariableId, bool> ours_; ///< variables of the part
-    IdVector<ChainId, bool> known_;   ///< chains that get columns
-    std::vector<ChainId> fresh_;      ///< chains in `known_` whose crossings have not been visited
+    const std::vector<VariableId>& ours_; ///< variables of the part
+    std::set<ChainId> known_;             ///< chains that get columns
+    std::vector<ChainId> fresh_;          ///< chains in `known_` whose crossings have not been visited
 };
 
 } // namespace qm

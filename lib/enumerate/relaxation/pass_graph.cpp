@@ -4,12 +4,12 @@ namespace qm {
 
 PassGraph::PassGraph(const SearchState& state, const Formulation& formulation) {
     const Problem& problem = state.problem();
-    IdVector<VariableId, SideId> behind(problem.domains.size()); // the side behind each variable
+    SparseIdVector<VariableId, SideId> behind; // the side behind each variable
     for (const CrossingId id : formulation.plainCrossings)
         for (const CrossingSide& side : problem.crossings[id].sides) {
-            const Formulation::Columns& before = formulation.columnsOf[side.before];
-            const Formulation::Columns& after = formulation.columnsOf[side.after];
-            behind[side.before] = sides_.nextId();
+            const Formulation::Columns before = formulation.columnsOf[side.before],
+                                       after = formulation.columnsOf[side.after];
+            behind.at(side.before) = sides_.nextId();
             sides_.push_back({{before.fromBefore, after.fromAfter},
                               {after.fromBefore, before.fromAfter},
                               {},

@@ -63,10 +63,9 @@ double PartialAssignment::cornerBounds(VariableId variable) const {
 }
 
 Assignment PartialAssignment::assignment() const {
-    Assignment result;
-    result.reserve(values_.size());
-    for (const ArcState state : values_)
-        result.push_back(state == ArcState::in ? 1 : 0);
+    Assignment result(values_.size());
+    std::ranges::transform(values_, result.begin(),
+                           [](ArcState state) { return state == ArcState::in ? 1 : 0; });
     return result;
 }
 
