@@ -12,7 +12,8 @@ namespace {
 class Meetings {
 public:
     Meetings(const ArcGraph& graph, const std::vector<bool>& present, const Walkers& walkers)
-        : graph_(graph), meetingOf_(graph.lines.size()), crossingsOf_(graph.lines.size()) {
+        : graph_(graph), meetingOf_(graph.lines.size()), crossingsOf_(graph.lines.size()),
+          open_(graph.lines.size()), changed_(graph.lines.size(), true) {
         for (std::size_t i = 0; i < graph.lines.size(); ++i) {
             const Line& line = graph.lines[i];
             const auto begin = present.begin() + line.firstArc.value();
@@ -47,6 +48,11 @@ private:
         std::array<Side, 2> sides;
         bool settled = false;
     };
+    /// The crossings of a line that are not settled. If there is one, the sum is its number.
+    struct Open {
+        std::size_t count = 0;
+        std::size_t sum = 0;
+    };
 
     static bool crossed(const Junction& junction, const std::vector<bool>& present) {
         return std::ranges::all_of(junction.arcs,
@@ -64,7 +70,11 @@ private:
         const Junction& junction = graph_.junctions[id.idx()];
         crossings_.push_back({{sideOf(junction, 0), sideOf(junction, 1)}});
         for (const Side& side : crossings_.back().sides)
-            if (side.line.valid()) crossingsOf_[side.line.idx()].push_back(crossings_.size() - 1);
+            if (side.line.valid()) {
+                crossingsOf_[side.line.idx()].push_back(crossings_.size() - 1);
+                ++open_[side.line.idx()].count;
+                open_[side.line.idx()].sum += crossings_.size() - 1;
+            }
     }
 
     [[nodiscard]] bool available(const Side& side) const {
@@ -74,35 +84,43 @@ private:
     void settle(std::size_t crossing, std::size_t side) {
         PlusCrossing& plus = crossings_[crossing];
         plus.settled = true;
+        for (const Side& closed : plus.sides)
+            if (closed.line.valid()) {
+                --open_[closed.line.idx()].count;
+                open_[closed.line.idx()].sum -= crossing;
+            }
         const Side& chosen = plus.sides[available(plus.sides[side]) ? side : 1 - side];
         if (!available(chosen)) return; // the graph is not valid, which the caller must rule out
         meetingOf_[chosen.line.idx()] = chosen.before;
         for (const std::size_t other : crossingsOf_[chosen.line.idx()])
             for (const Side& neighbour : crossings_[other].sides)
-                if (neighbour.line.valid()) waiting_.push_back(neighbour.line);
+                if (neighbour.line.valid()) {
+                    waiting_.push_back(neighbour.line);
+                    if (!crossings_[other].settled) changed_[neighbour.line.idx()] = true;
+                }
     }
 
     /// Assigns every crossing with only one available line to that line, and to every line with only one open
-    /// crossing that crossing.
+    /// crossing that crossing. The crossings of a line are looked at only if a line has become unavailable at
+    /// one of them, so that one line may cross all others.
     void settleLeaves() {
         while (!waiting_.empty()) {
             const LineId line = waiting_.back();
             waiting_.pop_back();
-            std::size_t open = 0, last = 0;
-            for (const std::size_t c : crossingsOf_[line.idx()]) {
-                if (crossings_[c].settled) continue;
-                const bool first = available(crossings_[c].sides[0]),
-                           second = available(crossings_[c].sides[1]);
-                const bool self = crossings_[c].sides[0].line == crossings_[c].sides[1].line;
-                if (first != second || self) {
-                    settle(c, first ? 0 : 1);
-                    continue;
-                }
-                ++open;
-                last = c;
-            }
-            if (open == 1 && !meetingOf_[line.idx()].valid() && !crossings_[last].settled)
+            if (changed_[line.idx()]) settleForced(line);
+            const auto [count, last] = open_[line.idx()];
+            if (count == 1 && !meetingOf_[line.idx()].valid())
                 settle(last, crossings_[last].sides[0].line == line ? 0 : 1);
+        }
+    }
+
+    void settleForced(LineId line) {
+        changed_[line.idx()] = false;
+        for (const std::size_t c : crossingsOf_[line.idx()]) {
+            const auto& [sides, settled] = crossings_[c];
+            if (settled) continue;
+            const bool first = available(sides[0]), second = available(sides[1]);
+            if (first != second || sides[0].line == sides[1].line) settle(c, first ? 0 : 1);
         }
     }
 
@@ -111,6 +129,8 @@ private:
     std::vector<PlusCrossing> crossings_;
     std::vector<ArcId> meetingOf_;
     std::vector<std::vector<std::size_t>> crossingsOf_;
+    std::vector<Open> open_;    ///< of every line
+    std::vector<bool> changed_; ///< lines at whose open crossings a line may have become unavailable
     std::vector<LineId> waiting_;
 };
 
