@@ -7,6 +7,7 @@
 #include "check/surfaces/spline.h"
 #include "check/tracks/check_segments.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -38,20 +39,29 @@ public:
     }
 
 private:
-    /// A row of quads.
+    /// A row of quads, piece by piece: the samples of a quad take 20 kB.
     /// \return false if something was wrong
     bool checkRow(int row) {
+        constexpr int wanted = 64;
+        const int columns = segment_.size[0];
+        for (int begin = 0; begin < columns; begin += wanted)
+            if (!checkPiece(row, begin, std::min(begin + wanted, columns))) return false;
+        return true;
+    }
+
+    /// The quads of a row from one column up to but not including another.
+    bool checkPiece(int row, int begin, int end) {
         const auto& [columns, rows] = segment_.size;
         std::vector<double> us;
         std::vector<double> vs;
-        for (int i = 0; i <= columns * samplesPerEdge; ++i)
+        for (int i = begin * samplesPerEdge; i <= end * samplesPerEdge; ++i)
             us.push_back(static_cast<double>(i) / samplesPerEdge);
         for (int j = 0; j <= samplesPerEdge; ++j)
             vs.push_back(row + static_cast<double>(j) / samplesPerEdge);
         const auto points = evaluateLattice(part_.patches[patch_], us, vs);
-        for (int column = 0; column < columns; ++column) {
+        for (int column = begin; column < end; ++column) {
             const Cell cell = cellAt(column, row);
-            const QuadSamples samples{points, us.size(), at(column * samplesPerEdge)};
+            const QuadSamples samples{points, us.size(), at((column - begin) * samplesPerEdge)};
             if (anyTooFar(cell, samples, {column + 1 == columns, row + 1 == rows})) return false;
             if (anyFold(cell, samples)) return false;
         }

@@ -140,6 +140,17 @@ untrue() {
     untrue "/surfaces/patches/$farthest/deviation/maxFromFacets" deviation
 }
 
+@test "a patch of one long row takes little memory" {
+    awk 'BEGIN {
+        n = 30000
+        for (i = 0; i <= n; ++i) print "v", i, 0, 0 "\nv", i, 1, 0
+        for (i = 1; i <= 2 * n; i += 2) print "f", i, i + 2, i + 3, i + 1
+    }' >strip.obj
+    qm-basecomplex --quiet strip.obj | qm-features | qm-cut | qm-enum | qm-merge | qm-bspline --quiet -o strip.json
+    qm-check --stats strip.json 2>stats.json >/dev/null
+    assert_equal "$(jq '.peakMegabytes < 500' stats.json)" true
+}
+
 @test "history" {
     spoilt '.history |= reverse' layout
     untrue /history/1 history

@@ -78,6 +78,9 @@ std::vector<SurfacePoint> evaluateLattice(const SurfacesPart::Patch& patch, cons
     across.reserve(us.size());
     for (const double u : us)
         across.push_back(basisAt(patch.knots[0], at(patch.degree[0]), u));
+    // Only these control points matter.
+    const std::size_t first = across.front().first;
+    const std::size_t wanted = across.back().first + across.back().count - first;
     std::vector<SurfacePoint> points(us.size() * vs.size());
     std::vector<std::array<double, 3>> row;
     std::vector<std::array<double, 3>> slopes;
@@ -85,21 +88,22 @@ std::vector<SurfacePoint> evaluateLattice(const SurfacesPart::Patch& patch, cons
     for (const double v : vs) {
         // Control points of the curve v = const, and of its derivative by v.
         const Basis up = basisAt(patch.knots[1], at(patch.degree[1]), v);
-        row.assign(columns, {});
-        slopes.assign(columns, {});
+        row.assign(wanted, {});
+        slopes.assign(wanted, {});
         for (std::size_t j = 0; j < up.count; ++j)
-            for (std::size_t i = 0; i < columns; ++i)
+            for (std::size_t i = 0; i < wanted; ++i)
                 for (std::size_t k = 0; k < 3; ++k) {
-                    const double coordinate = patch.controlPoints[(up.first + j) * columns + i][k];
+                    const double coordinate = patch.controlPoints[(up.first + j) * columns + first + i][k];
                     row[i][k] += up.value[j] * coordinate;
                     slopes[i][k] += up.slope[j] * coordinate;
                 }
         for (const Basis& basis : across) {
             for (std::size_t i = 0; i < basis.count; ++i)
                 for (std::size_t k = 0; k < 3; ++k) {
-                    result->point[k] += basis.value[i] * row[basis.first + i][k];
-                    result->alongU[k] += basis.slope[i] * row[basis.first + i][k];
-                    result->alongV[k] += basis.value[i] * slopes[basis.first + i][k];
+                    const std::size_t here = basis.first - first + i;
+                    result->point[k] += basis.value[i] * row[here][k];
+                    result->alongU[k] += basis.slope[i] * row[here][k];
+                    result->alongV[k] += basis.value[i] * slopes[here][k];
                 }
             ++result;
         }

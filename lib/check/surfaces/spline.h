@@ -30,6 +30,7 @@ struct SurfacePoint {
 [[nodiscard]] SurfacePoint evaluate(const SurfacesPart::Patch& patch, double u, double v);
 
 /// The points (us[i], vs[j]), at j * us.size() + i, which costs a fraction of asking for each.
+/// \param us  ascending, at least one
 [[nodiscard]] std::vector<SurfacePoint> evaluateLattice(const SurfacesPart::Patch& patch,
                                                         const std::vector<double>& us,
                                                         const std::vector<double>& vs);

@@ -58,6 +58,19 @@ TEST(CheckSpline, HasTheSlopesOfItsPoints) {
         }
 }
 
+TEST(CheckSpline, AgreesOnALatticeOverAPart) {
+    const SurfacesPart::Patch patch = uniform(3);
+    const std::vector<double> us{1.25, 1.5, 2}, vs{0, 0.75};
+    const auto points = evaluateLattice(patch, us, vs);
+    ASSERT_EQ(points.size(), us.size() * vs.size());
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        const SurfacePoint expected = evaluate(patch, us[k % us.size()], vs[k / us.size()]);
+        EXPECT_LT(distance(points[k].point, expected.point), 1e-14);
+        EXPECT_LT(distance(points[k].alongU, expected.alongU), 1e-14);
+        EXPECT_LT(distance(points[k].alongV, expected.alongV), 1e-14);
+    }
+}
+
 TEST(CheckSpline, ReachesTheCornersOfClampedPatches) {
     auto patch = uniform(3);
     patch.knots[0] = {0, 0, 0, 0, 0.5, 2, 2, 2, 2};
