@@ -45,6 +45,7 @@ SmoothFitOptions effortFor(const QuadMesh& mesh) {
     if (areVeryMany) options.steps = 1;
     options.minInterval = 2; // with edges as short, knots between would follow nothing but errors of the fit
     options.unfoldings = 0;  // beginning anew can take seconds
+    options.evenBorders = 0.5; // there are few rounds to shorten what is too long at first
     options.maxRounds = 20;
     options.maxIdle = 4;
     options.roundsOfMending = 4;

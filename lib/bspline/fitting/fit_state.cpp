@@ -50,6 +50,7 @@ FitState::FitState(const FitProblem& problem, const SmoothFitOptions& options,
                    const std::vector<bool>& isSoft, unsigned jobs)
     : layout_(problem.layout), options_(options), jobs_(jobs),
       map_(problem.mesh, problem.layout, problem.network),
+      evenVertices_(evenVertices(problem.mesh, problem.network, problem.reference.grids)),
       planWithoutKnots_(problem.layout, problem.network,
                         partsOfEdges(problem.reference.grids, options.minInterval * options.tolerance),
                         unevenLines(problem.reference.grids)),
@@ -109,7 +110,7 @@ KnotPlan FitState::firstKnots(const std::vector<FitLattice>& lattices,
     insertInitialKnots(layout_, lattices, normalLimits_, map_, tolerances(FirstKnots::ofPatches), plan);
     insertBorderKnots(layout_, lattices, normalLimits_, tolerances(FirstKnots::ofBorders), plan);
     plan.endAtFirstKnots();
-    alignReaches(plan);
+    alignReaches(plan, evenVertices_, options_.evenBorders * options_.tolerance);
     return plan;
 }
 

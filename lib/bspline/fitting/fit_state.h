@@ -5,6 +5,7 @@
 #include "bspline/fitting/fit_options.h"
 #include "bspline/fitting/fit_problem.h"
 #include "bspline/fitting/fit_round.h"
+#include "bspline/fitting/knots/even_vertices.h"
 #include "bspline/fitting/knots/knot_plan.h"
 #include "bspline/fitting/knots/knot_removal.h"
 #include "bspline/fitting/lattice/fit_lattice.h"
@@ -110,6 +111,7 @@ private:
     const SmoothFitOptions& options_;
     unsigned jobs_;
     StretchMap map_;
+    std::vector<EvenVertex> evenVertices_;
     KnotPlan planWithoutKnots_;
     KnotPlan plan_;
     std::vector<LatticeSource> sources_;

@@ -52,6 +52,12 @@ double half(double length) {
     return length > 1 ? std::floor(length / 2) : length / 2;
 }
 
+/// Makes a linear ratio quadratic, with both of its ends at half of its run.
+void endAtHalf(TangentRatio& ratio) {
+    ratio.isLinear = false;
+    ratio.reach.fill(half(ratio.length));
+}
+
 /// The mean length of a grid's edges along u (0) or v (1).
 double meanEdge(const ReferenceGrid& grid, std::size_t direction) {
     const std::array<std::size_t, 2> lines{grid.columns(), grid.rows()};
@@ -150,12 +156,17 @@ void KnotPlan::endAtFirstKnots() {
     }
 }
 
+void KnotPlan::limitReach(const RunEnd& end, double max) {
+    TangentRatio& ratio = runs_[end.run].ratio;
+    if (ratio.isLinear) endAtHalf(ratio);
+    ratio.reach[end.end] = std::min(ratio.reach[end.end], max);
+}
+
 bool KnotPlan::shorten(std::size_t run, std::size_t end) {
     TangentRatio& ratio = runs_[run].ratio;
     if (ratio.atEnd[end] == 0) return false;
     if (ratio.isLinear) {
-        ratio.isLinear = false;
-        ratio.reach.fill(half(ratio.length));
+        endAtHalf(ratio);
         return true;
     }
     for (const StretchSide& place : stretches()[runs_[run].stretch].sides)

@@ -22,6 +22,14 @@ struct PatchKnot {
     double knot = 0;
 };
 
+/// An end of a run: 0 where it begins, 1 where it ends.
+struct RunEnd {
+    std::size_t run = 0;
+    std::size_t end = 0;
+
+    auto operator<=>(const RunEnd&) const = default;
+};
+
 /// The lengths of knot intervals along u and v of every patch, in mesh edges.
 using IntervalLengths = std::vector<std::array<double, 2>>;
 
@@ -73,6 +81,10 @@ public:
 
     /// \param reach  along the run, such that the two ends do not overlap
     void setReach(std::size_t run, std::size_t end, double reach) { runs_[run].ratio.reach[end] = reach; }
+
+    /// Lets the tangent ratio at one end of a run reach no farther. A linear one becomes quadratic, and ends
+    /// at half of its run at the latest.
+    void limitReach(const RunEnd& end, double max);
 
     /// Halves the reach of the tangent ratio at one end of a run.
     /// \return false if it is as short as the shortest interval already

@@ -1,5 +1,6 @@
 #include "bspline/fitting/knots/reach_alignment.h"
 
+#include "bspline/fitting/knots/even_reaches.h"
 #include "layout/sides.h"
 
 #include <algorithm>
@@ -27,11 +28,20 @@ struct RatioEnd {
     std::size_t run = 0;
     std::size_t end = 0;
     double firstReach = 0;
+    bool isShortened = false; ///< since then, for an even vertex
 };
 
 class Alignment {
 public:
-    explicit Alignment(KnotPlan& plan) : plan_(plan), spaces_(plan.spaces()), users_(spaces_.size()) {
+    Alignment(KnotPlan& plan, const std::vector<EvenVertex>& vertices, double allowed)
+        : plan_(plan), vertices_(vertices), allowed_(allowed) {
+        const std::vector<SmoothRun> first = plan.runs();
+        shortenAtEvenVertices(vertices, allowed, plan);
+        for (std::size_t vertex = 0; vertex < vertices.size(); ++vertex)
+            for (std::size_t border = 0; border < vertices[vertex].borders.size(); ++border)
+                evenPlaces_[vertices[vertex].borders[border].end] = {vertex, border};
+        spaces_ = plan.spaces();
+        users_.resize(spaces_.size());
         for (std::size_t patch = 0; patch < spaces_.size(); ++patch)
             for (const std::size_t direction : {0U, 1U})
                 for (const double knot : plan.alwaysDouble()[patch][direction])
@@ -40,7 +50,9 @@ public:
             const TangentRatio& ratio = plan.runs()[run].ratio;
             for (const std::size_t end : {0U, 1U}) {
                 if (ratio.isLinear || ratio.atEnd[end] == 0) continue;
-                ends_.push_back({run, end, ratio.reach[end]});
+                const TangentRatio& before = first[run].ratio;
+                const double firstReach = before.isLinear ? ratio.length / 2 : before.reach[end];
+                ends_.push_back({run, end, firstReach, ratio.reach[end] < firstReach});
                 use(ends_.back(), ratio.reach[end], 1);
             }
         }
@@ -56,6 +68,12 @@ public:
     }
 
 private:
+    /// A border of an even vertex.
+    struct EvenPlace {
+        std::size_t vertex = 0;
+        std::size_t border = 0;
+    };
+
     [[nodiscard]] const SmoothRun& runOf(const RatioEnd& end) const { return plan_.runs()[end.run]; }
     [[nodiscard]] double reach(const RatioEnd& end) const { return runOf(end).ratio.reach[end.end]; }
 
@@ -77,13 +95,15 @@ private:
         return points;
     }
 
-    /// The reaches with which this end would be where others end.
+    /// The reaches with which this end would be where others end, and the first one if it is
+    /// shorter now.
     [[nodiscard]] std::vector<double> candidates(const RatioEnd& end) const {
         const SmoothRun& run = runOf(end);
         const double farthest =
             std::min(Movement::farthest * end.firstReach, run.ratio.length - run.ratio.reach[1 - end.end]);
         const double nearest = std::max(Movement::nearest * end.firstReach, Movement::minReach);
         std::vector<double> reaches;
+        if (end.isShortened && end.firstReach <= farthest) reaches.push_back(end.firstReach);
         if (nearest > farthest) return reaches;
         for (const StretchSide& side : plan_.stretches()[run.stretch].sides) {
             const auto& size = plan_.sizes()[side.patch];
@@ -99,6 +119,17 @@ private:
         return reaches;
     }
 
+    /// False if the borders of an even vertex could not be near enough to the reference.
+    [[nodiscard]] bool isAllowed(const RatioEnd& end, double reach) const {
+        const auto found = evenPlaces_.find({end.run, end.end});
+        if (found == evenPlaces_.end()) return true;
+        const EvenVertex& vertex = vertices_[found->second.vertex];
+        std::vector<double> reaches = reachesAt(vertex, plan_);
+        const double before = minError(vertex, reaches);
+        reaches[found->second.border] = reach;
+        return minError(vertex, reaches) <= std::max(allowed_, before);
+    }
+
     /// \return false if the end is best where it is
     bool move(const RatioEnd& end) {
         use(end, reach(end), -1);
@@ -106,7 +137,7 @@ private:
         std::size_t least = cost(end, best);
         for (const double candidate : candidates(end)) {
             const std::size_t points = cost(end, candidate);
-            if (points >= least) continue;
+            if (points >= least || !isAllowed(end, candidate)) continue;
             best = candidate;
             least = points;
         }
@@ -117,6 +148,9 @@ private:
     }
 
     KnotPlan& plan_;
+    const std::vector<EvenVertex>& vertices_;
+    double allowed_;
+    std::map<RunEnd, EvenPlace> evenPlaces_;
     std::vector<PatchSpace> spaces_; ///< before
     std::vector<std::array<std::map<double, int>, 2>>
         users_; ///< by patch, direction and knot: how many reasons there are for it to be double
@@ -125,8 +159,8 @@ private:
 
 } // namespace
 
-void alignReaches(KnotPlan& plan) {
-    Alignment(plan).run();
+void alignReaches(KnotPlan& plan, const std::vector<EvenVertex>& vertices, double allowed) {
+    Alignment(plan, vertices, allowed).run();
 }
 
 } // namespace qm
