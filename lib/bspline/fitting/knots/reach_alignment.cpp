@@ -23,10 +23,8 @@ struct Movement {
 /// Every move can make others worth while.
 constexpr int maxPasses = 4;
 
-/// The end of a tangent ratio: 0 at the beginning of its run, 1 at the end.
-struct RatioEnd {
-    std::size_t run = 0;
-    std::size_t end = 0;
+/// The end of a tangent ratio.
+struct RatioEnd : RunEnd {
     double firstReach = 0;
     bool isShortened = false; ///< since then, for an even vertex
 };
@@ -52,7 +50,7 @@ public:
                 if (ratio.isLinear || ratio.atEnd[end] == 0) continue;
                 const TangentRatio& before = first[run].ratio;
                 const double firstReach = before.isLinear ? ratio.length / 2 : before.reach[end];
-                ends_.push_back({run, end, firstReach, ratio.reach[end] < firstReach});
+                ends_.push_back({{run, end}, firstReach, ratio.reach[end] < firstReach});
                 use(ends_.back(), ratio.reach[end], 1);
             }
         }
@@ -121,7 +119,7 @@ private:
 
     /// False if the borders of an even vertex could not be near enough to the reference.
     [[nodiscard]] bool isAllowed(const RatioEnd& end, double reach) const {
-        const auto found = evenPlaces_.find({end.run, end.end});
+        const auto found = evenPlaces_.find(end);
         if (found == evenPlaces_.end()) return true;
         const EvenVertex& vertex = vertices_[found->second.vertex];
         std::vector<double> reaches = reachesAt(vertex, plan_);
