@@ -23,10 +23,9 @@ void shortenAtEvenVertices(const std::vector<EvenVertex>& vertices, double allow
         if (before.empty() || minError(vertex, before) <= allowed) continue;
         double common = minReach;
         const double longest = std::ranges::max(before);
-        for (double next = minReach; next < longest; next = next < 1 ? 2 * next : next + 1) {
-            if (minError(vertex, limited(before, next)) > allowed) break;
-            common = next;
-        }
+        while (nextDistance(common) < longest &&
+               minError(vertex, limited(before, nextDistance(common))) <= allowed)
+            common = nextDistance(common);
         for (std::size_t k = 0; k < before.size(); ++k)
             if (before[k] > common) plan.limitReach(vertex.borders[k].end, common);
     }

@@ -11,8 +11,7 @@
 namespace qm {
 namespace {
 
-/// The place nearest to the vertex at which the reference is sampled, in mesh edges. The distance doubles
-/// from place to place up to one edge, and grows by one edge after that.
+/// The place nearest to the vertex at which the reference is looked at, in mesh edges.
 constexpr double nearest = 1.0 / 16;
 
 /// The normals of reference and vertex are taken to form no larger angle than this cosine tells.
@@ -74,10 +73,12 @@ void addPlaces(const SmoothNetwork& network, const std::vector<ReferenceGrid>& g
     for (EvenBorder& border : vertex.borders) {
         const Point origin = evaluate(border.end, 0, 0).position;
         const double length = network.runs[border.end.run].ratio.length;
-        for (double x = nearest; x <= length; x = x < 1 ? 2 * x : x + 1) {
-            const SurfacePoint point = evaluate(border.end, 0, x);
-            border.places.push_back({x, normal | (point.position - origin),
+        double distance = nearest;
+        while (distance <= length) {
+            const SurfacePoint point = evaluate(border.end, 0, distance);
+            border.places.push_back({distance, normal | (point.position - origin),
                                      std::clamp(normal | normalOf(point), minCosine, 1.0)});
+            distance = nextDistance(distance);
         }
     }
 }

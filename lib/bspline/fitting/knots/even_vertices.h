@@ -27,6 +27,12 @@ struct EvenVertex {
     std::vector<EvenBorder> borders; ///< those with a tangent ratio
 };
 
+/// The distances at which reaches may end, and at which the reference is looked at: after this it doubles up
+/// to one mesh edge, and grows by one edge from there on.
+[[nodiscard]] constexpr double nextDistance(double distance) {
+    return distance < 1 ? 2 * distance : distance + 1;
+}
+
 /// All even vertices at which tangent ratios begin or end.
 /// \param grids  the reference, by patch
 [[nodiscard]] std::vector<EvenVertex> evenVertices(const QuadMesh& mesh, const SmoothNetwork& network,

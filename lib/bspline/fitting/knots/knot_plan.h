@@ -27,7 +27,7 @@ struct RunEnd {
     std::size_t run = 0;
     std::size_t end = 0;
 
-    auto operator<=>(const RunEnd&) const = default;
+    auto operator<=>(const RunEnd&) const = default; // NOLINT(modernize-use-nullptr): no pointer
 };
 
 /// The lengths of knot intervals along u and v of every patch, in mesh edges.
