@@ -149,7 +149,7 @@ common.tests     := $(common) gtest/gtest.h
 kept_templates   := $(if $(findstring clang,$(CXX)),-fpch-instantiate-templates)
 # clang++ takes no precompiled header that is older than what is in it. Files of Debian's packages are dated by their
 # build, so only the lists of these files tell when they were installed.
-installed        := $(subst :,\:,$(wildcard $(addprefix /var/lib/dpkg/info/,*-dev.list *-dev:*.list)))
+package_lists    := $(subst :,\:,$(wildcard $(addprefix /var/lib/dpkg/info/,*-dev.list *-dev:*.list)))
 with_precompiled  = -Winvalid-pch $(kept_templates) -include $(O)/precompiled/$(strip $(1)).h \
                     $(if $(unrolled),-Wno-array-bounds -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread)
 
@@ -163,7 +163,7 @@ $(unit_tests): $(O)/%.o: %.cpp $(O)/flags $(O)/precompiled/tests.h.gch
 	@mkdir -p $(@D)
 	$(call quietly,compile,$<) $(compile) $(call with_precompiled,tests) -MMD -MP -c $< -o $@
 
-$(O)/precompiled/%.h.gch: $(O)/flags $(installed)
+$(O)/precompiled/%.h.gch: $(O)/flags $(package_lists)
 	@mkdir -p $(@D)
 	@printf '#include <%s>\n' $(common.$*) > $(@:.gch=)
 	$(call quietly,compile,$*.h) $(compile) $(kept_templates) -MD -MP -c -x c++-header $(@:.gch=) -o $@

@@ -1,7 +1,9 @@
 #include "bspline/fitting/knots/even_vertices.h"
 
 #include "base/at.h"
+#include "bspline/splines/evaluate.h"
 #include "layout/sides.h"
+#include "mesh/topology.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,17 +36,15 @@ EvenVertex bordersAround(const QuadMesh& mesh, const SmoothNetwork& network,
                          const std::map<HalfedgeId, RunEnd>& ends, HalfedgeId first) {
     EvenVertex result;
     double sign = 1;
-    HalfedgeId halfedge = first;
-    do {
-        if (const auto found = ends.find(halfedge); found != ends.end()) {
+    for (const HalfedgeId leaving : leavingFrom(mesh, first)) {
+        if (const auto found = ends.find(leaving); found != ends.end()) {
             const auto [run, end] = found->second;
             const double ratio = network.runs[run].ratio.atEnd[end];
             // At its end the run comes to the vertex.
             result.borders.push_back({found->second, end == 0 ? sign * ratio : -sign * ratio, {}});
         }
         sign = -sign;
-        halfedge = mesh.ccw_rotated_halfedge_handle(halfedge);
-    } while (halfedge != first);
+    }
     return result;
 }
 
@@ -55,8 +55,7 @@ SurfacePoint onBorder(const ReferenceGrid& grid, const StretchSide& place, doubl
 }
 
 Point normalOf(const SurfacePoint& point) {
-    Point normal = point.du % point.dv;
-    return normal.normalize_cond();
+    return unitNormal(point.du, point.dv).value_or(Point(0, 0, 0));
 }
 
 void addPlaces(const SmoothNetwork& network, const std::vector<ReferenceGrid>& grids, EvenVertex& vertex) {

@@ -31,15 +31,14 @@ struct RatioEnd : RunEnd {
 
 class Alignment {
 public:
-    Alignment(KnotPlan& plan, const std::vector<EvenVertex>& vertices, double allowed)
-        : plan_(plan), vertices_(vertices), allowed_(allowed) {
-        const std::vector<SmoothRun> first = plan.runs();
-        shortenAtEvenVertices(vertices, allowed, plan);
+    /// \param first  the runs before reaches were shortened for even vertices
+    Alignment(const std::vector<SmoothRun>& first, const std::vector<EvenVertex>& vertices, double allowed,
+              KnotPlan& plan)
+        : plan_(plan), vertices_(vertices), allowed_(allowed), spaces_(plan.spaces()),
+          users_(spaces_.size()) {
         for (std::size_t vertex = 0; vertex < vertices.size(); ++vertex)
             for (std::size_t border = 0; border < vertices[vertex].borders.size(); ++border)
                 evenPlaces_[vertices[vertex].borders[border].end] = {vertex, border};
-        spaces_ = plan.spaces();
-        users_.resize(spaces_.size());
         for (std::size_t patch = 0; patch < spaces_.size(); ++patch)
             for (const std::size_t direction : {0U, 1U})
                 for (const double knot : plan.alwaysDouble()[patch][direction])
@@ -93,8 +92,7 @@ private:
         return points;
     }
 
-    /// The reaches with which this end would be where others end, and the first one if it is
-    /// shorter now.
+    /// The reaches with which this end would be where others end, and the first one if it is shorter now.
     [[nodiscard]] std::vector<double> candidates(const RatioEnd& end) const {
         const SmoothRun& run = runOf(end);
         const double farthest =
@@ -158,7 +156,9 @@ private:
 } // namespace
 
 void alignReaches(KnotPlan& plan, const std::vector<EvenVertex>& vertices, double allowed) {
-    Alignment(plan, vertices, allowed).run();
+    const std::vector<SmoothRun> first = plan.runs();
+    shortenAtEvenVertices(vertices, allowed, plan);
+    Alignment(first, vertices, allowed, plan).run();
 }
 
 } // namespace qm

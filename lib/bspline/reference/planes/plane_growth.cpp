@@ -35,16 +35,12 @@ private:
     /// Those around which the mesh is flattest come first: from beside a plane, a part would grow into it and
     /// turn away from where it began.
     [[nodiscard]] std::vector<FaceId> seeds() const {
-        std::vector<std::pair<double, FaceId>> byRise;
-        byRise.reserve(mesh_.n_faces());
+        std::vector<double> rises;
+        rises.reserve(mesh_.n_faces());
         for (const FaceId face : mesh_.faces())
-            byRise.emplace_back(riseAround(face), face);
-        std::ranges::sort(byRise, {},
-                          [](const auto& entry) { return std::pair(entry.first, entry.second.idx()); });
-        std::vector<FaceId> result;
-        result.reserve(byRise.size());
-        for (const auto& [rise, face] : byRise)
-            result.push_back(face);
+            rises.push_back(riseAround(face));
+        std::vector<FaceId> result(mesh_.faces_begin(), mesh_.faces_end());
+        std::ranges::stable_sort(result, {}, [&](FaceId face) { return rises[at(face)]; });
         return result;
     }
 
