@@ -1,3 +1,4 @@
+#include "base/infinity.h"
 #include "basecomplex/base_complex.h"
 #include "bspline/fit.h"
 #include "bspline/fitting/energy/gram.h"
@@ -11,6 +12,7 @@
 #include "bspline/reference/lattice/sound_faces.h"
 #include "bspline/reference/limit/limit_surface.h"
 #include "bspline/solver/constrained_system.h"
+#include "bspline/splines/bezier_extraction.h"
 #include "bspline/splines/interpolate.h"
 #include "mesh/bounding_box.h"
 #include "mesh/dihedral.h"
@@ -349,6 +351,26 @@ TEST(NormalLimits, AreWideOnlyWhereTheNormalTurnsUnevenly) {
     EXPECT_NEAR(limitsWith(0).at(0, {3.4, 1}) / degree, 0.1, 1e-12) << "even";
     EXPECT_NEAR(limitsWith(0.01).at(0, {2, 1}) / degree, 0.1, 1e-12) << "even there";
     EXPECT_GT(limitsWith(0.01).at(0, {6, 1}) / degree, 2);
+    EXPECT_LT(limitsWith(0).onCrease(0, {3, 0}) / degree, 0.1) << "creases that turn evenly";
+    EXPECT_GT(limitsWith(0.01).onCrease(0, {6, 0}) / degree, 2);
+}
+
+TEST(NormalLimits, OfLatticeLinesAreThoseOfCreasesAlongThese) {
+    ReferenceGrid grid{.size = {3, 3}, .steps = 1};
+    for (int j = 0; j <= 3; ++j)
+        for (int i = 0; i <= 3; ++i)
+            grid.points.emplace_back(i, j, 0);
+    LatticeSource source{.grid = &grid};
+    source.isCrease[0].assign(3, true); // the side v = 0
+    for (std::size_t side = 1; side < 4; ++side)
+        source.isCrease[side].assign(3, false);
+    source.isSound.assign(9, true);
+    const FitLattice lattice = makeLattice(source, {gridLines(3), gridLines(3)});
+    const NormalLimits limits(grid);
+    EXPECT_EQ(limits.at(lattice, 0, 0, 1), limits.onCrease(0, {1, 0}));
+    EXPECT_EQ(limits.at(lattice, 0, 1, 1), limits.at(0, {1, 1})) << "a line beside the crease";
+    EXPECT_EQ(limits.at(lattice, 1, 1, 0), infinity) << "a line that ends at the crease";
+    EXPECT_EQ(limits.at(lattice, 1, 1, 1), limits.at(1, {1, 1}));
 }
 
 TEST(SmoothFit, FollowsNormalsThatTurnEvenly) {
@@ -357,6 +379,22 @@ TEST(SmoothFit, FollowsNormalsThatTurnEvenly) {
     EXPECT_LT(surfaces.deviation.maxRelative, 1e-3);
     EXPECT_LT(surfaces.deviation.largestNormalDeviation, 0.2) << "the tolerance alone lets it be 2 degrees";
     EXPECT_LT(controlPointCount(surfaces.patches), 250U);
+}
+
+TEST(SmoothFit, FollowsCreasesThatTurnEvenly) {
+    // A flat ring, and a cylinder that hangs from its outer rim: 12 degrees an edge.
+    const test::Grid hat{30, 6,
+                         [](double i, double j) {
+                             const double angle = 12 * i * std::numbers::pi / 180;
+                             const double radius = std::min(1.0, 0.6 + 0.2 * j);
+                             return Point(radius * std::cos(angle), radius * std::sin(angle),
+                                          std::min(0.0, 0.2 * (2 - j)));
+                         },
+                         true};
+    const std::vector<test::Rectangle> halves{{0, 0, 15, 2}, {15, 0, 30, 2}, {0, 2, 15, 6}, {15, 2, 30, 6}};
+    const Surfaces surfaces = test::fitted(hat, halves, {}).surfaces;
+    EXPECT_LT(surfaces.deviation.maxRelative, 1e-3);
+    EXPECT_LT(surfaces.deviation.largestNormalDeviation, 0.2) << "the crease may wave along itself";
 }
 
 TEST(SmoothFit, IsSmoothAcrossTJointsAndWithinTheTolerance) {

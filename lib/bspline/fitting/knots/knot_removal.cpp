@@ -49,9 +49,8 @@ double errorWithout(const FitLattice& lattice, const NormalLimits& limits, const
     for (std::size_t line = 0; line < lines.size(); ++line) {
         const std::size_t middle = lattice.onLine(direction, line, step(knots[knot]));
         const double added = scale * distance(lattice, middle, after[line] - before[line]);
-        if (lattice.freedom[middle] == Freedom::surface)
-            worst = std::max(worst, slope * added / (length * lattice.edge[middle]) /
-                                        limits.at(direction, lattice.parametersAt(middle)));
+        worst = std::max(worst, slope * added / (length * lattice.edge[middle]) /
+                                    limits.at(lattice, direction, line, step(knots[knot])));
         for (std::size_t along = step(knots[knot - 1]); along <= step(knots[knot + 1]); ++along)
             worst = std::max(worst, errors.error[lattice.onLine(direction, line, along)] + added / tolerance);
     }

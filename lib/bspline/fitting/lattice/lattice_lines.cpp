@@ -10,7 +10,7 @@ namespace qm {
 namespace {
 
 /// Weight of an offset along the reference: the fit may slide, but not far.
-constexpr double ofSlides = 0.3;
+constexpr double ofSlides = 0.15;
 
 /// Number of coefficients of a cubic.
 constexpr Eigen::Index coefficients = 4;
@@ -52,14 +52,15 @@ bool LatticeLines::isNear(std::size_t line, std::size_t begin, const Eigen::Matr
         points.row(i) = vector(lattice_.reference[index(line, begin + static_cast<std::size_t>(i))]);
     points -= basis * (basis.transpose() * points).eval();
     for (Eigen::Index i = 0; i < basis.rows(); ++i) {
-        const std::size_t at = index(line, begin + static_cast<std::size_t>(i));
+        const std::size_t k = begin + static_cast<std::size_t>(i);
+        const std::size_t at = index(line, k);
         const double off = distance(lattice_, at, point(points.row(i)));
         if (std::max(off, ofSlides * points.row(i).norm()) > tolerance_) return false;
-        if (i == 0 || lattice_.freedom[at] != Freedom::surface) continue;
-        const Point before = lattice_.reference[index(line, begin + static_cast<std::size_t>(i) - 1)];
+        if (i == 0) continue;
+        const Point before = lattice_.reference[index(line, k - 1)];
         const double rise = distance(lattice_, at, point(points.row(i) - points.row(i - 1)));
         const double run = (lattice_.reference[at] - before).norm();
-        if (rise > limits_.at(direction_, lattice_.parametersAt(at)) * run) return false;
+        if (rise > limits_.at(lattice_, direction_, line, k) * run) return false;
     }
     return true;
 }

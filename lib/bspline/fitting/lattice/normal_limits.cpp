@@ -1,5 +1,7 @@
 #include "bspline/fitting/lattice/normal_limits.h"
 
+#include "base/at.h"
+#include "base/infinity.h"
 #include "bspline/splines/bezier_extraction.h"
 #include "bspline/splines/evaluate.h"
 
@@ -10,8 +12,11 @@
 namespace qm {
 namespace {
 
-/// Radians; smaller waves are not seen in reflections.
-constexpr double minLimit = 0.1 / 180 * std::numbers::pi;
+constexpr double degree = std::numbers::pi / 180;
+/// Smaller waves are not seen in reflections.
+constexpr double minOfNormals = 0.1 * degree;
+/// At a crease, what the surface beside it loses across comes in addition.
+constexpr double minOfCreases = 0.08 * degree;
 /// Factor of the unevenness with which the normal turns: closer limits would follow noise.
 constexpr double share = 2;
 
@@ -21,30 +26,63 @@ double unevenness(const Point& before, const Point& here, const Point& after) {
     return (change - here * (change | here)).norm();
 }
 
+/// By vertex, for lines along u (0) or v (1), along which these directions turn.
+std::vector<double> limitsOf(const std::vector<Point>& directions, const std::array<std::size_t, 2>& size,
+                             std::size_t along, double min) {
+    const std::array<std::size_t, 2> stride{1, size[0] + 1};
+    std::vector<double> limits(directions.size(), min);
+    for (std::size_t line = 0; line <= size[1 - along]; ++line)
+        for (std::size_t k = 1; k < size[along]; ++k) {
+            const std::size_t here = line * stride[1 - along] + k * stride[along];
+            const std::array near{here - stride[along], here, here + stride[along]};
+            const double uneven = unevenness(directions[near[0]], directions[near[1]], directions[near[2]]);
+            for (const std::size_t vertex : near)
+                limits[vertex] = std::max(limits[vertex], share * uneven);
+        }
+    return limits;
+}
+
 } // namespace
 
-NormalLimits::NormalLimits(const ReferenceGrid& grid) : columns_(static_cast<std::size_t>(grid.size[0]) + 1) {
+NormalLimits::NormalLimits(const ReferenceGrid& grid) : size_{qm::at(grid.size[0]), qm::at(grid.size[1])} {
     std::vector<Point> normals;
-    for (const SurfacePoint& point : grid.evaluateLattice(gridLines(grid.size[0]), gridLines(grid.size[1])))
+    std::array<std::vector<Point>, 2> tangents;
+    for (const SurfacePoint& point : grid.evaluateLattice(gridLines(grid.size[0]), gridLines(grid.size[1]))) {
         normals.push_back(unitNormal(point.du, point.dv).value_or(Point(0, 0, 0)));
-    const std::array<std::size_t, 2> stride{1, columns_};
-    for (std::size_t d = 0; d < 2; ++d) {
-        limits_[d].assign(normals.size(), minLimit);
-        const auto last = static_cast<std::size_t>(grid.size[d]);
-        for (std::size_t line = 0; line < normals.size() / (last + 1); ++line)
-            for (std::size_t k = 1; k < last; ++k) {
-                const std::size_t here = line * stride[1 - d] + k * stride[d];
-                const std::array near{here - stride[d], here, here + stride[d]};
-                const double uneven = unevenness(normals[near[0]], normals[near[1]], normals[near[2]]);
-                for (const std::size_t vertex : near)
-                    limits_[d][vertex] = std::max(limits_[d][vertex], share * uneven);
-            }
+        tangents[0].push_back(unit(point.du));
+        tangents[1].push_back(unit(point.dv));
+    }
+    for (std::size_t direction = 0; direction < 2; ++direction) {
+        ofNormals_[direction] = limitsOf(normals, size_, direction, minOfNormals);
+        ofCreases_[direction] = limitsOf(tangents[direction], size_, direction, minOfCreases);
     }
 }
 
-double NormalLimits::at(std::size_t direction, const std::array<double, 2>& parameters) const {
+std::size_t NormalLimits::vertexAt(const std::array<double, 2>& parameters) const {
     const auto nearest = [&](std::size_t d) { return static_cast<std::size_t>(std::lround(parameters[d])); };
-    return limits_[direction][nearest(1) * columns_ + nearest(0)];
+    return nearest(1) * (size_[0] + 1) + nearest(0);
+}
+
+double NormalLimits::at(std::size_t direction, const std::array<double, 2>& parameters) const {
+    return ofNormals_[direction][vertexAt(parameters)];
+}
+
+double NormalLimits::onCrease(std::size_t direction, const std::array<double, 2>& parameters) const {
+    return ofCreases_[direction][vertexAt(parameters)];
+}
+
+double NormalLimits::at(const FitLattice& lattice, std::size_t direction, std::size_t line,
+                        std::size_t k) const {
+    const std::size_t point = lattice.onLine(direction, line, k);
+    const bool isSide = line == 0 || line + 1 == lattice.targets.parameters[1 - direction].size();
+    switch (lattice.freedom[point]) {
+    case Freedom::surface:
+        return at(direction, lattice.parametersAt(point));
+    case Freedom::crease:
+        return isSide ? onCrease(direction, lattice.parametersAt(point)) : infinity;
+    default:
+        return infinity;
+    }
 }
 
 } // namespace qm
