@@ -2,10 +2,10 @@
 
 #include "base/at.h"
 #include "base/or_null.h"
-#include "base/parallel.h"
 #include "bspline/reference/bending/bending_equations.h"
 #include "bspline/reference/bending/quad_bending.h"
 #include "bspline/reference/lattice/sound_faces.h"
+#include "mesh/parallel_elements.h"
 
 #include <Eigen/Geometry>
 
@@ -31,8 +31,8 @@ public:
           frames_(mesh_.n_vertices()) {
         const std::vector<bool> isSound = soundVertices(mesh_, jobs_);
         const std::vector<Eigen::Vector3d> normals = sumsOfNormals();
-        parallelForMany(frames_.size(), jobs_, [&](std::size_t k) {
-            const VertexId vertex(static_cast<int>(k));
+        parallelForVertices(mesh_, jobs_, [&](VertexId vertex) {
+            const std::size_t k = at(vertex);
             const bool isFree =
                 rules[k].kind == VertexRule::Kind::smooth && isSound[k] && !corners.isBound(vertex);
             if (isFree && normals[k].norm() > minAgreement * mesh_.valence(vertex))
@@ -42,10 +42,9 @@ public:
 
     void run() {
         std::vector<BendingTerm> terms(mesh_.n_faces());
-        parallelForMany(terms.size(), jobs_, [&](std::size_t k) {
-            const FaceId face(static_cast<int>(k));
+        parallelForFaces(mesh_, jobs_, [&](FaceId face) {
             if (hasFreeCorner(face))
-                terms[k] = BendingTerm(vertices(face), quadBending(surface(face), frames(face)));
+                terms[at(face)] = BendingTerm(vertices(face), quadBending(surface(face), frames(face)));
         });
         std::vector<Eigen::Vector3d> tilts = minBendingTilts(terms, mesh_.n_vertices(), jobs_);
         terms = {};
@@ -82,10 +81,10 @@ private:
     /// Of the quads around every vertex.
     [[nodiscard]] std::vector<Eigen::Vector3d> sumsOfNormals() const {
         std::vector<std::array<Eigen::Vector3d, 4>> normals(mesh_.n_faces());
-        parallelForMany(normals.size(), jobs_, [&](std::size_t k) {
-            const QuadSurface ofFace = surface(FaceId(static_cast<int>(k)));
+        parallelForFaces(mesh_, jobs_, [&](FaceId face) {
+            const QuadSurface ofFace = surface(face);
             for (std::size_t corner = 0; corner < 4; ++corner)
-                normals[k][corner] = ofFace.normal(corner);
+                normals[at(face)][corner] = ofFace.normal(corner);
         });
         std::vector<Eigen::Vector3d> sums(mesh_.n_vertices(), Eigen::Vector3d::Zero());
         for (const FaceId face : mesh_.faces()) {
@@ -113,8 +112,7 @@ private:
     }
 
     void move(const std::vector<Eigen::Vector3d>& tilts) {
-        parallelForMany(mesh_.n_faces(), jobs_, [&](std::size_t k) {
-            const FaceId face(static_cast<int>(k));
+        parallelForFaces(mesh_, jobs_, [&](FaceId face) {
             if (!hasFreeCorner(face)) return;
             CornerTilts ofCorners;
             Eigen::Index row = 0;

@@ -143,20 +143,15 @@ double twistOfSlopes(int valence) {
 
 QuadSurface::QuadSurface(int steps, std::vector<Eigen::Vector3d> points)
     : steps_(steps), points_(std::move(points)) {
-    const std::size_t width = at(steps_) + 1;
-    for (std::size_t end = 0; end < 2; ++end) {
-        const LagrangeWeights& weights = lagrangeAtEnd(steps_, end);
-        for (std::size_t corner = 0; corner < quadCorners.size(); ++corner)
-            for (std::size_t direction = 0; direction < 2; ++direction) {
-                if (quadCorners[corner][direction] != end) continue;
-                const std::size_t first =
-                    quadCorners[corner][1 - direction] * at(steps_) * (direction == 0 ? width : 1);
-                Eigen::Vector3d& sum = derivatives_[corner][direction];
-                sum.setZero();
-                for (std::size_t k = 0; k < width; ++k)
-                    sum += weights[k][1] * points_[first + k * (direction == 0 ? 1 : width)];
-            }
-    }
+    const std::array<std::size_t, 2> stride{1, at(steps_) + 1};
+    for (std::size_t corner = 0; corner < quadCorners.size(); ++corner)
+        for (std::size_t d = 0; d < 2; ++d) {
+            const std::size_t first = quadCorners[corner][1 - d] * at(steps_) * stride[1 - d];
+            derivatives_[corner][d] =
+                derivativeAtEnd(steps_, quadCorners[corner][d], [&](std::size_t k) -> const Eigen::Vector3d& {
+                    return points_[first + k * stride[d]];
+                });
+        }
 }
 
 QuadSurface::SecondOrder QuadSurface::secondOrder(const LagrangeWeights& columns,
@@ -182,9 +177,7 @@ Eigen::Vector3d QuadSurface::normal(std::size_t corner) const {
 std::vector<Eigen::Vector3d> QuadSurface::displacements(const CornerFrames& frames,
                                                         const CornerTilts& tilts) const {
     std::vector<Eigen::Vector3d> result(points_.size(), Eigen::Vector3d::Zero());
-    std::vector<Hermite> hermite;
-    for (int k = 0; k <= steps_; ++k)
-        hermite.emplace_back(static_cast<double>(k) / steps_);
+    const std::vector<Hermite> hermite = hermiteByStep(steps_);
     for (std::size_t corner = 0; corner < frames.size(); ++corner) {
         if (frames[corner] == nullptr) continue;
         const CornerChange change =

@@ -4,6 +4,7 @@
 #include "bspline/reference/lattice/lagrange.h"
 
 #include <array>
+#include <vector>
 
 namespace qm {
 
@@ -19,5 +20,13 @@ struct Hermite {
           value{{{(1 + 2 * t) * (1 - t) * (1 - t), 6 * t * (t - 1), 12 * t - 6},
                  {t * t * (3 - 2 * t), 6 * t * (1 - t), 6 - 12 * t}}} {}
 };
+
+/// The cubics at the beginning of the unit interval, after each of some equal steps, and so at its end.
+[[nodiscard]] inline std::vector<Hermite> hermiteByStep(int steps) {
+    std::vector<Hermite> result;
+    for (int k = 0; k <= steps; ++k)
+        result.emplace_back(static_cast<double>(k) / steps);
+    return result;
+}
 
 } // namespace qm

@@ -1,8 +1,11 @@
 /// \file Polynomials through equally spaced points.
 #pragma once
 
+#include "base/at.h"
+
 #include <array>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace qm {
@@ -31,5 +34,16 @@ template <class Function> auto forAllSteps(const Function& function) {
 
 /// The same weights at the first point (end 0) or the last one (end 1), computed once.
 [[nodiscard]] const LagrangeWeights& lagrangeAtEnd(int steps, std::size_t end);
+
+/// The derivative of the polynomial through steps + 1 points at the first one (end 0) or the last (end 1).
+/// \param point  (k) that after k steps, a vector of three coordinates
+template <class PointAt>
+[[nodiscard]] auto derivativeAtEnd(int steps, std::size_t end, const PointAt& point) {
+    const LagrangeWeights& weights = lagrangeAtEnd(steps, end);
+    std::decay_t<decltype(point(std::size_t{0}))> sum(0, 0, 0);
+    for (std::size_t k = 0; k <= at(steps); ++k)
+        sum += weights[k][1] * point(k);
+    return sum;
+}
 
 } // namespace qm

@@ -1,9 +1,9 @@
 #include "bspline/reference/lattice/mesh_lattice.h"
 
 #include "base/at.h"
-#include "base/parallel.h"
 #include "bspline/reference/lattice/lagrange.h"
 #include "bspline/reference/lattice/vertex_stencil.h"
+#include "mesh/parallel_elements.h"
 
 #include <span>
 
@@ -44,11 +44,9 @@ MeshLattice::MeshLattice(const QuadMesh& mesh, const std::vector<Point>& points)
 MeshLattice::MeshLattice(const LatticeNumbers& numbers) : numbers_(numbers), points_(numbers.count()) {}
 
 Point MeshLattice::derivative(HalfedgeId leaving) const {
-    const LagrangeWeights& weights = lagrangeAtEnd(squares(), 0);
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (int k = 0; k <= squares(); ++k)
-        sum += weights[at(k)][1] * points_[numbers_(leaving, k, 0)];
-    return qm::point(sum);
+    return qm::point(derivativeAtEnd(squares(), 0, [&](std::size_t k) -> const Eigen::Vector3d& {
+        return points_[numbers_(leaving, static_cast<int>(k), 0)];
+    }));
 }
 
 std::vector<Eigen::Vector3d> MeshLattice::points(FaceId face) const {
@@ -74,12 +72,10 @@ MeshLattice MeshLattice::filtered(const Step& step, const std::vector<VertexRule
                                   const std::vector<bool>& sharp, unsigned jobs) const {
     const QuadMesh& mesh = numbers_.mesh();
     MeshLattice to(LatticeNumbers(mesh, step.subdivides ? 2 * squares() : squares()));
-    parallelForMany(mesh.n_vertices(), jobs,
-                    [&](std::size_t k) { filterVertex(step, VertexId(static_cast<int>(k)), rules[k], to); });
-    parallelForMany(mesh.n_edges(), jobs,
-                    [&](std::size_t k) { filterEdge(step, EdgeId(static_cast<int>(k)), sharp[k], to); });
-    parallelForMany(mesh.n_faces(), jobs,
-                    [&](std::size_t k) { filterFace(step, FaceId(static_cast<int>(k)), to); });
+    parallelForVertices(mesh, jobs,
+                        [&](VertexId vertex) { filterVertex(step, vertex, rules[at(vertex)], to); });
+    parallelForEdges(mesh, jobs, [&](EdgeId edge) { filterEdge(step, edge, sharp[at(edge)], to); });
+    parallelForFaces(mesh, jobs, [&](FaceId face) { filterFace(step, face, to); });
     return to;
 }
 

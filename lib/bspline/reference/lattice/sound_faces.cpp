@@ -1,9 +1,10 @@
 #include "bspline/reference/lattice/sound_faces.h"
 
 #include "base/at.h"
-#include "base/parallel.h"
 #include "bspline/reference/lattice/bilinear_quad.h"
+#include "mesh/parallel_elements.h"
 #include "mesh/quad_geometry.h"
+#include "mesh/topology.h"
 
 #include <algorithm>
 #include <array>
@@ -21,15 +22,16 @@ struct QuadShape {
 
 std::vector<QuadShape> shapesOf(const QuadMesh& mesh, unsigned jobs) {
     std::vector<QuadShape> shapes(mesh.n_faces());
-    parallelForMany(shapes.size(), jobs, [&](std::size_t k) {
+    parallelForFaces(mesh, jobs, [&](FaceId face) {
         std::array<Point, 4> corners;
-        std::ranges::transform(cornersOf(mesh, FaceId(static_cast<int>(k))), corners.begin(),
+        std::ranges::transform(cornersOf(mesh, face), corners.begin(),
                                [&](VertexId vertex) { return mesh.point(vertex); });
         const BilinearQuad quad(corners);
         const Point across = corners[2] - corners[0], along = corners[3] - corners[1];
         const double length = std::max(across.norm(), along.norm());
         constexpr double minShare = 1e-6; // with less, the normal is that of rounding
-        shapes[k] = {quad.normal(), quad.minCosine(), (across % along).norm() > minShare * length * length};
+        shapes[at(face)] = {quad.normal(), quad.minCosine(),
+                            (across % along).norm() > minShare * length * length};
     });
     return shapes;
 }
@@ -39,9 +41,8 @@ template <class Callback>
 void forNeighbours(const QuadMesh& mesh, const std::vector<QuadShape>& shapes, Callback callback) {
     for (const EdgeId edge : mesh.edges()) {
         if (mesh.is_boundary(edge)) continue;
-        const std::size_t one = at(mesh.face_handle(mesh.halfedge_handle(edge, 0)));
-        const std::size_t other = at(mesh.face_handle(mesh.halfedge_handle(edge, 1)));
-        callback(edge, one, other, shapes[one].normal | shapes[other].normal);
+        const auto [one, other] = facesBeside(mesh, edge);
+        callback(edge, at(one), at(other), shapes[at(one)].normal | shapes[at(other)].normal);
     }
 }
 

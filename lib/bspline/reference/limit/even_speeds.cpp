@@ -2,11 +2,11 @@
 
 #include "base/at.h"
 #include "base/infinity.h"
-#include "base/parallel.h"
 #include "bspline/reference/bending/crease_directions.h"
 #include "bspline/reference/lattice/hermite.h"
 #include "bspline/reference/lattice/lagrange.h"
 #include "bspline/reference/lattice/sound_faces.h"
+#include "mesh/parallel_elements.h"
 
 #include <algorithm>
 #include <array>
@@ -35,17 +35,14 @@ class EvenSpeeds {
 public:
     explicit EvenSpeeds(MeshLattice& lattice)
         : lattice_(lattice), before_(lattice), mesh_(lattice.numbers().mesh()), steps_(at(lattice.squares())),
-          changes_(mesh_.n_halfedges()) {
-        for (std::size_t k = 0; k <= steps_; ++k)
-            hermite_.emplace_back(static_cast<double>(k) / static_cast<double>(steps_));
-    }
+          changes_(mesh_.n_halfedges()), hermite_(hermiteByStep(lattice.squares())) {}
 
     void run(const std::vector<VertexRule>& rules, const PlaneCorners& corners, unsigned jobs) {
         const std::vector<bool> isSound = soundVertices(mesh_, jobs);
         const std::vector<bool> isUnfolded = soundVertices(mesh_, jobs, notFolded);
         const std::vector<Point> directions = creaseDirections(mesh_, rules);
-        parallelForMany(mesh_.n_vertices(), jobs, [&](std::size_t k) {
-            const VertexId vertex(static_cast<int>(k));
+        parallelForVertices(mesh_, jobs, [&](VertexId vertex) {
+            const std::size_t k = at(vertex);
             if (!isUnfolded[k]) return;
             if (!mesh_.is_boundary(vertex) && mesh_.valence(vertex) != 4) {
                 for (const HalfedgeId leaving : mesh_.voh_range(vertex))
@@ -57,11 +54,8 @@ public:
             for (const HalfedgeId leaving : mesh_.voh_range(vertex))
                 changes_[at(leaving)].share = shareOf(leaving);
         });
-        parallelForMany(mesh_.n_edges(), jobs, [&](std::size_t k) {
-            moveEdge(mesh_.halfedge_handle(EdgeId(static_cast<int>(k)), 0));
-        });
-        parallelForMany(mesh_.n_faces(), jobs,
-                        [&](std::size_t k) { moveFace(mesh_.halfedge_handle(FaceId(static_cast<int>(k)))); });
+        parallelForEdges(mesh_, jobs, [&](EdgeId edge) { moveEdge(mesh_.halfedge_handle(edge, 0)); });
+        parallelForFaces(mesh_, jobs, [&](FaceId face) { moveFace(mesh_.halfedge_handle(face)); });
     }
 
 private:
@@ -87,21 +81,12 @@ private:
         }
     }
 
-    /// The derivative along a row of points at one of its ends.
-    template <class Row> [[nodiscard]] Point derivative(std::size_t end, const Row& row) const {
-        const LagrangeWeights& weights = lagrangeAtEnd(before_.squares(), end);
-        Point sum(0, 0, 0);
-        for (std::size_t k = 0; k <= steps_; ++k)
-            sum += weights[k][1] * row(k);
-        return sum;
-    }
-
     /// What a change adds to the derivative along a row of points at one of its ends. A change at the last
     /// one is that of a derivative against the row.
     template <class Row>
     [[nodiscard]] Point difference(std::size_t end, const Change& change, const Row& row) const {
         const Point turn = end == 0 ? change.turn : -change.turn;
-        return change.share * (derivative(end, row) + turn) + turn;
+        return change.share * (derivativeAtEnd(before_.squares(), end, row) + turn) + turn;
     }
 
     /// By what share of itself the derivative along an edge, turned already, is to change at its beginning.

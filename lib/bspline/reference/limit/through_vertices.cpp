@@ -1,10 +1,11 @@
 #include "bspline/reference/limit/through_vertices.h"
 
 #include "base/at.h"
-#include "base/parallel.h"
 #include "bspline/reference/lattice/hermite.h"
+#include "mesh/parallel_elements.h"
 #include "mesh/topology.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -18,10 +19,8 @@ public:
         for (const VertexId vertex : mesh_.vertices())
             if (!interpolates[at(vertex)])
                 missing_[at(vertex)] = mesh_.point(vertex) - lattice.point(at(vertex));
-        for (int k = 0; k <= lattice.squares(); ++k) {
-            const Hermite hermite(static_cast<double>(k) / lattice.squares());
+        for (const Hermite& hermite : hermiteByStep(lattice.squares()))
             shares_.push_back({hermite.value[0][0], hermite.value[1][0]});
-        }
     }
 
     void moveEdge(EdgeId edge) {
@@ -66,16 +65,12 @@ void drawThroughVertices(MeshLattice& lattice, const std::vector<bool>& interpol
     const QuadMesh& mesh = lattice.numbers().mesh();
     VertexDistances distances(lattice, interpolates);
     const auto follows = [&](auto&& vertices) {
-        for (const VertexId vertex : vertices)
-            if (!interpolates[at(vertex)]) return true;
-        return false;
+        return std::ranges::any_of(vertices, [&](VertexId vertex) { return !interpolates[at(vertex)]; });
     };
-    parallelForMany(mesh.n_edges(), jobs, [&](std::size_t k) {
-        const HalfedgeId side = mesh.halfedge_handle(EdgeId(static_cast<int>(k)), 0);
-        if (follows(endsOf(mesh, side))) distances.moveEdge(mesh.edge_handle(side));
+    parallelForEdges(mesh, jobs, [&](EdgeId edge) {
+        if (follows(endsOf(mesh, edge))) distances.moveEdge(edge);
     });
-    parallelForMany(mesh.n_faces(), jobs, [&](std::size_t k) {
-        const FaceId face(static_cast<int>(k));
+    parallelForFaces(mesh, jobs, [&](FaceId face) {
         if (follows(mesh.fv_range(face))) distances.moveFace(face);
     });
     for (const VertexId vertex : mesh.vertices())

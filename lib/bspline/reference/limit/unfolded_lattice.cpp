@@ -1,11 +1,11 @@
 #include "bspline/reference/limit/unfolded_lattice.h"
 
 #include "base/at.h"
-#include "base/parallel.h"
 #include "bspline/reference/bending/edge_curves.h"
 #include "bspline/reference/lattice/bilinear_quad.h"
 #include "bspline/reference/lattice/sound_faces.h"
 #include "bspline/splines/spline_curve.h"
+#include "mesh/parallel_elements.h"
 
 #include <algorithm>
 #include <atomic>
@@ -39,8 +39,7 @@ public:
         for (int pass = 0; pass < maxPasses; ++pass) {
             for (const EdgeId edge : mesh_.edges())
                 redraw(edge, curves);
-            parallelForMany(mesh_.n_faces(), jobs_,
-                            [&](std::size_t face) { fill(FaceId(static_cast<int>(face)), before); });
+            parallelForFaces(mesh_, jobs_, [&](FaceId face) { fill(face, before); });
             if (!findFolds()) return;
         }
     }
@@ -57,10 +56,9 @@ private:
     /// \return whether more can be done about any
     bool findFolds() {
         std::atomic<bool> isNew = false;
-        parallelForMany(mesh_.n_faces(), jobs_, [&](std::size_t face) {
-            Stage& stage = faceStages_[face];
-            if (stage == straight || !isUpright_[face]) return;
-            if (!test_.foldsOver(FaceId(static_cast<int>(face)))) return;
+        parallelForFaces(mesh_, jobs_, [&](FaceId face) {
+            Stage& stage = faceStages_[at(face)];
+            if (stage == straight || !isUpright_[at(face)] || !test_.foldsOver(face)) return;
             stage = static_cast<Stage>(stage + 1);
             isNew = true;
         });

@@ -1,10 +1,10 @@
 #include "bspline/reference/planes/in_planes.h"
 
 #include "base/at.h"
-#include "base/parallel.h"
 #include "bspline/reference/lattice/hermite.h"
 #include "bspline/reference/lattice/lagrange.h"
 #include "bspline/reference/planes/orthogonal_normals.h"
+#include "mesh/parallel_elements.h"
 #include "mesh/topology.h"
 
 #include <algorithm>
@@ -20,17 +20,14 @@ class LyingInPlanes {
 public:
     LyingInPlanes(MeshLattice& lattice, const PlaneCorners& corners, const std::vector<bool>& isCrease)
         : lattice_(lattice), before_(lattice), mesh_(lattice.numbers().mesh()), corners_(corners),
-          isCrease_(isCrease), last_(at(lattice.squares())), turns_(mesh_.n_halfedges(), Vector::Zero()) {
-        for (std::size_t k = 0; k <= last_; ++k)
-            hermite_.emplace_back(static_cast<double>(k) / static_cast<double>(last_));
-    }
+          isCrease_(isCrease), last_(at(lattice.squares())), turns_(mesh_.n_halfedges(), Vector::Zero()),
+          hermite_(hermiteByStep(lattice.squares())) {}
 
     void run(unsigned jobs) {
         std::vector<char> isBound(mesh_.n_vertices());
-        parallelForMany(isBound.size(), jobs, [&](std::size_t k) {
-            const VertexId vertex(static_cast<int>(k));
-            isBound[k] = corners_.isBound(vertex) ? 1 : 0;
-            if (isBound[k] == 0) return;
+        parallelForVertices(mesh_, jobs, [&](VertexId vertex) {
+            isBound[at(vertex)] = corners_.isBound(vertex) ? 1 : 0;
+            if (isBound[at(vertex)] == 0) return;
             for (const HalfedgeId leaving : mesh_.voh_range(vertex)) {
                 const Point derivative = before_.derivative(leaving);
                 turns_[at(leaving)] = vector(corners_.within(leaving, derivative) - derivative);
@@ -39,12 +36,10 @@ public:
         const auto follows = [&](auto&& vertices) {
             return std::ranges::any_of(vertices, [&](VertexId vertex) { return isBound[at(vertex)] != 0; });
         };
-        parallelForMany(mesh_.n_edges(), jobs, [&](std::size_t k) {
-            const HalfedgeId side = mesh_.halfedge_handle(EdgeId(static_cast<int>(k)), 0);
-            if (follows(endsOf(mesh_, side))) moveEdge(side);
+        parallelForEdges(mesh_, jobs, [&](EdgeId edge) {
+            if (follows(endsOf(mesh_, edge))) moveEdge(mesh_.halfedge_handle(edge, 0));
         });
-        parallelForMany(mesh_.n_faces(), jobs, [&](std::size_t k) {
-            const FaceId face(static_cast<int>(k));
+        parallelForFaces(mesh_, jobs, [&](FaceId face) {
             if (follows(mesh_.fv_range(face))) moveFace(face);
         });
     }
@@ -61,11 +56,8 @@ private:
     [[nodiscard]] const Vector& turn(HalfedgeId leaving) const { return turns_[at(leaving)]; }
 
     [[nodiscard]] Vector derivative(const Row& row, std::size_t end) const {
-        const LagrangeWeights& weights = lagrangeAtEnd(static_cast<int>(last_), end);
-        Vector sum = Vector::Zero();
-        for (std::size_t k = 0; k <= last_; ++k)
-            sum += weights[k][1] * row[k];
-        return sum;
+        return derivativeAtEnd(before_.squares(), end,
+                               [&](std::size_t k) -> const Vector& { return row[k]; });
     }
 
     /// Changes a row so that its values, or derivatives, at both ends are as wanted.

@@ -1,10 +1,10 @@
 #include "bspline/reference/planes/plane_corners.h"
 
 #include "base/at.h"
-#include "base/parallel.h"
 #include "bspline/reference/lattice/sound_faces.h"
 #include "bspline/reference/planes/orthogonal_normals.h"
 #include "bspline/splines/eigen_point.h"
+#include "mesh/parallel_elements.h"
 #include "mesh/topology.h"
 
 #include <algorithm>
@@ -34,16 +34,15 @@ PlaneCorners::PlaneCorners(const MeshLattice& lattice, const std::vector<VertexR
     if (parts_.planes.empty()) return;
     const std::vector<bool> isUnfolded = soundVertices(mesh_, jobs, notFolded);
     const auto forVertices = [&](const auto& work) {
-        parallelForMany(mesh_.n_vertices(), jobs, [&](std::size_t k) {
-            const VertexId vertex(static_cast<int>(k));
-            if (isUnfolded[k] && !mesh_.is_isolated(vertex)) work(vertex);
+        parallelForVertices(mesh_, jobs, [&](VertexId vertex) {
+            if (isUnfolded[at(vertex)] && !mesh_.is_isolated(vertex)) work(vertex);
         });
     };
     forVertices([&](VertexId vertex) { findSectors(vertex, isCrease); });
     forVertices([&](VertexId vertex) {
         if (isBound(vertex) && turnsMuch(lattice, vertex)) release(vertex);
     });
-    parallelForMany(mesh_.n_faces(), jobs, [&](std::size_t k) { keepIfWhole(FaceId(static_cast<int>(k))); });
+    parallelForFaces(mesh_, jobs, [&](FaceId face) { keepIfWhole(face); });
     forVertices([&](VertexId vertex) { findSectors(vertex, isCrease); });
 }
 

@@ -1,8 +1,8 @@
 #include "bspline/reference/planes/plane_parts.h"
 
 #include "base/at.h"
-#include "base/parallel.h"
 #include "bspline/reference/planes/plane_growth.h"
+#include "mesh/parallel_elements.h"
 #include "mesh/quad_geometry.h"
 
 #include <algorithm>
@@ -117,11 +117,10 @@ int partAround(const QuadMesh& mesh, const PlaneParts& parts, const std::vector<
 PlaneParts planeParts(const QuadMesh& mesh, const std::vector<bool>& isCrease, double flatness,
                       unsigned jobs) {
     std::vector<FlatQuad> quads(mesh.n_faces());
-    parallelForMany(quads.size(), jobs, [&](std::size_t k) {
-        const FaceId face(static_cast<int>(k));
+    parallelForFaces(mesh, jobs, [&](FaceId face) {
         const auto [a, b, c, d] = cornersOf(mesh, face);
-        quads[k] = {middleNormal(mesh, face).value_or(Point(0, 0, 0)),
-                    ((mesh.point(c) - mesh.point(a)) % (mesh.point(d) - mesh.point(b))).norm() / 2};
+        quads[at(face)] = {middleNormal(mesh, face).value_or(Point(0, 0, 0)),
+                           ((mesh.point(c) - mesh.point(a)) % (mesh.point(d) - mesh.point(b))).norm() / 2};
     });
     PlaneParts parts = grownPlaneParts(mesh, isCrease, quads, flatness);
     Flats flats(mesh, isCrease, quads, parts);
