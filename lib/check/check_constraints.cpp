@@ -7,27 +7,34 @@ namespace qm::check {
 
 namespace {
 
-/// Whether some edge of the path is, or is not, in the graph.
-bool anyEdge(const Neighbourhoods& around, const std::vector<int>& path, std::span<const char> present,
-             bool in) {
+/// How many edges of a path are on tracks, and how many are not. The mesh boundary bounds patches whether it
+/// is demanded or not, and is not counted.
+struct EdgeCounts {
+    int onTracks = 0;
+    int onNone = 0;
+};
+
+EdgeCounts countEdges(const Neighbourhoods& around, const std::vector<int>& path,
+                      std::span<const char> present) {
+    EdgeCounts counts;
     for (std::size_t i = 1; i < path.size(); ++i) {
         const int step = around.stepBetween(path[i - 1], path[i]);
-        // The mesh boundary bounds patches whether it is demanded or not.
-        if (!around.boundary(step) && (present[at(around.edge(step))] != 0) == in) return true;
+        if (!around.boundary(step)) ++(present[at(around.edge(step))] != 0 ? counts.onTracks : counts.onNone);
     }
-    return false;
+    return counts;
 }
 
 } // namespace
 
 void checkConstraints(const Neighbourhoods& around, const ConstraintsPart& constraints,
-                      std::span<const char> present, bool whole, const std::string& pointer, Report& report) {
-    for (std::size_t i = 0; whole && i < constraints.required.size(); ++i)
-        if (anyEdge(around, constraints.required[i], present, false))
+                      std::span<const char> present, GraphOf what, const std::string& pointer,
+                      Report& report) {
+    for (std::size_t i = 0; what == GraphOf::mesh && i < constraints.required.size(); ++i)
+        if (countEdges(around, constraints.required[i], present).onNone > 0)
             report.violate(pointer, "required",
                            "an edge of " + below("/constraints/required", i) + " is on no track");
     for (std::size_t i = 0; i < constraints.forbidden.size(); ++i)
-        if (anyEdge(around, constraints.forbidden[i], present, true))
+        if (countEdges(around, constraints.forbidden[i], present).onTracks > 0)
             report.violate(pointer, "forbidden",
                            "an edge of " + below("/constraints/forbidden", i) + " is on a track");
 }

@@ -11,16 +11,19 @@
 namespace qm::check {
 
 /// Reports constraints that are no paths along edges.
-///
 /// \return whether all are paths
 [[nodiscard]] bool checkConstraintPaths(const Neighbourhoods& around, const ConstraintsPart& constraints,
                                         Report& report);
 
+/// What a graph belongs to: in one of the whole mesh everything must be that is required.
+enum class GraphOf { mesh, subMesh };
+
+/// Reports constraints that a graph does not keep.
 /// \param constraints  whose paths are sound
-/// \param present  by edge: whether it belongs to the graph
-/// \param whole    whether the graph is one of the whole mesh, so that everything required must be in it
-/// \param pointer  of the graph's tracks
+/// \param present      by edge: whether it belongs to the graph
+/// \param pointer      of the graph's tracks
 void checkConstraints(const Neighbourhoods& around, const ConstraintsPart& constraints,
-                      std::span<const char> present, bool whole, const std::string& pointer, Report& report);
+                      std::span<const char> present, GraphOf what, const std::string& pointer,
+                      Report& report);
 
 } // namespace qm::check

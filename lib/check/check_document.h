@@ -13,7 +13,6 @@ namespace qm::check {
 /// Checks the sections in their order. What depends on a broken section is not checked: seeds and labels
 /// determine what a track may be, and surfaces belong to segments. Linear in mesh and document, but for
 /// sorting.
-///
 /// \throw Error  if the mesh is no oriented 2-manifold of quads
 [[nodiscard]] Report checkDocument(const CheckedMesh& mesh, const CheckedDocument& document,
                                    Report report = Report(), unsigned jobs = 1);

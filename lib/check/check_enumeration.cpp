@@ -48,14 +48,16 @@ private:
         double before = -infinity;
         for (std::size_t g = 0; g < subMesh.graphs.size(); ++g) {
             const std::string place = below(here, "graphs", g);
-            const CostSum cost = graph(k, subMesh.graphs[g], place);
+            auto [edges, cost] = graph(k, subMesh.graphs[g], place);
+            const auto [same, isNew] = known_.emplace(std::move(edges), place);
+            if (!isNew) report_.violate(place, "distinct", "it has the same edges as " + same->second);
             if (cost.value() < before && !cost.equals(before))
                 report_.violate(place, "sorted", "the graph before it costs more");
             before = cost.value();
             if (g == 0) best(subMesh, cost, here);
         }
         for (std::size_t s = 0; s < subMesh.samples.size(); ++s)
-            (void)graph(k, subMesh.samples[s], below(here, "samples", s), true);
+            (void)graph(k, subMesh.samples[s], below(here, "samples", s));
         count(subMesh, here);
     }
 
@@ -102,9 +104,12 @@ private:
         return sum;
     }
 
-    /// \return its cost
-    CostSum graph(std::size_t subMesh, const EnumerationPart::Graph& graph, const std::string& here,
-                  bool maybeTwice = false) {
+    struct PricedGraph {
+        std::vector<int> edges; ///< ascending
+        CostSum cost;
+    };
+
+    PricedGraph graph(std::size_t subMesh, const EnumerationPart::Graph& graph, const std::string& here) {
         const LineNetwork& network = networks_[subMesh];
         const std::string list = below(here, "tracks");
         const auto tracks = readTracks(around_, graph.tracks, list, report_);
@@ -114,7 +119,8 @@ private:
         for (const int edge : edges)
             present_[at(edge)] = 1;
         checkGraph(around_, network, tracks, present_, edges.size(), part_.tmesh, list, report_);
-        checkConstraints(around_, context_.constraints, present_, networks_.size() == 1, list, report_);
+        checkConstraints(around_, context_.constraints, present_,
+                         networks_.size() == 1 ? GraphOf::mesh : GraphOf::subMesh, list, report_);
         CostSum cost(context_.costs);
         if (context_.segmentCost != 0) cost.addCost(context_.segmentCost * corners(subMesh, tracks) / 4);
         for (const int edge : edges)
@@ -125,10 +131,7 @@ private:
         if (graph.cost && !cost.equals(*graph.cost))
             report_.violate(below(here, "cost"), "cost",
                             "the edges of its tracks cost " + numberText(cost.value()));
-        if (maybeTwice) return cost;
-        const auto [same, unique] = known_.emplace(std::move(edges), here);
-        if (!unique) report_.violate(here, "distinct", "it has the same edges as " + same->second);
-        return cost;
+        return {std::move(edges), cost};
     }
 
     void references(const TrackPart& track, const std::string& here) {

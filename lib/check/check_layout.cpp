@@ -1,5 +1,6 @@
 #include "base/at.h"
 #include "base/number_text.h"
+#include "base/positions.h"
 #include "check/check_constraints.h"
 #include "check/check_sections.h"
 #include "check/tracks/check_graph.h"
@@ -47,12 +48,17 @@ public:
     }
 
 private:
-    void constraints(std::span<const ReadTrack> tracks) {
+    /// By edge: whether it lies on one of these tracks.
+    [[nodiscard]] std::vector<char> edgesOn(std::span<const ReadTrack> tracks) const {
         std::vector<char> present(onTrack_.size(), 0);
         for (const ReadTrack& track : tracks)
             for (const int step : track.steps)
                 present[at(around_.edge(step))] = 1;
-        checkConstraints(around_, context_.constraints, present, true, tracksPlace, report_);
+        return present;
+    }
+
+    void constraints(std::span<const ReadTrack> tracks) {
+        checkConstraints(around_, context_.constraints, edgesOn(tracks), GraphOf::mesh, tracksPlace, report_);
     }
 
     void ids() {
@@ -88,15 +94,9 @@ private:
             for (const ReadTrack& track : tracks)
                 straight(track);
         } else {
-            std::vector<char> present(onTrack_.size(), 0);
-            std::size_t count = 0;
-            for (const ReadTrack& track : tracks)
-                for (const int step : track.steps) {
-                    char& edge = present[at(around_.edge(step))];
-                    count += edge == 0;
-                    edge = 1;
-                }
-            checkGraph(around_, network_, tracks, present, count, part_.tmesh, tracksPlace, report_);
+            const std::vector<char> present = edgesOn(tracks);
+            checkGraph(around_, network_, tracks, present, countIn(present, 1), part_.tmesh, tracksPlace,
+                       report_);
         }
     }
 

@@ -40,7 +40,7 @@ std::vector<double> aspects(const LayoutPart& part) {
         const auto [shorter, longer] = std::minmax(segment.size[0], segment.size[1]);
         all.push_back(static_cast<double>(longer) / shorter);
     }
-    std::sort(all.begin(), all.end());
+    std::ranges::sort(all);
     return all;
 }
 

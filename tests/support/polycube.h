@@ -33,7 +33,6 @@ using Cells = std::vector<std::array<int, 3>>;
 
 /// Abstract squares, each divided into n x n quads, whose sides are glued in pairs. This makes every oriented
 /// surface possible, including lines that cross themselves. The points have no meaning.
-///
 /// \param pairs  of sides, numbered 4 * square + side; each side is in one pair at most, and on the boundary
 /// otherwise
 [[nodiscard]] check::CheckedMesh glued(int squares, const std::vector<std::array<int, 2>>& pairs, int n);

@@ -9,7 +9,6 @@ namespace qm::check {
 
 /// Takes over every figure as it stands. Never fails, whatever the JSON is: what is missing or of another
 /// type becomes a value that no check accepts, and a schema is the place to say so.
-///
 /// \param document  the whole of it
 [[nodiscard]] CheckedDocument readDocument(const nlohmann::ordered_json& document);
 

@@ -1,6 +1,7 @@
 #include "check/mesh/neighbourhoods.h"
 
 #include "base/error.h"
+#include "base/positions.h"
 
 #include <algorithm>
 #include <string>
@@ -17,8 +18,8 @@ void requireQuads(const CheckedMesh& mesh) {
     const int vertices = static_cast<int>(mesh.points.size());
     for (std::size_t face = 0; face < mesh.quads.size(); ++face) {
         auto corners = mesh.quads[face];
-        std::sort(corners.begin(), corners.end());
-        const bool different = std::adjacent_find(corners.begin(), corners.end()) == corners.end();
+        std::ranges::sort(corners);
+        const bool different = std::ranges::adjacent_find(corners) == corners.end();
         if (!different || corners.front() < 0 || corners.back() >= vertices)
             throw Error("face " + std::to_string(face), "not a quad of four different vertices",
                         "Give a quad mesh");
@@ -57,49 +58,48 @@ Neighbourhoods::Neighbourhoods(const CheckedMesh& mesh) {
 }
 
 void Neighbourhoods::addFan(int vertex, std::span<Corner> corners) {
-    std::sort(corners.begin(), corners.end(),
-              [](const Corner& a, const Corner& b) { return a.next < b.next; });
-    const auto cornerAfter = [&](int neighbour) {
-        const auto found = std::lower_bound(corners.begin(), corners.end(), neighbour,
-                                            [](const Corner& c, int key) { return c.next < key; });
-        return found != corners.end() && found->next == neighbour ? static_cast<int>(found - corners.begin())
-                                                                  : -1;
-    };
+    std::ranges::sort(corners, {}, &Corner::next);
+    const std::vector<int> following = followingCorners(vertex, corners);
     std::vector<char> hasBefore(corners.size(), 0);
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        if (i > 0 && corners[i - 1].next == corners[i].next)
-            badVertex(vertex, "two faces leave it along the same edge in the same direction");
-        const int after = cornerAfter(corners[i].previous);
-        if (after < 0) continue;
-        if (hasBefore[at(after)]) badVertex(vertex, "two faces reach it along the same edge");
-        hasBefore[at(after)] = 1;
-    }
-
+    for (const int corner : following)
+        if (corner >= 0) hasBefore[at(corner)] = 1;
     // An open fan begins at the only corner that no other comes before.
-    const auto start = std::find(hasBefore.begin(), hasBefore.end(), 0);
+    const auto start = std::ranges::find(hasBefore, 0);
     const bool closed = start == hasBefore.end();
-    int corner = closed ? 0 : static_cast<int>(start - hasBefore.begin());
+    const int first = closed ? 0 : static_cast<int>(start - hasBefore.begin());
     std::size_t walked = 0;
-    if (!corners.empty()) {
-        while (true) {
-            const Corner& here = corners[at(corner)];
-            stepOfSide_[at(here.side)] = static_cast<int>(to_.size());
-            to_.push_back(here.next);
-            left_.push_back(here.side / 4);
-            ++walked;
-            const int after = cornerAfter(here.previous);
-            if (after < 0) {
-                to_.push_back(here.previous);
-                left_.push_back(-1);
-                break;
-            }
-            if (closed && after == 0) break;
-            corner = after;
+    for (int corner = corners.empty() ? -1 : first; corner >= 0;) {
+        const Corner& here = corners[at(corner)];
+        stepOfSide_[at(here.side)] = static_cast<int>(to_.size());
+        to_.push_back(here.next);
+        left_.push_back(here.side / 4);
+        ++walked;
+        corner = following[at(corner)];
+        if (corner < 0) {
+            to_.push_back(here.previous);
+            left_.push_back(-1);
         }
+        if (corner == first) break;
     }
     if (walked != corners.size()) badVertex(vertex, "its faces form more than one fan");
     closed_.push_back(closed);
     first_.push_back(static_cast<int>(to_.size()));
+}
+
+std::vector<int> Neighbourhoods::followingCorners(int vertex, std::span<const Corner> corners) {
+    std::vector<int> following(corners.size(), -1);
+    std::vector<char> hasBefore(corners.size(), 0);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        if (i > 0 && corners[i - 1].next == corners[i].next)
+            badVertex(vertex, "two faces leave it along the same edge in the same direction");
+        const auto after = std::ranges::lower_bound(corners, corners[i].previous, {}, &Corner::next);
+        if (after == corners.end() || after->next != corners[i].previous) continue;
+        const std::size_t place = positionIn(corners, after);
+        if (hasBefore[place]) badVertex(vertex, "two faces reach it along the same edge");
+        hasBefore[place] = 1;
+        following[i] = static_cast<int>(place);
+    }
+    return following;
 }
 
 void Neighbourhoods::pairSteps(const CheckedMesh& mesh) {

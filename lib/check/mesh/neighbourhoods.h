@@ -62,6 +62,10 @@ private:
         int side;     ///< 4 * face + the corner's rank in it: its step to `next` is that side of the face
     };
     void addFan(int vertex, std::span<Corner> corners);
+    /// Of every corner of a vertex: the next one counter-clockwise, beyond their common edge; -1 if there is
+    /// none.
+    /// \param corners  ascending by `next`
+    [[nodiscard]] static std::vector<int> followingCorners(int vertex, std::span<const Corner> corners);
     void pairSteps(const CheckedMesh& mesh);
 
     int faces_ = 0;

@@ -85,7 +85,7 @@ private:
             ArcLine line{&way, way.opposite >= 0, {}, false};
             for (int arc = 0; arc < way.length(); ++arc)
                 line.arcs.push_back(readArc(line, arc));
-            line.full = std::count(line.arcs.begin(), line.arcs.end(), 1) == way.length();
+            line.full = std::ranges::count(line.arcs, 1) == way.length();
             for (int c = 1; c < way.length(); ++c)
                 sides_[at(way.stops[at(c) - 1])].push_back(
                     {static_cast<int>(lines_.size()), line.arcs[at(c) - 1] != 0, line.arcs[at(c)] != 0});
@@ -139,8 +139,7 @@ private:
         Groups groups(lines_.size());
         for (std::size_t c = 0; c < sides_.size(); ++c) {
             const auto& sides = sides_[c];
-            if (std::any_of(sides.begin(), sides.end(), [](const Side& s) { return s.present() < 2; }))
-                continue;
+            if (std::ranges::any_of(sides, [](const Side& s) { return s.present() < 2; })) continue;
             const int first = sides.front().line;
             const int second = sides.back().line; // the same where the other line starts here at a seed
             const bool firstCracks = canCrack(first);

@@ -15,7 +15,7 @@ namespace {
 /// The coordinate after `steps` steps of the way; -1 between two stops.
 int coordinateAfter(const Way& way, std::size_t steps) {
     if (steps == way.steps.size()) return way.length();
-    const auto stop = std::lower_bound(way.stopSteps.begin(), way.stopSteps.end(), static_cast<int>(steps));
+    const auto stop = std::ranges::lower_bound(way.stopSteps, static_cast<int>(steps));
     const bool found = stop != way.stopSteps.end() && at(*stop) == steps;
     return found ? static_cast<int>(stop - way.stopSteps.begin()) + 1 : -1;
 }
@@ -109,7 +109,7 @@ std::vector<int> edgesOf(const Neighbourhoods& around, std::span<const ReadTrack
     for (const ReadTrack& track : tracks)
         for (const int step : track.steps)
             edges.emplace_back(around.edge(step), track.rank);
-    std::sort(edges.begin(), edges.end());
+    std::ranges::sort(edges);
     std::vector<int> result;
     result.reserve(edges.size());
     for (std::size_t i = 0; i < edges.size(); ++i) {

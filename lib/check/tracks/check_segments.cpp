@@ -12,7 +12,7 @@ namespace {
 /// Turns the vertices of a face so that it begins with `first`.
 /// \return false if that is none of them
 bool turn(std::array<int, 4>& quad, int first) {
-    const auto found = std::find(quad.begin(), quad.end(), first);
+    const auto found = std::ranges::find(quad, first);
     std::rotate(quad.begin(), found, quad.end());
     return quad.front() == first;
 }

@@ -12,7 +12,6 @@ namespace qm::check {
 
 /// Each segment is a grid of faces, listed row by row, with four corners and four sides that are its border;
 /// every face lies in exactly one; the borders are the tracks and the mesh boundary, and nothing else.
-///
 /// \param onTrack  by edge
 void checkSegments(const CheckedMesh& mesh, const Neighbourhoods& around, std::span<const char> onTrack,
                    const LayoutPart& part, Report& report);

@@ -15,7 +15,6 @@ bool knownVertex(const Neighbourhoods& around, int vertex, const std::string& po
 
 /// The steps along a list of vertices, or nothing, with a report, if it has fewer than two, or two in a row
 /// that no edge joins.
-///
 /// \param pointer  of the list
 [[nodiscard]] std::optional<std::vector<int>> readPath(const Neighbourhoods& around,
                                                        const std::vector<int>& vertices,

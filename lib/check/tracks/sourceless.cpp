@@ -47,14 +47,13 @@ void checkWholeLines(const Neighbourhoods& around, const std::vector<int>& compo
     const auto componentOf = [&](const ReadTrack& track) {
         return component[at(around.from(track.steps.front()))];
     };
-    std::stable_sort(tracks.begin(), tracks.end(),
-                     [&](const ReadTrack& a, const ReadTrack& b) { return componentOf(a) < componentOf(b); });
+    std::ranges::stable_sort(tracks, {}, componentOf);
     forEachGroup(tracks, componentOf, [&](std::span<const ReadTrack> together) {
         std::vector<int> edges;
         for (const ReadTrack& track : together)
             for (const int step : track.steps)
                 edges.push_back(around.edge(step));
-        std::sort(edges.begin(), edges.end());
+        std::ranges::sort(edges);
         if (edges != wholeLine(around, together.front().steps.front()))
             report.violate(
                 below(pointer, together.front().rank), "whole line",
